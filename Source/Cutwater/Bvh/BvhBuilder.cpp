@@ -1,0 +1,167 @@
+#include <Cutwater/Bvh/BinaryBvh.hpp>
+#include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Core/Error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cutwater {
+
+namespace {
+
+using detail::BinaryBvh;
+using detail::BinaryNode;
+
+/// Chooses which binary nodes become children of which K-ary node.
+///
+/// cost(n, i): the least summed area of K-ary nodes when the subtree of n hangs below its parent in
+/// at most i lanes. It takes one lane as a node of its own, which costs area(n) and shares K lanes
+/// among its two children; or it dissolves, and its children share the i lanes.
+template <int K>
+class Collapse {
+ public:
+  explicit Collapse(const BinaryBvh& tree) : tree_(tree), rows_(tree.nodes.size()) {
+    for (std::size_t n = tree.nodes.size(); n-- > 0;) fill(n);  // children before their parents
+  }
+
+  /// The binary nodes that become the children of the K-ary node made from `n`.
+  std::vector<std::uint32_t> children(std::uint32_t n) const {
+    if (tree_.nodes[n].isLeaf()) return {n};  // a tree of one leaf
+    std::vector<std::uint32_t> result;
+    std::vector<std::pair<std::uint32_t, Share>> pending;
+    const auto split = [&](std::uint32_t node, Share share) {
+      const auto left = tree_.nodes[node].left;
+      pending.emplace_back(left + 1, rows_[left + 1].share[share.right - 1U]);
+      pending.emplace_back(left, rows_[left].share[share.left - 1U]);
+    };
+    split(n, rows_[n].own);
+    while (!pending.empty()) {
+      const auto [node, share] = pending.back();
+      pending.pop_back();
+      share.left == 0 ? result.push_back(node) : split(node, share);
+    }
+    return result;
+  }
+
+ private:
+  /// Lanes for the left and the right child; 0, 0: not shared, the subtree takes one lane.
+  struct Share {
+    std::uint8_t left = 0;
+    std::uint8_t right = 0;
+  };
+  struct Row {
+    std::array<float, K> cost{};  // [i - 1]: in at most i lanes. Leaves cost the same everywhere: 0
+    std::array<Share, K> share{};  // how to get there
+    Share own;                     // how a node made of this one shares its K lanes
+  };
+
+  void fill(std::size_t n) {
+    const auto& node = tree_.nodes[n];
+    if (node.isLeaf()) return;
+    auto& row = rows_[n];
+    const auto& left = rows_[node.left].cost;
+    const auto& right = rows_[node.left + 1].cost;
+    const auto bestShare = [&](std::size_t lanes) {
+      std::pair<float, Share> best{std::numeric_limits<float>::infinity(), {}};
+      for (std::size_t l = 1; l < lanes; ++l) {
+        const float cost = left[l - 1] + right[lanes - l - 1];
+        if (best.second.left == 0 || cost < best.first) {
+          best = {cost, {static_cast<std::uint8_t>(l), static_cast<std::uint8_t>(lanes - l)}};
+        }
+      }
+      return best;
+    };
+    const auto [inside, own] = bestShare(K);
+    row.own = own;
+    row.cost[0] = static_cast<float>(detail::halfArea(node.box)) + inside;
+    for (std::size_t i = 1; i < K; ++i) {
+      const auto [cost, share] = bestShare(i + 1);
+      row.cost[i] = std::min(cost, row.cost[i - 1]);
+      row.share[i] = cost < row.cost[i - 1] ? share : row.share[i - 1];
+    }
+  }
+
+  const BinaryBvh& tree_;
+  std::vector<Row> rows_;
+};
+
+BvhFrame frameOf(const Box<double>& box) {
+  const double extent = maxComponent(box.size());
+  if (!(extent > 0) || !std::isfinite(extent)) return {.center = box.center(), .scale = 1};
+  // Well within double's range of exponents, so that lengths divided by the scale are finite.
+  const int exponent = std::clamp(std::ilogb(extent), -900, 900);
+  return {.center = box.center(), .scale = std::ldexp(1.0, -exponent)};
+}
+
+/// The box in the tree's frame. The double arithmetic is off by 2^-53 of the result and the
+/// conversion by half a float spacing; one float further out encloses both.
+template <int K>
+void setLane(BvhNode<K>& node, std::size_t lane, const Box<double>& box, const BvhFrame& frame) {
+  constexpr float kInf = std::numeric_limits<float>::infinity();
+  const Vec3<double> lower = frame.scale * (box.lower - frame.center);
+  const Vec3<double> upper = frame.scale * (box.upper - frame.center);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    node.lower[i][lane] = std::nextafter(static_cast<float>(lower[axis]), -kInf);
+    node.upper[i][lane] = std::nextafter(static_cast<float>(upper[axis]), kInf);
+  }
+}
+
+template <int K>
+BvhNode<K> emptyNode() {
+  constexpr float kInf = std::numeric_limits<float>::infinity();
+  BvhNode<K> node;
+  for (auto& lanes : node.lower) lanes.fill(kInf);
+  for (auto& lanes : node.upper) lanes.fill(-kInf);
+  return node;
+}
+
+}  // namespace
+
+template <int K, int W>
+BvhArrays<K, W> buildBvh(std::span<const Box<double>> boxes) {
+  if (boxes.size() >= kNone) {
+    throw Error(ErrorKind::Limit, "LinearBVH: more than 2^32 - 2 primitives");
+  }
+  BvhArrays<K, W> result;
+  const auto binary = detail::buildBinaryBvh(boxes, W);
+  if (binary.nodes.empty()) return result;
+  result.frame = frameOf(binary.nodes.front().box);
+  const Collapse<K> collapse(binary);
+
+  // Breadth first: the children of a node are appended together, nodes and leaves each.
+  std::vector<std::uint32_t> source{0};
+  result.nodes.push_back(emptyNode<K>());
+  for (std::size_t n = 0; n < result.nodes.size(); ++n) {
+    auto node = emptyNode<K>();
+    node.firstNode = static_cast<std::uint32_t>(result.nodes.size());
+    node.firstLeaf = static_cast<std::uint32_t>(result.slots.size() / W);
+    std::size_t lane = 0;
+    for (const auto child : collapse.children(source[n])) {
+      const auto& from = binary.nodes[child];
+      setLane(node, lane, from.box, result.frame);
+      auto& mask = from.isLeaf() ? node.leafMask : node.nodeMask;
+      mask = static_cast<std::uint16_t>(mask | 1U << lane);
+      if (from.isLeaf()) {
+        const auto first = result.slots.size();
+        result.slots.resize(first + W, kNone);
+        std::copy(binary.order.begin() + from.begin, binary.order.begin() + from.end,
+                  result.slots.begin() + static_cast<std::ptrdiff_t>(first));
+      } else {
+        source.push_back(child);
+        result.nodes.push_back(emptyNode<K>());
+      }
+      ++lane;
+    }
+    result.nodes[n] = node;
+  }
+  return result;
+}
+
+template BvhArrays<4, 4> buildBvh(std::span<const Box<double>>);
+template BvhArrays<8, 4> buildBvh(std::span<const Box<double>>);
+template BvhArrays<16, 4> buildBvh(std::span<const Box<double>>);
+template BvhArrays<16, 8> buildBvh(std::span<const Box<double>>);
+
+}  // namespace cutwater

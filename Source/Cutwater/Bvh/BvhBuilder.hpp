@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Cutwater/Bvh/BvhTree.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cutwater {
+
+/// The arrays of a tree, fresh from the builder.
+template <int K, int W>
+struct BvhArrays {
+  BvhFrame frame;
+  std::vector<BvhNode<K>> nodes;
+  std::vector<std::uint32_t> slots;
+
+  [[nodiscard]] BvhTree<K, W> tree() const { return {frame, nodes, slots}; }
+};
+
+/// Builds a tree over the boxes; slot ids are indices into them. Deterministic: it depends on the
+/// boxes only. Empty and infinite boxes are the caller's to keep out.
+///
+/// Binary splits by the surface area heuristic with 16 bins (Wald 2007, "On fast construction of
+/// SAH-based bounding volume hierarchies"), near the leaves by a sorted sweep at multiples of W, so
+/// that leaves are full; then collapsed to K children by dynamic programming, so that the summed
+/// area of all nodes is least (Ylitie, Karras and Laine 2017, "Efficient incoherent ray traversal
+/// on GPUs through compressed wide BVHs", section 3).
+template <int K, int W>
+[[nodiscard]] BvhArrays<K, W> buildBvh(std::span<const Box<double>> boxes);
+
+}  // namespace cutwater

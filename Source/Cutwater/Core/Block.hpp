@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace cutwater {
+
+/// Where an array lies in a Block: offset in bytes from its start, and the number of elements.
+struct Section {
+  std::uint64_t offset = 0;
+  std::uint64_t count = 0;
+};
+
+/// Read-only arrays of plain records in one piece of memory that somebody owns: the heap, a mapped
+/// file, a window shared by processes. Copies share it. It holds no pointers, so its bytes can be
+/// written, sent and mapped as they are.
+class Block {
+ public:
+  Block() = default;
+  Block(std::shared_ptr<const void> owner, std::span<const std::byte> bytes)
+      : owner_(std::move(owner)), bytes_(bytes) {}
+
+  template <typename Record>
+  [[nodiscard]] std::span<const Record> array(const Section& section) const {
+    static_assert(std::is_trivially_copyable_v<Record>);
+    return {reinterpret_cast<const Record*>(bytes_.data() + section.offset), section.count};
+  }
+  [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+
+ private:
+  std::shared_ptr<const void> owner_;
+  std::span<const std::byte> bytes_;
+};
+
+/// Collects arrays and lays them into one block. Every array starts on a cache line.
+class BlockWriter {
+ public:
+  static constexpr std::size_t kAlignment = 64;
+
+  /// Notes the array; its elements are copied by finish() and must live until then.
+  template <typename Record>
+  Section add(std::span<const Record> records) {
+    static_assert(std::is_trivially_copyable_v<Record> && alignof(Record) <= kAlignment);
+    return addBytes(std::as_bytes(records), records.size());
+  }
+  template <typename Record>
+  Section add(const std::vector<Record>& records) {
+    return add(std::span<const Record>(records));
+  }
+
+  [[nodiscard]] Block finish() const;
+
+ private:
+  struct Piece {
+    std::uint64_t offset;
+    std::span<const std::byte> bytes;
+  };
+
+  Section addBytes(std::span<const std::byte> bytes, std::size_t count);
+
+  std::vector<Piece> pieces_;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace cutwater

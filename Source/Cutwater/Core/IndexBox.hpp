@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace cutwater {
+
+/// Integer coordinates of a cell or node in a level's index space; may be negative.
+struct Index3 {
+  std::int32_t i = 0;
+  std::int32_t j = 0;
+  std::int32_t k = 0;
+
+  bool operator==(const Index3&) const = default;
+};
+
+/// All indices from `lo` to `hi`, both included. Empty if any component of hi is below lo's.
+struct IndexBox {
+  Index3 lo;
+  Index3 hi{-1, -1, -1};
+
+  /// The box of nx * ny * nz indices that starts at (0, 0, 0).
+  static constexpr IndexBox ofSize(std::int32_t nx, std::int32_t ny, std::int32_t nz) {
+    return {{0, 0, 0}, {nx - 1, ny - 1, nz - 1}};
+  }
+
+  /// Number of indices along axis 0, 1 or 2; 0 where empty.
+  [[nodiscard]] constexpr std::size_t length(int axis) const {
+    const std::int64_t a = axis == 0 ? lo.i : axis == 1 ? lo.j : lo.k;
+    const std::int64_t b = axis == 0 ? hi.i : axis == 1 ? hi.j : hi.k;
+    return b < a ? 0 : static_cast<std::size_t>(b - a + 1);
+  }
+  [[nodiscard]] constexpr std::size_t count() const { return length(0) * length(1) * length(2); }
+  [[nodiscard]] constexpr bool empty() const { return count() == 0; }
+
+  bool operator==(const IndexBox&) const = default;
+};
+
+}  // namespace cutwater

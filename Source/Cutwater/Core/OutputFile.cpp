@@ -1,0 +1,72 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/OutputFile.hpp>
+
+#include <cerrno>
+#include <random>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace cutwater {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Hidden, in the same folder, hence on the same file system; no two writers share one.
+fs::path nameBeside(const fs::path& target) {
+  std::random_device entropy;
+  fs::path name = ".";
+  name += target.filename();
+  name += "." + std::to_string(entropy()) + ".part";
+  return target.parent_path() / name;
+}
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(path_) {
+  std::error_code ignored;
+  const auto status = fs::status(path_, ignored);
+  if (fs::exists(status)) {
+    if (const auto resolved = fs::canonical(path_, ignored); !ignored) target_ = resolved;
+  }
+  const bool inPlace = fs::exists(status) && !fs::is_regular_file(status);
+  if (!inPlace) temporary_ = nameBeside(target_);
+  const auto& name = inPlace ? target_ : temporary_;
+  file_.reset(std::fopen(name.c_str(), inPlace ? "wb" : "wbx"));
+  if (!file_) fail("cannot create", errno);
+  if (!inPlace && fs::exists(status)) fs::permissions(temporary_, status.permissions(), ignored);
+}
+
+OutputFile::~OutputFile() {
+  file_.reset();
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove(temporary_, ignored);
+}
+
+void OutputFile::write(std::span<const std::byte> bytes) {
+  if (bytes.empty()) return;
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) {
+    fail("cannot write", errno);
+  }
+}
+
+void OutputFile::write(std::string_view text) {
+  write(std::as_bytes(std::span(text)));
+}
+
+void OutputFile::commit() {
+  if (std::fclose(file_.release()) != 0) fail("cannot write", errno);
+  if (temporary_.empty()) return;
+  std::error_code error;
+  fs::rename(temporary_, target_, error);
+  if (error) fail("cannot put in place", error.value());
+  temporary_.clear();
+}
+
+void OutputFile::fail(const char* what, int systemError) const {
+  throw Error(ErrorKind::File, path_.string() + ": " + what + ": " +
+                                   std::error_code(systemError, std::generic_category()).message());
+}
+
+}  // namespace cutwater

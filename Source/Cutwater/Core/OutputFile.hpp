@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace cutwater {
+
+/// A file that stands under its name only once it is complete: it is written beside its place and
+/// renamed by commit(). Without commit() nothing remains, and a file of that name is left as it
+/// was. What exists but is no regular file (a pipe, a device) is written in place.
+class OutputFile {
+ public:
+  /// @throws Error(File) if it cannot be created.
+  explicit OutputFile(std::filesystem::path path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  OutputFile(OutputFile&&) = delete;
+  OutputFile& operator=(OutputFile&&) = delete;
+
+  /// Buffered. @throws Error(File), e.g. when the disk is full.
+  void write(std::span<const std::byte> bytes);
+  void write(std::string_view text);
+
+  /// @throws Error(File) if what was written could not be stored or put in its place.
+  void commit();
+
+ private:
+  struct Closer {
+    void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
+  };
+
+  [[noreturn]] void fail(const char* what, int systemError) const;
+
+  std::filesystem::path path_;
+  std::filesystem::path target_;     // path_ with symbolic links followed
+  std::filesystem::path temporary_;  // empty: written in place
+  std::unique_ptr<std::FILE, Closer> file_;
+};
+
+}  // namespace cutwater

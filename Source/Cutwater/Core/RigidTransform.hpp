@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Cutwater/Core/Box.hpp>
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <array>
+
+namespace cutwater {
+
+/// A rotation followed by a translation: where an object stands in the world. Lengths are
+/// unchanged.
+///
+/// translate() and rotate() move the object, in the order they are called, about the world's axes:
+/// `translate({1, 0, 0}); rotate(90, 2);` first moves the object to x = 1, then swings it about the
+/// z axis through the origin to y = 1. Angles are in degrees, right-handed; multiples of 90 degrees
+/// about a coordinate axis are exact.
+template <std::floating_point T>
+class RigidTransform {
+ public:
+  RigidTransform() = default;
+
+  void translate(const Vec3<T>& offset);
+  /// About the coordinate axis 0, 1 or 2 through the world's origin.
+  void rotate(T degrees, int axis);
+  /// About any axis through any point; `axis` need not have unit length.
+  void rotate(T degrees, const Vec3<T>& axis, const Vec3<T>& through = {});
+
+  /// World -> the object's own frame. Out of line: the same bits whatever the caller's flags.
+  [[nodiscard]] Vec3<T> toLocal(const Vec3<T>& world) const;
+  [[nodiscard]] Vec3<T> toWorld(const Vec3<T>& local) const;
+  /// The same for directions, e.g. normals.
+  [[nodiscard]] Vec3<T> directionToLocal(const Vec3<T>& world) const;
+  [[nodiscard]] Vec3<T> directionToWorld(const Vec3<T>& local) const;
+  /// The axis-aligned box around the moved box; infinite extents stay infinite.
+  [[nodiscard]] Box<T> toWorld(const Box<T>& local) const;
+
+  /// The object moved by `first` and then by `second`.
+  [[nodiscard]] static RigidTransform composed(const RigidTransform& first,
+                                               const RigidTransform& second);
+
+  [[nodiscard]] bool isIdentity() const { return !rotated_ && offset_ == Vec3<T>{}; }
+  [[nodiscard]] bool isRotated() const { return rotated_; }
+  [[nodiscard]] const Vec3<T>& offset() const { return offset_; }
+  /// Image of the local axis 0, 1 or 2: a column of the rotation matrix.
+  [[nodiscard]] const Vec3<T>& axis(int i) const { return column_[static_cast<std::size_t>(i)]; }
+
+  bool operator==(const RigidTransform&) const = default;
+
+ private:
+  using Matrix = std::array<Vec3<T>, 3>;
+
+  void applyRotation(const Matrix& columns);
+
+  Matrix column_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Vec3<T> offset_;
+  bool rotated_ = false;
+};
+
+extern template class RigidTransform<float>;
+extern template class RigidTransform<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,43 @@
+#pragma once
+
+/// Everything that is public, for those who do not choose header by header.
+
+#include <Cutwater/Core/Box.hpp>
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/FunctionRef.hpp>
+#include <Cutwater/Core/GridView.hpp>
+#include <Cutwater/Core/IndexBox.hpp>
+#include <Cutwater/Core/Interval.hpp>
+#include <Cutwater/Core/Level.hpp>
+#include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/Core/RigidTransform.hpp>
+#include <Cutwater/Core/Segment.hpp>
+#include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Operations/Combination.hpp>
+#include <Cutwater/Operations/Complement.hpp>
+#include <Cutwater/Operations/Intersection.hpp>
+#include <Cutwater/Operations/Labelled.hpp>
+#include <Cutwater/Operations/Offset.hpp>
+#include <Cutwater/Operations/Scale.hpp>
+#include <Cutwater/Operations/UnaryOperation.hpp>
+#include <Cutwater/Operations/Union.hpp>
+#include <Cutwater/Sdf/BoxQuery.hpp>
+#include <Cutwater/Sdf/Guarantee.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+#include <Cutwater/Sdf/Solid.hpp>
+#include <Cutwater/Sdf/SurfacePoint.hpp>
+#include <Cutwater/Shapes/Axisymmetric.hpp>
+#include <Cutwater/Shapes/CappedCone.hpp>
+#include <Cutwater/Shapes/Capsule.hpp>
+#include <Cutwater/Shapes/Cone.hpp>
+#include <Cutwater/Shapes/ConeSphere.hpp>
+#include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Shapes/Cylinder.hpp>
+#include <Cutwater/Shapes/InfiniteCone.hpp>
+#include <Cutwater/Shapes/InfiniteCylinder.hpp>
+#include <Cutwater/Shapes/Plane.hpp>
+#include <Cutwater/Shapes/RoundedBox.hpp>
+#include <Cutwater/Shapes/RoundedCylinder.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Shapes/Torus.hpp>

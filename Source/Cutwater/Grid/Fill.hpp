@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Cutwater/Core/GridView.hpp>
+#include <Cutwater/Core/Level.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+namespace cutwater {
+
+struct FillOptions {
+  /// Half-width of the band around the surface in which values are told, in cells of the smallest
+  /// spacing h. Beyond it they are exactly +band * h or -band * h. 0: values everywhere.
+  double band = 0;
+  /// At most this many threads; 0: as many as there are. See ParallelOptions.
+  int threads = 0;
+  Progress progress = {};
+};
+
+/// The arrays that one pass over a patch fills; those without data are left out. They must not
+/// overlap.
+template <std::floating_point T>
+struct FillTargets {
+  GridView<T> distance = {};  ///< signedDistance() at the index's position, to the bit
+  /// Patch of the closest surface point, see patchNames(); kNone beyond the band.
+  GridView<std::uint32_t> patch = {};
+};
+
+/// Evaluates the solid at every index of the patch: at centres of cells or at nodes, as its level
+/// says. Each value depends on its index alone: it has the same bits as when asked for by itself,
+/// whatever the patch, the band around it and the number of threads. Serial inside an active
+/// parallel region.
+/// @throws Error if the band is negative or not finite, or `threads` is negative.
+template <std::floating_point T>
+void fill(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
+          const FillTargets<T>& targets, const FillOptions& options = {});
+
+/// The distance alone.
+template <std::floating_point T>
+void fill(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
+          const GridView<T>& distance, const FillOptions& options = {}) {
+  fill(solid, patch, FillTargets<T>{.distance = distance}, options);
+}
+
+extern template void fill(const SignedDistanceFunction<float>&, const Patch<float>&,
+                          const FillTargets<float>&, const FillOptions&);
+extern template void fill(const SignedDistanceFunction<double>&, const Patch<double>&,
+                          const FillTargets<double>&, const FillOptions&);
+
+}  // namespace cutwater

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Cutwater/Render/Image.hpp>
+
+#include <filesystem>
+
+namespace cutwater {
+
+/// Writes a picture as a PNG file; a file of that name is replaced only once it is complete.
+/// @throws Error(File) naming the path if it cannot be written, or if this library was built
+/// without libpng.
+void writePng(const std::filesystem::path& path, const Image& image);
+
+}  // namespace cutwater

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <Cutwater/Core/Box.hpp>
+#include <Cutwater/Core/FunctionRef.hpp>
+#include <Cutwater/Mesh/MeshRanges.hpp>
+#include <Cutwater/Mesh/PolygonSoup.hpp>
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cutwater {
+
+/// A surface mesh as a doubly connected edge list: every face is a cycle of half-edges, every
+/// half-edge knows its origin, its face and its twin.
+///
+/// Any soup is accepted: polygons of one corner or more, degenerate, non-manifold, mis-oriented,
+/// with unused vertices. A half-edge has a twin only where exactly one half-edge runs the opposite
+/// way and none the same way; check() (MeshReport.hpp) tells where that fails. The half-edges of a
+/// face are contiguous, so that next() and prev() are arithmetic; all is in flat arrays of 32-bit
+/// indices, about 75 bytes per triangle plus 24 (float) or 48 (double) of geometry.
+///
+/// Immutable; all functions are thread-safe, and none but visitEdges() allocates. Positions are
+/// rounded to T first: all geometry is that of the rounded mesh, computed in double.
+///
+///     for (FaceId face : mesh.faces(vertex)) sum += mesh.normal(face);
+template <std::floating_point T>
+class DcelMesh {
+ public:
+  /// Builds the mesh in linear time, whatever the valence of its vertices.
+  /// @throws Error(Argument) where the soup's arrays contradict each other, a polygon has no
+  /// corners, a corner is no point, or a coordinate is not finite as a T or its square as a
+  /// double; Error(Limit) beyond 2^32 - 2 points or corners.
+  explicit DcelMesh(const PolygonSoup& soup);
+
+  // The whole mesh.
+  [[nodiscard]] IdRange<VertexId> vertices() const { return {0, size32(positions_)}; }
+  [[nodiscard]] IdRange<HalfEdgeId> halfEdges() const { return {0, size32(origins_)}; }
+  [[nodiscard]] IdRange<FaceId> faces() const { return {0, size32(patches_)}; }
+  [[nodiscard]] std::span<const Vec3<T>> positions() const { return positions_; }
+  [[nodiscard]] std::span<const std::string> patchNames() const { return patchNames_; }
+  [[nodiscard]] Box<T> boundingBox() const;
+
+  // One half-edge.
+  [[nodiscard]] FaceId face(HalfEdgeId e) const { return faceOf_[index(e)]; }
+  [[nodiscard]] VertexId origin(HalfEdgeId e) const { return origins_[index(e)]; }
+  [[nodiscard]] VertexId target(HalfEdgeId e) const { return origin(next(e)); }
+  /// The half-edge that runs the other way in the neighbouring face, or kNoHalfEdge.
+  [[nodiscard]] HalfEdgeId twin(HalfEdgeId e) const { return twins_[index(e)]; }
+  [[nodiscard]] bool hasTwin(HalfEdgeId e) const { return twin(e) != kNoHalfEdge; }
+  [[nodiscard]] HalfEdgeId next(HalfEdgeId e) const {
+    const std::uint32_t face = index(this->face(e));
+    const std::uint32_t following = index(e) + 1;
+    return HalfEdgeId{following == faceOffsets_[face + 1] ? faceOffsets_[face] : following};
+  }
+  [[nodiscard]] HalfEdgeId prev(HalfEdgeId e) const {
+    const std::uint32_t face = index(this->face(e));
+    return HalfEdgeId{(index(e) == faceOffsets_[face] ? faceOffsets_[face + 1] : index(e)) - 1};
+  }
+
+  // Around a face.
+  [[nodiscard]] IdRange<HalfEdgeId> halfEdges(FaceId face) const {
+    return {faceOffsets_[index(face)], faceOffsets_[index(face) + 1]};
+  }
+  [[nodiscard]] std::span<const VertexId> vertices(FaceId face) const {
+    return slice(origins_, faceOffsets_, index(face));
+  }
+  /// The faces across the half-edges that have a twin, in their order; a face that shares two
+  /// edges comes twice.
+  [[nodiscard]] auto neighbours(FaceId face) const {
+    const auto across = [this](HalfEdgeId e) { return hasTwin(e) ? this->face(twin(e)) : kNoFace; };
+    return MappedRange(halfEdges(face).begin(), halfEdges(face).end(), across);
+  }
+  /// The face as triangles, oriented like it: itself, if it is one; see triangulate(). None if it
+  /// has fewer than three distinct corners.
+  [[nodiscard]] std::span<const TriangleCorners> triangles(FaceId face) const {
+    return slice(triangles_, triangleOffsets_, index(face));
+  }
+  [[nodiscard]] std::uint32_t patch(FaceId face) const { return patches_[index(face)]; }
+
+  // Around a vertex; complete at non-manifold vertices, too, in ascending order of half-edges.
+  [[nodiscard]] std::span<const HalfEdgeId> outgoing(VertexId vertex) const {
+    return slice(outgoing_, outgoingOffsets_, index(vertex));
+  }
+  [[nodiscard]] auto faces(VertexId vertex) const {
+    const auto its = outgoing(vertex);
+    const auto faceOf = [this](HalfEdgeId e) { return face(e); };
+    return MappedRange(its.begin(), its.end(), faceOf);
+  }
+  [[nodiscard]] const Vec3<T>& position(VertexId vertex) const { return positions_[index(vertex)]; }
+
+  /// All half-edges between two distinct vertices, of either direction.
+  struct Edge {
+    VertexId lower;
+    VertexId upper;
+    std::span<const HalfEdgeId> halfEdges;  ///< valid during the visit
+  };
+  /// Visits every undirected edge once: by the lower, then in the order of appearance. Linear time.
+  void visitEdges(FunctionRef<void(const Edge&)> visit) const;
+
+  // Geometry. Lengths in the units of the positions.
+
+  /// The unit normal by Newell's method, that of the best plane of a non-planar face; zero for a
+  /// face of no area. Also its pseudonormal.
+  [[nodiscard]] Vec3<T> normal(FaceId face) const { return normals_[index(face)]; }
+  /// The sum of the areas of its triangles.
+  [[nodiscard]] T area(FaceId face) const;
+  /// The centre of area; the mean of the corners where there is none.
+  [[nodiscard]] Vec3<T> centroid(FaceId face) const;
+  /// The angle-weighted pseudonormal (Baerentzen & Aanaes 2005), a unit vector; zero where all
+  /// faces have no area or cancel.
+  [[nodiscard]] Vec3<T> pseudonormal(VertexId vertex) const {
+    return pseudonormals_[index(vertex)];
+  }
+  /// The direction of the sum of the two faces' unit normals, a unit vector or zero; the face's own
+  /// where there is no twin.
+  [[nodiscard]] Vec3<T> pseudonormal(HalfEdgeId e) const;
+  /// Of all triangles; linear time.
+  [[nodiscard]] double totalArea() const;
+  /// By the divergence theorem: positive where faces are counter-clockwise seen from outside. Means
+  /// something for closed meshes only. Linear time.
+  [[nodiscard]] double signedVolume() const;
+
+ private:
+  template <typename V>
+  static std::uint32_t size32(const V& values) {
+    return static_cast<std::uint32_t>(values.size());
+  }
+  template <typename V>
+  static std::span<const V> slice(const std::vector<V>& values,
+                                  const std::vector<std::uint32_t>& offsets, std::uint32_t i) {
+    return std::span(values).subspan(offsets[i], offsets[i + 1] - offsets[i]);
+  }
+
+  void takeFaces(const PolygonSoup& soup);
+  void collectOutgoing();
+  void pairTwins();
+  void takeTriangles(const PolygonSoup& soup);
+  void computeNormals();
+  [[nodiscard]] std::array<Vec3<double>, 3> corners(const TriangleCorners& triangle) const;
+
+  std::vector<Vec3<T>> positions_;
+  std::vector<std::uint32_t> faceOffsets_;  ///< face i has half-edges [faceOffsets_[i], ... [i+1])
+  std::vector<VertexId> origins_;           ///< per half-edge
+  std::vector<HalfEdgeId> twins_;           ///< per half-edge
+  std::vector<FaceId> faceOf_;              ///< per half-edge
+  std::vector<std::uint32_t> outgoingOffsets_;  ///< per vertex, into outgoing_
+  std::vector<HalfEdgeId> outgoing_;
+  std::vector<std::uint32_t> triangleOffsets_;  ///< per face, into triangles_
+  std::vector<TriangleCorners> triangles_;
+  std::vector<std::uint32_t> patches_;
+  std::vector<std::string> patchNames_;
+  std::vector<Vec3<T>> normals_;        ///< per face
+  std::vector<Vec3<T>> pseudonormals_;  ///< per vertex
+};
+
+extern template class DcelMesh<float>;
+extern template class DcelMesh<double>;
+
+}  // namespace cutwater

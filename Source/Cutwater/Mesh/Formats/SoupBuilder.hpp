@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Cutwater/Mesh/Formats/Cursor.hpp>
+#include <Cutwater/Mesh/IndexTable.hpp>
+#include <Cutwater/Mesh/ReadSurface.hpp>
+
+#include <string_view>
+
+namespace cutwater::formats {
+
+/// The one way from a file's numbers to a soup, and the one place that checks them: every
+/// coordinate is finite after scale and placement, every index in range, every polygon has at
+/// least three corners, and nothing grows beyond 32-bit indices. Readers only parse.
+class SoupBuilder {
+ public:
+  /// So many points and polygons have indices below kNone.
+  static constexpr std::uint64_t kMost = kNone - 1;
+
+  /// `most`: kMost, but for the tests of that limit.
+  SoupBuilder(const ReadOptions& options, std::string defaultPatch, std::uint64_t most = kMost);
+  SoupBuilder(const SoupBuilder&) = delete;
+  SoupBuilder& operator=(const SoupBuilder&) = delete;
+  SoupBuilder(SoupBuilder&&) = delete;
+  SoupBuilder& operator=(SoupBuilder&&) = delete;
+  ~SoupBuilder() = default;
+
+  /// For so many more, of counts that passed Cursor::requireRecords().
+  void reservePoints(std::uint64_t count) { soup_.points.reserve(pointCount() + count); }
+  void reservePolygons(std::uint64_t count, std::uint64_t corners);
+  /// What the file calls its first point, for messages: 0 unless told.
+  void countPointsFrom(std::int64_t first) { firstIndex_ = first; }
+
+  [[nodiscard]] std::uint64_t pointCount() const { return soup_.points.size(); }
+
+  void addPoint(const Vec3<double>& asInFile, const Cursor& at);
+  /// A corner of the polygon under way, by index; the point may follow later in the file.
+  void addCorner(std::int64_t index, const Cursor& at);
+  /// A corner by its coordinates, as in STL: welded at once if that is asked for.
+  void addCorner(const Vec3<double>& asInFile, const Cursor& at);
+  /// Ends the polygon under way.
+  void endPolygon(const Cursor& at);
+
+  /// The polygons that follow belong to this patch; an empty name stands for the default. A patch
+  /// comes into being with its first polygon; equal names are one patch. The name is not copied
+  /// until then: it is part of the file.
+  void setPatch(std::string_view name);
+
+  ReadReport& report() { return report_; }
+  void note(std::string sentence) { report_.notes.push_back(std::move(sentence)); }
+
+  /// Checks what can only be known now, welds and counts. `at` is the end of the file.
+  SurfaceFile finish(const Cursor& at) &&;
+
+ private:
+  [[nodiscard]] Vec3<double> placed(const Vec3<double>& asInFile, const Cursor& at) const;
+  [[nodiscard]] std::uint32_t appended(const Vec3<double>& point, const Cursor& at);
+  [[nodiscard]] std::uint32_t patchId();
+  void requireRoom(std::uint64_t count, const char* what, const Cursor& at) const;
+  [[nodiscard]] std::size_t countUnusedPoints() const;
+
+  ReadOptions options_;
+  std::string defaultPatch_;
+  std::uint64_t most_;
+  std::int64_t firstIndex_ = 0;
+  std::string_view patchName_;
+  std::uint32_t patch_ = kNone;  // its id, once it has one
+  // The largest index beyond the points known when it was read, and where it stands.
+  std::uint64_t furthest_ = 0;
+  Place furthestPlace_;
+  bool pointsByCorner_ = false;
+  detail::IndexTable weld_;
+  detail::IndexTable patchTable_;
+  PolygonSoup soup_;
+  ReadReport report_;
+};
+
+}  // namespace cutwater::formats

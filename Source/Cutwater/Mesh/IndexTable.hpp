@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+// Private: not installed.
+
+namespace cutwater::detail {
+
+/// An open-addressing hash table of indices: finds equal items in an array that the caller keeps.
+/// At most 11 bytes per item, and 16 while it grows.
+class IndexTable {
+ public:
+  /// The index of the item equal to number `candidate`, or `candidate` itself, which is then kept.
+  /// `hashOf(i)` hashes item i, `equal(i)` compares it with the candidate.
+  template <typename HashOf, typename Equal>
+  std::uint32_t findOrInsert(std::uint32_t candidate, HashOf hashOf, Equal equal) {
+    if (4 * (size_ + 1) > 3 * slots_.size()) grow(hashOf);
+    std::uint32_t& slot = find(hashOf(candidate), equal);
+    if (slot == kNone) {
+      slot = candidate;
+      ++size_;
+    }
+    return slot;
+  }
+
+ private:
+  // A quarter of the slots is free: the walk ends.
+  template <typename Equal>
+  std::uint32_t& find(std::uint64_t hash, Equal equal) {
+    std::size_t i = hash & (slots_.size() - 1);
+    while (slots_[i] != kNone && !equal(slots_[i])) i = (i + 1) & (slots_.size() - 1);
+    return slots_[i];
+  }
+
+  template <typename HashOf>
+  void grow(HashOf hashOf) {
+    std::vector<std::uint32_t> old(slots_.empty() ? 64 : 2 * slots_.size(), kNone);
+    old.swap(slots_);
+    for (const std::uint32_t item : old) {
+      if (item != kNone) find(hashOf(item), [](std::uint32_t) { return false; }) = item;
+    }
+  }
+
+  std::vector<std::uint32_t> slots_;  // a power of two of them
+  std::size_t size_ = 0;
+};
+
+/// Mixes 64 bits so that every bit of the result depends on each of them (the finaliser of
+/// MurmurHash3, Appleby 2011).
+constexpr std::uint64_t mixed(std::uint64_t bits) {
+  bits = (bits ^ (bits >> 33U)) * 0xff51afd7ed558ccdULL;
+  bits = (bits ^ (bits >> 33U)) * 0xc4ceb9fe1a85ec53ULL;
+  return bits ^ (bits >> 33U);
+}
+
+/// Equal for equal points, also where -0 stands for 0.
+inline std::uint64_t hashOf(const Vec3<double>& p) {
+  std::uint64_t hash = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double positiveZero = p[axis] + 0.0;
+    hash = mixed(hash * 0x9e3779b97f4a7c15ULL + std::bit_cast<std::uint64_t>(positiveZero));
+  }
+  return hash;
+}
+
+}  // namespace cutwater::detail

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <Cutwater/Mesh/DcelMesh.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cutwater {
+
+/// How often something was found, and the first few places.
+template <typename Place>
+struct Findings {
+  static constexpr std::size_t kExamples = 8;
+
+  std::size_t count = 0;
+  std::vector<Place> examples;  ///< at most kExamples
+
+  void add(const Place& place) {
+    if (count++ < kExamples) examples.push_back(place);
+  }
+  [[nodiscard]] explicit operator bool() const { return count > 0; }
+};
+
+/// One half-edge of an edge, with its ends.
+struct EdgePlace {
+  HalfEdgeId halfEdge;
+  VertexId origin;
+  VertexId target;
+};
+
+/// What is wrong with a surface mesh, and what kind of surface it is. Faces are numbered like the
+/// polygons of the soup, vertices like its points, from 0.
+struct MeshReport {
+  std::size_t faces = 0;
+  std::size_t triangles = 0;  ///< after triangulation
+  std::size_t edges = 0;      ///< undirected, between distinct vertices
+  std::size_t vertices = 0;   ///< unused ones included
+
+  Findings<EdgePlace> boundaryEdges;       ///< one face only: the surface is open here
+  Findings<EdgePlace> nonManifoldEdges;    ///< more than two faces
+  Findings<EdgePlace> misorientedEdges;    ///< two faces that run along the edge the same way
+  std::size_t oddEdges = 0;                ///< with an odd number of faces, boundary edges included
+  std::size_t unbalancedEdges = 0;         ///< see isOriented(); mis-oriented edges included
+  Findings<VertexId> nonManifoldVertices;  ///< faces in several fans that touch at the vertex only
+  Findings<VertexId> unusedVertices;
+  Findings<FaceId> repeatedCornerFaces;  ///< a corner comes twice, or there are fewer than three
+  Findings<FaceId> zeroAreaFaces;
+  /// Faces with the same cycle of corners as an earlier face, and the same orientation ...
+  Findings<FaceId> duplicateFaces;
+  Findings<FaceId> oppositeFaces;  ///< ... or the opposite one
+
+  std::size_t components = 0;         ///< sets of faces connected across edges
+  long long eulerCharacteristic = 0;  ///< used vertices - edges + faces
+  /// The number of handles, summed over the components; for closed, oriented manifolds only.
+  std::optional<long long> genus;
+  double area = 0;
+  double volume = 0;  ///< signed; means something for closed meshes only
+
+  /// No edge with an odd number of faces.
+  [[nodiscard]] bool isClosed() const { return oddEdges == 0 && faces > 0; }
+  /// As many faces run one way along each edge as the other, but for the odd one.
+  [[nodiscard]] bool isOriented() const { return unbalancedEdges == 0; }
+  [[nodiscard]] bool isManifold() const { return !nonManifoldEdges && !nonManifoldVertices; }
+  /// Every half-edge has a twin (those from a vertex to itself aside): what signs by pseudonormals
+  /// need. Fans may still touch at a vertex: ask isManifold().
+  [[nodiscard]] bool isClosedOriented() const {
+    return faces > 0 && !boundaryEdges && !nonManifoldEdges && !misorientedEdges;
+  }
+  /// Closed and oriented, but with the normals pointing into the solid.
+  [[nodiscard]] bool isInsideOut() const { return isClosedOriented() && volume < 0; }
+  /// Nothing to complain about: none of the findings, and not inside out.
+  [[nodiscard]] bool isClean() const;
+
+  /// One line: "closed, oriented, manifold; 12 triangles, 1 component" or
+  /// "not closed; 3 open edges, 1 duplicate face; 11 triangles, 1 component".
+  [[nodiscard]] std::string summary() const;
+  /// A line per property and per kind of defect with its first places, each ended by '\n'.
+  [[nodiscard]] std::string table() const;
+};
+
+/// Looks for every defect, in linear time. Nothing found is an error.
+template <std::floating_point T>
+[[nodiscard]] MeshReport check(const DcelMesh<T>& mesh);
+
+extern template MeshReport check(const DcelMesh<float>&);
+extern template MeshReport check(const DcelMesh<double>&);
+
+}  // namespace cutwater

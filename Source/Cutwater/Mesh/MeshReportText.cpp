@@ -1,0 +1,114 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/MeshReport.hpp>
+
+#include <string_view>
+
+namespace cutwater {
+namespace {
+
+std::string text(std::size_t count) {
+  return detail::toText(static_cast<long long>(count));
+}
+
+std::string text(const EdgePlace& edge) {
+  return text(index(edge.origin)) + "-" + text(index(edge.target));
+}
+
+template <MeshId Id>
+std::string text(Id id) {
+  return text(std::size_t{index(id)});
+}
+
+/// "1 open edge", "7 open edges".
+std::string counted(std::size_t count, std::string_view singular, std::string_view plural) {
+  return text(count) + " " + std::string(count == 1 ? singular : plural);
+}
+
+/// A kind of defect, in the words of the summary and of the table.
+struct Kind {
+  std::string_view singular;
+  std::string_view plural;
+  std::string_view places;  ///< what the numbers behind it are
+};
+
+/// Calls visit(kind, findings) for all of them, worst first.
+template <typename Visit>
+void forAllDefects(const MeshReport& r, Visit visit) {
+  visit(Kind{"open edge", "open edges", "vertices"}, r.boundaryEdges);
+  visit(Kind{"non-manifold edge", "non-manifold edges", "vertices"}, r.nonManifoldEdges);
+  visit(Kind{"mis-oriented edge", "mis-oriented edges", "vertices"}, r.misorientedEdges);
+  visit(Kind{"non-manifold vertex", "non-manifold vertices", "vertices"}, r.nonManifoldVertices);
+  visit(Kind{"face with repeated corners", "faces with repeated corners", "faces"},
+        r.repeatedCornerFaces);
+  visit(Kind{"face of no area", "faces of no area", "faces"}, r.zeroAreaFaces);
+  visit(Kind{"duplicate face", "duplicate faces", "faces"}, r.duplicateFaces);
+  visit(Kind{"face turned against its duplicate", "faces turned against their duplicates", "faces"},
+        r.oppositeFaces);
+  visit(Kind{"unused vertex", "unused vertices", "vertices"}, r.unusedVertices);
+}
+
+std::string line(std::string_view name, const std::string& value) {
+  constexpr std::size_t kColumn = 40;
+  std::string result(name);
+  result.append(result.size() < kColumn ? kColumn - result.size() : 1, ' ');
+  return result + value + "\n";
+}
+
+template <typename Place>
+std::string withExamples(const Kind& kind, const Findings<Place>& findings) {
+  std::string result = text(findings.count);
+  if (!findings) return result;
+  result += "  (" + std::string(kind.places);
+  for (const auto& place : findings.examples) result.append(" ").append(text(place));
+  return result + (findings.count > findings.examples.size() ? " ...)" : ")");
+}
+
+std::string yesOrNo(bool value) {
+  return value ? "yes" : "no";
+}
+
+}  // namespace
+
+bool MeshReport::isClean() const {
+  bool clean = faces > 0 && !isInsideOut();
+  forAllDefects(*this, [&](const Kind&, const auto& findings) { clean = clean && !findings; });
+  return clean;
+}
+
+std::string MeshReport::summary() const {
+  std::string result = isClosed() ? "closed" : "not closed";
+  result += isOriented() ? ", oriented" : ", not oriented";
+  result += isManifold() ? ", manifold" : ", not manifold";
+  if (isInsideOut()) result += ", inside out";
+  std::string_view separator = "; ";
+  forAllDefects(*this, [&](const Kind& kind, const auto& findings) {
+    if (!findings) return;
+    result += std::string(separator) + counted(findings.count, kind.singular, kind.plural);
+    separator = ", ";
+  });
+  return result + "; " + counted(triangles, "triangle", "triangles") + ", " +
+         counted(components, "component", "components");
+}
+
+std::string MeshReport::table() const {
+  std::string result;
+  result += line("vertices", text(vertices));
+  result += line("edges", text(edges));
+  result += line("faces", text(faces));
+  result += line("triangles", text(triangles));
+  result += line("components", text(components));
+  result += line("closed", yesOrNo(isClosed()));
+  result += line("oriented", yesOrNo(isOriented()));
+  result += line("manifold", yesOrNo(isManifold()));
+  result += line("inside out", yesOrNo(isInsideOut()));
+  result += line("Euler characteristic", detail::toText(eulerCharacteristic));
+  result += line("genus", genus ? detail::toText(*genus) : "-");
+  result += line("area", detail::toText(area));
+  result += line("volume", isClosed() ? detail::toText(volume) : "-");
+  forAllDefects(*this, [&](const Kind& kind, const auto& findings) {
+    result += line(kind.plural, withExamples(kind, findings));
+  });
+  return result;
+}
+
+}  // namespace cutwater

@@ -1,0 +1,87 @@
+#include <Cutwater/Core/DoubleDouble.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cutwater {
+namespace {
+
+/// The sum of (p[i] - p[0]) x (p[i+1] - p[0]), with coordinates multiplied by `scale`.
+template <typename Vector, typename Difference>
+Vector crossProducts(std::span<const Vec3<double>> corners, double scale, Difference difference) {
+  const Vec3<double> base = scale * corners[0];
+  Vector sum{};
+  Vector previous{};
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const Vector current = difference(scale * corners[i], base);
+    sum = sum + cross(previous, current);
+    previous = current;
+  }
+  return sum;
+}
+
+/// The sum of the lengths' products: what the cross products' rounding is proportional to.
+double crossProductsSize(std::span<const Vec3<double>> corners, double scale) {
+  double sum = 0;
+  double previous = 0;
+  for (const auto& p : corners) {
+    const double current = length(scale * p - scale * corners[0]);
+    sum += previous * current;
+    previous = current;
+  }
+  return sum;
+}
+
+/// Twice the area vector of the scaled polygon.
+Vec3<double> scaledAreaVector(std::span<const Vec3<double>> corners, double scale) {
+  constexpr double kCancels = 0.1;       // from here on double would lose more than a digit
+  constexpr double kRounding = 0x1p-98;  // 2^-102 per operation, a few operations
+  const double size = crossProductsSize(corners, scale);
+  const auto plain = crossProducts<Vec3<double>>(
+      corners, scale, [](const auto& a, const auto& b) { return a - b; });
+  if (length(plain) >= kCancels * size) return plain;
+  // Through a lambda: a pointer to an always-inlined function does not compile below -O2.
+  const auto precise = static_cast<Vec3<double>>(crossProducts<DoubleDouble3>(
+      corners, scale,
+      [](const auto& a, const auto& b) { return DoubleDouble3::difference(a, b); }));
+  return length(precise) > kRounding * size ? precise : Vec3<double>{};
+}
+
+/// The area that `twice`, twice the area of a polygon scaled by `scale`, stands for.
+double unscaledArea(double twice, double scale) {
+  return 0.5 * twice / scale / scale;
+}
+
+}  // namespace
+
+double unitScale(std::span<const Vec3<double>> corners) {
+  double size = 0;
+  for (const auto& p : corners) size = std::max(size, maxComponent(abs(p - corners[0])));
+  return size > 0 ? std::ldexp(1.0, std::min(-std::ilogb(size), 1022)) : 1;
+}
+
+PolygonArea polygonArea(std::span<const Vec3<double>> corners) {
+  if (corners.size() < 3) return {};
+  const double scale = unitScale(corners);
+  const Vec3<double> twice = scaledAreaVector(corners, scale);
+  return {normalized(twice), unscaledArea(length(twice), scale)};
+}
+
+TriangleShape triangleShape(const std::array<Vec3<double>, 3>& corners) {
+  const double scale = unitScale(corners);
+  const Vec3<double> twice = scaledAreaVector(corners, scale);
+  const double twiceArea = length(twice);
+  if (!(twiceArea > 0)) return {};
+  const Vec3<double> u = scale * corners[1] - scale * corners[0];
+  const Vec3<double> v = scale * corners[2] - scale * corners[1];
+  const Vec3<double> w = scale * corners[0] - scale * corners[2];
+  // |u x v| is the same at all corners and has its digits; the dot product needs no more than its
+  // rounding relative to |u| |v|, for it vanishes only where |u x v| does not.
+  return {twice / twiceArea,
+          unscaledArea(twiceArea, scale),
+          {std::atan2(twiceArea, -dot(u, w)), std::atan2(twiceArea, -dot(u, v)),
+           std::atan2(twiceArea, -dot(v, w))}};
+}
+
+}  // namespace cutwater

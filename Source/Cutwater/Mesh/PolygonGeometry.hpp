@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <array>
+#include <span>
+
+namespace cutwater {
+
+/// Which way a polygon faces, and how large it is.
+struct PolygonArea {
+  Vec3<double> normal;  ///< a unit vector; zero for a polygon of no area
+  double area = 0;      ///< of its projection along the normal: its area, if it is planar
+};
+
+/// Newell's method, relative to the first corner: the sum of cross products is the normal of the
+/// best plane of a non-planar polygon, and right for concave ones.
+///
+/// Right for needles, too: where the products cancel, they are formed in twice the precision, from
+/// differences without error. A sum below 2^-98 of its terms is rounding and counts as no area. No
+/// size of polygon over- or underflows.
+[[nodiscard]] PolygonArea polygonArea(std::span<const Vec3<double>> corners);
+
+/// The power of two that brings the polygon's largest extent from its first corner into [1, 2); 1
+/// if it has none. Multiplying by it changes no digit.
+[[nodiscard]] double unitScale(std::span<const Vec3<double>> corners);
+
+/// What a triangle contributes to the surface around it.
+struct TriangleShape {
+  Vec3<double> normal;           ///< as polygonArea()
+  double area = 0;               ///< as polygonArea()
+  std::array<double, 3> angles;  ///< at its corners, in radians; all zero if it has no area
+};
+
+/// The angles are atan2(|u x v|, u . v): acos fails on needles.
+[[nodiscard]] TriangleShape triangleShape(const std::array<Vec3<double>, 3>& corners);
+
+}  // namespace cutwater

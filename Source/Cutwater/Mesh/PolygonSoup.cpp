@@ -1,0 +1,70 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/IndexTable.hpp>
+#include <Cutwater/Mesh/PolygonSoup.hpp>
+
+namespace cutwater {
+
+void PolygonSoup::addPolygon(std::span<const std::uint32_t> polygonCorners, std::uint32_t patch) {
+  corners.insert(corners.end(), polygonCorners.begin(), polygonCorners.end());
+  offsets.push_back(corners.size());
+  patches.push_back(patch);
+}
+
+Box<double> PolygonSoup::boundingBox() const {
+  Box<double> box;
+  for (const auto& p : points) box.extend(p);
+  return box;
+}
+
+void PolygonSoup::validate() const {
+  constexpr std::uint64_t kMost = kNone - 1;
+  require(points.size() <= kMost, "PolygonSoup: more points than 32-bit indices can name",
+          Named{"points", points.size()});
+  require(patches.size() <= kMost, "PolygonSoup: more polygons than 32-bit indices can name",
+          Named{"polygons", patches.size()});
+  require(offsets.size() == patches.size() + 1, "PolygonSoup: need one offset more than patch ids",
+          Named{"offsets", offsets.size()}, Named{"patches", patches.size()});
+  require(offsets.front() == 0 && offsets.back() == corners.size(),
+          "PolygonSoup: offsets must go from 0 to the number of corners",
+          Named{"corners", corners.size()});
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    // Not a difference: offsets that descend would wrap around.
+    require(offsets[i] <= corners.size() && offsets[i] + 3 <= offsets[i + 1],
+            "PolygonSoup: every polygon needs three corners", Named{"polygon", i});
+  }
+  for (const std::uint32_t corner : corners) {
+    require(corner < points.size(), "PolygonSoup: a corner is not a point", Named{"corner", corner},
+            Named{"points", points.size()});
+  }
+  for (const auto& point : points) {
+    require(isFinite(point), "PolygonSoup: points must be finite", Named{"point", point});
+  }
+}
+
+std::size_t weldExactly(PolygonSoup& soup) {
+  auto& points = soup.points;
+  const std::size_t before = points.size();
+  require(before < kNone, "weldExactly: more points than 32-bit indices can name",
+          Named{"points", before});
+  std::vector<std::uint32_t> newIndex(before);
+  detail::IndexTable table;
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < before; ++i) {
+    const bool finite = isFinite(points[i]);
+    const std::uint32_t first =
+        finite ? table.findOrInsert(
+                     i, [&](std::uint32_t j) { return detail::hashOf(points[j]); },
+                     [&](std::uint32_t j) { return points[j] == points[i]; })
+               : i;
+    newIndex[i] = first == i ? kept++ : newIndex[first];
+  }
+  // Nothing below allocates: a soup is welded, or it is as it was.
+  for (std::uint32_t i = 0, next = 0; i < before; ++i) {
+    if (newIndex[i] == next) points[next++] = points[i];
+  }
+  points.resize(kept);
+  for (auto& corner : soup.corners) corner = newIndex[corner];
+  return before - kept;
+}
+
+}  // namespace cutwater

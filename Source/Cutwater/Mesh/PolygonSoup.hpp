@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Cutwater/Core/Box.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cutwater {
+
+/// Points and polygons as a file gives them: nothing is assumed about how they fit together.
+struct PolygonSoup {
+  std::vector<Vec3<double>> points;
+  /// Polygon i has the corners [offsets[i], offsets[i + 1]).
+  std::vector<std::uint64_t> offsets{0};
+  std::vector<std::uint32_t> corners;  ///< indices of points
+  std::vector<std::uint32_t> patches;  ///< per polygon: index into patchNames
+  std::vector<std::string> patchNames;
+
+  [[nodiscard]] std::size_t polygonCount() const { return patches.size(); }
+  [[nodiscard]] std::span<const std::uint32_t> polygon(std::size_t i) const {
+    return std::span(corners).subspan(offsets[i], offsets[i + 1] - offsets[i]);
+  }
+  void addPolygon(std::span<const std::uint32_t> polygonCorners, std::uint32_t patch = 0);
+
+  [[nodiscard]] Box<double> boundingBox() const;
+
+  /// For soups that did not come from a reader, whose soups always pass.
+  /// @throws Error(Argument) unless offsets go from 0 to the number of corners in steps of three or
+  /// more, every corner is a point, every point is finite, and points and polygons are fewer than
+  /// 2^32 - 1.
+  void validate() const;
+};
+
+/// Merges points whose coordinates are equal (-0 equals 0), in linear time. Points keep the order
+/// of their first appearance and the sign that zero has there; points that no polygon uses stay.
+/// Points that are not finite are equal to none. Returns how many were merged away.
+///
+/// @throws Error(Argument) for more than 2^32 - 2 points.
+std::size_t weldExactly(PolygonSoup& soup);
+
+}  // namespace cutwater

@@ -1,0 +1,118 @@
+#include <Cutwater/Mesh/TriangleDistance.hpp>
+#include <Cutwater/Mesh/TriangleDistance.inl>
+
+#include <algorithm>
+
+namespace cutwater {
+
+namespace {
+
+using detail::Plain;
+using detail::Wide;
+
+template <typename Arithmetic, typename T>
+Vec3<T> unitNormalBy(const Triangle<T>& t) {
+  const auto n = detail::planeNormal<Arithmetic>(t);
+  const auto squared = dot(n, n);
+  if (!(squared > typename Arithmetic::Scalar(0))) return {};
+  const auto norm = sqrt(squared);
+  return {static_cast<T>(n.x / norm), static_cast<T>(n.y / norm), static_cast<T>(n.z / norm)};
+}
+
+template <typename Arithmetic, typename T>
+int sideBy(const Vec3<T>& p, const Triangle<T>& t) {
+  using Scalar = typename Arithmetic::Scalar;
+  const auto from = Arithmetic::difference(p, t.vertex(detail::nearestVertex(p, t)));
+  const Scalar height = dot(detail::planeNormal<Arithmetic>(t), from);
+  return height > Scalar(0) ? 1 : height < Scalar(0) ? -1 : 0;
+}
+
+/// Ratios of the areas of (p, b, c) and (a, p, c) to the whole, projected along the normal.
+template <typename Arithmetic, typename T>
+Vec3<T> faceBarycentric(const Vec3<T>& p, const Triangle<T>& t) {
+  const auto normal = detail::planeNormal<Arithmetic>(t);
+  const auto whole = dot(normal, normal);
+  const auto weight = [&](const Vec3<T>& from, const Vec3<T>& to) {
+    const auto part = cross(Arithmetic::difference(to, from), Arithmetic::difference(p, from));
+    return std::clamp(static_cast<T>(dot(part, normal) / whole), T(0), T(1));
+  };
+  const T a = weight(t.b, t.c);
+  const T b = weight(t.c, t.a);
+  return {a, b, std::max(T(0), T(1) - a - b)};
+}
+
+/// The point's place on the edge, from 0 at `from` to 1 at `to`.
+template <std::floating_point T>
+T edgeParameter(const Vec3<T>& p, const Vec3<T>& from, const Vec3<T>& to) {
+  return std::clamp(dot(to - from, p - from) / lengthSquared(to - from), T(0), T(1));
+}
+
+}  // namespace
+
+Feature featureOf(TrianglePart part) {
+  if (part == TrianglePart::Face) return Feature::Face;
+  return part < TrianglePart::EdgeAB ? Feature::Vertex : Feature::Edge;
+}
+
+template <std::floating_point T>
+bool isSliver(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c) {
+  const T longest = std::max({lengthSquared(b - a), lengthSquared(c - b), lengthSquared(a - c)});
+  // The cross product's own rounding, a few eps of `longest`, is far below the threshold.
+  return !(length(cross(b - a, c - a)) >= T(0.1) * longest && longest > 0);
+}
+
+template <std::floating_point T>
+TriangleHit<T> triangleDistance(const Vec3<T>& p, const Triangle<T>& triangle) {
+  return detail::triangleHit(p, triangle);
+}
+
+template <std::floating_point T>
+Vec3<T> closestBarycentric(const Vec3<T>& p, const Triangle<T>& t, TrianglePart part) {
+  using enum TrianglePart;
+  switch (part) {
+    case VertexA:
+      return {1, 0, 0};
+    case VertexB:
+      return {0, 1, 0};
+    case VertexC:
+      return {0, 0, 1};
+    case EdgeAB: {
+      const T s = edgeParameter(p, t.a, t.b);
+      return {1 - s, s, 0};
+    }
+    case EdgeBC: {
+      const T s = edgeParameter(p, t.b, t.c);
+      return {0, 1 - s, s};
+    }
+    case EdgeCA: {
+      const T s = edgeParameter(p, t.c, t.a);
+      return {s, 0, 1 - s};
+    }
+    case Face:
+      break;
+  }
+  return t.sliver ? faceBarycentric<Wide<T>>(p, t) : faceBarycentric<Plain<T>>(p, t);
+}
+
+template <std::floating_point T>
+Vec3<T> unitNormal(const Triangle<T>& t) {
+  using std::sqrt;
+  return t.sliver ? unitNormalBy<Wide<T>>(t) : unitNormalBy<Plain<T>>(t);
+}
+
+template <std::floating_point T>
+int sideOfPlane(const Vec3<T>& p, const Triangle<T>& t) {
+  return t.sliver ? sideBy<Wide<T>>(p, t) : sideBy<Plain<T>>(p, t);
+}
+
+#define CUTWATER_INSTANTIATE(T)                                                          \
+  template bool isSliver(const Vec3<T>&, const Vec3<T>&, const Vec3<T>&);                \
+  template TriangleHit<T> triangleDistance(const Vec3<T>&, const Triangle<T>&);          \
+  template Vec3<T> closestBarycentric(const Vec3<T>&, const Triangle<T>&, TrianglePart); \
+  template Vec3<T> unitNormal(const Triangle<T>&);                                       \
+  template int sideOfPlane(const Vec3<T>&, const Triangle<T>&);
+CUTWATER_INSTANTIATE(float)
+CUTWATER_INSTANTIATE(double)
+#undef CUTWATER_INSTANTIATE
+
+}  // namespace cutwater

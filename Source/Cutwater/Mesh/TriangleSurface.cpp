@@ -1,0 +1,101 @@
+#include <Cutwater/Mesh/TriangleDistance.inl>
+#include <Cutwater/Mesh/TriangleSurface.hpp>
+
+#include <cmath>
+
+namespace cutwater {
+
+namespace {
+
+int firstVertex(TrianglePart part) {
+  using enum TrianglePart;
+  switch (part) {
+    case VertexB:
+    case EdgeBC:
+      return 1;
+    case VertexC:
+    case EdgeCA:
+      return 2;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
+template <std::floating_point T>
+void TriangleSurface<T>::compete(const Vec3<T>& p, std::span<const std::uint32_t> ids,
+                                 Nearest& best) const {
+  for (const auto id : ids) {
+    if (id == kNone) return;
+    const auto hit = detail::triangleHit(p, triangle(id));
+    if (hit.distanceSquared < best.hit.distanceSquared ||
+        (hit.distanceSquared == best.hit.distanceSquared && id < best.triangle)) {
+      best = {hit, id};
+    }
+  }
+}
+
+/// Unit length for faces; edges and vertices only up to a positive factor.
+template <std::floating_point T>
+Vec3<T> TriangleSurface<T>::pseudonormal(const Nearest& nearest) const {
+  const auto part = nearest.hit.part;
+  const auto corner = static_cast<std::size_t>(firstVertex(part));
+  switch (featureOf(part)) {
+    case Feature::Vertex:
+      return pseudonormals[triangles[nearest.triangle][corner]];
+    case Feature::Edge:
+      return unitNormal(triangle(nearest.triangle)) +
+             unitNormal(triangle(neighbours[nearest.triangle][corner]));
+    default:
+      return unitNormal(triangle(nearest.triangle));
+  }
+}
+
+template <std::floating_point T>
+T TriangleSurface<T>::signedDistance(const Vec3<T>& p, const Nearest& nearest) const {
+  const T distance = std::sqrt(nearest.hit.distanceSquared);
+  const auto t = triangle(nearest.triangle);
+  if (nearest.hit.part == TrianglePart::Face) {
+    return sideOfPlane(p, t) < 0 ? -distance : distance;
+  }
+  // The base point is a vertex of the feature, the nearer one of an edge: from anywhere else more
+  // digits would cancel.
+  const int first = firstVertex(nearest.hit.part);
+  Vec3<T> from = p - t.vertex(first);
+  if (featureOf(nearest.hit.part) == Feature::Edge) {
+    const Vec3<T> other = p - t.vertex((first + 1) % 3);
+    if (lengthSquared(other) < lengthSquared(from)) from = other;
+  }
+  return dot(pseudonormal(nearest), from) < 0 ? -distance : distance;
+}
+
+template <std::floating_point T>
+SurfacePoint<T> TriangleSurface<T>::surfacePoint(const Vec3<T>& p, const Nearest& nearest) const {
+  const auto t = triangle(nearest.triangle);
+  const auto weights = closestBarycentric(p, t, nearest.hit.part);
+  // From the heaviest vertex, so that a vertex is found exactly.
+  const int base = weights.x >= weights.y && weights.x >= weights.z ? 0
+                   : weights.y >= weights.z                         ? 1
+                                                                    : 2;
+  const Vec3<T> origin = t.vertex(base);
+  const Vec3<T> point =
+      origin + weights.x * (t.a - origin) + weights.y * (t.b - origin) + weights.z * (t.c - origin);
+  SurfacePoint<T> result;
+  result.point = point / scale;
+  result.normal = normalized(pseudonormal(nearest));
+  result.distance = signedDistance(p, nearest) / scale;
+  result.tolerance = 2 * error(p) / scale;  // of the distance, and of the point
+  result.exact = true;
+  result.feature = featureOf(nearest.hit.part);
+  const auto polygon = polygons[nearest.triangle];
+  result.owner = {.object = 0, .patch = patches[polygon], .face = polygon};
+  result.triangle = nearest.triangle;
+  result.barycentric = weights;
+  return result;
+}
+
+template struct TriangleSurface<float>;
+template struct TriangleSurface<double>;
+
+}  // namespace cutwater

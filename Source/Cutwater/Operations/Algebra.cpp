@@ -1,0 +1,92 @@
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Operations/Complement.hpp>
+#include <Cutwater/Operations/Intersection.hpp>
+#include <Cutwater/Operations/Labelled.hpp>
+#include <Cutwater/Operations/Offset.hpp>
+#include <Cutwater/Operations/Scale.hpp>
+#include <Cutwater/Operations/Union.hpp>
+
+namespace cutwater::detail {
+
+namespace {
+
+/// Operands that are combinations of the same kind give way to their own operands: a long chain of
+/// `|` is one wide union, not a deep one. A moved one stays, so that moving changes no digit.
+template <typename Kind, std::floating_point T>
+std::vector<Solid<T>> flattened(std::vector<Solid<T>> operands) {
+  std::vector<Solid<T>> flat;
+  for (auto& operand : operands) {
+    const auto* same = operand.placement().isIdentity() ? operand.template as<Kind>() : nullptr;
+    if (same != nullptr) {
+      flat.insert(flat.end(), same->operands().begin(), same->operands().end());
+    } else {
+      flat.push_back(std::move(operand));
+    }
+  }
+  return flat;
+}
+
+}  // namespace
+
+template <std::floating_point T>
+Solid<T> unite(std::vector<Solid<T>> operands) {
+  return Union<T>(flattened<Union<T>>(std::move(operands)));
+}
+
+template <std::floating_point T>
+Solid<T> intersect(std::vector<Solid<T>> operands) {
+  return Intersection<T>(flattened<Intersection<T>>(std::move(operands)));
+}
+
+template <std::floating_point T>
+Solid<T> complementOf(Solid<T> a) {
+  return Complement<T>(std::move(a));
+}
+
+/// Subtracting a constant commutes with least and greatest, to the bit; with a complement it
+/// changes sign. Done operand by operand, the bounding box stays finite where only the operands'
+/// values are exact, e.g. outside of a difference.
+template <std::floating_point T>
+Solid<T> offsetOf(const Solid<T>& a, T distance) {
+  const auto eachOffset = [distance](std::vector<Solid<T>> operands) {
+    for (auto& operand : operands) operand = offsetOf(operand, distance);
+    return operands;
+  };
+  std::optional<Solid<T>> result;
+  if (const auto* all = a.template as<Union<T>>()) {
+    result = unite(eachOffset(all->operands()));
+  } else if (const auto* common = a.template as<Intersection<T>>()) {
+    result = intersect(eachOffset(common->operands()));
+  } else if (const auto* rest = a.template as<Complement<T>>()) {
+    result = complementOf(offsetOf(rest->operand(), -distance));
+  } else {
+    return Offset<T>(a, distance);
+  }
+  result->setPlacement(a.placement());
+  return *result;
+}
+
+template <std::floating_point T>
+Solid<T> scaledBy(Solid<T> a, T factor) {
+  return Scale<T>(std::move(a), factor);
+}
+
+template <std::floating_point T>
+Solid<T> labelled(Solid<T> a, std::string name) {
+  return Labelled<T>(std::move(a), std::move(name));
+}
+
+template Solid<float> unite(std::vector<Solid<float>>);
+template Solid<double> unite(std::vector<Solid<double>>);
+template Solid<float> intersect(std::vector<Solid<float>>);
+template Solid<double> intersect(std::vector<Solid<double>>);
+template Solid<float> complementOf(Solid<float>);
+template Solid<double> complementOf(Solid<double>);
+template Solid<float> offsetOf(const Solid<float>&, float);
+template Solid<double> offsetOf(const Solid<double>&, double);
+template Solid<float> scaledBy(Solid<float>, float);
+template Solid<double> scaledBy(Solid<double>, double);
+template Solid<float> labelled(Solid<float>, std::string);
+template Solid<double> labelled(Solid<double>, std::string);
+
+}  // namespace cutwater::detail

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <Cutwater/Sdf/Solid.hpp>
+
+#include <string>
+#include <vector>
+
+/// Solids as algebra: operators and functions that take shapes and Solids alike and give Solids.
+///
+///     const auto body = rounded(hull, 0.1) | translated(mast, {2, 0, 0}) - hatch;
+///
+/// `-` binds tighter than `&`, and `&` tighter than `|`.
+namespace cutwater {
+
+namespace detail {
+
+// On Solids; out of line, so that a user's file parses no operator it does not use.
+template <std::floating_point T>
+[[nodiscard]] Solid<T> unite(std::vector<Solid<T>> operands);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> intersect(std::vector<Solid<T>> operands);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> complementOf(Solid<T> a);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> offsetOf(const Solid<T>& a, T distance);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> scaledBy(Solid<T> a, T factor);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> labelled(Solid<T> a, std::string name);
+
+template <typename A>
+using ScalarOf = typename A::Scalar;
+template <typename A>
+using SolidOf = Solid<ScalarOf<A>>;
+
+template <typename A, typename B>
+concept SameScalar = std::same_as<ScalarOf<A>, ScalarOf<B>>;
+
+}  // namespace detail
+
+/// All points of a or b. A union of unions is one union with all their operands, in order.
+template <SolidLike A, SolidLike B>
+requires detail::SameScalar<A, B>
+[[nodiscard]] detail::SolidOf<A> operator|(const A& a, const B& b) {
+  return detail::unite<detail::ScalarOf<A>>({a, b});
+}
+
+/// All points common to a and b; of intersections likewise.
+template <SolidLike A, SolidLike B>
+requires detail::SameScalar<A, B>
+[[nodiscard]] detail::SolidOf<A> operator&(const A& a, const B& b) {
+  return detail::intersect<detail::ScalarOf<A>>({a, b});
+}
+
+/// All points that are not in a.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> operator~(const A& a) {
+  return detail::complementOf<detail::ScalarOf<A>>(a);
+}
+
+/// All points of a that are not in b: the intersection of a with the complement of b.
+template <SolidLike A, SolidLike B>
+requires detail::SameScalar<A, B>
+[[nodiscard]] detail::SolidOf<A> operator-(const A& a, const B& b) {
+  return a & ~b;
+}
+
+/// The union of any number of solids, in one step.
+template <SolidLike A, SolidLike... Others>
+requires(detail::SameScalar<A, Others>&&...)
+    [[nodiscard]] detail::SolidOf<A> unionOf(const A& first, const Others&... others) {
+  return detail::unite<detail::ScalarOf<A>>({first, others...});
+}
+/// @throws Error if there is none.
+template <std::floating_point T>
+[[nodiscard]] Solid<T> unionOf(std::vector<Solid<T>> solids) {
+  return detail::unite<T>(std::move(solids));
+}
+
+/// The intersection of any number of solids, in one step.
+template <SolidLike A, SolidLike... Others>
+requires(detail::SameScalar<A, Others>&&...)
+    [[nodiscard]] detail::SolidOf<A> intersectionOf(const A& first, const Others&... others) {
+  return detail::intersect<detail::ScalarOf<A>>({first, others...});
+}
+/// @throws Error if there is none.
+template <std::floating_point T>
+[[nodiscard]] Solid<T> intersectionOf(std::vector<Solid<T>> solids) {
+  return detail::intersect<T>(std::move(solids));
+}
+
+/// The solid grown by a distance, or shrunk if it is negative; see Offset.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> offset(const A& a, detail::ScalarOf<A> distance) {
+  return detail::offsetOf<detail::ScalarOf<A>>(a, distance);
+}
+
+/// The same, by the name it has among modellers: growing rounds the edges with this radius.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> rounded(const A& a, detail::ScalarOf<A> radius) {
+  return offset(a, radius);
+}
+
+/// The solid `factor` times as large about the origin; see Scale.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> scaled(const A& a, detail::ScalarOf<A> factor) {
+  return detail::scaledBy<detail::ScalarOf<A>>(a, factor);
+}
+
+/// A moved copy; shares the geometry.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> translated(const A& a, const Vec3<detail::ScalarOf<A>>& by) {
+  detail::SolidOf<A> result = a;
+  result.translate(by);
+  return result;
+}
+
+/// A copy turned about the coordinate axis 0, 1 or 2 through the origin; shares the geometry.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> rotated(const A& a, detail::ScalarOf<A> degrees, int axis) {
+  detail::SolidOf<A> result = a;
+  result.rotate(degrees, axis);
+  return result;
+}
+
+/// A copy turned about any axis through any point.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> rotated(const A& a, detail::ScalarOf<A> degrees,
+                                         const Vec3<detail::ScalarOf<A>>& axis,
+                                         const Vec3<detail::ScalarOf<A>>& through = {}) {
+  detail::SolidOf<A> result = a;
+  result.rotate(degrees, axis, through);
+  return result;
+}
+
+/// The solid with its patches named; see Labelled.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> named(const A& a, std::string name) {
+  return detail::labelled<detail::ScalarOf<A>>(a, std::move(name));
+}
+
+}  // namespace cutwater

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Cutwater/Sdf/Solid.hpp>
+
+#include <vector>
+
+namespace cutwater {
+
+/// What union and intersection share: the value of the operand that decides, which is the least or
+/// the greatest; of equal ones the first.
+///
+/// Closest point, owner and gradient are those of the deciding operand: SurfaceOwner::object is its
+/// index, patches are counted through the operands' tables one after the other. A closest point
+/// that lies within another operand, and so not on the surface, is replaced by a projection along
+/// the gradient. Every query costs one per operand.
+///
+/// A least value is exact outside and a lower bound inside, a greatest the other way round, as far
+/// as the operands are.
+template <std::floating_point T>
+class Combination : public SignedDistanceFunction<T> {
+ public:
+  enum class Decides : std::uint8_t { Least, Greatest };
+
+  [[nodiscard]] const std::vector<Solid<T>>& operands() const { return operands_; }
+  [[nodiscard]] Decides decides() const { return decides_; }
+
+ protected:
+  /// @throws Error unless there is at least one operand.
+  Combination(const char* name, Decides decides, std::vector<Solid<T>> operands);
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const final;
+  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const final;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const final;
+  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const final;
+  [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const final;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
+  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
+  [[nodiscard]] Guarantee<T> localGuarantee() const final { return guarantee_; }
+  [[nodiscard]] Box<T> localBoundingBox() const final { return boundingBox_; }
+  [[nodiscard]] std::vector<std::string> localPatchNames() const final;
+
+  /// -1 turns a greatest into a least; exact.
+  [[nodiscard]] T side() const { return decides_ == Decides::Least ? T(1) : T(-1); }
+  struct Decision {
+    std::size_t operand;
+    T value;
+  };
+  [[nodiscard]] Decision decide(const Vec3<T>& p) const;
+  [[nodiscard]] SurfaceOwner counted(SurfaceOwner owner, std::size_t operand) const;
+
+  Decides decides_;
+  std::vector<Solid<T>> operands_;
+  std::vector<std::uint32_t> firstPatch_;  // of each operand, in the table of all
+  Guarantee<T> guarantee_;
+  Box<T> boundingBox_;
+};
+
+extern template class Combination<float>;
+extern template class Combination<double>;
+
+}  // namespace cutwater

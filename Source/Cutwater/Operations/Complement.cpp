@@ -1,0 +1,67 @@
+#include <Cutwater/Operations/Complement.hpp>
+
+namespace cutwater {
+
+template <std::floating_point T>
+T Complement<T>::localSignedDistance(const Vec3<T>& p) const {
+  return -operand().signedDistance(p);
+}
+
+template <std::floating_point T>
+void Complement<T>::localSignedDistances(std::span<const Vec3<T>> points,
+                                         std::span<T> distances) const {
+  UnaryOperation<T>::localSignedDistances(points, distances);
+  for (auto& distance : distances) distance = -distance;
+}
+
+template <std::floating_point T>
+Vec3<T> Complement<T>::localGradient(const Vec3<T>& p) const {
+  return -operand().gradient(p);
+}
+
+template <std::floating_point T>
+SurfacePoint<T> Complement<T>::localClosestPoint(const Vec3<T>& p) const {
+  auto result = operand().closestPoint(p);
+  result.normal = -result.normal;
+  result.distance = -result.distance;
+  return result;
+}
+
+template <std::floating_point T>
+CrossingCount Complement<T>::localCrossings(const Segment<T>& segment,
+                                            CrossingVisitor<T> visit) const {
+  // An end of value 0 is outside of the operand and of this: the two do not have the same
+  // crossings, and only a search by this function's own values has the right number.
+  if (operand().signedDistance(segment.start) == 0 || operand().signedDistance(segment.end) == 0) {
+    return SignedDistanceFunction<T>::localCrossings(segment, visit);
+  }
+  return operand().crossings(segment, [&](Crossing<T> crossing) {
+    crossing.normal = -crossing.normal;
+    crossing.entering = !crossing.entering;
+    return visit(crossing);
+  });
+}
+
+template <std::floating_point T>
+Interval<T> Complement<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
+  return -this->boundsOf(operand(), box);
+}
+
+template <std::floating_point T>
+BoxClass Complement<T>::localClassify(const OrientedBox<T>& box, BoxHint*) const {
+  const auto c = this->classOf(operand(), box);
+  if (c == BoxClass::Inside) return BoxClass::Outside;
+  return c == BoxClass::Outside ? BoxClass::Inside : c;
+}
+
+template <std::floating_point T>
+Guarantee<T> Complement<T>::localGuarantee() const {
+  auto promise = operand().guarantee();
+  std::swap(promise.inside, promise.outside);
+  return promise;
+}
+
+template class Complement<float>;
+template class Complement<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Cutwater/Operations/UnaryOperation.hpp>
+
+namespace cutwater {
+
+/// All points that are not in the operand.
+///
+///     f(p) = -g(p)        as good inside as the operand is outside, and the other way round
+///
+/// Points of value 0 are outside of both, as they are of any solid.
+template <std::floating_point T>
+class Complement final : public UnaryOperation<T> {
+ public:
+  explicit Complement(Solid<T> solid) : UnaryOperation<T>(std::move(solid)) {}
+
+  using UnaryOperation<T>::operand;
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override { return Box<T>::everywhere(); }
+};
+
+extern template class Complement<float>;
+extern template class Complement<double>;
+
+}  // namespace cutwater

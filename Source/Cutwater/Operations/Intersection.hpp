@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Cutwater/Operations/Combination.hpp>
+
+namespace cutwater {
+
+/// All points common to the operands. The difference a - b is that of a and the complement of b.
+///
+///     f(p) = max_i f_i(p)        exact inside if all operands are, at least a lower bound outside
+/// @throws Error unless there is at least one operand.
+template <std::floating_point T>
+class Intersection final : public Combination<T> {
+ public:
+  explicit Intersection(std::vector<Solid<T>> operands)
+      : Combination<T>("Intersection", Combination<T>::Decides::Greatest, std::move(operands)) {}
+};
+
+}  // namespace cutwater

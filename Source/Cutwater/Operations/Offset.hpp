@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Cutwater/Operations/UnaryOperation.hpp>
+
+namespace cutwater {
+
+/// The operand grown by a distance, its convex edges rounded; shrunk, if the distance is negative.
+///
+///     f(p) = g(p) - distance
+///
+/// Growing keeps the values outside exact, shrinking those inside; the others become lower bounds
+/// if the operand's Lipschitz constant is at most 1, and are good for their sign only if it is not.
+/// Where the operand's own values are no exact distances, the solid is {g < distance}.
+///
+/// @throws Error unless the distance is finite.
+template <std::floating_point T>
+class Offset final : public UnaryOperation<T> {
+ public:
+  Offset(Solid<T> operand, T distance);
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
+  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
+  CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  T distance_;
+};
+
+extern template class Offset<float>;
+extern template class Offset<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,124 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Operations/Scale.hpp>
+#include <Cutwater/Sdf/Defaults.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace cutwater {
+
+template <std::floating_point T>
+Scale<T>::Scale(Solid<T> operand, T factor)
+    : UnaryOperation<T>(std::move(operand)), factor_(factor) {
+  require(std::isfinite(factor) && std::isfinite(1 / factor),
+          "scaled: need a finite factor that is not zero", Named{"factor", factor});
+}
+
+template <std::floating_point T>
+T Scale<T>::localSignedDistance(const Vec3<T>& p) const {
+  return std::abs(factor_) * this->operand().signedDistance(p / factor_);
+}
+
+template <std::floating_point T>
+void Scale<T>::localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const {
+  constexpr std::size_t kMost = 256;
+  std::array<Vec3<T>, kMost> shrunkPoints;
+  for (std::size_t first = 0; first < points.size(); first += kMost) {
+    const auto count = std::min(kMost, points.size() - first);
+    const auto values = distances.subspan(first, count);
+    for (std::size_t i = 0; i < count; ++i) shrunkPoints[i] = points[first + i] / factor_;
+    UnaryOperation<T>::localSignedDistances(std::span<const Vec3<T>>(shrunkPoints).first(count),
+                                            values);
+    for (auto& value : values) value *= std::abs(factor_);
+  }
+}
+
+template <std::floating_point T>
+Vec3<T> Scale<T>::mirrored(const Vec3<T>& direction) const {
+  return factor_ < 0 ? -direction : direction;
+}
+
+template <std::floating_point T>
+Vec3<T> Scale<T>::localGradient(const Vec3<T>& p) const {
+  return mirrored(this->operand().gradient(p / factor_));
+}
+
+template <std::floating_point T>
+SurfacePoint<T> Scale<T>::localClosestPoint(const Vec3<T>& p) const {
+  auto result = this->operand().closestPoint(p / factor_);
+  result.point *= factor_;
+  result.normal = mirrored(result.normal);
+  result.distance *= std::abs(factor_);
+  result.tolerance *= std::abs(factor_);
+  // Three more roundings: of the query point, of the point found and of the value.
+  result.tolerance += 4 * std::numeric_limits<T>::epsilon() * (length(p) + length(result.point));
+  return result;
+}
+
+template <std::floating_point T>
+SurfaceOwner Scale<T>::localOwner(const Vec3<T>& p) const {
+  return this->operand().owner(p / factor_);
+}
+
+template <std::floating_point T>
+CrossingCount Scale<T>::localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const {
+  const Segment<T> shrunkSegment{segment.start / factor_, segment.end / factor_};
+  return this->operand().crossings(shrunkSegment, [&](Crossing<T> crossing) {
+    crossing.point *= factor_;
+    crossing.normal = mirrored(crossing.normal);
+    return visit(crossing);
+  });
+}
+
+template <std::floating_point T>
+OrientedBox<T> Scale<T>::shrunk(const OrientedBox<T>& box) const {
+  OrientedBox<T> result = box;
+  result.center = box.center / factor_;
+  for (auto& half : result.halfAxis) half = half / factor_;
+  // The division rounds the centre, the half axes and the points that the box stands for.
+  const T reach = length(box.center) + box.radius();
+  result.slack = (box.slack + 4 * std::numeric_limits<T>::epsilon() * reach) / std::abs(factor_);
+  return result;
+}
+
+template <std::floating_point T>
+Interval<T> Scale<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
+  const auto range = this->boundsOf(this->operand(), shrunk(box));
+  const T s = std::abs(factor_);
+  const T outward = 2 * std::numeric_limits<T>::epsilon();
+  return {s * range.lower - outward * std::abs(s * range.lower),
+          s * range.upper + outward * std::abs(s * range.upper)};
+}
+
+template <std::floating_point T>
+BoxClass Scale<T>::localClassify(const OrientedBox<T>& box, BoxHint*) const {
+  return this->classOf(this->operand(), shrunk(box));
+}
+
+template <std::floating_point T>
+Guarantee<T> Scale<T>::localGuarantee() const {
+  auto promise = this->operand().guarantee();
+  // The division moves the point by half an ulp, the product rounds the value once more.
+  promise.ulps += promise.lipschitz.value_or(T(1)) + 1;
+  promise.size *= std::abs(factor_);
+  if (promise.domain != Box<T>::everywhere()) {
+    const auto domain = promise.domain;
+    promise.domain = {min(factor_ * domain.lower, factor_ * domain.upper),
+                      max(factor_ * domain.lower, factor_ * domain.upper)};
+  }
+  return promise;
+}
+
+template <std::floating_point T>
+Box<T> Scale<T>::localBoundingBox() const {
+  const auto box = this->operand().boundingBox();
+  if (box.empty()) return box;
+  const auto a = factor_ * box.lower;
+  const auto b = factor_ * box.upper;
+  return localGuarantee().grown({min(a, b), max(a, b)});
+}
+
+template class Scale<float>;
+template class Scale<double>;
+
+}  // namespace cutwater

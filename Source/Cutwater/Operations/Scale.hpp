@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Cutwater/Operations/UnaryOperation.hpp>
+
+namespace cutwater {
+
+/// The operand `factor` times as large about the origin; a negative factor also mirrors it through
+/// the origin.
+///
+///     f(p) = |factor| g(p / factor)        keeps what the operand guarantees
+///
+/// @throws Error unless the factor and its reciprocal are finite.
+template <std::floating_point T>
+class Scale final : public UnaryOperation<T> {
+ public:
+  Scale(Solid<T> operand, T factor);
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
+  CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  [[nodiscard]] Vec3<T> mirrored(const Vec3<T>& direction) const;
+  [[nodiscard]] OrientedBox<T> shrunk(const OrientedBox<T>& box) const;
+
+  T factor_;
+};
+
+extern template class Scale<float>;
+extern template class Scale<double>;
+
+}  // namespace cutwater

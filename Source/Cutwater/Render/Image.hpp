@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cutwater {
+
+/// A colour as the screen shows it (sRGB), each component from 0 to 255.
+struct Rgb {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+
+  bool operator==(const Rgb&) const = default;
+};
+
+/// `paint` over `base`; opacity from 0 (base) to 1 (paint).
+[[nodiscard]] Rgb blended(const Rgb& base, const Rgb& paint, double opacity);
+
+/// A straight line on a picture, in pixels.
+struct Stroke {
+  double x0, y0;
+  double x1, y1;
+};
+
+/// A picture to draw on: x to the right, y downwards, pixel (0, 0) at the top left. Drawing in
+/// continuous coordinates takes pixel (x, y) as the square [x, x + 1] x [y, y + 1]; what lies
+/// outside the picture is left out.
+class Image {
+ public:
+  /// The largest width and height.
+  static constexpr int kMaxSize = 32768;
+
+  /// @throws Error unless 1 <= width, height <= kMaxSize.
+  Image(int width, int height, const Rgb& background = {255, 255, 255});
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  /// Row by row from the top.
+  [[nodiscard]] std::span<const Rgb> pixels() const { return pixels_; }
+
+  /// The pixel must be in the picture.
+  [[nodiscard]] const Rgb& at(int x, int y) const { return pixels_[index(x, y)]; }
+  [[nodiscard]] Rgb& at(int x, int y) { return pixels_[index(x, y)]; }
+
+  /// Fills the pixels [x0, x1) x [y0, y1).
+  void fillRectangle(int x0, int y0, int x1, int y1, const Rgb& color);
+
+  /// Lines with round ends, anti-aliased, in one coat: where they overlap nothing is painted twice.
+  /// `width` in pixels.
+  void drawStrokes(std::span<const Stroke> strokes, double width, const Rgb& color);
+
+ private:
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
+  }
+
+  int width_;
+  int height_;
+  std::vector<Rgb> pixels_;
+};
+
+}  // namespace cutwater

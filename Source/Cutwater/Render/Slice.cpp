@@ -1,0 +1,173 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Render/Slice.hpp>
+#include <Cutwater/Render/SliceField.hpp>
+#include <Cutwater/Render/SliceFrame.hpp>
+#include <Cutwater/Render/Ticks.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cutwater {
+
+namespace {
+
+using detail::LineSpacing;
+using detail::PlotArea;
+using detail::SliceField;
+using detail::SliceLayout;
+
+constexpr double kLinesOutside = 16;  // about as many, or a little fewer
+constexpr double kLinesInside = 8;
+constexpr double kMostLines = 1000;
+
+template <std::floating_point T>
+SliceWindow<T> boundsInPlane(const Box<T>& box, const SlicePlane<T>& plane) {
+  require(!box.empty() && isFinite(box),
+          "renderSlice: the solid is empty or unbounded, so say which window to show");
+  SliceWindow<T> window{{Box<T>::kInf, Box<T>::kInf}, {-Box<T>::kInf, -Box<T>::kInf}};
+  for (int c = 0; c < 8; ++c) {
+    const auto p = box.corner(c) - plane.origin;
+    const std::array<T, 2> at{dot(p, plane.right), dot(p, plane.up)};
+    for (std::size_t i = 0; i < 2; ++i) {
+      window.lower[i] = std::min(window.lower[i], at[i]);
+      window.upper[i] = std::max(window.upper[i], at[i]);
+    }
+  }
+  const T room = std::max((window.upper[0] - window.lower[0]) * T(0.08),
+                          (window.upper[1] - window.lower[1]) * T(0.08));
+  for (std::size_t i = 0; i < 2; ++i) {
+    window.lower[i] -= room;
+    window.upper[i] += room;
+  }
+  return window;
+}
+
+/// Grows the window to the proportions of width : height.
+template <std::floating_point T>
+void widen(SliceWindow<T>& window, int width, int height) {
+  const T perPixel = std::max((window.upper[0] - window.lower[0]) / static_cast<T>(width),
+                              (window.upper[1] - window.lower[1]) / static_cast<T>(height));
+  const std::array<T, 2> size{perPixel * static_cast<T>(width), perPixel * static_cast<T>(height)};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const T more = (size[i] - (window.upper[i] - window.lower[i])) / 2;
+    window.lower[i] -= more;
+    window.upper[i] += more;
+  }
+}
+
+template <std::floating_point T>
+void checkWindow(const SliceWindow<T>& window) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    require(std::isfinite(window.lower[i]) && std::isfinite(window.upper[i]) &&
+                std::isfinite(window.upper[i] - window.lower[i]) &&
+                window.lower[i] < window.upper[i],
+            "renderSlice: need a finite window that is not empty", Named{"lower", window.lower[i]},
+            Named{"upper", window.upper[i]});
+  }
+}
+
+/// The largest area in the given one with the window's proportions, centred.
+template <std::floating_point T>
+PlotArea fitted(const PlotArea& room, const SliceWindow<T>& window) {
+  const double w = static_cast<double>(window.upper[0] - window.lower[0]);
+  const double h = static_cast<double>(window.upper[1] - window.lower[1]);
+  const double perPixel = std::max(w / room.width, h / room.height);
+  const int width = std::clamp(static_cast<int>(std::lround(w / perPixel)), 1, room.width);
+  const int height = std::clamp(static_cast<int>(std::lround(h / perPixel)), 1, room.height);
+  return {room.x0 + (room.width - width) / 2, room.y0 + (room.height - height) / 2, width, height};
+}
+
+/// Each side of the surface has lines of its own, so that a thin body shows some, too.
+LineSpacing lineSpacing(double least, double greatest, double wanted) {
+  const double range = std::max({greatest, -least, 1e-30});
+  LineSpacing spacing{wanted, wanted};
+  if (wanted == 0) {
+    spacing.outside = roundStep(std::max(greatest, 0.1 * range) / kLinesOutside);
+    spacing.inside = roundStep(std::max(-least, 0.1 * range) / kLinesInside);
+  }
+  require(range / spacing.inside <= kMostLines && range / spacing.outside <= kMostLines,
+          "renderSlice: too many lines of equal distance", Named{"isolineSpacing", wanted},
+          Named{"largest distance", range});
+  return spacing;
+}
+
+std::string noteAbout(const LineSpacing& spacing, const std::string& unit) {
+  const auto length = [&](double value) {
+    const auto text = ticksBetween(value, value, value).at(0).label;
+    return unit.empty() ? text : text + " " + unit;
+  };
+  if (spacing.inside == spacing.outside) return "lines every " + length(spacing.inside);
+  return "lines every " + length(spacing.outside) + " outside, " + length(spacing.inside) +
+         " inside";
+}
+
+}  // namespace
+
+template <std::floating_point T>
+SlicePlane<T> SlicePlane<T>::across(int axis, T value) {
+  require(axis >= 0 && axis <= 2, "SlicePlane: need an axis 0, 1 or 2", Named{"axis", axis});
+  require(std::isfinite(value), "SlicePlane: need a finite position", Named{"value", value});
+  SlicePlane plane;
+  plane.origin[axis] = value;
+  const int right = axis == 0 ? 1 : 0;
+  const int up = axis == 2 ? 1 : 2;
+  plane.right[right] = 1;
+  plane.up[up] = 1;
+  constexpr std::array kNames{"x", "y", "z"};
+  plane.labels = {kNames[static_cast<std::size_t>(right)], kNames[static_cast<std::size_t>(up)]};
+  return plane;
+}
+
+template <std::floating_point T>
+SlicePlane<T> SlicePlane<T>::through(const Vec3<T>& point, const Vec3<T>& right,
+                                     const Vec3<T>& up) {
+  require(isFinite(point) && isFinite(right) && isFinite(up), "SlicePlane: need finite vectors",
+          Named{"point", point}, Named{"right", right}, Named{"up", up});
+  const auto a = normalized(right);
+  const auto across = up - dot(up, a) * a;
+  const T limit = T(16) * std::numeric_limits<T>::epsilon() * length(up);
+  require(length(a) > 0 && length(across) > limit, "SlicePlane: the directions span no plane",
+          Named{"right", right}, Named{"up", up});
+  return {point, a, normalized(across), {"a", "b"}};
+}
+
+template <std::floating_point T>
+Image renderSlice(const SignedDistanceFunction<T>& solid, const SlicePlane<T>& plane,
+                  const SliceOptions<T>& options) {
+  require(options.width >= 320 && options.height >= 240,
+          "renderSlice: need at least 320 x 240 pixels", Named{"width", options.width},
+          Named{"height", options.height});
+  require(options.isolineSpacing >= 0 && std::isfinite(options.isolineSpacing),
+          "renderSlice: need a finite isolineSpacing >= 0",
+          Named{"isolineSpacing", options.isolineSpacing});
+  Image image(options.width, options.height);
+  const SliceLayout layout(options.width, options.height);
+  const auto room = layout.room();
+  auto window = options.window ? *options.window : boundsInPlane(solid.boundingBox(), plane);
+  if (!options.window) widen(window, room.width, room.height);
+  checkWindow(window);
+  const auto area = fitted(room, window);
+
+  const SliceField<T> field(solid, plane, window, area, options);
+  const auto spacing =
+      lineSpacing(field.least(), field.greatest(), static_cast<double>(options.isolineSpacing));
+  field.draw(image, spacing, layout.scale());
+  const auto inUnits = [&](const std::string& name) {
+    return options.unit.empty() ? name : name + " [" + options.unit + "]";
+  };
+  layout.drawAxes(image, area, {detail::axisRange(window, 0), detail::axisRange(window, 1)},
+                  {inUnits(plane.labels[0]), inUnits(plane.labels[1])});
+  layout.drawColorBar(image, area, {field.least(), field.greatest()}, spacing,
+                      inUnits("signed distance"));
+  layout.drawTitle(image, area, options.title, noteAbout(spacing, options.unit));
+  return image;
+}
+
+template struct SlicePlane<float>;
+template struct SlicePlane<double>;
+template Image renderSlice(const SignedDistanceFunction<float>&, const SlicePlane<float>&,
+                           const SliceOptions<float>&);
+template Image renderSlice(const SignedDistanceFunction<double>&, const SlicePlane<double>&,
+                           const SliceOptions<double>&);
+
+}  // namespace cutwater

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Cutwater/Render/Image.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace cutwater {
+
+/// A plane with coordinates (a, b) on it: the points origin + a right + b up.
+template <std::floating_point T>
+struct SlicePlane {
+  Vec3<T> origin;
+  Vec3<T> right;  ///< unit
+  Vec3<T> up;     ///< unit, at a right angle to `right`
+  std::array<std::string, 2> labels{"a", "b"};
+
+  /// The plane where the coordinate `axis` (0, 1 or 2) has this value, with the two other
+  /// coordinates on it: (y, z), (x, z) or (x, y).
+  /// @throws Error unless the axis is 0, 1 or 2 and the value finite.
+  static SlicePlane across(int axis, T value);
+  /// Through a point, along two directions of any length; `up` is made normal to `right`.
+  /// @throws Error unless all are finite and the directions span a plane.
+  static SlicePlane through(const Vec3<T>& point, const Vec3<T>& right, const Vec3<T>& up);
+};
+
+/// A rectangle in a plane's own coordinates.
+template <std::floating_point T>
+struct SliceWindow {
+  std::array<T, 2> lower;
+  std::array<T, 2> upper;
+};
+
+template <std::floating_point T>
+struct SliceOptions {
+  /// What is shown, in full and to scale. Without it: the solid's bounding box with some room.
+  std::optional<SliceWindow<T>> window = {};
+  int width = 1600;   ///< of the picture, pixels
+  int height = 1000;  ///< of the picture, pixels
+  std::string title = {};
+  std::string unit = {};  ///< of lengths, e.g. "m"
+  T isolineSpacing = 0;   ///< distance between iso-distance lines; 0: a round number that suits
+  int threads = 0;        ///< see ParallelOptions
+  Progress progress = {};
+};
+
+/// A picture of the signed distance in a plane: its colours, lines of equal distance, the outline
+/// of the solid, axes and a colour bar. One query per pixel; the outline's edges are smooth because
+/// the distance tells how much of a pixel it covers.
+/// @throws Error if the picture is smaller than 320 x 240 pixels or larger than Image allows, a
+/// window is empty or not finite, or the solid is unbounded and no window is given.
+template <std::floating_point T>
+[[nodiscard]] Image renderSlice(const SignedDistanceFunction<T>& solid, const SlicePlane<T>& plane,
+                                const SliceOptions<T>& options = {});
+
+extern template struct SlicePlane<float>;
+extern template struct SlicePlane<double>;
+extern template Image renderSlice(const SignedDistanceFunction<float>&, const SlicePlane<float>&,
+                                  const SliceOptions<float>&);
+extern template Image renderSlice(const SignedDistanceFunction<double>&, const SlicePlane<double>&,
+                                  const SliceOptions<double>&);
+
+}  // namespace cutwater

@@ -1,0 +1,64 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Render/Ticks.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace cutwater {
+
+namespace {
+
+constexpr double kMostTicks = 10000;
+
+/// Digits behind the point that the multiples of `step` need; for a step like 1/3, that make three.
+int decimals(double step) {
+  const int leading = -static_cast<int>(std::floor(std::log10(step) + 1e-9));
+  for (int digits = std::max(leading, 0); digits < leading + 3; ++digits) {
+    const double scaled = step * std::pow(10.0, digits);
+    if (std::abs(scaled - std::round(scaled)) < 1e-9 * scaled) return digits;
+  }
+  return std::max(leading + 2, 0);
+}
+
+std::string label(double value, double step, double largest) {
+  char buffer[64];
+  const bool plain = largest < 1e6 && step >= 0.9e-5;
+  const int digits =
+      plain ? decimals(step) : static_cast<int>(std::floor(std::log10(largest / step) + 1e-9));
+  const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
+  const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value, format,
+                                    std::clamp(digits, 0, 16));  // locale-free
+  return {buffer, result.ptr};
+}
+
+}  // namespace
+
+double roundStep(double wanted) {
+  constexpr double kLeast = 1e-300;  // below, powers of ten lose their digits
+  const double target = std::clamp(wanted, kLeast, 1e300);
+  const double power = std::pow(10.0, std::floor(std::log10(target)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= target * (1 - 1e-9)) return factor * power;
+  }
+  return 10 * power;
+}
+
+std::vector<Tick> ticksBetween(double lower, double upper, double step) {
+  require(std::isfinite(lower) && std::isfinite(upper) && lower <= upper && step > 0 &&
+              (upper - lower) / step <= kMostTicks,
+          "ticksBetween: need lower <= upper and a step that is not too small",
+          Named{"lower", lower}, Named{"upper", upper}, Named{"step", step});
+  // A tick that rounding put just beyond an end still belongs there.
+  const double first = std::ceil(lower / step - 1e-9);
+  const double last = std::floor(upper / step + 1e-9);
+  const double largest = std::max({std::abs(lower), std::abs(upper), step});
+  std::vector<Tick> ticks;
+  for (int n = 0; n <= last - first; ++n) {
+    const double value = (first + n) * step + 0.0;  // -0 becomes 0
+    ticks.push_back({value, label(value, step, largest)});
+  }
+  return ticks;
+}
+
+}  // namespace cutwater

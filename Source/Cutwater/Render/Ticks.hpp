@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cutwater {
+
+/// A value of an axis with the number that stands beside it.
+struct Tick {
+  double value;
+  std::string label;
+};
+
+/// The number of the form 1, 2 or 5 times a power of ten nearest to `wanted` from above. Positive
+/// and finite for every positive, finite argument.
+[[nodiscard]] double roundStep(double wanted);
+
+/// The multiples of `step` in [lower, upper], labelled with just the digits they need.
+/// @throws Error unless lower <= upper are finite, step > 0, and there are at most 10 000 of them.
+[[nodiscard]] std::vector<Tick> ticksBetween(double lower, double upper, double step);
+
+}  // namespace cutwater

@@ -1,0 +1,55 @@
+#include <Cutwater/Sdf/BoxQuery.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+template <std::floating_point T>
+OrientedBox<T> OrientedBox<T>::of(const Box<T>& box) {
+  const Vec3<T> half = T(0.5) * box.upper - T(0.5) * box.lower;
+  OrientedBox result;
+  result.center = box.center();
+  result.halfAxis = {Vec3<T>{half.x, 0, 0}, Vec3<T>{0, half.y, 0}, Vec3<T>{0, 0, half.z}};
+  // Centre, half lengths and their sums round by an ulp of the box's coordinates each.
+  result.slack =
+      4 * std::numeric_limits<T>::epsilon() * length(max(abs(box.lower), abs(box.upper)));
+  return result;
+}
+
+template <std::floating_point T>
+T OrientedBox<T>::innerRadius() const {
+  // The half axes are orthogonal.
+  const T squared = std::min(
+      {lengthSquared(halfAxis[0]), lengthSquared(halfAxis[1]), lengthSquared(halfAxis[2])});
+  return std::sqrt(squared) * (1 - 8 * std::numeric_limits<T>::epsilon());
+}
+
+template <std::floating_point T>
+T OrientedBox<T>::radius() const {
+  const T squared =
+      lengthSquared(halfAxis[0]) + lengthSquared(halfAxis[1]) + lengthSquared(halfAxis[2]);
+  return std::sqrt(squared) * (1 + 8 * std::numeric_limits<T>::epsilon()) + slack;
+}
+
+template <std::floating_point T>
+Vec3<T> OrientedBox<T>::corner(int i) const {
+  Vec3<T> result = center;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& half = halfAxis[static_cast<std::size_t>(axis)];
+    result += (i >> axis & 1) != 0 ? half : -half;
+  }
+  return result;
+}
+
+template <std::floating_point T>
+Box<T> OrientedBox<T>::bounds() const {
+  const T twice = 1 + 4 * std::numeric_limits<T>::epsilon();
+  const Vec3<T> reach = twice * (abs(halfAxis[0]) + abs(halfAxis[1]) + abs(halfAxis[2]));
+  // The sums themselves round by an ulp of the centre, which `slack` has room for.
+  return Box<T>{center - reach, center + reach}.grown(slack);
+}
+
+template struct OrientedBox<float>;
+template struct OrientedBox<double>;
+
+}  // namespace cutwater

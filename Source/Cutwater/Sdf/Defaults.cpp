@@ -1,0 +1,288 @@
+#include <Cutwater/Sdf/Defaults.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace cutwater::detail {
+
+namespace {
+
+/// Walks from a point to the surface, down (or up) the gradient.
+template <std::floating_point T>
+class Projection {
+ public:
+  Projection(const Field<T>& field, const Vec3<T>& p)
+      : field_(field), point_(p), residual_(field.value(p)) {
+    quality_ = field.guarantee.quality(residual_);
+    start_ = p;
+    startValue_ = residual_;
+  }
+
+  SurfacePoint<T> run() {
+    constexpr int kMostSteps = 96;
+    std::array<Vec3<T>, 4> trail;  // the points before
+    for (std::size_t step = 0; step < kMostSteps && !arrived(); ++step) {
+      trail[step % 4] = point_;
+      if (!moveTo(point_ - (residual_ / lengthSquared(slope())) * slope_)) break;
+      if (step % 4 == 3) leapAlong(trail[0], trail[2]);
+    }
+    if (normal_ == Vec3<T>{}) normal_ = normalized(slope());  // p was on the surface
+
+    SurfacePoint<T> result;
+    result.point = point_;
+    result.distance = startValue_;
+    result.owner = field_.owner(point_);
+    result.normal = normal_;
+    rate(result, start_, residual_, field_.guarantee);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] T rounding() const { return field_.guarantee.error(length(point_)); }
+  [[nodiscard]] bool arrived() const { return std::abs(residual_) <= rounding(); }
+
+  /// Of an exact distance, the gradient is a unit vector; where it is not (by differences: across
+  /// a kink), it is of no use.
+  [[nodiscard]] bool isUseful(const Vec3<T>& gradient) const {
+    const T squared = lengthSquared(gradient);
+    return quality_ == Quality::Exact ? std::abs(squared - 1) < T(0.1) : squared > T(1e-12);
+  }
+
+  /// The gradient here or, where there is none because several surface points are equally near,
+  /// just beside: that of one of them. The first steps' worth of moving away is rounding; the
+  /// second steps outside the reach of centred differences.
+  const Vec3<T>& slope() {
+    slope_ = field_.gradient(point_);
+    const T wide =
+        4 * std::cbrt(std::numeric_limits<T>::epsilon()) * (length(point_) + field_.guarantee.size);
+    for (const T distance : {rounding(), -rounding(), wide, -wide}) {
+      if (isUseful(slope_)) return slope_;
+      // No plane of symmetry that a person would choose contains this direction.
+      slope_ = field_.gradient(point_ + distance * Vec3<T>{T(0.48), T(0.64), T(0.6)});
+    }
+    if (!isUseful(slope_)) slope_ = steepest();
+    return slope_;
+  }
+
+  /// Without a gradient: one of six directions, the one that ends nearest to the surface.
+  [[nodiscard]] Vec3<T> steepest() const {
+    Vec3<T> best{residual_ < 0 ? T(-1) : T(1), 0, 0};
+    T bestValue = std::numeric_limits<T>::infinity();
+    for (int side = 0; side < 6; ++side) {
+      Vec3<T> direction;
+      direction[side / 2] = side % 2 == 0 ? T(1) : T(-1);
+      const T there = std::abs(field_.value(point_ - residual_ * direction));
+      if (there < bestValue) best = direction, bestValue = there;
+    }
+    return best;
+  }
+
+  bool moveTo(const Vec3<T>& next) {
+    if (next == point_ || !isFinite(next)) return false;
+    // Along the step the gradient of an exact distance is constant, so this is the normal where
+    // the step arrives, also at an edge; later steps only remove rounding from it.
+    const bool isFirst = normal_ == Vec3<T>{};
+    if (isFirst || quality_ != Quality::Exact) normal_ = normalized(slope_);
+    point_ = next;
+    residual_ = field_.value(next);
+    return true;
+  }
+
+  /// Where two surfaces meet at an edge, steps alternate between them and converge linearly: sums
+  /// the geometric series (Aitken's extrapolation) if that is nearer.
+  void leapAlong(const Vec3<T>& first, const Vec3<T>& second) {
+    if (arrived()) return;
+    const T before = length(second - first);
+    const T ratio = length(point_ - second) / before;
+    if (!(ratio < 1)) return;
+    const Vec3<T> limit = point_ + (ratio / (1 - ratio)) * (point_ - second);
+    const T there = field_.value(limit);
+    if (std::abs(there) < std::abs(residual_)) point_ = limit, residual_ = there;
+  }
+
+  const Field<T>& field_;
+  Vec3<T> start_;
+  T startValue_{};
+  Vec3<T> point_;
+  T residual_;
+  Quality quality_{};
+  Vec3<T> slope_;
+  Vec3<T> normal_;
+};
+
+}  // namespace
+
+template <std::floating_point T>
+SurfacePoint<T> projectedPoint(const Field<T>& field, const Vec3<T>& p) {
+  return Projection<T>(field, p).run();
+}
+
+template <std::floating_point T>
+void rate(SurfacePoint<T>& result, const Vec3<T>& p, T residual, const Guarantee<T>& guarantee) {
+  if (guarantee.quality(result.distance) == Quality::SignOnly) return;
+  // The surface is no nearer than |value|, and has a point this much farther.
+  const T gap = length(result.point - p) - std::abs(result.distance);
+  const T rounding = guarantee.error(length(p) + length(result.point));
+  result.exact = std::abs(residual) <= rounding && gap <= 2 * rounding;
+  result.tolerance = std::max(gap, T(0)) + std::abs(residual) + rounding;
+}
+
+namespace {
+
+template <std::floating_point T>
+class CrossingSearch {
+ public:
+  CrossingSearch(const Field<T>& field, const Segment<T>& segment, CrossingVisitor<T> visit)
+      : field_(field),
+        segment_(segment),
+        visit_(visit),
+        reach_(length(segment.end - segment.start)),
+        error_(field.guarantee.error(std::max(length(segment.start), length(segment.end)))) {}
+
+  CrossingCount run() {
+    // Depth first, left half on top: at most one pending half per level.
+    std::array<Stretch, kDeepest + 2> pending;
+    std::size_t size = 0;
+    pending[size++] = {0, 1, valueAt(0), valueAt(1), 0};
+    while (size > 0) {
+      const Stretch s = pending[--size];
+      const bool crosses = (s.from < 0) != (s.to < 0);
+      if (!crosses && isFree(s)) {
+        // Where rounding alone tells free from not, a run goes on.
+        if (std::max(std::abs(s.from), std::abs(s.to)) > 4 * error_) closeRun(false);
+      } else if (isWorthHalving(s)) {
+        const T middle = T(0.5) * (s.begin + s.end);
+        const T value = valueAt(middle);
+        pending[size++] = {middle, s.end, value, s.to, s.depth + 1};
+        pending[size++] = {s.begin, middle, s.from, value, s.depth + 1};
+      } else {
+        const bool isSharp = isWithinRounding(s);
+        if (crosses && isSharp) {
+          closeRun(true);
+          afterCrossing_ = true;
+        } else {
+          inRun_ = true;
+          runIsCoarse_ = runIsCoarse_ || !isSharp;
+        }
+        if (crosses && !report(s)) return count_;
+      }
+    }
+    closeRun(false);
+    return count_;
+  }
+
+ private:
+  static constexpr int kDepth = 12;
+  static constexpr int kDeepest = 60;
+  static constexpr int kBudget = 16384;  // of values beyond kDepth
+
+  struct Stretch {
+    T begin{}, end{}, from{}, to{};
+    int depth = 0;
+  };
+
+  T valueAt(T parameter) const { return field_.value(segment_.at(parameter)); }
+
+  /// By how much the value can change along the stretch.
+  T change(const Stretch& s) const {
+    return *field_.guarantee.lipschitz * (s.end - s.begin) * reach_;
+  }
+  bool isFree(const Stretch& s) const {
+    return field_.guarantee.lipschitz && std::abs(s.from) + std::abs(s.to) > change(s) + 2 * error_;
+  }
+  bool isWithinRounding(const Stretch& s) const {
+    return field_.guarantee.lipschitz && change(s) <= error_;
+  }
+  bool isWorthHalving(const Stretch& s) {
+    if (s.depth < kDepth) return true;
+    if (!field_.guarantee.lipschitz || s.depth == kDeepest || isWithinRounding(s)) return false;
+    const T middle = T(0.5) * (s.begin + s.end);
+    return middle > s.begin && middle < s.end && spent_++ < kBudget;
+  }
+
+  /// Ends a run of stretches that could be neither freed nor halved. What is within rounding of a
+  /// crossing belongs to it.
+  void closeRun(bool atCrossing) {
+    const bool touchesCrossing = atCrossing || afterCrossing_;
+    if (inRun_ && (runIsCoarse_ || !touchesCrossing)) ++count_.unresolved;
+    inRun_ = runIsCoarse_ = afterCrossing_ = false;
+  }
+
+  bool report(Stretch s) {
+    while (true) {
+      const T middle = T(0.5) * (s.begin + s.end);
+      if (middle <= s.begin || middle >= s.end) break;
+      const T value = valueAt(middle);
+      ((value < 0) == (s.from < 0) ? s.begin : s.end) = middle;
+    }
+    Crossing<T> crossing;
+    crossing.parameter = s.end;
+    crossing.point = segment_.at(s.end);
+    crossing.normal = normalized(field_.gradient(crossing.point));
+    crossing.entering = s.to < 0;
+    crossing.owner = field_.owner(crossing.point);
+    ++count_.found;
+    return visit_(crossing);
+  }
+
+  const Field<T>& field_;
+  Segment<T> segment_;
+  CrossingVisitor<T> visit_;
+  T reach_;
+  T error_;
+  CrossingCount count_;
+  int spent_ = 0;
+  bool inRun_ = false;
+  bool runIsCoarse_ = false;
+  bool afterCrossing_ = false;
+};
+
+/// The largest scaled copy of the box about its centre whose rotated image fits into the box.
+template <std::floating_point T>
+Box<T> innerBox(const Box<T>& local, const RigidTransform<T>& placement) {
+  if (local == Box<T>::everywhere()) return local;
+  if (!placement.isRotated()) {
+    return {local.lower + placement.offset(), local.upper + placement.offset()};
+  }
+  const auto half = T(0.5) * local.size();
+  T shrink = 1;
+  for (int i = 0; i < 3; ++i) {
+    const auto row = placement.axis(i);  // local coordinate i = row . (world - offset)
+    shrink = std::min(shrink, half[i] / dot(abs(row), half));
+  }
+  if (!(shrink >= 0) || !isFinite(half)) return {};  // no certain domain is left
+  const auto center = placement.toWorld(local.center());
+  return {center - shrink * half, center + shrink * half};
+}
+
+}  // namespace
+
+template <std::floating_point T>
+CrossingCount isolatedCrossings(const Field<T>& field, const Segment<T>& segment,
+                                CrossingVisitor<T> visit) {
+  return CrossingSearch<T>(field, segment, visit).run();
+}
+
+template <std::floating_point T>
+Guarantee<T> placed(Guarantee<T> local, const RigidTransform<T>& placement) {
+  if (placement.isIdentity()) return local;
+  // transformPoint() moves the point by up to one rounding of the offset's size, a rotation by up
+  // to eight more; the value follows by the Lipschitz constant.
+  local.ulps += local.lipschitz.value_or(T(1)) * (placement.isRotated() ? T(9) : T(1));
+  local.size += length(placement.offset());
+  local.domain = innerBox(local.domain, placement);
+  return local;
+}
+
+template SurfacePoint<float> projectedPoint(const Field<float>&, const Vec3<float>&);
+template SurfacePoint<double> projectedPoint(const Field<double>&, const Vec3<double>&);
+template void rate(SurfacePoint<float>&, const Vec3<float>&, float, const Guarantee<float>&);
+template void rate(SurfacePoint<double>&, const Vec3<double>&, double, const Guarantee<double>&);
+template CrossingCount isolatedCrossings(const Field<float>&, const Segment<float>&,
+                                         CrossingVisitor<float>);
+template CrossingCount isolatedCrossings(const Field<double>&, const Segment<double>&,
+                                         CrossingVisitor<double>);
+template Guarantee<float> placed(Guarantee<float>, const RigidTransform<float>&);
+template Guarantee<double> placed(Guarantee<double>, const RigidTransform<double>&);
+
+}  // namespace cutwater::detail

@@ -1,0 +1,230 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Sdf/Defaults.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace cutwater {
+
+namespace {
+
+template <std::floating_point T>
+constexpr T kEps = std::numeric_limits<T>::epsilon();
+template <std::floating_point T>
+constexpr T kNaN = std::numeric_limits<T>::quiet_NaN();
+
+/// Batches reach the shapes in pieces of this many points, whose local copies fit the L1 cache.
+constexpr std::size_t kBatch = 256;
+
+template <std::floating_point T>
+bool encloses(const Box<T>& domain, const OrientedBox<T>& box) {
+  if (domain == Box<T>::everywhere()) return true;
+  const auto around = box.bounds();
+  return domain.contains(around.lower) && domain.contains(around.upper);
+}
+
+}  // namespace
+
+template <std::floating_point T>
+T SignedDistanceFunction<T>::signedDistance(const Vec3<T>& point) const {
+  if (!isFinite(point)) return kNaN<T>;
+  return localSignedDistance(placement_.toLocal(point)) + T(0);  // -0 becomes +0
+}
+
+template <std::floating_point T>
+void SignedDistanceFunction<T>::signedDistances(std::span<const Vec3<T>> points,
+                                                std::span<T> distances,
+                                                const ParallelOptions& options) const {
+  require(points.size() == distances.size(), "signedDistances: need one distance per point",
+          Named{"points", points.size()}, Named{"distances", distances.size()});
+  ParallelOptions inBatches = options;
+  inBatches.grain = std::max(options.grain, kBatch) / kBatch * kBatch;
+  parallelFor(points.size(), inBatches, [&](std::size_t begin, std::size_t end) {
+    std::array<Vec3<T>, kBatch> local;
+    for (auto first = begin; first < end; first += kBatch) {
+      const auto count = std::min(kBatch, end - first);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto& p = points[first + i];
+        local[i] = isFinite(p) ? placement_.toLocal(p) : Vec3<T>{};
+      }
+      const auto values = distances.subspan(first, count);
+      localSignedDistances(std::span<const Vec3<T>>(local).first(count), values);
+      for (std::size_t i = 0; i < count; ++i) {
+        values[i] = isFinite(points[first + i]) ? values[i] + T(0) : kNaN<T>;
+      }
+    }
+  });
+}
+
+template <std::floating_point T>
+Vec3<T> SignedDistanceFunction<T>::normal(const Vec3<T>& point, T delta) const {
+  if (!(delta > 0)) return {};
+  const auto n = normalized(detail::centredDifferences<T>(
+      [this](const Vec3<T>& p) { return signedDistance(p); }, point, delta));
+  return isFinite(n) ? n : Vec3<T>{};
+}
+
+template <std::floating_point T>
+Vec3<T> SignedDistanceFunction<T>::gradient(const Vec3<T>& point) const {
+  if (!isFinite(point)) return {kNaN<T>, kNaN<T>, kNaN<T>};
+  return placement_.directionToWorld(localGradient(placement_.toLocal(point)));
+}
+
+template <std::floating_point T>
+SurfacePoint<T> SignedDistanceFunction<T>::closestPoint(const Vec3<T>& point) const {
+  if (!isFinite(point)) {
+    const Vec3<T> nowhere{kNaN<T>, kNaN<T>, kNaN<T>};
+    SurfacePoint<T> none;
+    none.point = nowhere;
+    none.normal = nowhere;
+    none.owner.patch = kNone;
+    return none;
+  }
+  auto result = localClosestPoint(placement_.toLocal(point));
+  result.point = placement_.toWorld(result.point);
+  result.normal = placement_.directionToWorld(result.normal);
+  result.distance += T(0);
+  return result;
+}
+
+template <std::floating_point T>
+SurfaceOwner SignedDistanceFunction<T>::owner(const Vec3<T>& surfacePoint) const {
+  return isFinite(surfacePoint) ? localOwner(placement_.toLocal(surfacePoint)) : SurfaceOwner{};
+}
+
+template <std::floating_point T>
+CrossingCount SignedDistanceFunction<T>::crossings(const Segment<T>& segment,
+                                                   CrossingVisitor<T> visit) const {
+  if (!isFinite(segment.start) || !isFinite(segment.end)) return {};
+  const Segment<T> local{placement_.toLocal(segment.start), placement_.toLocal(segment.end)};
+  return localCrossings(local, [&](Crossing<T> crossing) {
+    crossing.point = placement_.toWorld(crossing.point);
+    crossing.normal = placement_.directionToWorld(crossing.normal);
+    return visit(crossing);
+  });
+}
+
+template <std::floating_point T>
+Interval<T> SignedDistanceFunction<T>::bounds(const Box<T>& box, BoxHint* hint) const {
+  if (box.empty() || !isFinite(box)) return Interval<T>::everything();
+  return localBounds(toLocal(OrientedBox<T>::of(box)), hint);
+}
+
+template <std::floating_point T>
+BoxClass SignedDistanceFunction<T>::classify(const Box<T>& box, BoxHint* hint) const {
+  if (box.empty() || !isFinite(box)) return BoxClass::Unknown;
+  return localClassify(toLocal(OrientedBox<T>::of(box)), hint);
+}
+
+template <std::floating_point T>
+Guarantee<T> SignedDistanceFunction<T>::guarantee() const {
+  return detail::placed(localGuarantee(), placement_);
+}
+
+template <std::floating_point T>
+Box<T> SignedDistanceFunction<T>::boundingBox() const {
+  return placement_.toWorld(localBoundingBox());
+}
+
+template <std::floating_point T>
+OrientedBox<T> SignedDistanceFunction<T>::toLocal(const OrientedBox<T>& box) const {
+  if (placement_.isIdentity()) return box;
+  OrientedBox<T> local = box;
+  local.center = placement_.toLocal(box.center);
+  for (auto& half : local.halfAxis) half = placement_.directionToLocal(half);
+  // The translation rounds by an ulp of its result, the rotation (three products and two sums a
+  // component, columns orthonormal to 2 eps) by less than 8; the same again for the points that
+  // the box stands for, and for sums of centre and half axes.
+  const T reach = length(box.center) + box.radius() + length(placement_.offset());
+  local.slack += (placement_.isRotated() ? T(28) : T(4)) * kEps<T> * reach;
+  return local;
+}
+
+// --- Defaults ------------------------------------------------------------------------------------
+
+template <std::floating_point T>
+void SignedDistanceFunction<T>::localSignedDistances(std::span<const Vec3<T>> points,
+                                                     std::span<T> distances) const {
+  for (std::size_t i = 0; i < points.size(); ++i) distances[i] = localSignedDistance(points[i]);
+}
+
+template <std::floating_point T>
+Vec3<T> SignedDistanceFunction<T>::localGradient(const Vec3<T>& point) const {
+  // Truncation grows with delta^2, rounding with 1/delta: cbrt(eps) of the size balances them.
+  const T scale = length(point) + localGuarantee().size;
+  const T delta = std::cbrt(kEps<T>) * (scale > 0 ? scale : T(1));
+  const auto g = detail::centredDifferences<T>(
+                     [this](const Vec3<T>& p) { return localSignedDistance(p); }, point, delta) /
+                 (2 * delta);
+  return isFinite(g) ? g : Vec3<T>{};
+}
+
+template <std::floating_point T>
+SurfacePoint<T> SignedDistanceFunction<T>::localClosestPoint(const Vec3<T>& point) const {
+  return detail::projectedPoint<T>(
+      {.value = [this](const Vec3<T>& p) { return localSignedDistance(p); },
+       .gradient = [this](const Vec3<T>& p) { return localGradient(p); },
+       .owner = [this](const Vec3<T>& p) { return localOwner(p); },
+       .guarantee = localGuarantee()},
+      point);
+}
+
+template <std::floating_point T>
+CrossingCount SignedDistanceFunction<T>::localCrossings(const Segment<T>& segment,
+                                                        CrossingVisitor<T> visit) const {
+  return detail::isolatedCrossings<T>(
+      {.value = [this](const Vec3<T>& p) { return localSignedDistance(p); },
+       .gradient = [this](const Vec3<T>& p) { return localGradient(p); },
+       .owner = [this](const Vec3<T>& p) { return localOwner(p); },
+       .guarantee = localGuarantee()},
+      segment, visit);
+}
+
+template <std::floating_point T>
+Interval<T> SignedDistanceFunction<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
+  const auto promise = localGuarantee();
+  if (!promise.lipschitz || !encloses(promise.domain, box)) return Interval<T>::everything();
+  const T radius = box.radius();
+  const T value = localSignedDistance(box.center);
+  // Rounding twice: of this value, and of the values in the box that the interval encloses.
+  const T margin = *promise.lipschitz * radius + 2 * promise.error(length(box.center) + radius);
+  const T outward = 4 * kEps<T> * (std::abs(value) + margin);
+  return Interval<T>{value - margin, value + margin}.grown(outward);
+}
+
+template <std::floating_point T>
+BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
+  const auto range = localBounds(box, hint);
+  if (range.lower > 0) return BoxClass::Outside;
+  if (range.upper < 0) return BoxClass::Inside;
+
+  const auto promise = localGuarantee();
+  if (!encloses(promise.domain, box)) return BoxClass::Unknown;
+  const T rounding = promise.error(length(box.center) + box.radius());
+  const T atCenter = localSignedDistance(box.center);
+
+  // Cut, if the ball around the centre that reaches the nearest surface point fits into the box.
+  const bool sideIsSure = std::abs(atCenter) > rounding || promise.inside == promise.outside;
+  if (sideIsSure && promise.quality(atCenter) == Quality::Exact &&
+      std::abs(atCenter) + rounding + box.slack <= box.innerRadius()) {
+    return BoxClass::Cut;
+  }
+
+  // Cut, if two of its points are certainly on different sides of a continuous function's surface.
+  if (!promise.continuous || !promise.lipschitz) return BoxClass::Unknown;
+  const T certain = *promise.lipschitz * box.slack + rounding;
+  bool inside = atCenter < -certain;
+  bool outside = atCenter > certain;
+  for (int i = 0; i < 8 && !(inside && outside); ++i) {
+    const T value = localSignedDistance(box.corner(i));
+    inside = inside || value < -certain;
+    outside = outside || value > certain;
+  }
+  return inside && outside ? BoxClass::Cut : BoxClass::Unknown;
+}
+
+template class SignedDistanceFunction<float>;
+template class SignedDistanceFunction<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <Cutwater/Core/Interval.hpp>
+#include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/Core/RigidTransform.hpp>
+#include <Cutwater/Core/Segment.hpp>
+#include <Cutwater/Sdf/BoxQuery.hpp>
+#include <Cutwater/Sdf/Guarantee.hpp>
+#include <Cutwater/Sdf/SurfacePoint.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cutwater {
+
+/// A solid, given by its signed distance: negative inside, positive outside; 0 counts as outside.
+///
+/// A shape is written once, in its own frame, by overriding localSignedDistance(); placing it in
+/// the world with translate() and rotate() is this class's job, and every public query does so. All
+/// queries are const and thread-safe; those about a point or a box never allocate and never throw.
+///
+/// A query at a point that is not finite gives NaN; about a box that is empty or not finite,
+/// Unknown and (-inf, inf).
+template <std::floating_point T>
+class SignedDistanceFunction {
+ public:
+  using Scalar = T;
+
+  virtual ~SignedDistanceFunction() = default;
+
+  /// Signed distance from the world point, in its units; what it means is told by guarantee().
+  [[nodiscard]] T signedDistance(const Vec3<T>& point) const;
+
+  /// The same for many points, in parallel; the same bits as one by one.
+  /// @throws Error if the spans differ in size.
+  void signedDistances(std::span<const Vec3<T>> points, std::span<T> distances,
+                       const ParallelOptions& options = {}) const;
+
+  /// Outward unit normal by centred differences of half-width `delta`. Zero where they vanish, e.g.
+  /// at the centre of a sphere, and unless delta > 0.
+  [[nodiscard]] Vec3<T> normal(const Vec3<T>& point, T delta) const;
+
+  /// Gradient of the value: analytic where the shape knows it. Zero where it is not defined.
+  [[nodiscard]] Vec3<T> gradient(const Vec3<T>& point) const;
+
+  /// A point of the surface nearest to `point`, exact or to the tolerance it states.
+  [[nodiscard]] SurfacePoint<T> closestPoint(const Vec3<T>& point) const;
+
+  /// Object, patch and face of a point that lies on the surface.
+  [[nodiscard]] SurfaceOwner owner(const Vec3<T>& surfacePoint) const;
+
+  /// Visits every crossing of the segment with the surface, in order. The number found is odd
+  /// exactly if the values at the two ends differ in sign. A segment that is not finite has none.
+  CrossingCount crossings(const Segment<T>& segment, CrossingVisitor<T> visit) const;
+
+  /// Encloses the function's value, exact and as computed, at every point of the box.
+  [[nodiscard]] Interval<T> bounds(const Box<T>& box, BoxHint* hint = nullptr) const;
+
+  /// Where the box lies; Inside, Outside and Cut are certain.
+  [[nodiscard]] BoxClass classify(const Box<T>& box, BoxHint* hint = nullptr) const;
+
+  /// What a value means, in world coordinates.
+  [[nodiscard]] Guarantee<T> guarantee() const;
+
+  /// Encloses the solid {value <= 0}; may be infinite or empty.
+  [[nodiscard]] Box<T> boundingBox() const;
+
+  /// Names of the patches that closestPoint() and crossings() tell by their index.
+  [[nodiscard]] std::vector<std::string> patchNames() const { return localPatchNames(); }
+
+  /// Motions act on the object, in call order: see RigidTransform.
+  void translate(const Vec3<T>& offset) { placement_.translate(offset); }
+  void rotate(T degrees, int axis) { placement_.rotate(degrees, axis); }
+  void rotate(T degrees, const Vec3<T>& axis, const Vec3<T>& through = {}) {
+    placement_.rotate(degrees, axis, through);
+  }
+  [[nodiscard]] const RigidTransform<T>& placement() const { return placement_; }
+  void setPlacement(const RigidTransform<T>& placement) { placement_ = placement; }
+
+  /// World -> the shape's own frame. Already applied when a local function is called.
+  [[nodiscard]] Vec3<T> transformPoint(const Vec3<T>& point) const {
+    return placement_.toLocal(point);
+  }
+
+ protected:
+  // Copying is for subclasses only: through the base it would slice.
+  SignedDistanceFunction() = default;
+  SignedDistanceFunction(const SignedDistanceFunction&) = default;
+  SignedDistanceFunction(SignedDistanceFunction&&) noexcept = default;
+  SignedDistanceFunction& operator=(const SignedDistanceFunction&) = default;
+  SignedDistanceFunction& operator=(SignedDistanceFunction&&) noexcept = default;
+
+  /// All that a new shape must write. The point is finite and in the shape's own frame.
+  [[nodiscard]] virtual T localSignedDistance(const Vec3<T>& point) const = 0;
+
+  // All below have defaults that follow from localSignedDistance() and localGuarantee(). They are
+  // called in the shape's own frame, and answer in it.
+
+  /// Values for a few hundred points at most; runs inside a parallel region.
+  virtual void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const;
+  [[nodiscard]] virtual Vec3<T> localGradient(const Vec3<T>& point) const;
+  [[nodiscard]] virtual SurfacePoint<T> localClosestPoint(const Vec3<T>& point) const;
+  /// Whose surface it is at a surface point.
+  [[nodiscard]] virtual SurfaceOwner localOwner(const Vec3<T>&) const { return {}; }
+  virtual CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const;
+  [[nodiscard]] virtual Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const;
+  [[nodiscard]] virtual BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const;
+  /// Promises nothing but the sign unless overridden.
+  [[nodiscard]] virtual Guarantee<T> localGuarantee() const { return {}; }
+  [[nodiscard]] virtual Box<T> localBoundingBox() const { return Box<T>::everywhere(); }
+  [[nodiscard]] virtual std::vector<std::string> localPatchNames() const { return {"surface"}; }
+
+  // For composites: what an operand answers about a box given in the composite's own frame.
+  [[nodiscard]] static Interval<T> boundsOf(const SignedDistanceFunction& operand,
+                                            const OrientedBox<T>& box) {
+    return operand.localBounds(operand.toLocal(box), nullptr);
+  }
+  [[nodiscard]] static BoxClass classOf(const SignedDistanceFunction& operand,
+                                        const OrientedBox<T>& box) {
+    return operand.localClassify(operand.toLocal(box), nullptr);
+  }
+
+ private:
+  template <std::floating_point>
+  friend class Solid;  // forwards the local functions of the shape it holds
+
+  [[nodiscard]] OrientedBox<T> toLocal(const OrientedBox<T>& box) const;
+
+  RigidTransform<T> placement_;
+};
+
+extern template class SignedDistanceFunction<float>;
+extern template class SignedDistanceFunction<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,64 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Sdf/Solid.hpp>
+
+namespace cutwater {
+
+template <std::floating_point T>
+Solid<T>::Solid(std::unique_ptr<SignedDistanceFunction<T>> shape) {
+  require(shape != nullptr, "Solid: need a shape");
+  this->setPlacement(shape->placement());
+  shape->setPlacement({});
+  guarantee_ = shape->guarantee();
+  boundingBox_ = shape->boundingBox();
+  root_ = std::move(shape);
+}
+
+template <std::floating_point T>
+T Solid<T>::localSignedDistance(const Vec3<T>& p) const {
+  return root_->localSignedDistance(p);
+}
+
+template <std::floating_point T>
+void Solid<T>::localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const {
+  root_->localSignedDistances(points, distances);
+}
+
+template <std::floating_point T>
+Vec3<T> Solid<T>::localGradient(const Vec3<T>& p) const {
+  return root_->localGradient(p);
+}
+
+template <std::floating_point T>
+SurfacePoint<T> Solid<T>::localClosestPoint(const Vec3<T>& p) const {
+  return root_->localClosestPoint(p);
+}
+
+template <std::floating_point T>
+SurfaceOwner Solid<T>::localOwner(const Vec3<T>& p) const {
+  return root_->localOwner(p);
+}
+
+template <std::floating_point T>
+CrossingCount Solid<T>::localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const {
+  return root_->localCrossings(segment, visit);
+}
+
+template <std::floating_point T>
+Interval<T> Solid<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) const {
+  return root_->localBounds(box, hint);
+}
+
+template <std::floating_point T>
+BoxClass Solid<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
+  return root_->localClassify(box, hint);
+}
+
+template <std::floating_point T>
+std::vector<std::string> Solid<T>::localPatchNames() const {
+  return root_->localPatchNames();
+}
+
+template class Solid<float>;
+template class Solid<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+#include <concepts>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace cutwater {
+
+/// Any signed distance function as a value: copies share one immutable expression, and moving a
+/// Solid moves only this handle, so a mesh is instanced for the price of a transform.
+///
+/// Operators (`|`, `&`, `-`, `~` and the functions in Operations/) take and give Solids.
+template <std::floating_point T>
+class Solid final : public SignedDistanceFunction<T> {
+ public:
+  /// Takes the shape in; its placement becomes the Solid's.
+  template <std::derived_from<SignedDistanceFunction<T>> Shape>
+  requires(!std::same_as<Shape, Solid>)
+      Solid(Shape shape)  // NOLINT(google-explicit-constructor): a shape is a solid
+      : Solid(std::make_unique<Shape>(std::move(shape))) {}
+
+  /// @throws Error if there is no shape.
+  explicit Solid(std::unique_ptr<SignedDistanceFunction<T>> shape);
+
+  /// The shape inside, if it is one of this kind, without the Solid's placement; else nullptr.
+  template <std::derived_from<SignedDistanceFunction<T>> Shape>
+  [[nodiscard]] const Shape* as() const {
+    return dynamic_cast<const Shape*>(root_.get());
+  }
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
+  CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
+  [[nodiscard]] Box<T> localBoundingBox() const override { return boundingBox_; }
+  [[nodiscard]] std::vector<std::string> localPatchNames() const override;
+
+  std::shared_ptr<const SignedDistanceFunction<T>> root_;  // its own placement is the identity
+  Guarantee<T> guarantee_;                                 // of root_; composites ask often
+  Box<T> boundingBox_;
+};
+
+template <typename Shape>
+Solid(Shape) -> Solid<typename Shape::Scalar>;
+
+/// A Solid or a shape that converts to one.
+template <typename S>
+concept SolidLike = std::derived_from<S, SignedDistanceFunction<typename S::Scalar>>;
+
+extern template class Solid<float>;
+extern template class Solid<double>;
+
+}  // namespace cutwater

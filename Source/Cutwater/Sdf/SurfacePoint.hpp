@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Cutwater/Core/FunctionRef.hpp>
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <cstddef>
+#include <limits>
+
+namespace cutwater {
+
+/// The part of a polygonal surface a point lies on.
+enum class Feature : std::uint8_t { None, Face, Edge, Vertex };
+
+/// Whose surface it is at a point, as far as that is known.
+struct SurfaceOwner {
+  std::uint32_t object = 0;    ///< operand of the outermost composite that decides there
+  std::uint32_t patch = 0;     ///< index into patchNames()
+  std::uint32_t face = kNone;  ///< polygon of the file, for meshes
+
+  bool operator==(const SurfaceOwner&) const = default;
+};
+
+/// A point of the surface nearest to a query point, with what is known about it.
+template <std::floating_point T>
+struct SurfacePoint {
+  Vec3<T> point;
+  Vec3<T> normal;  ///< unit, out of the solid; the pseudonormal at edges and vertices of a mesh
+  /// The value of signedDistance() at the query point; NaN if that point was not finite.
+  T distance = std::numeric_limits<T>::quiet_NaN();
+  /// No point of the surface is nearer than |query - point| - tolerance.
+  T tolerance = std::numeric_limits<T>::infinity();
+  /// The tolerance is only rounding.
+  bool exact = false;
+  Feature feature = Feature::None;
+  SurfaceOwner owner;
+  std::uint32_t triangle = kNone;  ///< triangle of the mesh that `barycentric` refers to
+  Vec3<T> barycentric;             ///< weights of the triangle's vertices; their sum is 1
+};
+
+/// Where a segment passes through the surface.
+template <std::floating_point T>
+struct Crossing {
+  T parameter{};  ///< along the segment, 0 at its start, 1 at its end
+  Vec3<T> point;
+  Vec3<T> normal;         ///< unit, out of the solid
+  bool entering = false;  ///< from outside to inside
+  SurfaceOwner owner;
+};
+
+/// Is told one crossing after the other along the segment; answers whether to go on.
+template <std::floating_point T>
+using CrossingVisitor = FunctionRef<bool(const Crossing<T>&)>;
+
+/// How a walk along a segment ended.
+struct CrossingCount {
+  std::size_t found = 0;
+  /// Stretches in which the surface comes so close that an even number of further crossings could
+  /// not be excluded.
+  std::size_t unresolved = 0;
+};
+
+}  // namespace cutwater

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Cutwater/Shapes/Axisymmetric.hpp>
+#include <Cutwater/Shapes/FrustumProfile.hpp>
+
+namespace cutwater {
+
+/// A cone cut off flat at both ends (a frustum): radius `radiusA` at `a`, `radiusB` at `b`. Not the
+/// hull of two balls, which is ConeSphere.
+///
+/// Exact; see FrustumProfile.
+/// @throws Error unless the end points are finite and differ, both radii are finite and not
+/// negative, and one of them is positive.
+template <std::floating_point T>
+class CappedCone final : public Axisymmetric<T> {
+ public:
+  CappedCone(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
+
+ private:
+  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
+  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  detail::FrustumProfile<T> profile_;
+  T size_;
+};
+
+extern template class CappedCone<float>;
+extern template class CappedCone<double>;
+
+}  // namespace cutwater

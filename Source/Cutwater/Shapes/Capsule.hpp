@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Cutwater/Shapes/Axisymmetric.hpp>
+
+namespace cutwater {
+
+/// All points within `radius` of the segment from `a` to `b`: a cylinder with half balls at its
+/// ends; a ball if a = b.
+///
+///     f(p) = |p - nearest point of the segment| - radius        exact
+///
+/// @throws Error unless the end points are finite and 0 < radius < infinity.
+template <std::floating_point T>
+class Capsule final : public Axisymmetric<T> {
+ public:
+  Capsule(const Vec3<T>& a, const Vec3<T>& b, T radius);
+
+ private:
+  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
+  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  [[nodiscard]] ProfilePoint<T> fromSegment(const ProfilePoint<T>& p) const;
+
+  T radius_;
+  T length_;
+  T size_;
+};
+
+extern template class Capsule<float>;
+extern template class Capsule<double>;
+
+}  // namespace cutwater

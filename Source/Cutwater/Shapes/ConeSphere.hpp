@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Cutwater/Shapes/Axisymmetric.hpp>
+
+namespace cutwater {
+
+/// The convex hull of two balls: a round cone. Where one ball contains the other it is that ball.
+///
+///     l = |b - a|, s = (radiusA - radiusB) / l, c = sqrt(1 - s^2)
+///     t = x c - y s                        x along the axis from a, y from the axis
+///     f(p) = |p - a| - radiusA             for t <= 0
+///            |p - b| - radiusB             for t >= l c
+///            x s + y c - radiusA           between the tangent circles        exact
+///
+/// @throws Error unless the centres are finite, both radii are finite and not negative, and one of
+/// them is positive.
+template <std::floating_point T>
+class ConeSphere final : public Axisymmetric<T> {
+ public:
+  ConeSphere(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
+
+ private:
+  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
+  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  enum class Part { BallA, Cone, BallB };
+  [[nodiscard]] Part nearestPart(const ProfilePoint<T>& p) const;
+
+  T radiusA_;
+  T radiusB_;
+  T length_;
+  T sine_ = 0;
+  T cosine_ = 0;
+  T size_;
+  bool isBall_;  // one contains the other
+};
+
+extern template class ConeSphere<float>;
+extern template class ConeSphere<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,39 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Shapes/BoxDistance.hpp>
+#include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Shapes/Direction.hpp>
+
+namespace cutwater {
+
+template <std::floating_point T>
+Cuboid<T>::Cuboid(const Box<T>& box) : box_(box) {
+  const auto size = box.size();
+  require(isFinite(box) && size.x > 0 && size.y > 0 && size.z > 0,
+          "Cuboid: need finite corners with lower < upper", Named{"lower", box.lower},
+          Named{"upper", box.upper});
+}
+
+template <std::floating_point T>
+T Cuboid<T>::localSignedDistance(const Vec3<T>& p) const {
+  return detail::boxDistance(box_, p);
+}
+
+template <std::floating_point T>
+Vec3<T> Cuboid<T>::localGradient(const Vec3<T>& p) const {
+  return detail::boxGradient(box_, p);
+}
+
+template <std::floating_point T>
+Guarantee<T> Cuboid<T>::localGuarantee() const {
+  return Guarantee<T>::exact(detail::farther(box_.lower, box_.upper));
+}
+
+template <std::floating_point T>
+Box<T> Cuboid<T>::localBoundingBox() const {
+  return localGuarantee().grown(box_);
+}
+
+template class Cuboid<float>;
+template class Cuboid<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,47 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Shapes/Direction.hpp>
+
+#include <algorithm>
+
+namespace cutwater::detail {
+
+template <std::floating_point T>
+void requireFinite(const char* shape, const char* argument, const Vec3<T>& point) {
+  if (isFinite(point)) return;
+  const std::string message = std::string(shape) + ": need a finite " + argument;
+  require(false, message.c_str(), Named{argument, point});
+}
+
+template <std::floating_point T>
+Vec3<T> unitVector(const char* shape, const char* argument, const Vec3<T>& direction) {
+  requireFinite(shape, argument, direction);
+  const T largest = maxComponent(abs(direction));
+  if (!(largest > 0)) {
+    const std::string message = std::string(shape) + ": need a non-zero " + argument;
+    require(false, message.c_str(), Named{argument, direction});
+  }
+  const Vec3<double> scaled = Vec3<double>(direction) / static_cast<double>(largest);
+  return Vec3<T>(scaled / length(scaled));
+}
+
+template <std::floating_point T>
+T distanceBetween(const Vec3<T>& a, const Vec3<T>& b) {
+  const Vec3<double> d = Vec3<double>(b) - Vec3<double>(a);
+  return static_cast<T>(std::hypot(d.x, d.y, d.z));
+}
+
+template <std::floating_point T>
+T farther(const Vec3<T>& a, const Vec3<T>& b) {
+  return std::max(length(a), length(b));
+}
+
+template void requireFinite(const char*, const char*, const Vec3<float>&);
+template void requireFinite(const char*, const char*, const Vec3<double>&);
+template Vec3<float> unitVector(const char*, const char*, const Vec3<float>&);
+template Vec3<double> unitVector(const char*, const char*, const Vec3<double>&);
+template float distanceBetween(const Vec3<float>&, const Vec3<float>&);
+template double distanceBetween(const Vec3<double>&, const Vec3<double>&);
+template float farther(const Vec3<float>&, const Vec3<float>&);
+template double farther(const Vec3<double>&, const Vec3<double>&);
+
+}  // namespace cutwater::detail

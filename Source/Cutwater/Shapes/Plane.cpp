@@ -1,0 +1,41 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Shapes/Direction.hpp>
+#include <Cutwater/Shapes/Plane.hpp>
+
+namespace cutwater {
+
+template <std::floating_point T>
+Plane<T>::Plane(const Vec3<T>& point, const Vec3<T>& normal)
+    : point_(point), normal_(detail::unitVector("Plane", "normal", normal)) {
+  detail::requireFinite("Plane", "point", point);
+}
+
+template <std::floating_point T>
+T Plane<T>::localSignedDistance(const Vec3<T>& p) const {
+  return dot(p - point_, normal_);
+}
+
+template <std::floating_point T>
+Vec3<T> Plane<T>::localGradient(const Vec3<T>&) const {
+  return normal_;
+}
+
+template <std::floating_point T>
+Guarantee<T> Plane<T>::localGuarantee() const {
+  return Guarantee<T>::exact(length(point_));
+}
+
+template <std::floating_point T>
+Box<T> Plane<T>::localBoundingBox() const {
+  auto box = Box<T>::everywhere();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (abs(normal_)[axis] != lengthSquared(normal_)) continue;  // not along this axis alone
+    (normal_[axis] > 0 ? box.upper : box.lower)[axis] = point_[axis];
+  }
+  return localGuarantee().grown(box);
+}
+
+template class Plane<float>;
+template class Plane<double>;
+
+}  // namespace cutwater

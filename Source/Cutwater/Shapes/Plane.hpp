@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+namespace cutwater {
+
+/// The half-space behind a plane.
+///
+///     f(p) = (p - point) . normal        exact
+///
+/// The normal points out of the solid and need not have unit length.
+/// @throws Error unless both are finite and the normal is not zero.
+template <std::floating_point T>
+class Plane final : public SignedDistanceFunction<T> {
+ public:
+  Plane(const Vec3<T>& point, const Vec3<T>& normal);
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  Vec3<T> point_;
+  Vec3<T> normal_;
+};
+
+extern template class Plane<float>;
+extern template class Plane<double>;
+
+}  // namespace cutwater

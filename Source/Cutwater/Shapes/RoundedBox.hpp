@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+namespace cutwater {
+
+/// An axis-aligned box with edges and corners rounded to a radius; the faces stay where they are.
+///
+///     f(p) = box(p; lower + radius, upper - radius) - radius        exact
+///
+/// @throws Error unless the corners are finite with lower < upper in every coordinate and
+/// 0 < radius <= half the shortest side.
+template <std::floating_point T>
+class RoundedBox final : public SignedDistanceFunction<T> {
+ public:
+  RoundedBox(const Box<T>& box, T radius);
+  RoundedBox(const Vec3<T>& lower, const Vec3<T>& upper, T radius)
+      : RoundedBox(Box<T>{lower, upper}, radius) {}
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  Box<T> core_;  // what the rounding is laid around; may have zero thickness
+  T radius_;
+};
+
+extern template class RoundedBox<float>;
+extern template class RoundedBox<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Cutwater/Shapes/Axisymmetric.hpp>
+
+namespace cutwater {
+
+/// A cylinder with ends at `a` and `b` whose rims are rounded to the radius `rounding`; ends and
+/// side stay where they are.
+///
+///     f(p) = cylinder(p; shortened by rounding at both ends, radius - rounding) - rounding exact
+///
+/// @throws Error unless the end points are finite and differ, 0 < radius < infinity, and
+/// 0 < rounding <= min(radius, |b - a| / 2).
+template <std::floating_point T>
+class RoundedCylinder final : public Axisymmetric<T> {
+ public:
+  RoundedCylinder(const Vec3<T>& a, const Vec3<T>& b, T radius, T rounding);
+
+ private:
+  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
+  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  T length_;
+  T rounding_;
+  T coreRadius_;
+  T size_;
+  Box<T> section_;  // of the core that the rounding is laid around; may have zero thickness
+};
+
+extern template class RoundedCylinder<float>;
+extern template class RoundedCylinder<double>;
+
+}  // namespace cutwater

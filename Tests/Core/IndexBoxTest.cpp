@@ -1,0 +1,34 @@
+#include <Cutwater/Core/IndexBox.hpp>
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace cutwater::test {
+namespace {
+
+TEST(IndexBox, CountsBothEnds) {
+  const IndexBox box{{-2, 0, 5}, {2, 0, 6}};
+  EXPECT_EQ(box.length(0), 5U);
+  EXPECT_EQ(box.length(1), 1U);
+  EXPECT_EQ(box.length(2), 2U);
+  EXPECT_EQ(box.count(), 10U);
+  EXPECT_FALSE(box.empty());
+  EXPECT_EQ(IndexBox::ofSize(4, 3, 2), (IndexBox{{0, 0, 0}, {3, 2, 1}}));
+}
+
+TEST(IndexBox, IsEmptyIfOneAxisIs) {
+  EXPECT_TRUE(IndexBox{}.empty());
+  EXPECT_TRUE((IndexBox{{0, 0, 0}, {5, -3, 5}}.empty()));
+  EXPECT_EQ((IndexBox{{0, 0, 0}, {5, -3, 5}}.length(1)), 0U);
+  EXPECT_TRUE(IndexBox::ofSize(3, 0, 3).empty());
+}
+
+TEST(IndexBox, CountsAllThereAre) {
+  constexpr auto kLeast = std::numeric_limits<std::int32_t>::min();
+  constexpr auto kMost = std::numeric_limits<std::int32_t>::max();
+  EXPECT_EQ((IndexBox{{kLeast, 0, 0}, {kMost, 0, 0}}.count()), std::size_t{1} << 32U);
+}
+
+}  // namespace
+}  // namespace cutwater::test

@@ -1,0 +1,66 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Io/Png.hpp>
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "Support/TemporaryFolder.hpp"
+
+#ifdef CUTWATER_TEST_HAS_PNG
+#include <png.h>
+#endif
+
+namespace cutwater::test {
+namespace {
+
+Image pattern() {
+  Image image(37, 23);
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      image.at(x, y) = {static_cast<std::uint8_t>(7 * x), static_cast<std::uint8_t>(11 * y),
+                        static_cast<std::uint8_t>(x * y)};
+    }
+  }
+  return image;
+}
+
+#ifdef CUTWATER_TEST_HAS_PNG
+TEST(PngTest, DecodesToTheSamePixels) {
+  const TemporaryFolder folder;
+  const auto image = pattern();
+  writePng(folder / "a.png", image);
+  EXPECT_EQ(folder.fileCount(), 1U);
+
+  png_image decoded{};
+  decoded.version = PNG_IMAGE_VERSION;
+  ASSERT_NE(png_image_begin_read_from_file(&decoded, (folder / "a.png").c_str()), 0);
+  ASSERT_EQ(decoded.width, 37U);
+  ASSERT_EQ(decoded.height, 23U);
+  decoded.format = PNG_FORMAT_RGB;
+  std::vector<Rgb> pixels(image.pixels().size());
+  ASSERT_NE(png_image_finish_read(&decoded, nullptr, pixels.data(), 0, nullptr), 0);
+  EXPECT_TRUE(std::equal(pixels.begin(), pixels.end(), image.pixels().begin()));
+}
+
+TEST(PngTest, NamesThePathItCannotWrite) {
+  const TemporaryFolder folder;
+  const auto path = folder / "no/such/a.png";
+  try {
+    writePng(path, pattern());
+    FAIL() << "wrote into a folder that does not exist";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::File);
+    EXPECT_NE(std::string(error.what()).find(path.string()), std::string::npos);
+  }
+}
+#else
+TEST(PngTest, SaysThatLibpngIsMissing) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(writePng(folder / "a.png", pattern()), Error);
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+#endif
+
+}  // namespace
+}  // namespace cutwater::test

@@ -1,0 +1,137 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Io/Vti.hpp>
+
+#include <array>
+#include <charconv>
+#include <cstring>
+#include <map>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "Support/TemporaryFolder.hpp"
+
+namespace cutwater::test {
+namespace {
+
+/// A reader of its own for the part of the format that is written, by the format's description:
+/// attributes are looked up in the text, arrays by their offsets behind the underscore.
+class ParsedVti {
+ public:
+  explicit ParsedVti(std::string content) : content_(std::move(content)) {
+    const std::string mark = "<AppendedData encoding=\"raw\">\n_";
+    data_ = content_.find(mark);
+    EXPECT_NE(data_, std::string::npos);
+    header_ = content_.substr(0, data_);
+    data_ += mark.size();
+  }
+
+  [[nodiscard]] std::string attribute(const std::string& element, const std::string& name,
+                                      std::size_t from = 0) const {
+    const auto start = header_.find("<" + element + " ", from);
+    if (start == std::string::npos) return "";
+    const auto tag = header_.substr(start, header_.find('>', start) - start);
+    const auto at = tag.find(" " + name + "=\"");
+    if (at == std::string::npos) return "";
+    const auto begin = at + name.size() + 3;
+    return tag.substr(begin, tag.find('"', begin) - begin);
+  }
+
+  template <typename V>
+  [[nodiscard]] std::vector<V> array(const std::string& name, const std::string& type) const {
+    const auto at = header_.find("Name=\"" + name + "\"");
+    const auto start = header_.rfind("<DataArray", at);
+    EXPECT_EQ(attribute("DataArray", "type", start), type);
+    const auto text = attribute("DataArray", "offset", start);
+    std::size_t offset = 0;
+    std::from_chars(text.data(), text.data() + text.size(), offset);
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, content_.data() + data_ + offset, sizeof(bytes));
+    std::vector<V> values(bytes / sizeof(V));
+    std::memcpy(values.data(), content_.data() + data_ + offset + sizeof(bytes), bytes);
+    end_ = data_ + offset + sizeof(bytes) + bytes;
+    return values;
+  }
+
+  /// What stands behind the array that was read last.
+  [[nodiscard]] std::string rest() const { return content_.substr(end_); }
+  [[nodiscard]] const std::string& header() const { return header_; }
+
+ private:
+  std::string content_;
+  std::string header_;
+  std::size_t data_ = 0;
+  mutable std::size_t end_ = 0;
+};
+
+const IndexBox kBox{{-2, 0, 5}, {1, 2, 6}};  // 4 x 3 x 2
+
+std::vector<double> ramp(double step) {
+  std::vector<double> values(kBox.count());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i) * step - 1;
+  return values;
+}
+
+TEST(VtiTest, CellDataIsReadBackToTheBit) {
+  const TemporaryFolder folder;
+  const auto distance = ramp(0.1);
+  std::vector<float> coarse(distance.begin(), distance.end());
+  std::vector<std::uint32_t> ids(kBox.count(), kNone);
+  ids[3] = 17;
+  const std::array<VtiArray, 3> arrays{VtiArray{"distance", std::span<const double>(distance)},
+                                       {"coarse", std::span<const float>(coarse)},
+                                       {"a<b & \"c\"", std::span<const std::uint32_t>(ids)}};
+  const Level<double> level({0.1, -2, 1e-3}, {0.25, 1e-7, 3});
+  writeVti(folder / "a.vti", Patch<double>{level, kBox}, arrays);
+
+  const ParsedVti vti(contentOf(folder / "a.vti"));
+  EXPECT_EQ(vti.attribute("VTKFile", "type"), "ImageData");
+  EXPECT_EQ(vti.attribute("VTKFile", "header_type"), "UInt64");
+  EXPECT_EQ(vti.attribute("VTKFile", "byte_order"), "LittleEndian");
+  EXPECT_EQ(vti.attribute("ImageData", "WholeExtent"), "-2 2 0 3 5 7");  // points around cells
+  EXPECT_EQ(vti.attribute("Piece", "Extent"), "-2 2 0 3 5 7");
+  EXPECT_EQ(vti.attribute("ImageData", "Origin"), "0.1 -2 0.001");
+  EXPECT_EQ(vti.attribute("ImageData", "Spacing"), "0.25 1e-07 3");
+  EXPECT_EQ(vti.attribute("CellData", "Scalars"), "distance");
+  EXPECT_EQ(vti.array<double>("distance", "Float64"), distance);
+  EXPECT_EQ(vti.array<float>("coarse", "Float32"), coarse);
+  EXPECT_EQ(vti.array<std::uint32_t>("a&lt;b &amp; &quot;c&quot;", "UInt32"), ids);
+  EXPECT_EQ(vti.rest(), "\n  </AppendedData>\n</VTKFile>\n");
+}
+
+TEST(VtiTest, NodesArePointData) {
+  const TemporaryFolder folder;
+  const auto values = ramp(1);
+  const std::array<VtiArray, 1> arrays{VtiArray{"d", std::span<const double>(values)}};
+  const Level<float> level({0, 0, 0}, {1, 1, 1}, Centering::Node);
+  writeVti(folder / "a.vti", Patch<float>{level, kBox}, arrays);
+  const ParsedVti vti(contentOf(folder / "a.vti"));
+  EXPECT_EQ(vti.attribute("ImageData", "WholeExtent"), "-2 1 0 2 5 6");
+  EXPECT_EQ(vti.attribute("PointData", "Scalars"), "d");
+  EXPECT_EQ(vti.header().find("<CellData "), std::string::npos);
+  EXPECT_EQ(vti.array<double>("d", "Float64"), values);
+}
+
+TEST(VtiTest, RefusesWhatDoesNotFit) {
+  const TemporaryFolder folder;
+  const Level<double> level({0, 0, 0}, {1, 1, 1});
+  const Patch<double> patch{level, kBox};
+  const auto values = ramp(1);
+  const VtiArray good{"d", std::span<const double>(values)};
+  const VtiArray shorter{"s", std::span<const double>(values).first(5)};
+  const VtiArray nameless{"", std::span<const double>(values)};
+  const auto write = [&](const Patch<double>& where, std::vector<VtiArray> arrays) {
+    writeVti(folder / "a.vti", where, arrays);
+  };
+  EXPECT_THROW(write(patch, {}), Error);
+  EXPECT_THROW(write(patch, {good, shorter}), Error);
+  EXPECT_THROW(write(patch, {nameless}), Error);
+  EXPECT_THROW(write(patch, {good, good}), Error);
+  EXPECT_THROW(write({level, {{0, 0, 0}, {-1, 0, 0}}}, {good}), Error);
+  const auto most = std::numeric_limits<std::int32_t>::max();
+  EXPECT_THROW(write({level, {{most - 3, 0, 0}, {most, 2, 1}}}, {good}), Error);
+  EXPECT_EQ(folder.fileCount(), 0U);
+}
+
+}  // namespace
+}  // namespace cutwater::test

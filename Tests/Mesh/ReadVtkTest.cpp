@@ -1,0 +1,157 @@
+#include "SurfaceFiles.hpp"
+
+namespace cutwater::test {
+namespace {
+
+std::string start(const std::string& version, const std::string& encoding) {
+  return "# vtk DataFile Version " + version + "\na title of any kind\n" + encoding +
+         "\nDATASET POLYDATA\n";
+}
+const std::string kPoints = "POINTS 4 float\n0 0 0 1 0 0\n0 1 0\n0 0 1\n";  // lines 5 to 8
+const std::string kAscii = start("3.0", "ASCII") + kPoints +
+                           "VERTICES 1 2\n1 0\nLINES 1 3\n2 0 1\nPOLYGONS 2 9\n3 0 1 2\n4 0 1 2 3\n"
+                           "CELL_DATA 2\nSCALARS anything at all\n";
+
+void expectSoup(const std::string& bytes) {
+  const auto file = readText(bytes);
+  EXPECT_EQ(file.report.format, SurfaceFormat::Vtk);
+  EXPECT_EQ(file.soup.points,
+            (std::vector<Vec3<double>>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+  ASSERT_EQ(file.soup.polygonCount(), 2U);
+  EXPECT_EQ(corners(file.soup, 0), (Corners{0, 1, 2}));
+  EXPECT_EQ(corners(file.soup, 1), (Corners{0, 1, 2, 3}));
+}
+
+TEST(ReadVtkTest, ReadsAscii) {
+  expectSoup(kAscii);
+  expectSoup(replaced(kAscii, "\n", "\r\n"));
+  expectSoup(replaced(kAscii, "float", "double"));
+  expectSoup(replaced(kAscii, "POLYGONS 2 9\n3 0", "POLYGONS 2 9 3\n0"));
+  expectSoup(replaced(kAscii, "POINTS",
+                      "FIELD FieldData 2\nTIME 1 1 double\n0.5\nids 2 2 int\n1 2 3 4\nPOINTS"));
+  expectSoup(replaced(kAscii, "VERTICES", "METADATA\nINFORMATION 0\nNAME x\n\nVERTICES"));
+  EXPECT_EQ(readText(kAscii).report.notes.size(), 1U);
+}
+
+TEST(ReadVtkTest, ReadsOffsetsAndConnectivity) {
+  expectSoup(start("5.1", "ASCII") + kPoints +
+             "VERTICES 2 1\nOFFSETS vtktypeint64\n0 1\nCONNECTIVITY vtktypeint64\n0\n"
+             "LINES 0 0\nOFFSETS vtktypeint64\nCONNECTIVITY vtktypeint64\n"
+             "POLYGONS 3 7\nOFFSETS vtktypeint64\n0 3 7\nCONNECTIVITY vtktypeint64\n"
+             "0 1 2 0 1\n2 3\nMETADATA\nINFORMATION 0\n\nPOINT_DATA 4\n");
+}
+
+std::string binary(bool offsetsApart) {
+  ByteWriter file(std::endian::big);
+  file.text(start(offsetsApart ? "5.1" : "4.2", "BINARY") + "FIELD FieldData 1\nTIME 1 1 double\n");
+  file.numbers<double>({0.5}).text("\nPOINTS 4 double\n");
+  file.numbers<double>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}).text("\nMETADATA\nX\n\n");
+  if (offsetsApart) {
+    file.text("POLYGONS 3 7\nOFFSETS vtktypeint64\n").numbers<std::int64_t>({0, 3, 7});
+    file.text("\nCONNECTIVITY vtktypeint64\n").numbers<std::int64_t>({0, 1, 2, 0, 1, 2, 3});
+  } else {
+    file.text("LINES 1 3\n").numbers<std::int32_t>({2, 0, 1});
+    file.text("\nPOLYGONS 2 9\n").numbers<std::int32_t>({3, 0, 1, 2, 4, 0, 1, 2, 3});
+  }
+  return file.text("\nCELL_DATA 2\n").bytes();
+}
+
+TEST(ReadVtkTest, ReadsBinary) {
+  expectSoup(binary(false));
+  expectSoup(binary(true));
+  EXPECT_TRUE(readText(binary(true)).report.binary);
+}
+
+TEST(ReadVtkTest, TurnsEverySecondTriangleOfAStrip) {
+  const auto soup =
+      readText(start("3.0", "ASCII") + kPoints + "TRIANGLE_STRIPS 2 9\n4 0 1 2 3 3 3 2 1\n").soup;
+  ASSERT_EQ(soup.polygonCount(), 3U);
+  EXPECT_EQ(corners(soup, 0), (Corners{0, 1, 2}));
+  EXPECT_EQ(corners(soup, 1), (Corners{2, 1, 3}));
+  EXPECT_EQ(corners(soup, 2), (Corners{3, 2, 1}));
+  const auto same =
+      readText(
+          start("5.1", "ASCII") + kPoints +
+          "TRIANGLE_STRIPS 3 7\nOFFSETS vtktypeint64\n0 4 7\nCONNECTIVITY int\n0 1 2 3 3 2 1\n")
+          .soup;
+  EXPECT_EQ(same.corners, soup.corners);
+}
+
+TEST(ReadVtkTest, RefusesBadHeaders) {
+  expectFailure(replaced(kAscii, "3.0", "5.2"), "line 1", "5.1");
+  expectFailure(replaced(kAscii, "3.0", "x"), "line 1", "\"x\"");
+  expectFailure(replaced(kAscii, "ASCII", "TEXT"), "line 3", "ASCII");
+  expectFailure(replaced(kAscii, "POLYDATA", "UNSTRUCTURED_GRID"), "line 4", "UNSTRUCTURED_GRID");
+  expectFailure(replaced(kAscii, "LINES", "LINE"), "line 11", "\"LINE\"");
+  expectFailure(replaced(kAscii, "LINES", "VERTICES"), "line 11", "a second");
+  expectFailure(replaced(kAscii, "float", "real"), "line 5", "real");
+  expectFailure("# vtk DataFile Version 3.0\n", "line 1", "too early");
+}
+
+TEST(ReadVtkTest, RefusesBadCounts) {
+  expectFailure(replaced(kAscii, "POINTS 4", "POINTS -4"), "line 5", "-4");
+  expectFailure(replaced(kAscii, "POINTS 4", "POINTS 1000000000000"), "line 5", "promises");
+  expectFailure(replaced(kAscii, "POINTS 4", "POINTS 5"), "line 9", "VERTICES");
+  expectFailure(replaced(kAscii, "POINTS 4", "POINTS 3"), "line 8", "\"0\"");
+  const auto polygons = [](const std::string& counts) {
+    return replaced(kAscii, "POLYGONS 2 9", "POLYGONS " + counts);
+  };
+  expectFailure(polygons("9223372036854775807 9"), "line 13", "promises");
+  expectFailure(polygons("2 9223372036854775807"), "line 13", "promises");
+  expectFailure(polygons("-2 9"), "line 13", "-2");
+  expectFailure(polygons("2 7"), "line 13", "too few");
+  expectFailure(polygons("2 8"), "line 15", "more points than are left");
+  expectFailure(polygons("2 10"), "line 15", "fewer points");
+  expectFailure(polygons("3 12"), "line 16", "CELL_DATA");
+}
+
+TEST(ReadVtkTest, RefusesBadCells) {
+  const auto cell = [](const std::string& text) { return replaced(kAscii, "3 0 1 2\n", text); };
+  expectFailure(cell("-1 0 1 2\n"), "line 14", "more points");
+  expectFailure(cell("3 0 1 4\n"), "line 14", "index 4");
+  expectFailure(cell("3 0 1 -1\n"), "line 14", "index -1");
+  expectFailure(cell("3 0 1 4294967297\n"), "line 14", "out of range");
+  expectFailure(cell("3 0 1 x\n"), "line 14", "\"x\"");
+  expectFailure(replaced(kAscii, "3 0 1 2\n4 0 1 2 3", "2 0 1 5 0 1 2 3 0"), "line 14",
+                "2 corners");
+  const std::string strips = start("3.0", "ASCII") + kPoints + "TRIANGLE_STRIPS 1 4\n";
+  expectFailure(strips + "2 0 1 2\n", "line 10", "2 points");
+}
+
+TEST(ReadVtkTest, RefusesBadOffsets) {
+  const auto file = [](const std::string& counts, const std::string& offsets,
+                       const std::string& type = "int") {
+    return start("5.1", "ASCII") + kPoints + "POLYGONS " + counts + "\nOFFSETS " + type + "\n" +
+           offsets + "\nCONNECTIVITY int\n0 1 2 0 1 2 3\n";
+  };
+  expectFailure(file("3 7", "1 3 7"), "line 11", "ascend");
+  expectFailure(file("3 7", "0 8 7"), "line 11", "ascend");
+  expectFailure(file("3 7", "0 3 8"), "line 12", "last offset");
+  expectFailure(file("3 7", "0 -1 7"), "line 11", "ascend");
+  expectFailure(file("4 7", "0 3 3 7"), "line 12", "too few");
+  expectFailure(file("3 7", "0 2 7"), "line 13", "2 corners");
+  expectFailure(file("3 7", "0 3 7", "float"), "line 10", "array of indices");
+  expectFailure(file("3 7", "0 3 7", "char"), "line 10", "array of indices");
+  expectFailure(file("30000 7", "0 3 7"), "line 10", "promises");
+}
+
+TEST(ReadVtkTest, RefusesBadBinaryWithItsByte) {
+  const std::string good = binary(false);
+  const std::size_t polygons = good.find("POLYGONS 2 9\n") + 13;
+  const std::string at = "byte " + std::to_string(polygons);
+  std::string bad = good;
+  bad[polygons + 7] = 4;
+  expectFailure(bad, at, "index 4");
+  bad = good;
+  bad[polygons] = '\x80';
+  expectFailure(bad, at, "more points");
+  expectFailure(good.substr(0, polygons + 20), "byte " + std::to_string(polygons - 1), "promises");
+  bad = good;
+  const std::size_t points = good.find("POINTS 4 double\n") + 16;
+  bad[points + 24] = '\x7f';
+  bad[points + 25] = '\xf0';
+  expectFailure(bad, "byte " + std::to_string(points + 24), "not finite");
+}
+
+}  // namespace
+}  // namespace cutwater::test

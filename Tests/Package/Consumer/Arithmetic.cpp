@@ -1,0 +1,59 @@
+// A user's own arithmetic with the library's types, under the user's own flags. None of it may end
+// up as a function that the linker could take for the library's: see Core/Inline.hpp. The result
+// depends on the flags, so it is not printed.
+
+#include <Cutwater/Bvh/LinearBVH.hpp>
+#include <Cutwater/Core/Interval.hpp>
+#include <Cutwater/Core/RigidTransform.hpp>
+#include <Cutwater/Core/Segment.hpp>
+
+using cutwater::Box;
+using cutwater::Interval;
+using cutwater::Segment;
+using cutwater::Vec3;
+
+namespace {
+
+template <typename T>
+T everyOperation(Vec3<T> a, const Vec3<T>& b, T s) {
+  a += s * b - b / s;
+  a -= cross(a, b) * dot(a, b);
+  a *= lengthSquared(a) - length(b);
+  const Vec3<T> middle = Segment<T>{normalized(a), min(a, b)}.at(s);
+  Box<T> box{max(-a, b), abs(b)};
+  box.extend(middle).extend(Box<T>{a, b});
+  box = box.grown(s).intersection({b, a});
+  const Interval<T> interval = -Interval<T>{a.x, b.y}.grown(s);
+  const bool known = isFinite(box) && box.contains(a) && interval.contains(s) && !box.empty();
+  return known ? box.diagonal() : maxComponent(box.center() + box.size() + box.corner(5));
+}
+
+/// A primitive of the user's in the library's tree.
+template <typename T>
+struct Ball {
+  Vec3<T> center;
+  T radius;
+
+  Box<T> boundingBox() const { return Box<T>{center, center}.grown(radius); }
+  T distance(const Vec3<T>& p) const { return length(p - center) - radius; }
+};
+
+template <typename T>
+T everyTreeQuery(const Vec3<T>& a, const Vec3<T>& b) {
+  const cutwater::LinearBVH<T, Ball<T>> balls({{a, 1}, {b, 2}});
+  T sum = balls.nearest(a + b).distance;
+  balls.overlapping({a, b}, [&](std::uint32_t ball) {
+    sum += balls.primitives()[ball].radius;
+    return true;
+  });
+  return sum;
+}
+
+}  // namespace
+
+float arithmetic(const Vec3<float>& a, const Vec3<float>& b) {
+  return everyOperation(a, b, 0.5F) + everyTreeQuery(a, b);
+}
+double arithmetic(const Vec3<double>& a, const Vec3<double>& b) {
+  return everyOperation(a, b, 0.5) + everyTreeQuery(a, b);
+}

@@ -1,0 +1,59 @@
+"""Fails if a file under Source/Cutwater includes what its layer must not know."""
+import pathlib
+import re
+import sys
+
+# In order: a layer may include itself and the layers named on its line, which all stand above it.
+MAY_INCLUDE = {
+    "Core": "",
+    "Simd": "Core",
+    "Bvh": "Core Simd",
+    "Sdf": "Core",
+    "Shapes": "Core Sdf",
+    "Operations": "Core Bvh Sdf",
+    "Mesh": "Core Simd Bvh Sdf",
+    "Lattice": "Core Simd Bvh Sdf Shapes Operations",
+    "Tpms": "Core Simd Sdf Operations",
+    "Grid": "Core Sdf",
+    "Render": "Core Sdf Grid",
+    "Io": "Core Sdf Mesh Grid Render",
+    "Adapters": "Core Sdf Mesh Grid Io",
+}
+
+# GPL code is for Source/Repair and Source/P4est, which are targets of their own; streams depend on
+# the locale.
+FORBIDDEN = re.compile(r"CGAL/|p4est|p8est|gmp|mpfr|iostream|sstream")
+# Other people's headers cost users compile time and tie them to versions: only in .cpp files.
+PRIVATE = re.compile(r"Eigen/|omp\.h|zlib\.h|png\.h|experimental/|immintrin\.h|CLI/")
+OPTIONAL_HEADERS = {"Core/Eigen.hpp"}  # for users of that library only
+
+
+def complaints(root):
+    layers = list(MAY_INCLUDE)
+    for layer, allowed in MAY_INCLUDE.items():
+        for other in allowed.split():
+            if layers.index(other) >= layers.index(layer):
+                yield f"this list: {layer} stands above {other}"
+    for file in sorted([*root.rglob("*.?pp"), *root.rglob("*.inl")]):
+        name = file.relative_to(root)
+        if len(name.parts) == 1:
+            continue  # the header that includes all others
+        layer = name.parts[0]
+        if layer not in MAY_INCLUDE:
+            yield f"{name}: {layer} is no layer; see DESIGN"
+            continue
+        for bracket, path in re.findall(r'^\s*#\s*include ([<"])([^>"]+)', file.read_text(), re.M):
+            inside = re.match(r"Cutwater/(\w+)/", path)
+            if bracket == '"':
+                yield f'{name}: include <Cutwater/...> and not "{path}"'
+            elif inside and inside[1] not in {layer, *MAY_INCLUDE[layer].split()}:
+                yield f"{name}: {layer} must not include {inside[1]}"
+            elif FORBIDDEN.match(path):
+                yield f"{name}: the library does not use <{path}>"
+            elif name.suffix == ".hpp" and PRIVATE.match(path) and str(name) not in OPTIONAL_HEADERS:
+                yield f"{name}: include <{path}> in a .cpp only"
+
+
+found = list(complaints(pathlib.Path(sys.argv[1]) / "Source/Cutwater"))
+print("\n".join(found) or "layers ok")
+sys.exit(bool(found))

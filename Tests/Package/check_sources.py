@@ -1,0 +1,212 @@
+"""Checks of the sources as text. Usage: check_sources.py ROOT CHECK [program]
+
+  format        clang-format (the program given) would change nothing
+  length        no file is longer than one can take in
+  paths         no path of one machine in any file
+  manners       the library does not print, exit or depend on the locale
+  mirror        a test file per unit, and every unit and test file in its folder's list
+  expectations  every test case expects something
+  scripts       scripts are executable and pass shellcheck (the program given)
+  readme        the README's C++ is a marked region of a compiled example
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import textwrap
+
+ROOT = pathlib.Path(sys.argv[1]).resolve()
+PROGRAM = sys.argv[3] if len(sys.argv) > 3 else ""
+SKIPPED = 77  # ctest's SKIP_RETURN_CODE
+FOLDERS = ["Source", "Tests", "Tools", "Examples", "Bindings", "Benchmarks", "Scripts", "Docs", ".ci"]
+SOURCES = {".hpp", ".cpp", ".inl", ".h", ".c"}
+
+
+def all_files():
+    for folder in FOLDERS:
+        for file in sorted((ROOT / folder).rglob("*")):
+            if file.is_file() and "__pycache__" not in file.parts:
+                yield file
+    yield from sorted(f for f in ROOT.iterdir() if f.is_file() and f.name not in (".git", "compile_commands.json"))
+
+
+def sources():
+    return [file for file in all_files() if file.suffix in SOURCES]
+
+
+def name(file):
+    return file.relative_to(ROOT).as_posix()
+
+
+def check_format():
+    if not pathlib.Path(PROGRAM).is_file():
+        return None
+    done = subprocess.run([PROGRAM, "--dry-run", "-Werror", *sources()], capture_output=True, text=True)
+    wrong = sorted(set(re.findall(r"^(\S+?):\d+:\d+: error", done.stderr, re.MULTILINE)))
+    if done.returncode and not wrong:
+        return [done.stderr]
+    return [f"{name(pathlib.Path(file))}: run clang-format -i" for file in wrong]
+
+
+def check_length():
+    found = []
+    for file in sources():
+        lines = len(file.read_text().splitlines())
+        if lines > 400:
+            found.append(f"{name(file)}: {lines} lines; at most 400, better below 300")
+        elif lines > 300:
+            print(f"{name(file)}: {lines} lines, more than 300: is it one thing?")
+    return found
+
+
+def check_paths():
+    places = re.compile(r"(?<![\w.$}*])/(home|root|Users|work|farm|tmp)/[\w.]")
+    found = []
+    for file in all_files():
+        data = file.read_bytes()
+        if b"\0" in data:
+            continue
+        for number, line in enumerate(data.decode(errors="replace").splitlines(), 1):
+            if places.search(line):
+                found.append(f"{name(file)}:{number}: {line.strip()[:80]}")
+    return found
+
+
+def listed(folder):
+    """The words in a folder's list of units."""
+    lists = folder / "CMakeLists.txt"
+    text = re.sub(r"#.*", "", lists.read_text()) if lists.exists() else ""
+    return set(re.split(r"[\s()]+", text))
+
+
+def check_manners():
+    """The library does not print, does not end the program, and does not ask the locale."""
+    ours = re.compile(r"\b(printf|puts|putchar|perror|exit|_Exit|quick_exit|abort|terminate)\s*\(|"
+                      r"\bstd::(cout|cerr|clog)\b|\bstderr\b")
+    locale = re.compile(r"\b(sn?printf|v?s?scanf|fscanf|ato[fil]|strto\w+|sto[dfil]\w*)\s*\(|"
+                        r"\bstd::[io]?stringstream\b")
+    found = []
+    for file in sources():
+        if (ROOT / "Source/Cutwater") not in file.parents:
+            continue
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            code = re.sub(r"//.*", "", line)
+            if ours.search(code):
+                found.append(f"{name(file)}:{number}: throw Error, or return a report: {line.strip()}")
+            if locale.search(code):
+                found.append(f"{name(file)}:{number}: use to_chars, from_chars: {line.strip()}")
+    return found
+
+
+def tested_elsewhere():
+    """Unit -> the test that covers it, from the list beside this file."""
+    text = (ROOT / "Tests/Package/tested-elsewhere.txt").read_text()
+    rows = [line.split(maxsplit=2) for line in text.splitlines() if line and line[0] != "#"]
+    return {unit: test for unit, test, _ in rows}
+
+
+def check_mirror():
+    elsewhere = tested_elsewhere()
+    found = [f"tested-elsewhere.txt: {unit}: there is no Tests/{test}"
+             for unit, test in elsewhere.items() if not (ROOT / "Tests" / test).exists()]
+    library = ROOT / "Source/Cutwater"
+    units = {file.relative_to(library).with_suffix("").as_posix(): file
+             for suffix in (".hpp", ".cpp") for file in sorted(library.rglob(f"*{suffix}"))}
+    for unit, file in sorted(units.items()):
+        layer, _, inner = unit.partition("/")
+        if not inner or "/" in inner and file.suffix == ".hpp":
+            continue  # the header of all headers, or a private one that only declares
+        private = re.search(r"^// Private", file.read_text(), re.MULTILINE)
+        if not private and not {inner, f"{inner}.cpp"} & listed(library / layer):
+            found.append(f"Source/Cutwater/{unit} is not listed in {layer}/CMakeLists.txt")
+        stem = inner.rpartition("/")[2]
+        tested = any((ROOT / f"Tests/{layer}/{test}Test.cpp").exists() for test in (inner, stem))
+        if not tested and unit not in elsewhere:
+            found.append(f"Source/Cutwater/{unit} has no Tests/{layer}/{stem}Test.cpp")
+        if tested and unit in elsewhere:
+            found.append(f"tested-elsewhere.txt: {unit} has a test now: strike it out")
+    found += [f"tested-elsewhere.txt: {unit} is gone: strike it out"
+              for unit in elsewhere if unit not in units]
+    for file in sorted((ROOT / "Tests").rglob("*Test.cpp")):
+        if file.stem.removesuffix("Test") not in listed(file.parent):
+            found.append(f"{name(file)} is not in its folder's cutwater_tests: it never runs")
+    return found
+
+
+EXPECTS = r"\b(EXPECT_|ASSERT_|ADD_FAILURE|FAIL\(|(expect|check)[A-Z])"
+
+
+def expecting(file):
+    """What counts as an expectation in a test file: gtest's, those named expect... or check..., and
+    functions of the file and its folder's headers that contain one."""
+    texts = [f.read_text() for f in (file, *sorted(file.parent.glob("*.hpp")))]
+    blocks = [block for text in texts for block in re.split(r"^};?$", text, flags=re.MULTILINE)]
+    helpers = set()
+    while True:
+        wanted = re.compile("|".join([EXPECTS, *(rf"\b{helper}[(<]" for helper in sorted(helpers))]))
+        more = set()
+        for block in blocks:
+            heads = re.findall(r"^[A-Za-z_][^\n(]*?\b(\w+)\(", block, re.MULTILINE)
+            if heads and not re.match(r"(TYPED_)?TEST", heads[-1]) and wanted.search(block):
+                more.add(heads[-1])
+        if more <= helpers:
+            return wanted
+        helpers |= more
+
+
+def check_expectations():
+    found = []
+    start = re.compile(r"^(?:TYPED_)?TEST(?:_F|_P)?\(([^)]*)\)", re.MULTILINE)
+    for file in sorted((ROOT / "Tests").rglob("*Test.cpp")):
+        text, wanted = file.read_text(), expecting(file)
+        cases = list(start.finditer(text))
+        if not cases:
+            found.append(f"{name(file)}: no test case")
+        for case, end in zip(cases, [c.start() for c in cases[1:]] + [len(text)]):
+            if not wanted.search(text[case.end():end]):
+                found.append(f"{name(file)}: {case[1]} expects nothing")
+    return found
+
+
+def check_scripts():
+    found = []
+    scripts = [file for file in all_files() if file.read_bytes()[:2] == b"#!"]
+    for file in scripts:
+        if not file.stat().st_mode & 0o100:
+            found.append(f"{name(file)}: not executable")
+    shell = [file for file in scripts if b"sh" in file.read_bytes().split(b"\n", 1)[0]]
+    for file in shell:
+        if not re.search(r"^set -euo pipefail$", file.read_text(), re.MULTILINE):
+            found.append(f"{name(file)}: needs set -euo pipefail")
+    if shell and pathlib.Path(PROGRAM).is_file():
+        done = subprocess.run([PROGRAM, "-x", *shell], capture_output=True, text=True, cwd=ROOT)
+        if done.returncode:
+            found.append(done.stdout)
+    else:
+        print("no shellcheck here: only the executable bits and the shell's options were checked")
+    return found
+
+
+def check_readme():
+    blocks = re.findall(r"```cpp\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+    regions = []
+    for file in sorted((ROOT / "Examples").rglob("*.cpp")):
+        regions += re.findall(r"// \[README\n(.*?)\n *// README\]", file.read_text(), re.DOTALL)
+    compiled = [textwrap.dedent(region).strip() for region in regions]
+    if not blocks or not compiled:
+        return ["no C++ in the README, or no region marked // [README ... // README] in Examples"]
+    return [f"README.md: not from a compiled example:\n{block}"
+            for block in blocks if block.strip() not in compiled]
+
+
+def main():
+    check = sys.argv[2]
+    found = globals()[f"check_{check}"]()
+    if found is None:
+        print("skipped: the program it needs is not here")
+        sys.exit(SKIPPED)
+    print("\n".join(found) or f"{check}: ok")
+    sys.exit(bool(found))
+
+
+main()

@@ -1,0 +1,179 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+#include <algorithm>
+
+#include "Support/Guarantee.hpp"
+#include "Support/Precisions.hpp"
+#include "Support/Random.hpp"
+
+namespace cutwater::test {
+namespace {
+
+/// As little as a user has to write: nothing is promised.
+template <typename T>
+class Ball final : public SignedDistanceFunction<T> {
+  T localSignedDistance(const Vec3<T>& p) const override { return length(p) - 1; }
+};
+
+/// The same with a promise, and still no gradient.
+template <typename T>
+class PromisingBall final : public SignedDistanceFunction<T> {
+  T localSignedDistance(const Vec3<T>& p) const override { return length(p) - 1; }
+  Guarantee<T> localGuarantee() const override { return Guarantee<T>::exact(1); }
+};
+
+/// f = x inside a box of validity, rubbish outside of it.
+template <typename T>
+class LocallyValid final : public SignedDistanceFunction<T> {
+  T localSignedDistance(const Vec3<T>& p) const override {
+    return maxComponent(abs(p)) <= 1 ? p.x : T(-7);
+  }
+  Guarantee<T> localGuarantee() const override {
+    auto promise = Guarantee<T>::exact(1);
+    promise.domain = {{-1, -1, -1}, {1, 1, 1}};
+    return promise;
+  }
+};
+
+/// Spins a wave of known crossings along x: sin(k x), 1-Lipschitz.
+template <typename T>
+class Wave final : public SignedDistanceFunction<T> {
+ public:
+  explicit Wave(T k) : k_(k) {}
+
+ private:
+  T localSignedDistance(const Vec3<T>& p) const override { return std::sin(k_ * p.x) / k_; }
+  Guarantee<T> localGuarantee() const override {
+    auto promise = Guarantee<T>::exact(4);
+    promise.inside = promise.outside = Quality::LowerBound;
+    return promise;
+  }
+  T k_;
+};
+
+template <typename T>
+class SignedDistanceFunctionTest : public ::testing::Test {};
+TYPED_TEST_SUITE(SignedDistanceFunctionTest, Precisions);
+
+TYPED_TEST(SignedDistanceFunctionTest, MinimalSubclassGetsSoundDefaults) {
+  using T = TypeParam;
+  const Ball<T> ball;
+  EXPECT_EQ(ball.guarantee().outside, Quality::SignOnly);
+  EXPECT_FALSE(ball.guarantee().lipschitz);
+  EXPECT_EQ(ball.boundingBox(), Box<T>::everywhere());
+  EXPECT_EQ(ball.classify({{5, 5, 5}, {6, 6, 6}}), BoxClass::Unknown);
+  EXPECT_EQ(ball.bounds({{5, 5, 5}, {6, 6, 6}}), Interval<T>::everything());
+  EXPECT_NEAR(ball.gradient({0, 3, 4}).y, T(0.6), T(1e-3));
+  EXPECT_NEAR(ball.normal({0, 3, 4}, T(0.01)).z, T(0.8), T(1e-4));
+  EXPECT_EQ(ball.normal({0, 0, 0}, T(0.01)), Vec3<T>{});
+  EXPECT_EQ(ball.normal({0, 3, 4}, T(0)), Vec3<T>{});
+  EXPECT_EQ(ball.normal({0, 3, 4}, std::numeric_limits<T>::quiet_NaN()), Vec3<T>{});
+  EXPECT_EQ(ball.patchNames(), std::vector<std::string>{"surface"});
+  const auto c = ball.closestPoint({0, 3, 4});
+  EXPECT_NEAR(c.point.z, T(0.8), T(1e-3));
+  EXPECT_FALSE(c.exact);
+  EXPECT_EQ(c.tolerance, std::numeric_limits<T>::infinity());
+  std::size_t told = 0;
+  const auto walk = ball.crossings({{-2, 0, 0}, {2, 0, 0}}, [&told](const Crossing<T>& x) {
+    EXPECT_NEAR(std::abs(x.point.x), T(1), tolerance<T>(2));
+    ++told;
+    return true;
+  });
+  EXPECT_EQ(told, 2U);
+  EXPECT_EQ(walk.unresolved, 1U) << "without a Lipschitz constant more cannot be excluded";
+  expectGuarantee(ball, 2, {.inside = [](const Vec3<double>& p) { return length(p) < 1; }});
+}
+
+TYPED_TEST(SignedDistanceFunctionTest, PromiseAloneGivesExactAnswers) {
+  using T = TypeParam;
+  const PromisingBall<T> ball;
+  EXPECT_EQ(ball.classify({{5, 5, 5}, {6, 6, 6}}), BoxClass::Outside);
+  EXPECT_EQ(ball.classify({{0, 0, 0}, {T(0.1), T(0.1), T(0.1)}}), BoxClass::Inside);
+  EXPECT_EQ(ball.classify({{0, 0, 0}, {2, 2, 2}}), BoxClass::Cut);
+  // No corner is inside, and the centre is outside too.
+  EXPECT_EQ(ball.classify({{-8, -7, -7}, {7, 9, 9}}), BoxClass::Cut);
+  // The nearest surface point is nearly, but not, as near as the faces are to the centre.
+  EXPECT_EQ(ball.classify({{T(1.03), -1, -1}, {T(3.03), 1, 1}}), BoxClass::Unknown);
+  EXPECT_EQ(ball.classify({{T(0.97), -1, -1}, {T(2.97), 1, 1}}), BoxClass::Cut);
+  const auto walk =
+      ball.crossings({{-2, T(0.5), 0}, {2, T(0.5), 0}}, [](const auto&) { return true; });
+  EXPECT_EQ(walk.found, 2U);
+  EXPECT_EQ(walk.unresolved, 0U);
+}
+
+TYPED_TEST(SignedDistanceFunctionTest, BoxesBeyondTheDomainAreUnknown) {
+  using T = TypeParam;
+  const LocallyValid<T> f;
+  EXPECT_EQ(f.classify({{T(0.5), 0, 0}, {T(0.6), T(0.1), T(0.1)}}), BoxClass::Outside);
+  EXPECT_EQ(f.classify({{T(0.9), 0, 0}, {T(1.1), T(0.1), T(0.1)}}), BoxClass::Unknown);
+  EXPECT_EQ(f.bounds({{T(0.9), 0, 0}, {T(1.1), T(0.1), T(0.1)}}), Interval<T>::everything());
+}
+
+TYPED_TEST(SignedDistanceFunctionTest, FindsEveryCrossingInOrder) {
+  using T = TypeParam;
+  const T k = 100;
+  const Wave<T> wave(k);
+  std::vector<T> found;
+  const auto visit = [&found](const Crossing<T>& c) {
+    found.push_back(c.point.x);
+    return true;
+  };
+  const auto walk = wave.crossings({{T(0.001), 0, 0}, {1, 0, 0}}, visit);
+  ASSERT_EQ(found.size(), 31U);  // pi, 2 pi, ... 31 pi < 100
+  EXPECT_EQ(walk.unresolved, 0U);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i], static_cast<double>(i + 1) * 3.14159265358979 / 100, tolerance<T>(4));
+  }
+  std::size_t told = 0;
+  const auto stopped =
+      wave.crossings({{T(0.001), 0, 0}, {1, 0, 0}}, [&told](const auto&) { return ++told < 3; });
+  EXPECT_EQ(told, 3U);
+  EXPECT_EQ(stopped.found, 3U);
+}
+
+TYPED_TEST(SignedDistanceFunctionTest, TellsWhereCrossingsCannotBeExcluded) {
+  using T = TypeParam;
+  const PromisingBall<T> ball;
+  const auto any = [](const auto&) { return true; };
+  const auto tangent = ball.crossings({{-2, 1, 0}, {2, 1, 0}}, any);
+  EXPECT_EQ(tangent.found, 0U);
+  EXPECT_EQ(tangent.unresolved, 1U);
+  // Shallow cuts through the surface are resolved all the same.
+  for (const T depth : {T(1e-2), T(1e-4)}) {
+    const auto grazing = ball.crossings({{-2, 1 - depth, 0}, {2, 1 - depth, 0}}, any);
+    EXPECT_EQ(grazing.found, 2U);
+    EXPECT_EQ(grazing.unresolved, 0U) << depth;
+    const auto passing = ball.crossings({{-2, 1 + depth, 0}, {2, 1 + depth, 0}}, any);
+    EXPECT_EQ(passing.found + passing.unresolved, 0U) << depth;
+  }
+}
+
+TYPED_TEST(SignedDistanceFunctionTest, BatchesRefuseSpansOfDifferentSize) {
+  using T = TypeParam;
+  std::vector<Vec3<T>> points(3);
+  std::vector<T> values(2);
+  EXPECT_THROW(Ball<T>().signedDistances(points, values), Error);
+}
+
+TYPED_TEST(SignedDistanceFunctionTest, MotionsActInCallOrder) {
+  using T = TypeParam;
+  const auto center = [](const SignedDistanceFunction<T>& f) {
+    return f.placement().toWorld(Vec3<T>{});
+  };
+  Ball<T> ball;
+  ball.translate({1, 0, 0});
+  ball.rotate(90, 2);  // first moved to x = 1, then swung about the z axis to y = 1
+  EXPECT_EQ(center(ball), (Vec3<T>{0, 1, 0}));
+  EXPECT_EQ(ball.signedDistance({0, 1, 0}), T(-1));
+  EXPECT_EQ(ball.transformPoint({0, 1, 0}), Vec3<T>{});
+  Ball<T> other;
+  other.rotate(90, 2);
+  other.translate({1, 0, 0});
+  EXPECT_EQ(center(other), (Vec3<T>{1, 0, 0}));
+  EXPECT_EQ(other.signedDistance({1, 0, 0}), T(-1));
+  EXPECT_EQ(other.signedDistance({1, 4, 0}), T(3));
+}
+
+}  // namespace
+}  // namespace cutwater::test

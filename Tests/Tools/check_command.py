@@ -1,0 +1,342 @@
+"""Runs the command as people and scripts do. Usage: check_command.py PROGRAM [group]"""
+import math
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from readers import Png, Vti, bounds, read_off
+
+PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
+SUBCOMMANDS = ["info", "sample", "slice", "convert", "make"]
+OPEN_BOX = ("OFF\n8 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+            "4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")
+
+
+def box_distance(p, half):
+    """Signed distance from a box about the origin."""
+    q = [abs(c) - h for c, h in zip(p, half)]
+    return math.hypot(*(max(c, 0) for c in q)) + min(max(q), 0)
+
+
+class CommandTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_it(self, *arguments):
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
+                              cwd=self.folder, timeout=100)
+
+    def succeeds(self, *arguments):
+        done = self.run_it(*arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
+        return done.stdout
+
+    def fails(self, status, *arguments):
+        """Returns the one line that tells why."""
+        done = self.run_it(*arguments)
+        self.assertEqual(done.returncode, status, (arguments, done.stderr))
+        self.assertRegex(done.stderr, r"\Acutwater: error: [^\n]+\n\Z", arguments)
+        self.assertEqual(done.stdout, "")
+        return done.stderr
+
+    def box(self, name="box.off", size="2,2,2"):
+        self.succeeds("make", "box", "--size", size, "-o", name)
+        return name
+
+
+class Usage(CommandTest):
+    def test_help_shows_examples(self):
+        text = self.succeeds("--help")
+        for name in SUBCOMMANDS:
+            self.assertIn(name, text)
+            help_text = self.succeeds(name, "--help")
+            self.assertRegex(help_text, rf"Examples:\n +cutwater {name} ")
+        self.assertIn("Exit status", text)
+
+    def test_version(self):
+        self.assertRegex(self.succeeds("--version"), r"\Acutwater \d+\.\d+\.\d+\n\Z")
+
+    def test_wrong_usage_is_status_2(self):
+        self.fails(2)
+        self.fails(2, "frobnicate")
+        self.fails(2, "info")
+        self.fails(2, "info", "a.stl", "b.stl")
+        self.fails(2, "info", "a.stl", "--no-such-option")
+        self.fails(2, "sample", "a.stl")
+        self.assertIn("--output", self.fails(2, "slice", "a.stl"))
+
+    def test_wrong_values_name_the_option(self):
+        for option, value in [("--cells", "0"), ("--cells", "3x4"), ("--cells", "1e3"), ("--cells", "-5"),
+                              ("--spacing", "0"), ("--spacing", "1,2"), ("--spacing", "nan"), ("--band", "0"),
+                              ("--box", "0,0,0,1,1"), ("--box", "0,0,0,1,1,0"), ("--margin", "-1"),
+                              ("--write", "colour"), ("--threads", "-1"), ("--scale", "0"), ("--scale", "1,5"),
+                              ("--translate", "1,2"), ("--translate", "1;2;3"), ("--rotate", "90"),
+                              ("--rotate", "90,w"), ("--rotate", "x,90"), ("--rotate", "90,0,0,0"),
+                              ("--total", "inf")]:
+            with self.subTest(option=option, value=value):
+                self.assertIn(option, self.fails(2, "sample", "a.stl", "-o", "a.vti", option, value))
+        for option, value in [("--axis", "w"), ("--at", "here"), ("--size", "100x100"), ("--size", "800"),
+                              ("--window", "0,0,0,1")]:
+            with self.subTest(option=option, value=value):
+                self.assertIn(option, self.fails(2, "slice", "a.stl", "-o", "a.png", option, value))
+        self.fails(2, "sample", "a.stl", "-o", "a.vti", "--cells", "9", "--spacing", "1")
+
+
+class Make(CommandTest):
+    def test_all_shapes_are_closed(self):
+        for shape in ["sphere", "box", "torus", "cylinder", "cone", "capsule"]:
+            for extension in ["stl", "ply", "obj", "off"]:
+                name = f"{shape}.{extension}"
+                self.succeeds("make", shape, "-o", name, "--parts", 12)
+                self.assertRegex(self.succeeds("info", name), r"watertight +yes", name)
+
+    def test_sizes(self):
+        self.succeeds("make", "torus", "--radius", 3, "--minor", 0.5, "--parts", 64, "-o", "t.off")
+        points, _ = read_off(self.folder / "t.off")
+        self.assertEqual(bounds(points), (-3.5, -3.5, -0.5, 3.5, 3.5, 0.5))
+        self.succeeds("make", "cylinder", "--radius", 2, "--height", 7, "-o", "c.off")
+        points, _ = read_off(self.folder / "c.off")
+        self.assertEqual(bounds(points), (-2, -2, 0, 2, 2, 7))
+
+    def test_refusals(self):
+        self.fails(2, "make", "teapot", "-o", "a.stl")
+        self.fails(1, "make", "torus", "--minor", "2", "-o", "a.stl")
+        self.fails(1, "make", "box", "-o", "a.xyz")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+class Info(CommandTest):
+    def value(self, text, name):
+        return re.search(rf"^  {name}  +(.*)$", text, re.MULTILINE)[1]
+
+    def test_reports_a_closed_surface(self):
+        text = self.succeeds("info", self.box(size="2,3,4"))
+        self.assertEqual(self.value(text, "polygons"), "6, as 12 triangles")
+        self.assertEqual(self.value(text, "bounding box"), "(-1, -1.5, -2) to (1, 1.5, 2)")
+        self.assertEqual(self.value(text, "extent"), "2 x 3 x 4")
+        self.assertEqual(float(self.value(text, "area")), 52)
+        self.assertEqual(float(self.value(text, "volume")), 24)
+        self.assertEqual(self.value(text, "components"), "1")
+        self.assertEqual(self.value(text, "watertight"), "yes")
+        self.assertRegex(self.value(text, "memory"), r"\d+ bytes per triangle")
+        for name in ["read", "weld", "mesh and check", "tree"]:
+            self.assertRegex(self.value(text, name), r"^[\d.]+ (us|ms|s)$")
+        self.assertIn("cutwater sample", text)
+
+    def test_groups_digits_and_counts_merged_points(self):
+        self.succeeds("make", "sphere", "--parts", 160, "-o", "s.stl")
+        text = self.succeeds("info", "s.stl")
+        self.assertEqual(self.value(text, "polygons"), "20 480, all triangles")
+        self.assertEqual(self.value(text, "points"),
+                         "10 242 (61 440 in the file, 51 198 merged with equal ones)")
+
+    def test_lists_patches(self):
+        (self.folder / "two.obj").write_text(
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng base\nf 1 3 2\ng sides\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+        text = self.succeeds("info", "two.obj")
+        self.assertRegex(text, r"Patches: 2\n +0  base +1 polygon\n +1  sides +3 polygons\n")
+
+    def test_reports_an_open_surface_in_full(self):
+        (self.folder / "open.off").write_text(OPEN_BOX)
+        text = self.succeeds("info", "open.off")
+        self.assertEqual(self.value(text, "watertight"), "no")
+        self.assertEqual(float(self.value(text, "area")), 5)
+        self.assertIn("4 open edges", text)
+        self.assertRegex(text, r"open edges +4  \(vertices( [4-7]-[4-7]){4}\)")
+        self.assertNotIn("unused vertices", text)
+        self.assertRegex(text, r"not possible +\S")
+        self.assertIn("A later version", text)
+
+    def test_says_that_a_surface_is_inside_out(self):
+        points, faces = read_off(self.folder / self.box())
+        lines = ["OFF", f"{len(points)} {len(faces)} 0", *(" ".join(map(str, p)) for p in points),
+                 *(f"{len(f)} " + " ".join(map(str, reversed(f))) for f in faces)]
+        (self.folder / "turned.off").write_text("\n".join(lines) + "\n")
+        text = self.succeeds("info", "turned.off")
+        self.assertEqual(float(self.value(text, "volume")), -8)
+        self.assertRegex(self.value(text, "orientation"), "inside out")
+
+
+class Motions(CommandTest):
+    def moved(self, *motions):
+        self.box("long.off", "2,1,1")
+        self.succeeds("convert", "long.off", "moved.off", *motions)
+        return bounds(read_off(self.folder / "moved.off")[0])
+
+    def test_act_in_the_order_given(self):
+        self.assertEqual(self.moved("--translate", "1,0,0", "--rotate", "90,z"), (-0.5, 0, -0.5, 0.5, 2, 0.5))
+        self.assertEqual(self.moved("--rotate", "90,z", "--translate", "1,0,0"), (0.5, -1, -0.5, 1.5, 1, 0.5))
+
+    def test_may_be_repeated(self):
+        self.assertEqual(self.moved("--translate", "1,0,0", "--rotate", "90,z", "--translate=0,0,3",
+                                    "--rotate", "90,x"), (-0.5, -3.5, 0, 0.5, -2.5, 2))
+
+    def test_scale_comes_first_wherever_it_stands(self):
+        for motions in [("--scale", "0.5", "--translate", "1,2,3"), ("--translate", "1,2,3", "--scale", "0.5")]:
+            self.assertEqual(self.moved(*motions), (0.5, 1.75, 2.75, 1.5, 2.25, 3.25))
+
+    def test_take_negative_numbers_and_any_axis(self):
+        self.assertEqual(self.moved("--translate", "-1,-2,-3"), (-2, -2.5, -3.5, 0, -1.5, -2.5))
+        self.assertEqual(self.moved("--rotate", "-90,z"), self.moved("--rotate", "90,0,0,-2"))
+        self.assertEqual(self.moved("--rotate", "120,1,1,1"), (-0.5, -1, -0.5, 0.5, 1, 0.5))
+
+
+class Sample(CommandTest):
+    def sampled(self, *options, surface="box.off"):
+        self.succeeds("sample", surface, "-o", "out.vti", "--quiet", *options)
+        return Vti(self.folder / "out.vti")
+
+    def setUp(self):
+        super().setUp()
+        self.box()
+
+    def test_cells_and_nodes_hold_the_distance(self):
+        for options, extent in [((), [0, 8, 0, 8, 0, 8]), (("--nodes",), [0, 8, 0, 8, 0, 8])]:
+            image = self.sampled("--box", "-2,-2,-2,2,2,2", "--cells", "8", *options)
+            self.assertEqual(image.cells, not options)
+            self.assertEqual((image.extent, image.origin, image.spacing), (extent, [-2] * 3, [0.5] * 3))
+            values, positions = image.arrays["distance"], image.positions()
+            self.assertEqual(len(values), len(positions))
+            for value, p in zip(values, positions):
+                self.assertAlmostEqual(value, box_distance(p, (1, 1, 1)), delta=1e-14)
+
+    def test_grid_sizes(self):
+        image = self.sampled("--box", "0,0,0,4,2,1", "--cells", "10x8x2")
+        self.assertEqual((image.extent, image.spacing), ([0, 10, 0, 8, 0, 2], [0.4, 0.25, 0.5]))
+        image = self.sampled("--box", "0,0,0,4,2,1", "--cells", "6")
+        self.assertEqual(image.extent, [0, 6, 0, 3, 0, 2])  # 1 / (4 / 6) = 1.5 cells, grown to 2
+        self.assertAlmostEqual(image.origin[2], 0.5 - 4 / 6)
+        image = self.sampled("--spacing", "0.5", "--margin", "1")
+        self.assertEqual((image.extent, image.origin), ([0, 8, 0, 8, 0, 8], [-2, -2, -2]))
+        image = self.sampled("--spacing", "0.5,1,2", "--margin", "1")
+        self.assertEqual((image.extent, image.spacing), ([0, 8, 0, 4, 0, 2], [0.5, 1, 2]))
+        image = self.sampled("--total", "5000")
+        self.assertAlmostEqual(len(image.arrays["distance"]), 5000, delta=1000)
+        image = self.sampled("--cells", "20")
+        self.assertAlmostEqual(image.origin[0], -1 - 0.2 * math.sqrt(3))  # a tenth of 2 sqrt(3)
+
+    def test_band(self):
+        image = self.sampled("--spacing", "0.25", "--margin", "1", "--band", "2")
+        told = [box_distance(p, (1, 1, 1)) for p in image.positions()]
+        for value, exact in zip(image.arrays["distance"], told):
+            if abs(exact) <= 0.5:
+                self.assertAlmostEqual(value, exact, delta=1e-14)
+            else:
+                self.assertEqual(value, math.copysign(0.5, exact))
+
+    def test_patches(self):
+        (self.folder / "two.obj").write_text(
+            "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\ng base\nf 1 3 2\ng sides\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+        image = self.sampled("--box", "0.5,0.5,-1,1.5,1.5,0", "--cells", "4", "--write", "patch,distance",
+                             surface="two.obj")
+        self.assertEqual(list(image.arrays), ["patch", "distance"])
+        self.assertEqual(set(image.arrays["patch"]), {0})  # below the base
+        image = self.sampled("--box", "-1,1,1,0,2,2", "--cells", "4", "--write", "patch", surface="two.obj")
+        self.assertEqual(list(image.arrays), ["patch"])
+        self.assertEqual(set(image.arrays["patch"]), {1})
+
+    def test_the_same_bytes_for_any_number_of_threads(self):
+        contents = set()
+        for threads in [1, 2, 3]:
+            self.sampled("--cells", "20", "--threads", threads)
+            contents.add((self.folder / "out.vti").read_bytes())
+        self.assertEqual(len(contents), 1)
+
+    def test_says_what_it_did(self):
+        text = self.succeeds("sample", "box.off", "-o", "out.vti", "--box", "-2,-2,-2,2,2,2", "--cells", "40")
+        self.assertIn("40 x 40 x 40 = 64 000 cells of 0.1 x 0.1 x 0.1", text)
+        self.assertIn("inside: 8 000 cells", text)
+        self.assertEqual(self.succeeds("sample", "box.off", "-o", "out.vti", "--quiet"), "")
+
+
+class Slice(CommandTest):
+    def test_shows_inside_and_outside(self):
+        self.box()
+        text = self.succeeds("slice", "box.off", "-o", "out.png", "--axis", "z", "--at", "0.5",
+                             "--window", "-2,-2,2,2", "--size", "800x600")
+        self.assertIn("z = 0.5", text)
+        image = Png(self.folder / "out.png")
+        self.assertEqual((image.width, image.height), (800, 600))
+        colored = [(x, y) for y in range(600) for x in range(630)  # left of the colour bar
+                   if abs(image.pixel(x, y)[0] - image.pixel(x, y)[2]) > 15]
+        x0, x1 = min(x for x, _ in colored), max(x for x, _ in colored)
+        y0, y1 = min(y for _, y in colored), max(y for _, y in colored)
+        middle, side = ((x0 + x1) // 2, (y0 + y1) // 2), (x1 - x0) / 4  # the plot is 4 x 4
+        red, _, blue = image.pixel(*middle)
+        self.assertGreater(blue, red + 40)
+        red, _, blue = image.pixel(x0 + 5, y0 + 5)
+        self.assertGreater(red, blue + 40)
+        outline = image.pixel(round(middle[0] - side), middle[1])
+        self.assertLess(max(outline), 100)
+
+    def test_default_title_and_plane(self):
+        self.box()
+        self.assertIn("y = 0", self.succeeds("slice", "box.off", "-o", "out.png"))
+        self.assertEqual(self.succeeds("slice", "box.off", "-o", "a.png", "--quiet"), "")
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "out.png").read_bytes())
+
+
+class Convert(CommandTest):
+    def test_every_format_keeps_the_surface(self):
+        self.box("a.off", "2,3,4")
+        for first, second in [("a.off", "b.obj"), ("b.obj", "c.ply"), ("c.ply", "d.STL"), ("d.STL", "e.off")]:
+            self.succeeds("convert", first, second)
+        points, faces = read_off(self.folder / "e.off")
+        self.assertEqual((len(points), len(faces)), (8, 12))  # STL cut the quads in two
+        self.assertEqual(bounds(points), (-1, -1.5, -2, 1, 1.5, 2))
+
+    def test_ascii(self):
+        self.box()
+        self.succeeds("convert", "box.off", "text.stl", "--ascii", "--quiet")
+        self.assertTrue((self.folder / "text.stl").read_text().startswith("solid"))
+
+
+class Refusals(CommandTest):
+    def test_missing_and_broken_files(self):
+        for command in [("info",), ("sample", "-o", "a.vti"), ("slice", "-o", "a.png"), ("convert", "a.stl")]:
+            self.assertIn("missing.stl", self.fails(1, command[0], "missing.stl", *command[1:]))
+        (self.folder / "broken.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n")
+        self.assertRegex(self.fails(1, "info", "broken.off"), r"broken\.off: line 4")
+        self.assertEqual([f.name for f in self.folder.iterdir()], ["broken.off"])
+
+    def test_surfaces_that_are_not_closed(self):
+        (self.folder / "open.off").write_text(OPEN_BOX)
+        for command in [("sample", "-o", "a.vti"), ("slice", "-o", "a.png")]:
+            why = self.fails(1, command[0], "open.off", *command[1:])
+            self.assertIn("open.off", why)
+            self.assertIn("cutwater info", why)
+        self.assertEqual([f.name for f in self.folder.iterdir()], ["open.off"])
+
+    def test_places_that_cannot_be_written(self):
+        self.box()
+        for command in [("sample", "-o", "no/such/a.vti"), ("slice", "-o", "no/such/a.png")]:
+            self.assertIn(command[2], self.fails(1, command[0], "box.off", *command[1:]))
+        self.assertIn("no/such/a.ply", self.fails(1, "convert", "box.off", "no/such/a.ply"))
+
+    def test_grids_beyond_all_bounds(self):
+        self.box()
+        for options in [("--spacing", "1e-9"), ("--spacing", "1e-300"), ("--cells", "2000000000"),
+                        ("--total", "1e300"), ("--spacing", "1e-4")]:
+            self.fails(1, "sample", "box.off", "-o", "a.vti", *options)
+
+    def test_errors_stay_on_one_line(self):
+        self.fails(1, "info", "two\nlines.stl")
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "no device that is always full")
+    def test_a_full_standard_output(self):
+        self.box()
+        with open("/dev/full", "w", encoding="ascii") as full:
+            done = subprocess.run([PROGRAM, "info", "box.off"], cwd=self.folder, stdout=full,
+                                  stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"\Acutwater: error: [^\n]+\n\Z")
+
+
+if __name__ == "__main__":
+    unittest.main()

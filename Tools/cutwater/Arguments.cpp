@@ -1,0 +1,81 @@
+#include "Arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+namespace cutwater::tool {
+
+namespace {
+
+template <typename Number>
+std::optional<Number> parsed(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  Number value{};
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size()) return {};
+  return value;
+}
+
+template <typename Number, typename Accept>
+std::vector<Number> list(std::string_view text, char separator, Accept accept) {
+  std::vector<Number> values;
+  for (;;) {
+    const auto end = text.find(separator);
+    const auto value = parsed<Number>(text.substr(0, end));
+    if (!value || !accept(*value)) return {};
+    values.push_back(*value);
+    if (end == std::string_view::npos) return values;
+    text.remove_prefix(end + 1);
+  }
+}
+
+}  // namespace
+
+void refuse(const std::string& option, const std::string& text, const std::string& need) {
+  throw CLI::ValidationError(option, "'" + text + "': need " + need);
+}
+
+std::vector<double> numbers(const std::string& option, const std::string& text) {
+  auto values = list<double>(text, ',', [](double v) { return std::isfinite(v); });
+  if (values.empty()) refuse(option, text, "finite numbers with commas between them");
+  return values;
+}
+
+std::vector<double> numbers(const std::string& option, const std::string& text, std::size_t count) {
+  auto values = numbers(option, text);
+  if (values.size() != count) {
+    refuse(option, text, std::to_string(count) + " numbers with commas between them");
+  }
+  return values;
+}
+
+double positiveNumber(const std::string& option, const std::string& text) {
+  const double value = numbers(option, text, 1).front();
+  if (value <= 0) refuse(option, text, "a number above 0");
+  return value;
+}
+
+Vec3<double> vectorOf(const std::string& option, const std::string& text) {
+  const auto values = numbers(option, text, 3);
+  return {values[0], values[1], values[2]};
+}
+
+std::vector<std::int32_t> sizes(const std::string& option, const std::string& text) {
+  constexpr auto kMost = std::numeric_limits<std::int32_t>::max() - 1;  // a grid's nodes fit, too
+  auto values = list<std::int32_t>(text, 'x', [](std::int32_t v) { return 1 <= v && v < kMost; });
+  if (values.empty()) refuse(option, text, "positive whole numbers with an x between them");
+  return values;
+}
+
+int axisOf(const std::string& option, const std::string& text) {
+  if (text == "x") return 0;
+  if (text == "y") return 1;
+  if (text == "z") return 2;
+  refuse(option, text, "x, y or z");
+}
+
+}  // namespace cutwater::tool

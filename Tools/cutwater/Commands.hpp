@@ -1,0 +1,16 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+/// One subcommand per file: each adds itself to the program and runs once it has been parsed.
+namespace cutwater::tool {
+
+void addInfo(CLI::App& program);
+void addSample(CLI::App& program);
+void addSlice(CLI::App& program);
+void addConvert(CLI::App& program);
+void addMake(CLI::App& program);
+
+}  // namespace cutwater::tool

@@ -1,0 +1,65 @@
+#include "Format.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace cutwater::tool {
+
+std::string grouped(std::size_t count) {
+  auto digits = std::to_string(count);
+  for (auto i = static_cast<std::ptrdiff_t>(digits.size()) - 3; i > 0; i -= 3) {
+    digits.insert(static_cast<std::size_t>(i), 1, ' ');
+  }
+  return digits;
+}
+
+std::string number(double value, int digits) {
+  std::array<char, 64> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value + 0.0,
+                                    std::chars_format::general, digits);
+  return {buffer.data(), result.ptr};
+}
+
+std::string point(const Vec3<double>& p) {
+  return "(" + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + ")";
+}
+
+std::string extent(const Vec3<double>& size) {
+  return number(size.x) + " x " + number(size.y) + " x " + number(size.z);
+}
+
+std::string bytes(std::size_t count) {
+  if (count < 1000) return std::to_string(count) + " B";
+  double value = static_cast<double>(count);
+  for (const char* unit : {" kB", " MB", " GB"}) {
+    value /= 1000;
+    if (value < 999.5) return number(value, 3) + unit;
+  }
+  return number(value / 1000, 3) + " TB";
+}
+
+std::string duration(double seconds) {
+  if (seconds >= 99.5) {
+    const auto whole = static_cast<std::size_t>(std::lround(seconds));
+    return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+  }
+  if (seconds >= 0.9995) return number(seconds, 3) + " s";
+  if (seconds >= 0.9995e-3) return number(seconds * 1e3, 3) + " ms";
+  return number(seconds * 1e6, 3) + " us";
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  const char* plural = noun.ends_with("ch") ? "es" : "s";
+  return grouped(count) + " " + noun + (count == 1 ? "" : plural);
+}
+
+std::string leftAligned(std::string_view text, std::size_t width) {
+  return std::string(text) + std::string(width > text.size() ? width - text.size() : 0, ' ');
+}
+
+std::string rightAligned(std::string_view text, std::size_t width) {
+  return std::string(width > text.size() ? width - text.size() : 0, ' ') + std::string(text);
+}
+
+}  // namespace cutwater::tool

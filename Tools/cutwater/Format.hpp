@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+// Numbers as people read them; the same in every locale.
+namespace cutwater::tool {
+
+/// "1 234 567"
+[[nodiscard]] std::string grouped(std::size_t count);
+/// Up to `digits` significant digits: "6.2731", "1.5e-05"
+[[nodiscard]] std::string number(double value, int digits = 6);
+/// "(1, 2.5, -3)"
+[[nodiscard]] std::string point(const Vec3<double>& p);
+/// "6.27 x 0.859 x 0.784"
+[[nodiscard]] std::string extent(const Vec3<double>& size);
+/// "14.1 MB", in powers of 1000
+[[nodiscard]] std::string bytes(std::size_t count);
+/// "0.31 s", "12 ms", "45 us", "2 min 5 s"
+[[nodiscard]] std::string duration(double seconds);
+/// The count and its noun: "1 hole", "2 holes", "3 patches"
+[[nodiscard]] std::string counted(std::size_t count, const std::string& noun);
+/// Filled up with blanks to `width`.
+[[nodiscard]] std::string leftAligned(std::string_view text, std::size_t width);
+[[nodiscard]] std::string rightAligned(std::string_view text, std::size_t width);
+
+}  // namespace cutwater::tool

@@ -1,0 +1,169 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/MeshReport.hpp>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string_view>
+
+#include "Commands.hpp"
+#include "Format.hpp"
+#include "Surface.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+constexpr std::size_t kMostPatches = 40;  // listed
+
+/// The lines of the report, section by section.
+class Page {
+ public:
+  void section(const std::string& title) { text_ += "\n" + title + "\n"; }
+  void line(const std::string& name, const std::string& value) {
+    text_ += "  " + leftAligned(name, 16) + "  " + value + "\n";
+  }
+  void plain(const std::string& text) { text_ += "  " + text + "\n"; }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+std::string formatOf(const ReadReport& report) {
+  constexpr const char* kNames[] = {"STL", "OBJ", "PLY", "OFF", "VTK"};
+  std::string text = report.binary ? "binary " : "ASCII ";
+  text += kNames[static_cast<std::size_t>(report.format)];
+  return text + (report.compressed ? ", gzip-compressed" : "");
+}
+
+void describeFile(Page& page, const SurfaceOptions& options, const ReadReport& report) {
+  page.section("File");
+  page.line("name", options.file);
+  page.line("format", formatOf(report));
+  std::error_code ignored;
+  const auto onDisk = std::filesystem::file_size(options.file, ignored);
+  page.line("size",
+            bytes(report.bytes) +
+                (report.compressed && !ignored ? ", " + bytes(onDisk) + " compressed" : ""));
+  if (options.scale != 1) page.line("scaled by", number(options.scale));
+  if (!options.placement.isIdentity()) page.line("moved", "as told by the options");
+  for (const auto& note : report.notes) page.line("note", note);
+}
+
+void describeSurface(Page& page, const LoadedSurface& surface, const MeshReport& report) {
+  const auto& soup = surface.soup;
+  page.section("Surface");
+  page.line("polygons",
+            grouped(soup.polygonCount()) + (report.triangles == soup.polygonCount()
+                                                ? ", all triangles"
+                                                : ", as " + counted(report.triangles, "triangle")));
+  page.line("points", grouped(soup.points.size()) + " (" + grouped(surface.report.pointsInFile) +
+                          " in the file, " + grouped(surface.pointsMerged) +
+                          " merged with equal ones)");
+  const auto box = soup.boundingBox();
+  if (!box.empty()) {
+    page.line("bounding box", point(box.lower) + " to " + point(box.upper));
+    page.line("extent", extent(box.size()));
+  }
+  page.line("area", number(report.area));
+  page.line("volume", report.isClosed() ? number(report.volume) : "none: not closed");
+  page.line("components", grouped(report.components));
+}
+
+void describePatches(Page& page, const PolygonSoup& soup) {
+  std::vector<std::size_t> polygons(soup.patchNames.size());
+  for (const auto id : soup.patches) ++polygons[id];
+  page.section("Patches: " + grouped(polygons.size()));
+  for (std::size_t i = 0; i < std::min(polygons.size(), kMostPatches); ++i) {
+    page.line(rightAligned(grouped(i), 4) + "  " + soup.patchNames[i],
+              counted(polygons[i], "polygon"));
+  }
+  if (polygons.size() > kMostPatches) {
+    page.plain("... and " + grouped(polygons.size() - kMostPatches) + " more");
+  }
+}
+
+void describeCheck(Page& page, const MeshReport& report) {
+  page.section("Check");
+  page.line("watertight", report.isClosedOriented() ? "yes" : "no");
+  page.line("in short", report.summary());
+  if (report.isInsideOut()) {
+    page.line("orientation", "inside out: normals point into the solid");
+  }
+  if (report.isClean()) return;
+  page.section("Details: faces are polygons, vertices are points, both counted from 0");
+  const auto table = report.table();
+  for (std::string_view rest = table; !rest.empty();) {
+    const auto line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(line.size() + 1);
+    if (!line.ends_with(" 0")) page.plain(std::string(line));  // defects that there are not
+  }
+}
+
+/// What the surface is good for, and what to do next.
+void describeUse(Page& page, const SurfaceOptions& options, const DcelMesh<double>& mesh,
+                 double& secondsToBuild) {
+  page.section("Signed distance");
+  try {
+    Stopwatch watch;
+    const MeshSDF<double> solid(mesh);
+    secondsToBuild = watch.lap();
+    const auto perTriangle = solid.memoryBytes() / std::max<std::size_t>(solid.triangleCount(), 1);
+    page.line("ready", "exact on both sides of the surface");
+    if (solid.turnedShells() > 0) {
+      page.line("turned", counted(solid.turnedShells(), "shell") + " that stood inside out");
+    }
+    page.line("memory",
+              bytes(solid.memoryBytes()) + ", " + counted(perTriangle, "byte") + " per triangle");
+    page.section("Next");
+    page.plain("cutwater sample '" + options.file + "' -o field.vti");
+    page.plain("cutwater slice '" + options.file + "' -o slice.png");
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::Topology) throw;
+    page.line("not possible", error.what());
+    page.section("Next");
+    page.plain("Close and orient the surface where the check found it open or turned.");
+    page.plain("A later version will answer for open and mis-oriented surfaces as well.");
+  }
+}
+
+void run(const SurfaceOptions& options) {
+  const auto surface = load(options);
+  Stopwatch watch;
+  const DcelMesh<double> mesh(surface.soup);
+  const auto report = check(mesh);
+  const double secondsToCheck = watch.lap();
+  Page page;
+  describeFile(page, options, surface.report);
+  describeSurface(page, surface, report);
+  describePatches(page, surface.soup);
+  describeCheck(page, report);
+  double secondsToBuild = 0;
+  describeUse(page, options, mesh, secondsToBuild);
+  page.section("Timings");
+  page.line("read", duration(surface.secondsToRead));
+  page.line("weld", duration(surface.secondsToWeld));
+  page.line("mesh and check", duration(secondsToCheck));
+  if (secondsToBuild > 0) page.line("tree", duration(secondsToBuild));
+  std::cout << page.text().substr(1);
+}
+
+}  // namespace
+
+void addInfo(CLI::App& program) {
+  const auto options = std::make_shared<SurfaceOptions>();
+  auto& command = *program.add_subcommand(
+      "info", "Read and check a surface, and say what it is: size, patches, defects, memory");
+  addSurfaceOptions(command, *options);
+  command.footer(
+      "Examples:\n"
+      "  cutwater info hull.stl.gz\n"
+      "  cutwater info part.stl --scale 0.001 --rotate 90,x");
+  command.callback([=] { run(*options); });
+}
+
+}  // namespace cutwater::tool

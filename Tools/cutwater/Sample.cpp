@@ -1,0 +1,179 @@
+#include <Cutwater/Grid/Fill.hpp>
+#include <Cutwater/Io/Vti.hpp>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "Arguments.hpp"
+#include "Commands.hpp"
+#include "Format.hpp"
+#include "ProgressBar.hpp"
+#include "SampleGrid.hpp"
+#include "Surface.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+struct Options {
+  SurfaceOptions surface;
+  std::string output;
+  GridRequest grid;
+  double band = 0;
+  std::vector<std::string> write{"distance"};
+};
+
+/// The arrays that were asked for, as a fill takes them and as a file does.
+class Fields {
+ public:
+  Fields(const IndexBox& box, const std::vector<std::string>& names) {
+    for (const auto& name : names) {
+      if (name == "distance" && distance_.empty()) {
+        distance_.resize(box.count());
+        targets_.distance = GridView<double>::contiguous(distance_.data(), box);
+        arrays_.push_back({name, std::span<const double>(distance_)});
+      } else if (name == "patch" && patch_.empty()) {
+        patch_.resize(box.count());
+        targets_.patch = GridView<std::uint32_t>::contiguous(patch_.data(), box);
+        arrays_.push_back({name, std::span<const std::uint32_t>(patch_)});
+      }
+    }
+  }
+
+  [[nodiscard]] const FillTargets<double>& targets() const { return targets_; }
+  [[nodiscard]] std::span<const VtiArray> arrays() const { return arrays_; }
+  [[nodiscard]] std::span<const double> distance() const { return distance_; }
+
+ private:
+  std::vector<double> distance_;
+  std::vector<std::uint32_t> patch_;
+  FillTargets<double> targets_;
+  std::vector<VtiArray> arrays_;
+};
+
+void report(const Options& options, const Patch<double>& grid, const Fields& fields,
+            double seconds) {
+  const auto& n = grid.indices;
+  const std::string kind = options.grid.nodes ? "nodes" : "cells";
+  std::cout << "wrote " << options.output << ": " << n.length(0) << " x " << n.length(1) << " x "
+            << n.length(2) << " = " << grouped(n.count()) << ' ' << kind << " of "
+            << extent(grid.level.spacing()) << '\n';
+  const auto distances = fields.distance();
+  if (!distances.empty()) {
+    const auto inside =
+        std::count_if(distances.begin(), distances.end(), [](double d) { return d < 0; });
+    std::cout << "inside: " << grouped(static_cast<std::size_t>(inside)) << ' ' << kind << '\n';
+  }
+  const double each = seconds / static_cast<double>(n.count());
+  std::cout << "sampled in " << duration(seconds) << ", " << number(each * 1e9, 3) << " ns each\n";
+}
+
+void run(const Options& options) {
+  const auto solid = loadSolid(options.surface);
+  const auto grid = gridAround(solid.boundingBox(), options.grid);
+  const Fields fields(grid.indices, options.write);
+  Stopwatch watch;
+  {
+    ProgressBar bar("sampling", !options.surface.quiet);
+    fill(solid, grid, fields.targets(),
+         {.band = options.band, .threads = options.surface.threads, .progress = bar.callback()});
+  }
+  const double seconds = watch.lap();
+  writeVti(options.output, grid, fields.arrays());
+  if (!options.surface.quiet) report(options, grid, fields, seconds);
+}
+
+void addSizes(CLI::App& command, GridRequest& grid) {
+  auto* cells = command.add_option_function<std::string>(
+      "--cells",
+      [&](const std::string& text) {
+        grid.cells = sizes("--cells", text);
+        if (grid.cells.size() != 1 && grid.cells.size() != 3) {
+          refuse("--cells", text, "one number or three: 200 or 200x80x40");
+        }
+      },
+      "Cubic cells, N along the longest side; or so many along each axis; without it: 128");
+  cells->type_name("N|NXxNYxNZ");
+  auto* spacing = command.add_option_function<std::string>(
+      "--spacing",
+      [&](const std::string& text) {
+        grid.spacing = numbers("--spacing", text);
+        if ((grid.spacing.size() != 1 && grid.spacing.size() != 3) ||
+            *std::min_element(grid.spacing.begin(), grid.spacing.end()) <= 0) {
+          refuse("--spacing", text, "one number above 0 or three");
+        }
+      },
+      "Sides of a cell, instead of --cells");
+  spacing->type_name("H|HX,HY,HZ")->excludes(cells);
+  command
+      .add_option_function<std::string>(
+          "--total", [&](const std::string& text) { grid.total = positiveNumber("--total", text); },
+          "Cubic cells, about so many in all, instead of --cells")
+      ->type_name("N")
+      ->excludes(cells)
+      ->excludes(spacing);
+}
+
+void addPlace(CLI::App& command, GridRequest& grid) {
+  auto* box = command.add_option_function<std::string>(
+      "--box",
+      [&](const std::string& text) {
+        const auto v = numbers("--box", text, 6);
+        grid.box = Box<double>{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+        const auto size = grid.box->size();
+        if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
+          refuse("--box", text, "the lower corner and then the upper one");
+        }
+      },
+      "The box to cover; without it: the surface's, with a margin");
+  box->type_name("X0,Y0,Z0,X1,Y1,Z1");
+  command
+      .add_option_function<std::string>(
+          "--margin",
+          [&](const std::string& text) {
+            grid.margin = numbers("--margin", text, 1).front();
+            if (*grid.margin < 0) refuse("--margin", text, "a number from 0");
+          },
+          "Room around the surface; without it: a tenth of its diagonal")
+      ->type_name("LENGTH")
+      ->excludes(box);
+  command.add_flag("--nodes", grid.nodes, "Values at the nodes of the cells, not at their centres");
+}
+
+}  // namespace
+
+void addSample(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  auto& command = *program.add_subcommand(
+      "sample", "Sample the signed distance on a grid, as a VTK image that ParaView opens");
+  addSurfaceOptions(command, options->surface);
+  command.add_option("-o,--output", options->output, "The image to write")
+      ->required()
+      ->type_name("FILE.vti");
+  addSizes(command, options->grid);
+  addPlace(command, options->grid);
+  command
+      .add_option_function<std::string>(
+          "--band",
+          [=](const std::string& text) { options->band = positiveNumber("--band", text); },
+          "Tell distances within so many cells of the surface; beyond, just this width and the "
+          "sign")
+      ->type_name("CELLS");
+  command.add_option("--write", options->write, "What to write; without it: distance")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"distance", "patch"}))
+      ->type_name("distance,patch");
+  command.footer(
+      "Examples:\n"
+      "  cutwater sample hull.stl -o hull.vti\n"
+      "  cutwater sample hull.stl --spacing 0.02 --band 4 -o band.vti\n"
+      "  cutwater sample part.stl --scale 0.001 --rotate 90,x --translate 0,0,1 --cells 200 -o "
+      "part.vti\n"
+      "  cutwater sample hull.stl --box -1,-1,-1,7,1,1 --cells 400x100x100 --write "
+      "distance,patch -o hull.vti");
+  command.callback([=] { run(*options); });
+}
+
+}  // namespace cutwater::tool

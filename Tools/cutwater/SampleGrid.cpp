@@ -1,0 +1,67 @@
+#include "SampleGrid.hpp"
+
+#include <Cutwater/Core/Error.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace cutwater::tool {
+
+namespace {
+
+constexpr double kDefaultMargin = 0.1;  // of the diagonal
+constexpr std::int32_t kDefaultCells = 128;
+constexpr double kMostAlongAxis = 2147483646.0;  // so that nodes have indices, too
+constexpr double kMostInAll = 1e12;              // far beyond any memory; keeps products finite
+
+/// The side of cubic cells.
+double cubeOf(const Vec3<double>& size, const GridRequest& request) {
+  if (request.spacing.size() == 1) return request.spacing[0];
+  if (request.total) return std::cbrt(size.x * size.y * size.z / *request.total);
+  return maxComponent(size) / (request.cells.empty() ? kDefaultCells : request.cells[0]);
+}
+
+/// As many cells as cover the length; rounding does not add one.
+std::int32_t cellsAlong(double length, double spacing) {
+  const double cells = std::max(std::ceil(length / spacing * (1 - 1e-12)), 1.0);
+  if (!(cells <= kMostAlongAxis)) {
+    throw Error(ErrorKind::Limit, "the grid would have more than 2^31 cells along an axis");
+  }
+  return static_cast<std::int32_t>(cells);
+}
+
+}  // namespace
+
+Patch<double> gridAround(const Box<double>& surface, const GridRequest& request) {
+  const double margin = request.margin.value_or(kDefaultMargin * surface.diagonal());
+  auto box = request.box ? *request.box : surface.grown(margin);
+  const auto size = box.size();
+  if (!(size.x > 0 && size.y > 0 && size.z > 0) || !isFinite(size)) {
+    throw Error(ErrorKind::Argument, "the box of the grid has no extent or no end");
+  }
+  std::array<std::int32_t, 3> count{};
+  Vec3<double> spacing;
+  if (request.cells.size() == 3) {
+    count = {request.cells[0], request.cells[1], request.cells[2]};
+    for (int i = 0; i < 3; ++i) spacing[i] = box.size()[i] / count[static_cast<std::size_t>(i)];
+  } else {
+    const double cube = cubeOf(box.size(), request);
+    spacing = {cube, cube, cube};
+    if (request.spacing.size() == 3) {
+      spacing = {request.spacing[0], request.spacing[1], request.spacing[2]};
+    }
+    for (int i = 0; i < 3; ++i) {
+      const auto cells = cellsAlong(box.size()[i], spacing[i]);
+      count[static_cast<std::size_t>(i)] = cells;
+      box.lower[i] = box.center()[i] - 0.5 * cells * spacing[i];
+    }
+  }
+  if (1.0 * count[0] * count[1] * count[2] > kMostInAll) {
+    throw Error(ErrorKind::Limit, "the grid would have more than 10^12 cells");
+  }
+  const std::int32_t more = request.nodes ? 1 : 0;
+  return {Level<double>(box.lower, spacing, request.nodes ? Centering::Node : Centering::Cell),
+          IndexBox::ofSize(count[0] + more, count[1] + more, count[2] + more)};
+}
+
+}  // namespace cutwater::tool

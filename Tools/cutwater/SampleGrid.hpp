@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Cutwater/Core/Level.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cutwater::tool {
+
+/// How the grid around a surface is asked for. At most one of cells, total and spacing.
+struct GridRequest {
+  /// One number: cubes, so many along the longest side. Three: so many along each axis.
+  std::vector<std::int32_t> cells;
+  std::optional<double> total;  ///< cubes, about so many in all
+  /// One number or three: sides of a cell.
+  std::vector<double> spacing;
+  std::optional<Box<double>> box;
+  std::optional<double> margin;  ///< around the surface, where there is no box
+  bool nodes = false;            ///< values at nodes, not at centres of cells
+};
+
+/// The grid that covers the box, or the surface and a margin of a tenth of its diagonal. Cells
+/// whose size is given keep it: the box grows to whole cells, about its centre.
+/// @throws Error(Argument) if the surface has no extent, Error(Limit) if the grid is too large.
+[[nodiscard]] Patch<double> gridAround(const Box<double>& surface, const GridRequest& request);
+
+}  // namespace cutwater::tool

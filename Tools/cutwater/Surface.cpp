@@ -1,0 +1,112 @@
+#include "Surface.hpp"
+
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/Triangulation.hpp>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+
+#include "Arguments.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+void rotate(RigidTransform<double>& placement, const std::string& text) {
+  const auto comma = text.find(',');
+  const auto axis = comma == std::string::npos ? std::string() : text.substr(comma + 1);
+  if (axis == "x" || axis == "y" || axis == "z") {
+    placement.rotate(numbers("--rotate", text.substr(0, comma), 1).front(),
+                     axisOf("--rotate", axis));
+    return;
+  }
+  constexpr const char* kNeed = "degrees and an axis: 90,x or 30,1,1,0";
+  if (text.find_first_of("xyz") != std::string::npos) refuse("--rotate", text, kNeed);
+  const auto values = numbers("--rotate", text);
+  if (values.size() != 4 || (values[1] == 0 && values[2] == 0 && values[3] == 0)) {
+    refuse("--rotate", text, kNeed);
+  }
+  placement.rotate(values[0], Vec3<double>{values[1], values[2], values[3]});
+}
+
+}  // namespace
+
+void addQuiet(CLI::App& command, bool& quiet) {
+  command.add_flag("-q,--quiet", quiet, "Say nothing but errors");
+}
+
+void addSurfaceOptions(CLI::App& command, SurfaceOptions& options) {
+  command
+      .add_option("FILE", options.file, "STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed")
+      ->required();
+  command
+      .add_option_function<std::string>(
+          "--scale",
+          [&](const std::string& text) { options.scale = positiveNumber("--scale", text); },
+          "Multiply the file's coordinates first; 0.001: millimetres to metres")
+      ->type_name("FACTOR");
+  // Called one by one as they are read, so that motions act in the order given.
+  command
+      .add_option_function<std::string>(
+          "--translate",
+          [&](const std::string& text) {
+            options.placement.translate(vectorOf("--translate", text));
+          },
+          "Then move the surface; may be repeated")
+      ->type_name("X,Y,Z")
+      ->trigger_on_parse();
+  command
+      .add_option_function<std::string>(
+          "--rotate", [&](const std::string& text) { rotate(options.placement, text); },
+          "Turn the surface about an axis through the origin, in the order given with --translate; "
+          "may be repeated")
+      ->type_name("DEGREES,AXIS")
+      ->trigger_on_parse();
+  command.add_option("--threads", options.threads, "Use so many threads; 0: all there are")
+      ->check(CLI::Range(0, 4096))
+      ->type_name("N");
+  addQuiet(command, options.quiet);
+}
+
+LoadedSurface load(const SurfaceOptions& options) {
+  Stopwatch watch;
+  auto [soup, report] = readSurface(
+      options.file, {.scale = options.scale, .placement = options.placement, .weld = false});
+  LoadedSurface surface{.soup = std::move(soup), .report = std::move(report)};
+  surface.secondsToRead = watch.lap();
+  surface.pointsMerged = weldExactly(surface.soup);
+  surface.secondsToWeld = watch.lap();
+  return surface;
+}
+
+MeshSDF<double> loadSolid(const SurfaceOptions& options) {
+  try {
+    return MeshSDF<double>(load(options).soup);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::Topology) throw;
+    throw Error(ErrorKind::Topology, options.file + ": " + error.what() +
+                                         "; 'cutwater info' tells where, and a later version will "
+                                         "take such surfaces");
+  }
+}
+
+std::size_t write(const std::string& file, const PolygonSoup& soup, const WriteOptions& options) {
+  auto extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  const bool triangles = soup.corners.size() == 3 * soup.polygonCount();
+  if (extension != ".stl" || triangles) {
+    writeSurface(file, soup, options);
+    return soup.polygonCount();
+  }
+  const auto cut = triangulated(soup);
+  writeSurface(file, cut, options);
+  return cut.polygonCount();
+}
+
+std::string fileName(const SurfaceOptions& options) {
+  return std::filesystem::path(options.file).filename().string();
+}
+
+}  // namespace cutwater::tool

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Mesh/ReadSurface.hpp>
+#include <Cutwater/Mesh/WriteSurface.hpp>
+
+#include <chrono>
+#include <string>
+#include <utility>
+
+namespace CLI {
+class App;
+}
+
+namespace cutwater::tool {
+
+/// What every subcommand that reads a surface is told.
+struct SurfaceOptions {
+  std::string file;
+  double scale = 1;
+  RigidTransform<double> placement;
+  int threads = 0;
+  bool quiet = false;
+};
+
+/// Adds FILE, --scale, --translate, --rotate, --threads and --quiet. Motions act in the order they
+/// are given. `options` must live as long as the command.
+void addSurfaceOptions(CLI::App& command, SurfaceOptions& options);
+void addQuiet(CLI::App& command, bool& quiet);
+
+class Stopwatch {
+ public:
+  /// Seconds since the start, or since it was asked last.
+  double lap() {
+    const auto before = std::exchange(start_, std::chrono::steady_clock::now());
+    return std::chrono::duration<double>(start_ - before).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// A surface as read, with what reading and welding took.
+struct LoadedSurface {
+  PolygonSoup soup;
+  ReadReport report;  ///< of the file; nothing is welded yet
+  std::size_t pointsMerged = 0;
+  double secondsToRead = 0;
+  double secondsToWeld = 0;
+};
+
+/// @throws Error if the file cannot be read.
+[[nodiscard]] LoadedSurface load(const SurfaceOptions& options);
+
+/// The surface of the file as a signed distance function.
+/// @throws Error, which also says what to do, if it is not closed and consistently oriented.
+[[nodiscard]] MeshSDF<double> loadSolid(const SurfaceOptions& options);
+
+/// Writes the surface in the format that the file's extension tells. STL holds triangles only: for
+/// it, polygons are cut. Returns how many polygons were written.
+std::size_t write(const std::string& file, const PolygonSoup& soup, const WriteOptions& options);
+
+/// For people: "hull.stl.gz".
+[[nodiscard]] std::string fileName(const SurfaceOptions& options);
+
+}  // namespace cutwater::tool

@@ -1,0 +1,70 @@
+#include <Cutwater/Core/Error.hpp>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <new>
+#include <string>
+
+#include "Commands.hpp"
+
+namespace {
+
+// Also told by --help.
+constexpr int kFailed = 1;
+constexpr int kUsage = 2;
+
+/// One line, whatever a file's name may hold.
+int failed(std::string message, int status) {
+  std::replace_if(
+      message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; },
+      ' ');
+  std::cerr << "cutwater: error: " << message << '\n';
+  return status;
+}
+
+void describe(CLI::App& program) {
+  program.name("cutwater");
+  program.description("Signed distance fields from surface meshes, for embedded-boundary CFD.");
+  program.set_version_flag("--version", "cutwater " CUTWATER_VERSION);
+  program.set_help_all_flag("--help-all", "Help for all subcommands");
+  program.require_subcommand(1);
+  program.footer(
+      "Examples:\n"
+      "  cutwater info hull.stl\n"
+      "  cutwater sample hull.stl --cells 200 -o hull.vti\n"
+      "  cutwater slice hull.stl --axis y -o hull.png\n"
+      "\n"
+      "'cutwater SUBCOMMAND --help' tells more.\n"
+      "Exit status: 0 done; 1 a file or a surface is not what it must be; 2 wrong usage.");
+}
+
+int run(int argc, const char* const* argv) {
+  CLI::App program;
+  describe(program);
+  cutwater::tool::addInfo(program);
+  cutwater::tool::addSample(program);
+  cutwater::tool::addSlice(program);
+  cutwater::tool::addConvert(program);
+  cutwater::tool::addMake(program);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version: to stdout
+    return failed(error.what(), kUsage);
+  }
+  std::cout.flush();
+  return std::cout ? 0 : failed("cannot write to standard output", kFailed);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return failed("out of memory", kFailed);
+  } catch (const std::exception& error) {
+    return failed(error.what(), kFailed);
+  }
+}
