@@ -1,11 +1,11 @@
 #include <atomic>
-#include <chrono>
 #include <cstdlib>
 #include <malloc.h>
 #include <new>
 #include <random>
 
 #include "SampleFiles.hpp"
+#include "Support/CpuTime.hpp"
 
 // Every allocation of this program is counted, so that the readers' memory can be bounded.
 namespace {
@@ -252,16 +252,16 @@ TEST(ReaderRobustnessTest, CountsThatLieCostNothing) {
 
 // One line end per character, endless comments, a million empty statements: all of it linear.
 TEST(ReaderRobustnessTest, TimeIsLinear) {
-  const auto begin = std::chrono::steady_clock::now();
   constexpr std::size_t kMany = 4000000;
   const std::string face = "v 0 0 0\rv 0 0 1\rv 0 1 0\rf 1 2 3\r";
-  EXPECT_EQ(readAnyhow(face + std::string(kMany, '\r')), 1U);
-  EXPECT_EQ(readAnyhow(std::string(kMany, '\r') + face), 1U);
-  EXPECT_EQ(readAnyhow(repeated("#\r", kMany / 2) + face), 1U);
-  EXPECT_EQ(readAnyhow(face + repeated("\\\r", kMany / 2)), 1U);
-  EXPECT_EQ(readAnyhow(repeated("g a\n", kMany / 4) + face), 1U);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  EXPECT_LT(taken.count(), 20) << "0.2 s on an ordinary machine; hours if it were quadratic";
+  const auto work = [&] {
+    EXPECT_EQ(readAnyhow(face + std::string(kMany, '\r')), 1U);
+    EXPECT_EQ(readAnyhow(std::string(kMany, '\r') + face), 1U);
+    EXPECT_EQ(readAnyhow(repeated("#\r", kMany / 2) + face), 1U);
+    EXPECT_EQ(readAnyhow(face + repeated("\\\r", kMany / 2)), 1U);
+    EXPECT_EQ(readAnyhow(repeated("g a\n", kMany / 4) + face), 1U);
+  };
+  EXPECT_LT(cpuSeconds(work), 20) << "0.2 s on an ordinary machine; hours if it were quadratic";
 }
 
 }  // namespace

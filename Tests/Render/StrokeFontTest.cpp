@@ -25,12 +25,12 @@ Ink inkOf(const Image& image) {
 }
 
 TEST(StrokeFontTest, EveryCharacterLooksDifferent) {
-  std::map<std::vector<std::uint8_t>, char> seen;
+  std::map<std::string, char> seen;
   for (char c = ' '; c <= '~'; ++c) {
     Image image(40, 50);
     drawText(image, 8, 35, std::string(1, c), {.capHeight = 24, .weight = 2});
-    std::vector<std::uint8_t> reds;
-    for (const auto& p : image.pixels()) reds.push_back(p.red);
+    std::string reds;
+    for (const auto& p : image.pixels()) reds.push_back(static_cast<char>(p.red));
     const auto [other, isNew] = seen.emplace(reds, c);
     // In this font a bar is a long l, and a capital I a short one.
     EXPECT_TRUE(isNew || (c == 'l' && other->second == 'I'))

@@ -22,7 +22,7 @@ std::string number(double value, int digits) {
 }
 
 std::string point(const Vec3<double>& p) {
-  return "(" + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + ")";
+  return std::string("(") + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + ")";
 }
 
 std::string extent(const Vec3<double>& size) {

@@ -114,6 +114,23 @@ class BvhTree {
     return best;
   }
 
+  /// Keys for traverse(): the squared distances from `q`, in the tree's frame, to boxes.
+  static auto squaredDistancesFrom(const Vec3<float>& q) {
+    return [q](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
+      for (std::size_t k = 0; k < K; ++k) {
+        float sum = 0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const float coordinate = axis == 0 ? q.x : axis == 1 ? q.y : q.z;
+          const float under = node.lower[axis][k] - coordinate;
+          const float over = coordinate - node.upper[axis][k];
+          const float gap = under > over ? under : over;
+          sum += gap > 0 ? gap * gap : 0;
+        }
+        out[k] = sum < kNoLimit ? sum : kNoLimit;
+      }
+    };
+  }
+
   BvhFrame frame_;
   std::span<const BvhNode<K>> nodes_;
   std::span<const std::uint32_t> slots_;
@@ -175,21 +192,9 @@ void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
     const double squared = reach > 0 ? reach * reach : 0;  // only boxes that contain q
     return reach < kFar ? static_cast<float>(squared * (1 + 0x1p-20) + 0x1p-126) : kNoLimit;
   };
-  const auto keys = [&](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
-    for (std::size_t k = 0; k < K; ++k) {
-      float sum = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float coordinate = axis == 0 ? q.x : axis == 1 ? q.y : q.z;
-        const float under = node.lower[axis][k] - coordinate;
-        const float over = coordinate - node.upper[axis][k];
-        const float gap = under > over ? under : over;
-        sum += gap > 0 ? gap * gap : 0;
-      }
-      out[k] = sum < kNoLimit ? sum : kNoLimit;
-    }
-  };
   traverse(
-      keys, [&](std::span<const std::uint32_t> slots) { return limitFor(leafVisitor(slots)); },
+      squaredDistancesFrom(q),
+      [&](std::span<const std::uint32_t> slots) { return limitFor(leafVisitor(slots)); },
       limitFor(best));
 }
 

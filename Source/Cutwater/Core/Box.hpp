@@ -6,14 +6,17 @@
 
 namespace cutwater {
 
-/// Axis-aligned box of closed intervals. Default-constructed it is empty: the identity of extend().
-/// A box of zero thickness is not empty.
+/// Axis-aligned box of closed intervals. Default-constructed it is empty: the identity of extend()
+/// for finite points. (The largest number, not infinity: a user's -ffast-math may assume there is
+/// none.) A box of zero thickness is not empty.
 template <std::floating_point T>
 struct Box {
   static constexpr T kInf = std::numeric_limits<T>::infinity();
 
-  Vec3<T> lower{kInf, kInf, kInf};
-  Vec3<T> upper{-kInf, -kInf, -kInf};
+  static constexpr T kMost = std::numeric_limits<T>::max();
+
+  Vec3<T> lower{kMost, kMost, kMost};
+  Vec3<T> upper{-kMost, -kMost, -kMost};
 
   static constexpr Box everywhere() { return {{-kInf, -kInf, -kInf}, {kInf, kInf, kInf}}; }
 

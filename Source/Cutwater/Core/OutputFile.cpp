@@ -18,7 +18,9 @@ fs::path nameBeside(const fs::path& target) {
   std::random_device entropy;
   fs::path name = ".";
   name += target.filename();
-  name += "." + std::to_string(entropy()) + ".part";
+  name += '.';
+  name += std::to_string(entropy());
+  name += ".part";
   return target.parent_path() / name;
 }
 
