@@ -184,14 +184,14 @@ TYPED_TEST(MeshSDFTest, MovesLikeAnyShapeAndSharesItsMemory) {
   EXPECT_NEAR(mesh.signedDistance({2, 1, 1}), T(1), tolerance<T>(3));
 }
 
-TYPED_TEST(MeshSDFTest, RefusesSurfacesThatAreNotClosedAndSaysWhy) {
+TYPED_TEST(MeshSDFTest, RefusesWhatIsNotWatertightIfAskedToAndSaysWhy) {
   using T = TypeParam;
   auto open = tessellation::box({0, 0, 0}, {1, 1, 1});
   open.offsets.pop_back();
   open.corners.resize(open.offsets.back());
   open.patches.pop_back();
   try {
-    const MeshSDF<T> mesh(open);
+    const MeshSDF<T> mesh(open, {.requireWatertight = true});
     FAIL() << "an open box was taken";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::Topology);

@@ -37,10 +37,10 @@ double at(const PolygonSoup& soup, double x) {
 }
 
 std::size_t turned(const PolygonSoup& soup) {
-  const auto found = findInsideOutShells(DcelMesh<double>(soup));
-  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(found.faces, true)), 12 * found.count);
-  EXPECT_EQ(MeshSDF<double>(soup).turnedShells(), found.count);
-  return found.count;
+  const auto found = orientShells(DcelMesh<double>(soup));
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(found.turned, true)), 12 * found.turnedShells);
+  EXPECT_EQ(MeshSDF<double>(soup).signReport().turnedShells, found.turnedShells);
+  return found.turnedShells;
 }
 
 TEST(ShellsTest, LeavesGoodSurfacesAlone) {
@@ -75,7 +75,7 @@ TEST(ShellsTest, ANeighbourInTheSameBoundingBoxIsNoCavity) {
     std::swap(ring.corners[3 * i], ring.corners[3 * i + 1]);
   }
   const auto both = together({ring, cube(-0.5, 0.5)});
-  EXPECT_EQ(findInsideOutShells(DcelMesh<double>(both)).count, 1U);
+  EXPECT_EQ(orientShells(DcelMesh<double>(both)).turnedShells, 1U);
   const MeshSDF<double> mesh(both);
   EXPECT_LT(mesh.signedDistance({0, 0, 0}), 0);
   EXPECT_LT(mesh.signedDistance({4, 0, 0}), 0);

@@ -137,7 +137,7 @@ class RealMeshesTest : public ::testing::TestWithParam<RealSurface> {
 
 TEST_P(RealMeshesTest, AgreesWithCgalInDistanceAndSign) {
   const MeshSDF<double> mesh(soup_);
-  EXPECT_EQ(mesh.turnedShells(), GetParam().turnedShells);
+  EXPECT_EQ(mesh.signReport().turnedShells, GetParam().turnedShells);
   const CgalOracle oracle(soup_);
   const double size = mesh.guarantee().size;
   Probes probes(mesh, 11);

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <Cutwater/Bvh/BvhSegment.hpp>
 #include <Cutwater/Core/Box.hpp>
+#include <Cutwater/Core/Segment.hpp>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -96,6 +100,12 @@ class BvhTree {
   template <typename Leaf>
   void overlapping(const Box<double>& box, Leaf&& leafVisitor) const;
 
+  /// Visits the leaves whose box the segment meets, about in the order in which it does.
+  ///
+  /// `leaf(slots)` returns a parameter along the segment: leaves that begin beyond it are skipped.
+  template <typename Leaf>
+  void along(const Segment<double>& segment, Leaf&& leafVisitor) const;
+
  private:
   struct Level {
     const BvhNode<K>* node;
@@ -115,8 +125,10 @@ class BvhTree {
   }
 
   /// Keys for traverse(): the squared distances from `q`, in the tree's frame, to boxes.
-  static auto squaredDistancesFrom(const Vec3<float>& q) {
-    return [q](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
+  struct SquaredDistances {
+    Vec3<float> q;
+
+    CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
       for (std::size_t k = 0; k < K; ++k) {
         float sum = 0;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -128,7 +140,11 @@ class BvhTree {
         }
         out[k] = sum < kNoLimit ? sum : kNoLimit;
       }
-    };
+    }
+  };
+
+  [[nodiscard]] Vec3<double> toFrame(const Vec3<double>& p) const {
+    return frame_.scale * (p - frame_.center);
   }
 
   BvhFrame frame_;
@@ -182,7 +198,7 @@ void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
   // key <= ((best + error) s + 1.001 u |q|)^2 (1 + 6 u); 2^-20 leaves room for the double
   // arithmetic and the last rounding to float.
   constexpr double kUnit = 0x1p-24;
-  const Vec3<double> local = frame_.scale * (p - frame_.center);
+  const Vec3<double> local = toFrame(p);
   const Vec3<float> q(local);
   const double offset = 1.01 * kUnit * length(local);
   const auto limitFor = [&](double value) {
@@ -193,7 +209,7 @@ void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
     return reach < kFar ? static_cast<float>(squared * (1 + 0x1p-20) + 0x1p-126) : kNoLimit;
   };
   traverse(
-      squaredDistancesFrom(q),
+      SquaredDistances{q},
       [&](std::span<const std::uint32_t> slots) { return limitFor(leafVisitor(slots)); },
       limitFor(best));
 }
@@ -203,7 +219,6 @@ template <typename Leaf>
 void BvhTree<K, W>::overlapping(const Box<double>& box, Leaf&& leafVisitor) const {
   // The query box is rounded outward by more than the error of its conversion to float.
   constexpr double kUnit = 0x1p-23;
-  const auto toFrame = [&](const Vec3<double>& p) { return frame_.scale * (p - frame_.center); };
   const Vec3<double> lower = toFrame(box.lower);
   const Vec3<double> upper = toFrame(box.upper);
   const auto keys = [&](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
@@ -221,6 +236,31 @@ void BvhTree<K, W>::overlapping(const Box<double>& box, Leaf&& leafVisitor) cons
   traverse(
       keys, [&](std::span<const std::uint32_t> slots) { return leafVisitor(slots) ? 0.0F : -1.0F; },
       0.0F);
+}
+
+template <int K, int W>
+template <typename Leaf>
+void BvhTree<K, W>::along(const Segment<double>& segment, Leaf&& leafVisitor) const {
+  const BvhSegment local(toFrame(segment.start), toFrame(segment.end));
+  const auto keys = [&](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
+    const auto side = [](const auto& sides, std::size_t k) {
+      return Vec3<double>(Vec3<float>{sides[0][k], sides[1][k], sides[2][k]});
+    };
+    for (std::size_t k = 0; k < K; ++k) {
+      const Vec3<double> lower = side(node.lower, k);
+      const Vec3<double> upper = side(node.upper, k);
+      const Vec3<double> middle = 0.5 * (lower + upper);
+      const Vec3<double> half = 0.5 * (upper - lower);
+      out[k] = local.isApart(middle, half) ? kNoLimit : local.firstParameter(middle, half);
+    }
+  };
+  constexpr float kBeyond = 2;  // above every parameter, below the key of what is apart
+  traverse(
+      keys,
+      [&](std::span<const std::uint32_t> slots) {
+        return std::min(static_cast<float>(leafVisitor(slots)), kBeyond);
+      },
+      kBeyond);
 }
 
 }  // namespace cutwater

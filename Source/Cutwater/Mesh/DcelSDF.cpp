@@ -1,4 +1,8 @@
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/DcelSDF.hpp>
+#include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/SoundnessCheck.hpp>
+#include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
 namespace cutwater {
 
@@ -6,20 +10,30 @@ template <std::floating_point T>
 DcelSDF<T>::DcelSDF(DcelMesh<T> mesh)
     : mesh_(std::make_shared<const DcelMesh<T>>(std::move(mesh))) {
   const TriangleSurfaceData<T> data(*mesh_);
+  if (data.unbalancedEdges() > 0) {
+    throw Error(ErrorKind::Topology,
+                "the surface is not closed and consistently oriented: " + check(*mesh_).summary());
+  }
   BlockWriter writer;
   const auto sections = data.addTo(writer);
   block_ = writer.finish();
-  this->setSurface(sections.view(block_), data.turnedShells());
+  this->setSurface(sections.view(block_));
+  this->setSigns(checkSigns<T>(this->surface(), data, this->search(), {}));
 }
 
 template <std::floating_point T>
 auto DcelSDF<T>::nearest(const Vec3<T>& p) const -> typename TriangleSurface<T>::Nearest {
   const auto& surface = this->surface();
-  typename TriangleSurface<T>::Nearest best;
+  auto best = surface.nothing(p);
   for (std::uint32_t id = 0; id < surface.triangles.size(); ++id) {
     surface.compete(p, {&id, 1}, best);
   }
   return best;
+}
+
+template <std::floating_point T>
+void DcelSDF<T>::along(const Segment<double>&, TriangleVisitor visit) const {
+  for (std::uint32_t id = 0; id < this->surface().triangles.size(); ++id) visit({&id, 1});
 }
 
 template <std::floating_point T>

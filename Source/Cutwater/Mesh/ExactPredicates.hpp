@@ -8,8 +8,8 @@
 namespace cutwater {
 
 // Signs of small determinants of coordinates, never wrong: J. R. Shewchuk, "Adaptive precision
-// floating-point arithmetic and fast robust geometric predicates", Discrete Comput. Geom. 18 (1997).
-// A filter in double decides nearly all; then twice the precision; then exact expansions.
+// floating-point arithmetic and fast robust geometric predicates", Discrete Comput. Geom. 18
+// (1997). A filter in double decides nearly all; then twice the precision; then exact expansions.
 //
 // Coordinates are to be scaled by a power of two so that the surface's largest is about 1; they may
 // be up to 2^60. Bits below 2^-340 count as zero, for the same coordinate always alike.

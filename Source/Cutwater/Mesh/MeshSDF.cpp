@@ -1,13 +1,17 @@
-#include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Mesh/SoundnessCheck.hpp>
+#include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
 namespace cutwater {
 
 template <std::floating_point T>
-MeshSDF<T>::MeshSDF(const PolygonSoup& soup) : MeshSDF(DcelMesh<T>(soup)) {}
+MeshSDF<T>::MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options)
+    : MeshSDF(DcelMesh<T>(soup), options) {}
 
 template <std::floating_point T>
-MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh) {
+MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   const TriangleSurfaceData<T> data(mesh);
   const auto boxes = data.triangleBoxes();
   const auto tree = buildBvh<Tree::kArity, Tree::kLeafWidth>(boxes);
@@ -21,22 +25,38 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh) {
   const auto nameBytes = writer.add(std::span<const char>(names));
   block_ = writer.finish();
 
-  this->setSurface(sections.view(block_), data.turnedShells());
+  this->setSurface(sections.view(block_));
   tree_ = Tree(tree.frame, block_.array<BvhNode<Tree::kArity>>(nodes),
                block_.array<std::uint32_t>(slots));
   patchNames_ = block_.array<char>(nameBytes);
+  const auto signs = checkSigns<T>(this->surface(), data, this->search(), options);
+  if (options.requireWatertight && !signs.isSound()) {
+    throw Error(ErrorKind::Topology, "the surface does not bound a solid: " + signs.summary() +
+                                         "; " + check(mesh).summary());
+  }
+  this->setSigns(signs);
 }
 
 template <std::floating_point T>
 auto MeshSDF<T>::nearest(const Vec3<T>& p) const -> typename TriangleSurface<T>::Nearest {
   const auto& surface = this->surface();
-  typename TriangleSurface<T>::Nearest best;
-  tree_.nearest(Vec3<double>(p), std::numeric_limits<double>::max(), double{surface.error(p)},
+  auto best = surface.nothing(p);
+  tree_.nearest(Vec3<double>(p), std::numeric_limits<double>::max(), double{best.error},
                 [&](std::span<const std::uint32_t> slots) {
                   surface.compete(p, slots, best);
                   return std::sqrt(double{best.hit.distanceSquared});
                 });
   return best;
+}
+
+template <std::floating_point T>
+void MeshSDF<T>::along(const Segment<double>& segment, TriangleVisitor visit) const {
+  tree_.along(segment, visit);
+}
+
+template <std::floating_point T>
+bool MeshSDF<T>::isSurrounded(const Vec3<T>&) const {
+  return false;
 }
 
 template <std::floating_point T>

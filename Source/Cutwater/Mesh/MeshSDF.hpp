@@ -1,26 +1,30 @@
 #pragma once
 
 #include <Cutwater/Bvh/BvhTree.hpp>
+#include <Cutwater/Core/Block.hpp>
+#include <Cutwater/Mesh/DcelMesh.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
 
 namespace cutwater {
 
-/// A closed, consistently oriented surface mesh as a signed distance function over a LinearBVH.
+/// A surface mesh as a signed distance function over a LinearBVH.
 ///
-/// Exact: the value is within 8 eps (|p| + |V|max) of the distance to the mesh rounded to T, and
-/// does not depend on the tree. The sign is that of the pseudonormal of the nearest feature; where
-/// sheets come so close that two features tie within rounding it may be that of the other. Shells
-/// that are inside out are turned; shells within shells count as their orientation says.
+/// The magnitude is within 8 eps (|p| + |V|max) of the distance to the mesh rounded to T, and does
+/// not depend on the tree. The sign is exact on closed surfaces, however close sheets and however
+/// thin triangles are; overlapping shells are a union. A surface that is not closed is inside where
+/// its winding number exceeds 1/2. Faces that disagree with their neighbours and shells that are
+/// inside out are turned (see Shells.hpp). signReport() tells what was found and how signs are
+/// decided, guarantee() what values then mean.
 ///
 /// closestPoint() tells the polygon of the soup (face), its patch, and barycentrics that refer to
 /// `triangle(id)`. Copies share one read-only block of memory.
 template <std::floating_point T>
 class MeshSDF final : public TriangleSurfaceSDF<T> {
  public:
-  /// @throws Error(Topology) with a one-line report unless the surface is closed and consistently
-  /// oriented; what DcelMesh throws for a soup that is none.
-  explicit MeshSDF(const PolygonSoup& soup);
-  explicit MeshSDF(const DcelMesh<T>& mesh);
+  /// @throws Error(Topology) with a one-line report if the soup has no triangles, or options
+  /// require a watertight surface and it is none; what DcelMesh throws for a soup that is none.
+  explicit MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options = {});
+  explicit MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options = {});
 
   /// Bytes of the block that queries use.
   [[nodiscard]] std::size_t memoryBytes() const { return block_.bytes().size(); }
@@ -29,6 +33,8 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   using Tree = BvhTree<16, 4>;
 
   [[nodiscard]] typename TriangleSurface<T>::Nearest nearest(const Vec3<T>& p) const override;
+  void along(const Segment<double>& segment, TriangleVisitor visit) const override;
+  [[nodiscard]] bool isSurrounded(const Vec3<T>& p) const override;
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
 
   Block block_;

@@ -1,6 +1,9 @@
-#include <Cutwater/Bvh/LinearBVH.hpp>
+#include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/Shells.hpp>
+#include <Cutwater/Mesh/SurfaceLocation.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,139 +11,237 @@ namespace cutwater {
 
 namespace {
 
-bool isWithin(const Box<double>& inner, const Box<double>& outer) {
-  return outer.contains(inner.lower) && outer.contains(inner.upper);
+std::size_t at(FaceId face) {
+  return index(face);
 }
-
-/// A shell's bounding box, for finding what contains it.
-struct ShellBox {
-  Box<double> box;
-  std::uint32_t shell = 0;
-  Box<double> boundingBox() const { return box; }
-  double distance(const Vec3<double>& p) const {
-    return length(max(max(box.lower - p, p - box.upper), Vec3<double>{}));
-  }
-};
 
 struct Shell {
   std::vector<FaceId> faces;
-  Box<double> box;
-  double volume = 0;
+  bool closed = true;
+  bool turned = false;
+  double volume = 0;  // once its faces agree
+};
+
+/// Which shells contain a vertex of a given shell: the parity of their passages along a segment
+/// that leads out of the mesh.
+template <std::floating_point T>
+class Containment {
+ public:
+  Containment(const DcelMesh<T>& mesh, std::span<const Vec3<double>> positions,
+              std::span<const std::uint32_t> shellOf)
+      : shellOf_(shellOf), positions_(positions) {
+    std::vector<Box<double>> boxes;
+    for (const FaceId face : mesh.faces()) {
+      const auto v = mesh.vertices(face);
+      triangles_.push_back({index(v[0]), index(v[1]), index(v[2])});
+      Box<double> box;
+      for (const auto corner : triangles_.back()) box.extend(positions_[corner]);
+      surface_.box.extend(box);
+      boxes.push_back(box);
+    }
+    surface_.positions = positions_;
+    surface_.triangles = triangles_;
+    tree_ = buildBvh<16, 4>(boxes);
+  }
+
+  /// Visits the shells that contain the one with this face.
+  template <typename Visit>
+  void visitAround(FaceId inner, Visit&& visit) const {
+    const auto own = shellOf_[at(inner)];
+    const auto exit = exitOf(surface_.box, positions_[triangles_[at(inner)][0]]);
+    const auto tree = tree_.tree();
+    const auto along = [&](const Segment<double>& segment, TriangleVisitor visitor) {
+      tree.along(segment, visitor);
+    };
+    std::vector<std::uint32_t> passed;
+    const auto note = [&](std::uint32_t triangle, int) {
+      if (shellOf_[triangle] != own) passed.push_back(shellOf_[triangle]);
+      return 1.0;
+    };
+    visitPassages<double>(surface_, exit, along, note);
+    std::ranges::sort(passed);
+    for (auto first = passed.begin(); first != passed.end();) {
+      const auto last = std::upper_bound(first, passed.end(), *first);
+      if ((last - first) % 2 != 0) visit(*first);
+      first = last;
+    }
+  }
+
+ private:
+  std::span<const std::uint32_t> shellOf_;
+  std::span<const Vec3<double>> positions_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  TriangleSurface<double> surface_;
+  BvhArrays<16, 4> tree_;
 };
 
 template <std::floating_point T>
 class ShellSearch {
  public:
-  explicit ShellSearch(const DcelMesh<T>& mesh) : mesh_(mesh), taken_(mesh.faces().size()) {
+  explicit ShellSearch(const DcelMesh<T>& mesh)
+      : mesh_(mesh), shellOf_(mesh.faces().size(), kNone), turned_(mesh.faces().size()) {
+    // By a power of two, so that volumes neither over- nor underflow.
+    const double scale{normalizingScale(mesh.positions())};
+    for (const auto& p : mesh.positions()) positions_.push_back(scale * Vec3<double>(p));
+    pairHalfEdges();
     for (const FaceId face : mesh.faces()) {
-      if (!taken_[index(face)]) shells_.push_back(shellFrom(face));
+      if (shellOf_[at(face)] == kNone) shells_.push_back(shellFrom(face));
     }
   }
 
-  InsideOutShells run() const {
-    InsideOutShells result;
-    result.faces.resize(mesh_.faces().size());
-    if (std::ranges::none_of(shells_, [](const auto& s) { return s.volume < 0; })) return result;
-    const auto boxes = shellBoxes();
-    for (std::uint32_t s = 0; s < shells_.size(); ++s) {
-      if (!(shells_[s].volume < 0) || isCavity(s, boxes)) continue;
-      turn(s, result);
-      for (const auto inner : boxesTouching(s, boxes)) {
-        if (isWithin(shells_[inner].box, shells_[s].box) && contains(s, inner)) turn(inner, result);
-      }
+  ShellOrientation run() {
+    for (auto& shell : shells_) measure(shell);
+    turnShells();
+    for (const auto& shell : shells_) {
+      result_.firstFaces.push_back(index(shell.faces.front()));
+      if (!shell.turned) continue;
+      ++result_.turnedShells;
+      for (const FaceId face : shell.faces) turned_[at(face)] = !turned_[at(face)];
     }
-    return result;
+    if (result_.turnedFaces + result_.turnedShells > 0) result_.turned = std::move(turned_);
+    return std::move(result_);
   }
 
  private:
-  using Boxes = LinearBVH<double, ShellBox>;
+  /// The other half-edge of edges with two faces, whichever way it runs.
+  void pairHalfEdges() {
+    partners_.resize(mesh_.halfEdges().size(), kNoHalfEdge);
+    mesh_.visitEdges([&](const typename DcelMesh<T>::Edge& edge) {
+      if (edge.halfEdges.size() != 2) return;
+      partners_[index(edge.halfEdges[0])] = edge.halfEdges[1];
+      partners_[index(edge.halfEdges[1])] = edge.halfEdges[0];
+    });
+  }
 
   Shell shellFrom(FaceId seed) {
-    Shell shell;
-    std::vector<FaceId> pending{seed};
-    taken_[index(seed)] = true;
-    while (!pending.empty()) {
-      const FaceId face = pending.back();
-      pending.pop_back();
-      shell.faces.push_back(face);
-      for (const VertexId v : mesh_.vertices(face)) {
-        shell.box.extend(Vec3<double>(mesh_.position(v)));
-      }
-      for (const FaceId next : mesh_.neighbours(face)) {
-        if (!taken_[index(next)]) pending.push_back(next);
-        taken_[index(next)] = true;
+    const auto id = static_cast<std::uint32_t>(shells_.size());
+    Shell shell{.faces = {seed}};
+    shellOf_[at(seed)] = id;
+    bool contradicts = false;
+    for (std::size_t done = 0; done < shell.faces.size(); ++done) {
+      const FaceId face = shell.faces[done];
+      for (const HalfEdgeId e : mesh_.halfEdges(face)) {
+        const HalfEdgeId partner = partners_[index(e)];
+        if (partner == kNoHalfEdge) {
+          shell.closed = false;
+          continue;
+        }
+        const FaceId next = mesh_.face(partner);
+        const bool sameWay = mesh_.origin(e) == mesh_.origin(partner);
+        const bool wanted = turned_[at(face)] != sameWay;
+        if (shellOf_[at(next)] == kNone) {
+          shellOf_[at(next)] = id;
+          turned_[at(next)] = wanted;
+          shell.faces.push_back(next);
+        } else if (turned_[at(next)] != wanted) {
+          contradicts = true;
+        }
       }
     }
-    for (const FaceId face : shell.faces) {
-      const auto [a, b, c] = corners(face, shell.box.center());
-      shell.volume += dot(a, cross(b, c));  // six times; only its sign matters
+    if (contradicts) {
+      ++result_.unorientable;
+      shell.closed = false;
     }
+    letMajorityDecide(shell);
     return shell;
   }
 
-  std::array<Vec3<double>, 3> corners(FaceId face, const Vec3<double>& origin) const {
-    const auto v = mesh_.vertices(face);
-    return {Vec3<double>(mesh_.position(v[0])) - origin,
-            Vec3<double>(mesh_.position(v[1])) - origin,
-            Vec3<double>(mesh_.position(v[2])) - origin};
-  }
-
-  Boxes shellBoxes() const {
-    std::vector<ShellBox> boxes;
-    for (std::uint32_t s = 0; s < shells_.size(); ++s) boxes.push_back({shells_[s].box, s});
-    return Boxes(std::move(boxes));
-  }
-
-  std::vector<std::uint32_t> boxesTouching(std::uint32_t s, const Boxes& boxes) const {
-    std::vector<std::uint32_t> result;
-    boxes.overlapping(shells_[s].box, [&](std::uint32_t other) {
-      if (other != s) result.push_back(other);
-      return true;
-    });
-    return result;
-  }
-
-  bool isCavity(std::uint32_t s, const Boxes& boxes) const {
-    return std::ranges::any_of(boxesTouching(s, boxes), [&](std::uint32_t outer) {
-      return isWithin(shells_[s].box, shells_[outer].box) &&
-             (shells_[outer].volume > 0 || contains(outer, s));
-    });
-  }
-
-  /// Whether a vertex of `inner` lies in `outer`: the solid angle that `outer` spans there is 4 pi
-  /// times +-1, or 0 (van Oosterom and Strackee 1983, "The solid angle of a plane triangle").
-  bool contains(std::uint32_t outer, std::uint32_t inner) const {
-    const auto p = Vec3<double>(mesh_.position(mesh_.vertices(shells_[inner].faces.front())[0]));
-    double angle = 0;
-    for (const FaceId face : shells_[outer].faces) {
-      const auto [a, b, c] = corners(face, p);
-      const double la = length(a);
-      const double lb = length(b);
-      const double lc = length(c);
-      angle += 2 * std::atan2(dot(a, cross(b, c)),
-                              la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+  void letMajorityDecide(const Shell& shell) {
+    const auto isTurned = [&](FaceId face) { return bool{turned_[at(face)]}; };
+    auto count = static_cast<std::size_t>(std::ranges::count_if(shell.faces, isTurned));
+    if (2 * count > shell.faces.size()) {
+      for (const FaceId face : shell.faces) turned_[at(face)] = !turned_[at(face)];
+      count = shell.faces.size() - count;
     }
-    return std::abs(angle) > 2 * std::numbers::pi;
+    result_.turnedFaces += count;
   }
 
-  void turn(std::uint32_t s, InsideOutShells& result) const {
-    for (const FaceId face : shells_[s].faces) result.faces[index(face)] = true;
-    ++result.count;
+  /// The volume of the shell; of an open one, closed by fans from the middle of its boundary: they
+  /// contribute nothing, seen from there.
+  void measure(Shell& shell) const {
+    const auto middle = shell.closed ? position(firstVertex(shell)) : middleOfBoundary(shell);
+    double area = 0;
+    for (const FaceId face : shell.faces) {
+      const auto v = mesh_.vertices(face);
+      const auto a = position(v[0]) - middle;
+      const auto b = position(v[1]) - middle;
+      const auto c = position(v[2]) - middle;
+      shell.volume += dot(a, cross(b, c)) / (turned_[at(face)] ? -6 : 6);
+      area += length(cross(b - a, c - a)) / 2;
+    }
+    const double sphere = area * std::sqrt(area / std::numbers::pi) / 6;
+    if (!shell.closed && std::abs(shell.volume) < 0.1 * sphere) shell.volume = 0;
+  }
+
+  const Vec3<double>& position(VertexId vertex) const { return positions_[index(vertex)]; }
+  VertexId firstVertex(const Shell& shell) const { return mesh_.vertices(shell.faces.front())[0]; }
+
+  Vec3<double> middleOfBoundary(const Shell& shell) const {
+    Vec3<double> sum;
+    double count = 0;
+    for (const FaceId face : shell.faces) {
+      for (const HalfEdgeId e : mesh_.halfEdges(face)) {
+        if (partners_[index(e)] != kNoHalfEdge) continue;
+        sum += position(mesh_.origin(e));
+        ++count;
+      }
+    }
+    return count > 0 ? sum / count : position(firstVertex(shell));
+  }
+
+  void turnShells() {
+    std::vector<std::uint32_t> suspects;
+    for (std::uint32_t s = 0; s < shells_.size(); ++s) {
+      if (shells_[s].volume < 0) suspects.push_back(s);
+    }
+    if (suspects.empty()) return;
+    if (shells_.size() == 1) {
+      shells_[0].turned = true;
+      return;
+    }
+    const Containment<T> containment(mesh_, positions_, shellOf_);
+    for (const auto s : suspects) {
+      bool isCavity = false;
+      containment.visitAround(shells_[s].faces.front(), [&](std::uint32_t outer) {
+        isCavity = isCavity || shells_[outer].closed;
+      });
+      shells_[s].turned = !isCavity;
+    }
+    const auto wasTurned = [](const Shell& shell) { return shell.turned; };
+    if (std::ranges::none_of(shells_, wasTurned)) return;
+    std::vector<std::uint32_t> within;
+    for (std::uint32_t s = 0; s < shells_.size(); ++s) {
+      if (shells_[s].turned) continue;
+      containment.visitAround(shells_[s].faces.front(), [&](std::uint32_t outer) {
+        if (shells_[outer].closed && shells_[outer].turned && !isListed(within, s)) {
+          within.push_back(s);
+        }
+      });
+    }
+    for (const auto s : within) shells_[s].turned = true;
+  }
+
+  static bool isListed(const std::vector<std::uint32_t>& list, std::uint32_t id) {
+    return !list.empty() && list.back() == id;
   }
 
   const DcelMesh<T>& mesh_;
-  std::vector<bool> taken_;
+  std::vector<Vec3<double>> positions_;
+  std::vector<HalfEdgeId> partners_;
+  std::vector<std::uint32_t> shellOf_;
+  std::vector<bool> turned_;
   std::vector<Shell> shells_;
+  ShellOrientation result_;
 };
 
 }  // namespace
 
 template <std::floating_point T>
-InsideOutShells findInsideOutShells(const DcelMesh<T>& mesh) {
+ShellOrientation orientShells(const DcelMesh<T>& mesh) {
   return ShellSearch<T>(mesh).run();
 }
 
-template InsideOutShells findInsideOutShells(const DcelMesh<float>&);
-template InsideOutShells findInsideOutShells(const DcelMesh<double>&);
+template ShellOrientation orientShells(const DcelMesh<float>&);
+template ShellOrientation orientShells(const DcelMesh<double>&);
 
 }  // namespace cutwater

@@ -6,21 +6,30 @@
 
 namespace cutwater {
 
-/// The shells of a closed, oriented mesh (sets of faces connected across edges) that stand inside
-/// out.
-struct InsideOutShells {
-  std::size_t count = 0;
-  std::vector<bool> faces;  ///< per face of the mesh: to be turned
+/// Which faces of a mesh are to be turned, so that it faces outward.
+struct ShellOrientation {
+  std::vector<bool> turned;      ///< per face; empty if there is none
+  std::size_t turnedFaces = 0;   ///< disagreed with the other faces of their shell
+  std::size_t turnedShells = 0;  ///< stood inside out
+  std::size_t unorientable = 0;  ///< shells like a Moebius strip: left as good as they can be
+  std::vector<std::uint32_t> firstFaces;  ///< one of each shell
+
+  [[nodiscard]] std::size_t shells() const { return firstFaces.size(); }
+  [[nodiscard]] bool changesNothing() const { return turned.empty(); }
 };
 
-/// A shell is inside out if its normals point into it (negative volume) and it is no cavity, that
-/// is, lies within no other shell. It is to be turned together with the shells within it, so that
-/// its cavities stay cavities. A shell of negative volume within the bounding box of one of
-/// positive volume counts as a cavity, as the file has it.
+/// Orients the shells of a triangle mesh: sets of faces connected across edges that have exactly
+/// two faces.
+///
+/// Within a shell the majority decides. A closed shell is then inside out if its volume is negative
+/// and it is no cavity, that is, lies within no other closed shell (decided exactly, by a vertex of
+/// it). It is turned together with the shells within it, so that its cavities stay cavities.
+/// An open shell is judged by the volume that fans from the middle of its boundary would close, if
+/// that volume is substantial: at least a tenth of that of a sphere of the same area.
 template <std::floating_point T>
-[[nodiscard]] InsideOutShells findInsideOutShells(const DcelMesh<T>& mesh);
+[[nodiscard]] ShellOrientation orientShells(const DcelMesh<T>& mesh);
 
-extern template InsideOutShells findInsideOutShells(const DcelMesh<float>&);
-extern template InsideOutShells findInsideOutShells(const DcelMesh<double>&);
+extern template ShellOrientation orientShells(const DcelMesh<float>&);
+extern template ShellOrientation orientShells(const DcelMesh<double>&);
 
 }  // namespace cutwater

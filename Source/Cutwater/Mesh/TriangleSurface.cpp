@@ -1,6 +1,8 @@
+#include <Cutwater/Mesh/ExactPredicates.hpp>
 #include <Cutwater/Mesh/TriangleDistance.inl>
 #include <Cutwater/Mesh/TriangleSurface.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cutwater {
@@ -29,9 +31,18 @@ void TriangleSurface<T>::compete(const Vec3<T>& p, std::span<const std::uint32_t
   for (const auto id : ids) {
     if (id == kNone) return;
     const auto hit = detail::triangleHit(p, triangle(id));
+    if (!(hit.distanceSquared <= best.tie)) continue;
+    const auto [a, b, c] = corners(id);
+    auto& least =
+        best.leastBySide[static_cast<std::size_t>(1 + orientation(a, b, c, Vec3<double>(p)))];
+    least = std::min(least, hit.distanceSquared);
     if (hit.distanceSquared < best.hit.distanceSquared ||
         (hit.distanceSquared == best.hit.distanceSquared && id < best.triangle)) {
-      best = {hit, id};
+      best.hit = hit;
+      best.triangle = id;
+      // Both distances may be off by the error.
+      const T reach = std::sqrt(hit.distanceSquared) + 2 * best.error;
+      best.tie = reach * reach;
     }
   }
 }
@@ -45,20 +56,19 @@ Vec3<T> TriangleSurface<T>::pseudonormal(const Nearest& nearest) const {
     case Feature::Vertex:
       return pseudonormals[triangles[nearest.triangle][corner]];
     case Feature::Edge:
-      return unitNormal(triangle(nearest.triangle)) +
-             unitNormal(triangle(neighbours[nearest.triangle][corner]));
+      if (const auto across = neighbours[nearest.triangle][corner]; across != kNone) {
+        return unitNormal(triangle(nearest.triangle)) + unitNormal(triangle(across));
+      }
+      [[fallthrough]];
     default:
       return unitNormal(triangle(nearest.triangle));
   }
 }
 
 template <std::floating_point T>
-T TriangleSurface<T>::signedDistance(const Vec3<T>& p, const Nearest& nearest) const {
-  const T distance = std::sqrt(nearest.hit.distanceSquared);
+int TriangleSurface<T>::pseudonormalSide(const Vec3<T>& p, const Nearest& nearest) const {
   const auto t = triangle(nearest.triangle);
-  if (nearest.hit.part == TrianglePart::Face) {
-    return sideOfPlane(p, t) < 0 ? -distance : distance;
-  }
+  if (nearest.hit.part == TrianglePart::Face) return sideOfPlane(p, t) < 0 ? -1 : 1;
   // The base point is a vertex of the feature, the nearer one of an edge: from anywhere else more
   // digits would cancel.
   const int first = firstVertex(nearest.hit.part);
@@ -67,7 +77,7 @@ T TriangleSurface<T>::signedDistance(const Vec3<T>& p, const Nearest& nearest) c
     const Vec3<T> other = p - t.vertex((first + 1) % 3);
     if (lengthSquared(other) < lengthSquared(from)) from = other;
   }
-  return dot(pseudonormal(nearest), from) < 0 ? -distance : distance;
+  return dot(pseudonormal(nearest), from) < 0 ? -1 : 1;
 }
 
 template <std::floating_point T>
@@ -84,7 +94,6 @@ SurfacePoint<T> TriangleSurface<T>::surfacePoint(const Vec3<T>& p, const Nearest
   SurfacePoint<T> result;
   result.point = point / scale;
   result.normal = normalized(pseudonormal(nearest));
-  result.distance = signedDistance(p, nearest) / scale;
   result.tolerance = 2 * error(p) / scale;  // of the distance, and of the point
   result.exact = true;
   result.feature = featureOf(nearest.hit.part);

@@ -1,16 +1,14 @@
 #pragma once
 
-#include <Cutwater/Core/Block.hpp>
-#include <Cutwater/Mesh/DcelMesh.hpp>
+#include <Cutwater/Core/Box.hpp>
 #include <Cutwater/Mesh/TriangleDistance.hpp>
 
 #include <array>
 #include <span>
-#include <vector>
 
 namespace cutwater {
 
-/// What queries on a closed triangle mesh need besides a tree; a view of arrays in a block.
+/// What queries on a triangle mesh need besides a tree; a view of arrays in a block.
 ///
 /// Positions are those of the mesh times a power of two, so that squares neither over- nor
 /// underflow; all points and lengths here are in these units.
@@ -18,37 +16,70 @@ template <std::floating_point T>
 struct TriangleSurface {
   using Corners = std::array<std::uint32_t, 3>;
 
-  /// The triangle nearest to a point.
+  /// The triangle nearest to a point, and what the search has seen on the way.
   struct Nearest {
     TriangleHit<T> hit;
     std::uint32_t triangle = kNone;
+    /// Bound on the rounding of distances to the point.
+    T error = 0;
+    /// Any triangle with a squared distance up to this may be the nearest one, but for rounding.
+    T tie = std::numeric_limits<T>::max();
+    /// Least squared distance of the triangles that have the point behind, in and before their
+    /// plane; exact tests decide which.
+    std::array<T, 3> leastBySide{tie, tie, tie};
+
+    /// The side of the point if all triangles that may be the nearest agree on it: 1 outside, -1
+    /// inside; else 0.
+    ///
+    /// Then it is certain. All triangles at the closest point are among them, and its pseudonormal,
+    /// a sum of their normals with positive weights, has the point on that side (Baerentzen and
+    /// Aanaes 2005, "Signed distance computation using the angle weighted pseudonormal"). Which
+    /// feature the closest point belongs to, a matter of rounding, does not enter.
+    [[nodiscard]] int agreedSide() const {
+      const bool behind = leastBySide[0] <= tie;
+      const bool before = leastBySide[2] <= tie;
+      if (leastBySide[1] <= tie || behind == before) return 0;
+      return before ? 1 : -1;
+    }
   };
 
   std::span<const Vec3<T>> positions;
   std::span<const Corners> triangles;
-  std::span<const Corners> neighbours;      ///< triangles across AB, BC, CA
+  std::span<const Corners> neighbours;      ///< triangles across AB, BC, CA; kNone where open
   std::span<const std::uint32_t> slivers;   ///< one bit per triangle
   std::span<const Vec3<T>> pseudonormals;   ///< per vertex
   std::span<const std::uint32_t> polygons;  ///< per triangle: the face it is part of
   std::span<const std::uint32_t> patches;   ///< per polygon
   T scale = 1;                              ///< position here = scale * position of the mesh
   T size = 0;                               ///< length of the longest position vector
+  Box<double> box;                          ///< of all corners of triangles
 
   [[nodiscard]] Triangle<T> triangle(std::uint32_t id) const {
     const auto& v = triangles[id];
     return {positions[v[0]], positions[v[1]], positions[v[2]],
             (slivers[id / 32] >> id % 32 & 1U) != 0};
   }
+  [[nodiscard]] std::array<Vec3<double>, 3> corners(std::uint32_t id) const {
+    const auto& v = triangles[id];
+    return {Vec3<double>(positions[v[0]]), Vec3<double>(positions[v[1]]),
+            Vec3<double>(positions[v[2]])};
+  }
 
+  /// The start of a search: no triangle yet.
+  [[nodiscard]] Nearest nothing(const Vec3<T>& p) const {
+    Nearest result;
+    result.error = error(p);
+    return result;
+  }
   /// Lets triangles compete with the best so far; the nearest wins, of equals the lowest id. Ids
   /// end at the first kNone.
   void compete(const Vec3<T>& p, std::span<const std::uint32_t> ids, Nearest& best) const;
 
-  /// Distance with the sign of the pseudonormal of the nearest feature (Baerentzen and Aanaes 2005,
-  /// "Signed distance computation using the angle weighted pseudonormal"); 0 on the surface.
-  [[nodiscard]] T signedDistance(const Vec3<T>& p, const Nearest& nearest) const;
+  /// The sign of the pseudonormal of the nearest feature as computed: 1 outside, -1 inside. At
+  /// sharp edges and where sheets are close it needs agreedSide() or locate() to be certain.
+  [[nodiscard]] int pseudonormalSide(const Vec3<T>& p, const Nearest& nearest) const;
 
-  /// Everything about the nearest point, in the mesh's own units.
+  /// Everything about the nearest point but the distance, in the mesh's own units.
   [[nodiscard]] SurfacePoint<T> surfacePoint(const Vec3<T>& p, const Nearest& nearest) const;
 
   /// Bound on the rounding of a distance at `p`: 8 eps (|p| + |V|max).
@@ -60,49 +91,7 @@ struct TriangleSurface {
   [[nodiscard]] Vec3<T> pseudonormal(const Nearest& nearest) const;
 };
 
-/// The arrays of a TriangleSurface, fresh from a mesh.
-template <std::floating_point T>
-class TriangleSurfaceData {
- public:
-  /// Faces of more than three corners are triangulated, those of no area and fewer than three
-  /// distinct corners left out. Shells that are inside out are turned (see Shells.hpp).
-  /// @throws Error(Topology) unless the rest is closed and consistently oriented.
-  explicit TriangleSurfaceData(const DcelMesh<T>& mesh);
-
-  /// Where the arrays will lie in the block.
-  struct Sections {
-    Section positions, triangles, neighbours, slivers, pseudonormals, polygons, patches;
-    T scale = 1;
-    T size = 0;
-
-    [[nodiscard]] TriangleSurface<T> view(const Block& block) const;
-  };
-  [[nodiscard]] Sections addTo(BlockWriter& writer) const;
-
-  [[nodiscard]] std::vector<Box<double>> triangleBoxes() const;
-  [[nodiscard]] std::size_t turnedShells() const { return turnedShells_; }
-
- private:
-  using Corners = typename TriangleSurface<T>::Corners;
-
-  void take(const DcelMesh<T>& triangles);
-  void markSlivers();
-
-  std::vector<Vec3<T>> positions_;
-  std::vector<Corners> triangles_;
-  std::vector<Corners> neighbours_;
-  std::vector<std::uint32_t> slivers_;
-  std::vector<Vec3<T>> pseudonormals_;
-  std::vector<std::uint32_t> polygons_;
-  std::vector<std::uint32_t> patches_;
-  T scale_ = 1;
-  T size_ = 0;
-  std::size_t turnedShells_ = 0;
-};
-
 extern template struct TriangleSurface<float>;
 extern template struct TriangleSurface<double>;
-extern template class TriangleSurfaceData<float>;
-extern template class TriangleSurfaceData<double>;
 
 }  // namespace cutwater

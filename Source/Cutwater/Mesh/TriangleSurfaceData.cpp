@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
-#include <Cutwater/Mesh/Shells.hpp>
-#include <Cutwater/Mesh/TriangleSurface.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
+#include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -32,34 +32,21 @@ void turn(PolygonSoup& triangles, const std::vector<bool>& chosen) {
   }
 }
 
-/// A power of two that brings the largest coordinate near 1, as far as the exponents allow.
-template <std::floating_point T>
-T normalizingScale(std::span<const Vec3<T>> positions) {
-  T largest = 0;
-  for (const auto& p : positions) largest = std::max(largest, maxComponent(abs(p)));
-  if (!(largest > 0)) return 1;
-  constexpr int kMost = std::numeric_limits<T>::max_exponent / 2;
-  return std::ldexp(T(1), -std::clamp(std::ilogb(largest), -kMost, kMost));
-}
-
 }  // namespace
 
 template <std::floating_point T>
 TriangleSurfaceData<T>::TriangleSurfaceData(const DcelMesh<T>& mesh) {
   auto soup = trianglesOf(mesh, polygons_);
-  const DcelMesh<T> triangles(soup);
-  const auto open = [&](HalfEdgeId e) { return !triangles.hasTwin(e); };
-  if (polygons_.empty() || std::ranges::any_of(triangles.halfEdges(), open)) {
-    throw Error(ErrorKind::Topology,
-                "the surface is not closed and consistently oriented: " + check(mesh).summary());
+  if (polygons_.empty()) {
+    throw Error(ErrorKind::Topology, "the surface has no triangles: " + check(mesh).summary());
   }
   for (const FaceId face : mesh.faces()) patches_.push_back(mesh.patch(face));
-  const auto insideOut = findInsideOutShells(triangles);
-  turnedShells_ = insideOut.count;
-  if (insideOut.count == 0) {
+  const DcelMesh<T> triangles(soup);
+  orientation_ = orientShells(triangles);
+  if (orientation_.changesNothing()) {
     take(triangles);
   } else {
-    turn(soup, insideOut.faces);
+    turn(soup, orientation_.turned);
     take(DcelMesh<T>(soup));
   }
   markSlivers();
@@ -72,6 +59,11 @@ void TriangleSurfaceData<T>::take(const DcelMesh<T>& triangles) {
     positions_.push_back(scale_ * p);
     size_ = std::max(size_, length(positions_.back()));
   }
+  triangles.visitEdges([&](const typename DcelMesh<T>::Edge& edge) {
+    const auto isUpward = [&](HalfEdgeId e) { return triangles.origin(e) == edge.lower; };
+    const auto upward = std::ranges::count_if(edge.halfEdges, isUpward);
+    if (2 * static_cast<std::size_t>(upward) != edge.halfEdges.size()) ++unbalancedEdges_;
+  });
   for (const VertexId v : triangles.vertices()) pseudonormals_.push_back(triangles.pseudonormal(v));
   for (const FaceId face : triangles.faces()) {
     Corners corners{};
@@ -79,7 +71,8 @@ void TriangleSurfaceData<T>::take(const DcelMesh<T>& triangles) {
     std::size_t i = 0;
     for (const HalfEdgeId e : triangles.halfEdges(face)) {
       corners[i] = index(triangles.origin(e));
-      across[i] = index(triangles.face(triangles.twin(e)));
+      across[i] = triangles.hasTwin(e) ? index(triangles.face(triangles.twin(e))) : kNone;
+      box_.extend(Vec3<double>(positions_[corners[i]]));
       ++i;
     }
     triangles_.push_back(corners);
@@ -118,7 +111,8 @@ auto TriangleSurfaceData<T>::addTo(BlockWriter& writer) const -> Sections {
           .polygons = writer.add(polygons_),
           .patches = writer.add(patches_),
           .scale = scale_,
-          .size = size_};
+          .size = size_,
+          .box = box_};
 }
 
 template <std::floating_point T>
@@ -133,6 +127,7 @@ TriangleSurface<T> TriangleSurfaceData<T>::Sections::view(const Block& block) co
   surface.patches = block.array<std::uint32_t>(patches);
   surface.scale = scale;
   surface.size = size;
+  surface.box = box;
   return surface;
 }
 

@@ -1,12 +1,22 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
 
+#include <cmath>
+
 namespace cutwater {
 
+namespace {
+
+/// From there the whole surface, of size 1, is a point within rounding, but squares do not yet
+/// overflow: points beyond are pulled in along their ray.
 template <std::floating_point T>
-void TriangleSurfaceSDF<T>::setSurface(const Surface& surface, std::size_t turnedShells) {
+constexpr T kFarthest = T(0x1p60);
+
+}  // namespace
+
+template <std::floating_point T>
+void TriangleSurfaceSDF<T>::setSurface(const Surface& surface) {
   surface_ = surface;
-  turnedShells_ = turnedShells;
   for (const auto& corners : surface.triangles) {
     for (const auto v : corners) box_.extend(surface.positions[v] / surface.scale);
   }
@@ -20,15 +30,50 @@ std::array<Vec3<T>, 3> TriangleSurfaceSDF<T>::triangle(std::uint32_t id) const {
 }
 
 template <std::floating_point T>
-T TriangleSurfaceSDF<T>::localSignedDistance(const Vec3<T>& point) const {
+Vec3<T> TriangleSurfaceSDF<T>::scaled(const Vec3<T>& point) const {
   const Vec3<T> p = surface_.scale * point;
-  return surface_.signedDistance(p, nearest(p)) / surface_.scale;
+  if (maxComponent(abs(p)) <= kFarthest<T>) return p;
+  return kFarthest<T> * (point / maxComponent(abs(point)));
+}
+
+template <std::floating_point T>
+int TriangleSurfaceSDF<T>::side(const Vec3<T>& p, const Nearest& nearest) const {
+  if (signs_.scheme == SignScheme::NearestFeature) {
+    if (const int agreed = nearest.agreedSide(); agreed != 0) return agreed;
+    if (!signs_.isClosed()) return surface_.pseudonormalSide(p, nearest);
+  }
+  if (!signs_.isClosed()) return isSurrounded(p) ? -1 : 1;
+  const auto location = locate(surface_, Vec3<double>(p), search());
+  return location.onSurface ? 0 : location.isInside() ? -1 : 1;
+}
+
+template <std::floating_point T>
+T TriangleSurfaceSDF<T>::valueAt(const Vec3<T>& point, const Vec3<T>& p,
+                                 const Nearest& nearest) const {
+  if (nearest.hit.distanceSquared == 0) return 0;
+  const bool isFar = maxComponent(abs(p)) >= kFarthest<T>;
+  const T magnitude = isFar ? std::hypot(point.x, point.y, point.z)
+                            : std::sqrt(nearest.hit.distanceSquared) / surface_.scale;
+  return static_cast<T>(side(p, nearest)) * magnitude;
+}
+
+template <std::floating_point T>
+T TriangleSurfaceSDF<T>::localSignedDistance(const Vec3<T>& point) const {
+  const Vec3<T> p = scaled(point);
+  return valueAt(point, p, nearest(p));
 }
 
 template <std::floating_point T>
 SurfacePoint<T> TriangleSurfaceSDF<T>::localClosestPoint(const Vec3<T>& point) const {
-  const Vec3<T> p = surface_.scale * point;
-  return surface_.surfacePoint(p, nearest(p));
+  const Vec3<T> p = scaled(point);
+  const auto nearest = this->nearest(p);
+  auto result = surface_.surfacePoint(p, nearest);
+  result.distance = valueAt(point, p, nearest);
+  // Where shells overlap, the nearest triangle need not be part of the solid's surface; and the
+  // sheet that closes a hole may be nearer than any.
+  result.exact = signs_.isSound();
+  if (!signs_.isClosed()) result.tolerance = std::numeric_limits<T>::infinity();
+  return result;
 }
 
 template <std::floating_point T>
@@ -46,7 +91,16 @@ SurfaceOwner TriangleSurfaceSDF<T>::localOwner(const Vec3<T>& point) const {
 
 template <std::floating_point T>
 Guarantee<T> TriangleSurfaceSDF<T>::localGuarantee() const {
-  return Guarantee<T>::exact(surface_.size / surface_.scale);
+  auto result = Guarantee<T>::exact(surface_.size / surface_.scale);
+  if (signs_.isSound()) return result;
+  // The distance to the nearest triangle, be it surface of the union or not.
+  result.outside = result.inside = Quality::LowerBound;
+  if (signs_.isClosed()) return result;
+  // The sign jumps where the sheet of winding number 1/2 closes a hole.
+  result.outside = result.inside = Quality::SignOnly;
+  result.lipschitz.reset();
+  result.continuous = false;
+  return result;
 }
 
 template class TriangleSurfaceSDF<float>;

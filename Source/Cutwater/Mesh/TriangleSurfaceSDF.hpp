@@ -1,12 +1,13 @@
 #pragma once
 
-#include <Cutwater/Mesh/TriangleSurface.hpp>
+#include <Cutwater/Mesh/SignScheme.hpp>
+#include <Cutwater/Mesh/SurfaceLocation.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 namespace cutwater {
 
 /// What all mesh functions share: the answers that follow once the nearest triangle is known. How
-/// it is found is the subclass' business, and changes no bit.
+/// triangles are found is the subclass' business, and changes no bit.
 template <std::floating_point T>
 class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
  public:
@@ -14,8 +15,8 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   /// Corners of a triangle as closestPoint() counts them, in the mesh's own frame.
   /// @throws Error if there is no such triangle.
   [[nodiscard]] std::array<Vec3<T>, 3> triangle(std::uint32_t id) const;
-  /// Shells that were inside out, and have been turned: see findInsideOutShells().
-  [[nodiscard]] std::size_t turnedShells() const { return turnedShells_; }
+  /// How signs are decided, and what that rests on.
+  [[nodiscard]] const SignReport& signReport() const { return signs_; }
 
  protected:
   using Surface = TriangleSurface<T>;
@@ -23,13 +24,27 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
 
   TriangleSurfaceSDF() = default;
 
-  /// The triangle nearest to `p`, of equals the one with the lowest id; `p` is in the surface's
-  /// scaled units.
-  [[nodiscard]] virtual Nearest nearest(const Vec3<T>& p) const = 0;
+  // The points and segments below are in the surface's scaled units.
 
-  /// Called once by the subclass' constructor, when the block is complete.
-  void setSurface(const Surface& surface, std::size_t turnedShells);
+  /// The triangle nearest to `p`, of equals the one with the lowest id, and whatever ties with it.
+  [[nodiscard]] virtual Nearest nearest(const Vec3<T>& p) const = 0;
+  /// See TrianglesAlong.
+  virtual void along(const Segment<double>& segment, TriangleVisitor visit) const = 0;
+  /// Whether the winding number of a surface that is not closed exceeds 1/2 at `p`.
+  [[nodiscard]] virtual bool isSurrounded(const Vec3<T>& p) const = 0;
+
+  /// Called by the subclass' constructor when the block is complete.
+  void setSurface(const Surface& surface);
+  void setSigns(const SignReport& signs) { signs_ = signs; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
+  /// along() as a function.
+  [[nodiscard]] auto search() const {
+    return [this](const Segment<double>& segment, TriangleVisitor visit) { along(segment, visit); };
+  }
+  /// From a point in the mesh's own units; pulled in where squares would overflow.
+  [[nodiscard]] Vec3<T> scaled(const Vec3<T>& point) const;
+  /// 1 outside, -1 inside, 0 exactly on the surface.
+  [[nodiscard]] int side(const Vec3<T>& p, const Nearest& nearest) const;
 
  private:
   [[nodiscard]] T localSignedDistance(const Vec3<T>& point) const final;
@@ -38,10 +53,12 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& point) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
+  /// `point` and, in the surface's units, `p` are the same.
+  [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest) const;
 
   Surface surface_;
+  SignReport signs_;
   Box<T> box_;
-  std::size_t turnedShells_ = 0;
 };
 
 extern template class TriangleSurfaceSDF<float>;

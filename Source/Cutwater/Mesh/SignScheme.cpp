@@ -1,0 +1,51 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/SignScheme.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cutwater {
+
+namespace {
+
+std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
+  return detail::toText(static_cast<long long>(count)) + ' ' + (count == 1 ? singular : plural);
+}
+
+std::string percent(double share) {
+  return detail::toText(std::round(1000 * share) / 10) + " %";
+}
+
+}  // namespace
+
+double SignReport::doubt() const {
+  if (probes == 0) return 1;
+  const auto n = static_cast<double>(probes);
+  const double share = static_cast<double>(isClosed() ? unsound : ambiguous) / n;
+  return share == 0 ? std::min(1.0, 3 / n)
+                    : std::min(1.0, share + 2 * std::sqrt(share * (1 - share) / n));
+}
+
+std::string SignReport::summary() const {
+  std::string text = scheme == SignScheme::WindingNumber ? "winding number: " : "nearest feature: ";
+  text += isClosed() ? "closed" : counted(unbalancedEdges, "unbalanced edge", "unbalanced edges");
+  if (unorientable > 0) text += ", " + counted(unorientable, "shell", "shells") + " not orientable";
+  if (selfIntersections) {
+    text += ", " + counted(*selfIntersections, "self-intersection", "self-intersections");
+  }
+  if (probes > 0) {
+    const std::size_t bad = isClosed() ? unsound : ambiguous;
+    text += "; " + counted(probes, "probe", "probes") + ", ";
+    text += bad == 0 ? "all " : detail::toText(static_cast<long long>(bad)) + ' ';
+    text += isClosed() ? (bad == 0 ? "sound" : "unsound") : (bad == 0 ? "clear" : "ambiguous");
+    text += " (at most " + percent(doubt()) + " of the " + (isClosed() ? "surface" : "box");
+    text += std::string(isClosed() ? " unsound" : " ambiguous") + ", 95 % confidence)";
+  }
+  if (turnedFaces > 0) text += "; " + counted(turnedFaces, "face", "faces") + " turned";
+  if (turnedShells > 0) {
+    text += "; " + counted(turnedShells, "shell", "shells") + " stood inside out";
+  }
+  return text;
+}
+
+}  // namespace cutwater

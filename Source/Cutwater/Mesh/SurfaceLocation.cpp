@@ -1,0 +1,80 @@
+#include <Cutwater/Mesh/ExactPredicates.hpp>
+#include <Cutwater/Mesh/SurfaceLocation.hpp>
+
+namespace cutwater {
+
+namespace {
+
+/// Whether the boxes of the triangle and the segment meet.
+bool mayMeet(const Box<double>& box, const std::array<Vec3<double>, 3>& t) {
+  const auto lower = min(t[0], min(t[1], t[2]));
+  const auto upper = max(t[0], max(t[1], t[2]));
+  return lower.x <= box.upper.x && box.lower.x <= upper.x && lower.y <= box.upper.y &&
+         box.lower.y <= upper.y && lower.z <= box.upper.z && box.lower.z <= upper.z;
+}
+
+}  // namespace
+
+Segment<double> exitOf(const Box<double>& box, const Vec3<double>& point) {
+  Segment<double> exit{point, point};
+  double shortest = std::numeric_limits<double>::max();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double up = box.upper[axis] - point[axis];
+    const double down = point[axis] - box.lower[axis];
+    if (std::min(up, down) >= shortest) continue;
+    shortest = std::min(up, down);
+    const double margin = 1 + box.upper[axis] - box.lower[axis];  // any that rounding leaves
+    exit.end = point;
+    exit.end[axis] = up <= down ? box.upper[axis] + margin : box.lower[axis] - margin;
+  }
+  return exit;
+}
+
+template <std::floating_point T>
+void visitPassages(const TriangleSurface<T>& surface, const Segment<double>& segment,
+                   TrianglesAlong along, FunctionRef<double(std::uint32_t, int)> visit) {
+  const auto box = Box<double>{}.extend(segment.start).extend(segment.end);
+  along(segment, [&](std::span<const std::uint32_t> ids) {
+    double wanted = 1;
+    for (const auto id : ids) {
+      if (id == kNone) break;
+      const auto triangle = surface.corners(id);
+      if (!mayMeet(box, triangle)) continue;
+      if (const int direction = passage(segment, triangle); direction != 0) {
+        wanted = visit(id, direction);
+      }
+    }
+    return wanted;
+  });
+}
+
+template <std::floating_point T>
+SurfaceLocation locate(const TriangleSurface<T>& surface, const Vec3<double>& point,
+                       TrianglesAlong along) {
+  SurfaceLocation result;
+  if (!surface.box.contains(point)) return result;
+  const auto exit = exitOf(surface.box, point);
+  const auto box = Box<double>{}.extend(exit.start).extend(exit.end);
+  const Box<double> here{point, point};
+  along(exit, [&](std::span<const std::uint32_t> ids) {
+    for (const auto id : ids) {
+      if (id == kNone) break;
+      const auto triangle = surface.corners(id);
+      if (!mayMeet(box, triangle)) continue;
+      result.winding += passage(exit, triangle);
+      if (mayMeet(here, triangle) && isOnTriangle(point, triangle)) result.onSurface = true;
+    }
+    return 1.0;
+  });
+  return result;
+}
+
+#define CUTWATER_INSTANTIATE(T)                                                                    \
+  template SurfaceLocation locate(const TriangleSurface<T>&, const Vec3<double>&, TrianglesAlong); \
+  template void visitPassages(const TriangleSurface<T>&, const Segment<double>&, TrianglesAlong,   \
+                              FunctionRef<double(std::uint32_t, int)>);
+CUTWATER_INSTANTIATE(float)
+CUTWATER_INSTANTIATE(double)
+#undef CUTWATER_INSTANTIATE
+
+}  // namespace cutwater

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Core/Block.hpp>
+#include <Cutwater/Mesh/DcelMesh.hpp>
+#include <Cutwater/Mesh/Shells.hpp>
+#include <Cutwater/Mesh/TriangleSurface.hpp>
+
+#include <vector>
+
+namespace cutwater {
+
+/// The arrays of a TriangleSurface, fresh from a mesh.
+template <std::floating_point T>
+class TriangleSurfaceData {
+ public:
+  /// Any mesh will do. Faces of more than three corners are triangulated, those of fewer than three
+  /// distinct corners left out; the rest is oriented (see Shells.hpp).
+  /// @throws Error(Topology) if no triangle is left.
+  explicit TriangleSurfaceData(const DcelMesh<T>& mesh);
+
+  /// Where the arrays will lie in the block.
+  struct Sections {
+    Section positions, triangles, neighbours, slivers, pseudonormals, polygons, patches;
+    T scale = 1;
+    T size = 0;
+    Box<double> box;
+
+    [[nodiscard]] TriangleSurface<T> view(const Block& block) const;
+  };
+  [[nodiscard]] Sections addTo(BlockWriter& writer) const;
+
+  [[nodiscard]] std::span<const Vec3<T>> positions() const { return positions_; }
+  [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> triangles() const {
+    return triangles_;
+  }
+  [[nodiscard]] std::vector<Box<double>> triangleBoxes() const;
+  [[nodiscard]] const ShellOrientation& orientation() const { return orientation_; }
+  /// Edges along which not as many triangles run one way as the other: none, if it is closed.
+  [[nodiscard]] std::size_t unbalancedEdges() const { return unbalancedEdges_; }
+
+ private:
+  using Corners = typename TriangleSurface<T>::Corners;
+
+  void take(const DcelMesh<T>& triangles);
+  void markSlivers();
+
+  std::vector<Vec3<T>> positions_;
+  std::vector<Corners> triangles_;
+  std::vector<Corners> neighbours_;
+  std::vector<std::uint32_t> slivers_;
+  std::vector<Vec3<T>> pseudonormals_;
+  std::vector<std::uint32_t> polygons_;
+  std::vector<std::uint32_t> patches_;
+  T scale_ = 1;
+  T size_ = 0;
+  Box<double> box_;
+  ShellOrientation orientation_;
+  std::size_t unbalancedEdges_ = 0;
+};
+
+extern template class TriangleSurfaceData<float>;
+extern template class TriangleSurfaceData<double>;
+
+}  // namespace cutwater
