@@ -24,7 +24,9 @@ class DcelSDF final : public TriangleSurfaceSDF<T> {
  private:
   [[nodiscard]] typename TriangleSurface<T>::Nearest nearest(const Vec3<T>& p) const override;
   void along(const Segment<double>& segment, TriangleVisitor visit) const override;
-  [[nodiscard]] bool isSurrounded(const Vec3<T>&) const override { return false; }  // never asked
+  // Never asked: the surface is closed.
+  [[nodiscard]] bool isSurrounded(const Vec3<T>&) const override { return false; }
+  [[nodiscard]] bool isDecided(const Box<double>&) const override { return true; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
 
   std::shared_ptr<const DcelMesh<T>> mesh_;

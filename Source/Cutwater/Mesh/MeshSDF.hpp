@@ -35,6 +35,7 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   [[nodiscard]] typename TriangleSurface<T>::Nearest nearest(const Vec3<T>& p) const override;
   void along(const Segment<double>& segment, TriangleVisitor visit) const override;
   [[nodiscard]] bool isSurrounded(const Vec3<T>& p) const override;
+  [[nodiscard]] bool isDecided(const Box<double>& box) const override;
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
 
   Block block_;

@@ -97,8 +97,7 @@ SurfacePoint<T> TriangleSurface<T>::surfacePoint(const Vec3<T>& p, const Nearest
   result.tolerance = 2 * error(p) / scale;  // of the distance, and of the point
   result.exact = true;
   result.feature = featureOf(nearest.hit.part);
-  const auto polygon = polygons[nearest.triangle];
-  result.owner = {.object = 0, .patch = patches[polygon], .face = polygon};
+  result.owner = owner(nearest.triangle);
   result.triangle = nearest.triangle;
   result.barycentric = weights;
   return result;

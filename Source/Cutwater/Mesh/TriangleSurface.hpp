@@ -65,6 +65,10 @@ struct TriangleSurface {
             Vec3<double>(positions[v[2]])};
   }
 
+  [[nodiscard]] SurfaceOwner owner(std::uint32_t id) const {
+    return {.object = 0, .patch = patches[polygons[id]], .face = polygons[id]};
+  }
+
   /// The start of a search: no triangle yet.
   [[nodiscard]] Nearest nothing(const Vec3<T>& p) const {
     Nearest result;

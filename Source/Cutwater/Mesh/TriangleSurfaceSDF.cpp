@@ -1,6 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/MeshCrossings.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cutwater {
@@ -48,6 +50,12 @@ int TriangleSurfaceSDF<T>::side(const Vec3<T>& p, const Nearest& nearest) const 
 }
 
 template <std::floating_point T>
+bool TriangleSurfaceSDF<T>::isInside(const Vec3<T>& p) const {
+  const auto found = nearest(p);
+  return found.hit.distanceSquared > 0 && side(p, found) < 0;
+}
+
+template <std::floating_point T>
 T TriangleSurfaceSDF<T>::valueAt(const Vec3<T>& point, const Vec3<T>& p,
                                  const Nearest& nearest) const {
   if (nearest.hit.distanceSquared == 0) return 0;
@@ -87,6 +95,56 @@ Vec3<T> TriangleSurfaceSDF<T>::localGradient(const Vec3<T>& point) const {
 template <std::floating_point T>
 SurfaceOwner TriangleSurfaceSDF<T>::localOwner(const Vec3<T>& point) const {
   return localClosestPoint(point).owner;
+}
+
+template <std::floating_point T>
+bool TriangleSurfaceSDF<T>::isJumpFree(const Box<double>& box) const {
+  if (signs_.isClosed()) return true;
+  // Where pseudonormals change their mind away from an open surface is not known.
+  return signs_.scheme == SignScheme::WindingNumber && isDecided(box);
+}
+
+template <std::floating_point T>
+CrossingCount TriangleSurfaceSDF<T>::localCrossings(const Segment<T>& segment,
+                                                    CrossingVisitor<T> visit) const {
+  const Segment<T> pulledIn{scaled(segment.start), scaled(segment.end)};
+  // Parameters for ends that were pulled in by different factors; 1 and 1, but for the farthest.
+  const auto factor = [this](const Vec3<T>& from, const Vec3<T>& to) {
+    return maxComponent(abs(to)) < kFarthest<T> ? T(1) : kFarthest<T> / maxComponent(abs(from));
+  };
+  const T start = factor(segment.start, pulledIn.start);
+  const T end = factor(segment.end, pulledIn.end);
+  const auto restored = [&](Crossing<T> crossing) {
+    const T t = crossing.parameter;
+    if (start != end) crossing.parameter = t * end / ((1 - t) * start + t * end);
+    return visit(crossing);
+  };
+  return meshCrossings<T>(
+      {.surface = surface_,
+       .along = search(),
+       .nearest = [this](const Vec3<T>& p) { return nearest(p); },
+       .isInside = [this](const Vec3<T>& p) { return isInside(p); },
+       .isJumpFree = [this](const Box<double>& box) { return isJumpFree(box); },
+       .isClosed = signs_.isClosed()},
+      pulledIn, restored);
+}
+
+template <std::floating_point T>
+Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
+  // The distance to the triangles changes at most as fast as the point; the sign is what its own
+  // bound allows.
+  const auto promise = localGuarantee();
+  const T reach = box.radius() + box.slack;
+  const T value = localSignedDistance(box.center);
+  const T margin = reach + 2 * promise.error(length(box.center) + reach);
+  const auto range = Interval<T>{value - margin, value + margin}.grown(
+      4 * std::numeric_limits<T>::epsilon() * (std::abs(value) + margin));
+  const auto around = box.bounds();
+  const double scale{surface_.scale};
+  const Box<double> local{scale * Vec3<double>(around.lower), scale * Vec3<double>(around.upper)};
+  if (isJumpFree(local)) return range;
+  const T most = std::max(-range.lower, range.upper);
+  return {-most, most};
 }
 
 template <std::floating_point T>

@@ -30,8 +30,10 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] virtual Nearest nearest(const Vec3<T>& p) const = 0;
   /// See TrianglesAlong.
   virtual void along(const Segment<double>& segment, TriangleVisitor visit) const = 0;
-  /// Whether the winding number of a surface that is not closed exceeds 1/2 at `p`.
+  // The winding number of a surface that is not closed: whether it exceeds 1/2 at the point, and
+  // whether it certainly does so in all or none of the box, but for the sides of triangles.
   [[nodiscard]] virtual bool isSurrounded(const Vec3<T>& p) const = 0;
+  [[nodiscard]] virtual bool isDecided(const Box<double>& box) const = 0;
 
   /// Called by the subclass' constructor when the block is complete.
   void setSurface(const Surface& surface);
@@ -45,16 +47,22 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] Vec3<T> scaled(const Vec3<T>& point) const;
   /// 1 outside, -1 inside, 0 exactly on the surface.
   [[nodiscard]] int side(const Vec3<T>& p, const Nearest& nearest) const;
+  [[nodiscard]] bool isInside(const Vec3<T>& p) const;
 
  private:
   [[nodiscard]] T localSignedDistance(const Vec3<T>& point) const final;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& point) const final;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& point) const final;
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& point) const final;
+  CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const final;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
   /// `point` and, in the surface's units, `p` are the same.
   [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest) const;
+
+  /// Whether the sign certainly changes nowhere in the box but at triangles.
+  [[nodiscard]] bool isJumpFree(const Box<double>& box) const;
 
   Surface surface_;
   SignReport signs_;

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Cutwater/Mesh/SurfaceLocation.hpp>
+
+namespace cutwater {
+
+/// Where a segment passes a triangle.
+struct Passage {
+  double parameter = 0;  ///< 0 at the segment's start, 1 at its end
+  std::uint32_t triangle = kNone;
+  int direction = 0;  ///< 1 from back to front, -1 from front to back
+};
+
+/// The passages of a segment through a surface one after the other, by their parameters as
+/// computed (of equals the lowest triangle first). That each is there is exact, its parameter is
+/// rounded. Found in batches of fixed size, so that nothing is allocated however many there are.
+template <std::floating_point T>
+class PassageWalk {
+ public:
+  PassageWalk(const TriangleSurface<T>& surface, const Segment<double>& segment,
+              TrianglesAlong along)
+      : surface_(surface), segment_(segment), along_(along) {}
+
+  /// The next passage; none (no triangle) after the last.
+  [[nodiscard]] Passage next();
+
+ private:
+  static constexpr std::size_t kBatch = 64;
+
+  void fetch();
+  [[nodiscard]] double insert(const Passage& passage);
+
+  const TriangleSurface<T>& surface_;
+  Segment<double> segment_;
+  TrianglesAlong along_;
+  std::array<Passage, kBatch> batch_;  // in order
+  std::size_t count_ = 0;
+  std::size_t at_ = 0;
+  Passage last_{.parameter = -1, .triangle = 0, .direction = 0};  // of all batches before
+  bool isComplete_ = false;  // nothing is left beyond the batch
+};
+
+extern template class PassageWalk<float>;
+extern template class PassageWalk<double>;
+
+}  // namespace cutwater
