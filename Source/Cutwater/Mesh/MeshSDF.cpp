@@ -1,8 +1,12 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/SoundnessCheck.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
+
+#include <atomic>
+#include <cmath>
 
 namespace cutwater {
 
@@ -18,23 +22,59 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   std::string names;
   for (const auto& name : mesh.patchNames()) names += name + '\0';
 
+  WindingArrays winding;
+  if (data.unbalancedEdges() > 0 && options.signs != SignScheme::NearestFeature) {
+    winding = buildWindingMoments<T>(data.positions(), data.triangles(), tree.tree());
+  }
+
   BlockWriter writer;
   const auto sections = data.addTo(writer);
   const auto nodes = writer.add(tree.nodes);
   const auto slots = writer.add(tree.slots);
+  const auto moments = writer.add(winding.moments);
+  const auto openEdges = writer.add(winding.openEdges);
   const auto nameBytes = writer.add(std::span<const char>(names));
   block_ = writer.finish();
 
   this->setSurface(sections.view(block_));
+  const auto& surface = this->surface();
   tree_ = Tree(tree.frame, block_.array<BvhNode<Tree::kArity>>(nodes),
                block_.array<std::uint32_t>(slots));
+  winding_ =
+      WindingNumber<T>(surface.positions, surface.triangles, tree_,
+                       block_.array<WindingMoments>(moments), block_.array<OpenEdge>(openEdges));
   patchNames_ = block_.array<char>(nameBytes);
-  const auto signs = checkSigns<T>(this->surface(), data, this->search(), options);
+  auto signs = checkSigns<T>(surface, data, this->search(), options);
+  if (!winding.moments.empty()) probeAmbiguity(options.probes, signs);
   if (options.requireWatertight && !signs.isSound()) {
     throw Error(ErrorKind::Topology, "the surface does not bound a solid: " + signs.summary() +
                                          "; " + check(mesh).summary());
   }
   this->setSigns(signs);
+}
+
+/// At points that fill the box evenly: multiples of powers of the plastic number's kin (M. Roberts
+/// 2018, "The unreasonable effectiveness of quasirandom sequences").
+template <std::floating_point T>
+void MeshSDF<T>::probeAmbiguity(std::size_t count, SignReport& signs) const {
+  constexpr double kAmbiguous = 0.1;
+  constexpr double kRoot = 1.2207440846057596;  // of x^4 = x + 1
+  const auto& box = this->surface().box;
+  std::atomic<std::size_t> ambiguous{0};
+  parallelFor(count, {.grain = 16, .progress = {}}, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Vec3<double> p;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double whole = 0.5 + static_cast<double>(i) / std::pow(kRoot, axis + 1);
+        const double share = whole - std::floor(whole);
+        p[axis] = box.lower[axis] + share * (box.upper[axis] - box.lower[axis]);
+      }
+      const double w = winding_.estimate(p, kAmbiguous / 100).value;
+      if (std::abs(w - std::round(w)) > kAmbiguous) ++ambiguous;
+    }
+  });
+  signs.probes = count;
+  signs.ambiguous = ambiguous;
 }
 
 template <std::floating_point T>
@@ -55,8 +95,16 @@ void MeshSDF<T>::along(const Segment<double>& segment, TriangleVisitor visit) co
 }
 
 template <std::floating_point T>
-bool MeshSDF<T>::isSurrounded(const Vec3<T>&) const {
-  return false;
+bool MeshSDF<T>::isSurrounded(const Vec3<T>& p) const {
+  return winding_.isInside(Vec3<double>(p));
+}
+
+template <std::floating_point T>
+bool MeshSDF<T>::isDecided(const Box<double>& box) const {
+  const double change = 0.5 * box.diagonal() * winding_.gradientBound(box);
+  if (!(change < 1)) return false;
+  const auto atCenter = winding_.estimate(box.center(), 0x1p-20);
+  return std::abs(atCenter.value - WindingNumber<T>::kThreshold) > change + atCenter.error;
 }
 
 template <std::floating_point T>

@@ -4,6 +4,7 @@
 #include <Cutwater/Core/Block.hpp>
 #include <Cutwater/Mesh/DcelMesh.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
+#include <Cutwater/Mesh/WindingNumber.hpp>
 
 namespace cutwater {
 
@@ -38,8 +39,11 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   [[nodiscard]] bool isDecided(const Box<double>& box) const override;
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
 
+  void probeAmbiguity(std::size_t count, SignReport& signs) const;
+
   Block block_;
   Tree tree_;
+  WindingNumber<T> winding_;          // of surfaces that are not closed
   std::span<const char> patchNames_;  // each ended by a zero
 };
 

@@ -1,9 +1,9 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/OpenEdges.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace cutwater {
@@ -50,6 +50,7 @@ TriangleSurfaceData<T>::TriangleSurfaceData(const DcelMesh<T>& mesh) {
     take(DcelMesh<T>(soup));
   }
   markSlivers();
+  unbalancedEdges_ = findOpenEdges(triangles_, positions_.size()).size();
 }
 
 template <std::floating_point T>
@@ -59,11 +60,6 @@ void TriangleSurfaceData<T>::take(const DcelMesh<T>& triangles) {
     positions_.push_back(scale_ * p);
     size_ = std::max(size_, length(positions_.back()));
   }
-  triangles.visitEdges([&](const typename DcelMesh<T>::Edge& edge) {
-    const auto isUpward = [&](HalfEdgeId e) { return triangles.origin(e) == edge.lower; };
-    const auto upward = std::ranges::count_if(edge.halfEdges, isUpward);
-    if (2 * static_cast<std::size_t>(upward) != edge.halfEdges.size()) ++unbalancedEdges_;
-  });
   for (const VertexId v : triangles.vertices()) pseudonormals_.push_back(triangles.pseudonormal(v));
   for (const FaceId face : triangles.faces()) {
     Corners corners{};

@@ -36,7 +36,7 @@ class TriangleSurfaceData {
   }
   [[nodiscard]] std::vector<Box<double>> triangleBoxes() const;
   [[nodiscard]] const ShellOrientation& orientation() const { return orientation_; }
-  /// Edges along which not as many triangles run one way as the other: none, if it is closed.
+  /// See findOpenEdges(): none, if the surface is closed.
   [[nodiscard]] std::size_t unbalancedEdges() const { return unbalancedEdges_; }
 
  private:

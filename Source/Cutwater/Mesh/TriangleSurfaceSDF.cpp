@@ -119,14 +119,13 @@ CrossingCount TriangleSurfaceSDF<T>::localCrossings(const Segment<T>& segment,
     if (start != end) crossing.parameter = t * end / ((1 - t) * start + t * end);
     return visit(crossing);
   };
-  return meshCrossings<T>(
-      {.surface = surface_,
-       .along = search(),
-       .nearest = [this](const Vec3<T>& p) { return nearest(p); },
-       .isInside = [this](const Vec3<T>& p) { return isInside(p); },
-       .isJumpFree = [this](const Box<double>& box) { return isJumpFree(box); },
-       .isClosed = signs_.isClosed()},
-      pulledIn, restored);
+  return meshCrossings<T>({.surface = surface_,
+                           .along = search(),
+                           .nearest = [this](const Vec3<T>& p) { return nearest(p); },
+                           .isInside = [this](const Vec3<T>& p) { return isInside(p); },
+                           .isJumpFree = [this](const Box<double>& box) { return isJumpFree(box); },
+                           .isClosed = signs_.isClosed()},
+                          pulledIn, restored);
 }
 
 template <std::floating_point T>
@@ -139,10 +138,12 @@ Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHin
   const T margin = reach + 2 * promise.error(length(box.center) + reach);
   const auto range = Interval<T>{value - margin, value + margin}.grown(
       4 * std::numeric_limits<T>::epsilon() * (std::abs(value) + margin));
+  if (signs_.isClosed()) return range;
+  // Free of triangles and of jumps, or both signs may be anywhere.
   const auto around = box.bounds();
   const double scale{surface_.scale};
   const Box<double> local{scale * Vec3<double>(around.lower), scale * Vec3<double>(around.upper)};
-  if (isJumpFree(local)) return range;
+  if (std::abs(value) > margin && isJumpFree(local)) return range;
   const T most = std::max(-range.lower, range.upper);
   return {-most, most};
 }

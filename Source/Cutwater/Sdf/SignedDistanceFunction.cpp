@@ -211,9 +211,10 @@ BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, Box
     return BoxClass::Cut;
   }
 
-  // Cut, if two of its points are certainly on different sides of a continuous function's surface.
-  if (!promise.continuous || !promise.lipschitz) return BoxClass::Unknown;
-  const T certain = *promise.lipschitz * box.slack + rounding;
+  // Cut, if two of its points are certainly on different sides: jumps are surface, too. What lies
+  // within the slack of a point is known of functions with a Lipschitz constant only.
+  if (box.slack > 0 && !(promise.continuous && promise.lipschitz)) return BoxClass::Unknown;
+  const T certain = promise.lipschitz.value_or(T(0)) * box.slack + rounding;
   bool inside = atCenter < -certain;
   bool outside = atCenter > certain;
   for (int i = 0; i < 8 && !(inside && outside); ++i) {

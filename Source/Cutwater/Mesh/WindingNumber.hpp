@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Cutwater/Core/Box.hpp>
+#include <Cutwater/Mesh/WindingMoments.hpp>
+
+namespace cutwater {
+
+/// The generalised winding number of any triangles: the solid angle they span at a point, signed by
+/// their orientation, over 4 pi. Of a closed surface it is 1 inside and 0 outside (n within n
+/// shells); a hole or an overlap changes it smoothly but for a jump of 1 at every triangle
+/// (Jacobson, Kavan and Sorkine-Hornung 2013, "Robust inside-outside segmentation using generalized
+/// winding numbers").
+///
+/// Over a tree, as in Barill et al. 2018, "Fast winding numbers for soups and clouds", but with
+/// bounds for everything that is left out or rounded, so that decisions are certain. A view of
+/// arrays that somebody else owns. Positions are to be scaled by a power of two so that the largest
+/// coordinate is about 1; points and boxes are in these units. Queries allocate nothing.
+template <std::floating_point T>
+class WindingNumber {
+ public:
+  using Corners = std::array<std::uint32_t, 3>;
+
+  /// |winding number - value| <= error, rounding included.
+  struct Estimate {
+    double value = 0;
+    double error = 0;
+  };
+
+  /// What counts as inside: a little more than half. On the plane of a flat hole the winding number
+  /// is exactly 1/2, and grids like to have points there; no sum ends such a tie before the last
+  /// triangle. This moves the sheet that closes a hole by about a 2000th of the hole's radius.
+  static constexpr double kThreshold = 0.5 + 0x1p-12;
+
+  WindingNumber() = default;
+  /// `moments` and `openEdges` as buildWindingMoments() made them from the others.
+  WindingNumber(std::span<const Vec3<T>> positions, std::span<const Corners> triangles,
+                const WindingTree& tree, std::span<const WindingMoments> moments,
+                std::span<const OpenEdge> openEdges)
+      : positions_(positions),
+        triangles_(triangles),
+        tree_(tree),
+        moments_(moments),
+        openEdges_(openEdges) {}
+
+  /// Within `tolerance`, or as near to it as double precision gets: about 1e-14 a triangle. On a
+  /// triangle the mean of its two sides. NaN at a point that is not finite.
+  [[nodiscard]] Estimate estimate(const Vec3<double>& p, double tolerance) const;
+
+  /// Whether the winding number exceeds kThreshold: certified, and the same whatever the tree.
+  [[nodiscard]] bool isInside(const Vec3<double>& p) const;
+
+  /// From every triangle, in the order of ids.
+  [[nodiscard]] double exactSum(const Vec3<double>& p) const;
+
+  /// A bound of the winding number's gradient where the box meets no triangle: by the law of Biot
+  /// and Savart it is 1/(4 pi) times the integral of dx cross (x - p) / |x - p|^3 along the open
+  /// edges, each times its multiplicity. 0 for a closed surface; the largest double where the box
+  /// touches (the box of a small piece of) an open edge.
+  [[nodiscard]] double gradientBound(const Box<double>& box) const;
+
+ private:
+  [[nodiscard]] std::array<Vec3<double>, 3> triangle(std::uint32_t id) const;
+  [[nodiscard]] std::span<const OpenEdge> edgesOf(std::size_t node) const;
+  [[nodiscard]] Estimate sum(const Vec3<double>& p, double threshold) const;
+  [[nodiscard]] double inverseSquare(const OpenEdge& edge, const Box<double>& box) const;
+
+  std::span<const Vec3<T>> positions_;
+  std::span<const Corners> triangles_;
+  WindingTree tree_;
+  std::span<const WindingMoments> moments_;
+  std::span<const OpenEdge> openEdges_;
+};
+
+extern template class WindingNumber<float>;
+extern template class WindingNumber<double>;
+
+}  // namespace cutwater
