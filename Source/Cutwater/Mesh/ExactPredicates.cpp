@@ -191,13 +191,6 @@ int firstSign(Component&& component) {
   return 0;
 }
 
-/// On which side of the triangle's plane the moved point lies; 0 only for a triangle without area.
-int sideOf(const Vec3<double>& p, const std::array<Vec3<double>, 3>& triangle) {
-  const auto& [a, b, c] = triangle;
-  if (const int s = orientation(a, b, c, p); s != 0) return s;
-  return firstSign([&](int axis) { return crossSign(a, b, a, c, axis); });
-}
-
 /// On which side of the edge from `a` to `b` the moved line passes; 0 only if they are parallel.
 int sideOfEdge(const Segment<double>& line, const Vec3<double>& a, const Vec3<double>& b) {
   if (const int s = orientation(line.start, line.end, a, b); s != 0) return s;
@@ -205,6 +198,12 @@ int sideOfEdge(const Segment<double>& line, const Vec3<double>& a, const Vec3<do
 }
 
 }  // namespace
+
+int sideOf(const Vec3<double>& point, const std::array<Vec3<double>, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  if (const int s = orientation(a, b, c, point); s != 0) return s;
+  return firstSign([&](int axis) { return crossSign(a, b, a, c, axis); });
+}
 
 int passage(const Segment<double>& segment, const std::array<Vec3<double>, 3>& triangle) {
   const auto& [a, b, c] = triangle;

@@ -34,6 +34,10 @@ namespace cutwater {
 [[nodiscard]] int passage(const Segment<double>& segment,
                           const std::array<Vec3<double>, 3>& triangle);
 
+/// On which side of the triangle's plane the point lies, moved as passage() moves segments: as
+/// orientation(), but 0 for triangles without area only.
+[[nodiscard]] int sideOf(const Vec3<double>& point, const std::array<Vec3<double>, 3>& triangle);
+
 /// Whether the point lies on the closed triangle; never on one without area.
 [[nodiscard]] bool isOnTriangle(const Vec3<double>& point,
                                 const std::array<Vec3<double>, 3>& triangle);

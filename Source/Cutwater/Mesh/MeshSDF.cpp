@@ -22,17 +22,16 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   std::string names;
   for (const auto& name : mesh.patchNames()) names += name + '\0';
 
-  WindingArrays winding;
-  if (data.unbalancedEdges() > 0 && options.signs != SignScheme::NearestFeature) {
-    winding = buildWindingMoments<T>(data.positions(), data.triangles(), tree.tree());
-  }
+  const bool needsWinding =
+      data.unbalancedEdges() > 0 && options.signs != SignScheme::NearestFeature;
+  const auto winding =
+      needsWinding ? OpenWindingData(data.positions(), data.triangles()) : OpenWindingData();
 
   BlockWriter writer;
   const auto sections = data.addTo(writer);
   const auto nodes = writer.add(tree.nodes);
   const auto slots = writer.add(tree.slots);
-  const auto moments = writer.add(winding.moments);
-  const auto openEdges = writer.add(winding.openEdges);
+  const auto windingSections = winding.addTo(writer);
   const auto nameBytes = writer.add(std::span<const char>(names));
   block_ = writer.finish();
 
@@ -40,12 +39,10 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   const auto& surface = this->surface();
   tree_ = Tree(tree.frame, block_.array<BvhNode<Tree::kArity>>(nodes),
                block_.array<std::uint32_t>(slots));
-  winding_ =
-      WindingNumber<T>(surface.positions, surface.triangles, tree_,
-                       block_.array<WindingMoments>(moments), block_.array<OpenEdge>(openEdges));
+  winding_ = windingSections.view(block_);
   patchNames_ = block_.array<char>(nameBytes);
   auto signs = checkSigns<T>(surface, data, this->search(), options);
-  if (!winding.moments.empty()) probeAmbiguity(options.probes, signs);
+  if (needsWinding) probeAmbiguity(options.probes, signs);
   if (options.requireWatertight && !signs.isSound()) {
     throw Error(ErrorKind::Topology, "the surface does not bound a solid: " + signs.summary() +
                                          "; " + check(mesh).summary());
@@ -60,6 +57,7 @@ void MeshSDF<T>::probeAmbiguity(std::size_t count, SignReport& signs) const {
   constexpr double kAmbiguous = 0.1;
   constexpr double kRoot = 1.2207440846057596;  // of x^4 = x + 1
   const auto& box = this->surface().box;
+  const auto search = this->search();
   std::atomic<std::size_t> ambiguous{0};
   parallelFor(count, {.grain = 16, .progress = {}}, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -69,7 +67,7 @@ void MeshSDF<T>::probeAmbiguity(std::size_t count, SignReport& signs) const {
         const double share = whole - std::floor(whole);
         p[axis] = box.lower[axis] + share * (box.upper[axis] - box.lower[axis]);
       }
-      const double w = winding_.estimate(p, kAmbiguous / 100).value;
+      const double w = winding_.estimate(this->surface(), search, p, kAmbiguous / 100).value;
       if (std::abs(w - std::round(w)) > kAmbiguous) ++ambiguous;
     }
   });
@@ -96,15 +94,15 @@ void MeshSDF<T>::along(const Segment<double>& segment, TriangleVisitor visit) co
 
 template <std::floating_point T>
 bool MeshSDF<T>::isSurrounded(const Vec3<T>& p) const {
-  return winding_.isInside(Vec3<double>(p));
+  return winding_.isInside(this->surface(), this->search(), Vec3<double>(p));
 }
 
 template <std::floating_point T>
 bool MeshSDF<T>::isDecided(const Box<double>& box) const {
   const double change = 0.5 * box.diagonal() * winding_.gradientBound(box);
   if (!(change < 1)) return false;
-  const auto atCenter = winding_.estimate(box.center(), 0x1p-20);
-  return std::abs(atCenter.value - WindingNumber<T>::kThreshold) > change + atCenter.error;
+  const auto atCenter = winding_.estimate(this->surface(), this->search(), box.center(), 0x1p-20);
+  return std::abs(atCenter.value - OpenWinding::kThreshold) > change + atCenter.error;
 }
 
 template <std::floating_point T>

@@ -3,8 +3,8 @@
 #include <Cutwater/Bvh/BvhTree.hpp>
 #include <Cutwater/Core/Block.hpp>
 #include <Cutwater/Mesh/DcelMesh.hpp>
+#include <Cutwater/Mesh/OpenWinding.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
-#include <Cutwater/Mesh/WindingNumber.hpp>
 
 namespace cutwater {
 
@@ -43,7 +43,7 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
 
   Block block_;
   Tree tree_;
-  WindingNumber<T> winding_;          // of surfaces that are not closed
+  OpenWinding winding_;               // of a surface that is not closed
   std::span<const char> patchNames_;  // each ended by a zero
 };
 

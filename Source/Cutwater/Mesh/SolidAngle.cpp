@@ -22,7 +22,7 @@ void SolidAngleSum::addNearby(const std::array<Vec3<double>, 3>& triangle, const
 
 /// In twice the precision, for a point very close to an edge, a vertex or the triangle itself.
 void SolidAngleSum::addClosely(const std::array<Vec3<double>, 3>& triangle) {
-  const int side = -orientation(triangle[0], triangle[1], triangle[2], p_);
+  const int side = -sideOf(p_, triangle);
   if (side == 0) return;
   const auto a = DoubleDouble3::difference(triangle[0], p_);
   const auto b = DoubleDouble3::difference(triangle[1], p_);

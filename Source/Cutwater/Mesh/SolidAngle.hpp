@@ -15,8 +15,8 @@ namespace cutwater {
 /// angle of a plane triangle", IEEE Trans. Biomed. Eng. 30), so a sum of them is the argument of a
 /// product: one atan2 for all triangles. How often the product winds around zero is counted.
 ///
-/// Which side of a triangle the point is on is decided exactly. In a triangle's plane, on the
-/// triangle too, it adds nothing: the mean of both sides. Coordinates: see ExactPredicates.hpp.
+/// Which side of a triangle the point is on is decided exactly, and by sideOf()'s perturbation if
+/// it is on none, so that sums agree with passage(). Coordinates: see ExactPredicates.hpp.
 class SolidAngleSum {
  public:
   explicit SolidAngleSum(const Vec3<double>& p) : p_(p) {}

@@ -49,19 +49,27 @@ void visitPassages(const TriangleSurface<T>& surface, const Segment<double>& seg
 }
 
 template <std::floating_point T>
+int windingAlong(const TriangleSurface<T>& surface, const Segment<double>& segment,
+                 TrianglesAlong along) {
+  int sum = 0;
+  visitPassages<T>(surface, segment, along, [&](std::uint32_t, int direction) {
+    sum += direction;
+    return 1.0;
+  });
+  return sum;
+}
+
+template <std::floating_point T>
 SurfaceLocation locate(const TriangleSurface<T>& surface, const Vec3<double>& point,
                        TrianglesAlong along) {
   SurfaceLocation result;
   if (!surface.box.contains(point)) return result;
-  const auto exit = exitOf(surface.box, point);
-  const auto box = Box<double>{}.extend(exit.start).extend(exit.end);
+  result.winding = windingAlong(surface, exitOf(surface.box, point), along);
   const Box<double> here{point, point};
-  along(exit, [&](std::span<const std::uint32_t> ids) {
+  along({point, point}, [&](std::span<const std::uint32_t> ids) {
     for (const auto id : ids) {
       if (id == kNone) break;
       const auto triangle = surface.corners(id);
-      if (!mayMeet(box, triangle)) continue;
-      result.winding += passage(exit, triangle);
       if (mayMeet(here, triangle) && isOnTriangle(point, triangle)) result.onSurface = true;
     }
     return 1.0;
@@ -70,6 +78,7 @@ SurfaceLocation locate(const TriangleSurface<T>& surface, const Vec3<double>& po
 }
 
 #define CUTWATER_INSTANTIATE(T)                                                                    \
+  template int windingAlong(const TriangleSurface<T>&, const Segment<double>&, TrianglesAlong);    \
   template SurfaceLocation locate(const TriangleSurface<T>&, const Vec3<double>&, TrianglesAlong); \
   template void visitPassages(const TriangleSurface<T>&, const Segment<double>&, TrianglesAlong,   \
                               FunctionRef<double(std::uint32_t, int)>);

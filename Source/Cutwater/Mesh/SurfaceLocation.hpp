@@ -24,6 +24,12 @@ struct SurfaceLocation {
   [[nodiscard]] bool isInside() const { return winding >= 1 && !onSurface; }
 };
 
+/// The sum of the directions in which the segment passes the surface's triangles: of a closed
+/// surface the winding number at its start less that at its end. Exact.
+template <std::floating_point T>
+[[nodiscard]] int windingAlong(const TriangleSurface<T>& surface, const Segment<double>& segment,
+                               TrianglesAlong along);
+
 /// Counts passages of the surface along an axis-parallel segment from the point to the nearest side
 /// of the surface's box, outward ones as 1, inward ones as -1: exact predicates on the original
 /// coordinates, so that no point is too close to an edge. The point is in the surface's units.
@@ -41,6 +47,8 @@ void visitPassages(const TriangleSurface<T>& surface, const Segment<double>& seg
                    TrianglesAlong along, FunctionRef<double(std::uint32_t, int)> visit);
 
 #define CUTWATER_DECLARE(T)                                                              \
+  extern template int windingAlong(const TriangleSurface<T>&, const Segment<double>&,    \
+                                   TrianglesAlong);                                      \
   extern template SurfaceLocation locate(const TriangleSurface<T>&, const Vec3<double>&, \
                                          TrianglesAlong);                                \
   extern template void visitPassages(const TriangleSurface<T>&, const Segment<double>&,  \

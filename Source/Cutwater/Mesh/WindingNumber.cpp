@@ -16,7 +16,7 @@ constexpr double kInverse4Pi = 0.25 / std::numbers::pi;
 constexpr double kFar = 0x1p60;
 constexpr double kFarAngle = 0x1p-80;
 
-/// isInside() starts with it: most points see nearly 0 or 1, and need no better.
+/// isBelow() starts with it: most points see nearly 0 or 1, and need no better.
 constexpr double kFirstThreshold = 0.01;
 /// A node in single precision is never that good unless it is far away: all others are opened.
 constexpr double kNegligible = 0x1p-60;
@@ -136,13 +136,13 @@ auto WindingNumber<T>::estimate(const Vec3<double>& p, double tolerance) const -
 }
 
 template <std::floating_point T>
-bool WindingNumber<T>::isInside(const Vec3<double>& p) const {
-  if (!isFinite(p) || moments_.empty() || maxComponent(abs(p)) >= kFar) return false;
+bool WindingNumber<T>::isBelow(const Vec3<double>& p, double level) const {
+  if (!isFinite(p) || moments_.empty() || maxComponent(abs(p)) >= kFar) return 0 < level;
   for (double threshold = kFirstThreshold; threshold > kNegligible; threshold /= 8) {
     const auto [value, error] = sum(p, threshold);
-    if (std::abs(value - kThreshold) > error) return value > kThreshold;
+    if (std::abs(value - level) > error) return value < level;
   }
-  return exactSum(p) > kThreshold;
+  return exactSum(p) < level;
 }
 
 template <std::floating_point T>

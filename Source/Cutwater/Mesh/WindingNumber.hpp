@@ -46,8 +46,9 @@ class WindingNumber {
   /// triangle the mean of its two sides. NaN at a point that is not finite.
   [[nodiscard]] Estimate estimate(const Vec3<double>& p, double tolerance) const;
 
-  /// Whether the winding number exceeds kThreshold: certified, and the same whatever the tree.
-  [[nodiscard]] bool isInside(const Vec3<double>& p) const;
+  /// Whether the winding number is less than `level`: certified, and the same whatever the tree.
+  [[nodiscard]] bool isBelow(const Vec3<double>& p, double level) const;
+  [[nodiscard]] bool isInside(const Vec3<double>& p) const { return !isBelow(p, kThreshold); }
 
   /// From every triangle, in the order of ids.
   [[nodiscard]] double exactSum(const Vec3<double>& p) const;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/Mesh/OpenEdges.hpp>
+
+namespace cutwater {
+
+/// Triangles that close a surface: together with it, as many pass each edge one way as the other.
+struct HoleCaps {
+  std::vector<Vec3<double>> positions;  ///< those of the open edges' vertices, exactly
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// Caps the open edges, which always form closed loops: a hole has one around it, a triangle that
+/// touches nothing is one. A loop is cut in halves until only triangles are left, so that few of
+/// them are large. They may pass through the surface and each other. Nearly linear time.
+template <std::floating_point T>
+[[nodiscard]] HoleCaps capHoles(std::span<const Vec3<T>> positions,
+                                std::span<const OpenEdge> edges);
+
+extern template HoleCaps capHoles(std::span<const Vec3<float>>, std::span<const OpenEdge>);
+extern template HoleCaps capHoles(std::span<const Vec3<double>>, std::span<const OpenEdge>);
+
+}  // namespace cutwater

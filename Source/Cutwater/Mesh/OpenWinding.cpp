@@ -1,0 +1,85 @@
+#include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Mesh/HoleCaps.hpp>
+#include <Cutwater/Mesh/OpenWinding.hpp>
+
+namespace cutwater {
+
+template <std::floating_point T>
+int OpenWinding::closedWinding(const TriangleSurface<T>& surface, TrianglesAlong along,
+                               const Vec3<double>& p) const {
+  const auto& box = surface.box;  // the caps' corners are the surface's
+  if (!box.contains(p)) return 0;
+  const auto exit = exitOf(box, p);
+  const auto alongCaps = [this](const Segment<double>& segment, TriangleVisitor visit) {
+    tree_.along(segment, visit);
+  };
+  return windingAlong(surface, exit, along) + windingAlong(triangles_, exit, alongCaps);
+}
+
+template <std::floating_point T>
+bool OpenWinding::isInside(const TriangleSurface<T>& surface, TrianglesAlong along,
+                           const Vec3<double>& p) const {
+  // winding - caps > threshold
+  return caps_.isBelow(p, closedWinding(surface, along, p) - kThreshold);
+}
+
+template <std::floating_point T>
+WindingNumber<double>::Estimate OpenWinding::estimate(const TriangleSurface<T>& surface,
+                                                      TrianglesAlong along, const Vec3<double>& p,
+                                                      double tolerance) const {
+  const auto [value, error] = caps_.estimate(p, tolerance);
+  return {closedWinding(surface, along, p) - value, error};
+}
+
+template <std::floating_point T>
+OpenWindingData::OpenWindingData(std::span<const Vec3<T>> positions,
+                                 std::span<const std::array<std::uint32_t, 3>> triangles) {
+  auto caps = capHoles(positions, findOpenEdges(triangles, positions.size()));
+  positions_ = std::move(caps.positions);
+  triangles_ = std::move(caps.triangles);
+  std::vector<Box<double>> boxes;
+  for (const auto& [a, b, c] : triangles_) {
+    boxes.push_back(
+        Box<double>{}.extend(positions_[a]).extend(positions_[b]).extend(positions_[c]));
+  }
+  auto tree = buildBvh<WindingTree::kArity, WindingTree::kLeafWidth>(boxes);
+  winding_ = buildWindingMoments<double>(positions_, triangles_, tree.tree());
+  frame_ = tree.frame;
+  nodes_ = std::move(tree.nodes);
+  slots_ = std::move(tree.slots);
+}
+
+auto OpenWindingData::addTo(BlockWriter& writer) const -> Sections {
+  return {.positions = writer.add(positions_),
+          .triangles = writer.add(triangles_),
+          .nodes = writer.add(nodes_),
+          .slots = writer.add(slots_),
+          .moments = writer.add(winding_.moments),
+          .openEdges = writer.add(winding_.openEdges),
+          .frame = frame_};
+}
+
+OpenWinding OpenWindingData::Sections::view(const Block& block) const {
+  OpenWinding result;
+  result.triangles_.positions = block.array<Vec3<double>>(positions);
+  result.triangles_.triangles = block.array<std::array<std::uint32_t, 3>>(triangles);
+  result.tree_ = WindingTree(frame, block.array<BvhNode<WindingTree::kArity>>(nodes),
+                             block.array<std::uint32_t>(slots));
+  result.caps_ =
+      WindingNumber<double>(result.triangles_.positions, result.triangles_.triangles, result.tree_,
+                            block.array<WindingMoments>(moments), block.array<OpenEdge>(openEdges));
+  return result;
+}
+
+#define CUTWATER_INSTANTIATE(T)                                                      \
+  template bool OpenWinding::isInside(const TriangleSurface<T>&, TrianglesAlong,     \
+                                      const Vec3<double>&) const;                    \
+  template WindingNumber<double>::Estimate OpenWinding::estimate(                    \
+      const TriangleSurface<T>&, TrianglesAlong, const Vec3<double>&, double) const; \
+  template OpenWindingData::OpenWindingData(std::span<const Vec3<T>>,                \
+                                            std::span<const std::array<std::uint32_t, 3>>);
+CUTWATER_INSTANTIATE(float)
+CUTWATER_INSTANTIATE(double)
+#undef CUTWATER_INSTANTIATE
+
+}  // namespace cutwater

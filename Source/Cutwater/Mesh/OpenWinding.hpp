@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Cutwater/Core/Block.hpp>
+#include <Cutwater/Mesh/SurfaceLocation.hpp>
+#include <Cutwater/Mesh/WindingNumber.hpp>
+
+namespace cutwater {
+
+/// The winding number of a surface that is not closed. Caps close its holes: how often the two
+/// together surround a point is an integer, counted without error along a segment; what the caps
+/// contribute to it, a smooth function but for them, is subtracted. So the cost is that of the
+/// holes, not of the surface, and nothing is approximated near its triangles.
+///
+/// A view of arrays in a block. Queries are given the surface, and how to find its triangles;
+/// points are in its scaled units.
+class OpenWinding {
+ public:
+  /// What counts as inside: see WindingNumber::kThreshold.
+  static constexpr double kThreshold = WindingNumber<double>::kThreshold;
+
+  template <std::floating_point T>
+  [[nodiscard]] bool isInside(const TriangleSurface<T>& surface, TrianglesAlong along,
+                              const Vec3<double>& p) const;
+
+  /// Within `tolerance`; see WindingNumber::estimate().
+  template <std::floating_point T>
+  [[nodiscard]] WindingNumber<double>::Estimate estimate(const TriangleSurface<T>& surface,
+                                                         TrianglesAlong along,
+                                                         const Vec3<double>& p,
+                                                         double tolerance) const;
+
+  /// A bound of its gradient away from the surface's triangles.
+  [[nodiscard]] double gradientBound(const Box<double>& box) const {
+    return caps_.gradientBound(box);
+  }
+
+ private:
+  friend class OpenWindingData;
+
+  template <std::floating_point T>
+  [[nodiscard]] int closedWinding(const TriangleSurface<T>& surface, TrianglesAlong along,
+                                  const Vec3<double>& p) const;
+
+  TriangleSurface<double> triangles_;
+  WindingTree tree_;
+  WindingNumber<double> caps_;
+};
+
+/// The arrays of an OpenWinding, fresh from a surface.
+class OpenWindingData {
+ public:
+  /// None: for a closed surface.
+  OpenWindingData() = default;
+  template <std::floating_point T>
+  OpenWindingData(std::span<const Vec3<T>> positions,
+                  std::span<const std::array<std::uint32_t, 3>> triangles);
+
+  struct Sections {
+    Section positions, triangles, nodes, slots, moments, openEdges;
+    BvhFrame frame;
+
+    [[nodiscard]] OpenWinding view(const Block& block) const;
+  };
+  [[nodiscard]] Sections addTo(BlockWriter& writer) const;
+
+ private:
+  std::vector<Vec3<double>> positions_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  BvhFrame frame_;
+  std::vector<BvhNode<WindingTree::kArity>> nodes_;
+  std::vector<std::uint32_t> slots_;
+  WindingArrays winding_;
+};
+
+}  // namespace cutwater
