@@ -38,7 +38,8 @@ double at(const PolygonSoup& soup, double x) {
 
 std::size_t turned(const PolygonSoup& soup) {
   const auto found = orientShells(DcelMesh<double>(soup));
-  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(found.turned, true)), 12 * found.turnedShells);
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(found.turned, true)),
+            12 * found.turnedShells);
   EXPECT_EQ(MeshSDF<double>(soup).signReport().turnedShells, found.turnedShells);
   return found.turnedShells;
 }

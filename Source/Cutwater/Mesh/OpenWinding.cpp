@@ -2,6 +2,8 @@
 #include <Cutwater/Mesh/HoleCaps.hpp>
 #include <Cutwater/Mesh/OpenWinding.hpp>
 
+#include <algorithm>
+
 namespace cutwater {
 
 template <std::floating_point T>
@@ -16,19 +18,36 @@ int OpenWinding::closedWinding(const TriangleSurface<T>& surface, TrianglesAlong
   return windingAlong(surface, exit, along) + windingAlong(triangles_, exit, alongCaps);
 }
 
+/// The point itself, then points beside it by a few of its ulps, in directions that no edge has.
+Vec3<double> OpenWinding::nudged(const Vec3<double>& p, int attempt) {
+  const double step = attempt * 0x1p-50 * std::max(1.0, maxComponent(abs(p)));
+  return p + step * Vec3<double>{1, 1.625, -2.3125 + attempt};
+}
+
 template <std::floating_point T>
 bool OpenWinding::isInside(const TriangleSurface<T>& surface, TrianglesAlong along,
                            const Vec3<double>& p) const {
-  // winding - caps > threshold
-  return caps_.isBelow(p, closedWinding(surface, along, p) - kThreshold);
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const auto q = nudged(p, attempt);
+    // winding - caps > threshold
+    const auto inside = caps_.isBelow(q, closedWinding(surface, along, q) - kThreshold);
+    if (inside) return *inside;
+  }
+  return false;
 }
 
 template <std::floating_point T>
 WindingNumber<double>::Estimate OpenWinding::estimate(const TriangleSurface<T>& surface,
                                                       TrianglesAlong along, const Vec3<double>& p,
                                                       double tolerance) const {
-  const auto [value, error] = caps_.estimate(p, tolerance);
-  return {closedWinding(surface, along, p) - value, error};
+  WindingNumber<double>::Estimate result;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const auto q = nudged(p, attempt);
+    const auto [value, error] = caps_.estimate(q, tolerance);
+    result = {closedWinding(surface, along, q) - value, error};
+    if (!(error > 0.25)) break;
+  }
+  return result;
 }
 
 template <std::floating_point T>

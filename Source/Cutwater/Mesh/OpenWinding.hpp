@@ -37,6 +37,11 @@ class OpenWinding {
  private:
   friend class OpenWindingData;
 
+  /// On an edge of a cap, which may be anywhere, its solid angle is no number: the winding number
+  /// is that of a point beside.
+  static constexpr int kAttempts = 4;
+  [[nodiscard]] static Vec3<double> nudged(const Vec3<double>& p, int attempt);
+
   template <std::floating_point T>
   [[nodiscard]] int closedWinding(const TriangleSurface<T>& surface, TrianglesAlong along,
                                   const Vec3<double>& p) const;

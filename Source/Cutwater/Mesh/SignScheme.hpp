@@ -47,7 +47,8 @@ struct SignReport {
   /// Open surfaces: probes in the bounding box where the winding number is more than 0.1 from an
   /// integer, so that the sign is a matter of opinion.
   std::size_t ambiguous = 0;
-  std::optional<std::size_t> selfIntersections;  ///< pairs of triangles, if they were looked for
+  std::optional<std::size_t> selfIntersections =
+      {};  ///< pairs of triangles, if they were looked for
 
   [[nodiscard]] bool isClosed() const { return unbalancedEdges == 0; }
   /// Closed, and the check found nothing: signs are exact and distances those to the solid.

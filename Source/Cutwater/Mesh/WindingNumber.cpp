@@ -136,13 +136,17 @@ auto WindingNumber<T>::estimate(const Vec3<double>& p, double tolerance) const -
 }
 
 template <std::floating_point T>
-bool WindingNumber<T>::isBelow(const Vec3<double>& p, double level) const {
+std::optional<bool> WindingNumber<T>::isBelow(const Vec3<double>& p, double level) const {
   if (!isFinite(p) || moments_.empty() || maxComponent(abs(p)) >= kFar) return 0 < level;
   for (double threshold = kFirstThreshold; threshold > kNegligible; threshold /= 8) {
     const auto [value, error] = sum(p, threshold);
     if (std::abs(value - level) > error) return value < level;
   }
-  return exactSum(p) < level;
+  // On an edge, or so near to the level that rounding decides: in the order of ids.
+  SolidAngleSum sum(p);
+  for (std::uint32_t id = 0; id < triangles_.size(); ++id) sum.add(triangle(id));
+  if (sum.error() > 0.25) return std::nullopt;
+  return sum.turns() < level;
 }
 
 template <std::floating_point T>

@@ -3,6 +3,8 @@
 #include <Cutwater/Core/Box.hpp>
 #include <Cutwater/Mesh/WindingMoments.hpp>
 
+#include <optional>
+
 namespace cutwater {
 
 /// The generalised winding number of any triangles: the solid angle they span at a point, signed by
@@ -42,13 +44,16 @@ class WindingNumber {
         moments_(moments),
         openEdges_(openEdges) {}
 
-  /// Within `tolerance`, or as near to it as double precision gets: about 1e-14 a triangle. On a
-  /// triangle the mean of its two sides. NaN at a point that is not finite.
+  /// Within `tolerance`, or as near to it as double precision gets: about 1e-14 a triangle; 1/2 for
+  /// each triangle on whose edge the point lies. NaN at a point that is not finite.
   [[nodiscard]] Estimate estimate(const Vec3<double>& p, double tolerance) const;
 
   /// Whether the winding number is less than `level`: certified, and the same whatever the tree.
-  [[nodiscard]] bool isBelow(const Vec3<double>& p, double level) const;
-  [[nodiscard]] bool isInside(const Vec3<double>& p) const { return !isBelow(p, kThreshold); }
+  /// Nothing where estimate() cannot tell.
+  [[nodiscard]] std::optional<bool> isBelow(const Vec3<double>& p, double level) const;
+  [[nodiscard]] bool isInside(const Vec3<double>& p) const {
+    return isBelow(p, kThreshold) == false;
+  }
 
   /// From every triangle, in the order of ids.
   [[nodiscard]] double exactSum(const Vec3<double>& p) const;
