@@ -25,6 +25,11 @@ struct PolygonArea {
 /// if it has none. Multiplying by it changes no digit.
 [[nodiscard]] double unitScale(std::span<const Vec3<double>> corners);
 
+/// A power of two that brings the largest coordinate near 1, as far as the exponents allow; 1 if
+/// all are zero.
+template <std::floating_point T>
+[[nodiscard]] T normalizingScale(std::span<const Vec3<T>> positions);
+
 /// What a triangle contributes to the surface around it.
 struct TriangleShape {
   Vec3<double> normal;           ///< as polygonArea()
@@ -34,5 +39,8 @@ struct TriangleShape {
 
 /// The angles are atan2(|u x v|, u . v): acos fails on needles.
 [[nodiscard]] TriangleShape triangleShape(const std::array<Vec3<double>, 3>& corners);
+
+extern template float normalizingScale(std::span<const Vec3<float>>);
+extern template double normalizingScale(std::span<const Vec3<double>>);
 
 }  // namespace cutwater

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/Shells.hpp>
 #include <Cutwater/Mesh/TriangleSurface.hpp>
 
@@ -30,16 +31,6 @@ void turn(PolygonSoup& triangles, const std::vector<bool>& chosen) {
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     if (chosen[i]) std::swap(triangles.corners[3 * i + 1], triangles.corners[3 * i + 2]);
   }
-}
-
-/// A power of two that brings the largest coordinate near 1, as far as the exponents allow.
-template <std::floating_point T>
-T normalizingScale(std::span<const Vec3<T>> positions) {
-  T largest = 0;
-  for (const auto& p : positions) largest = std::max(largest, maxComponent(abs(p)));
-  if (!(largest > 0)) return 1;
-  constexpr int kMost = std::numeric_limits<T>::max_exponent / 2;
-  return std::ldexp(T(1), -std::clamp(std::ilogb(largest), -kMost, kMost));
 }
 
 }  // namespace
