@@ -125,6 +125,7 @@ class Info(CommandTest):
         self.assertEqual(self.value(text, "components"), "1")
         self.assertEqual(self.value(text, "watertight"), "yes")
         self.assertRegex(self.value(text, "memory"), r"\d+ bytes per triangle")
+        self.assertEqual(self.value(text, "self-intersections"), "none")
         for name in ["read", "weld", "mesh and check", "tree"]:
             self.assertRegex(self.value(text, name), r"^[\d.]+ (us|ms|s)$")
         self.assertIn("cutwater sample", text)
@@ -161,6 +162,23 @@ class Info(CommandTest):
         text = self.succeeds("info", "turned.off")
         self.assertEqual(float(self.value(text, "volume")), -8)
         self.assertRegex(self.value(text, "orientation"), "inside out")
+
+
+    def test_counts_self_intersections(self):
+        points, faces = read_off(self.folder / self.box())
+        lines = ["OFF", f"{2 * len(points)} {2 * len(faces)} 0"]
+        for shift in 0, 1:  # a corner of each box within the other
+            lines += [" ".join(str(c + shift) for c in p) for p in points]
+        for first in 0, len(points):
+            lines += [f"{len(f)} " + " ".join(str(i + first) for i in f) for f in faces]
+        (self.folder / "two.off").write_text("\n".join(lines) + "\n")
+        text = self.succeeds("info", "two.off")
+        self.assertEqual(self.value(text, "watertight"), "yes")
+        self.assertRegex(self.value(text, "self-intersections"),
+                         r"^6 pairs of faces: \d+ and \d+, \d+ and \d+, \d+ and \d+, \.\.\.$")
+        self.assertIn("the sign may be wrong where the surface meets itself", text)
+        timings = text[text.index("Timings"):]
+        self.assertRegex(self.value(timings, "self-intersections"), r"^[\d.]+ (us|ms|s)$")
 
 
 class Motions(CommandTest):

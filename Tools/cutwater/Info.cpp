@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/SelfIntersections.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -23,7 +24,7 @@ class Page {
  public:
   void section(const std::string& title) { text_ += "\n" + title + "\n"; }
   void line(const std::string& name, const std::string& value) {
-    text_ += "  " + leftAligned(name, 16) + "  " + value + "\n";
+    text_ += "  " + leftAligned(name, 18) + "  " + value + "\n";
   }
   void plain(const std::string& text) { text_ += "  " + text + "\n"; }
 
@@ -87,10 +88,26 @@ void describePatches(Page& page, const PolygonSoup& soup) {
   }
 }
 
-void describeCheck(Page& page, const MeshReport& report) {
+/// "none", or how many and the first few.
+std::string describe(const SelfIntersections& found) {
+  if (!found) return "none";
+  constexpr std::size_t kMostExamples = 3;
+  const auto& examples = found.pairs.examples;
+  std::string text = (found.complete ? "" : "at least ") + grouped(found.pairs.count) +
+                     (found.pairs.count == 1 ? " pair of faces: " : " pairs of faces: ");
+  for (std::size_t i = 0; i < std::min(examples.size(), kMostExamples); ++i) {
+    const auto [first, second] = examples[i];
+    text += (i == 0 ? "" : ", ") + std::to_string(index(first)) +
+            (first == second ? " with itself" : " and " + std::to_string(index(second)));
+  }
+  return text + (found.pairs.count > kMostExamples ? ", ..." : "");
+}
+
+void describeCheck(Page& page, const MeshReport& report, const SelfIntersections& found) {
   page.section("Check");
   page.line("watertight", report.isClosedOriented() ? "yes" : "no");
   page.line("in short", report.summary());
+  page.line("self-intersections", describe(found));
   if (report.isInsideOut()) {
     page.line("orientation", "inside out: normals point into the solid");
   }
@@ -106,14 +123,16 @@ void describeCheck(Page& page, const MeshReport& report) {
 
 /// What the surface is good for, and what to do next.
 void describeUse(Page& page, const SurfaceOptions& options, const DcelMesh<double>& mesh,
-                 double& secondsToBuild) {
+                 bool selfIntersecting, double& secondsToBuild) {
   page.section("Signed distance");
   try {
     Stopwatch watch;
     const MeshSDF<double> solid(mesh);
     secondsToBuild = watch.lap();
     const auto perTriangle = solid.memoryBytes() / std::max<std::size_t>(solid.triangleCount(), 1);
-    page.line("ready", "exact on both sides of the surface");
+    page.line("ready", selfIntersecting
+                           ? "exact, but the sign may be wrong where the surface meets itself"
+                           : "exact on both sides of the surface");
     if (solid.turnedShells() > 0) {
       page.line("turned", counted(solid.turnedShells(), "shell") + " that stood inside out");
     }
@@ -137,17 +156,20 @@ void run(const SurfaceOptions& options) {
   const DcelMesh<double> mesh(surface.soup);
   const auto report = check(mesh);
   const double secondsToCheck = watch.lap();
+  const auto selfIntersections = findSelfIntersections(mesh);
+  const double secondsToSearch = watch.lap();
   Page page;
   describeFile(page, options, surface.report);
   describeSurface(page, surface, report);
   describePatches(page, surface.soup);
-  describeCheck(page, report);
+  describeCheck(page, report, selfIntersections);
   double secondsToBuild = 0;
-  describeUse(page, options, mesh, secondsToBuild);
+  describeUse(page, options, mesh, static_cast<bool>(selfIntersections), secondsToBuild);
   page.section("Timings");
   page.line("read", duration(surface.secondsToRead));
   page.line("weld", duration(surface.secondsToWeld));
   page.line("mesh and check", duration(secondsToCheck));
+  page.line("self-intersections", duration(secondsToSearch));
   if (secondsToBuild > 0) page.line("tree", duration(secondsToBuild));
   std::cout << page.text().substr(1);
 }
