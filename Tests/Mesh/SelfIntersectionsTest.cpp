@@ -5,6 +5,7 @@
 #include <Cutwater/Mesh/TriangleIntersection.hpp>
 
 #include <algorithm>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -145,6 +146,31 @@ TEST(SelfIntersectionsTest, CountsFacesOnceHoweverManyOfTheirTrianglesMeet) {
   EXPECT_EQ(found.pairs.count, 6U);
   EXPECT_EQ(examples(found), (std::vector<std::pair<std::uint32_t, std::uint32_t>>{
                                  {1, 8}, {1, 10}, {3, 6}, {3, 10}, {5, 6}, {5, 8}}));
+}
+
+TEST(SelfIntersectionsTest, CountsLargePolygonsOnce) {
+  // Lids of hundreds of triangles, which no range of work holds as a whole.
+  const auto cylinder = tessellation::cylinder(1, 2, 300);
+  const auto moved = [](Vec3<double> p) { return p + Vec3<double>{0.6, 0.3, 0.9}; };
+  const DcelMesh<double> mesh(together(cylinder, withPoints(cylinder, moved)));
+  std::vector<std::pair<std::uint32_t, Corners>> triangles;
+  for (const FaceId face : mesh.faces()) {
+    for (const auto& [a, b, c] : mesh.triangles(face)) {
+      triangles.push_back({index(face), {index(a), index(b), index(c)}});
+    }
+  }
+  std::set<std::pair<std::uint32_t, std::uint32_t>> expected;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t j = i + 1; j < triangles.size(); ++j) {
+      if (!intersect(mesh.positions(), triangles[i].second, triangles[j].second)) continue;
+      expected.emplace(triangles[i].first, triangles[j].first);
+    }
+  }
+  EXPECT_GT(expected.size(), 200U);
+  const auto found = findSelfIntersections(mesh);
+  EXPECT_EQ(found.pairs.count, expected.size());
+  auto next = expected.begin();
+  for (const auto& pair : examples(found)) EXPECT_EQ(pair, *next++);
 }
 
 TEST(SelfIntersectionsTest, TellsAPolygonThatFoldsOntoItself) {

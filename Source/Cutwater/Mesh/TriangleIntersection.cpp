@@ -33,25 +33,21 @@ struct Projection {
   int turn = 0;
 };
 
+/// First tries the axis along which the triangle seems the largest.
 Projection projection(const Points& t) {
-  for (int axis = 0; axis < 3; ++axis) {
+  const Vec3<double> normal = abs(cross(t[1] - t[0], t[2] - t[0]));
+  const int best = normal.x >= normal.y && normal.x >= normal.z ? 0 : normal.y >= normal.z ? 1 : 2;
+  for (const int axis : {best, (best + 1) % 3, (best + 2) % 3}) {
     if (const int turn = crossSign(t[0], t[1], t[0], t[2], axis); turn != 0) return {axis, turn};
   }
   return {};
 }
 
-/// The axis along which the triangle seems the largest.
-int viewingAxis(const Points& t) {
-  const Vec3<double> normal = abs(cross(t[1] - t[0], t[2] - t[0]));
-  return normal.x >= normal.y && normal.x >= normal.z ? 0 : normal.y >= normal.z ? 1 : 2;
-}
-
 /// In the projection, does an edge of `a` have all of `b` but the shared corners, which are on it,
 /// strictly on its far side? Then only these are common. Cheap, decides nearly all neighbours, and
 /// the coplanar ones without exact arithmetic.
-bool edgeSeparates(const Points& a, const Points& b, std::size_t shared, int axis) {
-  const int turn = crossSign(a[0], a[1], a[0], a[2], axis);
-  if (turn == 0) return false;
+bool edgeSeparates(const Points& a, Projection view, const Points& b, std::size_t shared) {
+  const auto [axis, turn] = view;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const bool holdsShared = shared == 0 || i == 0 || (shared == 1 && j == 0);
@@ -62,14 +58,6 @@ bool edgeSeparates(const Points& a, const Points& b, std::size_t shared, int axi
     if (separates) return true;
   }
   return false;
-}
-
-/// The triangle, and one with the same first two corners and this one: on top of each other beside
-/// their common edge?
-bool isFold(const Points& t, const Vec3<double>& corner) {
-  if (orientation(t[0], t[1], t[2], corner) != 0) return false;
-  const auto [axis, turn] = projection(t);
-  return crossSign(t[0], t[1], t[0], corner, axis) == turn;
 }
 
 /// Corner by corner: the side of the plane; those shared with the plane's triangle are known.
@@ -146,11 +134,12 @@ bool intersect(std::span<const Vec3<double>> positions, const std::array<std::ui
   // before the opposite edge of each; where the ray to it leaves the first of them, it is in both.
   const Points ta{positions[ca[0]], positions[ca[1]], positions[ca[2]]};
   const Points tb{positions[cb[0]], positions[cb[1]], positions[cb[2]]};
-  if (const int axis = viewingAxis(ta);
-      edgeSeparates(ta, tb, shared, axis) || edgeSeparates(tb, ta, shared, axis)) {
-    return false;
-  }
-  if (shared == 2) return isFold(ta, tb[2]);
+  const Projection view = projection(ta);
+  if (edgeSeparates(ta, view, tb, shared)) return false;
+  // A common edge did not separate them: if they lie in one plane, they are folded over.
+  if (shared == 2) return orientation(ta[0], ta[1], ta[2], tb[2]) == 0;
+  const int turn = crossSign(tb[0], tb[1], tb[0], tb[2], view.axis);
+  if (turn != 0 && edgeSeparates(tb, {view.axis, turn}, ta, shared)) return false;
   const auto sidesOfB = sidesOf(tb, ta, shared);
   if (areApart(sidesOfB, shared)) return false;
   const auto sidesOfA = sidesOf(ta, tb, shared);
