@@ -75,23 +75,37 @@ TEST(ExactPredicates, OrientationOfCoplanarPoints) {
   }
 }
 
-// Shears leave the determinant 1 while entries grow to 2^50: 150 bits cancel.
+// Integer vectors of determinant 1 (the third is a solution of n . w = 1 for n = u x v, reduced by
+// u and v): 150 bits cancel, more than even twice the precision has.
 TEST(ExactPredicates, OrientationWhereAlmostEverythingCancels) {
+  using Rows = std::array<Vec3<double>, 3>;
+  constexpr Rows kUnimodular[] = {{{{652225791528247, -908438621936560, -701975743197141},
+                                    {-158984624976139, -738828703149864, 757380690437978},
+                                    {-26253617232780, 97027198693321, -8656560399981}}},
+                                  {{{-42051724768369, -859691715573210, -847294192874071},
+                                    {-902568493655532, -130232100332852, -526134101633333},
+                                    {286041156134378, 374642643961199, 488066254608999}}},
+                                  {{{761735168644502, -661780669655669, -279801490320057},
+                                    {-687111563546109, 1109751714395615, 970981785727727},
+                                    {299675448635101, -487212938001902, -427977505002297}}},
+                                  {{{502521709978672, -7085408548947, -316299454680025},
+                                    {-757257520473093, 226304293957295, 1103907635021601},
+                                    {-83301384253747, 40440382840468, 166658448390777}}},
+                                  {{{420979273171655, 895469454421280, -796231187251912},
+                                    {-382976142993176, 414583560076543, 773259422117762},
+                                    {-276025338921058, -350844510217533, 531469710193715}}},
+                                  {{{-776329648655920, 405875757007308, 451163530911887},
+                                    {1110925908680653, -816217920512150, -704379618844418},
+                                    {22325902753822, -63715613303333, -25966283001123}}}};
   Integers random;
-  for (int i = 0; i < 3'000; ++i) {
-    std::array<Vec3<double>, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    for (std::size_t step = 0;; ++step) {
-      const auto& from = rows[step % 3];
-      auto& to = rows[(step + 1) % 3];
-      const auto next = to + (1 + std::abs(random.number(2))) * from;
-      if (maxComponent(abs(next)) > 0x1p50) break;
-      to = next;
+  for (const auto& [u, v, w] : kUnimodular) {
+    for (int i = 0; i < 100; ++i) {
+      const auto a = i == 0 ? Vec3<double>{} : random.vector(50);
+      ASSERT_EQ(orientation(a, a + u, a + v, a + w), 1);
+      ASSERT_EQ(orientation(a, a + v, a + u, a + w), -1);
+      ASSERT_EQ(orientation(a, a + u, a + v, a + (w + u)), 1);
+      ASSERT_EQ(orientation(a, a + u, a + v, a + (v - u)), 0);
     }
-    for (const auto& row : rows) ASSERT_GT(maxComponent(abs(row)), 0x1p40);
-    const auto a = random.vector(50);
-    ASSERT_EQ(orientation(a, a + rows[0], a + rows[1], a + rows[2]), 1);
-    ASSERT_EQ(orientation(a, a + rows[1], a + rows[0], a + rows[2]), -1);
-    ASSERT_EQ(orientation(a, a + rows[0], a + rows[1], a + rows[1]), 0);
   }
 }
 

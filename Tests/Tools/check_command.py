@@ -125,6 +125,7 @@ class Info(CommandTest):
         self.assertEqual(self.value(text, "components"), "1")
         self.assertEqual(self.value(text, "watertight"), "yes")
         self.assertRegex(self.value(text, "memory"), r"\d+ bytes per triangle")
+        self.assertEqual(self.value(text, "self-intersections"), "none")
         for name in ["read", "weld", "mesh and check", "tree"]:
             self.assertRegex(self.value(text, name), r"^[\d.]+ (us|ms|s)$")
         self.assertIn("cutwater sample", text)
@@ -150,8 +151,8 @@ class Info(CommandTest):
         self.assertIn("4 open edges", text)
         self.assertRegex(text, r"open edges +4  \(vertices( [4-7]-[4-7]){4}\)")
         self.assertNotIn("unused vertices", text)
-        self.assertRegex(text, r"not possible +\S")
-        self.assertIn("A later version", text)
+        self.assertRegex(self.value(text, "signs"), r"^winding number: 4 unbalanced edges; 1024 probes, \d+ ambiguous")
+        self.assertIn("the sign jumps", self.value(text, "distances"))
 
     def test_says_that_a_surface_is_inside_out(self):
         points, faces = read_off(self.folder / self.box())
@@ -161,6 +162,24 @@ class Info(CommandTest):
         text = self.succeeds("info", "turned.off")
         self.assertEqual(float(self.value(text, "volume")), -8)
         self.assertRegex(self.value(text, "orientation"), "inside out")
+
+
+    def test_counts_self_intersections(self):
+        points, faces = read_off(self.folder / self.box())
+        lines = ["OFF", f"{2 * len(points)} {2 * len(faces)} 0"]
+        for shift in 0, 1:  # a corner of each box within the other
+            lines += [" ".join(str(c + shift) for c in p) for p in points]
+        for first in 0, len(points):
+            lines += [f"{len(f)} " + " ".join(str(i + first) for i in f) for f in faces]
+        (self.folder / "two.off").write_text("\n".join(lines) + "\n")
+        text = self.succeeds("info", "two.off")
+        self.assertEqual(self.value(text, "watertight"), "yes")
+        self.assertRegex(self.value(text, "self-intersections"),
+                         r"^6 pairs of faces: \d+ and \d+, \d+ and \d+, \d+ and \d+, \.\.\.$")
+        self.assertRegex(self.value(text, "signs"), r"^winding number: closed; ")
+        self.assertIn("nearest face", self.value(text, "distances"))
+        timings = text[text.index("Timings"):]
+        self.assertRegex(self.value(timings, "self-intersections"), r"^[\d.]+ (us|ms|s)$")
 
 
 class Motions(CommandTest):
@@ -305,13 +324,22 @@ class Refusals(CommandTest):
         self.assertRegex(self.fails(1, "info", "broken.off"), r"broken\.off: line 4")
         self.assertEqual([f.name for f in self.folder.iterdir()], ["broken.off"])
 
-    def test_surfaces_that_are_not_closed(self):
+    def test_surfaces_that_are_not_watertight_if_told_to(self):
         (self.folder / "open.off").write_text(OPEN_BOX)
         for command in [("sample", "-o", "a.vti"), ("slice", "-o", "a.png")]:
-            why = self.fails(1, command[0], "open.off", *command[1:])
+            why = self.fails(1, command[0], "open.off", *command[1:], "--require-watertight")
             self.assertIn("open.off", why)
-            self.assertIn("cutwater info", why)
+            self.assertIn("4 open edges", why)
         self.assertEqual([f.name for f in self.folder.iterdir()], ["open.off"])
+        for command in [("sample", "-o", "a.vti", "--cells", "10"), ("slice", "-o", "a.png")]:
+            self.assertIn("signs: winding number: 4 unbalanced edges",
+                          self.succeeds(command[0], "open.off", *command[1:]))
+        self.fails(2, "slice", "open.off", "-o", "a.png", "--signs", "guess")
+        self.succeeds("slice", "open.off", "-o", "a.png", "--signs", "nearest")
+
+    def test_surfaces_without_faces(self):
+        (self.folder / "points.off").write_text("OFF\n1 0 0\n0 0 0\n")
+        self.assertIn("points.off", self.fails(1, "slice", "points.off", "-o", "a.png"))
 
     def test_places_that_cannot_be_written(self):
         self.box()

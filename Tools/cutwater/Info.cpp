@@ -1,11 +1,12 @@
-#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/SelfIntersections.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "Commands.hpp"
@@ -23,7 +24,7 @@ class Page {
  public:
   void section(const std::string& title) { text_ += "\n" + title + "\n"; }
   void line(const std::string& name, const std::string& value) {
-    text_ += "  " + leftAligned(name, 16) + "  " + value + "\n";
+    text_ += "  " + leftAligned(name, 18) + "  " + value + "\n";
   }
   void plain(const std::string& text) { text_ += "  " + text + "\n"; }
 
@@ -87,10 +88,26 @@ void describePatches(Page& page, const PolygonSoup& soup) {
   }
 }
 
-void describeCheck(Page& page, const MeshReport& report) {
+/// "none", or how many and the first few.
+std::string describe(const SelfIntersections& found) {
+  if (!found) return "none";
+  constexpr std::size_t kMostExamples = 3;
+  const auto& examples = found.pairs.examples;
+  std::string text = (found.complete ? "" : "at least ") + grouped(found.pairs.count) +
+                     (found.pairs.count == 1 ? " pair of faces: " : " pairs of faces: ");
+  for (std::size_t i = 0; i < std::min(examples.size(), kMostExamples); ++i) {
+    const auto [first, second] = examples[i];
+    text += (i == 0 ? "" : ", ") + std::to_string(index(first)) +
+            (first == second ? " with itself" : " and " + std::to_string(index(second)));
+  }
+  return text + (found.pairs.count > kMostExamples ? ", ..." : "");
+}
+
+void describeCheck(Page& page, const MeshReport& report, const SelfIntersections& found) {
   page.section("Check");
   page.line("watertight", report.isClosedOriented() ? "yes" : "no");
   page.line("in short", report.summary());
+  page.line("self-intersections", describe(found));
   if (report.isInsideOut()) {
     page.line("orientation", "inside out: normals point into the solid");
   }
@@ -104,31 +121,23 @@ void describeCheck(Page& page, const MeshReport& report) {
   }
 }
 
+std::string meaningOf(const Guarantee<double>& guarantee) {
+  if (guarantee.outside == Quality::Exact) return "exact on both sides of the surface";
+  if (guarantee.continuous) return "to the nearest face, be it part of the solid's surface or not";
+  return "to the nearest face; the sign jumps on the sheets that close holes";
+}
+
 /// What the surface is good for, and what to do next.
-void describeUse(Page& page, const SurfaceOptions& options, const DcelMesh<double>& mesh,
-                 double& secondsToBuild) {
+void describeUse(Page& page, const SurfaceOptions& options, const MeshSDF<double>& solid) {
   page.section("Signed distance");
-  try {
-    Stopwatch watch;
-    const MeshSDF<double> solid(mesh);
-    secondsToBuild = watch.lap();
-    const auto perTriangle = solid.memoryBytes() / std::max<std::size_t>(solid.triangleCount(), 1);
-    page.line("ready", "exact on both sides of the surface");
-    if (solid.turnedShells() > 0) {
-      page.line("turned", counted(solid.turnedShells(), "shell") + " that stood inside out");
-    }
-    page.line("memory",
-              bytes(solid.memoryBytes()) + ", " + counted(perTriangle, "byte") + " per triangle");
-    page.section("Next");
-    page.plain("cutwater sample '" + options.file + "' -o field.vti");
-    page.plain("cutwater slice '" + options.file + "' -o slice.png");
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::Topology) throw;
-    page.line("not possible", error.what());
-    page.section("Next");
-    page.plain("Close and orient the surface where the check found it open or turned.");
-    page.plain("A later version will answer for open and mis-oriented surfaces as well.");
-  }
+  page.line("signs", solid.signReport().summary());
+  page.line("distances", meaningOf(solid.guarantee()));
+  const auto perTriangle = solid.memoryBytes() / solid.triangleCount();
+  page.line("memory",
+            bytes(solid.memoryBytes()) + ", " + counted(perTriangle, "byte") + " per triangle");
+  page.section("Next");
+  page.plain("cutwater sample '" + options.file + "' -o field.vti");
+  page.plain("cutwater slice '" + options.file + "' -o slice.png");
 }
 
 void run(const SurfaceOptions& options) {
@@ -137,18 +146,27 @@ void run(const SurfaceOptions& options) {
   const DcelMesh<double> mesh(surface.soup);
   const auto report = check(mesh);
   const double secondsToCheck = watch.lap();
+  const auto selfIntersections = findSelfIntersections(mesh);
+  const double secondsToSearch = watch.lap();
   Page page;
   describeFile(page, options, surface.report);
   describeSurface(page, surface, report);
   describePatches(page, surface.soup);
-  describeCheck(page, report);
-  double secondsToBuild = 0;
-  describeUse(page, options, mesh, secondsToBuild);
+  describeCheck(page, report, selfIntersections);
+  std::optional<double> secondsToBuild;
+  if (report.triangles > 0) {
+    watch.lap();
+    const MeshSDF<double> solid(mesh,
+                                {.findSelfIntersections = static_cast<bool>(selfIntersections)});
+    secondsToBuild = watch.lap();
+    describeUse(page, options, solid);
+  }
   page.section("Timings");
   page.line("read", duration(surface.secondsToRead));
   page.line("weld", duration(surface.secondsToWeld));
   page.line("mesh and check", duration(secondsToCheck));
-  if (secondsToBuild > 0) page.line("tree", duration(secondsToBuild));
+  page.line("self-intersections", duration(secondsToSearch));
+  if (secondsToBuild) page.line("tree", duration(*secondsToBuild));
   std::cout << page.text().substr(1);
 }
 

@@ -149,6 +149,7 @@ void addSample(CLI::App& program) {
   auto& command = *program.add_subcommand(
       "sample", "Sample the signed distance on a grid, as a VTK image that ParaView opens");
   addSurfaceOptions(command, options->surface);
+  addSignOptions(command, options->surface);
   command.add_option("-o,--output", options->output, "The image to write")
       ->required()
       ->type_name("FILE.vti");

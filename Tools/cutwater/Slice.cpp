@@ -70,6 +70,7 @@ void addSlice(CLI::App& program) {
   auto& command = *program.add_subcommand(
       "slice", "Draw the signed distance in a plane, with the surface's outline, as a PNG picture");
   addSurfaceOptions(command, options->surface);
+  addSignOptions(command, options->surface);
   command.add_option("-o,--output", options->output, "The picture to write")
       ->required()
       ->type_name("FILE.png");

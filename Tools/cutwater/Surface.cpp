@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
+#include <map>
 
 #include "Arguments.hpp"
 
@@ -69,6 +71,21 @@ void addSurfaceOptions(CLI::App& command, SurfaceOptions& options) {
   addQuiet(command, options.quiet);
 }
 
+void addSignOptions(CLI::App& command, SurfaceOptions& options) {
+  static const std::map<std::string, SignScheme> kSchemes{{"auto", SignScheme::Automatic},
+                                                          {"nearest", SignScheme::NearestFeature},
+                                                          {"winding", SignScheme::WindingNumber}};
+  command
+      .add_option("--signs", options.solid.signs,
+                  "How to tell inside from outside: by the nearest faces, or by how often the "
+                  "surface goes round a point (for open and overlapping surfaces); without it: "
+                  "as a check of the surface suggests")
+      ->transform(CLI::CheckedTransformer(kSchemes).description(""))
+      ->type_name("auto|nearest|winding");
+  command.add_flag("--require-watertight", options.solid.requireWatertight,
+                   "Refuse a surface that does not bound a solid");
+}
+
 LoadedSurface load(const SurfaceOptions& options) {
   Stopwatch watch;
   auto [soup, report] = readSurface(
@@ -82,12 +99,14 @@ LoadedSurface load(const SurfaceOptions& options) {
 
 MeshSDF<double> loadSolid(const SurfaceOptions& options) {
   try {
-    return MeshSDF<double>(load(options).soup);
+    MeshSDF<double> solid(load(options).soup, options.solid);
+    if (!options.quiet && !solid.signReport().isSound()) {
+      std::cout << "signs: " << solid.signReport().summary() << '\n';
+    }
+    return solid;
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::Topology) throw;
-    throw Error(ErrorKind::Topology, options.file + ": " + error.what() +
-                                         "; 'cutwater info' tells where, and a later version will "
-                                         "take such surfaces");
+    throw Error(ErrorKind::Topology, options.file + ": " + error.what());
   }
 }
 

@@ -21,11 +21,14 @@ struct SurfaceOptions {
   RigidTransform<double> placement;
   int threads = 0;
   bool quiet = false;
+  MeshSDFOptions solid;
 };
 
 /// Adds FILE, --scale, --translate, --rotate, --threads and --quiet. Motions act in the order they
 /// are given. `options` must live as long as the command.
 void addSurfaceOptions(CLI::App& command, SurfaceOptions& options);
+/// Adds --signs and --require-watertight, for commands that call loadSolid().
+void addSignOptions(CLI::App& command, SurfaceOptions& options);
 void addQuiet(CLI::App& command, bool& quiet);
 
 class Stopwatch {
@@ -52,8 +55,9 @@ struct LoadedSurface {
 /// @throws Error if the file cannot be read.
 [[nodiscard]] LoadedSurface load(const SurfaceOptions& options);
 
-/// The surface of the file as a signed distance function.
-/// @throws Error, which also says what to do, if it is not closed and consistently oriented.
+/// The surface of the file as a signed distance function. Says what its signs rest on, unless that
+/// is sound or nothing is to be said.
+/// @throws Error if the file cannot be read or has no faces.
 [[nodiscard]] MeshSDF<double> loadSolid(const SurfaceOptions& options);
 
 /// Writes the surface in the format that the file's extension tells. STL holds triangles only: for

@@ -113,6 +113,13 @@ class BvhTree {
     typename BvhNode<K>::Lanes keys;
   };
 
+  /// A bit for every lane whose key is not above the limit.
+  static std::uint32_t notAbove(float limit, const typename BvhNode<K>::Lanes& keys) {
+    std::uint32_t lanes = 0;
+    for (std::size_t k = 0; k < K; ++k) lanes |= static_cast<std::uint32_t>(keys[k] <= limit) << k;
+    return lanes;
+  }
+
   static int nearestLane(const Level& level) {
     int best = std::countr_zero(level.pending);
     for (auto rest = level.pending & (level.pending - 1); rest != 0; rest &= rest - 1) {
@@ -163,8 +170,8 @@ void BvhTree<K, W>::traverse(Keys&& keys, Leaf&& leafVisitor, float limit) const
     assert(depth < kMaxDepth);
     Level& level = path[static_cast<std::size_t>(depth++)];
     level.node = &node;
-    level.pending = std::uint32_t{node.nodeMask} | node.leafMask;
     keys(node, level.keys);
+    level.pending = (std::uint32_t{node.nodeMask} | node.leafMask) & notAbove(limit, level.keys);
   };
 
   enter(nodes_.front());
@@ -217,21 +224,34 @@ void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
 template <int K, int W>
 template <typename Leaf>
 void BvhTree<K, W>::overlapping(const Box<double>& box, Leaf&& leafVisitor) const {
-  // The query box is rounded outward by more than the error of its conversion to float.
-  constexpr double kUnit = 0x1p-23;
+  // In the tree's frame, rounded outward by more than the error of the conversion to float. Boxes
+  // of the tree end at about 1, so far beyond it nothing needs to be told apart.
+  constexpr double kFar = 1e30;
   const Vec3<double> lower = toFrame(box.lower);
   const Vec3<double> upper = toFrame(box.upper);
-  const auto keys = [&](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
-    for (std::size_t k = 0; k < K; ++k) {
-      bool apart = false;
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<std::size_t>(axis);
-        const double margin = kUnit * (std::abs(lower[axis]) + std::abs(upper[axis]));
-        apart = apart || double{node.lower[i][k]} > upper[axis] + margin ||
-                double{node.upper[i][k]} < lower[axis] - margin;
+  Vec3<float> from;
+  Vec3<float> to;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double margin = 0x1p-23 * (std::abs(lower[axis]) + std::abs(upper[axis])) + 0x1p-126;
+    from[axis] = static_cast<float>(std::clamp(lower[axis] - margin, -kFar, kFar));
+    to[axis] = static_cast<float>(std::clamp(upper[axis] + margin, -kFar, kFar));
+  }
+  // The lane loop is innermost and writes to an array of its own: so compilers vectorise it.
+  const auto keys = [from, to](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
+    typename BvhNode<K>::Lanes gaps{};  // on the axis on which they are farthest apart
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
+      const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
+      const float first = from[axis];
+      const float last = to[axis];
+      for (std::size_t k = 0; k < K; ++k) {
+        const float under = lowers[k] - last;
+        const float over = first - uppers[k];
+        const float gap = under > over ? under : over;
+        gaps[k] = gap > gaps[k] ? gap : gaps[k];
       }
-      out[k] = apart ? kNoLimit : 0.0F;
     }
+    out = gaps;
   };
   traverse(
       keys, [&](std::span<const std::uint32_t> slots) { return leafVisitor(slots) ? 0.0F : -1.0F; },

@@ -20,6 +20,13 @@ struct Findings {
   void add(const Place& place) {
     if (count++ < kExamples) examples.push_back(place);
   }
+  /// Appends what was found later.
+  void add(const Findings& later) {
+    count += later.count;
+    for (const auto& place : later.examples) {
+      if (examples.size() < kExamples) examples.push_back(place);
+    }
+  }
   [[nodiscard]] explicit operator bool() const { return count > 0; }
 };
 

@@ -2,6 +2,7 @@
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Mesh/SelfIntersections.hpp>
 #include <Cutwater/Mesh/SoundnessCheck.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
@@ -43,6 +44,13 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   patchNames_ = block_.array<char>(nameBytes);
   auto signs = checkSigns<T>(surface, data, this->search(), options);
   if (needsWinding) probeAmbiguity(options.probes, signs);
+  if (options.findSelfIntersections) {
+    signs.selfIntersections =
+        findSelfIntersections<T>(data.positions(), data.triangles(), tree_).pairs.count;
+    if (options.signs == SignScheme::Automatic && !signs.isSound()) {
+      signs.scheme = SignScheme::WindingNumber;
+    }
+  }
   if (options.requireWatertight && !signs.isSound()) {
     throw Error(ErrorKind::Topology, "the surface does not bound a solid: " + signs.summary() +
                                          "; " + check(mesh).summary());

@@ -61,6 +61,18 @@ double unitScale(std::span<const Vec3<double>> corners) {
   return size > 0 ? std::ldexp(1.0, std::min(-std::ilogb(size), 1022)) : 1;
 }
 
+template <std::floating_point T>
+T normalizingScale(std::span<const Vec3<T>> positions) {
+  T largest = 0;
+  for (const auto& p : positions) largest = std::max(largest, maxComponent(abs(p)));
+  if (!(largest > 0)) return 1;
+  constexpr int kMost = std::numeric_limits<T>::max_exponent / 2;
+  return std::ldexp(T(1), -std::clamp(std::ilogb(largest), -kMost, kMost));
+}
+
+template float normalizingScale(std::span<const Vec3<float>>);
+template double normalizingScale(std::span<const Vec3<double>>);
+
 PolygonArea polygonArea(std::span<const Vec3<double>> corners) {
   if (corners.size() < 3) return {};
   const double scale = unitScale(corners);
@@ -83,17 +95,5 @@ TriangleShape triangleShape(const std::array<Vec3<double>, 3>& corners) {
           {std::atan2(twiceArea, -dot(u, w)), std::atan2(twiceArea, -dot(u, v)),
            std::atan2(twiceArea, -dot(v, w))}};
 }
-
-template <std::floating_point T>
-T normalizingScale(std::span<const Vec3<T>> positions) {
-  T largest = 0;
-  for (const auto& p : positions) largest = std::max(largest, maxComponent(abs(p)));
-  if (!(largest > 0)) return 1;
-  constexpr int kMost = std::numeric_limits<T>::max_exponent / 2;
-  return std::ldexp(T(1), -std::clamp(std::ilogb(largest), -kMost, kMost));
-}
-
-template float normalizingScale(std::span<const Vec3<float>>);
-template double normalizingScale(std::span<const Vec3<double>>);
 
 }  // namespace cutwater

@@ -27,7 +27,8 @@ struct MeshSDFOptions {
   /// Let the check look for self-intersections everywhere, which takes about as long as building
   /// the tree, and not at probes only.
   bool findSelfIntersections = false;
-  /// Places of the surface that the check looks at, besides one per shell.
+  /// Places of the surface (of its box, if it is open) that the check looks at, besides one per
+  /// shell.
   std::size_t probes = 1024;
 };
 
