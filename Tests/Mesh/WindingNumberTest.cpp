@@ -34,7 +34,8 @@ class Winding {
   Winding& operator=(const Winding&) = delete;
 
   [[nodiscard]] WindingNumber<T> number() const {
-    return {positions_, triangles_, tree_.tree(), arrays_.moments, arrays_.openEdges};
+    return {positions_,      triangles_,    tree_.tree(),
+            arrays_.moments, arrays_.edges, arrays_.openEdges};
   }
   [[nodiscard]] const WindingNumber<T>* operator->() const {
     number_ = number();
@@ -277,7 +278,7 @@ TYPED_TEST(WindingNumberTest, TheTreeChangesNoDecision) {
   const auto arrays =
       buildWindingMoments<T>(winding.positions(), winding.triangles(), other.tree());
   const WindingNumber<T> number(winding.positions(), winding.triangles(), other.tree(),
-                                arrays.moments, arrays.openEdges);
+                                arrays.moments, arrays.edges, arrays.openEdges);
   bool differs = false;
   for (int i = 0; i < scaled(2'000); ++i) {
     const auto p = random.next();
@@ -288,25 +289,27 @@ TYPED_TEST(WindingNumberTest, TheTreeChangesNoDecision) {
   EXPECT_TRUE(differs);
 }
 
-/// Of single nodes: the worst quotient of error and bound must be below 1, and the bound not idle.
+/// Of single lanes: four triangles or many, about any centre, and the point as near as it can be.
+/// The worst quotient of error and bound must be below 1, and the bound not idle.
 TYPED_TEST(WindingNumberTest, FarFieldsKeepTheirBound) {
   using T = TypeParam;
   std::mt19937 engine(11);
-  std::uniform_real_distribution<double> exponent(0.1, 3);
+  std::uniform_real_distribution<double> exponent(0, 3);
   double worst = 0;
-  for (int i = 0; i < scaled(2'500); ++i) {
-    // Up to 4 x 16 triangles below one node.
+  for (int i = 0; i < scaled(1'500); ++i) {
     const auto count = static_cast<std::uint32_t>(1 + i % 40);
     const Winding<T> winding(randomTriangles(count, 0.3, static_cast<unsigned>(i)));
-    ASSERT_GE(winding.arrays().moments.size(), 1U);
     const auto& node = winding.arrays().moments.front();
     const auto& frame = winding.tree().frame;
     RandomPoints<double> random(1, static_cast<unsigned>(i));
-    for (int k = 0; k < 40; ++k) {
-      const double distance = double{node.radius} * (1 + std::pow(10, -exponent(engine)) * 10);
-      const auto q = Vec3<double>(node.center) + distance * normalized(random.next());
-      const auto p = frame.center + q / frame.scale;
-      const auto [value, error] = winding->estimate(p, 100);
+    for (std::size_t k = 0; k < 70; ++k) {
+      const std::size_t lane = k % node.radius.size();
+      if (!(node.area[lane] > 1e-20F)) continue;  // not used
+      const double distance =
+          double{node.radius[lane]} * (2 + std::pow(10, -exponent(engine)) * 10);
+      const Vec3<double> center{node.center[0][lane], node.center[1][lane], node.center[2][lane]};
+      const auto p = frame.center + (center + distance * normalized(random.next())) / frame.scale;
+      const auto [value, error] = winding->estimate(p, 1e5);
       const double wrong = std::abs(value - bruteForce(winding, p));
       EXPECT_LE(wrong, error) << p;
       worst = std::max(worst, wrong / error);
@@ -346,10 +349,10 @@ TYPED_TEST(WindingNumberTest, JumpsByOneAtATriangle) {
 TYPED_TEST(WindingNumberTest, IsRightNextToEdgesAndVertices) {
   using T = TypeParam;
   const Winding<T> box(tessellation::box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}, 3));
-  const auto& edgeless = box.positions();
+  const auto& corners = box.positions();
   RandomPoints<double> random(1, 13);
   for (int i = 0; i < scaled(3'000); ++i) {
-    const Vec3<double> corner(edgeless[static_cast<std::size_t>(i) % edgeless.size()]);
+    const Vec3<double> corner(corners[static_cast<std::size_t>(i) % corners.size()]);
     const auto offset = random.next();
     const auto p = corner + std::pow(10.0, -5.0 - i % 11) * offset;
     const double distance = maxComponent(abs(p)) - 0.5;
