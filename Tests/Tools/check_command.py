@@ -176,7 +176,7 @@ class Info(CommandTest):
         self.assertEqual(self.value(text, "watertight"), "yes")
         self.assertRegex(self.value(text, "self-intersections"),
                          r"^6 pairs of faces: \d+ and \d+, \d+ and \d+, \d+ and \d+, \.\.\.$")
-        self.assertRegex(self.value(text, "signs"), r"^winding number: closed; ")
+        self.assertRegex(self.value(text, "signs"), r"^winding number: closed, \d+ self-intersections; ")
         self.assertIn("nearest face", self.value(text, "distances"))
         timings = text[text.index("Timings"):]
         self.assertRegex(self.value(timings, "self-intersections"), r"^[\d.]+ (us|ms|s)$")

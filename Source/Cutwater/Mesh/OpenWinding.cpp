@@ -74,6 +74,7 @@ auto OpenWindingData::addTo(BlockWriter& writer) const -> Sections {
           .nodes = writer.add(nodes_),
           .slots = writer.add(slots_),
           .moments = writer.add(winding_.moments),
+          .edges = writer.add(winding_.edges),
           .openEdges = writer.add(winding_.openEdges),
           .frame = frame_};
 }
@@ -86,7 +87,8 @@ OpenWinding OpenWindingData::Sections::view(const Block& block) const {
                              block.array<std::uint32_t>(slots));
   result.caps_ =
       WindingNumber<double>(result.triangles_.positions, result.triangles_.triangles, result.tree_,
-                            block.array<WindingMoments>(moments), block.array<OpenEdge>(openEdges));
+                            block.array<WindingMoments>(moments), block.array<WindingEdges>(edges),
+                            block.array<OpenEdge>(openEdges));
   return result;
 }
 

@@ -61,7 +61,7 @@ class OpenWindingData {
                   std::span<const std::array<std::uint32_t, 3>> triangles);
 
   struct Sections {
-    Section positions, triangles, nodes, slots, moments, openEdges;
+    Section positions, triangles, nodes, slots, moments, edges, openEdges;
     BvhFrame frame;
 
     [[nodiscard]] OpenWinding view(const Block& block) const;

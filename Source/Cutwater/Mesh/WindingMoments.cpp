@@ -46,10 +46,55 @@ void accumulate(Part& sum, const Part& part) {
   sum.second += part.second + part.area * lengthSquared(d);
 }
 
+/// The moments of all about their common centroid.
+Part combined(std::span<const Part> parts) {
+  Part sum;
+  Vec3<double> moment;
+  for (const auto& part : parts) {
+    sum.area += part.area;
+    moment += part.area * (part.center - parts.front().center);
+  }
+  // Any centre will do. Triangles without area have no centroid.
+  sum.center = parts.front().center;
+  if (sum.area > 0x1p-900) sum.center += moment / sum.area;
+  sum.area = 0;
+  for (const auto& part : parts) accumulate(sum, part);
+  return sum;
+}
+
 /// Rounded up, and by 2^-16 more: above what all rounding in making and using moments amounts to.
 float above(double bound) {
   return std::nextafter(static_cast<float>(bound * (1 + 0x1p-16)),
                         std::numeric_limits<float>::max());
+}
+
+/// No triangle, and far from everything.
+WindingMoments emptyMoments() {
+  WindingMoments moments{};
+  for (auto& lanes : moments.center) lanes.fill(0x1p30F);
+  return moments;
+}
+
+void setLane(WindingMoments& moments, std::size_t lane, const Vec3<double>& center, double radius,
+             const Part& part) {
+  // About the centre in single precision.
+  Part moved;
+  moved.center = center;
+  accumulate(moved, part);
+  const double third = (moved.first[0] + moved.first[1] + moved.first[2]) / 3;
+  for (int axis = 0; axis < 3; ++axis) {
+    moments.center[static_cast<std::size_t>(axis)][lane] = static_cast<float>(center[axis]);
+    moments.normal[static_cast<std::size_t>(axis)][lane] = static_cast<float>(moved.normal[axis]);
+  }
+  moments.first[0][lane] = static_cast<float>(moved.first[0] - third);
+  moments.first[1][lane] = static_cast<float>(moved.first[1] - third);
+  for (std::size_t i = 2; i < 5; ++i) {
+    moments.first[i][lane] = static_cast<float>(moved.first[i + 1]);
+  }
+  // From here down nothing underflows to where FarField's rounding bound would not hold.
+  moments.radius[lane] = above(std::max(radius, 0x1p-30));
+  moments.second[lane] = above(moved.second + 0x1p-60 * moved.area);
+  moments.area[lane] = above(moved.area + 0x1p-90);
 }
 
 template <std::floating_point T>
@@ -60,7 +105,7 @@ class MomentsBuilder {
       : positions_(positions), triangles_(triangles), tree_(tree), parts_(tree.nodes().size()) {}
 
   WindingArrays run() {
-    result_.moments.resize(tree_.nodes().size());
+    result_.moments.resize(tree_.nodes().size(), emptyMoments());
     // The builder appends children after their parents.
     for (std::size_t n = tree_.nodes().size(); n-- > 0;) take(n);
     takeOpenEdges();
@@ -75,14 +120,17 @@ class MomentsBuilder {
   static void forLanes(std::uint32_t mask, Visit visit) {
     for (; mask != 0; mask &= mask - 1) visit(std::countr_zero(mask));
   }
+  /// Calls visit(triangle id) for those of a leaf.
+  template <typename Visit>
+  void forTriangles(const Node& node, int lane, Visit visit) const {
+    for (const auto id : tree_.leaf(node.leafIndex(lane))) {
+      if (id != kNone) visit(id);
+    }
+  }
   /// Calls visit(triangle id) for those in leaves of the node itself.
   template <typename Visit>
   void forTriangles(const Node& node, Visit visit) const {
-    forLanes(node.leafMask, [&](int lane) {
-      for (const auto id : tree_.leaf(node.leafIndex(lane))) {
-        if (id != kNone) visit(id);
-      }
-    });
+    forLanes(node.leafMask, [&](int lane) { forTriangles(node, lane, visit); });
   }
   std::array<Vec3<double>, 3> localTriangle(std::uint32_t id) const {
     std::array<Vec3<double>, 3> result;
@@ -100,62 +148,50 @@ class MomentsBuilder {
 
   void take(std::size_t n) {
     const Node& node = tree_.nodes()[n];
-    children_.clear();
-    forTriangles(node, [&](auto id) { children_.push_back(partOf(localTriangle(id))); });
-    forLanes(node.nodeMask, [&](int lane) { children_.push_back(parts_[node.nodeIndex(lane)]); });
-    Part& part = parts_[n];
-    part.center = centroid(node);
-    for (const auto& child : children_) accumulate(part, child);
-    result_.moments[n] = rounded(node, part);
+    std::vector<Part> lanes;
+    const auto add = [&](int lane, const Part& part, auto radius) {
+      // As it will be stored.
+      const Vec3<double> center(static_cast<Vec3<float>>(part.center));
+      setLane(result_.moments[n], static_cast<std::size_t>(lane), center, radius(center), part);
+      lanes.push_back(part);
+    };
+    forLanes(node.leafMask, [&](int lane) {
+      std::vector<Part> triangles;
+      forTriangles(node, lane, [&](auto id) { triangles.push_back(partOf(localTriangle(id))); });
+      add(lane, combined(triangles), [&](const auto& center) {
+        double result = 0;
+        forTriangles(node, lane, [&](auto id) { result = std::max(result, reach(id, center)); });
+        return result;
+      });
+    });
+    forLanes(node.nodeMask, [&](int lane) {
+      const auto child = node.nodeIndex(lane);
+      add(lane, parts_[child], [&](const auto& center) { return radius(child, center); });
+    });
+    parts_[n] = combined(lanes);
   }
 
-  Vec3<double> centroid(const Node& node) const {
-    Box<double> box;
-    forLanes(std::uint32_t{node.nodeMask} | node.leafMask,
-             [&](int lane) { box.extend(laneBox(node, lane)); });
-    const Vec3<double> middle = box.center();
-    Vec3<double> sum;
-    double area = 0;
-    for (const auto& child : children_) {
-      area += child.area;
-      sum += child.area * (child.center - middle);
+  /// The distance to the farthest corner of a triangle.
+  double reach(std::uint32_t id, const Vec3<double>& center) const {
+    double result = 0;
+    for (const auto& corner : localTriangle(id)) {
+      result = std::max(result, length(corner - center));
     }
-    // Any centre will do. Triangles without area have no centroid.
-    return area > 0x1p-900 ? min(max(middle + sum / area, box.lower), box.upper) : middle;
-  }
-
-  /// About the centre in single precision.
-  WindingMoments rounded(const Node& node, const Part& part) const {
-    const auto center = static_cast<Vec3<float>>(part.center);
-    Part moved{.area = 0, .center = Vec3<double>(center), .normal = {}, .first = {}, .second = 0};
-    accumulate(moved, part);
-    const double third = (moved.first[0] + moved.first[1] + moved.first[2]) / 3;
-    WindingMoments result{};
-    result.center = center;
-    // From here down nothing underflows to where WindingNumber's rounding bound would not hold.
-    result.radius = above(std::max(radius(node, moved.center), 0x1p-30));
-    result.normal = static_cast<Vec3<float>>(moved.normal);
-    result.first = {static_cast<float>(moved.first[0] - third),
-                    static_cast<float>(moved.first[1] - third), static_cast<float>(moved.first[3]),
-                    static_cast<float>(moved.first[4]), static_cast<float>(moved.first[5])};
-    result.second = above(moved.second + 0x1p-60 * moved.area);
-    result.area = above(moved.area + 0x1p-90);
     return result;
   }
 
-  /// Of a ball about `center` that holds all triangles: through the corners of those in leaves; for
-  /// a child node around its own ball or its box.
-  double radius(const Node& node, const Vec3<double>& center) const {
+  /// Of a ball about `center` that holds all triangles below a node: through the corners of those
+  /// in its leaves; for a node below it around that one's ball or its box.
+  double radius(std::uint32_t n, const Vec3<double>& center) const {
+    const Node& node = tree_.nodes()[n];
+    const auto& moments = result_.moments[n];
     double result = 0;
-    forTriangles(node, [&](auto id) {
-      for (const auto& corner : localTriangle(id)) {
-        result = std::max(result, length(corner - center));
-      }
-    });
+    forTriangles(node, [&](auto id) { result = std::max(result, reach(id, center)); });
     forLanes(node.nodeMask, [&](int lane) {
-      const auto& child = result_.moments[node.nodeIndex(lane)];
+      const auto k = static_cast<std::size_t>(lane);
+      const Vec3<double> own{moments.center[0][k], moments.center[1][k], moments.center[2][k]};
       const auto box = laneBox(node, lane);
-      const double ball = length(Vec3<double>(child.center) - center) + double{child.radius};
+      const double ball = length(own - center) + double{moments.radius[k]};
       const double corner = length(max(abs(box.lower - center), abs(box.upper - center)));
       result = std::max(result, std::min(ball, corner));
     });
@@ -171,6 +207,7 @@ class MomentsBuilder {
     }
     std::ranges::stable_sort(edges, {}, [&](const OpenEdge& e) { return owner[e.triangle]; });
 
+    result_.edges.resize(tree_.nodes().size());
     std::vector<double> lengths(tree_.nodes().size());
     std::size_t end = edges.size();
     for (std::size_t n = tree_.nodes().size(); n-- > 0;) {
@@ -179,8 +216,8 @@ class MomentsBuilder {
         lengths[n] += localLength(edges[end - 1]);
       }
       forLanes(node.nodeMask, [&](int lane) { lengths[n] += lengths[node.nodeIndex(lane)]; });
-      result_.moments[n].firstEdge = static_cast<std::uint32_t>(end);
-      result_.moments[n].openLength = lengths[n] > 0 ? above(lengths[n]) : 0.0F;
+      result_.edges[n] = {.length = lengths[n] > 0 ? above(lengths[n]) : 0.0F,
+                          .first = static_cast<std::uint32_t>(end)};
     }
   }
   double localLength(const OpenEdge& edge) const {
@@ -192,8 +229,7 @@ class MomentsBuilder {
   std::span<const Vec3<T>> positions_;
   std::span<const std::array<std::uint32_t, 3>> triangles_;
   const WindingTree& tree_;
-  std::vector<Part> parts_;     // of nodes
-  std::vector<Part> children_;  // of the node at hand
+  std::vector<Part> parts_;  // of nodes
   WindingArrays result_;
 };
 

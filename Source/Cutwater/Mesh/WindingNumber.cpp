@@ -11,14 +11,11 @@ namespace cutwater {
 namespace {
 
 constexpr double kInverse4Pi = 0.25 / std::numbers::pi;
-
-/// Beyond this all triangles together span less than kFarAngle: 2^32 of them, of area 4 at most.
-constexpr double kFar = 0x1p60;
-constexpr double kFarAngle = 0x1p-80;
+constexpr double kLargest = std::numeric_limits<double>::max();
 
 /// isBelow() starts with it: most points see nearly 0 or 1, and need no better.
-constexpr double kFirstThreshold = 0.01;
-/// A node in single precision is never that good unless it is far away: all others are opened.
+constexpr double kFirstThreshold = 0.02;
+/// Moments in single precision are never that good, but for very few: all others are opened.
 constexpr double kNegligible = 0x1p-60;
 
 /// The sum over nodes that are seen from afar.
@@ -35,42 +32,63 @@ constexpr double kNegligible = 0x1p-60;
 /// of which the integral of |u|^2 leaves a bound for the node.
 class FarField {
  public:
+  using Lanes = WindingMoments::Lanes;
+
   FarField(const Vec3<double>& q, double threshold)
-      : q_(q), shift_(0x1p-44 * length(q)), threshold_(threshold) {}
+      : q_(q),
+        rest_(q - Vec3<double>(q_)),
+        threshold_(static_cast<float>(4 * std::numbers::pi * std::min(threshold, 1e6))) {}
 
-  /// Adds the node, unless that could be wrong by more than the threshold.
-  bool add(const WindingMoments& node) {
-    const Vec3<double> d = Vec3<double>(node.center) - q_;
-    const double distance = length(d);
-    const double gap = distance - double{node.radius};
-    if (!(gap > 0.2 * distance)) return false;
-    const double quotient = 1 / (distance * gap);
-    const double inverse = gap * quotient;
-    // Moments in single precision, and M's entries added up, are worth 9 * 2^-24 of area / D^2; the
-    // rounding of q moves it by 2^-53 |q|, at most 250 times that over D, as D - R > D / 5.
-    const double rounding = double{node.area} * (0x1p-20 + shift_ * inverse) * inverse * inverse;
-    const double rest = double{node.second} * (1 + 2 * gap * inverse) * quotient * quotient;
-    const double error = kInverse4Pi * (rest + rounding);
-    if (!(error <= threshold_)) return false;
-
-    const auto& m = node.first;
-    const double cube = inverse * inverse * inverse;
-    // The derivative of g is I / D^3 - 3 d d^T / D^5; the first moment has no trace.
-    const double quadratic = double{m[0]} * (d.x * d.x - d.z * d.z) +
-                             double{m[1]} * (d.y * d.y - d.z * d.z) + double{m[2]} * d.x * d.y +
-                             double{m[3]} * d.y * d.z + double{m[4]} * d.z * d.x;
-    value_ += cube * (dot(Vec3<double>(node.normal), d) - 3 * inverse * inverse * quadratic);
-    error_ += error;
-    return true;
+  /// Adds the lanes of a node, but for those that could be wrong by more than the threshold: these
+  /// get the key 0, the others kNoLimit.
+  void add(const WindingMoments& node, Lanes& keys) {
+    Lanes value;
+    Lanes error;
+    evaluate(node, value, error);
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      const bool enough = error[k] <= threshold_;
+      keys[k] = enough ? WindingTree::kNoLimit : 0.0F;
+      value_ += enough ? double{value[k]} : 0;
+      error_ += enough ? double{error[k]} : 0;
+    }
   }
 
   [[nodiscard]] double value() const { return kInverse4Pi * value_; }
-  [[nodiscard]] double error() const { return error_; }
+  [[nodiscard]] double error() const { return kInverse4Pi * (1 + 0x1p-20) * error_; }
 
  private:
-  Vec3<double> q_;  // in the tree's frame
-  double shift_;
-  double threshold_;
+  /// Times 4 pi. A plain loop over 16 lanes, inlined where its results are known to overlap
+  /// nothing: compilers make vector instructions of it.
+  ///
+  /// With u = 2^-24, moments in single precision and what is computed from them here are within 60
+  /// u of area / D^2 (D > 2^-30: below nothing is accepted); the rounding of q to the tree's frame
+  /// moves the field by at most 2^-53 |q| times 16 area / D^3 as D - R > D / 2, less than 32 u area
+  /// / D^2.
+  CUTWATER_INLINE void evaluate(const WindingMoments& node, Lanes& value, Lanes& error) const {
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      const float x = (node.center[0][k] - q_.x) - rest_.x;
+      const float y = (node.center[1][k] - q_.y) - rest_.y;
+      const float z = (node.center[2][k] - q_.z) - rest_.z;
+      const float distance = std::sqrt(x * x + y * y + z * z);
+      const float gap = distance - node.radius[k];
+      const float quotient = 1 / (distance * gap);
+      const float inverse = gap * quotient;
+      const float square = inverse * inverse;
+      const float rest = node.second[k] * (1 + 2 * gap * inverse) * quotient * quotient;
+      const float sum = rest + 0x1p-17F * node.area[k] * square + 0x1p-80F;
+      error[k] = gap > 0.5F * distance ? sum : WindingTree::kNoLimit;  // more than any threshold
+      // The derivative of g is I / D^3 - 3 d d^T / D^5; the first moment has no trace.
+      const float quadratic = node.first[0][k] * (x * x - z * z) +
+                              node.first[1][k] * (y * y - z * z) + node.first[2][k] * x * y +
+                              node.first[3][k] * y * z + node.first[4][k] * z * x;
+      const float linear = node.normal[0][k] * x + node.normal[1][k] * y + node.normal[2][k] * z;
+      value[k] = square * inverse * (linear - 3 * square * quadratic);
+    }
+  }
+
+  Vec3<float> q_;  // in the tree's frame
+  Vec3<float> rest_;
+  float threshold_;
   double value_ = 0;
   double error_ = 0;
 };
@@ -78,8 +96,6 @@ class FarField {
 Vec3<double> gapBetween(const Box<double>& a, const Box<double>& b) {
   return max(max(a.lower - b.upper, b.lower - a.upper), Vec3<double>{});
 }
-
-constexpr double kLargest = std::numeric_limits<double>::max();
 
 /// In the tree's frame, grown by more than the rounding.
 Box<double> toFrame(const Box<double>& box, const BvhFrame& frame) {
@@ -105,13 +121,7 @@ auto WindingNumber<T>::sum(const Vec3<double>& p, double threshold) const -> Est
   FarField far(frame.scale * (p - frame.center), threshold);
   SolidAngleSum near(p);
   const auto keys = [&](const BvhNode<16>& node, BvhNode<16>::Lanes& out) {
-    out.fill(0);
-    for (std::uint32_t rest = node.nodeMask; rest != 0; rest &= rest - 1) {
-      const int lane = std::countr_zero(rest);
-      if (far.add(moments_[node.nodeIndex(lane)])) {
-        out[static_cast<std::size_t>(lane)] = WindingTree::kNoLimit;
-      }
-    }
+    far.add(moments_[indexOf(node)], out);
   };
   const auto leaf = [&](std::span<const std::uint32_t> slots) {
     for (const auto id : slots) {
@@ -120,27 +130,42 @@ auto WindingNumber<T>::sum(const Vec3<double>& p, double threshold) const -> Est
     }
     return 0.0F;
   };
-  if (!far.add(moments_.front())) tree_.traverse(keys, leaf, 0.0F);
+  tree_.traverse(keys, leaf, 0.0F);
   return {far.value() + near.turns(), far.error() + near.error()};
+}
+
+/// Of the winding number, from the total area, for points so far away that single precision might
+/// overflow; the largest double nearer by. All triangles are within 2 of the frame's origin.
+template <std::floating_point T>
+double WindingNumber<T>::farBound(const Vec3<double>& p) const {
+  if (moments_.empty()) return 0;
+  const double distance = tree_.frame().scale * length(p - tree_.frame().center) - 2;
+  if (!(distance > 0x1p20)) return kLargest;
+  double area = 0;
+  for (const float lane : moments_.front().area) area += double{lane};
+  return kInverse4Pi * area / distance / distance;
 }
 
 template <std::floating_point T>
 auto WindingNumber<T>::estimate(const Vec3<double>& p, double tolerance) const -> Estimate {
   if (!isFinite(p)) return {p.x - p.x + (p.y - p.y) + (p.z - p.z), 0};
-  if (moments_.empty()) return {0, 0};
-  if (maxComponent(abs(p)) >= kFar) return {0, kFarAngle};
-  for (double threshold = tolerance / 16;; threshold /= 16) {
+  if (const double far = farBound(p); far <= std::max(tolerance, kNegligible)) return {0, far};
+  double threshold = tolerance / 16;
+  while (true) {
     const Estimate result = sum(p, threshold);
     if (result.error <= tolerance || threshold < kNegligible) return result;
+    threshold /= 16;
   }
 }
 
 template <std::floating_point T>
 std::optional<bool> WindingNumber<T>::isBelow(const Vec3<double>& p, double level) const {
-  if (!isFinite(p) || moments_.empty() || maxComponent(abs(p)) >= kFar) return 0 < level;
-  for (double threshold = kFirstThreshold; threshold > kNegligible; threshold /= 8) {
+  if (!isFinite(p) || moments_.empty() || farBound(p) < std::abs(level)) return 0 < level;
+  double threshold = kFirstThreshold;
+  while (threshold > kNegligible) {
     const auto [value, error] = sum(p, threshold);
     if (std::abs(value - level) > error) return value < level;
+    threshold /= 8;
   }
   // On an edge, or so near to the level that rounding decides: in the order of ids.
   SolidAngleSum sum(p);
@@ -158,8 +183,8 @@ double WindingNumber<T>::exactSum(const Vec3<double>& p) const {
 
 template <std::floating_point T>
 std::span<const OpenEdge> WindingNumber<T>::edgesOf(std::size_t node) const {
-  const auto begin = moments_[node].firstEdge;
-  const auto end = node + 1 < moments_.size() ? moments_[node + 1].firstEdge : openEdges_.size();
+  const auto begin = edges_[node].first;
+  const auto end = node + 1 < moments_.size() ? edges_[node + 1].first : openEdges_.size();
   return openEdges_.subspan(begin, end - begin);
 }
 
@@ -196,19 +221,19 @@ double WindingNumber<T>::gradientBound(const Box<double>& box) const {
   double farEdges = 0;  // in the tree's frame
   const auto keys = [&](const BvhNode<16>& node, BvhNode<16>::Lanes& out) {
     out.fill(WindingTree::kNoLimit);
-    for (const auto& edge : edgesOf(static_cast<std::size_t>(&node - tree_.nodes().data()))) {
+    for (const auto& edge : edgesOf(indexOf(node))) {
       nearEdges += std::abs(edge.multiplicity) * inverseSquare(edge, box);
     }
     for (std::uint32_t rest = node.nodeMask; rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
       const auto k = static_cast<std::size_t>(lane);
-      const double openLength{moments_[node.nodeIndex(lane)].openLength};
+      const double openLength{edges_[node.nodeIndex(lane)].length};
       if (!(openLength > 0)) continue;
       const Box<double> child{{node.lower[0][k], node.lower[1][k], node.lower[2][k]},
                               {node.upper[0][k], node.upper[1][k], node.upper[2][k]}};
       const double gapSquared = lengthSquared(gapBetween(child, local));
-      // Opened, it would be less by a factor of at most 2.25.
-      if (gapSquared > 4 * lengthSquared(child.size())) {
+      // Opened, it would be less by a factor of 4 at most.
+      if (gapSquared > lengthSquared(child.size())) {
         farEdges += openLength / gapSquared;
       } else {
         out[k] = 0;
