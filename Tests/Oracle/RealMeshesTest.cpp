@@ -3,70 +3,15 @@
 #include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/ReadSurface.hpp>
+#include <Cutwater/Mesh/Triangulation.hpp>
 
-#include <memory>
-#include <random>
-
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Side_of_triangle_mesh.h>
-#include <CGAL/Surface_mesh.h>
-
+#include "Oracle/CgalOracle.hpp"
+#include "Oracle/Probes.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Scale.hpp"
-#include "Support/TriangleOracle.hpp"
 
 namespace cutwater::test {
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using SurfaceMesh = CGAL::Surface_mesh<Point>;
-using AabbPrimitive = CGAL::AABB_face_graph_triangle_primitive<SurfaceMesh>;
-using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, AabbPrimitive>>;
-
-/// The surface as CGAL sees it.
-class CgalOracle {
- public:
-  explicit CgalOracle(const PolygonSoup& soup) {
-    std::vector<Point> points;
-    for (const auto& p : soup.points) points.emplace_back(p.x, p.y, p.z);
-    std::vector<std::vector<std::size_t>> faces;
-    for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
-      const auto corners = soup.polygon(i);
-      faces.emplace_back(corners.begin(), corners.end());
-    }
-    CGAL::Polygon_mesh_processing::orient_polygon_soup(points, faces);  // splits touching vertices
-    CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, faces, mesh_);
-    tree_ = std::make_unique<AabbTree>(mesh_.faces().begin(), mesh_.faces().end(), mesh_);
-    tree_->accelerate_distance_queries();
-    side_ = std::make_unique<CGAL::Side_of_triangle_mesh<SurfaceMesh, Kernel>>(mesh_);
-  }
-
-  /// Distance to the triangle that CGAL finds nearest, in quadruple precision.
-  Float128 distance(const Vec3<double>& p) const {
-    const auto face = tree_->closest_point_and_primitive({p.x, p.y, p.z}).second;
-    std::array<Vec3<double>, 3> corner;
-    std::size_t i = 0;
-    for (const auto v : CGAL::vertices_around_face(mesh_.halfedge(face), mesh_)) {
-      const auto& q = mesh_.point(v);
-      corner[i++] = {q.x(), q.y(), q.z()};
-    }
-    return triangleDistanceExactly(p, corner[0], corner[1], corner[2]);
-  }
-  bool isInside(const Vec3<double>& p) const {
-    return (*side_)({p.x, p.y, p.z}) == CGAL::ON_BOUNDED_SIDE;
-  }
-
- private:
-  SurfaceMesh mesh_;
-  std::unique_ptr<AabbTree> tree_;
-  std::unique_ptr<CGAL::Side_of_triangle_mesh<SurfaceMesh, Kernel>> side_;
-};
 
 struct RealSurface {
   const char* name;
@@ -95,44 +40,9 @@ const RealSurface kSurfaces[] = {
     {"armadillo", CUTWATER_CGAL_MESHES "/armadillo.off"},
 };
 
-/// Probes where it matters: beside faces, edges and vertices, from 1e-12 to 1 diagonal away.
-class Probes {
- public:
-  Probes(const MeshSDF<double>& mesh, unsigned seed)
-      : mesh_(mesh), diagonal_(mesh.boundingBox().diagonal()), engine_(seed) {}
-
-  Vec3<double> next() {
-    std::uniform_real_distribution<double> unit;
-    const auto id = static_cast<std::uint32_t>(engine_() % mesh_.triangleCount());
-    const auto corner = mesh_.triangle(id);
-    double u = unit(engine_);
-    double v = unit(engine_);
-    if (u + v > 1) u = 1 - u, v = 1 - v;
-    const auto where = engine_() % 4;  // in the face (twice as often), on an edge, on a vertex
-    if (where == 1) v = 0;
-    if (where == 2) u = v = 0;
-    const auto foot = corner[0] + u * (corner[1] - corner[0]) + v * (corner[2] - corner[0]);
-    const double reach = diagonal_ * std::pow(10.0, -12 * unit(engine_));
-    return foot + reach * direction();
-  }
-
- private:
-  Vec3<double> direction() {
-    std::normal_distribution<double> gauss;
-    const double x = gauss(engine_);
-    const double y = gauss(engine_);
-    const double z = gauss(engine_);
-    return normalized(Vec3<double>{x, y, z});
-  }
-
-  const MeshSDF<double>& mesh_;
-  double diagonal_;
-  std::mt19937 engine_;
-};
-
 class RealMeshesTest : public ::testing::TestWithParam<RealSurface> {
  protected:
-  const PolygonSoup soup_ = readSurface(GetParam().file).soup;
+  const PolygonSoup soup_ = triangulated(readSurface(GetParam().file).soup);
 };
 
 TEST_P(RealMeshesTest, AgreesWithCgalInDistanceAndSign) {
@@ -140,7 +50,7 @@ TEST_P(RealMeshesTest, AgreesWithCgalInDistanceAndSign) {
   EXPECT_EQ(mesh.signReport().turnedShells, GetParam().turnedShells);
   const CgalOracle oracle(soup_);
   const double size = mesh.guarantee().size;
-  Probes probes(mesh, 11);
+  Probes probes(soup_, 11);
   const int count = scaled(100'000);
   int inBand = 0;
   int wrong = 0;
@@ -174,7 +84,7 @@ TEST_P(RealMeshesTest, FloatKeepsItsErrorBound) {
   const MeshSDF<double> exact(rounded);
   const MeshSDF<float> mesh(rounded);
   const auto promise = mesh.guarantee();
-  Probes probes(exact, 12);
+  Probes probes(rounded, 12);
   int ties = 0;
   for (int i = 0; i < scaled(10'000); ++i) {
     const auto p = Vec3<float>(probes.next());
@@ -200,7 +110,7 @@ TEST(RealMeshesTest, TheTreeChangesNoBit) {
   const auto soup = readSurface(CUTWATER_CGAL_MESHES "/elephant.off").soup;
   const MeshSDF<double> mesh(soup);
   const DcelSDF<double> brute{DcelMesh<double>(soup)};
-  Probes probes(mesh, 13);
+  Probes probes(soup, 13);
   for (int i = 0; i < scaled(2'000); ++i) {
     const auto p = probes.next();
     const auto a = mesh.closestPoint(p);

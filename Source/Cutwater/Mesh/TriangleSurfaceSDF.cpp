@@ -14,6 +14,11 @@ namespace {
 template <std::floating_point T>
 constexpr T kFarthest = T(0x1p60);
 
+/// The least depth of a point inside a closed surface, so that one whose distance rounds to 0 keeps
+/// its sign: far below any error, but not 0 when it is divided by a surface's scale.
+template <std::floating_point T>
+constexpr T kLeastDepth = T(sizeof(T) == sizeof(float) ? 0x1p-63 : 0x1p-511);
+
 }  // namespace
 
 template <std::floating_point T>
@@ -40,6 +45,7 @@ Vec3<T> TriangleSurfaceSDF<T>::scaled(const Vec3<T>& point) const {
 
 template <std::floating_point T>
 int TriangleSurfaceSDF<T>::side(const Vec3<T>& p, const Nearest& nearest) const {
+  if (!signs_.isClosed() && nearest.hit.distanceSquared == 0) return 0;
   if (signs_.scheme == SignScheme::NearestFeature) {
     if (const int agreed = nearest.agreedSide(); agreed != 0) return agreed;
     if (!signs_.isClosed()) return surface_.pseudonormalSide(p, nearest);
@@ -51,18 +57,19 @@ int TriangleSurfaceSDF<T>::side(const Vec3<T>& p, const Nearest& nearest) const 
 
 template <std::floating_point T>
 bool TriangleSurfaceSDF<T>::isInside(const Vec3<T>& p) const {
-  const auto found = nearest(p);
-  return found.hit.distanceSquared > 0 && side(p, found) < 0;
+  return side(p, nearest(p)) < 0;
 }
 
 template <std::floating_point T>
 T TriangleSurfaceSDF<T>::valueAt(const Vec3<T>& point, const Vec3<T>& p,
                                  const Nearest& nearest) const {
-  if (nearest.hit.distanceSquared == 0) return 0;
+  const int side = this->side(p, nearest);
   const bool isFar = maxComponent(abs(p)) >= kFarthest<T>;
-  const T magnitude = isFar ? std::hypot(point.x, point.y, point.z)
-                            : std::sqrt(nearest.hit.distanceSquared) / surface_.scale;
-  return static_cast<T>(side(p, nearest)) * magnitude;
+  if (isFar) return static_cast<T>(side) * std::hypot(point.x, point.y, point.z);
+  const T magnitude = std::sqrt(nearest.hit.distanceSquared);
+  const T value =
+      side < 0 ? -std::max(magnitude, kLeastDepth<T>) : static_cast<T>(side) * magnitude;
+  return value / surface_.scale;
 }
 
 template <std::floating_point T>
