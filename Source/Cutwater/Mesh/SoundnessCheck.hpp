@@ -12,8 +12,8 @@ struct SoundnessProbes {
   std::size_t unsound = 0;  ///< not with winding number 0 just before and 1 just behind
 };
 
-/// Looks at the middles of `count` triangles, evenly spread over their list, and of those in
-/// `always`; triangles without area are left out. Just beside means 2^-40 of the surface's size
+/// Looks at `count` places, spread evenly over the list of triangles and over their area, and at the
+/// middles of those in `always`; triangles without area are left out. Just beside means 2^-40 of the surface's size
 /// away, so sheets closer together than that count as unsound. In parallel.
 template <std::floating_point T>
 [[nodiscard]] SoundnessProbes probeSoundness(const TriangleSurface<T>& surface,
