@@ -2,6 +2,7 @@
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/SoundnessCheck.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <vector>
@@ -10,65 +11,81 @@ namespace cutwater {
 
 namespace {
 
-/// A place on the surface.
-struct Place {
-  std::uint32_t triangle = 0;
-  Vec3<double> weights{1.0 / 3, 1.0 / 3, 1.0 / 3};
-};
-
-/// Evenly over the area: at equal steps of the area summed up in the order of triangles; within a
-/// triangle by the multiples of powers of the plastic number (M. Roberts 2018, "The unreasonable
-/// effectiveness of quasirandom sequences").
+/// Where to probe: half of the places evenly spread over the list of triangles, so that small parts
+/// count as much as large ones, half over the area. Within a triangle they follow M. Roberts' R2
+/// sequence (2018, "The unreasonable effectiveness of quasirandom sequences").
 template <std::floating_point T>
-std::vector<Place> spreadPlaces(const TriangleSurface<T>& surface, std::size_t count) {
-  constexpr double kPlastic = 1.3247179572447460;  // of x^3 = x + 1
-  const auto areaOf = [&](std::uint32_t id) {
-    const auto [a, b, c] = surface.corners(id);
-    return length(cross(b - a, c - a));
+class Places {
+ public:
+  struct Place {
+    std::uint32_t triangle;
+    double b;  // barycentric weights of the second and the third corner
+    double c;
   };
-  double whole = 0;
-  for (std::uint32_t id = 0; id < surface.triangles.size(); ++id) whole += areaOf(id);
-  std::vector<Place> places;
-  double upToHere = 0;
-  for (std::uint32_t id = 0; id < surface.triangles.size(); ++id) {
-    upToHere += areaOf(id);
-    while (places.size() < count && (static_cast<double>(places.size()) + 0.5) * whole <
-                                        static_cast<double>(count) * upToHere) {
-      const auto i = static_cast<double>(places.size() + 1);
-      double u = i / kPlastic - std::floor(i / kPlastic);
-      double v = i / (kPlastic * kPlastic) - std::floor(i / (kPlastic * kPlastic));
-      if (u + v > 1) u = 1 - u, v = 1 - v;
-      places.push_back({id, {1 - u - v, u, v}});
+
+  Places(const TriangleSurface<T>& surface, std::size_t count) : count_(count) {
+    double sum = 0;
+    for (std::uint32_t id = 0; id < surface.triangles.size(); ++id) {
+      const auto [a, b, c] = surface.corners(id);
+      areas_.push_back(sum += length(cross(b - a, c - a)));
     }
   }
-  return places;
-}
+
+  [[nodiscard]] Place operator[](std::size_t i) const {
+    constexpr double kPlastic = 1.3247179572447460;  // of x^3 = x + 1
+    const auto share = [&](double step) {
+      const double whole = 0.5 + static_cast<double>(i / 2) / step;
+      return whole - std::floor(whole);
+    };
+    double b = share(kPlastic);
+    double c = share(kPlastic * kPlastic);
+    if (b + c > 1) b = 1 - b, c = 1 - c;
+    // Off the edges: what is just beside them may be beyond the next triangle.
+    constexpr double kInward = 0.125;
+    return {triangle(i), b + kInward * (1.0 / 3 - b), c + kInward * (1.0 / 3 - c)};
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t triangle(std::size_t i) const {
+    const std::size_t all = areas_.size();
+    if (i % 2 == 0) return static_cast<std::uint32_t>(i * all / count_);
+    const double area = (static_cast<double>(i) / static_cast<double>(count_)) * areas_.back();
+    const auto found = std::ranges::upper_bound(areas_, area) - areas_.begin();
+    return static_cast<std::uint32_t>(std::min(static_cast<std::size_t>(found), all - 1));
+  }
+
+  std::size_t count_;
+  std::vector<double> areas_;  // twice that of all triangles up to this one
+};
 
 }  // namespace
 
 template <std::floating_point T>
 SoundnessProbes probeSoundness(const TriangleSurface<T>& surface, TrianglesAlong along,
                                std::size_t count, std::span<const std::uint32_t> always) {
-  auto places = spreadPlaces(surface, count);
-  for (const auto id : always) places.push_back({.triangle = id});
+  const Places<T> places(surface, count);
   std::atomic<std::size_t> probes{0};
   std::atomic<std::size_t> unsound{0};
-  const auto probe = [&](const Place& place) {
+  const auto probe = [&](const typename Places<T>::Place& place) {
     const auto corners = surface.corners(place.triangle);
     const auto normal = polygonArea(corners).normal;
     if (normal == Vec3<double>{}) return;
-    const auto& w = place.weights;
-    const auto on = w.x * corners[0] + w.y * corners[1] + w.z * corners[2];
-    const Vec3<double> step = 0x1p-40 * (length(on) + double{surface.size}) * normal;
-    const auto before = locate(surface, on + step, along);
-    const auto behind = locate(surface, on - step, along);
+    const auto& [a, b, c] = corners;
+    const auto point = a + place.b * (b - a) + place.c * (c - a);
+    const Vec3<double> step = 0x1p-40 * (length(point) + double{surface.size}) * normal;
+    const auto before = locate(surface, point + step, along);
+    const auto behind = locate(surface, point - step, along);
     ++probes;
     const bool sound = before.winding == 0 && behind.winding == 1;
     if (!sound || before.onSurface || behind.onSurface) ++unsound;
   };
-  parallelFor(places.size(), {.grain = 16, .progress = {}},
+  parallelFor(count + always.size(), {.grain = 16, .progress = {}},
               [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) probe(places[i]);
+                for (std::size_t i = begin; i < end; ++i) {
+                  constexpr double kThird = 1.0 / 3;
+                  probe(i < count ? places[i]
+                                  : typename Places<T>::Place{always[i - count], kThird, kThird});
+                }
               });
   return {.probes = probes, .unsound = unsound};
 }

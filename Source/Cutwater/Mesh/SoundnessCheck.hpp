@@ -12,9 +12,9 @@ struct SoundnessProbes {
   std::size_t unsound = 0;  ///< not with winding number 0 just before and 1 just behind
 };
 
-/// Looks at `count` places spread evenly over the surface's area, and at the middles of the
-/// triangles in `always`; those without area are left out. Just beside means 2^-40 of the surface's
-/// size away, so sheets closer together than that count as unsound. In parallel.
+/// Looks at `count` places, spread evenly over the list of triangles and over their area, and at
+/// the middles of those in `always`; triangles without area are left out. Just beside means 2^-40
+/// of the surface's size away, so sheets closer together than that count as unsound. In parallel.
 template <std::floating_point T>
 [[nodiscard]] SoundnessProbes probeSoundness(const TriangleSurface<T>& surface,
                                              TrianglesAlong along, std::size_t count,
