@@ -32,7 +32,7 @@ TEST(SignReport, SaysWhatSignsRestOn) {
   EXPECT_FALSE(open.isClosed());
   EXPECT_EQ(
       open.summary(),
-      "winding number: 1 unbalanced edge, 2 shells not orientable; 1 probe, 1 ambiguous (at "
+      "winding number: 1 unbalanced edge, 2 parts not orientable; 1 probe, 1 ambiguous (at "
       "most 100 % of the box ambiguous, 95 % confidence); 3 faces turned; 1 shell stood inside "
       "out");
 }

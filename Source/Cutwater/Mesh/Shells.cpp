@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace cutwater {
 
@@ -17,9 +18,11 @@ std::size_t at(FaceId face) {
 
 struct Shell {
   std::vector<FaceId> faces;
-  bool closed = true;
+  bool closed = true;  // as many faces run one way along each edge as the other
   bool turned = false;
-  double volume = 0;  // once its faces agree
+  double volume = 0;
+  Vec3<double> boundary;  // sum of the corners of unbalanced edges ...
+  double corners = 0;     // ... and their number
 };
 
 /// Which shells contain a vertex of a given shell: the parity of their passages along a segment
@@ -84,12 +87,11 @@ class ShellSearch {
     const double scale{normalizingScale(mesh.positions())};
     for (const auto& p : mesh.positions()) positions_.push_back(scale * Vec3<double>(p));
     pairHalfEdges();
-    for (const FaceId face : mesh.faces()) {
-      if (shellOf_[at(face)] == kNone) shells_.push_back(shellFrom(face));
-    }
   }
 
   ShellOrientation run() {
+    orientPieces();
+    collectShells();
     for (auto& shell : shells_) measure(shell);
     turnShells();
     for (const auto& shell : shells_) {
@@ -103,63 +105,102 @@ class ShellSearch {
   }
 
  private:
+  using Edge = typename DcelMesh<T>::Edge;
+
   /// The other half-edge of edges with two faces, whichever way it runs.
   void pairHalfEdges() {
     partners_.resize(mesh_.halfEdges().size(), kNoHalfEdge);
-    mesh_.visitEdges([&](const typename DcelMesh<T>::Edge& edge) {
+    mesh_.visitEdges([&](const Edge& edge) {
       if (edge.halfEdges.size() != 2) return;
       partners_[index(edge.halfEdges[0])] = edge.halfEdges[1];
       partners_[index(edge.halfEdges[1])] = edge.halfEdges[0];
     });
   }
 
-  Shell shellFrom(FaceId seed) {
-    const auto id = static_cast<std::uint32_t>(shells_.size());
-    Shell shell{.faces = {seed}};
-    shellOf_[at(seed)] = id;
-    bool contradicts = false;
-    for (std::size_t done = 0; done < shell.faces.size(); ++done) {
-      const FaceId face = shell.faces[done];
-      for (const HalfEdgeId e : mesh_.halfEdges(face)) {
-        const HalfEdgeId partner = partners_[index(e)];
-        if (partner == kNoHalfEdge) {
-          shell.closed = false;
-          continue;
-        }
-        const FaceId next = mesh_.face(partner);
-        const bool sameWay = mesh_.origin(e) == mesh_.origin(partner);
-        const bool wanted = turned_[at(face)] != sameWay;
-        if (shellOf_[at(next)] == kNone) {
-          shellOf_[at(next)] = id;
-          turned_[at(next)] = wanted;
-          shell.faces.push_back(next);
-        } else if (turned_[at(next)] != wanted) {
-          contradicts = true;
+  /// Faces connected across edges with two faces agree which way to look, as far as they can.
+  void orientPieces() {
+    std::vector<bool> seen(mesh_.faces().size());
+    for (const FaceId seed : mesh_.faces()) {
+      if (seen[at(seed)]) continue;
+      seen[at(seed)] = true;
+      std::vector<FaceId> piece{seed};
+      bool contradicts = false;
+      for (std::size_t done = 0; done < piece.size(); ++done) {
+        const FaceId face = piece[done];
+        for (const HalfEdgeId e : mesh_.halfEdges(face)) {
+          const HalfEdgeId partner = partners_[index(e)];
+          if (partner == kNoHalfEdge) continue;
+          const FaceId next = mesh_.face(partner);
+          const bool sameWay = mesh_.origin(e) == mesh_.origin(partner);
+          const bool wanted = turned_[at(face)] != sameWay;
+          if (!seen[at(next)]) {
+            seen[at(next)] = true;
+            turned_[at(next)] = wanted;
+            piece.push_back(next);
+          } else if (turned_[at(next)] != wanted) {
+            contradicts = true;
+          }
         }
       }
+      if (contradicts) ++result_.unorientable;
+      letMajorityDecide(piece);
     }
-    if (contradicts) {
-      ++result_.unorientable;
-      shell.closed = false;
-    }
-    letMajorityDecide(shell);
-    return shell;
   }
 
-  void letMajorityDecide(const Shell& shell) {
+  void letMajorityDecide(std::span<const FaceId> piece) {
     const auto isTurned = [&](FaceId face) { return bool{turned_[at(face)]}; };
-    auto count = static_cast<std::size_t>(std::ranges::count_if(shell.faces, isTurned));
-    if (2 * count > shell.faces.size()) {
-      for (const FaceId face : shell.faces) turned_[at(face)] = !turned_[at(face)];
-      count = shell.faces.size() - count;
+    auto count = static_cast<std::size_t>(std::ranges::count_if(piece, isTurned));
+    if (2 * count > piece.size()) {
+      for (const FaceId face : piece) turned_[at(face)] = !turned_[at(face)];
+      count = piece.size() - count;
     }
     result_.turnedFaces += count;
+  }
+
+  /// Faces connected across any edges.
+  void collectShells() {
+    std::vector<std::uint32_t> parent(mesh_.faces().size());
+    std::iota(parent.begin(), parent.end(), 0U);
+    const auto root = [&](std::uint32_t face) {
+      while (parent[face] != face) face = parent[face] = parent[parent[face]];
+      return face;
+    };
+    mesh_.visitEdges([&](const Edge& edge) {
+      for (const HalfEdgeId e : edge.halfEdges) {
+        const auto one = root(index(mesh_.face(edge.halfEdges[0])));
+        const auto other = root(index(mesh_.face(e)));
+        parent[std::max(one, other)] = std::min(one, other);
+      }
+    });
+    for (const FaceId face : mesh_.faces()) {
+      const auto first = root(index(face));
+      if (first == index(face)) {
+        shellOf_[first] = static_cast<std::uint32_t>(shells_.size());
+        shells_.emplace_back();
+      }
+      shellOf_[at(face)] = shellOf_[first];
+      shells_[shellOf_[first]].faces.push_back(face);
+    }
+    mesh_.visitEdges([&](const Edge& edge) { noteBoundary(edge); });
+  }
+
+  void noteBoundary(const Edge& edge) {
+    int balance = 0;
+    for (const HalfEdgeId e : edge.halfEdges) {
+      balance += (mesh_.origin(e) == edge.lower) != turned_[at(mesh_.face(e))] ? 1 : -1;
+    }
+    if (balance == 0) return;
+    auto& shell = shells_[shellOf_[at(mesh_.face(edge.halfEdges[0]))]];
+    shell.closed = false;
+    shell.boundary += position(edge.lower) + position(edge.upper);
+    shell.corners += 2;
   }
 
   /// The volume of the shell; of an open one, closed by fans from the middle of its boundary: they
   /// contribute nothing, seen from there.
   void measure(Shell& shell) const {
-    const auto middle = shell.closed ? position(firstVertex(shell)) : middleOfBoundary(shell);
+    const auto middle = shell.closed ? position(mesh_.vertices(shell.faces.front())[0])
+                                     : shell.boundary / shell.corners;
     double area = 0;
     for (const FaceId face : shell.faces) {
       const auto v = mesh_.vertices(face);
@@ -174,20 +215,6 @@ class ShellSearch {
   }
 
   const Vec3<double>& position(VertexId vertex) const { return positions_[index(vertex)]; }
-  VertexId firstVertex(const Shell& shell) const { return mesh_.vertices(shell.faces.front())[0]; }
-
-  Vec3<double> middleOfBoundary(const Shell& shell) const {
-    Vec3<double> sum;
-    double count = 0;
-    for (const FaceId face : shell.faces) {
-      for (const HalfEdgeId e : mesh_.halfEdges(face)) {
-        if (partners_[index(e)] != kNoHalfEdge) continue;
-        sum += position(mesh_.origin(e));
-        ++count;
-      }
-    }
-    return count > 0 ? sum / count : position(firstVertex(shell));
-  }
 
   void turnShells() {
     std::vector<std::uint32_t> suspects;

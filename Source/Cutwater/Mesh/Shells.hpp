@@ -18,14 +18,14 @@ struct ShellOrientation {
   [[nodiscard]] bool changesNothing() const { return turned.empty(); }
 };
 
-/// Orients the shells of a triangle mesh: sets of faces connected across edges that have exactly
-/// two faces.
+/// Orients a triangle mesh. Faces connected across edges of exactly two faces are made to agree;
+/// the majority decides. Faces connected across any edges are then a shell, and judged as one.
 ///
-/// Within a shell the majority decides. A closed shell is then inside out if its volume is negative
-/// and it is no cavity, that is, lies within no other closed shell (decided exactly, by a vertex of
-/// it). It is turned together with the shells within it, so that its cavities stay cavities.
-/// An open shell is judged by the volume that fans from the middle of its boundary would close, if
-/// that volume is substantial: at least a tenth of that of a sphere of the same area.
+/// A closed shell is inside out if its volume is negative and it is no cavity, that is, lies within
+/// no other closed shell (decided exactly, by a vertex of it). It is turned together with the
+/// shells within it, so that its cavities stay cavities. An open shell is judged by the volume that
+/// fans from the middle of its boundary would close, if that volume is substantial: at least a
+/// tenth of that of a sphere of the same area.
 template <std::floating_point T>
 [[nodiscard]] ShellOrientation orientShells(const DcelMesh<T>& mesh);
 

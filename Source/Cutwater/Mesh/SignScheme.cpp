@@ -29,7 +29,7 @@ double SignReport::doubt() const {
 std::string SignReport::summary() const {
   std::string text = scheme == SignScheme::WindingNumber ? "winding number: " : "nearest feature: ";
   text += isClosed() ? "closed" : counted(unbalancedEdges, "unbalanced edge", "unbalanced edges");
-  if (unorientable > 0) text += ", " + counted(unorientable, "shell", "shells") + " not orientable";
+  if (unorientable > 0) text += ", " + counted(unorientable, "part", "parts") + " not orientable";
   if (selfIntersections) {
     text += ", " + counted(*selfIntersections, "self-intersection", "self-intersections");
   }

@@ -37,9 +37,9 @@ struct SignReport {
   SignScheme scheme = SignScheme::NearestFeature;
   std::size_t unbalancedEdges = 0;  ///< the triangles along them do not run both ways alike
   std::size_t shells = 0;
-  std::size_t turnedFaces = 0;   ///< turned to agree with their shell: see orientShells()
+  std::size_t turnedFaces = 0;   ///< turned to agree with those around: see orientShells()
   std::size_t turnedShells = 0;  ///< stood inside out
-  std::size_t unorientable = 0;  ///< shells like a Moebius strip
+  std::size_t unorientable = 0;  ///< parts like a Moebius strip
 
   std::size_t probes = 0;
   /// Closed surfaces: probes without the solid just behind them or without free space just before,

@@ -112,6 +112,12 @@ bool TriangleSurfaceSDF<T>::isJumpFree(const Box<double>& box) const {
 }
 
 template <std::floating_point T>
+bool TriangleSurfaceSDF<T>::hasNoJump(const Box<T>& box) const {
+  const double scale{surface_.scale};
+  return isJumpFree({scale * Vec3<double>(box.lower), scale * Vec3<double>(box.upper)});
+}
+
+template <std::floating_point T>
 CrossingCount TriangleSurfaceSDF<T>::localCrossings(const Segment<T>& segment,
                                                     CrossingVisitor<T> visit) const {
   const Segment<T> pulledIn{scaled(segment.start), scaled(segment.end)};
@@ -147,12 +153,17 @@ Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHin
       4 * std::numeric_limits<T>::epsilon() * (std::abs(value) + margin));
   if (signs_.isClosed()) return range;
   // Free of triangles and of jumps, or both signs may be anywhere.
-  const auto around = box.bounds();
-  const double scale{surface_.scale};
-  const Box<double> local{scale * Vec3<double>(around.lower), scale * Vec3<double>(around.upper)};
-  if (std::abs(value) > margin && isJumpFree(local)) return range;
+  if (std::abs(value) > margin && hasNoJump(box.bounds())) return range;
   const T most = std::max(-range.lower, range.upper);
   return {-most, most};
+}
+
+template <std::floating_point T>
+int TriangleSurfaceSDF<T>::localSideAround(const Vec3<T>& point, T radius) const {
+  const T value = localSignedDistance(point);
+  if (!(std::abs(value) > radius + localGuarantee().error(length(point)))) return 0;
+  if (!hasNoJump(Box<T>{point, point}.grown(radius))) return 0;
+  return value > 0 ? 1 : -1;
 }
 
 template <std::floating_point T>

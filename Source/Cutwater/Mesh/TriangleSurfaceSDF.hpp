@@ -56,13 +56,16 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& point) const final;
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const final;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
+  [[nodiscard]] int localSideAround(const Vec3<T>& point, T radius) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
   /// `point` and, in the surface's units, `p` are the same.
   [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest) const;
 
-  /// Whether the sign certainly changes nowhere in the box but at triangles.
+  /// Whether the sign certainly changes nowhere in the box, in scaled units, but at triangles.
   [[nodiscard]] bool isJumpFree(const Box<double>& box) const;
+  /// The same for a box in the mesh's own units.
+  [[nodiscard]] bool hasNoJump(const Box<T>& box) const;
 
   Surface surface_;
   SignReport signs_;

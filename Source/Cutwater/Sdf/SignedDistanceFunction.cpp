@@ -194,6 +194,15 @@ Interval<T> SignedDistanceFunction<T>::localBounds(const OrientedBox<T>& box, Bo
 }
 
 template <std::floating_point T>
+int SignedDistanceFunction<T>::localSideAround(const Vec3<T>& point, T radius) const {
+  const auto promise = localGuarantee();
+  if (radius > 0 && !(promise.continuous && promise.lipschitz)) return 0;
+  const T value = localSignedDistance(point);
+  const T certain = promise.lipschitz.value_or(T(0)) * radius + promise.error(length(point));
+  return value > certain ? 1 : value < -certain ? -1 : 0;
+}
+
+template <std::floating_point T>
 BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   const auto range = localBounds(box, hint);
   if (range.lower > 0) return BoxClass::Outside;
@@ -211,16 +220,14 @@ BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, Box
     return BoxClass::Cut;
   }
 
-  // Cut, if two of its points are certainly on different sides: jumps are surface, too. What lies
-  // within the slack of a point is known of functions with a Lipschitz constant only.
-  if (box.slack > 0 && !(promise.continuous && promise.lipschitz)) return BoxClass::Unknown;
-  const T certain = promise.lipschitz.value_or(T(0)) * box.slack + rounding;
-  bool inside = atCenter < -certain;
-  bool outside = atCenter > certain;
+  // Cut, if two of its points are certainly on different sides; jumps are surface, too.
+  const int first = localSideAround(box.center, box.slack);
+  bool inside = first < 0;
+  bool outside = first > 0;
   for (int i = 0; i < 8 && !(inside && outside); ++i) {
-    const T value = localSignedDistance(box.corner(i));
-    inside = inside || value < -certain;
-    outside = outside || value > certain;
+    const int side = localSideAround(box.corner(i), box.slack);
+    inside = inside || side < 0;
+    outside = outside || side > 0;
   }
   return inside && outside ? BoxClass::Cut : BoxClass::Unknown;
 }
