@@ -9,7 +9,7 @@ namespace cutwater {
 /// A segment for separating-axis tests against boxes; all in a tree's frame.
 class BvhSegment {
  public:
-  BvhSegment(const Vec3<double>& start, const Vec3<double>& end)
+  CUTWATER_INLINE BvhSegment(const Vec3<double>& start, const Vec3<double>& end)
       : start_(start), half_(0.5 * (end - start)), middle_(start + half_) {
     // Positions in the frame are off by a few 2^-53 of their size; boxes are at most 1 wide.
     const double size = 1 + maxComponent(abs(start)) + maxComponent(abs(end));
@@ -21,7 +21,8 @@ class BvhSegment {
   }
 
   /// Whether an axis of the box, or one across it and the segment, separates the two.
-  [[nodiscard]] bool isApart(const Vec3<double>& boxMiddle, const Vec3<double>& boxHalf) const {
+  [[nodiscard]] CUTWATER_INLINE bool isApart(const Vec3<double>& boxMiddle,
+                                             const Vec3<double>& boxHalf) const {
     const Vec3<double> m = boxMiddle - middle_;
     for (int i = 0; i < 3; ++i) {
       if (std::abs(m[i]) > boxHalf[i] + std::abs(half_[i]) + slack_) return true;
@@ -35,8 +36,8 @@ class BvhSegment {
     return false;
   }
   /// No point of the box projects onto the segment at a smaller parameter.
-  [[nodiscard]] float firstParameter(const Vec3<double>& boxMiddle,
-                                     const Vec3<double>& boxHalf) const {
+  [[nodiscard]] CUTWATER_INLINE float firstParameter(const Vec3<double>& boxMiddle,
+                                                     const Vec3<double>& boxHalf) const {
     const double first = dot(boxMiddle - start_, direction_) - dot(boxHalf, abs(direction_));
     return static_cast<float>(first - parameterSlack_);
   }

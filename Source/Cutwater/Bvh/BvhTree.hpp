@@ -150,7 +150,7 @@ class BvhTree {
     }
   };
 
-  [[nodiscard]] Vec3<double> toFrame(const Vec3<double>& p) const {
+  [[nodiscard]] CUTWATER_INLINE Vec3<double> toFrame(const Vec3<double>& p) const {
     return frame_.scale * (p - frame_.center);
   }
 
