@@ -200,7 +200,9 @@ int sideOfEdge(const Segment<double>& line, const Vec3<double>& a, const Vec3<do
 }  // namespace
 
 int sideOf(const Vec3<double>& point, const std::array<Vec3<double>, 3>& triangle) {
-  const auto& [a, b, c] = triangle;
+  const auto& a = triangle[0];
+  const auto& b = triangle[1];
+  const auto& c = triangle[2];
   if (const int s = orientation(a, b, c, point); s != 0) return s;
   return firstSign([&](int axis) { return crossSign(a, b, a, c, axis); });
 }

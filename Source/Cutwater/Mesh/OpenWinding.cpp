@@ -92,15 +92,18 @@ OpenWinding OpenWindingData::Sections::view(const Block& block) const {
   return result;
 }
 
-#define CUTWATER_INSTANTIATE(T)                                                      \
-  template bool OpenWinding::isInside(const TriangleSurface<T>&, TrianglesAlong,     \
-                                      const Vec3<double>&) const;                    \
-  template WindingNumber<double>::Estimate OpenWinding::estimate(                    \
-      const TriangleSurface<T>&, TrianglesAlong, const Vec3<double>&, double) const; \
-  template OpenWindingData::OpenWindingData(std::span<const Vec3<T>>,                \
-                                            std::span<const std::array<std::uint32_t, 3>>);
+#define CUTWATER_INSTANTIATE(T)                                                  \
+  template bool OpenWinding::isInside(const TriangleSurface<T>&, TrianglesAlong, \
+                                      const Vec3<double>&) const;                \
+  template WindingNumber<double>::Estimate OpenWinding::estimate(                \
+      const TriangleSurface<T>&, TrianglesAlong, const Vec3<double>&, double) const;
 CUTWATER_INSTANTIATE(float)
 CUTWATER_INSTANTIATE(double)
 #undef CUTWATER_INSTANTIATE
+
+template OpenWindingData::OpenWindingData(std::span<const Vec3<float>>,
+                                          std::span<const std::array<std::uint32_t, 3>>);
+template OpenWindingData::OpenWindingData(std::span<const Vec3<double>>,
+                                          std::span<const std::array<std::uint32_t, 3>>);
 
 }  // namespace cutwater

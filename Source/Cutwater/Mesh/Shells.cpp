@@ -21,8 +21,10 @@ struct Shell {
   bool closed = true;  // as many faces run one way along each edge as the other
   bool turned = false;
   double volume = 0;
-  Vec3<double> boundary;  // sum of the corners of unbalanced edges ...
-  double corners = 0;     // ... and their number
+  // Of unbalanced edges: the sum of their corners, the number of those, and the edges' length.
+  Vec3<double> corners;
+  double cornerCount = 0;
+  double rim = 0;
 };
 
 /// Which shells contain a vertex of a given shell: the parity of their passages along a segment
@@ -192,15 +194,16 @@ class ShellSearch {
     if (balance == 0) return;
     auto& shell = shells_[shellOf_[at(mesh_.face(edge.halfEdges[0]))]];
     shell.closed = false;
-    shell.boundary += position(edge.lower) + position(edge.upper);
-    shell.corners += 2;
+    shell.corners += position(edge.lower) + position(edge.upper);
+    shell.cornerCount += 2;
+    shell.rim += length(position(edge.upper) - position(edge.lower));
   }
 
   /// The volume of the shell; of an open one, closed by fans from the middle of its boundary: they
   /// contribute nothing, seen from there.
   void measure(Shell& shell) const {
     const auto middle = shell.closed ? position(mesh_.vertices(shell.faces.front())[0])
-                                     : shell.boundary / shell.corners;
+                                     : shell.corners / shell.cornerCount;
     double area = 0;
     for (const FaceId face : shell.faces) {
       const auto v = mesh_.vertices(face);
@@ -211,7 +214,8 @@ class ShellSearch {
       area += length(cross(b - a, c - a)) / 2;
     }
     const double sphere = area * std::sqrt(area / std::numbers::pi) / 6;
-    if (!shell.closed && std::abs(shell.volume) < 0.1 * sphere) shell.volume = 0;
+    const bool isSheet = shell.rim * shell.rim > area && std::abs(shell.volume) < 0.1 * sphere;
+    if (isSheet) shell.volume = 0;
   }
 
   const Vec3<double>& position(VertexId vertex) const { return positions_[index(vertex)]; }

@@ -24,8 +24,9 @@ struct ShellOrientation {
 /// A closed shell is inside out if its volume is negative and it is no cavity, that is, lies within
 /// no other closed shell (decided exactly, by a vertex of it). It is turned together with the
 /// shells within it, so that its cavities stay cavities. An open shell is judged by the volume that
-/// fans from the middle of its boundary would close, if that volume is substantial: at least a
-/// tenth of that of a sphere of the same area.
+/// fans from the middle of its rim would close; but one whose rim is longer than the root of its
+/// area, and which would close less than a tenth of a sphere of the same area, is a sheet and stays
+/// as it is.
 template <std::floating_point T>
 [[nodiscard]] ShellOrientation orientShells(const DcelMesh<T>& mesh);
 

@@ -33,8 +33,9 @@ class Places {
 
   [[nodiscard]] Place operator[](std::size_t i) const {
     constexpr double kPlastic = 1.3247179572447460;  // of x^3 = x + 1
+    const std::size_t pair = i / 2;
     const auto share = [&](double step) {
-      const double whole = 0.5 + static_cast<double>(i / 2) / step;
+      const double whole = 0.5 + static_cast<double>(pair) / step;
       return whole - std::floor(whole);
     };
     double b = share(kPlastic);

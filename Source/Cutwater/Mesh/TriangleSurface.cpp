@@ -33,8 +33,8 @@ void TriangleSurface<T>::compete(const Vec3<T>& p, std::span<const std::uint32_t
     const auto hit = detail::triangleHit(p, triangle(id));
     if (!(hit.distanceSquared <= best.tie)) continue;
     const auto [a, b, c] = corners(id);
-    auto& least =
-        best.leastBySide[static_cast<std::size_t>(1 + orientation(a, b, c, Vec3<double>(p)))];
+    const int side = orientation(a, b, c, Vec3<double>(p));
+    auto& least = best.leastBySide[side < 0 ? 0 : side == 0 ? 1 : 2];
     least = std::min(least, hit.distanceSquared);
     if (hit.distanceSquared < best.hit.distanceSquared ||
         (hit.distanceSquared == best.hit.distanceSquared && id < best.triangle)) {
