@@ -57,6 +57,7 @@ TEST(SignsTest, AreNeverWrongOnRealMeshes) {
     EXPECT_EQ(wrongSigns(mesh, soup, oracle, scaled(5'000)), 0);
     ++meshes;
   }
+  RecordProperty("meshes", meshes);
   EXPECT_GE(meshes, 60);
 }
 
@@ -78,6 +79,7 @@ TEST_P(NastySignsTest, AreNeverWrong) {
   const auto soup = triangulated(GetParam().make());
   expectExactSigns<double>(soup, scaled(5'000));
   expectExactSigns<double>(moved(soup, anyPlacement()), scaled(5'000));
+  expectExactSigns<double>(moved(soup, farPlacement(soup.boundingBox())), scaled(2'000));
 }
 
 TEST_P(NastySignsTest, AreNeverWrongInFloat) {
@@ -88,7 +90,7 @@ TEST_P(NastySignsTest, AreNeverWrongInFloat) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Surfaces, NastySignsTest, ::testing::ValuesIn(nasties()),
+INSTANTIATE_TEST_SUITE_P(Surfaces, NastySignsTest, ::testing::ValuesIn(nastyAndRealSolids()),
                          [](const auto& nasty) { return std::string(nasty.param.name); });
 
 }  // namespace
