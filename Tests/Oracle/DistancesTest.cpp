@@ -71,14 +71,14 @@ class DistancesTest : public ::testing::TestWithParam<Nasty> {
 TEST_P(DistancesTest, AreWithinEightEps) {
   const auto soup = triangulated(GetParam().make());
   for (const auto& placed : {soup, moved(soup, anyPlacement())}) {
-    EXPECT_LE(worstError<double>(placed, scaled(500)), 8);
+    EXPECT_LE(worstError<double>(placed, scaled(250)), 8);
   }
 }
 
 TEST_P(DistancesTest, AreWithinEightEpsInFloat) {
   const auto soup = triangulated(GetParam().make());
   for (const auto& placed : {snapped(soup), snapped(moved(soup, anyPlacement()))}) {
-    EXPECT_LE(worstError<float>(placed, scaled(500)), 8);
+    EXPECT_LE(worstError<float>(placed, scaled(250)), 8);
   }
 }
 
