@@ -83,5 +83,19 @@ TEST(ShellsTest, ANeighbourInTheSameBoundingBoxIsNoCavity) {
   EXPECT_GT(mesh.signedDistance({1.5, 0, 0}), 0);
 }
 
+/// The box's image under a map that mirrors: inside out, although rounding hides it.
+TEST(ShellsTest, TurnsASheetOfAFewUlps) {
+  auto sheet = tessellation::box({0, 0, 0}, {1, 1, 1});
+  sheet.points = {{0, 0, 1},
+                  {0, 0, 0x1.0000000000008p+0},
+                  {0x1.f0a3b382e668dp-5, 0x1.42d550f1e0258p-8, 0x1.48f65c01743f7p+0},
+                  {0x1.f0a3b382e668dp-5, 0x1.42d550f1e0258p-8, 0x1.48f65c01743efp+0},
+                  {1, 0x1.999999999999ap-4, 0x1.7ac23da4d7fe4p+0},
+                  {0x1.0f851d9c17334p+0, 0x1.adc6eea8b79cp-4, 0x1.c3b899a64c3d3p+0},
+                  {0x1.0f851d9c17334p+0, 0x1.adc6eea8b79cp-4, 0x1.c3b899a64c3dbp+0},
+                  {1, 0x1.999999999999ap-4, 0x1.7ac23da4d7fecp+0}};
+  EXPECT_EQ(orientShells(DcelMesh<double>(triangulated(sheet))).turnedShells, 1U);
+}
+
 }  // namespace
 }  // namespace cutwater::test

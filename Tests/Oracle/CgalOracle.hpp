@@ -12,6 +12,7 @@
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
@@ -41,6 +42,7 @@ class CgalOracle {
       const auto v = soup.polygon(i);
       if (v[0] != v[1] && v[1] != v[2] && v[2] != v[0]) faces.push_back({v[0], v[1], v[2]});
     }
+    CGAL::Polygon_mesh_processing::remove_isolated_points_in_polygon_soup(points, faces);
     // Splits points where the surface touches itself, so that any soup becomes a mesh.
     isManifold_ = CGAL::Polygon_mesh_processing::orient_polygon_soup(points, faces);
     CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, faces, mesh_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/RigidTransform.hpp>
+#include <Cutwater/Mesh/ReadSurface.hpp>
 #include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Mesh/Triangulation.hpp>
 
@@ -18,6 +19,13 @@ inline RigidTransform<double> anyPlacement() {
   RigidTransform<double> placement;
   placement.rotate(41.7, {0.3, -0.5, 0.8});
   placement.translate({0.123, -0.456, 0.789});
+  return placement;
+}
+
+/// The same, a million diagonals of `box` away.
+inline RigidTransform<double> farPlacement(const Box<double>& box) {
+  auto placement = anyPlacement();
+  placement.translate(1e6 * box.diagonal() * Vec3<double>{0.6, -0.7, 0.4});
   return placement;
 }
 
@@ -69,7 +77,7 @@ inline PolygonSoup starOfNeedles() {
 
 /// A ball, and something very small at the origin.
 inline PolygonSoup dust(double size) {
-  const auto ball = withPoints(tessellation::icosphere(1, 1), [](const Vec3<double>& p) {
+  const auto ball = withPoints(tessellation::icosphere(1, 0), [](const Vec3<double>& p) {
     return p + Vec3<double>{3, 0, 0};
   });
   return together(ball, stretched(tetrahedron(), {size, size, size}));
@@ -147,7 +155,7 @@ inline std::vector<Nasty> nasties() {
        [] {
          return stretched(icosphere(1, 2), {1, 1, 1e-9});
        }},
-      {"DustOfFloat", [] { return dust(0x1p-35); }},
+      {"DustOfFloat", [] { return dust(0x1p-30); }},
       {"Dust", [] { return dust(1e-79); }},
       {"TouchingAtAnEdge", [] { return touchingAtAnEdge(); }},
       {"TouchingAtAVertex", [] { return touchingAtAVertex(); }},
@@ -158,6 +166,16 @@ inline std::vector<Nasty> nasties() {
        }},
       {"Nested", [] { return together(icosphere(1, 1), icosphere(0.5, 1)); }},
   };
+}
+
+/// These, and a few from files.
+inline std::vector<Nasty> nastyAndRealSolids() {
+  auto all = nasties();
+  for (const char* name : {"elephant", "knot2", "mpi_triang", "anchor", "star"}) {
+    const auto file = CUTWATER_CGAL_MESHES "/" + std::string(name) + ".off";
+    all.push_back({name, [file] { return readSurface(file).soup; }});
+  }
+  return all;
 }
 
 }  // namespace cutwater::test

@@ -57,6 +57,7 @@ TEST(SignsTest, AreNeverWrongOnRealMeshes) {
     EXPECT_EQ(wrongSigns(mesh, soup, oracle, scaled(5'000)), 0);
     ++meshes;
   }
+  RecordProperty("meshes", meshes);
   EXPECT_GE(meshes, 60);
 }
 
@@ -69,6 +70,9 @@ class NastySignsTest : public ::testing::TestWithParam<Nasty> {
     const CgalOracle oracle(soup);
     if (oracle.boundsSolid()) {
       EXPECT_EQ(wrongSigns(mesh, soup, oracle, count), 0);
+      // Where sheets are so close that the check takes them for one, winding numbers decide.
+      const MeshSDF<T> nearest(soup, {.signs = SignScheme::NearestFeature});
+      EXPECT_EQ(wrongSigns(nearest, soup, oracle, count), 0);
     }
     EXPECT_EQ(wrongSigns(mesh, soup, WindingOracle(soup), count / 10), 0);
   }
@@ -76,19 +80,20 @@ class NastySignsTest : public ::testing::TestWithParam<Nasty> {
 
 TEST_P(NastySignsTest, AreNeverWrong) {
   const auto soup = triangulated(GetParam().make());
-  expectExactSigns<double>(soup, scaled(5'000));
-  expectExactSigns<double>(moved(soup, anyPlacement()), scaled(5'000));
+  expectExactSigns<double>(soup, scaled(2'000));
+  expectExactSigns<double>(moved(soup, anyPlacement()), scaled(2'000));
+  expectExactSigns<double>(moved(soup, farPlacement(soup.boundingBox())), scaled(1'000));
 }
 
 TEST_P(NastySignsTest, AreNeverWrongInFloat) {
   const auto soup = triangulated(GetParam().make());
   for (auto rounded : {snapped(soup), snapped(moved(soup, anyPlacement()))}) {
     weldExactly(rounded);
-    expectExactSigns<float>(rounded, scaled(2'000));
+    expectExactSigns<float>(rounded, scaled(1'000));
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Surfaces, NastySignsTest, ::testing::ValuesIn(nasties()),
+INSTANTIATE_TEST_SUITE_P(Surfaces, NastySignsTest, ::testing::ValuesIn(nastyAndRealSolids()),
                          [](const auto& nasty) { return std::string(nasty.param.name); });
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Core/DoubleDouble.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/Shells.hpp>
 #include <Cutwater/Mesh/SurfaceLocation.hpp>
@@ -205,17 +206,36 @@ class ShellSearch {
     const auto middle = shell.closed ? position(mesh_.vertices(shell.faces.front())[0])
                                      : shell.corners / shell.cornerCount;
     double area = 0;
+    double sizes = 0;
     for (const FaceId face : shell.faces) {
       const auto v = mesh_.vertices(face);
       const auto a = position(v[0]) - middle;
-      const auto b = position(v[1]) - middle;
-      const auto c = position(v[2]) - middle;
-      shell.volume += dot(a, cross(b, c)) / (turned_[at(face)] ? -6 : 6);
-      area += length(cross(b - a, c - a)) / 2;
+      const auto ab = position(v[1]) - position(v[0]);
+      const auto ac = position(v[2]) - position(v[0]);
+      const auto normal = cross(ab, ac);
+      shell.volume += dot(a, normal) / (turned_[at(face)] ? -6 : 6);
+      sizes += length(a) * length(ab) * length(ac) / 6;
+      area += length(normal) / 2;
     }
+    // A dozen roundings within each term, and one per sum.
+    const double rounding = 0x1p-53 * (16 + static_cast<double>(shell.faces.size())) * sizes;
+    if (shell.closed && std::abs(shell.volume) <= rounding) shell.volume = volumeOfThin(shell);
     const double sphere = area * std::sqrt(area / std::numbers::pi) / 6;
     const bool isSheet = shell.rim * shell.rim > area && std::abs(shell.volume) < 0.1 * sphere;
     if (isSheet) shell.volume = 0;
+  }
+
+  /// In twice the precision, for plates a few ulps thick.
+  double volumeOfThin(const Shell& shell) const {
+    DoubleDouble sum;
+    for (const FaceId face : shell.faces) {
+      const auto v = mesh_.vertices(face);
+      const auto a = DoubleDouble3::difference(position(v[0]), position(firstVertex(shell)));
+      const auto normal = cross(DoubleDouble3::difference(position(v[1]), position(v[0])),
+                                DoubleDouble3::difference(position(v[2]), position(v[0])));
+      sum += turned_[at(face)] ? -dot(a, normal) : dot(a, normal);
+    }
+    return static_cast<double>(sum) / 6;
   }
 
   const Vec3<double>& position(VertexId vertex) const { return positions_[index(vertex)]; }

@@ -66,8 +66,13 @@ T planeDistanceSquared(const Vec3<T>& p, const Triangle<T>& t, int base) {
   if (!isInside(t.a, t.b) || !isInside(t.b, t.c) || !isInside(t.c, t.a)) {
     return std::numeric_limits<T>::infinity();
   }
+  // Of a triangle this small, squares of areas underflow; its edges are as near as its plane.
+  const Scalar normalSquared = dot(normal, normal);
+  constexpr T kLeast = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
+  if (!(normalSquared > Scalar(kLeast))) return std::numeric_limits<T>::infinity();
+  // Not the square of the height over that: it would underflow before the quotient does.
   const Scalar height = dot(normal, Arithmetic::difference(p, t.vertex(base)));
-  return static_cast<T>(height * height / dot(normal, normal));
+  return static_cast<T>(height / normalSquared * height);
 }
 
 /// Squared distance to the edge (from, to); `fromPart`, `toPart`: its ends' names.
