@@ -212,15 +212,23 @@ BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, Box
   }
 
   // Cut, if two of its points are certainly on different sides: jumps are surface, too. What lies
-  // within the slack of a point is known of functions with a Lipschitz constant only.
-  if (box.slack > 0 && !(promise.continuous && promise.lipschitz)) return BoxClass::Unknown;
+  // within the slack of a point follows from the Lipschitz constant or is asked for.
+  const bool hasLipschitz = promise.continuous && promise.lipschitz;
   const T certain = promise.lipschitz.value_or(T(0)) * box.slack + rounding;
-  bool inside = atCenter < -certain;
-  bool outside = atCenter > certain;
-  for (int i = 0; i < 8 && !(inside && outside); ++i) {
-    const T value = localSignedDistance(box.corner(i));
-    inside = inside || value < -certain;
-    outside = outside || value > certain;
+  bool inside = false;
+  bool outside = false;
+  for (int i = -1; i < 8 && !(inside && outside); ++i) {
+    const Vec3<T> point = i < 0 ? box.center : box.corner(i);
+    if (box.slack > 0 && !hasLipschitz) {
+      const auto around =
+          localBounds({.center = point, .halfAxis = {}, .slack = box.slack}, nullptr);
+      inside = inside || around.upper < 0;
+      outside = outside || around.lower > 0;
+    } else {
+      const T value = i < 0 ? atCenter : localSignedDistance(point);
+      inside = inside || value < -certain;
+      outside = outside || value > certain;
+    }
   }
   return inside && outside ? BoxClass::Cut : BoxClass::Unknown;
 }
