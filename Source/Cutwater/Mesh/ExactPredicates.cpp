@@ -153,6 +153,7 @@ int orientation(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>
                        (std::abs(zx) + std::abs(xz)) * std::abs(w.y) +
                        (std::abs(xy) + std::abs(yx)) * std::abs(w.z);
   if (std::abs(value) > 8 * 0x1p-53 * sizes + kTiny) return sign(value);
+  if (p == a || p == b || p == c) return 0;  // often: grids, and vertices of many triangles
 
   const DoubleDouble3 exactU = difference(b, a);
   const DoubleDouble3 exactV = difference(c, a);
@@ -226,6 +227,7 @@ bool isOnTriangle(const Vec3<double>& point, const std::array<Vec3<double>, 3>& 
   for (int axis = 0; axis < 3; ++axis) {
     const int turn = crossSign(a, b, a, c, axis);
     if (turn == 0) continue;
+    if (point == a || point == b || point == c) return true;
     return crossSign(a, b, a, point, axis) != -turn && crossSign(b, c, b, point, axis) != -turn &&
            crossSign(c, a, c, point, axis) != -turn;
   }

@@ -1,5 +1,4 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/SelfIntersections.hpp>
@@ -58,28 +57,21 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   this->setSigns(signs);
 }
 
-/// At points that fill the box evenly: multiples of powers of the plastic number's kin (M. Roberts
-/// 2018, "The unreasonable effectiveness of quasirandom sequences").
 template <std::floating_point T>
 void MeshSDF<T>::probeAmbiguity(std::size_t count, SignReport& signs) const {
   constexpr double kAmbiguous = 0.1;
-  constexpr double kRoot = 1.2207440846057596;  // of x^4 = x + 1
-  const auto& box = this->surface().box;
-  const auto search = this->search();
+  const auto& surface = this->surface();
   std::atomic<std::size_t> ambiguous{0};
-  parallelFor(count, {.grain = 16, .progress = {}}, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      Vec3<double> p;
-      for (int axis = 0; axis < 3; ++axis) {
-        const double whole = 0.5 + static_cast<double>(i) / std::pow(kRoot, axis + 1);
-        const double share = whole - std::floor(whole);
-        p[axis] = box.lower[axis] + share * (box.upper[axis] - box.lower[axis]);
-      }
-      const double w = winding_.estimate(this->surface(), search, p, kAmbiguous / 100).value;
-      if (std::abs(w - std::round(w)) > kAmbiguous) ++ambiguous;
-    }
-  });
-  signs.probes = count;
+  signs.probes = runProbes(
+      count, surface.triangles.size(), this->search(), [&](std::size_t i, TrianglesAlong metered) {
+        Vec3<double> p = evenlySpread(i);
+        for (int axis = 0; axis < 3; ++axis) {
+          const double lower = surface.box.lower[axis];
+          p[axis] = lower + p[axis] * (surface.box.upper[axis] - lower);
+        }
+        const double w = winding_.estimate(surface, metered, p, kAmbiguous / 100).value;
+        if (std::abs(w - std::round(w)) > kAmbiguous) ++ambiguous;
+      });
   signs.ambiguous = ambiguous;
 }
 

@@ -50,6 +50,13 @@ WindingNumber<double>::Estimate OpenWinding::estimate(const TriangleSurface<T>& 
   return result;
 }
 
+double OpenWinding::gradientBound(const Box<double>& box) const {
+  const double byEdges = caps_.gradientBound(box);
+  // Good enough to tell 0 and 1 from 1/2 anywhere in the box.
+  if (byEdges * box.diagonal() < 0.5) return byEdges;
+  return std::min(byEdges, caps_.gradientBoundByArea(box));
+}
+
 template <std::floating_point T>
 OpenWindingData::OpenWindingData(std::span<const Vec3<T>> positions,
                                  std::span<const std::array<std::uint32_t, 3>> triangles) {

@@ -30,9 +30,7 @@ class OpenWinding {
                                                          double tolerance) const;
 
   /// A bound of its gradient away from the surface's triangles.
-  [[nodiscard]] double gradientBound(const Box<double>& box) const {
-    return caps_.gradientBound(box);
-  }
+  [[nodiscard]] double gradientBound(const Box<double>& box) const;
 
  private:
   friend class OpenWindingData;

@@ -230,7 +230,8 @@ class ShellSearch {
     DoubleDouble sum;
     for (const FaceId face : shell.faces) {
       const auto v = mesh_.vertices(face);
-      const auto a = DoubleDouble3::difference(position(v[0]), position(firstVertex(shell)));
+      const auto a = DoubleDouble3::difference(position(v[0]),
+                                               position(mesh_.vertices(shell.faces.front())[0]));
       const auto normal = cross(DoubleDouble3::difference(position(v[1]), position(v[0])),
                                 DoubleDouble3::difference(position(v[2]), position(v[0])));
       sum += turned_[at(face)] ? -dot(a, normal) : dot(a, normal);

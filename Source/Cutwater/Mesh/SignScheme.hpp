@@ -28,7 +28,7 @@ struct MeshSDFOptions {
   /// the tree, and not at probes only.
   bool findSelfIntersections = false;
   /// Places of the surface (of its box, if it is open) that the check looks at, besides one per
-  /// shell.
+  /// shell; fewer where thousands of triangles lie on one another.
   std::size_t probes = 1024;
 };
 

@@ -159,14 +159,6 @@ Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHin
 }
 
 template <std::floating_point T>
-int TriangleSurfaceSDF<T>::localSideAround(const Vec3<T>& point, T radius) const {
-  const T value = localSignedDistance(point);
-  if (!(std::abs(value) > radius + localGuarantee().error(length(point)))) return 0;
-  if (!hasNoJump(Box<T>{point, point}.grown(radius))) return 0;
-  return value > 0 ? 1 : -1;
-}
-
-template <std::floating_point T>
 Guarantee<T> TriangleSurfaceSDF<T>::localGuarantee() const {
   auto result = Guarantee<T>::exact(surface_.size / surface_.scale);
   if (signs_.isSound()) return result;

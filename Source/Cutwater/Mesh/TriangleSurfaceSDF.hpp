@@ -56,7 +56,6 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& point) const final;
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const final;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
-  [[nodiscard]] int localSideAround(const Vec3<T>& point, T radius) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
   /// `point` and, in the surface's units, `p` are the same.

@@ -104,6 +104,11 @@ Box<double> toFrame(const Box<double>& box, const BvhFrame& frame) {
   return Box<double>{lower, upper}.grown(0x1p-50 * maxComponent(max(abs(lower), abs(upper))));
 }
 
+Box<double> laneBox(const BvhNode<16>& node, std::size_t k) {
+  return {{node.lower[0][k], node.lower[1][k], node.lower[2][k]},
+          {node.upper[0][k], node.upper[1][k], node.upper[2][k]}};
+}
+
 }  // namespace
 
 template <std::floating_point T>
@@ -229,8 +234,7 @@ double WindingNumber<T>::gradientBound(const Box<double>& box) const {
       const auto k = static_cast<std::size_t>(lane);
       const double openLength{edges_[node.nodeIndex(lane)].length};
       if (!(openLength > 0)) continue;
-      const Box<double> child{{node.lower[0][k], node.lower[1][k], node.lower[2][k]},
-                              {node.upper[0][k], node.upper[1][k], node.upper[2][k]}};
+      const Box<double> child = laneBox(node, k);
       const double gapSquared = lengthSquared(gapBetween(child, local));
       // Opened, it would be less by a factor of 4 at most.
       if (gapSquared > lengthSquared(child.size())) {
@@ -243,6 +247,36 @@ double WindingNumber<T>::gradientBound(const Box<double>& box) const {
   tree_.traverse(
       keys, [](std::span<const std::uint32_t>) { return 0.0F; }, 0.0F);
   const double bound = kInverse4Pi * (1 + 0x1p-30) * (nearEdges + tree_.frame().scale * farEdges);
+  return bound < kLargest ? bound : kLargest;
+}
+
+template <std::floating_point T>
+double WindingNumber<T>::gradientBoundByArea(const Box<double>& box) const {
+  const Box<double> local = toFrame(box, tree_.frame());
+  double near = 0;
+  double far = 0;  // in the tree's frame
+  const auto keys = [&](const BvhNode<16>& node, BvhNode<16>::Lanes& out) {
+    const auto& areas = moments_[indexOf(node)].area;
+    for (std::uint32_t rest = node.nodeMask | node.leafMask; rest != 0; rest &= rest - 1) {
+      const auto k = static_cast<std::size_t>(std::countr_zero(rest));
+      const Box<double> child = laneBox(node, k);
+      const double gapSquared = lengthSquared(gapBetween(child, local));
+      const bool isFar = gapSquared > lengthSquared(child.size());
+      out[k] = isFar ? WindingTree::kNoLimit : 0.0F;
+      if (isFar) far += double{areas[k]} / (gapSquared * std::sqrt(gapSquared));
+    }
+  };
+  const auto leaf = [&](std::span<const std::uint32_t> slots) {
+    for (const auto id : slots) {
+      if (id == kNone) break;
+      const auto [a, b, c] = triangle(id);
+      const auto gap = length(gapBetween(Box<double>{}.extend(a).extend(b).extend(c), box));
+      near += 0.5 * length(cross(b - a, c - a)) / (gap * gap * gap);
+    }
+    return near < kLargest ? 0.0F : -1.0F;  // or the box touches one: no need to go on
+  };
+  tree_.traverse(keys, leaf, 0.0F);
+  const double bound = 2 * kInverse4Pi * (1 + 0x1p-30) * (near + tree_.frame().scale * far);
   return bound < kLargest ? bound : kLargest;
 }
 

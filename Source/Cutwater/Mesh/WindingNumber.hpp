@@ -66,6 +66,12 @@ class WindingNumber {
   /// touches (the box of a small piece of) an open edge.
   [[nodiscard]] double gradientBound(const Box<double>& box) const;
 
+  /// Another, from the triangles' area: at most 2 dA / (4 pi r^3). It is the better one where edges
+  /// are open everywhere, as those of triangles that share no vertices: what they contribute
+  /// cancels, but for the cracks between them. The largest double where the box touches the box of
+  /// a triangle.
+  [[nodiscard]] double gradientBoundByArea(const Box<double>& box) const;
+
  private:
   [[nodiscard]] std::array<Vec3<double>, 3> triangle(std::uint32_t id) const;
   [[nodiscard]] std::size_t indexOf(const BvhNode<16>& node) const {

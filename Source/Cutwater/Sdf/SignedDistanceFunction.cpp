@@ -194,15 +194,6 @@ Interval<T> SignedDistanceFunction<T>::localBounds(const OrientedBox<T>& box, Bo
 }
 
 template <std::floating_point T>
-int SignedDistanceFunction<T>::localSideAround(const Vec3<T>& point, T radius) const {
-  const auto promise = localGuarantee();
-  if (radius > 0 && !(promise.continuous && promise.lipschitz)) return 0;
-  const T value = localSignedDistance(point);
-  const T certain = promise.lipschitz.value_or(T(0)) * radius + promise.error(length(point));
-  return value > certain ? 1 : value < -certain ? -1 : 0;
-}
-
-template <std::floating_point T>
 BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   const auto range = localBounds(box, hint);
   if (range.lower > 0) return BoxClass::Outside;
@@ -220,14 +211,15 @@ BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, Box
     return BoxClass::Cut;
   }
 
-  // Cut, if two of its points are certainly on different sides; jumps are surface, too.
-  const int first = localSideAround(box.center, box.slack);
-  bool inside = first < 0;
-  bool outside = first > 0;
-  for (int i = 0; i < 8 && !(inside && outside); ++i) {
-    const int side = localSideAround(box.corner(i), box.slack);
-    inside = inside || side < 0;
-    outside = outside || side > 0;
+  // Cut, if two of its points are certainly on different sides; jumps are surface, too. A corner of
+  // this box is within its slack of one of the box that was asked about.
+  bool inside = false;
+  bool outside = false;
+  for (int i = -1; i < 8 && !(inside && outside); ++i) {
+    const Vec3<T> point = i < 0 ? box.center : box.corner(i);
+    const auto around = localBounds({.center = point, .halfAxis = {}, .slack = box.slack}, nullptr);
+    inside = inside || around.upper < 0;
+    outside = outside || around.lower > 0;
   }
   return inside && outside ? BoxClass::Cut : BoxClass::Unknown;
 }

@@ -106,9 +106,6 @@ class SignedDistanceFunction {
   virtual CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const;
   [[nodiscard]] virtual Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const;
   [[nodiscard]] virtual BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const;
-  /// 1 or -1 if the value certainly has that sign at all points within `radius` of the point, which
-  /// may be 0; else 0.
-  [[nodiscard]] virtual int localSideAround(const Vec3<T>& point, T radius) const;
   /// Promises nothing but the sign unless overridden.
   [[nodiscard]] virtual Guarantee<T> localGuarantee() const { return {}; }
   [[nodiscard]] virtual Box<T> localBoundingBox() const { return Box<T>::everywhere(); }

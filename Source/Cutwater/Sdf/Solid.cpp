@@ -54,11 +54,6 @@ BoxClass Solid<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const
 }
 
 template <std::floating_point T>
-int Solid<T>::localSideAround(const Vec3<T>& point, T radius) const {
-  return root_->localSideAround(point, radius);
-}
-
-template <std::floating_point T>
 std::vector<std::string> Solid<T>::localPatchNames() const {
   return root_->localPatchNames();
 }

@@ -40,7 +40,6 @@ class Solid final : public SignedDistanceFunction<T> {
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
-  [[nodiscard]] int localSideAround(const Vec3<T>& point, T radius) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const override { return boundingBox_; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
