@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "Support/CpuTime.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Scale.hpp"
@@ -59,13 +61,33 @@ TYPED_TEST(WindingGradientTest, GradientsStayBelowTheirBound) {
       const auto center = random.next();
       const double half = std::pow(10.0, -1.0 - i % 4);
       const auto box = Box<double>{center, center}.grown(half);
-      const double bound = winding->gradientBound(box);
+      const double bound = std::min(winding->gradientBound(box), winding->gradientBoundByArea(box));
       const auto p = center + half * direction.next();
       const auto step = 1e-6 * normalized(direction.next());
       const double change = winding->exactSum(p + step) - winding->exactSum(p - step);
       if (std::abs(change) > 0.4) continue;  // through a triangle
       EXPECT_LE(std::abs(change) / 2e-6, bound * 1.0001 + 1e-8) << center << ' ' << half;
     }
+  }
+}
+
+/// On the axis of something small the field is that of a dipole, A / (4 pi z^2).
+TYPED_TEST(WindingGradientTest, ByAreaIsAttainedAboveASmallDisk) {
+  using T = TypeParam;
+  const double pi = std::numbers::pi;
+  for (const double r : {0.0078125, 0.25}) {
+    const auto disk = filtered(star(200), [&](std::size_t i, const auto&) { return i < 200; });
+    const Winding<T> small(withPoints(disk, [&](const auto& p) {
+      return r * Vec3<double>{p.x, p.y, 0};
+    }));
+    const double z = 8 * r;
+    const double slope = 2 * pi * r * r / (4 * pi * z * z * z);
+    const double bound = small->gradientBoundByArea({{0, 0, z}, {0, 0, z}});
+    EXPECT_GE(bound, slope * 0.95);
+    EXPECT_LE(bound, slope * 1.2);
+    EXPECT_LE(small->gradientBoundByArea({{0, 0, z}, {0, 0, 2 * z}}), bound * (1 + 1e-9));
+    EXPECT_EQ(small->gradientBoundByArea({{0, 0, -z}, {0, 0, z}}),
+              std::numeric_limits<double>::max());
   }
 }
 
