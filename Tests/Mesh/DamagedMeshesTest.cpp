@@ -52,7 +52,6 @@ TYPED_TEST(DamagedMeshesTest, BothSidesOfAFinAreOutside) {
       plainBox({0, 0, 0}, {1, 1, 1}),
       makeSoup({{1, 1, 0}, {1, 1, 1}, {1.5, 1.5, 1}, {1.5, 1.5, 0}}, {{0, 1, 2}, {0, 2, 3}}));
   const auto mesh = expectMesh<T>(soup, {.unbalancedEdges = 4,
-                                         .shells = 2,
                                          .leastDoubtful = 0.005,
                                          .mostDoubtful = 0.3,
                                          .meant = boxes({{{0, 0, 0}, {1, 1, 1}}})});
