@@ -37,6 +37,10 @@ class Integers {
   double number(int bits) {
     return std::floor(std::ldexp(std::uniform_real_distribution<double>(-1, 1)(engine_), bits));
   }
+  /// One of 0, 1, ..., count - 1.
+  double below(unsigned count) { return static_cast<double>(engine_() % count); }
+
+ private:
   std::mt19937 engine_{5};
 };
 
@@ -178,8 +182,7 @@ TEST_F(PassageThroughLattice, ClosedSurfacesHaveAWindingNumberAlongEverySegment)
     return sum;
   };
   const auto lattice = [&] {
-    return Vec3<double>{double(random.engine_() % 6), double(random.engine_() % 6),
-                        double(random.engine_() % 6)};
+    return Vec3<double>{random.below(6), random.below(6), random.below(6)};
   };
   for (int i = 0; i < 20'000; ++i) {
     const auto a = lattice();
