@@ -51,7 +51,7 @@ TEST_P(RealMeshesTest, AgreesWithCgalInDistanceAndSign) {
   const CgalOracle oracle(soup_);
   const double size = mesh.guarantee().size;
   Probes probes(soup_, 11);
-  const int count = scaled(20'000);
+  const int count = scaled(100'000);
   int inBand = 0;
   int wrong = 0;
   double worst = 0;
