@@ -35,6 +35,7 @@ class Pieces {
     tree_ = buildBvh<16, 4>(boxes);
     BlockWriter writer;
     const OpenWindingData data(std::span<const Vec3<T>>(positions_), triangles_);
+    reach_ = data.reach();
     const auto sections = data.addTo(writer);
     block_ = writer.finish();
     winding_ = sections.view(block_);
@@ -48,6 +49,7 @@ class Pieces {
   auto estimate(const Vec3<double>& p, double tolerance) const {
     return winding_.estimate(surface_, along(), p, tolerance);
   }
+  double reach() const { return reach_; }
   bool isInside(const Vec3<double>& p) const { return winding_.isInside(surface_, along(), p); }
 
  private:
@@ -63,6 +65,7 @@ class Pieces {
   BvhArrays<16, 4> tree_;
   Block block_;
   OpenWinding winding_;
+  double reach_ = 0;
 };
 
 template <typename T>
@@ -112,6 +115,18 @@ TYPED_TEST(OpenWindingTest, IsTheSumOfAllSolidAngles) {
       }
     }
   }
+}
+
+TYPED_TEST(OpenWindingTest, NothingIsInsideBeyondItsReach) {
+  // Bowls one in the other: their winding numbers add up to more than a half outside of their box.
+  auto bowls = without(tessellation::box({-1, -1, -1}, {1, 1, 0}), 1);
+  for (int i = 1; i < 8; ++i)
+    bowls = together(bowls, without(tessellation::box({-1, -1, -1}, {1, 1, 0}), 1));
+  const Pieces<TypeParam> pieces(bowls);
+  EXPECT_TRUE(pieces.isInside({0, 0, 0.5}));
+  const double reach = pieces.reach();
+  EXPECT_FALSE(pieces.isInside({0, 0, reach}));
+  EXPECT_GT(reach, 1);
 }
 
 TYPED_TEST(OpenWindingTest, HoldsInThePlanesOfCaps) {

@@ -35,7 +35,7 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   const auto nameBytes = writer.add(std::span<const char>(names));
   block_ = writer.finish();
 
-  this->setSurface(sections.view(block_));
+  this->setSurface(sections.view(block_), winding.reach());
   const auto& surface = this->surface();
   tree_ = Tree(tree.frame, block_.array<BvhNode<Tree::kArity>>(nodes),
                block_.array<std::uint32_t>(slots));

@@ -3,6 +3,8 @@
 #include <Cutwater/Mesh/OpenWinding.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace cutwater {
 
@@ -73,6 +75,16 @@ OpenWindingData::OpenWindingData(std::span<const Vec3<T>> positions,
   frame_ = tree.frame;
   nodes_ = std::move(tree.nodes);
   slots_ = std::move(tree.slots);
+}
+
+double OpenWindingData::reach() const {
+  // From a distance d the caps, of area A in all, span at most A / d^2: half of the full sphere at
+  // most where d^2 >= A / (2 pi).
+  double area = 0;
+  for (const auto& [a, b, c] : triangles_) {
+    area += 0.5 * length(cross(positions_[b] - positions_[a], positions_[c] - positions_[a]));
+  }
+  return std::sqrt(area / (2 * std::numbers::pi));
 }
 
 auto OpenWindingData::addTo(BlockWriter& writer) const -> Sections {

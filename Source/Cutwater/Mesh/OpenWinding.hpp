@@ -58,6 +58,9 @@ class OpenWindingData {
   OpenWindingData(std::span<const Vec3<T>> positions,
                   std::span<const std::array<std::uint32_t, 3>> triangles);
 
+  /// Beyond this distance from the surface's box nothing counts as inside.
+  [[nodiscard]] double reach() const;
+
   struct Sections {
     Section positions, triangles, nodes, slots, moments, edges, openEdges;
     BvhFrame frame;

@@ -22,11 +22,12 @@ constexpr T kLeastDepth = T(sizeof(T) == sizeof(float) ? 0x1p-63 : 0x1p-511);
 }  // namespace
 
 template <std::floating_point T>
-void TriangleSurfaceSDF<T>::setSurface(const Surface& surface) {
+void TriangleSurfaceSDF<T>::setSurface(const Surface& surface, double margin) {
   surface_ = surface;
   for (const auto& corners : surface.triangles) {
     for (const auto v : corners) box_.extend(surface.positions[v] / surface.scale);
   }
+  box_ = box_.grown(static_cast<T>(margin) / surface.scale);
 }
 
 template <std::floating_point T>

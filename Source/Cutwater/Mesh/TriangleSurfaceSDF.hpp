@@ -35,8 +35,9 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] virtual bool isSurrounded(const Vec3<T>& p) const = 0;
   [[nodiscard]] virtual bool isDecided(const Box<double>& box) const = 0;
 
-  /// Called by the subclass' constructor when the block is complete.
-  void setSurface(const Surface& surface);
+  /// Called by the subclass' constructor when the block is complete. The solid may reach beyond the
+  /// triangles' box by `margin`, in scaled units.
+  void setSurface(const Surface& surface, double margin = 0);
   void setSigns(const SignReport& signs) { signs_ = signs; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
   /// along() as a function.
