@@ -141,18 +141,19 @@ TYPED_TEST(MeshCrossingsTest, AHoleIsClosedByTheSheetOfHalf) {
 
 TYPED_TEST(MeshCrossingsTest, StopsWhenToldAndAllowsForFarEnds) {
   using T = TypeParam;
-  const MeshSDF<T> sphere(tessellation::icosphere(1, 2));
+  const MeshSDF<T> sphere(tessellation::icosphere(100, 2));
   int visits = 0;
-  const auto count = sphere.crossings({{-2, 0, 0}, {2, 0, 0}}, [&](const Crossing<T>&) {
+  const auto count = sphere.crossings({{-200, 0, 0}, {200, 0, 0}}, [&](const Crossing<T>&) {
     ++visits;
     return false;
   });
   EXPECT_EQ(visits, 1);
   EXPECT_EQ(count.found, 1U);
   const T far = std::ldexp(T(1), 70);
-  const auto found = crossingsOf<T>(sphere, {{T(0.1), 0, 0}, {far, 0, 0}});
+  const auto found = crossingsOf<T>(sphere, {{T(10), 0, 0}, {far, 0, 0}});
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_NEAR(found[0].parameter * far, 0.9, 0.1);
+  EXPECT_NEAR(found[0].parameter * far, 90, 10);
+  EXPECT_NEAR(found[0].point.x, 100, 10);
   EXPECT_NEAR(sphere.signedDistance({far, far, 0}) / far, std::sqrt(2.0), 1e-6);
   EXPECT_EQ(crossingsOf<T>(sphere, {{0, 0, 0}, {0, 0, 0}}).size(), 0U);
 }

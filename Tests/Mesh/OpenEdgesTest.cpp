@@ -53,7 +53,7 @@ double biotSavartSum(const Winding<T>& winding, const Vec3<double>& p) {
 TYPED_TEST(WindingGradientTest, GradientsStayBelowTheirBound) {
   using T = TypeParam;
   const auto all = soups();
-  for (const std::size_t s : {1, 2, 4, 5}) {
+  for (const std::size_t s : {1U, 2U, 4U, 5U}) {
     const Winding<T> winding(all[s]);
     RandomPoints<double> random(1.2, 15);
     RandomPoints<double> direction(1, 16);
@@ -116,7 +116,7 @@ TYPED_TEST(WindingGradientTest, IsAttainedInTheMiddleOfARim) {
 TYPED_TEST(WindingGradientTest, GradientBoundsAreNotIdle) {
   using T = TypeParam;
   const auto all = soups();
-  for (const std::size_t s : {1, 2}) {
+  for (const std::size_t s : {1U, 2U}) {
     const Winding<T> winding(all[s]);
     RandomPoints<double> random(1.2, 17);
     double nearest = std::numeric_limits<double>::max();

@@ -124,7 +124,8 @@ CrossingCount TriangleSurfaceSDF<T>::localCrossings(const Segment<T>& segment,
   const Segment<T> pulledIn{scaled(segment.start), scaled(segment.end)};
   // Parameters for ends that were pulled in by different factors; 1 and 1, but for the farthest.
   const auto factor = [this](const Vec3<T>& from, const Vec3<T>& to) {
-    return maxComponent(abs(to)) < kFarthest<T> ? T(1) : kFarthest<T> / maxComponent(abs(from));
+    const bool isFar = maxComponent(abs(to)) >= kFarthest<T>;
+    return isFar ? kFarthest<T> / surface_.scale / maxComponent(abs(from)) : T(1);
   };
   const T start = factor(segment.start, pulledIn.start);
   const T end = factor(segment.end, pulledIn.end);
