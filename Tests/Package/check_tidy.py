@@ -7,6 +7,7 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -14,6 +15,8 @@ SKIPPED = 77  # ctest's SKIP_RETURN_CODE
 
 
 def git(source, *words):
+    if shutil.which("git") is None:
+        return None
     done = subprocess.run(["git", "-C", source, *words], capture_output=True, text=True)
     return done.stdout.split("\n")[:-1] if done.returncode == 0 else None
 
