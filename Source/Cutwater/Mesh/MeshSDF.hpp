@@ -12,12 +12,12 @@ namespace cutwater {
 ///
 /// The magnitude is within 8 eps (|p| + |V|max) of the distance to the mesh rounded to T, and does
 /// not depend on the tree. The sign is exact on closed surfaces, however close sheets and however
-/// thin triangles are. Overlapping shells are a union, once the overlap is known: it is looked for at
-/// probes unless findSelfIntersections asks for more, and within one that is missed the sign may be
-/// that of the nearest sheet. A surface that is not closed is inside where its winding number exceeds
-/// 1/2. Faces that disagree with their neighbours and shells that are
-/// inside out are turned (see Shells.hpp). signReport() tells what was found and how signs are
-/// decided, guarantee() what values then mean.
+/// thin triangles are. Overlapping shells are a union, once the overlap is known: it is looked for
+/// at probes unless findSelfIntersections asks for more, and within one that is missed the sign may
+/// be that of the nearest sheet. A surface that is not closed is inside where its winding number
+/// exceeds 1/2. Faces that disagree with their neighbours and shells that are inside out are turned
+/// (see Shells.hpp). signReport() tells what was found and how signs are decided, guarantee() what
+/// values then mean.
 ///
 /// closestPoint() tells the polygon of the soup (face), its patch, and barycentrics that refer to
 /// `triangle(id)`. Copies share one read-only block of memory.
