@@ -103,7 +103,7 @@ TEST(HoleCaps, AnythingIsClosed) {
     for (std::uint32_t i = 0; i < 1 + engine() % 40; ++i) {
       const auto a = static_cast<std::uint32_t>(engine() % vertices);
       const auto b = (a + 1 + engine() % (vertices - 1)) % vertices;
-      std::uint32_t c = engine() % vertices;
+      auto c = static_cast<std::uint32_t>(engine() % vertices);
       while (c == a || c == b) c = (c + 1) % vertices;
       triangles.push_back({a, static_cast<std::uint32_t>(b), c});
     }
