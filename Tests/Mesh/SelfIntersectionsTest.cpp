@@ -259,7 +259,7 @@ TEST(SelfIntersectionsTest, TheSameWhateverThreadsTreeAndScale) {
     boxes.emplace_back();
     for (const auto corner : triangle) boxes.back().extend(soup.points[corner]);
   }
-  const auto arrays = buildBvh<16, 4>(boxes);
+  const auto arrays = buildBvh<TriangleTree::kArity, TriangleTree::kLeafWidth>(boxes);
   expectSame(findSelfIntersections<double>(soup.points, soup.triangles, arrays.tree()), expected);
   for (const int exponent : {-400, -70, 70, 400}) {
     auto points = soup.points;

@@ -1,6 +1,8 @@
 #include <Cutwater/Bvh/BinaryBvh.hpp>
 #include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Bvh/NodeBoxes.hpp>
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/Parallel.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -94,20 +96,6 @@ BvhFrame frameOf(const Box<double>& box) {
   return {.center = box.center(), .scale = std::ldexp(1.0, -exponent)};
 }
 
-/// The box in the tree's frame. The double arithmetic is off by 2^-53 of the result and the
-/// conversion by half a float spacing; one float further out encloses both.
-template <int K>
-void setLane(BvhNode<K>& node, std::size_t lane, const Box<double>& box, const BvhFrame& frame) {
-  constexpr float kInf = std::numeric_limits<float>::infinity();
-  const Vec3<double> lower = frame.scale * (box.lower - frame.center);
-  const Vec3<double> upper = frame.scale * (box.upper - frame.center);
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    node.lower[i][lane] = std::nextafter(static_cast<float>(lower[axis]), -kInf);
-    node.upper[i][lane] = std::nextafter(static_cast<float>(upper[axis]), kInf);
-  }
-}
-
 template <int K>
 BvhNode<K> emptyNode() {
   constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -117,10 +105,47 @@ BvhNode<K> emptyNode() {
   return node;
 }
 
-}  // namespace
+/// A K-ary node and the binary nodes that it and its children come from.
+struct Source {
+  std::uint32_t node;
+  std::vector<std::uint32_t> children;
+};
+
+/// The tree without boxes.
+template <int K, int W>
+std::vector<Source> layOut(const BinaryBvh& binary, BvhArrays<K, W>& result) {
+  const Collapse<K> collapse(binary);
+  // Breadth first: the children of a node are appended together, nodes and leaves each.
+  std::vector<Source> sources{{0, {}}};
+  result.nodes.push_back(emptyNode<K>());
+  for (std::size_t n = 0; n < result.nodes.size(); ++n) {
+    auto node = emptyNode<K>();
+    node.firstNode = static_cast<std::uint32_t>(result.nodes.size());
+    node.firstLeaf = static_cast<std::uint32_t>(result.slots.size() / W);
+    std::size_t lane = 0;
+    auto children = collapse.children(sources[n].node);
+    for (const auto child : children) {
+      const auto& from = binary.nodes[child];
+      auto& mask = from.isLeaf() ? node.leafMask : node.nodeMask;
+      mask = static_cast<std::uint16_t>(mask | 1U << lane++);
+      if (from.isLeaf()) {
+        const auto first = result.slots.size();
+        result.slots.resize(first + W, kNone);
+        std::copy(binary.order.begin() + from.begin, binary.order.begin() + from.end,
+                  result.slots.begin() + static_cast<std::ptrdiff_t>(first));
+      } else {
+        sources.push_back({child, {}});
+        result.nodes.push_back(emptyNode<K>());
+      }
+    }
+    sources[n].children = std::move(children);
+    result.nodes[n] = node;
+  }
+  return sources;
+}
 
 template <int K, int W>
-BvhArrays<K, W> buildBvh(std::span<const Box<double>> boxes) {
+BvhArrays<K, W> build(std::span<const Box<double>> boxes, const BvhCorners* corners) {
   if (boxes.size() >= kNone) {
     throw Error(ErrorKind::Limit, "LinearBVH: more than 2^32 - 2 primitives");
   }
@@ -128,40 +153,41 @@ BvhArrays<K, W> buildBvh(std::span<const Box<double>> boxes) {
   const auto binary = detail::buildBinaryBvh(boxes, W);
   if (binary.nodes.empty()) return result;
   result.frame = frameOf(binary.nodes.front().box);
-  const Collapse<K> collapse(binary);
-
-  // Breadth first: the children of a node are appended together, nodes and leaves each.
-  std::vector<std::uint32_t> source{0};
-  result.nodes.push_back(emptyNode<K>());
-  for (std::size_t n = 0; n < result.nodes.size(); ++n) {
-    auto node = emptyNode<K>();
-    node.firstNode = static_cast<std::uint32_t>(result.nodes.size());
-    node.firstLeaf = static_cast<std::uint32_t>(result.slots.size() / W);
-    std::size_t lane = 0;
-    for (const auto child : collapse.children(source[n])) {
-      const auto& from = binary.nodes[child];
-      setLane(node, lane, from.box, result.frame);
-      auto& mask = from.isLeaf() ? node.leafMask : node.nodeMask;
-      mask = static_cast<std::uint16_t>(mask | 1U << lane);
-      if (from.isLeaf()) {
-        const auto first = result.slots.size();
-        result.slots.resize(first + W, kNone);
-        std::copy(binary.order.begin() + from.begin, binary.order.begin() + from.end,
-                  result.slots.begin() + static_cast<std::ptrdiff_t>(first));
-      } else {
-        source.push_back(child);
-        result.nodes.push_back(emptyNode<K>());
+  const auto sources = layOut(binary, result);
+  parallelFor(result.nodes.size(), {.grain = 16}, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const detail::NodeBoxes fit(binary, sources[n].children, result.frame, corners);
+      auto& node = result.nodes[n];
+      node.center = fit.center();
+      node.axes = fit.axes();
+      for (std::size_t lane = 0; lane < sources[n].children.size(); ++lane) {
+        for (int axis = 0; axis < 3; ++axis) {
+          const auto i = static_cast<std::size_t>(axis);
+          node.lower[i][lane] = fit.box(lane).lower[axis];
+          node.upper[i][lane] = fit.box(lane).upper[axis];
+        }
       }
-      ++lane;
     }
-    result.nodes[n] = node;
-  }
+  });
   return result;
+}
+
+}  // namespace
+
+template <int K, int W>
+BvhArrays<K, W> buildBvh(std::span<const Box<double>> boxes) {
+  return build<K, W>(boxes, nullptr);
+}
+
+template <int K, int W>
+BvhArrays<K, W> buildTurnedBvh(std::span<const Box<double>> boxes, BvhCorners corners) {
+  return build<K, W>(boxes, &corners);
 }
 
 template BvhArrays<4, 4> buildBvh(std::span<const Box<double>>);
 template BvhArrays<8, 4> buildBvh(std::span<const Box<double>>);
 template BvhArrays<16, 4> buildBvh(std::span<const Box<double>>);
-template BvhArrays<16, 8> buildBvh(std::span<const Box<double>>);
+template BvhArrays<16, 16> buildBvh(std::span<const Box<double>>);
+template BvhArrays<16, 16> buildTurnedBvh(std::span<const Box<double>>, BvhCorners);
 
 }  // namespace cutwater

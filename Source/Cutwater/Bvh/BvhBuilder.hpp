@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Cutwater/Bvh/BvhTree.hpp>
+#include <Cutwater/Core/FunctionRef.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,5 +30,14 @@ struct BvhArrays {
 /// on GPUs through compressed wide BVHs", section 3).
 template <int K, int W>
 [[nodiscard]] BvhArrays<K, W> buildBvh(std::span<const Box<double>> boxes);
+
+/// The corners of a triangle.
+using BvhCorners = FunctionRef<std::array<Vec3<double>, 3>(std::uint32_t)>;
+
+/// The same over triangles: each node's boxes stand in a frame turned to fit them, where that makes
+/// them smaller.
+template <int K, int W>
+[[nodiscard]] BvhArrays<K, W> buildTurnedBvh(std::span<const Box<double>> boxes,
+                                             BvhCorners corners);
 
 }  // namespace cutwater

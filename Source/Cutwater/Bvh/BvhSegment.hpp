@@ -6,18 +6,20 @@
 
 namespace cutwater {
 
-/// A segment for separating-axis tests against boxes; all in a tree's frame.
+/// A segment for separating-axis tests against boxes; all in the frame of a
+/// node, in which boxes are at most about 2 wide and 2 from the origin.
 class BvhSegment {
  public:
   CUTWATER_INLINE BvhSegment(const Vec3<double>& start, const Vec3<double>& end)
       : start_(start), half_(0.5 * (end - start)), middle_(start + half_) {
-    // Positions in the frame are off by a few 2^-53 of their size; boxes are at most 1 wide.
+    // Positions are off by a few 2^-53 of their size in the tree's frame, which is at most 1 more.
     const double size = 1 + maxComponent(abs(start)) + maxComponent(abs(end));
     slack_ = 0x1p-48 * size;
     crossSlack_ = 0x1p-46 * size * size;
     const double lengthSquared = 4 * dot(half_, half_);
     direction_ = lengthSquared > 0 ? (2 / lengthSquared) * half_ : Vec3<double>{};
-    parameterSlack_ = 0x1p-20 + 0x1p-48 * size * length(direction_);
+    directionLength_ = length(direction_);
+    parameterSlack_ = 0x1p-20 + 0x1p-48 * size * directionLength_;
   }
 
   /// Whether an axis of the box, or one across it and the segment, separates the two.
@@ -38,8 +40,12 @@ class BvhSegment {
   /// No point of the box projects onto the segment at a smaller parameter.
   [[nodiscard]] CUTWATER_INLINE float firstParameter(const Vec3<double>& boxMiddle,
                                                      const Vec3<double>& boxHalf) const {
-    const double first = dot(boxMiddle - start_, direction_) - dot(boxHalf, abs(direction_));
-    return static_cast<float>(first - parameterSlack_);
+    const Vec3<double> m = boxMiddle - start_;
+    const double first = dot(m, direction_) - dot(boxHalf, abs(direction_));
+    // The frame's axes are off by 2^-24: products in it are by less than 2^-20 of the lengths.
+    const Vec3<double> far = abs(m) + boxHalf;
+    const double skew = 0x1p-20 * directionLength_ * (far.x + far.y + far.z);
+    return static_cast<float>(first - skew - parameterSlack_);
   }
 
  private:
@@ -49,6 +55,7 @@ class BvhSegment {
   Vec3<double> direction_;  // times a vector: its share of the segment
   double slack_ = 0;
   double crossSlack_ = 0;
+  double directionLength_ = 0;
   double parameterSlack_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Bvh/BvhNode.hpp>
 #include <Cutwater/Bvh/BvhSegment.hpp>
 #include <Cutwater/Core/Box.hpp>
 #include <Cutwater/Core/Segment.hpp>
@@ -14,44 +15,6 @@
 #include <span>
 
 namespace cutwater {
-
-/// A node of a K-ary tree: the boxes of its children, component by component, and where they are.
-///
-/// Children that are nodes lie next to each other in the tree's array, children that are leaves in
-/// theirs, so the index of a child is its base plus the number of such children in lower lanes.
-template <int K>
-struct alignas(64) BvhNode {
-  static_assert(K >= 2 && K <= 16);
-  using Lanes = std::array<float, K>;
-
-  // In the tree's frame, rounded outward. Unused lanes hold the empty box: +-infinity.
-  std::array<Lanes, 3> lower;
-  std::array<Lanes, 3> upper;
-  std::uint32_t firstNode = 0;
-  std::uint32_t firstLeaf = 0;
-  std::uint16_t nodeMask = 0;  // bit k: child k is a node
-  std::uint16_t leafMask = 0;
-
-  [[nodiscard]] bool isLeaf(int lane) const { return (leafMask >> lane & 1) != 0; }
-  [[nodiscard]] std::uint32_t nodeIndex(int lane) const {
-    return firstNode + below(nodeMask, lane);
-  }
-  [[nodiscard]] std::uint32_t leafIndex(int lane) const {
-    return firstLeaf + below(leafMask, lane);
-  }
-
- private:
-  static std::uint32_t below(std::uint32_t mask, int lane) {
-    return static_cast<std::uint32_t>(std::popcount(mask & ((1U << lane) - 1U)));
-  }
-};
-
-/// The frame in which a tree stores its boxes in single precision: recentred, and scaled by a power
-/// of two so that the longest extent is about 1.
-struct BvhFrame {
-  Vec3<double> center;
-  double scale = 1;
-};
 
 /// A flat K-ary tree of boxes over leaves of W slots; a slot holds the id of a primitive, or kNone.
 /// A view of arrays that somebody else owns: it is copied as it is, and knows no primitive.
@@ -131,27 +94,39 @@ class BvhTree {
     return best;
   }
 
-  /// Keys for traverse(): the squared distances from `q`, in the tree's frame, to boxes.
+  /// Keys for traverse(): squared distances from `p`, in the tree's frame, to boxes; never more
+  /// than the true ones but for the rounding of the squares.
   struct SquaredDistances {
-    Vec3<float> q;
+    Vec3<double> p;
 
     CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
-      for (std::size_t k = 0; k < K; ++k) {
-        float sum = 0;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          const float coordinate = axis == 0 ? q.x : axis == 1 ? q.y : q.z;
-          const float under = node.lower[axis][k] - coordinate;
-          const float over = coordinate - node.upper[axis][k];
+      const BvhLocalPoint local = node.toLocalFloat(p);
+      typename BvhNode<K>::Lanes sums{};
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
+        const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
+        const float most = local.position[axis] + local.error;
+        const float least = local.position[axis] - local.error;
+        for (std::size_t k = 0; k < K; ++k) {
+          const float under = lowers[k] - most;
+          const float over = least - uppers[k];
           const float gap = under > over ? under : over;
-          sum += gap > 0 ? gap * gap : 0;
+          sums[k] += gap > 0 ? gap * gap : 0;
         }
-        out[k] = sum < kNoLimit ? sum : kNoLimit;
       }
+      for (std::size_t k = 0; k < K; ++k) out[k] = sums[k] < kNoLimit ? sums[k] : kNoLimit;
     }
   };
 
   [[nodiscard]] CUTWATER_INLINE Vec3<double> toFrame(const Vec3<double>& p) const {
-    return frame_.scale * (p - frame_.center);
+    return frame_.toFrame(p);
+  }
+  /// Rounded to float towards `direction` and on by more than an ulp. Boxes of the tree end at
+  /// about 1, so far beyond it nothing needs to be told apart.
+  [[nodiscard]] CUTWATER_INLINE static float outward(double value, int direction) {
+    constexpr double kFar = 1e30;
+    const double margin = 0x1p-23 * std::abs(value) + 0x1p-126;
+    return static_cast<float>(std::clamp(value + direction * margin, -kFar, kFar));
   }
 
   BvhFrame frame_;
@@ -171,7 +146,7 @@ void BvhTree<K, W>::traverse(Keys&& keys, Leaf&& leafVisitor, float limit) const
     Level& level = path[static_cast<std::size_t>(depth++)];
     level.node = &node;
     keys(node, level.keys);
-    level.pending = (std::uint32_t{node.nodeMask} | node.leafMask) & notAbove(limit, level.keys);
+    level.pending = node.childMask() & notAbove(limit, level.keys);
   };
 
   enter(nodes_.front());
@@ -197,26 +172,23 @@ template <typename Leaf>
 void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
                             Leaf&& leafVisitor) const {
   // Why no primitive is lost. All lengths in the tree's frame; u = 2^-24, the unit roundoff of
-  // float. Boxes enclose exactly. The query q = float((p - c) s) is off by at most u |q| (1 +
-  // tiny), so the distance from the true point to a box is at least D - 1.001 u |q|, where D is
-  // that from q. The key is the computed D^2: a difference, a square and two sums, each within a
-  // factor 1 +- u, so key <= D^2 (1 + u)^5 and, but for underflow (below 2^-126, added), D >=
-  // sqrt(key) (1 - 3 u). A primitive that could win has D - 1.001 u |q| <= (best + error) s, hence
-  // key <= ((best + error) s + 1.001 u |q|)^2 (1 + 6 u); 2^-20 leaves room for the double
-  // arithmetic and the last rounding to float.
-  constexpr double kUnit = 0x1p-24;
+  // float. Boxes enclose exactly, and the point in the node's frame lies within its error. So a gap
+  // on an axis is at most the true one times 1 + u, a key, three squares and two sums, at most D^2
+  // (1 + u)^5 with D the distance in the node's frame, and that is at most 1 + 2 u times the true
+  // distance. A primitive that could win has a true distance up to best + error, hence a key up to
+  // its square times 1 + 10 u; 2^-20 = 16 u leaves room for the last rounding to float. Positions in
+  // the frames are off by a few 2^-53 of their sizes.
   const Vec3<double> local = toFrame(p);
-  const Vec3<float> q(local);
-  const double offset = 1.01 * kUnit * length(local);
+  const double slack = error * frame_.scale + 0x1p-50 * (1 + length(local));
   const auto limitFor = [&](double value) {
     constexpr double kFar = 1e18;  // its square is about the largest float
     if (value >= kFar / frame_.scale) return kNoLimit;
-    const double reach = (value + error) * frame_.scale + offset;
+    const double reach = value * frame_.scale + slack;
     const double squared = reach > 0 ? reach * reach : 0;  // only boxes that contain q
     return reach < kFar ? static_cast<float>(squared * (1 + 0x1p-20) + 0x1p-126) : kNoLimit;
   };
   traverse(
-      SquaredDistances{q},
+      SquaredDistances{local},
       [&](std::span<const std::uint32_t> slots) { return limitFor(leafVisitor(slots)); },
       limitFor(best));
 }
@@ -224,26 +196,21 @@ void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
 template <int K, int W>
 template <typename Leaf>
 void BvhTree<K, W>::overlapping(const Box<double>& box, Leaf&& leafVisitor) const {
-  // In the tree's frame, rounded outward by more than the error of the conversion to float. Boxes
-  // of the tree end at about 1, so far beyond it nothing needs to be told apart.
-  constexpr double kFar = 1e30;
-  const Vec3<double> lower = toFrame(box.lower);
-  const Vec3<double> upper = toFrame(box.upper);
-  Vec3<float> from;
-  Vec3<float> to;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double margin = 0x1p-23 * (std::abs(lower[axis]) + std::abs(upper[axis])) + 0x1p-126;
-    from[axis] = static_cast<float>(std::clamp(lower[axis] - margin, -kFar, kFar));
-    to[axis] = static_cast<float>(std::clamp(upper[axis] + margin, -kFar, kFar));
-  }
+  const Vec3<double> middle = toFrame(box.center());
+  const Vec3<double> half = (0.5 * frame_.scale) * box.size();
   // The lane loop is innermost and writes to an array of its own: so compilers vectorise it.
-  const auto keys = [from, to](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
+  const auto keys = [middle, half](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
+    const Vec3<double> center = node.toLocal(middle);
+    const double size = maxComponent(abs(middle)) + maxComponent(half) + 1;
     typename BvhNode<K>::Lanes gaps{};  // on the axis on which they are farthest apart
     for (int axis = 0; axis < 3; ++axis) {
+      const auto& row = node.axes[static_cast<std::size_t>(axis)];
+      // What the box spans, and more than the rounding of it all.
+      const double reach = dot(abs(Vec3<double>(row)), half) + 0x1p-48 * size;
+      const auto first = outward(center[axis] - reach, -1);
+      const auto last = outward(center[axis] + reach, 1);
       const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
       const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
-      const float first = from[axis];
-      const float last = to[axis];
       for (std::size_t k = 0; k < K; ++k) {
         const float under = lowers[k] - last;
         const float over = first - uppers[k];
@@ -261,16 +228,14 @@ void BvhTree<K, W>::overlapping(const Box<double>& box, Leaf&& leafVisitor) cons
 template <int K, int W>
 template <typename Leaf>
 void BvhTree<K, W>::along(const Segment<double>& segment, Leaf&& leafVisitor) const {
-  const BvhSegment local(toFrame(segment.start), toFrame(segment.end));
+  const Vec3<double> start = toFrame(segment.start);
+  const Vec3<double> end = toFrame(segment.end);
   const auto keys = [&](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
-    const auto side = [](const auto& sides, std::size_t k) {
-      return Vec3<double>(Vec3<float>{sides[0][k], sides[1][k], sides[2][k]});
-    };
+    const BvhSegment local(node.toLocal(start), node.toLocal(end));
     for (std::size_t k = 0; k < K; ++k) {
-      const Vec3<double> lower = side(node.lower, k);
-      const Vec3<double> upper = side(node.upper, k);
-      const Vec3<double> middle = 0.5 * (lower + upper);
-      const Vec3<double> half = 0.5 * (upper - lower);
+      const Box<double> box = node.localBox(static_cast<int>(k));
+      const Vec3<double> middle = box.center();
+      const Vec3<double> half = 0.5 * box.size();
       out[k] = local.isApart(middle, half) ? kNoLimit : local.firstParameter(middle, half);
     }
   };

@@ -18,7 +18,13 @@ template <std::floating_point T>
 MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   const TriangleSurfaceData<T> data(mesh);
   const auto boxes = data.triangleBoxes();
-  const auto tree = buildBvh<Tree::kArity, Tree::kLeafWidth>(boxes);
+  const auto corners = [&](std::uint32_t id) {
+    const auto& v = data.triangles()[id];
+    return std::array{Vec3<double>(data.positions()[v[0]]), Vec3<double>(data.positions()[v[1]]),
+                      Vec3<double>(data.positions()[v[2]])};
+  };
+  const auto tree = buildTurnedBvh<TriangleTree::kArity, TriangleTree::kLeafWidth>(boxes, corners);
+  const auto packets = packTriangles<T>(data.positions(), data.triangles(), tree.tree());
   std::string names;
   for (const auto& name : mesh.patchNames()) names += name + '\0';
 
@@ -31,14 +37,16 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   const auto sections = data.addTo(writer);
   const auto nodes = writer.add(tree.nodes);
   const auto slots = writer.add(tree.slots);
+  const auto leaves = writer.add(packets);
   const auto windingSections = winding.addTo(writer);
   const auto nameBytes = writer.add(std::span<const char>(names));
   block_ = writer.finish();
 
   this->setSurface(sections.view(block_), winding.reach());
   const auto& surface = this->surface();
-  tree_ = Tree(tree.frame, block_.array<BvhNode<Tree::kArity>>(nodes),
-               block_.array<std::uint32_t>(slots));
+  tree_ = TriangleTree(tree.frame, block_.array<BvhNode<TriangleTree::kArity>>(nodes),
+                       block_.array<std::uint32_t>(slots));
+  search_ = TriangleSearch(tree_, block_.array<TrianglePacket>(leaves));
   winding_ = windingSections.view(block_);
   patchNames_ = block_.array<char>(nameBytes);
   auto signs = checkSigns<T>(surface, data, this->search(), options);
@@ -76,15 +84,16 @@ void MeshSDF<T>::probeAmbiguity(std::size_t count, SignReport& signs) const {
 }
 
 template <std::floating_point T>
-auto MeshSDF<T>::nearest(const Vec3<T>& p) const -> typename TriangleSurface<T>::Nearest {
-  const auto& surface = this->surface();
-  auto best = surface.nothing(p);
-  tree_.nearest(Vec3<double>(p), std::numeric_limits<double>::max(), double{best.error},
-                [&](std::span<const std::uint32_t> slots) {
-                  surface.compete(p, slots, best);
-                  return std::sqrt(double{best.hit.distanceSquared});
-                });
+auto MeshSDF<T>::nearest(const Vec3<T>& p) const -> Nearest {
+  auto best = this->surface().nothing(p);
+  search_.nearest(this->surface(), p, best);
   return best;
+}
+
+template <std::floating_point T>
+void MeshSDF<T>::nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const {
+  for (std::size_t i = 0; i < points.size(); ++i) nearest[i] = this->surface().nothing(points[i]);
+  search_.nearest(this->surface(), points, nearest);
 }
 
 template <std::floating_point T>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <Cutwater/Bvh/BvhTree.hpp>
 #include <Cutwater/Core/Block.hpp>
 #include <Cutwater/Mesh/DcelMesh.hpp>
 #include <Cutwater/Mesh/OpenWinding.hpp>
+#include <Cutwater/Mesh/TriangleSearch.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
 
 namespace cutwater {
@@ -33,9 +33,10 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   [[nodiscard]] std::size_t memoryBytes() const { return block_.bytes().size(); }
 
  private:
-  using Tree = BvhTree<16, 4>;
+  using Nearest = typename TriangleSurface<T>::Nearest;
 
-  [[nodiscard]] typename TriangleSurface<T>::Nearest nearest(const Vec3<T>& p) const override;
+  [[nodiscard]] Nearest nearest(const Vec3<T>& p) const override;
+  void nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const override;
   void along(const Segment<double>& segment, TriangleVisitor visit) const override;
   [[nodiscard]] bool isSurrounded(const Vec3<T>& p) const override;
   [[nodiscard]] bool isDecided(const Box<double>& box) const override;
@@ -44,7 +45,8 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   void probeAmbiguity(std::size_t count, SignReport& signs) const;
 
   Block block_;
-  Tree tree_;
+  TriangleTree tree_;
+  TriangleSearch search_;
   OpenWinding winding_;               // of a surface that is not closed
   std::span<const char> patchNames_;  // each ended by a zero
 };

@@ -12,7 +12,7 @@ namespace cutwater {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
-using Tree = BvhTree<16, 4>;
+using Tree = TriangleTree;
 
 /// Every position times a power of two, so that the largest coordinate is about 1.
 template <std::floating_point T>

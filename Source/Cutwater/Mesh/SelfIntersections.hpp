@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Bvh/BvhTree.hpp>
+#include <Cutwater/Mesh/TrianglePackets.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 
@@ -52,7 +52,7 @@ template <std::floating_point T>
 template <std::floating_point T>
 [[nodiscard]] SelfIntersections findSelfIntersections(
     std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
-    const BvhTree<16, 4>& tree, const SelfIntersectionOptions& options = {});
+    const TriangleTree& tree, const SelfIntersectionOptions& options = {});
 
 /// Polygons as triangulated, see DcelMesh::triangles(): two faces count once, however many of their
 /// triangles meet, and one whose own triangles meet counts as a pair of its own.

@@ -26,9 +26,9 @@ int firstVertex(TrianglePart part) {
 }  // namespace
 
 template <std::floating_point T>
-void TriangleSurface<T>::compete(const Vec3<T>& p, std::span<const std::uint32_t> ids,
+void TriangleSurface<T>::compete(const Vec3<T>& p, const std::uint32_t* ids, std::size_t count,
                                  Nearest& best) const {
-  for (const auto id : ids) {
+  for (const auto id : std::span(ids, count)) {
     if (id == kNone) return;
     const auto hit = detail::triangleHit(p, triangle(id));
     if (!(hit.distanceSquared <= best.tie)) continue;

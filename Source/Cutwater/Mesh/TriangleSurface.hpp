@@ -77,7 +77,10 @@ struct TriangleSurface {
   }
   /// Lets triangles compete with the best so far; the nearest wins, of equals the lowest id. Ids
   /// end at the first kNone.
-  void compete(const Vec3<T>& p, std::span<const std::uint32_t> ids, Nearest& best) const;
+  void compete(const Vec3<T>& p, std::span<const std::uint32_t> ids, Nearest& best) const {
+    compete(p, ids.data(), ids.size(), best);
+  }
+  void compete(const Vec3<T>& p, const std::uint32_t* ids, std::size_t count, Nearest& best) const;
 
   /// The sign of the pseudonormal of the nearest feature as computed: 1 outside, -1 inside. At
   /// sharp edges and where sheets are close it needs agreedSide() or locate() to be certain.

@@ -80,6 +80,27 @@ T TriangleSurfaceSDF<T>::localSignedDistance(const Vec3<T>& point) const {
 }
 
 template <std::floating_point T>
+void TriangleSurfaceSDF<T>::nearest(std::span<const Vec3<T>> points,
+                                    std::span<Nearest> nearest) const {
+  for (std::size_t i = 0; i < points.size(); ++i) nearest[i] = this->nearest(points[i]);
+}
+
+template <std::floating_point T>
+void TriangleSurfaceSDF<T>::localSignedDistances(std::span<const Vec3<T>> points,
+                                                 std::span<T> distances) const {
+  std::array<Vec3<T>, kBatch> p;
+  std::array<Nearest, kBatch> nearest;
+  for (std::size_t begin = 0; begin < points.size(); begin += kBatch) {
+    const auto count = std::min(kBatch, points.size() - begin);
+    for (std::size_t i = 0; i < count; ++i) p[i] = scaled(points[begin + i]);
+    this->nearest(std::span(p).first(count), std::span(nearest).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      distances[begin + i] = valueAt(points[begin + i], p[i], nearest[i]);
+    }
+  }
+}
+
+template <std::floating_point T>
 SurfacePoint<T> TriangleSurfaceSDF<T>::localClosestPoint(const Vec3<T>& point) const {
   const Vec3<T> p = scaled(point);
   const auto nearest = this->nearest(p);

@@ -28,6 +28,9 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
 
   /// The triangle nearest to `p`, of equals the one with the lowest id, and whatever ties with it.
   [[nodiscard]] virtual Nearest nearest(const Vec3<T>& p) const = 0;
+  /// The same for each of at most kBatch points.
+  virtual void nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const;
+  static constexpr std::size_t kBatch = 256;
   /// See TrianglesAlong.
   virtual void along(const Segment<double>& segment, TriangleVisitor visit) const = 0;
   // The winding number of a surface that is not closed: whether it exceeds 1/2 at the point, and
@@ -52,6 +55,7 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
 
  private:
   [[nodiscard]] T localSignedDistance(const Vec3<T>& point) const final;
+  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const final;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& point) const final;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& point) const final;
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& point) const final;

@@ -140,11 +140,6 @@ class MomentsBuilder {
     }
     return result;
   }
-  static Box<double> laneBox(const Node& node, int lane) {
-    const auto k = static_cast<std::size_t>(lane);
-    return {{node.lower[0][k], node.lower[1][k], node.lower[2][k]},
-            {node.upper[0][k], node.upper[1][k], node.upper[2][k]}};
-  }
 
   void take(std::size_t n) {
     const Node& node = tree_.nodes()[n];
@@ -190,7 +185,7 @@ class MomentsBuilder {
     forLanes(node.nodeMask, [&](int lane) {
       const auto k = static_cast<std::size_t>(lane);
       const Vec3<double> own{moments.center[0][k], moments.center[1][k], moments.center[2][k]};
-      const auto box = laneBox(node, lane);
+      const auto box = node.alignedBox(lane);
       const double ball = length(own - center) + double{moments.radius[k]};
       const double corner = length(max(abs(box.lower - center), abs(box.upper - center)));
       result = std::max(result, std::min(ball, corner));

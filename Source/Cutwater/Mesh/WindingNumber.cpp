@@ -104,11 +104,6 @@ Box<double> toFrame(const Box<double>& box, const BvhFrame& frame) {
   return Box<double>{lower, upper}.grown(0x1p-50 * maxComponent(max(abs(lower), abs(upper))));
 }
 
-Box<double> laneBox(const BvhNode<16>& node, std::size_t k) {
-  return {{node.lower[0][k], node.lower[1][k], node.lower[2][k]},
-          {node.upper[0][k], node.upper[1][k], node.upper[2][k]}};
-}
-
 }  // namespace
 
 template <std::floating_point T>
@@ -234,7 +229,7 @@ double WindingNumber<T>::gradientBound(const Box<double>& box) const {
       const auto k = static_cast<std::size_t>(lane);
       const double openLength{edges_[node.nodeIndex(lane)].length};
       if (!(openLength > 0)) continue;
-      const Box<double> child = laneBox(node, k);
+      const Box<double> child = node.alignedBox(static_cast<int>(k));
       const double gapSquared = lengthSquared(gapBetween(child, local));
       // Opened, it would be less by a factor of 4 at most.
       if (gapSquared > lengthSquared(child.size())) {
@@ -259,7 +254,7 @@ double WindingNumber<T>::gradientBoundByArea(const Box<double>& box) const {
     const auto& areas = moments_[indexOf(node)].area;
     for (std::uint32_t rest = node.nodeMask | node.leafMask; rest != 0; rest &= rest - 1) {
       const auto k = static_cast<std::size_t>(std::countr_zero(rest));
-      const Box<double> child = laneBox(node, k);
+      const Box<double> child = node.alignedBox(static_cast<int>(k));
       const double gapSquared = lengthSquared(gapBetween(child, local));
       const bool isFar = gapSquared > lengthSquared(child.size());
       out[k] = isFar ? WindingTree::kNoLimit : 0.0F;

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <Cutwater/Core/Box.hpp>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace cutwater {
+
+/// A point in the frame of a node, and how far rounding may have moved it there.
+struct BvhLocalPoint {
+  Vec3<float> position;
+  float error;  ///< on each axis
+};
+
+/// A node of a K-ary tree: the boxes of its children, in a frame that they share, component by
+/// component, and where the children are.
+///
+/// Children that are nodes lie next to each other in the tree's array, children that are leaves in
+/// theirs, so the index of a child is its base plus the number of such children in lower lanes.
+template <int K>
+struct alignas(64) BvhNode {
+  static_assert(K >= 2 && K <= 16);
+  using Lanes = std::array<float, K>;
+
+  // In the node's frame, rounded outward. Unused lanes hold the empty box: +-infinity.
+  std::array<Lanes, 3> lower;
+  std::array<Lanes, 3> upper;
+  // A point p of the tree's frame is at axes (p - center). The rows are orthonormal but for their
+  // rounding to float: a length in the node's frame is at most 1 + 2^-22 times the true one.
+  Vec3<float> center;
+  std::array<Vec3<float>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::uint32_t firstNode = 0;
+  std::uint32_t firstLeaf = 0;
+  std::uint16_t nodeMask = 0;  // bit k: child k is a node
+  std::uint16_t leafMask = 0;
+
+  [[nodiscard]] bool isLeaf(int lane) const { return (leafMask >> lane & 1) != 0; }
+  [[nodiscard]] std::uint32_t nodeIndex(int lane) const {
+    return firstNode + below(nodeMask, lane);
+  }
+  [[nodiscard]] std::uint32_t leafIndex(int lane) const {
+    return firstLeaf + below(leafMask, lane);
+  }
+  [[nodiscard]] std::uint32_t childMask() const { return std::uint32_t{nodeMask} | leafMask; }
+
+  /// The child's box in the node's frame.
+  [[nodiscard]] CUTWATER_INLINE Box<double> localBox(int lane) const {
+    const auto k = static_cast<std::size_t>(lane);
+    return {{lower[0][k], lower[1][k], lower[2][k]}, {upper[0][k], upper[1][k], upper[2][k]}};
+  }
+  /// The child's box in the tree's frame, for trees that were built without turned frames.
+  [[nodiscard]] CUTWATER_INLINE Box<double> alignedBox(int lane) const {
+    const Box<double> local = localBox(lane);
+    return {Vec3<double>(center) + local.lower, Vec3<double>(center) + local.upper};
+  }
+  [[nodiscard]] CUTWATER_INLINE Vec3<double> toLocal(const Vec3<double>& p) const {
+    const Vec3<double> d = p - Vec3<double>(center);
+    return {dot(Vec3<double>(axes[0]), d), dot(Vec3<double>(axes[1]), d),
+            dot(Vec3<double>(axes[2]), d)};
+  }
+  /// The same in single precision. With u = 2^-24 and |d|_1 the sum of the components' sizes, the
+  /// conversion moves a coordinate by u |d|_1, three products and two sums by 3 u |d|_1, with or
+  /// without fused operations; the rest of 6 u covers this bound's own rounding and that of the sum
+  /// of a coordinate and its error.
+  [[nodiscard]] CUTWATER_INLINE BvhLocalPoint toLocalFloat(const Vec3<double>& p) const {
+    const Vec3<float> d(p - Vec3<double>(center));
+    const Vec3<float> size = abs(d);
+    return {.position = {dot(axes[0], d), dot(axes[1], d), dot(axes[2], d)},
+            .error = 6 * 0x1p-24F * (size.x + size.y + size.z)};
+  }
+
+ private:
+  static std::uint32_t below(std::uint32_t mask, int lane) {
+    return static_cast<std::uint32_t>(std::popcount(mask & ((1U << lane) - 1U)));
+  }
+};
+
+/// The frame in which a tree stores its boxes in single precision: recentred, and scaled by a power
+/// of two so that the longest extent is about 1.
+struct BvhFrame {
+  Vec3<double> center;
+  double scale = 1;
+
+  [[nodiscard]] CUTWATER_INLINE Vec3<double> toFrame(const Vec3<double>& p) const {
+    return scale * (p - center);
+  }
+};
+
+}  // namespace cutwater

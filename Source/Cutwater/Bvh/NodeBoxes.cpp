@@ -1,0 +1,137 @@
+#include <Cutwater/Bvh/NodeBoxes.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Eigenvalues>
+
+namespace cutwater::detail {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Vector3d toEigen(const Vec3<double>& v) {
+  return {v.x, v.y, v.z};
+}
+
+Vector3d principalAxis(const Matrix3d& symmetric) {
+  Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
+  solver.computeDirect(symmetric);
+  return solver.eigenvectors().col(2);
+}
+
+double summedArea(const std::vector<Box<double>>& boxes) {
+  return std::transform_reduce(boxes.begin(), boxes.end(), 0.0, std::plus<>(), halfArea);
+}
+
+}  // namespace
+
+NodeBoxes::NodeBoxes(const BinaryBvh& tree, std::span<const std::uint32_t> children,
+                     const BvhFrame& frame, const BvhCorners* corners)
+    : tree_(tree), children_(children), frame_(frame), corners_(corners) {
+  Box<double> whole;
+  for (const auto child : children) {
+    const auto& box = tree.nodes[child].box;
+    boxes_.push_back({frame.toFrame(box.lower), frame.toFrame(box.upper)});
+    whole.extend(boxes_.back());
+  }
+  center_ = static_cast<Vec3<float>>(whole.center());
+  const Vec3<double> origin(center_);
+  for (auto& box : boxes_) box = {box.lower - origin, box.upper - origin};
+  // Conversion to the frame, the difference to its centre, three products and two sums.
+  rounding_ = 0x1p-49 * maxComponent(max(abs(whole.lower), abs(whole.upper)));
+  if (corners == nullptr) return;
+
+  const Axes turned = fittingAxes();
+  auto turnedBoxes = boxesAlong(turned);
+  if (summedArea(turnedBoxes) < summedArea(boxes_)) {
+    axes_ = turned;
+    boxes_ = std::move(turnedBoxes);
+  }
+}
+
+Box<float> NodeBoxes::box(std::size_t child) const {
+  constexpr float kInf = std::numeric_limits<float>::infinity();
+  const Box<double> exact = boxes_[child].grown(rounding_);
+  const Box<float> nearest{static_cast<Vec3<float>>(exact.lower),
+                           static_cast<Vec3<float>>(exact.upper)};
+  Box<float> result;
+  for (int axis = 0; axis < 3; ++axis) {
+    result.lower[axis] = std::nextafter(nearest.lower[axis], -kInf);
+    result.upper[axis] = std::nextafter(nearest.upper[axis], kInf);
+  }
+  return result;
+}
+
+std::array<Vec3<double>, 3> NodeBoxes::corners(std::uint32_t id) const {
+  auto result = (*corners_)(id);
+  for (auto& corner : result) corner = frame_.toFrame(corner) - Vec3<double>(center_);
+  return result;
+}
+
+NodeBoxes::Axes NodeBoxes::fittingAxes() const {
+  constexpr std::size_t kSamples = 512;  // so that large nodes cost no more than small ones
+  std::size_t count = 0;
+  for (const auto child : children_) count += tree_.nodes[child].count();
+  const std::size_t stride = 1 + count / kSamples;
+
+  Matrix3d normals = Matrix3d::Zero();  // sum of A n n^T
+  Matrix3d spread = Matrix3d::Zero();
+  Vector3d sum = Vector3d::Zero();
+  double samples = 0;
+  std::size_t next = 0;
+  for (const auto child : children_) {
+    const auto& node = tree_.nodes[child];
+    for (; next < node.count(); next += stride) {
+      const auto t = corners(tree_.order[node.begin + next]);
+      const Vector3d areaNormal = toEigen(cross(t[1] - t[0], t[2] - t[0]));
+      const double area = areaNormal.norm();
+      if (area > 0) normals += areaNormal * (areaNormal / area).transpose();
+      for (const auto& corner : t) {
+        const Vector3d v = toEigen(corner);
+        spread += v * v.transpose();
+        sum += v;
+        ++samples;
+      }
+    }
+    next -= node.count();
+  }
+  const Vector3d n = principalAxis(normals);
+  const Matrix3d flat = Matrix3d::Identity() - n * n.transpose();
+  const Matrix3d covariance = spread - sum * sum.transpose() / samples;
+  const Vector3d u = principalAxis(flat * covariance * flat);
+  // Orthonormal whatever the solver made of degenerate matrices.
+  const Vector3d first = (u - u.dot(n) * n).normalized();
+  const Vector3d second = n.cross(first);
+  const auto row = [](const Vector3d& v) {
+    return static_cast<Vec3<float>>(Vec3<double>{v.x(), v.y(), v.z()});
+  };
+  const Axes axes{row(first), row(second), row(n)};
+  const bool valid = std::ranges::all_of(axes, [](const auto& axis) {
+    return std::abs(length(axis) - 1) < 0x1p-20F;  // not if anything is NaN
+  });
+  return valid ? axes : axes_;
+}
+
+std::vector<Box<double>> NodeBoxes::boxesAlong(const Axes& axes) const {
+  const std::array<Vec3<double>, 3> rows{Vec3<double>(axes[0]), Vec3<double>(axes[1]),
+                                         Vec3<double>(axes[2])};
+  std::vector<Box<double>> boxes;
+  boxes.reserve(children_.size());
+  for (const auto child : children_) {
+    Box<double> box;
+    const auto& node = tree_.nodes[child];
+    for (auto i = node.begin; i < node.end; ++i) {
+      for (const auto& v : corners(tree_.order[i])) {
+        box.extend(Vec3<double>{dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)});
+      }
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+}  // namespace cutwater::detail

@@ -1,0 +1,75 @@
+#include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/Mesh/TriangleDistance.hpp>
+#include <Cutwater/Mesh/TrianglePackets.hpp>
+
+#include <cmath>
+
+namespace cutwater {
+
+namespace {
+
+using Corners = std::array<Vec3<double>, 3>;
+
+void set(std::array<TrianglePacket::Lanes, 3>& to, std::size_t lane, const Vec3<double>& v) {
+  for (int axis = 0; axis < 3; ++axis) {
+    to[static_cast<std::size_t>(axis)][lane] = static_cast<float>(v[axis]);
+  }
+}
+
+/// Of triangles in the tree's frame.
+TrianglePacket packed(std::span<const Corners> triangles) {
+  Box<double> box;
+  for (const auto& triangle : triangles) {
+    for (const auto& corner : triangle) box.extend(corner);
+  }
+  TrianglePacket packet;
+  packet.center = static_cast<Vec3<float>>(box.center());
+  const Vec3<double> center(packet.center);
+  double radius = 0;
+  for (std::size_t lane = 0; lane < TrianglePacket::kWidth; ++lane) {
+    const auto& [a, b, c] = triangles[std::min(lane, triangles.size() - 1)];
+    const bool sliver = isSliver(a, b, c);
+    set(packet.a, lane, a - center);
+    set(packet.ab, lane, b - a);
+    set(packet.ac, lane, c - a);
+    set(packet.normal, lane, unitNormal(Triangle<double>{a, b, c, sliver}));
+    for (const auto& corner : {a, b, c}) radius = std::max(radius, length(corner - center));
+  }
+  packet.radius = static_cast<float>(radius * (1 + 0x1p-20));
+  return packet;
+}
+
+}  // namespace
+
+template <std::floating_point T>
+std::vector<TrianglePacket> packTriangles(std::span<const Vec3<T>> positions,
+                                          std::span<const std::array<std::uint32_t, 3>> triangles,
+                                          const TriangleTree& tree) {
+  constexpr std::size_t kWidth = TrianglePacket::kWidth;
+  std::vector<TrianglePacket> packets(tree.slots().size() / kWidth);
+  parallelFor(packets.size(), {.grain = 256}, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      std::array<Corners, kWidth> corners;
+      std::size_t count = 0;
+      for (const auto id : tree.leaf(static_cast<std::uint32_t>(n))) {
+        if (id == kNone) break;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Vec3<double> corner(positions[triangles[id][i]]);
+          corners[count][i] = tree.frame().toFrame(corner);
+        }
+        ++count;
+      }
+      packets[n] = packed(std::span(corners).first(count));
+    }
+  });
+  return packets;
+}
+
+template std::vector<TrianglePacket> packTriangles(std::span<const Vec3<float>>,
+                                                   std::span<const std::array<std::uint32_t, 3>>,
+                                                   const TriangleTree&);
+template std::vector<TrianglePacket> packTriangles(std::span<const Vec3<double>>,
+                                                   std::span<const std::array<std::uint32_t, 3>>,
+                                                   const TriangleTree&);
+
+}  // namespace cutwater

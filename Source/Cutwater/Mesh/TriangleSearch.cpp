@@ -1,0 +1,62 @@
+#include <Cutwater/Mesh/TriangleSearch.hpp>
+#include <Cutwater/Simd/InstructionSet.hpp>
+
+namespace cutwater {
+
+namespace {
+
+template <std::floating_point T>
+using NearestTriangle = void(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>&,
+                             typename TriangleSurface<T>::Nearest&);
+template <std::floating_point T>
+using NearestTriangles = void(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>*,
+                              typename TriangleSurface<T>::Nearest*, std::size_t);
+
+}  // namespace
+
+#define CUTWATER_DECLARE_FOR(T)                                                            \
+  void nearestTriangle(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>&,   \
+                       TriangleSurface<T>::Nearest&);                                      \
+  void nearestTriangles(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>*,  \
+                        TriangleSurface<T>::Nearest*, std::size_t);
+#define CUTWATER_DECLARE(set)    \
+  namespace set {                \
+  CUTWATER_DECLARE_FOR(float)    \
+  CUTWATER_DECLARE_FOR(double)   \
+  }
+CUTWATER_FOR_INSTRUCTION_SETS(CUTWATER_DECLARE)
+#undef CUTWATER_DECLARE
+#undef CUTWATER_DECLARE_FOR
+
+TriangleSearch::TriangleSearch(const TriangleTree& tree, std::span<const TrianglePacket> leaves)
+    : nodes(tree.nodes().data()),
+      slots(tree.slots().data()),
+      packets(leaves.data()),
+      frame(tree.frame()) {}
+
+template <std::floating_point T>
+void TriangleSearch::nearest(const TriangleSurface<T>& surface, const Vec3<T>& p,
+                             typename TriangleSurface<T>::Nearest& best) const {
+  static NearestTriangle<T>* const function =
+      CUTWATER_BEST_OF(NearestTriangle<T>, nearestTriangle);
+  function(*this, surface, p, best);
+}
+
+template <std::floating_point T>
+void TriangleSearch::nearest(const TriangleSurface<T>& surface, std::span<const Vec3<T>> points,
+                             std::span<typename TriangleSurface<T>::Nearest> bests) const {
+  static NearestTriangles<T>* const function =
+      CUTWATER_BEST_OF(NearestTriangles<T>, nearestTriangles);
+  function(*this, surface, points.data(), bests.data(), points.size());
+}
+
+#define CUTWATER_INSTANTIATE(T)                                                              \
+  template void TriangleSearch::nearest(const TriangleSurface<T>&, const Vec3<T>&,           \
+                                        TriangleSurface<T>::Nearest&) const;                 \
+  template void TriangleSearch::nearest(const TriangleSurface<T>&, std::span<const Vec3<T>>, \
+                                        std::span<TriangleSurface<T>::Nearest>) const;
+CUTWATER_INSTANTIATE(float)
+CUTWATER_INSTANTIATE(double)
+#undef CUTWATER_INSTANTIATE
+
+}  // namespace cutwater

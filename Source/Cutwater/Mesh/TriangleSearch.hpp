@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Cutwater/Mesh/TrianglePackets.hpp>
+#include <Cutwater/Mesh/TriangleSurface.hpp>
+
+namespace cutwater {
+
+/// What the search for the nearest triangle of a surface reads; a view of arrays in a block.
+///
+/// Whole loops are compiled for each instruction set, from one source: TriangleSearch.inl.
+struct TriangleSearch {
+  const BvhNode<16>* nodes = nullptr;
+  const std::uint32_t* slots = nullptr;
+  const TrianglePacket* packets = nullptr;
+  BvhFrame frame;
+
+  TriangleSearch() = default;
+  TriangleSearch(const TriangleTree& tree, std::span<const TrianglePacket> leaves);
+
+  /// Lets all triangles compete that may be the nearest to `p`, or tie with it within rounding.
+  /// `best` is surface.nothing(p), or what is known already.
+  template <std::floating_point T>
+  void nearest(const TriangleSurface<T>& surface, const Vec3<T>& p,
+               typename TriangleSurface<T>::Nearest& best) const;
+
+  /// The same for many points, each with its own `bests`. Neighbours in the span are best close to
+  /// each other in space.
+  template <std::floating_point T>
+  void nearest(const TriangleSurface<T>& surface, std::span<const Vec3<T>> points,
+               std::span<typename TriangleSurface<T>::Nearest> bests) const;
+};
+
+}  // namespace cutwater

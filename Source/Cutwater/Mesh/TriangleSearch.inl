@@ -1,0 +1,371 @@
+// The search of TriangleSearch.hpp, compiled once per instruction set.
+
+#include <Cutwater/Mesh/TriangleSearch.hpp>
+#include <Cutwater/Simd/Lanes.inl>
+
+namespace cutwater::CUTWATER_SIMD {
+
+namespace {
+
+using Node = BvhNode<16>;
+constexpr int kWidth = TrianglePacket::kWidth;
+constexpr float kFar = 0x1p126F;  // above every squared distance
+
+// As plain arrays: the standard library's functions stay out.
+static_assert(sizeof(Node) == 448 && sizeof(TrianglePacket) == 832);
+CUTWATER_INLINE inline const float* lowerSide(const Node& node, int axis) {
+  return reinterpret_cast<const float*>(&node) + 16 * axis;
+}
+CUTWATER_INLINE inline const float* upperSide(const Node& node, int axis) {
+  return reinterpret_cast<const float*>(&node) + 16 * (3 + axis);
+}
+enum Row : std::uint8_t { A = 0, AB = 3, AC = 6, Normal = 9 };
+CUTWATER_INLINE inline Floats3 rows(const TrianglePacket& packet, Row row, int lane) {
+  const float* const from = reinterpret_cast<const float*>(&packet) + kWidth * row + lane;
+  return {load(from), load(from + kWidth), load(from + 2 * kWidth)};
+}
+
+/// A point relative to the centre of a packet, in single precision.
+struct PacketPoint {
+  Floats3 position;
+  /// u (|p| + radius), with u = 2^-24: what all rounding is measured in.
+  float unit;
+};
+
+CUTWATER_INLINE inline PacketPoint relativeTo(const TrianglePacket& packet, const Vec3<double>& p) {
+  const Vec3<float> d(p - Vec3<double>(packet.center));
+  const Vec3<float> size = abs(d);
+  return {{broadcast(d.x), broadcast(d.y), broadcast(d.z)},
+          0x1p-24F * (size.x + size.y + size.z + packet.radius)};
+}
+
+/// The point's squared distance from the edge's start `v`, less its part along the edge.
+CUTWATER_INLINE inline Floats edgeDistance(const Floats3& v, const Floats3& edge) {
+  // A quotient that is not a number, as of an edge without length, counts as 0.
+  const Floats place = dot(edge, v) / dot(edge, edge);
+  const Floats t = least(most(place, broadcast(0)), broadcast(1));
+  const Floats3 rest = subtractMultiple(v, t, edge);
+  return dot(rest, rest);
+}
+
+/// Positive if `v`, from the edge's start, lies on the inner side of the edge by more than rounding.
+CUTWATER_INLINE inline Floats inward(const Floats3& v, const Floats3& edge, const Floats3& normal,
+                                     Floats margin) {
+  const Floats size = magnitude(edge.x) + magnitude(edge.y) + magnitude(edge.z);
+  return dot(cross(edge, v), normal) - margin * size;
+}
+
+// How far computed distances may be off, in units of u R, R = |p| + radius. The triangle that the
+// rounded numbers stand for has corners within 7 of the true ones, its plane's tilt included, and
+// the point is within 1. Against that triangle, by first order: the difference to a corner 1; the
+// rest beside an edge 6, its square and root 2, the third edge 1 more; the height 4. In all 17 at
+// most.
+//
+// To that come errors along the triangle. An edge's parameter is off by up to 11, which moves the
+// foot along the edge; a side is computed to 12 u R times the edge's length, and as the point has
+// to be inside by that (the margin; the edge's size is up to sqrt(3) lengths) it is never inside
+// falsely, but may be 42 within an edge and count as outside. Both add in quadrature: where the
+// distance d is not small, (53 u R)^2 / 2 d, less than u R from d = 2^-12 R on.
+constexpr float kSideError = 12;
+constexpr float kError = 18;
+constexpr float kErrorNearby = 72;
+constexpr float kNearby = 0x1p-12F / 0x1p-24F;
+
+/// Squared distances, in single precision, to a packet's triangles from `lane` on.
+CUTWATER_INLINE inline Floats distances(const TrianglePacket& packet, int lane,
+                                        const PacketPoint& p) {
+  const Floats3 v = p.position - rows(packet, A, lane);
+  const Floats3 ab = rows(packet, AB, lane);
+  const Floats3 ac = rows(packet, AC, lane);
+  const Floats3 normal = rows(packet, Normal, lane);
+  const Floats3 bc = ac - ab;
+  const Floats3 vb = v - ab;
+  const Floats edges = least(least(edgeDistance(v, ab), edgeDistance(v, ac)), edgeDistance(vb, bc));
+
+  const Floats margin = broadcast(kSideError * p.unit);
+  const Floats3 ca{-ac.x, -ac.y, -ac.z};
+  const Floats inside = least(least(inward(v, ab, normal, margin), inward(vb, bc, normal, margin)),
+                              inward(v, ca, normal, margin));
+  const Floats height = dot(v, normal);
+  return wherePositive(inside, least(height * height, edges), edges);
+}
+
+/// The search for the triangles nearest to one point, in steps, so that several can take turns.
+template <typename T>
+class Search {
+ public:
+  CUTWATER_INLINE Search(const TriangleSearch& tree, const TriangleSurface<T>& surface)
+      : tree_(tree), surface_(surface) {}
+
+  /// The nearest triangle is known to be within `reach`, in units of the surface.
+  CUTWATER_INLINE void start(const Vec3<T>& p, typename TriangleSurface<T>::Nearest& best,
+                             double reach) {
+    p_ = &p;
+    best_ = &best;
+    q_ = tree_.frame.toFrame(Vec3<double>(p));
+    // All that may be the nearest, or tie with it, by their computed distances; and the rounding
+    // of positions in the frames.
+    const double size = q_.x * q_.x + q_.y * q_.y + q_.z * q_.z;
+    slack_ = 4 * double{best.error} * tree_.frame.scale +
+             0x1p-50 * (1 + __builtin_sqrt(size)) + 0x1p-60;
+    upper_ = reach * tree_.frame.scale;
+    setLimit();
+    depth_ = 0;
+    isLeaf_ = false;
+    target_ = 0;
+  }
+
+  /// Looks at a node or a leaf and finds out the next one. False: there is none.
+  CUTWATER_INLINE bool step() {
+    if (isLeaf_) {
+      look(target_);
+    } else {
+      Level& level = path_[depth_++];
+      level.node = &tree_.nodes[target_];
+      level.pending = enter(*level.node, level.keys);
+    }
+    while (depth_ > 0) {
+      Level& level = path_[depth_ - 1];
+      std::uint32_t pending = level.pending;
+      if (pending != 0) pending &= within(level.keys);  // others were overtaken while they waited
+      if (pending == 0) {
+        --depth_;
+        continue;
+      }
+      const int lane = leastLane(level.keys, pending);
+      level.pending = pending & ~(1U << lane);
+      setTarget(*level.node, lane);
+      return true;
+    }
+    return false;
+  }
+
+  CUTWATER_INLINE void prefetch() const {
+    const void* const from = isLeaf_ ? static_cast<const void*>(&tree_.packets[target_])
+                                     : static_cast<const void*>(&tree_.nodes[target_]);
+    const std::size_t size = isLeaf_ ? sizeof(TrianglePacket) : sizeof(Node);
+    for (std::size_t at = 0; at < size; at += 64) {
+      __builtin_prefetch(static_cast<const char*>(from) + at);
+    }
+    if (isLeaf_) __builtin_prefetch(&tree_.slots[target_ * kWidth]);
+  }
+
+  /// Evaluates the candidates in full.
+  CUTWATER_INLINE void finish() { evaluate(); }
+
+ private:
+  struct Level {
+    alignas(64) float keys[16];
+    const Node* node;
+    std::uint32_t pending;  // lanes
+  };
+
+  CUTWATER_INLINE void setTarget(const Node& node, int lane) {
+    const std::uint32_t before = (1U << lane) - 1U;
+    isLeaf_ = (node.leafMask >> lane & 1) != 0;
+    const std::uint32_t mask = isLeaf_ ? node.leafMask : node.nodeMask;
+    target_ = (isLeaf_ ? node.firstLeaf : node.firstNode) +
+              static_cast<std::uint32_t>(__builtin_popcount(mask & before));
+  }
+  CUTWATER_INLINE void setLimit() {
+    const double reach = upper_ + slack_;
+    const double squared = reach * reach * (1 + 0x1p-19);
+    limit_ = squared < kFar ? static_cast<float>(squared) : kFar;
+  }
+
+  /// Lower bounds of the squared distances to the node's children, but for relative rounding: see
+  /// BvhTree::nearest(). Returns the lanes that are near enough.
+  CUTWATER_INLINE std::uint32_t enter(const Node& node, float* keys) const {
+    const BvhLocalPoint local = node.toLocalFloat(q_);
+    const Floats limit = broadcast(limit_);
+    std::uint32_t lanes = 0;
+    for (int lane = 0; lane < 16; lane += kLanes) {
+      Floats sum = broadcast(0);
+      for (int axis = 0; axis < 3; ++axis) {
+        const float x = local.position[axis];
+        const Floats under = load(lowerSide(node, axis) + lane) - broadcast(x + local.error);
+        const Floats over = broadcast(x - local.error) - load(upperSide(node, axis) + lane);
+        const Floats gap = most(most(under, over), broadcast(0));
+        sum = multiplyAdd(gap, gap, sum);
+      }
+      store(keys + lane, sum);
+      lanes |= notAbove(sum, limit) << lane;
+    }
+    return lanes & (std::uint32_t{node.nodeMask} | node.leafMask);
+  }
+  CUTWATER_INLINE std::uint32_t within(const float* keys) const {
+    const Floats limit = broadcast(limit_);
+    std::uint32_t lanes = 0;
+    for (int lane = 0; lane < 16; lane += kLanes) lanes |= notAbove(load(keys + lane), limit) << lane;
+    return lanes;
+  }
+  /// Notes the triangles of a leaf that may be the nearest.
+  CUTWATER_INLINE void look(std::uint32_t leaf) {
+    const TrianglePacket& packet = tree_.packets[leaf];
+    const PacketPoint local = relativeTo(packet, q_);
+    alignas(64) float found[kWidth];
+    Floats least16 = broadcast(kFar);
+    for (int lane = 0; lane < kWidth; lane += kLanes) {
+      const Floats d = distances(packet, lane, local);
+      store(found + lane, d);
+      least16 = least(least16, d);
+    }
+    const float nearest = squareRoot(leastOf(least16));
+    const float error =
+        (nearest > kNearby * local.unit ? kError : kErrorNearby) * local.unit + 0x1p-60F;
+    if (const double upper = double{nearest} + double{error}; upper < upper_) {
+      upper_ = upper;
+      setLimit();
+    }
+    const double reach = upper_ + slack_ + double{error};
+    const Floats limit = broadcast(static_cast<float>(reach * reach * (1 + 0x1p-19)));
+    std::uint32_t lanes = 0;
+    for (int lane = 0; lane < kWidth; lane += kLanes) {
+      lanes |= notAbove(load(found + lane), limit) << lane;
+    }
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const int lane = __builtin_ctz(lanes);
+      const std::uint32_t id = tree_.slots[leaf * kWidth + static_cast<std::uint32_t>(lane)];
+      if (id == kNone) break;
+      note(id, squareRoot(found[lane]) - error);
+    }
+  }
+
+  CUTWATER_INLINE void note(std::uint32_t id, float lower) {
+    if (count_ == kMost) {
+      drop();
+      if (count_ == kMost) evaluate();
+    }
+    ids_[count_] = id;
+    lowers_[count_] = lower;
+    ++count_;
+  }
+  /// Forgets candidates that were overtaken.
+  CUTWATER_INLINE void drop() {
+    const auto reach = static_cast<float>((upper_ + slack_) * (1 + 0x1p-20));
+    int kept = 0;
+    for (int i = 0; i < count_; ++i) {
+      ids_[kept] = ids_[i];
+      lowers_[kept] = lowers_[i];
+      kept += lowers_[i] <= reach ? 1 : 0;
+    }
+    count_ = kept;
+  }
+  CUTWATER_INLINE void evaluate() {
+    drop();
+    surface_.compete(*p_, ids_, static_cast<std::size_t>(count_), *best_);
+    count_ = 0;
+  }
+
+  static constexpr int kMost = 48;
+
+  const TriangleSearch& tree_;
+  const TriangleSurface<T>& surface_;
+  const Vec3<T>* p_ = nullptr;
+  typename TriangleSurface<T>::Nearest* best_ = nullptr;
+  Vec3<double> q_;          // in the tree's frame, as all lengths below
+  double upper_ = 0x1p62;   // the nearest triangle is not farther
+  double slack_ = 0;
+  float limit_ = kFar;      // of keys
+  int count_ = 0;           // candidates: those that may be the nearest, with lower bounds
+  std::uint32_t ids_[kMost];
+  float lowers_[kMost];
+  bool isLeaf_ = false;       // what to look at next
+  std::uint32_t target_ = 0;
+  int depth_ = 0;
+  Level path_[TriangleTree::kMaxDepth];
+};
+
+constexpr double kAnywhere = 0x1p62;
+
+template <typename T>
+CUTWATER_INLINE inline void nearestOne(const TriangleSearch& tree,
+                                       const TriangleSurface<T>& surface, const Vec3<T>& p,
+                                       typename TriangleSurface<T>::Nearest& best) {
+  Search<T> search(tree, surface);
+  search.start(p, best, kAnywhere);
+  while (search.step()) {
+  }
+  search.finish();
+}
+
+/// Searches of several points in turns: while the memory that one needs is on its way, others go
+/// on. Each takes a run of neighbouring points, and the last answer bounds the next.
+template <typename T>
+class Team {
+ public:
+  using Nearest = typename TriangleSurface<T>::Nearest;
+
+  CUTWATER_INLINE Team(const TriangleSearch& tree, const TriangleSurface<T>& surface,
+                       const Vec3<T>* points, Nearest* bests)
+      : points_(points), bests_(bests), search_{{tree, surface}, {tree, surface}, {tree, surface}, {tree, surface},{tree, surface}, {tree, surface}, {tree, surface}, {tree, surface}} {}
+
+  CUTWATER_INLINE void run(std::size_t count) {
+    int busy = 0;
+    for (int i = 0; i < kSize; ++i) {
+      next_[i] = count * static_cast<std::size_t>(i) / kSize;
+      end_[i] = count * static_cast<std::size_t>(i + 1) / kSize;
+      if (next_[i] == end_[i]) continue;
+      active_[busy++] = i;
+      search_[i].start(points_[next_[i]], bests_[next_[i]], kAnywhere);
+    }
+    while (busy > 0) {
+      for (int n = 0; n < busy;) {
+        const int i = active_[n];
+        if (search_[i].step()) {
+          search_[i].prefetch();
+          ++n;
+        } else if (proceed(i)) {
+          ++n;
+        } else {
+          active_[n] = active_[--busy];
+        }
+      }
+    }
+  }
+
+ private:
+  /// To the next point of the run; false at its end.
+  CUTWATER_INLINE bool proceed(int i) {
+    search_[i].finish();
+    const std::size_t done = next_[i]++;
+    if (next_[i] == end_[i]) return false;
+    const Vec3<double> way = Vec3<double>(points_[next_[i]]) - Vec3<double>(points_[done]);
+    const double reach = __builtin_sqrt(double{bests_[done].hit.distanceSquared}) +
+                         __builtin_sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+    search_[i].start(points_[next_[i]], bests_[next_[i]],
+                     reach * (1 + 0x1p-20) + double{bests_[done].error});
+    return true;
+  }
+
+  static constexpr int kSize = 8;
+
+  const Vec3<T>* points_;
+  Nearest* bests_;
+  Search<T> search_[kSize];
+  std::size_t next_[kSize];
+  std::size_t end_[kSize];
+  int active_[kSize];  // those with points left
+};
+
+}  // namespace
+
+#define CUTWATER_DEFINE(T)                                                                  \
+  void nearestTriangle(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>&,    \
+                       TriangleSurface<T>::Nearest&);                                       \
+  void nearestTriangle(const TriangleSearch& tree, const TriangleSurface<T>& surface,       \
+                       const Vec3<T>& p, TriangleSurface<T>::Nearest& best) {               \
+    nearestOne(tree, surface, p, best);                                                     \
+  }                                                                                         \
+  void nearestTriangles(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>*,   \
+                        TriangleSurface<T>::Nearest*, std::size_t);                         \
+  void nearestTriangles(const TriangleSearch& tree, const TriangleSurface<T>& surface,      \
+                        const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,          \
+                        std::size_t count) {                                                \
+    Team<T>(tree, surface, points, bests).run(count);                                       \
+  }
+CUTWATER_DEFINE(float)
+CUTWATER_DEFINE(double)
+#undef CUTWATER_DEFINE
+
+}  // namespace cutwater::CUTWATER_SIMD
