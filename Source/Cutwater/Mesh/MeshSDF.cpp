@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/SelfIntersections.hpp>
 #include <Cutwater/Mesh/SoundnessCheck.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
@@ -17,7 +18,7 @@ MeshSDF<T>::MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options)
 template <std::floating_point T>
 MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   const TriangleSurfaceData<T> data(mesh);
-  const auto boxes = data.triangleBoxes();
+  const auto boxes = triangleBoxes(data.positions(), data.triangles());
   const auto tree = buildBvh<Tree::kArity, Tree::kLeafWidth>(boxes);
   std::string names;
   for (const auto& name : mesh.patchNames()) names += name + '\0';

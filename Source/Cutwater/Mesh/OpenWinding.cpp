@@ -1,6 +1,7 @@
 #include <Cutwater/Bvh/BvhBuilder.hpp>
 #include <Cutwater/Mesh/HoleCaps.hpp>
 #include <Cutwater/Mesh/OpenWinding.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -65,11 +66,7 @@ OpenWindingData::OpenWindingData(std::span<const Vec3<T>> positions,
   auto caps = capHoles(positions, findOpenEdges(triangles, positions.size()));
   positions_ = std::move(caps.positions);
   triangles_ = std::move(caps.triangles);
-  std::vector<Box<double>> boxes;
-  for (const auto& [a, b, c] : triangles_) {
-    boxes.push_back(
-        Box<double>{}.extend(positions_[a]).extend(positions_[b]).extend(positions_[c]));
-  }
+  const auto boxes = triangleBoxes<double>(positions_, triangles_);
   auto tree = buildBvh<WindingTree::kArity, WindingTree::kLeafWidth>(boxes);
   winding_ = buildWindingMoments<double>(positions_, triangles_, tree.tree());
   frame_ = tree.frame;

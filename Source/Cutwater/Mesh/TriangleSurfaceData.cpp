@@ -86,18 +86,6 @@ void TriangleSurfaceData<T>::markSlivers() {
 }
 
 template <std::floating_point T>
-std::vector<Box<double>> TriangleSurfaceData<T>::triangleBoxes() const {
-  std::vector<Box<double>> boxes;
-  boxes.reserve(triangles_.size());
-  for (const auto& corners : triangles_) {
-    Box<double> box;
-    for (const auto v : corners) box.extend(Vec3<double>(positions_[v]));
-    boxes.push_back(box);
-  }
-  return boxes;
-}
-
-template <std::floating_point T>
 auto TriangleSurfaceData<T>::addTo(BlockWriter& writer) const -> Sections {
   return {.positions = writer.add(positions_),
           .triangles = writer.add(triangles_),

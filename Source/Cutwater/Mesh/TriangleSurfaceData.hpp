@@ -34,7 +34,6 @@ class TriangleSurfaceData {
   [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> triangles() const {
     return triangles_;
   }
-  [[nodiscard]] std::vector<Box<double>> triangleBoxes() const;
   [[nodiscard]] const ShellOrientation& orientation() const { return orientation_; }
   /// See findOpenEdges(): none, if the surface is closed.
   [[nodiscard]] std::size_t unbalancedEdges() const { return unbalancedEdges_; }
