@@ -14,11 +14,6 @@ namespace {
 using Corners = std::array<std::uint32_t, 3>;
 using Tree = BvhTree<16, 4>;
 
-bool meet(const Box<double>& a, const Box<double>& b) {
-  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
-         b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
-}
-
 template <std::floating_point T>
 void requireTriangles(std::span<const Vec3<T>> positions, std::span<const Corners> triangles) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -99,7 +94,7 @@ class Search {
     tree_.overlapping(box, [&](std::span<const std::uint32_t> slots) {
       for (const auto other : slots) {
         if (other == kNone) break;
-        if (other > triangle && meet(box, boxes_[other]) && !flat_[other] &&
+        if (other > triangle && box.overlaps(boxes_[other]) && !flat_[other] &&
             intersect(positions_, triangles_[triangle], triangles_[other])) {
           partners.push_back(faceOf(other));
         }
