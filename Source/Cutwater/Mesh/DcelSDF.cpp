@@ -18,7 +18,9 @@ DcelSDF<T>::DcelSDF(DcelMesh<T> mesh)
   const auto sections = data.addTo(writer);
   block_ = writer.finish();
   this->setSurface(sections.view(block_));
-  this->setSigns(checkSigns<T>(this->surface(), data, this->search(), {}));
+  const MeshSDFOptions options;
+  const auto signs = checkSigns<T>(this->surface(), data, this->search(), options.probes);
+  this->setSigns(signs, options.signs);
 }
 
 template <std::floating_point T>

@@ -42,20 +42,18 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
                block_.array<std::uint32_t>(slots));
   winding_ = windingSections.view(block_);
   patchNames_ = block_.array<char>(nameBytes);
-  auto signs = checkSigns<T>(surface, data, this->search(), options);
+  auto signs = checkSigns<T>(surface, data, this->search(), options.probes);
   if (needsWinding) probeAmbiguity(options.probes, signs);
   if (options.findSelfIntersections) {
     signs.selfIntersections =
         findSelfIntersections<T>(data.positions(), data.triangles(), tree_).pairs.count;
-    if (options.signs == SignScheme::Automatic && !signs.isSound()) {
-      signs.scheme = SignScheme::WindingNumber;
-    }
   }
+  this->setSigns(signs, options.signs);
   if (options.requireWatertight && !signs.isSound()) {
-    throw Error(ErrorKind::Topology, "the surface does not bound a solid: " + signs.summary() +
-                                         "; " + check(mesh).summary());
+    throw Error(ErrorKind::Topology,
+                "the surface does not bound a solid: " + this->signReport().summary() + "; " +
+                    check(mesh).summary());
   }
-  this->setSigns(signs);
 }
 
 template <std::floating_point T>

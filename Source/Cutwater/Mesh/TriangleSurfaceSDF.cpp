@@ -31,6 +31,14 @@ void TriangleSurfaceSDF<T>::setSurface(const Surface& surface, double margin) {
 }
 
 template <std::floating_point T>
+void TriangleSurfaceSDF<T>::setSigns(const SignReport& signs, SignScheme wanted) {
+  signs_ = signs;
+  signs_.scheme = wanted != SignScheme::Automatic ? wanted
+                  : signs.isSound()               ? SignScheme::NearestFeature
+                                                  : SignScheme::WindingNumber;
+}
+
+template <std::floating_point T>
 std::array<Vec3<T>, 3> TriangleSurfaceSDF<T>::triangle(std::uint32_t id) const {
   require(id < triangleCount(), "triangle: no such triangle", Named{"id", id});
   const auto t = surface_.triangle(id);
