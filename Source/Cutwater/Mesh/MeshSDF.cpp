@@ -24,9 +24,9 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   for (const auto& name : mesh.patchNames()) names += name + '\0';
 
   const bool needsWinding =
-      data.unbalancedEdges() > 0 && options.signs != SignScheme::NearestFeature;
+      !data.openEdges().empty() && options.signs != SignScheme::NearestFeature;
   const auto winding =
-      needsWinding ? OpenWindingData(data.positions(), data.triangles()) : OpenWindingData();
+      needsWinding ? OpenWindingData(data.positions(), data.openEdges()) : OpenWindingData();
 
   BlockWriter writer;
   const auto sections = data.addTo(writer);

@@ -62,8 +62,8 @@ double OpenWinding::gradientBound(const Box<double>& box) const {
 
 template <std::floating_point T>
 OpenWindingData::OpenWindingData(std::span<const Vec3<T>> positions,
-                                 std::span<const std::array<std::uint32_t, 3>> triangles) {
-  auto caps = capHoles(positions, findOpenEdges(triangles, positions.size()));
+                                 std::span<const OpenEdge> edges) {
+  auto caps = capHoles(positions, edges);
   positions_ = std::move(caps.positions);
   triangles_ = std::move(caps.triangles);
   const auto boxes = triangleBoxes<double>(positions_, triangles_);
@@ -117,9 +117,7 @@ CUTWATER_INSTANTIATE(float)
 CUTWATER_INSTANTIATE(double)
 #undef CUTWATER_INSTANTIATE
 
-template OpenWindingData::OpenWindingData(std::span<const Vec3<float>>,
-                                          std::span<const std::array<std::uint32_t, 3>>);
-template OpenWindingData::OpenWindingData(std::span<const Vec3<double>>,
-                                          std::span<const std::array<std::uint32_t, 3>>);
+template OpenWindingData::OpenWindingData(std::span<const Vec3<float>>, std::span<const OpenEdge>);
+template OpenWindingData::OpenWindingData(std::span<const Vec3<double>>, std::span<const OpenEdge>);
 
 }  // namespace cutwater

@@ -124,7 +124,7 @@ SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceDa
                       TrianglesAlong along, std::size_t probes) {
   SignReport report;
   const auto& orientation = data.orientation();
-  report.unbalancedEdges = data.unbalancedEdges();
+  report.unbalancedEdges = data.openEdges().size();
   report.shells = orientation.shells();
   report.turnedFaces = orientation.turnedFaces;
   report.turnedShells = orientation.turnedShells;

@@ -1,6 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
-#include <Cutwater/Mesh/OpenEdges.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
@@ -50,7 +49,7 @@ TriangleSurfaceData<T>::TriangleSurfaceData(const DcelMesh<T>& mesh) {
     take(DcelMesh<T>(soup));
   }
   markSlivers();
-  unbalancedEdges_ = findOpenEdges(triangles_, positions_.size()).size();
+  openEdges_ = findOpenEdges(triangles_, positions_.size());
 }
 
 template <std::floating_point T>
