@@ -100,7 +100,7 @@ TYPED_TEST(LinearBVHTest, OverlappingMatchesTryingAll) {
     const Box<T> box = Box<T>{}.extend(random.next()).extend(random.next());
     std::set<std::uint32_t> expected;
     for (std::uint32_t k = 0; k < balls.size(); ++k) {
-      if (!balls[k].boundingBox().intersection(box).empty()) expected.insert(k);
+      if (balls[k].boundingBox().overlaps(box)) expected.insert(k);
     }
     std::set<std::uint32_t> found;
     bvh.overlapping(box, [&](std::uint32_t k) {

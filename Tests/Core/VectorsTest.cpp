@@ -86,6 +86,31 @@ TYPED_TEST(VectorsTest, BoxesAreClosed) {
   EXPECT_EQ((Box<T>{{huge, 0, 0}, {huge, 0, 0}}).center().x, huge);
 }
 
+TYPED_TEST(VectorsTest, BoxesOverlapWhereTheyShareAPoint) {
+  using T = TypeParam;
+  const auto overlap = [](const Box<T>& a, const Box<T>& b) {
+    EXPECT_EQ(a.overlaps(b), b.overlaps(a));
+    return a.overlaps(b);
+  };
+  const Box<T> box{{0, 0, 0}, {1, 2, 3}};
+  EXPECT_TRUE(overlap(box, box));
+  EXPECT_TRUE(overlap(box, {{-1, -1, -1}, {4, 4, 4}}));
+  EXPECT_TRUE(overlap(box, {{1, 2, 3}, {4, 4, 4}}));  // a corner
+  EXPECT_TRUE(overlap(box, {{T(0.5), 1, 0}, {T(0.5), 1, 0}}));
+  EXPECT_TRUE(overlap(box, Box<T>::everywhere()));
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const T offset : {T(-3.5), T(3.5)}) {
+      Box<T> other = box;
+      other.lower[axis] += offset;
+      other.upper[axis] += offset;
+      EXPECT_FALSE(overlap(box, other)) << axis << ' ' << offset;
+    }
+  }
+  EXPECT_FALSE(overlap(box, {}));
+  EXPECT_FALSE(overlap(Box<T>::everywhere(), {}));
+  EXPECT_FALSE(overlap(box, {{T(0.5), T(0.5), 2}, {T(0.5), T(0.5), 1}}));
+}
+
 TYPED_TEST(VectorsTest, IntervalsAndSegments) {
   using T = TypeParam;
   const Interval<T> i{-1, 2};

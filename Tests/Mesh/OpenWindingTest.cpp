@@ -34,7 +34,8 @@ class Pieces {
     surface_.triangles = triangles_;
     tree_ = buildBvh<16, 4>(boxes);
     BlockWriter writer;
-    const OpenWindingData data(std::span<const Vec3<T>>(positions_), triangles_);
+    const auto edges = findOpenEdges(triangles_, positions_.size());
+    const OpenWindingData data(std::span<const Vec3<T>>(positions_), edges);
     reach_ = data.reach();
     const auto sections = data.addTo(writer);
     block_ = writer.finish();

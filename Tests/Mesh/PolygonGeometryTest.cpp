@@ -135,5 +135,21 @@ TEST(PolygonGeometry, KnowsHandValues) {
   EXPECT_EQ(polygonArea(std::vector<Vec3<double>>{{0, 0, 1}, {1, 0, -1}}).area, 0);
 }
 
+TEST(PolygonGeometry, PositionsAreScaledByAPowerOfTwo) {
+  const std::vector<Vec3<float>> positions{{3, -12, 0.5F}, {1, 8, -2}};  // 8 <= 12 < 16
+  EXPECT_EQ(normalizedPositions<float>(positions),
+            (std::vector<Vec3<double>>{{0.375, -1.5, 0.0625}, {0.125, 1, -0.25}}));
+  EXPECT_EQ(normalizedPositions<double>(std::vector<Vec3<double>>{{}}),
+            std::vector<Vec3<double>>{{}});
+}
+
+TEST(PolygonGeometry, BoxesAreThoseOfEachTriangle) {
+  const std::vector<Vec3<float>> positions{{0, 0, 0}, {2, 0, 1}, {0, 3, -1}, {-1, 4, 5}};
+  const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {2, 1, 3}, {3, 3, 3}};
+  EXPECT_EQ(triangleBoxes<float>(positions, triangles),
+            (std::vector<Box<double>>{
+                {{0, 0, -1}, {2, 3, 1}}, {{-1, 0, -1}, {2, 4, 5}}, {{-1, 4, 5}, {-1, 4, 5}}}));
+}
+
 }  // namespace
 }  // namespace cutwater::test

@@ -1,6 +1,7 @@
 #include <Cutwater/Bvh/BvhBuilder.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/PassageWalk.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/SurfaceLocation.hpp>
 #include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
@@ -22,7 +23,7 @@ struct Searchable {
     const auto sections = data.addTo(writer);
     block = writer.finish();
     surface = sections.view(block);
-    arrays = buildBvh<16, 4>(data.triangleBoxes());
+    arrays = buildBvh<16, 4>(triangleBoxes(data.positions(), data.triangles()));
   }
   auto byTree() const {
     return [tree = arrays.tree()](const Segment<double>& segment, TriangleVisitor visit) {

@@ -95,7 +95,7 @@ void LinearBVH<T, P, K>::overlapping(const Box<T>& box, Visit&& visit) const {
     for (const auto id : slots) {
       if (id == kNone) break;
       const Box<T> own = primitives_[id].boundingBox();
-      if (!own.intersection(box).empty() && !visit(id)) return false;
+      if (own.overlaps(box) && !visit(id)) return false;
     }
     return true;
   });

@@ -55,6 +55,10 @@ struct Box {
   CUTWATER_INLINE constexpr Box intersection(const Box& other) const {
     return {max(lower, other.lower), min(upper, other.upper)};
   }
+  /// Whether they have a point in common: touching is enough; an empty box has none.
+  CUTWATER_INLINE constexpr bool overlaps(const Box& other) const {
+    return !intersection(other).empty();
+  }
 
   bool operator==(const Box&) const = default;
 };

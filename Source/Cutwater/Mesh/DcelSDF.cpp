@@ -10,7 +10,7 @@ template <std::floating_point T>
 DcelSDF<T>::DcelSDF(DcelMesh<T> mesh)
     : mesh_(std::make_shared<const DcelMesh<T>>(std::move(mesh))) {
   const TriangleSurfaceData<T> data(*mesh_);
-  if (data.unbalancedEdges() > 0) {
+  if (!data.openEdges().empty()) {
     throw Error(ErrorKind::Topology,
                 "the surface is not closed and consistently oriented: " + check(*mesh_).summary());
   }
@@ -18,7 +18,9 @@ DcelSDF<T>::DcelSDF(DcelMesh<T> mesh)
   const auto sections = data.addTo(writer);
   block_ = writer.finish();
   this->setSurface(sections.view(block_));
-  this->setSigns(checkSigns<T>(this->surface(), data, this->search(), {}));
+  const MeshSDFOptions options;
+  const auto signs = checkSigns<T>(this->surface(), data, this->search(), options.probes);
+  this->setSigns(signs, options.signs);
 }
 
 template <std::floating_point T>

@@ -6,6 +6,8 @@
 namespace cutwater {
 namespace {
 
+using detail::counted;
+
 std::string text(std::size_t count) {
   return detail::toText(static_cast<long long>(count));
 }
@@ -17,11 +19,6 @@ std::string text(const EdgePlace& edge) {
 template <MeshId Id>
 std::string text(Id id) {
   return text(std::size_t{index(id)});
-}
-
-/// "1 open edge", "7 open edges".
-std::string counted(std::size_t count, std::string_view singular, std::string_view plural) {
-  return text(count) + " " + std::string(count == 1 ? singular : plural);
 }
 
 /// A kind of defect, in the words of the summary and of the table.

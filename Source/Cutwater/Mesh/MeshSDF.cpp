@@ -17,21 +17,15 @@ MeshSDF<T>::MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options)
 template <std::floating_point T>
 MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   const TriangleSurfaceData<T> data(mesh);
-  const auto boxes = data.triangleBoxes();
-  const auto corners = [&](std::uint32_t id) {
-    const auto& v = data.triangles()[id];
-    return std::array{Vec3<double>(data.positions()[v[0]]), Vec3<double>(data.positions()[v[1]]),
-                      Vec3<double>(data.positions()[v[2]])};
-  };
-  const auto tree = buildTurnedBvh<TriangleTree::kArity, TriangleTree::kLeafWidth>(boxes, corners);
-  const auto packets = packTriangles<T>(data.positions(), data.triangles(), tree.tree());
+  const auto tree = buildTriangleTree(data.positions(), data.triangles());
+  const auto packets = packTriangles(data.positions(), data.triangles(), tree.tree());
   std::string names;
   for (const auto& name : mesh.patchNames()) names += name + '\0';
 
   const bool needsWinding =
-      data.unbalancedEdges() > 0 && options.signs != SignScheme::NearestFeature;
+      !data.openEdges().empty() && options.signs != SignScheme::NearestFeature;
   const auto winding =
-      needsWinding ? OpenWindingData(data.positions(), data.triangles()) : OpenWindingData();
+      needsWinding ? OpenWindingData(data.positions(), data.openEdges()) : OpenWindingData();
 
   BlockWriter writer;
   const auto sections = data.addTo(writer);
@@ -49,20 +43,18 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   search_ = TriangleSearch(tree_, block_.array<TrianglePacket>(leaves));
   winding_ = windingSections.view(block_);
   patchNames_ = block_.array<char>(nameBytes);
-  auto signs = checkSigns<T>(surface, data, this->search(), options);
+  auto signs = checkSigns<T>(surface, data, this->search(), options.probes);
   if (needsWinding) probeAmbiguity(options.probes, signs);
   if (options.findSelfIntersections) {
     signs.selfIntersections =
         findSelfIntersections<T>(data.positions(), data.triangles(), tree_).pairs.count;
-    if (options.signs == SignScheme::Automatic && !signs.isSound()) {
-      signs.scheme = SignScheme::WindingNumber;
-    }
   }
+  this->setSigns(signs, options.signs);
   if (options.requireWatertight && !signs.isSound()) {
-    throw Error(ErrorKind::Topology, "the surface does not bound a solid: " + signs.summary() +
-                                         "; " + check(mesh).summary());
+    throw Error(ErrorKind::Topology,
+                "the surface does not bound a solid: " + this->signReport().summary() + "; " +
+                    check(mesh).summary());
   }
-  this->setSigns(signs);
 }
 
 template <std::floating_point T>

@@ -1,6 +1,7 @@
 #include <Cutwater/Bvh/BvhBuilder.hpp>
 #include <Cutwater/Mesh/HoleCaps.hpp>
 #include <Cutwater/Mesh/OpenWinding.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -61,15 +62,11 @@ double OpenWinding::gradientBound(const Box<double>& box) const {
 
 template <std::floating_point T>
 OpenWindingData::OpenWindingData(std::span<const Vec3<T>> positions,
-                                 std::span<const std::array<std::uint32_t, 3>> triangles) {
-  auto caps = capHoles(positions, findOpenEdges(triangles, positions.size()));
+                                 std::span<const OpenEdge> edges) {
+  auto caps = capHoles(positions, edges);
   positions_ = std::move(caps.positions);
   triangles_ = std::move(caps.triangles);
-  std::vector<Box<double>> boxes;
-  for (const auto& [a, b, c] : triangles_) {
-    boxes.push_back(
-        Box<double>{}.extend(positions_[a]).extend(positions_[b]).extend(positions_[c]));
-  }
+  const auto boxes = triangleBoxes<double>(positions_, triangles_);
   auto tree = buildBvh<WindingTree::kArity, WindingTree::kLeafWidth>(boxes);
   winding_ = buildWindingMoments<double>(positions_, triangles_, tree.tree());
   frame_ = tree.frame;
@@ -120,9 +117,7 @@ CUTWATER_INSTANTIATE(float)
 CUTWATER_INSTANTIATE(double)
 #undef CUTWATER_INSTANTIATE
 
-template OpenWindingData::OpenWindingData(std::span<const Vec3<float>>,
-                                          std::span<const std::array<std::uint32_t, 3>>);
-template OpenWindingData::OpenWindingData(std::span<const Vec3<double>>,
-                                          std::span<const std::array<std::uint32_t, 3>>);
+template OpenWindingData::OpenWindingData(std::span<const Vec3<float>>, std::span<const OpenEdge>);
+template OpenWindingData::OpenWindingData(std::span<const Vec3<double>>, std::span<const OpenEdge>);
 
 }  // namespace cutwater

@@ -54,9 +54,9 @@ class OpenWindingData {
  public:
   /// None: for a closed surface.
   OpenWindingData() = default;
+  /// From the surface's positions and what findOpenEdges() finds in its triangles.
   template <std::floating_point T>
-  OpenWindingData(std::span<const Vec3<T>> positions,
-                  std::span<const std::array<std::uint32_t, 3>> triangles);
+  OpenWindingData(std::span<const Vec3<T>> positions, std::span<const OpenEdge> edges);
 
   /// Beyond this distance from the surface's box nothing counts as inside.
   [[nodiscard]] double reach() const;

@@ -70,8 +70,24 @@ T normalizingScale(std::span<const Vec3<T>> positions) {
   return std::ldexp(T(1), -std::clamp(std::ilogb(largest), -kMost, kMost));
 }
 
-template float normalizingScale(std::span<const Vec3<float>>);
-template double normalizingScale(std::span<const Vec3<double>>);
+template <std::floating_point T>
+std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<T>> positions) {
+  const double scale{normalizingScale(positions)};
+  std::vector<Vec3<double>> result;
+  result.reserve(positions.size());
+  for (const auto& p : positions) result.push_back(scale * Vec3<double>(p));
+  return result;
+}
+
+template <std::floating_point T>
+std::vector<Box<double>> triangleBoxes(std::span<const Vec3<T>> positions,
+                                       std::span<const std::array<std::uint32_t, 3>> triangles) {
+  std::vector<Box<double>> boxes(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (const auto v : triangles[i]) boxes[i].extend(Vec3<double>(positions[v]));
+  }
+  return boxes;
+}
 
 PolygonArea polygonArea(std::span<const Vec3<double>> corners) {
   if (corners.size() < 3) return {};
@@ -95,5 +111,14 @@ TriangleShape triangleShape(const std::array<Vec3<double>, 3>& corners) {
           {std::atan2(twiceArea, -dot(u, w)), std::atan2(twiceArea, -dot(u, v)),
            std::atan2(twiceArea, -dot(v, w))}};
 }
+
+template float normalizingScale(std::span<const Vec3<float>>);
+template double normalizingScale(std::span<const Vec3<double>>);
+template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<float>>);
+template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<double>>);
+template std::vector<Box<double>> triangleBoxes(std::span<const Vec3<float>>,
+                                                std::span<const std::array<std::uint32_t, 3>>);
+template std::vector<Box<double>> triangleBoxes(std::span<const Vec3<double>>,
+                                                std::span<const std::array<std::uint32_t, 3>>);
 
 }  // namespace cutwater

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/Core/Box.hpp>
 
 #include <array>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace cutwater {
 
@@ -30,6 +32,15 @@ struct PolygonArea {
 template <std::floating_point T>
 [[nodiscard]] T normalizingScale(std::span<const Vec3<T>> positions);
 
+/// Every position times normalizingScale().
+template <std::floating_point T>
+[[nodiscard]] std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<T>> positions);
+
+/// The box of each triangle; its corners are numbers of positions.
+template <std::floating_point T>
+[[nodiscard]] std::vector<Box<double>> triangleBoxes(
+    std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles);
+
 /// What a triangle contributes to the surface around it.
 struct TriangleShape {
   Vec3<double> normal;           ///< as polygonArea()
@@ -42,5 +53,11 @@ struct TriangleShape {
 
 extern template float normalizingScale(std::span<const Vec3<float>>);
 extern template double normalizingScale(std::span<const Vec3<double>>);
+extern template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<float>>);
+extern template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<double>>);
+extern template std::vector<Box<double>> triangleBoxes(
+    std::span<const Vec3<float>>, std::span<const std::array<std::uint32_t, 3>>);
+extern template std::vector<Box<double>> triangleBoxes(
+    std::span<const Vec3<double>>, std::span<const std::array<std::uint32_t, 3>>);
 
 }  // namespace cutwater

@@ -14,31 +14,6 @@ namespace {
 using Corners = std::array<std::uint32_t, 3>;
 using Tree = TriangleTree;
 
-/// Every position times a power of two, so that the largest coordinate is about 1.
-template <std::floating_point T>
-std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<T>> positions) {
-  const double scale = normalizingScale(positions);
-  std::vector<Vec3<double>> result;
-  result.reserve(positions.size());
-  for (const auto& p : positions) result.push_back(scale * Vec3<double>(p));
-  return result;
-}
-
-template <std::floating_point T>
-std::vector<Box<double>> boxesOf(std::span<const Vec3<T>> positions,
-                                 std::span<const Corners> triangles) {
-  std::vector<Box<double>> boxes(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (const auto v : triangles[i]) boxes[i].extend(Vec3<double>(positions[v]));
-  }
-  return boxes;
-}
-
-bool meet(const Box<double>& a, const Box<double>& b) {
-  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y &&
-         b.lower.y <= a.upper.y && a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
-}
-
 template <std::floating_point T>
 void requireTriangles(std::span<const Vec3<T>> positions, std::span<const Corners> triangles) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -119,7 +94,7 @@ class Search {
     tree_.overlapping(box, [&](std::span<const std::uint32_t> slots) {
       for (const auto other : slots) {
         if (other == kNone) break;
-        if (other > triangle && meet(box, boxes_[other]) && !flat_[other] &&
+        if (other > triangle && box.overlaps(boxes_[other]) && !flat_[other] &&
             intersect(positions_, triangles_[triangle], triangles_[other])) {
           partners.push_back(faceOf(other));
         }
@@ -143,7 +118,7 @@ SelfIntersections searchWithOwnTree(std::span<const Vec3<double>> positions,
                                     std::span<const Corners> triangles,
                                     std::span<const std::uint32_t> faces,
                                     const SelfIntersectionOptions& options) {
-  const auto boxes = boxesOf(positions, triangles);
+  const auto boxes = triangleBoxes(positions, triangles);
   const auto arrays = buildBvh<Tree::kArity, Tree::kLeafWidth>(boxes);
   return Search(positions, triangles, faces, boxes, arrays.tree()).run(options);
 }
@@ -163,7 +138,7 @@ SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
                                         std::span<const Corners> triangles, const Tree& tree,
                                         const SelfIntersectionOptions& options) {
   requireTriangles(positions, triangles);
-  const auto boxes = boxesOf(positions, triangles);
+  const auto boxes = triangleBoxes(positions, triangles);
   return Search(normalizedPositions(positions), triangles, {}, boxes, tree).run(options);
 }
 

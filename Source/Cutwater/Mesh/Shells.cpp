@@ -36,15 +36,12 @@ class Containment {
   Containment(const DcelMesh<T>& mesh, std::span<const Vec3<double>> positions,
               std::span<const std::uint32_t> shellOf)
       : shellOf_(shellOf), positions_(positions) {
-    std::vector<Box<double>> boxes;
     for (const FaceId face : mesh.faces()) {
       const auto v = mesh.vertices(face);
       triangles_.push_back({index(v[0]), index(v[1]), index(v[2])});
-      Box<double> box;
-      for (const auto corner : triangles_.back()) box.extend(positions_[corner]);
-      surface_.box.extend(box);
-      boxes.push_back(box);
     }
+    const auto boxes = triangleBoxes<double>(positions_, triangles_);
+    for (const auto& box : boxes) surface_.box.extend(box);
     surface_.positions = positions_;
     surface_.triangles = triangles_;
     tree_ = buildBvh<16, 4>(boxes);
@@ -85,10 +82,10 @@ template <std::floating_point T>
 class ShellSearch {
  public:
   explicit ShellSearch(const DcelMesh<T>& mesh)
-      : mesh_(mesh), shellOf_(mesh.faces().size(), kNone), turned_(mesh.faces().size()) {
-    // By a power of two, so that volumes neither over- nor underflow.
-    const double scale{normalizingScale(mesh.positions())};
-    for (const auto& p : mesh.positions()) positions_.push_back(scale * Vec3<double>(p));
+      : mesh_(mesh),
+        positions_(normalizedPositions(mesh.positions())),
+        shellOf_(mesh.faces().size(), kNone),
+        turned_(mesh.faces().size()) {
     pairHalfEdges();
   }
 
@@ -278,7 +275,7 @@ class ShellSearch {
   }
 
   const DcelMesh<T>& mesh_;
-  std::vector<Vec3<double>> positions_;
+  std::vector<Vec3<double>> positions_;  // scaled: volumes neither over- nor underflow
   std::vector<HalfEdgeId> partners_;
   std::vector<std::uint32_t> shellOf_;
   std::vector<bool> turned_;

@@ -8,9 +8,7 @@ namespace cutwater {
 
 namespace {
 
-std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
-  return detail::toText(static_cast<long long>(count)) + ' ' + (count == 1 ? singular : plural);
-}
+using detail::counted;
 
 std::string percent(double share) {
   return detail::toText(std::round(1000 * share) / 10) + " %";

@@ -121,28 +121,25 @@ SoundnessProbes probeSoundness(const TriangleSurface<T>& surface, TrianglesAlong
 
 template <std::floating_point T>
 SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceData<T>& data,
-                      TrianglesAlong along, const MeshSDFOptions& options) {
+                      TrianglesAlong along, std::size_t probes) {
   SignReport report;
   const auto& orientation = data.orientation();
-  report.unbalancedEdges = data.unbalancedEdges();
+  report.unbalancedEdges = data.openEdges().size();
   report.shells = orientation.shells();
   report.turnedFaces = orientation.turnedFaces;
   report.turnedShells = orientation.turnedShells;
   report.unorientable = orientation.unorientable;
   if (report.isClosed()) {
-    const auto found = probeSoundness(surface, along, options.probes, orientation.firstFaces);
+    const auto found = probeSoundness(surface, along, probes, orientation.firstFaces);
     report.probes = found.probes;
     report.unsound = found.unsound;
   }
-  report.scheme = options.signs != SignScheme::Automatic ? options.signs
-                  : report.isSound()                     ? SignScheme::NearestFeature
-                                                         : SignScheme::WindingNumber;
   return report;
 }
 
 #define CUTWATER_INSTANTIATE(T)                                                                   \
   template SignReport checkSigns(const TriangleSurface<T>&, const TriangleSurfaceData<T>&,        \
-                                 TrianglesAlong, const MeshSDFOptions&);                          \
+                                 TrianglesAlong, std::size_t);                                    \
   template SoundnessProbes probeSoundness(const TriangleSurface<T>&, TrianglesAlong, std::size_t, \
                                           std::span<const std::uint32_t>);
 CUTWATER_INSTANTIATE(float)

@@ -33,15 +33,15 @@ template <std::floating_point T>
                                              TrianglesAlong along, std::size_t count,
                                              std::span<const std::uint32_t> always);
 
-/// What is known of the surface's signs, and the scheme that suits it or that the options demand.
+/// What the surface's signs rest on, but for the scheme; `probes` as for probeSoundness().
 template <std::floating_point T>
 [[nodiscard]] SignReport checkSigns(const TriangleSurface<T>& surface,
                                     const TriangleSurfaceData<T>& data, TrianglesAlong along,
-                                    const MeshSDFOptions& options);
+                                    std::size_t probes);
 
 #define CUTWATER_DECLARE(T)                                                                       \
   extern template SignReport checkSigns(const TriangleSurface<T>&, const TriangleSurfaceData<T>&, \
-                                        TrianglesAlong, const MeshSDFOptions&);                   \
+                                        TrianglesAlong, std::size_t);                             \
   extern template SoundnessProbes probeSoundness(const TriangleSurface<T>&, TrianglesAlong,       \
                                                  std::size_t, std::span<const std::uint32_t>);
 CUTWATER_DECLARE(float)

@@ -5,12 +5,9 @@ namespace cutwater {
 
 namespace {
 
-/// Whether the boxes of the triangle and the segment meet.
-bool mayMeet(const Box<double>& box, const std::array<Vec3<double>, 3>& t) {
-  const auto lower = min(t[0], min(t[1], t[2]));
-  const auto upper = max(t[0], max(t[1], t[2]));
-  return lower.x <= box.upper.x && box.lower.x <= upper.x && lower.y <= box.upper.y &&
-         box.lower.y <= upper.y && lower.z <= box.upper.z && box.lower.z <= upper.z;
+Box<double> boxOf(const std::array<Vec3<double>, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  return {min(a, min(b, c)), max(a, max(b, c))};
 }
 
 }  // namespace
@@ -39,7 +36,7 @@ void visitPassages(const TriangleSurface<T>& surface, const Segment<double>& seg
     for (const auto id : ids) {
       if (id == kNone) break;
       const auto triangle = surface.corners(id);
-      if (!mayMeet(box, triangle)) continue;
+      if (!box.overlaps(boxOf(triangle))) continue;
       if (const int direction = passage(segment, triangle); direction != 0) {
         wanted = visit(id, direction);
       }
@@ -70,7 +67,7 @@ SurfaceLocation locate(const TriangleSurface<T>& surface, const Vec3<double>& po
     for (const auto id : ids) {
       if (id == kNone) break;
       const auto triangle = surface.corners(id);
-      if (mayMeet(here, triangle) && isOnTriangle(point, triangle)) result.onSurface = true;
+      if (here.overlaps(boxOf(triangle)) && isOnTriangle(point, triangle)) result.onSurface = true;
     }
     return 1.0;
   });

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/TriangleDistance.hpp>
 #include <Cutwater/Mesh/TrianglePackets.hpp>
 
@@ -42,6 +43,18 @@ TrianglePacket packed(std::span<const Corners> triangles) {
 }  // namespace
 
 template <std::floating_point T>
+BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth> buildTriangleTree(
+    std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles) {
+  const auto corners = [&](std::uint32_t id) {
+    const auto& [a, b, c] = triangles[id];
+    return Corners{Vec3<double>(positions[a]), Vec3<double>(positions[b]),
+                   Vec3<double>(positions[c])};
+  };
+  return buildTurnedBvh<TriangleTree::kArity, TriangleTree::kLeafWidth>(
+      triangleBoxes(positions, triangles), corners);
+}
+
+template <std::floating_point T>
 std::vector<TrianglePacket> packTriangles(std::span<const Vec3<T>> positions,
                                           std::span<const std::array<std::uint32_t, 3>> triangles,
                                           const TriangleTree& tree) {
@@ -65,11 +78,13 @@ std::vector<TrianglePacket> packTriangles(std::span<const Vec3<T>> positions,
   return packets;
 }
 
-template std::vector<TrianglePacket> packTriangles(std::span<const Vec3<float>>,
-                                                   std::span<const std::array<std::uint32_t, 3>>,
-                                                   const TriangleTree&);
-template std::vector<TrianglePacket> packTriangles(std::span<const Vec3<double>>,
-                                                   std::span<const std::array<std::uint32_t, 3>>,
-                                                   const TriangleTree&);
+#define CUTWATER_INSTANTIATE(T)                                                    \
+  template BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth> buildTriangleTree( \
+      std::span<const Vec3<T>>, std::span<const std::array<std::uint32_t, 3>>);    \
+  template std::vector<TrianglePacket> packTriangles(                              \
+      std::span<const Vec3<T>>, std::span<const std::array<std::uint32_t, 3>>, const TriangleTree&);
+CUTWATER_INSTANTIATE(float)
+CUTWATER_INSTANTIATE(double)
+#undef CUTWATER_INSTANTIATE
 
 }  // namespace cutwater

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Bvh/BvhTree.hpp>
+#include <Cutwater/Bvh/BvhBuilder.hpp>
 
 #include <array>
 #include <cstdint>
@@ -27,6 +27,10 @@ struct alignas(64) TrianglePacket {
 
 /// The tree of a triangle mesh.
 using TriangleTree = BvhTree<16, TrianglePacket::kWidth>;
+
+template <std::floating_point T>
+[[nodiscard]] BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth> buildTriangleTree(
+    std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// One packet for each leaf of the tree.
 template <std::floating_point T>

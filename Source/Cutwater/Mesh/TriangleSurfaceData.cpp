@@ -1,6 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
-#include <Cutwater/Mesh/OpenEdges.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
@@ -50,7 +49,7 @@ TriangleSurfaceData<T>::TriangleSurfaceData(const DcelMesh<T>& mesh) {
     take(DcelMesh<T>(soup));
   }
   markSlivers();
-  unbalancedEdges_ = findOpenEdges(triangles_, positions_.size()).size();
+  openEdges_ = findOpenEdges(triangles_, positions_.size());
 }
 
 template <std::floating_point T>
@@ -83,18 +82,6 @@ void TriangleSurfaceData<T>::markSlivers() {
     const auto& [a, b, c] = triangles_[i];
     if (isSliver(positions_[a], positions_[b], positions_[c])) slivers_[i / 32] |= 1U << i % 32;
   }
-}
-
-template <std::floating_point T>
-std::vector<Box<double>> TriangleSurfaceData<T>::triangleBoxes() const {
-  std::vector<Box<double>> boxes;
-  boxes.reserve(triangles_.size());
-  for (const auto& corners : triangles_) {
-    Box<double> box;
-    for (const auto v : corners) box.extend(Vec3<double>(positions_[v]));
-    boxes.push_back(box);
-  }
-  return boxes;
 }
 
 template <std::floating_point T>

@@ -3,6 +3,7 @@
 #include <Cutwater/Bvh/BvhBuilder.hpp>
 #include <Cutwater/Core/Block.hpp>
 #include <Cutwater/Mesh/DcelMesh.hpp>
+#include <Cutwater/Mesh/OpenEdges.hpp>
 #include <Cutwater/Mesh/Shells.hpp>
 #include <Cutwater/Mesh/TriangleSurface.hpp>
 
@@ -34,10 +35,9 @@ class TriangleSurfaceData {
   [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> triangles() const {
     return triangles_;
   }
-  [[nodiscard]] std::vector<Box<double>> triangleBoxes() const;
   [[nodiscard]] const ShellOrientation& orientation() const { return orientation_; }
-  /// See findOpenEdges(): none, if the surface is closed.
-  [[nodiscard]] std::size_t unbalancedEdges() const { return unbalancedEdges_; }
+  /// None, if the surface is closed.
+  [[nodiscard]] std::span<const OpenEdge> openEdges() const { return openEdges_; }
 
  private:
   using Corners = typename TriangleSurface<T>::Corners;
@@ -56,7 +56,7 @@ class TriangleSurfaceData {
   T size_ = 0;
   Box<double> box_;
   ShellOrientation orientation_;
-  std::size_t unbalancedEdges_ = 0;
+  std::vector<OpenEdge> openEdges_;
 };
 
 extern template class TriangleSurfaceData<float>;

@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshCrossings.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
+#include <Cutwater/Sdf/Defaults.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,14 @@ void TriangleSurfaceSDF<T>::setSurface(const Surface& surface, double margin) {
     for (const auto v : corners) box_.extend(surface.positions[v] / surface.scale);
   }
   box_ = box_.grown(static_cast<T>(margin) / surface.scale);
+}
+
+template <std::floating_point T>
+void TriangleSurfaceSDF<T>::setSigns(const SignReport& signs, SignScheme wanted) {
+  signs_ = signs;
+  signs_.scheme = wanted != SignScheme::Automatic ? wanted
+                  : signs.isSound()               ? SignScheme::NearestFeature
+                                                  : SignScheme::WindingNumber;
 }
 
 template <std::floating_point T>
@@ -168,15 +177,12 @@ template <std::floating_point T>
 Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
   // The distance to the triangles changes at most as fast as the point; the sign is what its own
   // bound allows.
-  const auto promise = localGuarantee();
-  const T reach = box.radius() + box.slack;
-  const T value = localSignedDistance(box.center);
-  const T margin = reach + 2 * promise.error(length(box.center) + reach);
-  const auto range = Interval<T>{value - margin, value + margin}.grown(
-      4 * std::numeric_limits<T>::epsilon() * (std::abs(value) + margin));
+  auto promise = localGuarantee();
+  promise.lipschitz = T(1);
+  const auto range = detail::boundsAround(localSignedDistance(box.center), box, promise);
   if (signs_.isClosed()) return range;
   // Free of triangles and of jumps, or both signs may be anywhere.
-  if (std::abs(value) > margin && hasNoJump(box.bounds())) return range;
+  if (!range.contains(0) && hasNoJump(box.bounds())) return range;
   const T most = std::max(-range.lower, range.upper);
   return {-most, most};
 }

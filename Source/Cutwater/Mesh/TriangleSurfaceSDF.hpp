@@ -41,7 +41,8 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   /// Called by the subclass' constructor when the block is complete. The solid may reach beyond the
   /// triangles' box by `margin`, in scaled units.
   void setSurface(const Surface& surface, double margin = 0);
-  void setSigns(const SignReport& signs) { signs_ = signs; }
+  /// Called last, when all is known: chooses the scheme, unless one is wanted.
+  void setSigns(const SignReport& signs, SignScheme wanted);
   [[nodiscard]] const Surface& surface() const { return surface_; }
   /// along() as a function.
   [[nodiscard]] auto search() const {

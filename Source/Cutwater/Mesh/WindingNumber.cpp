@@ -168,17 +168,16 @@ std::optional<bool> WindingNumber<T>::isBelow(const Vec3<double>& p, double leve
     threshold /= 8;
   }
   // On an edge, or so near to the level that rounding decides: in the order of ids.
-  SolidAngleSum sum(p);
-  for (std::uint32_t id = 0; id < triangles_.size(); ++id) sum.add(triangle(id));
-  if (sum.error() > 0.25) return std::nullopt;
-  return sum.turns() < level;
+  const auto [value, error] = sumOfAll(p);
+  if (error > 0.25) return std::nullopt;
+  return value < level;
 }
 
 template <std::floating_point T>
-double WindingNumber<T>::exactSum(const Vec3<double>& p) const {
+auto WindingNumber<T>::sumOfAll(const Vec3<double>& p) const -> Estimate {
   SolidAngleSum sum(p);
   for (std::uint32_t id = 0; id < triangles_.size(); ++id) sum.add(triangle(id));
-  return sum.turns();
+  return {sum.turns(), sum.error()};
 }
 
 template <std::floating_point T>

@@ -58,7 +58,7 @@ class WindingNumber {
   }
 
   /// From every triangle, in the order of ids.
-  [[nodiscard]] double exactSum(const Vec3<double>& p) const;
+  [[nodiscard]] double exactSum(const Vec3<double>& p) const { return sumOfAll(p).value; }
 
   /// A bound of the winding number's gradient where the box meets no triangle: by the law of Biot
   /// and Savart it is 1/(4 pi) times the integral of dx cross (x - p) / |x - p|^3 along the open
@@ -80,6 +80,7 @@ class WindingNumber {
   [[nodiscard]] std::span<const OpenEdge> edgesOf(std::size_t node) const;
   [[nodiscard]] double farBound(const Vec3<double>& p) const;
   [[nodiscard]] Estimate sum(const Vec3<double>& p, double threshold) const;
+  [[nodiscard]] Estimate sumOfAll(const Vec3<double>& p) const;
   [[nodiscard]] double inverseSquare(const OpenEdge& edge, const Box<double>& box) const;
 
   std::span<const Vec3<T>> positions_;

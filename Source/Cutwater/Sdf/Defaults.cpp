@@ -264,6 +264,15 @@ CrossingCount isolatedCrossings(const Field<T>& field, const Segment<T>& segment
 }
 
 template <std::floating_point T>
+Interval<T> boundsAround(T atCenter, const OrientedBox<T>& box, const Guarantee<T>& guarantee) {
+  const T radius = box.radius();
+  // Rounding twice: of this value, and of the values in the box that the interval encloses.
+  const T margin = *guarantee.lipschitz * radius + 2 * guarantee.error(length(box.center) + radius);
+  const T outward = 4 * std::numeric_limits<T>::epsilon() * (std::abs(atCenter) + margin);
+  return Interval<T>{atCenter - margin, atCenter + margin}.grown(outward);
+}
+
+template <std::floating_point T>
 Guarantee<T> placed(Guarantee<T> local, const RigidTransform<T>& placement) {
   if (placement.isIdentity()) return local;
   // transformPoint() moves the point by up to one rounding of the offset's size, a rotation by up
@@ -282,6 +291,9 @@ template CrossingCount isolatedCrossings(const Field<float>&, const Segment<floa
                                          CrossingVisitor<float>);
 template CrossingCount isolatedCrossings(const Field<double>&, const Segment<double>&,
                                          CrossingVisitor<double>);
+template Interval<float> boundsAround(float, const OrientedBox<float>&, const Guarantee<float>&);
+template Interval<double> boundsAround(double, const OrientedBox<double>&,
+                                       const Guarantee<double>&);
 template Guarantee<float> placed(Guarantee<float>, const RigidTransform<float>&);
 template Guarantee<double> placed(Guarantee<double>, const RigidTransform<double>&);
 

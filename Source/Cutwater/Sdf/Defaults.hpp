@@ -1,7 +1,9 @@
 #pragma once
 
+#include <Cutwater/Core/Interval.hpp>
 #include <Cutwater/Core/RigidTransform.hpp>
 #include <Cutwater/Core/Segment.hpp>
+#include <Cutwater/Sdf/BoxQuery.hpp>
 #include <Cutwater/Sdf/Guarantee.hpp>
 #include <Cutwater/Sdf/SurfacePoint.hpp>
 
@@ -43,6 +45,11 @@ void rate(SurfacePoint<T>& result, const Vec3<T>& p, T residual, const Guarantee
 template <std::floating_point T>
 CrossingCount isolatedCrossings(const Field<T>& field, const Segment<T>& segment,
                                 CrossingVisitor<T> visit);
+
+/// Bounds of the values in a box within the guarantee's domain, from the one at its centre and the
+/// Lipschitz constant, which there must be.
+template <std::floating_point T>
+Interval<T> boundsAround(T atCenter, const OrientedBox<T>& box, const Guarantee<T>& guarantee);
 
 /// The guarantee of a moved function.
 template <std::floating_point T>

@@ -185,12 +185,7 @@ template <std::floating_point T>
 Interval<T> SignedDistanceFunction<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
   const auto promise = localGuarantee();
   if (!promise.lipschitz || !encloses(promise.domain, box)) return Interval<T>::everything();
-  const T radius = box.radius();
-  const T value = localSignedDistance(box.center);
-  // Rounding twice: of this value, and of the values in the box that the interval encloses.
-  const T margin = *promise.lipschitz * radius + 2 * promise.error(length(box.center) + radius);
-  const T outward = 4 * kEps<T> * (std::abs(value) + margin);
-  return Interval<T>{value - margin, value + margin}.grown(outward);
+  return detail::boundsAround(localSignedDistance(box.center), box, promise);
 }
 
 template <std::floating_point T>
