@@ -1,0 +1,18 @@
+#include "Report.hpp"
+
+#include <algorithm>
+
+namespace cutwater::benchmarks {
+
+void Report::add(const Race& race, double nanoseconds, double share) {
+  auto& time = times[race];
+  time.nanoseconds = std::min(time.nanoseconds, nanoseconds);
+  time.share = share;
+}
+
+const Time* Report::find(const Race& race) const {
+  const auto at = times.find(race);
+  return at == times.end() ? nullptr : &at->second;
+}
+
+}  // namespace cutwater::benchmarks
