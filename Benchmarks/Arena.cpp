@@ -68,14 +68,13 @@ void Arena::check(const std::string& workload, const std::string& contestant,
   report_.checks.push_back(check);
 }
 
-void Arena::checkAgainstPeer(const std::string& workload, Comparison comparison) {
-  const auto known = peers();
-  if (known.empty()) return;
+void Arena::checkAgainst(const std::string& peer, const std::string& workload,
+                         Comparison comparison) {
   std::vector<double> truth(comparison.points.size());
-  ask(known.front().name, comparison.points, truth, 0);
+  ask(peer, comparison.points, truth, 0);
   comparison.truth = truth;
   comparison.tolerance = [this](const Vec3<double>&) { return 1e-9 * diagonal_; };
-  check(workload, kOurs, known.front().name, comparison);
+  check(workload, kOurs, peer, comparison);
 }
 
 }  // namespace cutwater::benchmarks

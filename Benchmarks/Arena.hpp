@@ -11,8 +11,6 @@
 
 namespace cutwater::benchmarks {
 
-inline constexpr const char* kOurs = "Cutwater";
-
 /// One surface with all who answer for it, each built when first asked.
 class Arena {
  public:
@@ -35,8 +33,8 @@ class Arena {
   /// to 1e-9 of the diagonal for others, unless the comparison says otherwise.
   void check(const std::string& workload, const std::string& contestant, const std::string& truth,
              Comparison comparison);
-  /// Ours against those of an exact peer, if there is one.
-  void checkAgainstPeer(const std::string& workload, Comparison comparison);
+  /// Holds ours against a peer's.
+  void checkAgainst(const std::string& peer, const std::string& workload, Comparison comparison);
 
  private:
   std::string name_;

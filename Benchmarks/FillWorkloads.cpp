@@ -59,25 +59,25 @@ class FillWorkload : public Workload {
     return runPeer(contestant, threads);
   }
 
-  void check() override {
+  void check(const std::string& contestant) override {
     prepare();
-    const auto sample = sampled(arena_.settings().checked);
-    const auto points = positions(sample);
-    const auto truth = bruteForce(arena_.soup(), points);
-    const auto compareWith = [&](const std::string& contestant, std::span<const double> answers) {
-      arena_.check(name_, contestant, "brute force", comparison(points, answers, truth));
-    };
-    compareWith(kOurs, valuesAt(sample));
-    std::vector<double> answers(points.size());
-    for (const auto& kind : peers()) {
-      arena_.ask(kind.name, points, answers, 0);
-      for (auto& d : answers) d = std::clamp(d, -limit(), limit());
-      compareWith(kind.name, answers);
+    if (truth_.empty()) {
+      sample_ = sampled(arena_.settings().checked);
+      truth_ = bruteForce(arena_.soup(), positions(sample_));
     }
-    if (std::isfinite(limit())) checkBands(sample, points, truth);
+    const auto points = positions(sample_);
+    const auto answers = answersOf(contestant, points);
+    auto sampleComparison = comparison(points, answers, truth_);
+    if (isBand(contestant)) {  // in single precision
+      sampleComparison.tolerance = [this](const Vec3<double>&) {
+        return 0.01 * level_.smallestSpacing();
+      };
+    }
+    arena_.check(name_, contestant, "brute force", sampleComparison);
+    if (contestant == kOurs || contestant != peers().front().name) return;
     const auto many = sampled(arena_.settings().points);
     const auto manyPoints = positions(many);
-    arena_.checkAgainstPeer(name_, comparison(manyPoints, valuesAt(many), {}));
+    arena_.checkAgainst(contestant, name_, comparison(manyPoints, valuesAt(many), {}));
   }
 
  private:
@@ -90,17 +90,24 @@ class FillWorkload : public Workload {
   /// The first time: how much of the grid can be had in time, and which cells count.
   void prepare() {
     if (filled_ > 0) return;
+    arena_.ours();
+    // A few tiles tell how long all take; in one go they take less.
     const auto seconds = arena_.settings().fillSeconds;
     double spent = 0;
-    arena_.ours();
-    while (filled_ < tiles_.count() && spent < seconds) {
+    for (; filled_ < tiles_.count() && spent < 0.1 * seconds; ++filled_) {
       spent += timeOf([&] { fillBox(tiles_[filled_], 1); });
-      ++filled_;
     }
+    const double fits = 1.5 * seconds / spent * static_cast<double>(filled_);
+    filled_ = static_cast<std::size_t>(std::min(fits, static_cast<double>(tiles_.count())));
+    fillTiles(0);
     for (std::size_t t = 0; t < filled_; ++t) addCounted(tiles_[t]);
     std::sort(cells_.begin(), cells_.end());
     if (cells_.empty()) cells_.push_back(tiles_.linear(tiles_[0].lo));
-    // Peers go through runs of neighbouring cells.
+    addPeerPoints();
+  }
+
+  /// Peers go through runs of neighbouring cells.
+  void addPeerPoints() {
     constexpr std::size_t kRun = 64;
     for (const auto run : scattered((cells_.size() + kRun - 1) / kRun)) {
       const auto end = std::min(cells_.size(), (run + 1) * kRun);
@@ -173,16 +180,27 @@ class FillWorkload : public Workload {
     return sample;
   }
 
-  void checkBands(const Cells& sample, const std::vector<Vec3<double>>& points,
-                  const std::vector<double>& truth) {
+  [[nodiscard]] static bool isBand(const std::string& contestant) {
+    const auto kinds = peerBands();
+    return std::any_of(kinds.begin(), kinds.end(),
+                       [&](const PeerBandKind& kind) { return kind.name == contestant; });
+  }
+  /// In the sample's cells, which are at these points.
+  std::vector<double> answersOf(const std::string& contestant,
+                                const std::vector<Vec3<double>>& points) {
+    if (contestant == kOurs) return valuesAt(sample_);
+    std::vector<double> answers(points.size());
     for (const auto& kind : peerBands()) {
+      if (kind.name != contestant) continue;
       const auto built = kind.build(arena_.soup(), level_, band_, availableThreads());
-      std::vector<double> answers;
-      for (const auto place : sample) answers.push_back(built->at(tiles_.cell(place)));
-      auto loose = comparison(points, answers, truth);
-      loose.tolerance = [this](const Vec3<double>&) { return 0.01 * level_.smallestSpacing(); };
-      arena_.check(name_, kind.name, "brute force", loose);
+      for (std::size_t i = 0; i < answers.size(); ++i) {
+        answers[i] = built->at(tiles_.cell(sample_[i]));
+      }
+      return answers;
     }
+    arena_.ask(contestant, points, answers, 0);
+    for (auto& d : answers) d = std::clamp(d, -limit(), limit());
+    return answers;
   }
 
   [[nodiscard]] Comparison comparison(const std::vector<Vec3<double>>& points,
@@ -211,6 +229,8 @@ class FillWorkload : public Workload {
   std::vector<double> values_;
   std::size_t filled_ = 0;  // tiles
   Cells cells_;             // those that count as queries: all that were filled, or the band's
+  Cells sample_;            // those that brute force checks
+  std::vector<double> truth_;
   std::vector<Vec3<double>> peerPoints_;
   std::vector<double> peerDistances_;
   std::map<std::string, std::size_t> counts_;

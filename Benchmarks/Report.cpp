@@ -15,4 +15,12 @@ const Time* Report::find(const Race& race) const {
   return at == times.end() ? nullptr : &at->second;
 }
 
+std::size_t Report::wrongOfOurs() const {
+  std::size_t count = 0;
+  for (const auto& check : checks) {
+    if (check.contestant == kOurs) count += check.wrongValues + check.wrongSigns;
+  }
+  return count;
+}
+
 }  // namespace cutwater::benchmarks

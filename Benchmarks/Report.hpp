@@ -9,6 +9,8 @@
 
 namespace cutwater::benchmarks {
 
+inline constexpr const char* kOurs = "Cutwater";
+
 /// One contestant in one workload.
 struct Race {
   std::string surface;
@@ -56,6 +58,8 @@ struct Report {
 
   void add(const Race& race, double nanoseconds, double share);
   [[nodiscard]] const Time* find(const Race& race) const;
+  /// Answers of ours that were wrong.
+  [[nodiscard]] std::size_t wrongOfOurs() const;
 };
 
 }  // namespace cutwater::benchmarks

@@ -1,10 +1,12 @@
 #include "Table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <ostream>
 #include <set>
+#include <tuple>
 
 #include "Workload.hpp"
 
@@ -119,20 +121,46 @@ void printMemory(const Report& report, std::ostream& out) {
   }
 }
 
-void printChecks(const Report& report, std::ostream& out) {
-  std::vector<Row> rows{{"surface", "workload", "contestant", "held against", "answers",
-                         "wrong values", "wrong signs", "largest error / diagonal"}};
-  std::size_t wrong = 0;
-  for (const auto& c : report.checks) {
-    rows.push_back({c.surface, c.workload, c.contestant, c.truth, std::to_string(c.answers),
-                    std::to_string(c.wrongValues), std::to_string(c.wrongSigns),
-                    formatted("%.1e", c.largestError)});
-    if (c.contestant == kOurs) wrong += c.wrongValues + c.wrongSigns;
+/// Adds up the workloads of a surface.
+std::vector<Check> summed(const std::vector<Check>& checks) {
+  std::map<std::tuple<std::string, std::string, std::string>, Check> sums;
+  for (const auto& c : checks) {
+    auto& sum = sums[{c.surface, c.contestant, c.truth}];
+    const bool isNew = sum.answers == 0;
+    const auto before = isNew ? std::string() : sum.workload + ", ";
+    sum = {.surface = c.surface,
+           .workload = before + c.workload,
+           .contestant = c.contestant,
+           .truth = c.truth,
+           .answers = sum.answers + c.answers,
+           .wrongValues = sum.wrongValues + c.wrongValues,
+           .wrongSigns = sum.wrongSigns + c.wrongSigns,
+           .largestError = std::max(sum.largestError, c.largestError)};
   }
-  if (rows.size() == 1) return;
+  std::vector<Check> result;
+  for (const auto& [key, sum] : sums) result.push_back(sum);
+  return result;
+}
+
+void printChecks(const Report& report, std::ostream& out) {
+  if (report.checks.empty()) return;
+  std::vector<Row> rows{{"surface", "contestant", "held against", "answers", "wrong values",
+                         "wrong signs", "largest error / diagonal", "workloads"}};
+  for (const auto& c : summed(report.checks)) {
+    rows.push_back({c.surface, c.contestant, c.truth, std::to_string(c.answers),
+                    std::to_string(c.wrongValues), std::to_string(c.wrongSigns),
+                    formatted("%.1e", c.largestError), c.workload});
+  }
   out << "## Answers\n\n";
   printAligned(rows, out);
-  out << kOurs << ": " << (wrong == 0 ? "nothing wrong" : "WRONG ANSWERS, see above") << ".\n\n";
+  for (const auto& c : report.checks) {
+    if (c.wrongValues + c.wrongSigns == 0) continue;
+    out << "- " << c.surface << ", " << c.workload << ": " << c.contestant << " against " << c.truth
+        << ": " << c.wrongValues << " wrong values and " << c.wrongSigns << " wrong signs of "
+        << c.answers << " answers\n";
+  }
+  const auto wrong = report.wrongOfOurs();
+  out << '\n' << kOurs << ": " << (wrong == 0 ? "nothing wrong" : "WRONG ANSWERS") << ".\n\n";
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <benchmark/benchmark.h>
+#include <set>
+#include <tuple>
 
 #include "Workload.hpp"
 
@@ -28,6 +30,7 @@ class Tournament {
   std::vector<WorkloadKind> kinds_;
   std::unique_ptr<Arena> arena_;
   std::map<std::string, std::unique_ptr<Workload>> workloads_;
+  std::set<std::tuple<std::string, std::string, std::string>> checked_;
 };
 
 }  // namespace cutwater::benchmarks

@@ -57,7 +57,8 @@ Arguments takeArguments(int& argc, char** argv) {
   return result;
 }
 
-void run(const Settings& settings, bool ownFormat) {
+/// Whether nothing of ours was wrong.
+bool run(const Settings& settings, bool ownFormat) {
   Report report;
   Tournament tournament(settings, report);
   tournament.enlist();
@@ -70,6 +71,7 @@ void run(const Settings& settings, bool ownFormat) {
   printTables(report, out);
   out << "Spin test: " << threads << " threads do the work of " << coresBefore << " before and of "
       << coresSeen(threads) << " after.\n";
+  return report.wrongOfOurs() == 0;
 }
 
 }  // namespace
@@ -88,10 +90,9 @@ int main(int argc, char** argv) {
     }
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    run(arguments.settings, arguments.ownFormat);
+    return run(arguments.settings, arguments.ownFormat) ? 0 : 1;
   } catch (const std::exception& error) {
     std::cerr << "cutwater_benchmarks: " << error.what() << '\n';
     return 1;
   }
-  return 0;
 }
