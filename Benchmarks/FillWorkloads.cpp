@@ -68,7 +68,7 @@ class FillWorkload : public Workload {
     const auto points = positions(sample_);
     const auto answers = answersOf(contestant, points);
     auto sampleComparison = comparison(points, answers, truth_);
-    if (isBand(contestant)) {  // in single precision
+    if (peerBands_.contains(contestant)) {  // in single precision
       sampleComparison.tolerance = [this](const Vec3<double>&) {
         return 0.01 * level_.smallestSpacing();
       };
@@ -158,7 +158,8 @@ class FillWorkload : public Workload {
   }
 
   Round runBand(const PeerBandKind& kind, int threads) {
-    std::unique_ptr<PeerBand> built;
+    auto& built = peerBands_[kind.name];
+    built.reset();
     const double seconds =
         timeOf([&] { built = kind.build(arena_.soup(), level_, band_, threads); });
     const double all = static_cast<double>(tiles_.count()) / static_cast<double>(filled_);
@@ -180,21 +181,14 @@ class FillWorkload : public Workload {
     return sample;
   }
 
-  [[nodiscard]] static bool isBand(const std::string& contestant) {
-    const auto kinds = peerBands();
-    return std::any_of(kinds.begin(), kinds.end(),
-                       [&](const PeerBandKind& kind) { return kind.name == contestant; });
-  }
   /// In the sample's cells, which are at these points.
   std::vector<double> answersOf(const std::string& contestant,
                                 const std::vector<Vec3<double>>& points) {
     if (contestant == kOurs) return valuesAt(sample_);
     std::vector<double> answers(points.size());
-    for (const auto& kind : peerBands()) {
-      if (kind.name != contestant) continue;
-      const auto built = kind.build(arena_.soup(), level_, band_, availableThreads());
+    if (const auto band = peerBands_.find(contestant); band != peerBands_.end()) {
       for (std::size_t i = 0; i < answers.size(); ++i) {
-        answers[i] = built->at(tiles_.cell(sample_[i]));
+        answers[i] = band->second->at(tiles_.cell(sample_[i]));
       }
       return answers;
     }
@@ -234,6 +228,7 @@ class FillWorkload : public Workload {
   std::vector<Vec3<double>> peerPoints_;
   std::vector<double> peerDistances_;
   std::map<std::string, std::size_t> counts_;
+  std::map<std::string, std::unique_ptr<PeerBand>> peerBands_;  // as last built
 };
 
 }  // namespace

@@ -45,8 +45,9 @@ Memory memoryOfBuild(const std::string& surface, const std::string& contestant,
 Memory memoryInChild(const std::string& surface, const std::string& contestant,
                      const Settings& settings) {
   const auto program = std::filesystem::read_symlink("/proc/self/exe");
-  const auto command = "'" + program.string() + "' --data '" + settings.data.string() + "' " +
-                       kMemoryOption + " " + surface + " " + contestant;
+  std::string command = "'";
+  command += program.string() + "' --data '" + settings.data.string() + "' " + kMemoryOption + " " +
+             surface + " " + contestant;
   auto* const child = popen(command.c_str(), "r");
   if (child == nullptr) return {};
   Memory memory;

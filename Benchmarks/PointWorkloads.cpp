@@ -43,6 +43,7 @@ class PointWorkload : public Workload {
   virtual void ask(const std::string& contestant, std::size_t count, int threads) {
     arena_.ask(contestant, first(count), distances(count), threads);
   }
+  [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] std::span<const Vec3<double>> first(std::size_t count) const {
     return std::span(points_).first(count);
   }
@@ -53,9 +54,8 @@ class PointWorkload : public Workload {
     return {.points = first(count), .answers = distances(count), .truth = truth};
   }
 
-  std::string name_;
-
  private:
+  std::string name_;
   Points points_;
   std::vector<double> distances_;
   std::vector<double> truth_;  // of the first points
@@ -75,7 +75,7 @@ class BatchWorkload final : public PointWorkload {
     ask(kOurs, count, 0);
     auto toTheBit = comparison(count, truth);
     toTheBit.tolerance = [](const Vec3<double>&) { return 0.0; };
-    arena_.check(name_, kOurs, "one by one", toTheBit);
+    arena_.check(name(), kOurs, "one by one", toTheBit);
   }
 
  private:

@@ -15,7 +15,10 @@ using Triple = std::array<std::uint32_t, 3>;
 struct Edge {
   std::uint32_t lower;
   std::uint32_t upper;
-  auto operator<=>(const Edge&) const = default;
+  bool operator==(const Edge&) const = default;
+  bool operator<(const Edge& other) const {
+    return lower != other.lower ? lower < other.lower : upper < other.upper;
+  }
 };
 
 Edge edgeBetween(std::uint32_t a, std::uint32_t b) {

@@ -6,7 +6,8 @@
 
 namespace cutwater::benchmarks {
 
-Tiles::Tiles(const Index3& cells) : whole_(IndexBox::ofSize(cells.i, cells.j, cells.k)) {
+Tiles::Tiles(const Index3& cells)
+    : cells_(cells), whole_(IndexBox::ofSize(cells.i, cells.j, cells.k)) {
   std::vector<IndexBox> inOrder;
   for (std::int32_t k = 0; k < cells.k; k += kSide) {
     for (std::int32_t j = 0; j < cells.j; j += kSide) {
@@ -28,8 +29,8 @@ std::size_t Tiles::linear(const Index3& cell) const {
 }
 
 Index3 Tiles::cell(std::size_t linear) const {
-  const auto nx = whole_.length(0);
-  const auto ny = whole_.length(1);
+  const auto nx = static_cast<std::size_t>(cells_.i);
+  const auto ny = static_cast<std::size_t>(cells_.j);
   return {static_cast<std::int32_t>(linear % nx), static_cast<std::int32_t>(linear / nx % ny),
           static_cast<std::int32_t>(linear / nx / ny)};
 }

@@ -12,6 +12,7 @@ class Tiles {
  public:
   static constexpr std::int32_t kSide = 16;
 
+  /// Needs one cell or more along each axis.
   explicit Tiles(const Index3& cells);
 
   [[nodiscard]] std::size_t count() const { return boxes_.size(); }
@@ -23,6 +24,7 @@ class Tiles {
   [[nodiscard]] Index3 cell(std::size_t linear) const;
 
  private:
+  Index3 cells_;
   IndexBox whole_;
   std::vector<IndexBox> boxes_;
 };

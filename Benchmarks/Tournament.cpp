@@ -26,7 +26,7 @@ void Tournament::enlist() {
         for (int round = 0; round < settings_.rounds; ++round) {
           for (const auto& contestant : kind.contestants) {
             const Race race{surface, threads, kind.name, contestant};
-            if (isLong(race) && round > settings_.rounds / 3) continue;
+            if (isLong(race) && round >= settings_.longRounds) continue;
             const auto name = surface + "/" + kind.name + "/threads:" + std::to_string(threads) +
                               "/" + contestant + "/round:" + std::to_string(round);
             const auto runIt = [this, race, &kind](benchmark::State& s) { run(s, race, kind); };
@@ -48,7 +48,10 @@ void Tournament::run(benchmark::State& state, const Race& race, const WorkloadKi
   const double nanoseconds = round.seconds / round.queries * 1e9;
   state.counters["ns_per_query"] = nanoseconds;
   report_.add(race, nanoseconds, round.share);
-  if (race.workload == "build" && settings_.memory) measureMemory(race.contestant);
+  if (checked_.emplace(race.surface, race.workload, race.contestant).second) {
+    its.check(race.contestant);
+  }
+  if (race.workload == "build") measureMemory(race.contestant);
 }
 
 Workload& Tournament::workload(const Race& race, const WorkloadKind& kind) {
@@ -59,9 +62,6 @@ Workload& Tournament::workload(const Race& race, const WorkloadKind& kind) {
   }
   auto& made = workloads_[kind.name];
   if (!made) made = kind.make(*arena_);
-  if (checked_.emplace(race.surface, race.workload, race.contestant).second) {
-    made->check(race.contestant);
-  }
   return *made;
 }
 

@@ -74,23 +74,26 @@ bool run(const Settings& settings, bool ownFormat) {
   return report.wrongOfOurs() == 0;
 }
 
+int runProgram(int argc, char** argv) {
+  const auto arguments = takeArguments(argc, argv);
+  if (!arguments.memoryOf.empty()) {
+    const auto memory =
+        memoryOfBuild(arguments.memoryOf[0], arguments.memoryOf[1], arguments.settings);
+    std::cout << memory.peak << ' ' << memory.kept << '\n';
+    return 0;
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  return run(arguments.settings, arguments.ownFormat) ? 0 : 1;
+}
+
 }  // namespace
 
 }  // namespace cutwater::benchmarks
 
 int main(int argc, char** argv) {
-  using namespace cutwater::benchmarks;
   try {
-    const auto arguments = takeArguments(argc, argv);
-    if (!arguments.memoryOf.empty()) {
-      const auto memory =
-          memoryOfBuild(arguments.memoryOf[0], arguments.memoryOf[1], arguments.settings);
-      std::cout << memory.peak << ' ' << memory.kept << '\n';
-      return 0;
-    }
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    return run(arguments.settings, arguments.ownFormat) ? 0 : 1;
+    return cutwater::benchmarks::runProgram(argc, argv);
   } catch (const std::exception& error) {
     std::cerr << "cutwater_benchmarks: " << error.what() << '\n';
     return 1;
