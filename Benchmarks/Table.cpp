@@ -80,7 +80,7 @@ std::vector<Row> timeRows(const Report& report, const std::string& surface, int 
     bool any = ours != nullptr;
     for (const auto& name : rivals()) {
       const auto* theirs = report.find({surface, threads, pointByPoint(kind.name), name});
-      any = any || theirs != nullptr;
+      any = any || (theirs != nullptr && pointByPoint(kind.name) == kind.name);
       row.push_back(theirs ? number(unit * theirs->nanoseconds) : "");
       row.push_back(ours && theirs ? number(theirs->nanoseconds / ours->nanoseconds) : "");
     }

@@ -65,6 +65,7 @@ double timeOf(FunctionRef<void()> work) {
 
 std::size_t affordable(FunctionRef<void(std::size_t)> ask, std::size_t available, double seconds) {
   const auto trial = std::min<std::size_t>(available, 500);
+  ask(1);  // builds what is not built yet
   const double took = timeOf([&] { ask(trial); });
   const double fits = seconds / took * static_cast<double>(trial);
   return static_cast<std::size_t>(
