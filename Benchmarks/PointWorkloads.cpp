@@ -1,0 +1,109 @@
+#include <algorithm>
+
+#include "BruteForce.hpp"
+#include "Points.hpp"
+#include "Workload.hpp"
+
+namespace cutwater::benchmarks {
+
+namespace {
+
+using Points = std::vector<Vec3<double>>;
+
+class PointWorkload : public Workload {
+ public:
+  PointWorkload(Arena& arena, std::string name, Points points)
+      : Workload(arena),
+        name_(std::move(name)),
+        points_(std::move(points)),
+        distances_(points_.size()) {}
+
+  Round run(const std::string& contestant, int threads) override {
+    auto& count = counts_[contestant];
+    if (count == 0) {
+      count = affordable([&](std::size_t n) { ask(contestant, n, 1); }, points_.size(),
+                         arena_.settings().seconds);
+    }
+    return {.seconds = timeOf([&] { ask(contestant, count, threads); }),
+            .queries = static_cast<double>(count),
+            .share = static_cast<double>(count) / static_cast<double>(points_.size())};
+  }
+
+  void check(const std::string& contestant) override {
+    const auto checked = std::min(arena_.settings().checked, points_.size());
+    if (truth_.empty()) truth_ = bruteForce(arena_.soup(), first(checked));
+    ask(contestant, checked, 0);
+    arena_.check(name_, contestant, "brute force", comparison(checked, truth_));
+    if (contestant == kOurs || contestant != peers().front().name) return;
+    ask(kOurs, points_.size(), 0);
+    arena_.checkAgainst(contestant, name_, comparison(points_.size(), {}));
+  }
+
+ protected:
+  virtual void ask(const std::string& contestant, std::size_t count, int threads) {
+    arena_.ask(contestant, first(count), distances(count), threads);
+  }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] std::span<const Vec3<double>> first(std::size_t count) const {
+    return std::span(points_).first(count);
+  }
+  [[nodiscard]] std::span<double> distances(std::size_t count) {
+    return std::span(distances_).first(count);
+  }
+  [[nodiscard]] Comparison comparison(std::size_t count, std::span<const double> truth) {
+    return {.points = first(count), .answers = distances(count), .truth = truth};
+  }
+
+ private:
+  std::string name_;
+  Points points_;
+  std::vector<double> distances_;
+  std::vector<double> truth_;  // of the first points
+  std::map<std::string, std::size_t> counts_;
+};
+
+/// Ours alone: peers have no such function.
+class BatchWorkload final : public PointWorkload {
+ public:
+  using PointWorkload::PointWorkload;
+
+  /// The same bits as one by one, where those have been checked.
+  void check(const std::string&) override {
+    const auto count = arena_.settings().points;
+    std::vector<double> truth(count);
+    arena_.ask(kOurs, first(count), truth, 0);
+    ask(kOurs, count, 0);
+    auto toTheBit = comparison(count, truth);
+    toTheBit.tolerance = [](const Vec3<double>&) { return 0.0; };
+    arena_.check(name(), kOurs, "one by one", toTheBit);
+  }
+
+ private:
+  void ask(const std::string&, std::size_t count, int threads) override {
+    arena_.ours().signedDistances(first(count), distances(count), {.threads = threads});
+  }
+};
+
+Points uniform(Arena& arena) {
+  return uniformPoints(arena.soup(), arena.settings().points);
+}
+Points narrow(Arena& arena) {
+  return narrowPoints(arena.soup(), arena.settings().points);
+}
+
+}  // namespace
+
+std::unique_ptr<Workload> makeUniform(Arena& arena) {
+  return std::make_unique<PointWorkload>(arena, "uniform", uniform(arena));
+}
+std::unique_ptr<Workload> makeNarrow(Arena& arena) {
+  return std::make_unique<PointWorkload>(arena, "narrow", narrow(arena));
+}
+std::unique_ptr<Workload> makeUniformBatch(Arena& arena) {
+  return std::make_unique<BatchWorkload>(arena, "uniform-batch", uniform(arena));
+}
+std::unique_ptr<Workload> makeNarrowBatch(Arena& arena) {
+  return std::make_unique<BatchWorkload>(arena, "narrow-batch", narrow(arena));
+}
+
+}  // namespace cutwater::benchmarks

@@ -1,0 +1,26 @@
+#include "Report.hpp"
+
+#include <algorithm>
+
+namespace cutwater::benchmarks {
+
+void Report::add(const Race& race, double nanoseconds, double share) {
+  auto& time = times[race];
+  time.nanoseconds = std::min(time.nanoseconds, nanoseconds);
+  time.share = share;
+}
+
+const Time* Report::find(const Race& race) const {
+  const auto at = times.find(race);
+  return at == times.end() ? nullptr : &at->second;
+}
+
+std::size_t Report::wrongOfOurs() const {
+  std::size_t count = 0;
+  for (const auto& check : checks) {
+    if (check.contestant == kOurs) count += check.wrongValues + check.wrongSigns;
+  }
+  return count;
+}
+
+}  // namespace cutwater::benchmarks

@@ -1,0 +1,190 @@
+#include <Cutwater/Core/Block.hpp>
+#include <Cutwater/Mesh/Tessellation.hpp>
+#include <Cutwater/Mesh/TriangleSearch.hpp>
+#include <Cutwater/Mesh/TriangleSurfaceData.hpp>
+#include <Cutwater/Mesh/Triangulation.hpp>
+
+#include <numeric>
+
+#include "Support/Precisions.hpp"
+#include "Support/Random.hpp"
+#include "Support/Scale.hpp"
+#include "Support/Soups.hpp"
+
+// The same answers as when all triangles compete; ctest runs these for every instruction set.
+
+namespace cutwater::test {
+namespace {
+
+/// A surface with its tree and packets.
+template <typename T>
+struct Searched {
+  explicit Searched(const PolygonSoup& soup) : data(DcelMesh<T>(soup)) {
+    BlockWriter writer;
+    const auto sections = data.addTo(writer);
+    block = writer.finish();
+    surface = sections.view(block);
+    arrays = buildTriangleTree(surface.positions, surface.triangles);
+    packets = packTriangles(surface.positions, surface.triangles, arrays.tree());
+    search = TriangleSearch(arrays.tree(), packets);
+    ids.resize(surface.triangles.size());
+    std::iota(ids.begin(), ids.end(), 0U);
+  }
+
+  using Nearest = typename TriangleSurface<T>::Nearest;
+
+  Nearest found(const Vec3<T>& p) const {
+    auto best = surface.nothing(p);
+    search.nearest(surface, p, best);
+    return best;
+  }
+  Nearest expected(const Vec3<T>& p) const {
+    auto best = surface.nothing(p);
+    surface.compete(p, ids, best);
+    return best;
+  }
+
+  TriangleSurfaceData<T> data;
+  Block block;
+  TriangleSurface<T> surface;
+  BvhArrays<16, 16> arrays;
+  std::vector<TrianglePacket> packets;
+  TriangleSearch search;
+  std::vector<std::uint32_t> ids;
+};
+
+template <typename Nearest>
+void expectSame(const Nearest& found, const Nearest& expected, const auto& p) {
+  ASSERT_EQ(found.triangle, expected.triangle) << p;
+  ASSERT_EQ(found.hit.distanceSquared, expected.hit.distanceSquared) << p;
+  ASSERT_EQ(found.hit.part, expected.hit.part) << p;
+  ASSERT_EQ(found.agreedSide(), expected.agreedSide()) << p;
+}
+
+/// Points around the surface, on it, as near to it as numbers go, and far away.
+template <typename T>
+std::vector<Vec3<T>> probes(const TriangleSurface<T>& surface, int count) {
+  RandomPoints<T> random(1, /*seed=*/5);
+  std::vector<Vec3<T>> points;
+  for (int i = 0; i < count; ++i) {
+    const auto id = static_cast<std::uint32_t>(i * 7919L % std::ssize(surface.triangles));
+    const auto t = surface.triangle(id);
+    const auto w = abs(random.next());
+    const T sum = w.x + w.y + w.z;
+    const auto on = (w.x / sum) * t.a + (w.y / sum) * t.b + (w.z / sum) * t.c;
+    points.push_back(on);
+    points.push_back(i % 2 == 0 ? t.a : T(0.5) * (t.a + t.b));
+    const T offset = std::ldexp(surface.size, -(i % 50));
+    points.push_back(on + offset * random.next());
+    points.push_back(std::ldexp(surface.size, i % 60) * random.next());
+    points.push_back((surface.size * T(0.7)) * random.next());
+  }
+  return points;
+}
+
+template <typename T>
+void expectAnswersOfAll(const PolygonSoup& soup, int count = scaled(60)) {
+  const Searched<T> mesh(soup);
+  const auto points = probes(mesh.surface, count);
+  std::vector<typename Searched<T>::Nearest> together;
+  for (const auto& p : points) together.push_back(mesh.surface.nothing(p));
+  mesh.search.nearest(mesh.surface, std::span<const Vec3<T>>(points), std::span(together));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto expected = mesh.expected(points[i]);
+    expectSame(mesh.found(points[i]), expected, points[i]);
+    expectSame(together[i], expected, points[i]);
+  }
+}
+
+PolygonSoup randomTriangles(int count, double spread, double size) {
+  RandomPoints<double> random(1, /*seed=*/11);
+  PolygonSoup soup;
+  soup.patchNames = {"random"};
+  for (int i = 0; i < count; ++i) {
+    const auto at = spread * random.next();
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    // Every other one a needle, and each seventh of a size of its own.
+    const double scale = std::ldexp(size, i % 7 == 0 ? -(i % 40) : 0);
+    const auto along = scale * random.next();
+    const auto across = (i % 2 == 0 ? 1e-9 * scale : scale) * random.next();
+    for (const auto& corner : {at, at + along, at + 0.4 * along + across}) {
+      soup.points.push_back(corner);
+    }
+    soup.addPolygon(std::array{first, first + 1, first + 2});
+  }
+  return soup;
+}
+
+template <typename T>
+class TriangleSearchTest : public ::testing::Test {};
+TYPED_TEST_SUITE(TriangleSearchTest, Precisions);
+
+TYPED_TEST(TriangleSearchTest, OfSmoothSurfaces) {
+  for (const int level : {0, 2, 4}) expectAnswersOfAll<TypeParam>(tessellation::icosphere(1, level));
+}
+
+TYPED_TEST(TriangleSearchTest, OfOneTriangleAndOfAFew) {
+  expectAnswersOfAll<TypeParam>(makeSoup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  expectAnswersOfAll<TypeParam>(makeSoup({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}));
+  expectAnswersOfAll<TypeParam>(triangulated(cube()));
+  expectAnswersOfAll<TypeParam>(randomTriangles(17, 1, 1));
+}
+
+TYPED_TEST(TriangleSearchTest, OfNeedlesAndSizesOfAllKinds) {
+  expectAnswersOfAll<TypeParam>(randomTriangles(500, 1, 0.1));
+  expectAnswersOfAll<TypeParam>(randomTriangles(500, 1, 3));
+  expectAnswersOfAll<TypeParam>(randomTriangles(500, 1e-6, 1));  // all through one place
+}
+
+TYPED_TEST(TriangleSearchTest, OfTrianglesEquallyNear) {
+  // More candidates than a search holds, all at the same distance; the lowest id wins.
+  auto soup = makeSoup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {});
+  for (int i = 0; i < 300; ++i) soup.addPolygon(std::array{0U, 1U, 2U});
+  expectAnswersOfAll<TypeParam>(soup, 20);
+  // A finely cut cylinder seen from its axis.
+  expectAnswersOfAll<TypeParam>(
+      triangulated(prism([] {
+                     std::vector<std::pair<double, double>> circle;
+                     for (int i = 0; i < 500; ++i) {
+                       const double angle = 2 * std::numbers::pi * i / 500;
+                       circle.emplace_back(std::cos(angle), std::sin(angle));
+                     }
+                     return circle;
+                   }(),
+                         8)),
+      20);
+}
+
+TYPED_TEST(TriangleSearchTest, OfSurfacesFarFromTheOriginAndAtExtremeSizes) {
+  using T = TypeParam;
+  const auto changed = [](double scale, const Vec3<double>& offset) {
+    auto soup = tessellation::icosphere(1, 3);
+    for (auto& p : soup.points) p = scale * p + offset;
+    return soup;
+  };
+  const double far = sizeof(T) == sizeof(float) ? 1e3 : 1e9;
+  expectAnswersOfAll<T>(changed(1, {far, -far, far}));
+  for (const double scale : {1e-12, 1e12}) expectAnswersOfAll<T>(changed(scale, {}));
+  // Small features beside a large one: single precision has to zoom in.
+  auto soup = tessellation::icosphere(1, 2);
+  for (const double scale : {1e-3, 1e-6, 1e-9}) {
+    const auto base = static_cast<std::uint32_t>(soup.points.size());
+    const auto small = changed(scale, {0.3, 0.2, 0.1});
+    soup.points.insert(soup.points.end(), small.points.begin(), small.points.end());
+    for (std::size_t i = 0; i < small.polygonCount(); ++i) {
+      const auto c = small.polygon(i);
+      soup.addPolygon(std::array{base + c[0], base + c[1], base + c[2]});
+    }
+  }
+  expectAnswersOfAll<T>(soup);
+}
+
+TYPED_TEST(TriangleSearchTest, AcceptsNoPoints) {
+  using T = TypeParam;
+  const Searched<T> mesh(triangulated(cube()));
+  mesh.search.nearest(mesh.surface, std::span<const Vec3<T>>(),
+                      std::span<typename Searched<T>::Nearest>());
+}
+
+}  // namespace
+}  // namespace cutwater::test
