@@ -10,6 +10,7 @@ namespace {
 using Node = BvhNode<16>;
 constexpr int kWidth = TrianglePacket::kWidth;
 constexpr float kFar = 0x1p126F;  // above every squared distance
+constexpr double kFarthest = 0x1p58;
 
 // As plain arrays: the standard library's functions stay out.
 static_assert(sizeof(Node) == 448 && sizeof(TrianglePacket) == 832);
@@ -105,9 +106,11 @@ class Search {
     q_ = tree_.frame.toFrame(Vec3<double>(p));
     // All that may be the nearest, or tie with it, by their computed distances; and the rounding
     // of positions in the frames.
-    const double size = q_.x * q_.x + q_.y * q_.y + q_.z * q_.z;
-    slack_ = 4 * double{best.error} * tree_.frame.scale +
-             0x1p-50 * (1 + __builtin_sqrt(size)) + 0x1p-60;
+    const double size = maxComponent(abs(q_));
+    slack_ = 4 * double{best.error} * tree_.frame.scale + 0x1p-49 * (1 + size) + 0x1p-60;
+    // From there the slack is larger than the tree and all triangles compete: any point as far will
+    // do, and squares do not overflow.
+    if (size > kFarthest) q_ *= kFarthest / size;
     upper_ = reach * tree_.frame.scale;
     setLimit();
     depth_ = 0;
