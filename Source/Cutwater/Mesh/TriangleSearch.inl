@@ -170,11 +170,13 @@ class Search {
     target_ = (isLeaf_ ? node.firstLeaf : node.firstNode) +
               static_cast<std::uint32_t>(__builtin_popcount(mask & before));
   }
-  CUTWATER_INLINE void setLimit() {
-    const double reach = upper_ + slack_;
+  /// The square of what bounds that are off by `error` have to keep within.
+  CUTWATER_INLINE float squaredReach(float error) const {
+    const double reach = upper_ + slack_ + double{error};
     const double squared = reach * reach * (1 + 0x1p-19);
-    limit_ = squared < kFar ? static_cast<float>(squared) : kFar;
+    return squared < kFar ? static_cast<float>(squared) : kFar;
   }
+  CUTWATER_INLINE void setLimit() { limit_ = squaredReach(0); }
 
   /// Lower bounds of the squared distances to the node's children, but for relative rounding: see
   /// BvhTree::nearest(). Returns the lanes that are near enough.
@@ -207,22 +209,26 @@ class Search {
     const TrianglePacket& packet = tree_.packets[leaf];
     const PacketPoint local = relativeTo(packet, q_);
     alignas(64) float found[kWidth];
-    Floats least16 = broadcast(kFar);
+    // Most leaves hold no candidate: that is found without waiting for the root.
+    const Floats most = broadcast(squaredReach(kErrorNearby * local.unit));
+    Floats nearest = broadcast(kFar);
+    std::uint32_t lanes = 0;
     for (int lane = 0; lane < kWidth; lane += kLanes) {
       const Floats d = distances(packet, lane, local);
       store(found + lane, d);
-      least16 = least(least16, d);
+      nearest = least(nearest, d);
+      lanes |= notAbove(d, most) << lane;
     }
-    const float nearest = squareRoot(leastOf(least16));
+    if (lanes == 0) return;
+    const float lower = squareRoot(leastOf(nearest));
     const float error =
-        (nearest > kNearby * local.unit ? kError : kErrorNearby) * local.unit + 0x1p-60F;
-    if (const double upper = double{nearest} + double{error}; upper < upper_) {
+        (lower > kNearby * local.unit ? kError : kErrorNearby) * local.unit + 0x1p-60F;
+    if (const double upper = double{lower} + double{error}; upper < upper_) {
       upper_ = upper;
       setLimit();
     }
-    const double reach = upper_ + slack_ + double{error};
-    const Floats limit = broadcast(static_cast<float>(reach * reach * (1 + 0x1p-19)));
-    std::uint32_t lanes = 0;
+    const Floats limit = broadcast(squaredReach(error));
+    lanes = 0;
     for (int lane = 0; lane < kWidth; lane += kLanes) {
       lanes |= notAbove(load(found + lane), limit) << lane;
     }
