@@ -8,6 +8,7 @@
 
 #include "Support/CpuTime.hpp"
 #include "Support/DamagedSoups.hpp"
+#include "Support/Random.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -110,6 +111,28 @@ TEST(MeshGrowthTest, AMillionTrianglesAtTwoVertices) {
     expectLinearQuery(mesh, {0, 0, z});
     expectLinearQuery(mesh, {0x1p-40, 0, z});
   }
+}
+
+/// Seconds for one round of points about the bipyramid; those nearest to an apex, where all its
+/// triangles tie and have to be compared, are left out.
+double secondsAround(const Mesh& mesh) {
+  RandomPoints<double> random(1.25);
+  std::vector<Vec3<double>> points;
+  while (points.size() < 3000) {
+    const auto p = random.next();
+    if (std::abs(p.z) - 1 < 0.9 * std::hypot(p.x, p.y)) points.push_back(p);
+  }
+  return cpuSeconds([&] {
+    for (const auto& p : points) (void)mesh.signedDistance(p);
+  });
+}
+
+TEST(MeshGrowthTest, QueriesAroundAFanGrowMuchSlowerThanItsTriangles) {
+  const Mesh small(bipyramid(1'000));
+  const Mesh large(bipyramid(64'000));
+  // Axis-aligned boxes of its triangles all overlap, and queries take 64 times as long. In turned
+  // boxes it is those within a thousandth of a radian, which single precision cannot tell apart.
+  EXPECT_LT(growth([&] { secondsAround(small); }, [&] { secondsAround(large); }, 16), 16);
 }
 
 TEST(MeshGrowthTest, TwentyThousandCopiesOfABox) {

@@ -179,11 +179,18 @@ TYPED_TEST(TriangleSearchTest, OfSurfacesFarFromTheOriginAndAtExtremeSizes) {
   expectAnswersOfAll<T>(soup);
 }
 
-TYPED_TEST(TriangleSearchTest, AcceptsNoPoints) {
+TYPED_TEST(TriangleSearchTest, OfNoPointsAndOfFewerThanTakeTurns) {
   using T = TypeParam;
-  const Searched<T> mesh(triangulated(cube()));
-  mesh.search.nearest(mesh.surface, std::span<const Vec3<T>>(),
-                      std::span<typename Searched<T>::Nearest>());
+  const Searched<T> mesh(tessellation::icosphere(1, 2));
+  const auto points = probes(mesh.surface, 4);
+  for (std::size_t count = 0; count <= points.size(); ++count) {
+    std::vector<typename Searched<T>::Nearest> bests(count);
+    for (std::size_t i = 0; i < count; ++i) bests[i] = mesh.surface.nothing(points[i]);
+    mesh.search.nearest(mesh.surface, std::span(points).first(count), std::span(bests));
+    for (std::size_t i = 0; i < count; ++i) {
+      expectSame(bests[i], mesh.expected(points[i]), points[i]);
+    }
+  }
 }
 
 }  // namespace
