@@ -73,13 +73,14 @@ class BlockFill<T>::Tile {
   }
 
  private:
-  /// What is known of a block: values within `radius` of the centre are beyond the limit.
+  /// What is known of a block.
   struct Finding {
     GridBlock block;
-    OrientedBox<T> box{};
-    T radius = 0;
-    bool isBeyond = false;  // all of the block
-    T sign = 1;
+    Box<T> box{};           // around its positions
+    bool isBeyond = false;  // all of it
+    T sign = 1;             // on which side
+    Vec3<T> center{};       // within the radius of it, all is beyond,
+    T radiusSquared = -1;   // if it is positive
   };
 
   [[nodiscard]] Vec3<T> position(const Offset& offset) const {
@@ -119,6 +120,7 @@ class BlockFill<T>::Tile {
     settle(std::span(parts).first(count), half);
   }
 
+  /// Which of at most 8 blocks are beyond the limit.
   void judge(std::span<Finding> blocks) const {
     std::array<Vec3<T>, 8> centers;
     std::array<T, 8> values;
@@ -126,44 +128,43 @@ class BlockFill<T>::Tile {
       const auto& [first, size] = blocks[i].block;
       const Offset last{first[0] + size[0] - 1, first[1] + size[1] - 1, first[2] + size[2] - 1};
       // Coordinates grow with the index, rounding included: no position is outside.
-      blocks[i].box = OrientedBox<T>::of({position(first), position(last)});
-      centers[i] = blocks[i].box.center;
+      blocks[i].box = {position(first), position(last)};
+      centers[i] = blocks[i].box.center();
     }
-    const auto& promise = fill_.promise_;
-    if (promise.lipschitz) {
+    if (fill_.promise_.lipschitz) {
       fill_.solid_.signedDistances(std::span<const Vec3<T>>(centers).first(blocks.size()),
                                    std::span(values).first(blocks.size()), {.threads = 1});
     }
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-      auto& found = blocks[i];
-      if (promise.lipschitz && found.box.isWithin(promise.domain)) {
-        conclude(found, values[i]);
+      const auto box = OrientedBox<T>::of(blocks[i].box);
+      if (fill_.promise_.lipschitz && box.isWithin(fill_.promise_.domain)) {
+        conclude(blocks[i], box, values[i]);
       } else {
-        const auto& [first, size] = found.block;
-        const Offset last{first[0] + size[0] - 1, first[1] + size[1] - 1, first[2] + size[2] - 1};
-        const auto range = fill_.solid_.bounds({position(first), position(last)});
-        found.isBeyond = range.lower > fill_.limit_ || range.upper < -fill_.limit_;
-        found.sign = range.lower;
+        const auto range = fill_.solid_.bounds(blocks[i].box);
+        blocks[i].isBeyond = range.lower > fill_.limit_ || range.upper < -fill_.limit_;
+        blocks[i].sign = range.lower;
       }
     }
   }
 
-  void conclude(Finding& found, T atCenter) const {
-    const auto range = boundsAround(atCenter, found.box, fill_.promise_);
-    // Towards the centre, the bound grows by the Lipschitz constant at least.
+  /// From the value in the middle.
+  void conclude(Finding& found, const OrientedBox<T>& box, T atCenter) const {
+    const auto range = boundsAround(atCenter, box, fill_.promise_);
     const T missing = fill_.limit_ - (atCenter < 0 ? -range.upper : range.lower);
-    constexpr T kEps = std::numeric_limits<T>::epsilon();
     found.isBeyond = missing < 0;
     found.sign = atCenter;
-    found.radius = found.box.radius() - missing / *fill_.promise_.lipschitz * (1 + 8 * kEps);
-    found.radius *= 1 - 8 * kEps;
+    // The bound for all within r of the centre exceeds that for all within box.radius() by the
+    // Lipschitz constant times the difference, or more.
+    constexpr T kOutward = 1 + 8 * std::numeric_limits<T>::epsilon();
+    const T radius = box.radius() - kOutward * (missing / *fill_.promise_.lipschitz);
+    found.center = box.center;
+    if (radius > 0) found.radiusSquared = radius * radius / (kOutward * kOutward);
   }
 
   void addPoints(const Finding& found) {
-    const T nearby = found.radius > 0 ? found.radius * found.radius : T(-1);
     forEach(found.block, [&](const Offset& offset) {
       const auto point = position(offset);
-      if (lengthSquared(point - found.box.center) < nearby) {
+      if (lengthSquared(point - found.center) < found.radiusSquared) {
         fill_.write(offset, std::copysign(fill_.limit_, found.sign), kNone);
       } else {
         batch_.add(point, offset);
