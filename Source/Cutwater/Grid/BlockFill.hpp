@@ -27,7 +27,7 @@ class BlockFill {
             const FillTargets<T>& targets, T limit);
 
   [[nodiscard]] std::size_t tileCount() const;
-  /// As many tiles should be filled in one go, to make up a batch.
+  /// So many tiles at least should be filled in one go: enough for full batches.
   [[nodiscard]] std::size_t grain() const;
   /// Fills the tiles numbered [begin, end); threads may fill different tiles at the same time.
   void fillTiles(std::size_t begin, std::size_t end) const;
