@@ -13,10 +13,9 @@ void fill(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
   const T limit = options.band > 0 ? static_cast<T>(options.band) * patch.level.smallestSpacing()
                                    : std::numeric_limits<T>::infinity();
   const detail::BlockFill<T> blocks(solid, patch, targets, limit);
-  parallelFor(
-      blocks.tileCount(),
-      {.threads = options.threads, .grain = blocks.grain(), .progress = options.progress},
-      [&](std::size_t begin, std::size_t end) { blocks.fillTiles(begin, end); });
+  parallelFor(blocks.tileCount(),
+              {.threads = options.threads, .grain = blocks.grain(), .progress = options.progress},
+              [&](std::size_t begin, std::size_t end) { blocks.fillTiles(begin, end); });
 }
 
 template void fill(const SignedDistanceFunction<float>&, const Patch<float>&,
