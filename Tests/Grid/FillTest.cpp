@@ -5,20 +5,13 @@
 #include <Cutwater/Sdf/Solid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
-#include <bit>
 #include <vector>
 
+#include "Support/Grid.hpp"
 #include "Support/Precisions.hpp"
 
 namespace cutwater::test {
 namespace {
-
-/// Equal as bytes: tells -0 from 0, and NaN equals itself.
-template <typename T>
-bool sameBits(T a, T b) {
-  using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
-}
 
 /// Two half-spheres of a kind: the surface belongs to patch 0 below z = 0 and to patch 1 above.
 template <std::floating_point T>
@@ -43,15 +36,6 @@ class FillTest : public ::testing::Test {
   Solid<T> solid = Sphere<T>({T(0.2), 0, 0}, 1);
 };
 TYPED_TEST_SUITE(FillTest, Precisions);
-
-template <typename Visit>
-void forEach(const IndexBox& box, Visit visit) {
-  for (int k = box.lo.k; k <= box.hi.k; ++k) {
-    for (int j = box.lo.j; j <= box.hi.j; ++j) {
-      for (int i = box.lo.i; i <= box.hi.i; ++i) visit(Index3{i, j, k});
-    }
-  }
-}
 
 TYPED_TEST(FillTest, GivesThePointwiseBitsForAnyNumberOfThreads) {
   using T = TypeParam;

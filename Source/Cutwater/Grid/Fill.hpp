@@ -28,6 +28,9 @@ struct FillTargets {
 /// says. Each value depends on its index alone: it has the same bits as when asked for by itself,
 /// whatever the patch, the band around it and the number of threads. Serial inside an active
 /// parallel region.
+///
+/// With a band, the price is about two values for each index in it: blocks of indices that the
+/// solid's Lipschitz constant, or without one its bounds(), proves to be beyond are not evaluated.
 /// @throws Error if the band is negative or not finite, or `threads` is negative.
 template <std::floating_point T>
 void fill(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,

@@ -49,6 +49,13 @@ Box<T> OrientedBox<T>::bounds() const {
   return Box<T>{center - reach, center + reach}.grown(slack);
 }
 
+template <std::floating_point T>
+bool OrientedBox<T>::isWithin(const Box<T>& domain) const {
+  if (domain == Box<T>::everywhere()) return true;
+  const auto around = bounds();
+  return domain.contains(around.lower) && domain.contains(around.upper);
+}
+
 template struct OrientedBox<float>;
 template struct OrientedBox<double>;
 

@@ -46,6 +46,8 @@ struct OrientedBox {
   [[nodiscard]] Vec3<T> corner(int i) const;
   /// The axis-aligned box around it, slack included.
   [[nodiscard]] Box<T> bounds() const;
+  /// Whether all of it lies in the domain, slack included.
+  [[nodiscard]] bool isWithin(const Box<T>& domain) const;
 };
 
 extern template struct OrientedBox<float>;

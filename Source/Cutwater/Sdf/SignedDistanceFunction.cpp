@@ -17,13 +17,6 @@ constexpr T kNaN = std::numeric_limits<T>::quiet_NaN();
 /// Batches reach the shapes in pieces of this many points, whose local copies fit the L1 cache.
 constexpr std::size_t kBatch = 256;
 
-template <std::floating_point T>
-bool encloses(const Box<T>& domain, const OrientedBox<T>& box) {
-  if (domain == Box<T>::everywhere()) return true;
-  const auto around = box.bounds();
-  return domain.contains(around.lower) && domain.contains(around.upper);
-}
-
 }  // namespace
 
 template <std::floating_point T>
@@ -184,7 +177,7 @@ CrossingCount SignedDistanceFunction<T>::localCrossings(const Segment<T>& segmen
 template <std::floating_point T>
 Interval<T> SignedDistanceFunction<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
   const auto promise = localGuarantee();
-  if (!promise.lipschitz || !encloses(promise.domain, box)) return Interval<T>::everything();
+  if (!promise.lipschitz || !box.isWithin(promise.domain)) return Interval<T>::everything();
   return detail::boundsAround(localSignedDistance(box.center), box, promise);
 }
 
@@ -195,7 +188,7 @@ BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, Box
   if (range.upper < 0) return BoxClass::Inside;
 
   const auto promise = localGuarantee();
-  if (!encloses(promise.domain, box)) return BoxClass::Unknown;
+  if (!box.isWithin(promise.domain)) return BoxClass::Unknown;
   const T rounding = promise.error(length(box.center) + box.radius());
   const T atCenter = localSignedDistance(box.center);
 
