@@ -2,6 +2,7 @@
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/Pseudonormals.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace cutwater {
@@ -16,6 +17,9 @@ template <std::floating_point T>
 Vec3<T> directionOfSum(const Vec3<double>& sum, double weight, double epsilon) {
   return length(sum) > 8 * epsilon * weight ? static_cast<Vec3<T>>(normalized(sum)) : Vec3<T>{};
 }
+
+/// Of the points, in parallel: all parts read all triangles.
+constexpr std::size_t kMostParts = 16;
 
 struct WeightedSum {
   Vec3<double> vector;
@@ -42,22 +46,34 @@ Pseudonormals<T> pseudonormals(std::span<const Vec3<T>> points,
   };
   parallelFor(triangles.size(), {.grain = 4096, .progress = {}}, measure);
 
-  // In the order of triangles, whatever the number of threads.
-  std::vector<WeightedSum> sums(points.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      auto& [vector, weight] = sums[index(triangles[i][k])];
-      vector += shapes[i].angles[k] * shapes[i].normal;
-      weight += shapes[i].angles[k];
-    }
-  }
-
   Pseudonormals<T> result;
-  result.triangles.reserve(triangles.size());
-  for (const auto& shape : shapes) result.triangles.push_back(static_cast<Vec3<T>>(shape.normal));
-  result.vertices.reserve(points.size());
-  for (const auto& sum : sums)
-    result.vertices.push_back(directionOfSum<T>(sum.vector, sum.weight, kEpsilon<double>));
+  result.triangles.resize(triangles.size());
+  result.vertices.resize(points.size());
+  std::vector<WeightedSum> sums(points.size());
+  // Each thread goes through all triangles, in their order, for a part of the points.
+  const auto sum = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t vertex = index(triangles[i][k]);
+        if (vertex - begin >= end - begin) continue;
+        auto& [vector, weight] = sums[vertex];
+        vector += shapes[i].angles[k] * shapes[i].normal;
+        weight += shapes[i].angles[k];
+      }
+    }
+    for (auto v = begin; v < end; ++v) {
+      result.vertices[v] = directionOfSum<T>(sums[v].vector, sums[v].weight, kEpsilon<double>);
+    }
+  };
+  const auto parts =
+      std::min<std::size_t>(kMostParts, static_cast<std::size_t>(availableThreads()));
+  parallelFor(points.size(), {.grain = (points.size() + parts - 1) / parts}, sum);
+  const auto round = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      result.triangles[i] = static_cast<Vec3<T>>(shapes[i].normal);
+    }
+  };
+  parallelFor(triangles.size(), {.grain = 16384}, round);
   return result;
 }
 
