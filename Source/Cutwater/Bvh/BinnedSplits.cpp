@@ -114,7 +114,8 @@ void BinnedSplits::refine(ItemRange& range) const {
     Bounds4 sum;
     for (auto i = begin; i < end; ++i) {
       const auto& box = boxes_[items[i].id];
-      items[i] = {.lower = frame(box.lower), .id = items[i].id, .upper = frame(box.upper)};
+      items[i] = {
+          .lower = frame(box.lower), .id = items[i].id, .upper = frame(box.upper), .unused = 0};
       sum.extend(middle(boundsOf(items[i])));
     }
     middles[chunk] = sum;

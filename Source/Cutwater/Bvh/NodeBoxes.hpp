@@ -31,7 +31,7 @@ class NodeBoxes {
 
   [[nodiscard]] Corners corners(std::uint32_t place) const;
   [[nodiscard]] Axes fittingAxes() const;
-  [[nodiscard]] std::vector<Box<double>> boxesAlong(const Axes& axes) const;
+  [[nodiscard]] std::vector<Box<double>> boxesAlong(const Axes& axes, std::uint32_t stride) const;
 
   const BinaryBvh& tree_;
   std::span<const std::uint32_t> children_;

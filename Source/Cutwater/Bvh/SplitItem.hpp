@@ -15,7 +15,7 @@ struct alignas(32) SplitItem {
   std::array<float, 3> lower;
   std::uint32_t id;
   std::array<float, 3> upper;
-  float unused = 0;
+  float unused;  // not initialised: arrays of items cost nothing until they are filled
 };
 
 /// Four numbers at once, of which the last means nothing.
@@ -60,7 +60,8 @@ inline Floats4 middle(const Bounds4& box) {
 inline float splitCost(const Bounds4& box, std::size_t count, std::size_t leafWidth) {
   const Floats4 size = box.upper - box.lower;
   const float halfArea = size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
-  return halfArea * static_cast<float>((count + leafWidth - 1) / leafWidth);
+  const std::size_t leaves = (count + leafWidth - 1) / leafWidth;
+  return halfArea * static_cast<float>(leaves);
 }
 
 }  // namespace cutwater::detail
