@@ -24,8 +24,21 @@ struct BinaryBvh {
   std::vector<std::uint32_t> order;
 };
 
-/// Splits until at most `leafWidth` primitives are left. Costs count leaves of that width.
-[[nodiscard]] BinaryBvh buildBinaryBvh(std::span<const Box<double>> boxes, std::uint32_t leafWidth);
+/// Splits until at most `leafWidth` primitives are left; that is at most 16. Costs count leaves of
+/// that width. In parallel; the same tree whatever the number of threads.
+[[nodiscard]] BinaryBvh buildBinaryBvh(std::span<const Box<double>> boxes, std::uint32_t leafWidth,
+                                       int threads);
+
+/// Appends the children of a node, which part its range at `middle`. Returns the left one.
+inline std::uint32_t splitNode(std::vector<BinaryNode>& nodes, std::size_t parent,
+                               std::uint32_t middle) {
+  const auto left = static_cast<std::uint32_t>(nodes.size());
+  const BinaryNode whole = nodes[parent];
+  nodes[parent].left = left;
+  nodes.push_back({.box = {}, .begin = whole.begin, .end = middle});
+  nodes.push_back({.box = {}, .begin = middle, .end = whole.end});
+  return left;
+}
 
 /// Half the surface area of a box; 0 if it is empty.
 [[nodiscard]] inline double halfArea(const Box<double>& box) {

@@ -145,49 +145,51 @@ std::vector<Source> layOut(const BinaryBvh& binary, BvhArrays<K, W>& result) {
 }
 
 template <int K, int W>
-BvhArrays<K, W> build(std::span<const Box<double>> boxes, const BvhCorners* corners) {
+BvhArrays<K, W> build(std::span<const Box<double>> boxes, const BvhCorners* corners, int threads) {
   if (boxes.size() >= kNone) {
     throw Error(ErrorKind::Limit, "LinearBVH: more than 2^32 - 2 primitives");
   }
   BvhArrays<K, W> result;
-  const auto binary = detail::buildBinaryBvh(boxes, W);
+  const auto binary = detail::buildBinaryBvh(boxes, W, threads);
   if (binary.nodes.empty()) return result;
   result.frame = frameOf(binary.nodes.front().box);
   const auto sources = layOut(binary, result);
-  parallelFor(result.nodes.size(), {.grain = 16}, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      const detail::NodeBoxes fit(binary, sources[n].children, result.frame, corners);
-      auto& node = result.nodes[n];
-      node.center = fit.center();
-      node.axes = fit.axes();
-      for (std::size_t lane = 0; lane < sources[n].children.size(); ++lane) {
-        for (int axis = 0; axis < 3; ++axis) {
-          const auto i = static_cast<std::size_t>(axis);
-          node.lower[i][lane] = fit.box(lane).lower[axis];
-          node.upper[i][lane] = fit.box(lane).upper[axis];
-        }
-      }
-    }
-  });
+  parallelFor(result.nodes.size(), {.threads = threads, .grain = 16},
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t n = begin; n < end; ++n) {
+                  const detail::NodeBoxes fit(binary, sources[n].children, result.frame, corners);
+                  auto& node = result.nodes[n];
+                  node.center = fit.center();
+                  node.axes = fit.axes();
+                  for (std::size_t lane = 0; lane < sources[n].children.size(); ++lane) {
+                    for (int axis = 0; axis < 3; ++axis) {
+                      const auto i = static_cast<std::size_t>(axis);
+                      node.lower[i][lane] = fit.box(lane).lower[axis];
+                      node.upper[i][lane] = fit.box(lane).upper[axis];
+                    }
+                  }
+                }
+              });
   return result;
 }
 
 }  // namespace
 
 template <int K, int W>
-BvhArrays<K, W> buildBvh(std::span<const Box<double>> boxes) {
-  return build<K, W>(boxes, nullptr);
+BvhArrays<K, W> buildBvh(std::span<const Box<double>> boxes, int threads) {
+  return build<K, W>(boxes, nullptr, threads);
 }
 
 template <int K, int W>
-BvhArrays<K, W> buildTurnedBvh(std::span<const Box<double>> boxes, BvhCorners corners) {
-  return build<K, W>(boxes, &corners);
+BvhArrays<K, W> buildTurnedBvh(std::span<const Box<double>> boxes, BvhCorners corners,
+                               int threads) {
+  return build<K, W>(boxes, &corners, threads);
 }
 
-template BvhArrays<4, 4> buildBvh(std::span<const Box<double>>);
-template BvhArrays<8, 4> buildBvh(std::span<const Box<double>>);
-template BvhArrays<16, 4> buildBvh(std::span<const Box<double>>);
-template BvhArrays<16, 16> buildBvh(std::span<const Box<double>>);
-template BvhArrays<16, 16> buildTurnedBvh(std::span<const Box<double>>, BvhCorners);
+template BvhArrays<4, 4> buildBvh(std::span<const Box<double>>, int);
+template BvhArrays<8, 4> buildBvh(std::span<const Box<double>>, int);
+template BvhArrays<16, 4> buildBvh(std::span<const Box<double>>, int);
+template BvhArrays<16, 16> buildBvh(std::span<const Box<double>>, int);
+template BvhArrays<16, 16> buildTurnedBvh(std::span<const Box<double>>, BvhCorners, int);
 
 }  // namespace cutwater

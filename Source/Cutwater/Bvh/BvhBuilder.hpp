@@ -21,7 +21,8 @@ struct BvhArrays {
 };
 
 /// Builds a tree over the boxes; slot ids are indices into them. Deterministic: it depends on the
-/// boxes only. Empty and infinite boxes are the caller's to keep out.
+/// boxes only. Empty and infinite boxes are the caller's to keep out. In parallel, by at most so
+/// many threads (see ParallelOptions).
 ///
 /// Binary splits by the surface area heuristic with 16 bins (Wald 2007, "On fast construction of
 /// SAH-based bounding volume hierarchies"), near the leaves by a sorted sweep at multiples of W, so
@@ -29,7 +30,7 @@ struct BvhArrays {
 /// area of all nodes is least (Ylitie, Karras and Laine 2017, "Efficient incoherent ray traversal
 /// on GPUs through compressed wide BVHs", section 3).
 template <int K, int W>
-[[nodiscard]] BvhArrays<K, W> buildBvh(std::span<const Box<double>> boxes);
+[[nodiscard]] BvhArrays<K, W> buildBvh(std::span<const Box<double>> boxes, int threads = 0);
 
 /// The corners of a triangle.
 using BvhCorners = FunctionRef<std::array<Vec3<double>, 3>(std::uint32_t)>;
@@ -37,7 +38,7 @@ using BvhCorners = FunctionRef<std::array<Vec3<double>, 3>(std::uint32_t)>;
 /// The same over triangles: each node's boxes stand in a frame turned to fit them, where that makes
 /// them smaller.
 template <int K, int W>
-[[nodiscard]] BvhArrays<K, W> buildTurnedBvh(std::span<const Box<double>> boxes,
-                                             BvhCorners corners);
+[[nodiscard]] BvhArrays<K, W> buildTurnedBvh(std::span<const Box<double>> boxes, BvhCorners corners,
+                                             int threads = 0);
 
 }  // namespace cutwater

@@ -27,9 +27,11 @@ class NodeBoxes {
  private:
   using Axes = std::array<Vec3<float>, 3>;
 
-  [[nodiscard]] std::array<Vec3<double>, 3> corners(std::uint32_t id) const;
+  using Corners = std::array<Vec3<double>, 3>;
+
+  [[nodiscard]] Corners corners(std::uint32_t place) const;
   [[nodiscard]] Axes fittingAxes() const;
-  [[nodiscard]] std::vector<Box<double>> boxesAlong(const Axes& axes) const;
+  [[nodiscard]] std::vector<Box<double>> boxesAlong(const Axes& axes, std::uint32_t stride) const;
 
   const BinaryBvh& tree_;
   std::span<const std::uint32_t> children_;
@@ -38,6 +40,9 @@ class NodeBoxes {
   Vec3<float> center_;
   Axes axes_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::vector<Box<double>> boxes_;
+  std::uint32_t begin_ = 0;  // of the triangles of all children in BinaryBvh::order
+  std::uint32_t end_ = 0;
+  std::vector<Corners> local_;  // their corners relative to the centre, if they are few
   double rounding_ = 0;
 };
 

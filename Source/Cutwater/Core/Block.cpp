@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Block.hpp>
+#include <Cutwater/Core/Parallel.hpp>
 
 #include <algorithm>
 #include <new>
@@ -13,15 +14,20 @@ Section BlockWriter::addBytes(std::span<const std::byte> bytes, std::size_t coun
 }
 
 Block BlockWriter::finish() const {
+  constexpr std::size_t kCopied = std::size_t{1} << 20U;  // by one thread at a time
   constexpr auto kAlign = std::align_val_t{kAlignment};
   const std::shared_ptr<void> memory(::operator new(size_, kAlign),
                                      [](void* p) { ::operator delete(p, kAlign); });
   auto* const start = static_cast<std::byte*>(memory.get());
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const auto& piece = pieces_[i];
-    auto* const end = std::ranges::copy(piece.bytes, start + piece.offset).out;
+    auto* const to = start + piece.offset;
+    parallelFor(piece.bytes.size(), {.grain = kCopied}, [&](std::size_t begin, std::size_t end) {
+      std::ranges::copy(piece.bytes.subspan(begin, end - begin), to + begin);
+    });
     const auto next = i + 1 < pieces_.size() ? pieces_[i + 1].offset : size_;
-    std::fill(end, start + next, std::byte{0});  // the gaps too: equal blocks are equal bytes
+    // The gaps too: equal blocks are equal bytes.
+    std::fill(to + piece.bytes.size(), start + next, std::byte{0});
   }
   return {memory, {start, static_cast<std::size_t>(size_)}};
 }

@@ -1,14 +1,20 @@
 #include <Cutwater/Core/DoubleDouble.hpp>
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/DcelMesh.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/Pseudonormals.hpp>
 #include <Cutwater/Mesh/Triangulation.hpp>
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace cutwater {
 namespace {
+
+/// Up to so many half-edges leave most vertices.
+constexpr std::size_t kFew = 16;
 
 /// Turns counts per bin, with one bin more than there are, into offsets.
 void accumulate(std::vector<std::uint32_t>& counts) {
@@ -21,6 +27,26 @@ void accumulate(std::vector<std::uint32_t>& counts) {
 class EdgesAtVertex {
  public:
   explicit EdgesAtVertex(std::size_t vertexCount) : edgeTo_(vertexCount, kNone) {}
+
+  /// Visits the edges to higher vertices, of the half-edges that `wanted` answers true for.
+  template <typename Mesh, typename Visit, typename Wanted>
+  void visit(const Mesh& mesh, VertexId vertex, Visit visit, Wanted wanted) {
+    for (const HalfEdgeId out : mesh.outgoing(vertex)) {
+      const HalfEdgeId in = mesh.prev(out);
+      if (mesh.target(out) > vertex && wanted(out)) add(mesh.target(out), out);
+      if (mesh.origin(in) > vertex && wanted(in)) add(mesh.origin(in), in);
+    }
+    if (uses_.empty()) return;
+    flush([&](VertexId otherEnd, std::span<const HalfEdgeId> uses) {
+      visit({vertex, otherEnd, uses});
+    });
+  }
+
+ private:
+  struct Use {
+    std::uint32_t edge;
+    HalfEdgeId halfEdge;
+  };
 
   void add(VertexId otherEnd, HalfEdgeId e) {
     auto& edge = edgeTo_[index(otherEnd)];
@@ -49,12 +75,6 @@ class EdgesAtVertex {
     otherEnds_.clear();
     uses_.clear();
   }
-
- private:
-  struct Use {
-    std::uint32_t edge;
-    HalfEdgeId halfEdge;
-  };
 
   std::vector<std::uint32_t> edgeTo_;
   std::vector<VertexId> otherEnds_;
@@ -130,28 +150,68 @@ template <std::floating_point T>
 void DcelMesh<T>::visitEdges(FunctionRef<void(const Edge&)> visit) const {
   EdgesAtVertex edges(positions_.size());
   for (const VertexId vertex : vertices()) {
-    for (const HalfEdgeId out : outgoing(vertex)) {
-      const HalfEdgeId in = prev(out);
-      if (target(out) > vertex) edges.add(target(out), out);
-      if (origin(in) > vertex) edges.add(origin(in), in);
-    }
-    edges.flush([&](VertexId otherEnd, std::span<const HalfEdgeId> uses) {
-      visit({vertex, otherEnd, uses});
-    });
+    edges.visit(*this, vertex, visit, [](HalfEdgeId) { return true; });
   }
+}
+
+template <std::floating_point T>
+void DcelMesh<T>::visitEdgesWithoutTwins(FunctionRef<void(const Edge&)> visit) const {
+  // All half-edges of an edge have twins or none has.
+  const auto hasNone = [this](HalfEdgeId e) { return !hasTwin(e); };
+  if (std::ranges::find(twins_, kNoHalfEdge) == twins_.end()) return;
+  EdgesAtVertex edges(positions_.size());
+  for (const VertexId vertex : vertices()) edges.visit(*this, vertex, visit, hasNone);
 }
 
 template <std::floating_point T>
 void DcelMesh<T>::pairTwins() {
   twins_.assign(origins_.size(), kNoHalfEdge);
-  visitEdges([this](const Edge& edge) {
+  // Edges belong to their lower vertex: threads write to different half-edges.
+  const auto pairFew = [this](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
+      if (outgoing(VertexId{v}).size() <= kFew) pairTwinsAt(VertexId{v});
+    }
+  };
+  parallelFor(positions_.size(), {.grain = 4096}, pairFew);
+
+  const auto pair = [this](const Edge& edge) {
     if (edge.halfEdges.size() != 2) return;
     const HalfEdgeId one = edge.halfEdges[0];
     const HalfEdgeId other = edge.halfEdges[1];
     if (origin(one) == origin(other)) return;
     twins_[index(one)] = other;
     twins_[index(other)] = one;
-  });
+  };
+  std::optional<EdgesAtVertex> edges;
+  for (const VertexId vertex : vertices()) {
+    if (outgoing(vertex).size() <= kFew) continue;
+    if (!edges) edges.emplace(positions_.size());
+    edges->visit(*this, vertex, FunctionRef<void(const Edge&)>(pair),
+                 [](HalfEdgeId) { return true; });
+  }
+}
+
+/// By comparing all with all, at a vertex of few half-edges.
+template <std::floating_point T>
+void DcelMesh<T>::pairTwinsAt(VertexId vertex) {
+  const auto out = outgoing(vertex);
+  std::array<VertexId, kFew> targets;
+  std::array<VertexId, kFew> sources;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    targets[i] = target(out[i]);
+    sources[i] = origin(prev(out[i]));
+  }
+  const auto ends = std::span(targets).first(out.size());
+  const auto starts = std::span(sources).first(out.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const VertexId end = ends[i];
+    if (end <= vertex || std::ranges::count(ends, end) != 1) continue;
+    const auto found = std::ranges::find(starts, end);
+    if (found == starts.end() || std::find(found + 1, starts.end(), end) != starts.end()) continue;
+    const HalfEdgeId back = prev(out[static_cast<std::size_t>(found - starts.begin())]);
+    twins_[index(out[i])] = back;
+    twins_[index(back)] = out[i];
+  }
 }
 
 template <std::floating_point T>

@@ -21,8 +21,8 @@ namespace cutwater {
 /// face are contiguous, so that next() and prev() are arithmetic; all is in flat arrays of 32-bit
 /// indices, about 75 bytes per triangle plus 24 (float) or 48 (double) of geometry.
 ///
-/// Immutable; all functions are thread-safe, and none but visitEdges() allocates. Positions are
-/// rounded to T first: all geometry is that of the rounded mesh, computed in double.
+/// Immutable; all functions are thread-safe, and none but those that visit edges allocates.
+/// Positions are rounded to T first: all geometry is that of the rounded mesh, computed in double.
 ///
 ///     for (FaceId face : mesh.faces(vertex)) sum += mesh.normal(face);
 template <std::floating_point T>
@@ -98,6 +98,9 @@ class DcelMesh {
   };
   /// Visits every undirected edge once: by the lower, then in the order of appearance. Linear time.
   void visitEdges(FunctionRef<void(const Edge&)> visit) const;
+  /// The same for the edges without twins only: rims, and edges of many faces or of two that run
+  /// the same way.
+  void visitEdgesWithoutTwins(FunctionRef<void(const Edge&)> visit) const;
 
   // Geometry. Lengths in the units of the positions.
 
@@ -136,6 +139,7 @@ class DcelMesh {
   void takeFaces(const PolygonSoup& soup);
   void collectOutgoing();
   void pairTwins();
+  void pairTwinsAt(VertexId vertex);
   void takeTriangles(const PolygonSoup& soup);
   void computeNormals();
   [[nodiscard]] std::array<Vec3<double>, 3> corners(const TriangleCorners& triangle) const;

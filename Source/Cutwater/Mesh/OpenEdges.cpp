@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Vec3.hpp>
 #include <Cutwater/Mesh/OpenEdges.hpp>
 
 #include <algorithm>
@@ -17,10 +18,12 @@ struct Pass {
 }  // namespace
 
 std::vector<OpenEdge> findOpenEdges(std::span<const std::array<std::uint32_t, 3>> triangles,
-                                    std::size_t vertexCount) {
+                                    std::size_t vertexCount,
+                                    std::span<const std::array<std::uint32_t, 3>> neighbours) {
   const auto visitHalfEdges = [&](auto visit) {
     for (std::uint32_t t = 0; t < triangles.size(); ++t) {
       for (std::size_t i = 0; i < 3; ++i) {
+        if (!neighbours.empty() && neighbours[t][i] != kNone) continue;
         const auto from = triangles[t][i];
         const auto to = triangles[t][(i + 1) % 3];
         if (from < to) visit(from, Pass{to, t, 1});

@@ -18,7 +18,11 @@ struct OpenEdge {
 };
 
 /// All of them, by lower vertex, then by upper vertex; n log n. None: the surface is closed.
+///
+/// Where `neighbours` tells the triangle across an edge of exactly two that run opposite ways, the
+/// edge is passed over: it is not open. It may be left out.
 [[nodiscard]] std::vector<OpenEdge> findOpenEdges(
-    std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t vertexCount);
+    std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t vertexCount,
+    std::span<const std::array<std::uint32_t, 3>> neighbours = {});
 
 }  // namespace cutwater

@@ -1,8 +1,11 @@
 #include <Cutwater/Core/DoubleDouble.hpp>
+#include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace cutwater {
 namespace {
@@ -58,6 +61,9 @@ double unscaledArea(double twice, double scale) {
 double unitScale(std::span<const Vec3<double>> corners) {
   double size = 0;
   for (const auto& p : corners) size = std::max(size, maxComponent(abs(p - corners[0])));
+  const auto exponent = std::bit_cast<std::uint64_t>(size) >> 52U;
+  // The usual case without calls: the exponents of a number and of its scale sum to twice the bias.
+  if (exponent - 1 < 2045) return std::bit_cast<double>((2046 - exponent) << 52U);
   return size > 0 ? std::ldexp(1.0, std::min(-std::ilogb(size), 1022)) : 1;
 }
 
@@ -83,9 +89,11 @@ template <std::floating_point T>
 std::vector<Box<double>> triangleBoxes(std::span<const Vec3<T>> positions,
                                        std::span<const std::array<std::uint32_t, 3>> triangles) {
   std::vector<Box<double>> boxes(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (const auto v : triangles[i]) boxes[i].extend(Vec3<double>(positions[v]));
-  }
+  parallelFor(triangles.size(), {.grain = 16384}, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (const auto v : triangles[i]) boxes[i].extend(Vec3<double>(positions[v]));
+    }
+  });
   return boxes;
 }
 

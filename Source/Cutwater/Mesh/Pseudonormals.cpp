@@ -2,6 +2,8 @@
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/Pseudonormals.hpp>
 
+#include <algorithm>
+#include <bit>
 #include <limits>
 
 namespace cutwater {
@@ -16,6 +18,12 @@ template <std::floating_point T>
 Vec3<T> directionOfSum(const Vec3<double>& sum, double weight, double epsilon) {
   return length(sum) > 8 * epsilon * weight ? static_cast<Vec3<T>>(normalized(sum)) : Vec3<T>{};
 }
+
+constexpr std::size_t kBlock = 65536;
+// Of the points; all parts read all triangles.
+constexpr std::size_t kMostParts = 8;
+// Neighbours in memory belong to one part.
+constexpr std::size_t kOwned = 64;
 
 struct WeightedSum {
   Vec3<double> vector;
@@ -32,32 +40,46 @@ Vec3<T> Pseudonormals<T>::edge(const Vec3<T>& one, const Vec3<T>& other) {
 template <std::floating_point T>
 Pseudonormals<T> pseudonormals(std::span<const Vec3<T>> points,
                                std::span<const TriangleCorners> triangles) {
-  std::vector<TriangleShape> shapes(triangles.size());
-  const auto measure = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto [a, b, c] = triangles[i];
-      shapes[i] = triangleShape({Vec3<double>(points[index(a)]), Vec3<double>(points[index(b)]),
-                                 Vec3<double>(points[index(c)])});
-    }
-  };
-  parallelFor(triangles.size(), {.grain = 4096, .progress = {}}, measure);
-
-  // In the order of triangles, whatever the number of threads.
+  Pseudonormals<T> result;
+  result.triangles.resize(triangles.size());
   std::vector<WeightedSum> sums(points.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      auto& [vector, weight] = sums[index(triangles[i][k])];
-      vector += shapes[i].angles[k] * shapes[i].normal;
-      weight += shapes[i].angles[k];
-    }
+  const std::size_t parts =
+      std::bit_floor(std::min(kMostParts, static_cast<std::size_t>(availableThreads())));
+  // Block by block, so that the shapes stay in the cache.
+  std::vector<TriangleShape> shapes(std::min(kBlock, triangles.size()));
+  for (std::size_t first = 0; first < triangles.size(); first += kBlock) {
+    const auto block = triangles.subspan(first, std::min(kBlock, triangles.size() - first));
+    const auto measure = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto [a, b, c] = block[i];
+        shapes[i] = triangleShape({Vec3<double>(points[index(a)]), Vec3<double>(points[index(b)]),
+                                   Vec3<double>(points[index(c)])});
+        result.triangles[first + i] = static_cast<Vec3<T>>(shapes[i].normal);
+      }
+    };
+    parallelFor(block.size(), {.grain = 4096}, measure);
+    // In the order of triangles, whatever the number of threads: each has points of its own.
+    const auto add = [&](std::size_t part, std::size_t) {
+      for (std::size_t i = 0; i < block.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::size_t point = index(block[i][k]);
+          if ((point / kOwned & (parts - 1)) != part) continue;
+          auto& [vector, weight] = sums[point];
+          vector += shapes[i].angles[k] * shapes[i].normal;
+          weight += shapes[i].angles[k];
+        }
+      }
+    };
+    parallelFor(parts, {}, add);
   }
 
-  Pseudonormals<T> result;
-  result.triangles.reserve(triangles.size());
-  for (const auto& shape : shapes) result.triangles.push_back(static_cast<Vec3<T>>(shape.normal));
-  result.vertices.reserve(points.size());
-  for (const auto& sum : sums)
-    result.vertices.push_back(directionOfSum<T>(sum.vector, sum.weight, kEpsilon<double>));
+  result.vertices.resize(points.size());
+  const auto finish = [&](std::size_t begin, std::size_t end) {
+    for (auto v = begin; v < end; ++v) {
+      result.vertices[v] = directionOfSum<T>(sums[v].vector, sums[v].weight, kEpsilon<double>);
+    }
+  };
+  parallelFor(points.size(), {.grain = 16384}, finish);
   return result;
 }
 

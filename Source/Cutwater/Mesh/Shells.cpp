@@ -86,11 +86,12 @@ class ShellSearch {
         positions_(normalizedPositions(mesh.positions())),
         shellOf_(mesh.faces().size(), kNone),
         turned_(mesh.faces().size()) {
+    partners_.reserve(mesh.halfEdges().size());
     pairHalfEdges();
   }
 
   ShellOrientation run() {
-    orientPieces();
+    if (someRunTheSameWay_) orientPieces();
     collectShells();
     for (auto& shell : shells_) measure(shell);
     turnShells();
@@ -109,11 +110,12 @@ class ShellSearch {
 
   /// The other half-edge of edges with two faces, whichever way it runs.
   void pairHalfEdges() {
-    partners_.resize(mesh_.halfEdges().size(), kNoHalfEdge);
-    mesh_.visitEdges([&](const Edge& edge) {
+    for (const HalfEdgeId e : mesh_.halfEdges()) partners_.push_back(mesh_.twin(e));
+    mesh_.visitEdgesWithoutTwins([&](const Edge& edge) {
       if (edge.halfEdges.size() != 2) return;
       partners_[index(edge.halfEdges[0])] = edge.halfEdges[1];
       partners_[index(edge.halfEdges[1])] = edge.halfEdges[0];
+      someRunTheSameWay_ = true;
     });
   }
 
@@ -165,12 +167,16 @@ class ShellSearch {
       while (parent[face] != face) face = parent[face] = parent[parent[face]];
       return face;
     };
-    mesh_.visitEdges([&](const Edge& edge) {
-      for (const HalfEdgeId e : edge.halfEdges) {
-        const auto one = root(index(mesh_.face(edge.halfEdges[0])));
-        const auto other = root(index(mesh_.face(e)));
-        parent[std::max(one, other)] = std::min(one, other);
-      }
+    const auto join = [&](HalfEdgeId one, HalfEdgeId other) {
+      const auto first = root(index(mesh_.face(one)));
+      const auto second = root(index(mesh_.face(other)));
+      parent[std::max(first, second)] = std::min(first, second);
+    };
+    for (const HalfEdgeId e : mesh_.halfEdges()) {
+      if (mesh_.hasTwin(e) && e < mesh_.twin(e)) join(e, mesh_.twin(e));
+    }
+    mesh_.visitEdgesWithoutTwins([&](const Edge& edge) {
+      for (const HalfEdgeId e : edge.halfEdges) join(edge.halfEdges[0], e);
     });
     for (const FaceId face : mesh_.faces()) {
       const auto first = root(index(face));
@@ -181,7 +187,9 @@ class ShellSearch {
       shellOf_[at(face)] = shellOf_[first];
       shells_[shellOf_[first]].faces.push_back(face);
     }
-    mesh_.visitEdges([&](const Edge& edge) { noteBoundary(edge); });
+    const auto note = [&](const Edge& edge) { noteBoundary(edge); };
+    // Faces with twins agree, but where they contradict each other.
+    result_.unorientable == 0 ? mesh_.visitEdgesWithoutTwins(note) : mesh_.visitEdges(note);
   }
 
   void noteBoundary(const Edge& edge) {
@@ -277,6 +285,7 @@ class ShellSearch {
   const DcelMesh<T>& mesh_;
   std::vector<Vec3<double>> positions_;  // scaled: volumes neither over- nor underflow
   std::vector<HalfEdgeId> partners_;
+  bool someRunTheSameWay_ = false;
   std::vector<std::uint32_t> shellOf_;
   std::vector<bool> turned_;
   std::vector<Shell> shells_;

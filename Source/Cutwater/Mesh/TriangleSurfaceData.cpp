@@ -1,9 +1,13 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 
 namespace cutwater {
 
@@ -31,25 +35,44 @@ void turn(PolygonSoup& triangles, const std::vector<bool>& chosen) {
   }
 }
 
+template <std::floating_point T>
+bool hasOnlyTriangles(const DcelMesh<T>& mesh) {
+  return std::ranges::all_of(mesh.faces(), [&](FaceId face) {
+    return mesh.vertices(face).size() == 3 && mesh.triangles(face).size() == 1;
+  });
+}
+
 }  // namespace
 
 template <std::floating_point T>
 TriangleSurfaceData<T>::TriangleSurfaceData(const DcelMesh<T>& mesh) {
-  auto soup = trianglesOf(mesh, polygons_);
+  for (const FaceId face : mesh.faces()) patches_.push_back(mesh.patch(face));
+  std::optional<DcelMesh<T>> split;
+  if (hasOnlyTriangles(mesh)) {
+    polygons_.resize(mesh.faces().size());
+    std::iota(polygons_.begin(), polygons_.end(), 0U);
+  } else {
+    split.emplace(trianglesOf(mesh, polygons_));
+  }
   if (polygons_.empty()) {
     throw Error(ErrorKind::Topology, "the surface has no triangles: " + check(mesh).summary());
   }
-  for (const FaceId face : mesh.faces()) patches_.push_back(mesh.patch(face));
-  const DcelMesh<T> triangles(soup);
+  takeOriented(split ? *split : mesh);
+  markSlivers();
+  openEdges_ = findOpenEdges(triangles_, positions_.size(), neighbours_);
+}
+
+template <std::floating_point T>
+void TriangleSurfaceData<T>::takeOriented(const DcelMesh<T>& triangles) {
   orientation_ = orientShells(triangles);
   if (orientation_.changesNothing()) {
     take(triangles);
-  } else {
-    turn(soup, orientation_.turned);
-    take(DcelMesh<T>(soup));
+    return;
   }
-  markSlivers();
-  openEdges_ = findOpenEdges(triangles_, positions_.size());
+  std::vector<std::uint32_t> faces;
+  auto soup = trianglesOf(triangles, faces);
+  turn(soup, orientation_.turned);
+  take(DcelMesh<T>(soup));
 }
 
 template <std::floating_point T>
@@ -60,28 +83,34 @@ void TriangleSurfaceData<T>::take(const DcelMesh<T>& triangles) {
     size_ = std::max(size_, length(positions_.back()));
   }
   for (const VertexId v : triangles.vertices()) pseudonormals_.push_back(triangles.pseudonormal(v));
-  for (const FaceId face : triangles.faces()) {
-    Corners corners{};
-    Corners across{};
-    std::size_t i = 0;
-    for (const HalfEdgeId e : triangles.halfEdges(face)) {
-      corners[i] = index(triangles.origin(e));
-      across[i] = triangles.hasTwin(e) ? index(triangles.face(triangles.twin(e))) : kNone;
-      box_.extend(Vec3<double>(positions_[corners[i]]));
-      ++i;
+  triangles_.resize(triangles.faces().size());
+  neighbours_.resize(triangles_.size());
+  parallelFor(triangles_.size(), {.grain = 16384}, [&](std::size_t begin, std::size_t end) {
+    for (const FaceId face :
+         IdRange<FaceId>(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end))) {
+      std::size_t i = 0;
+      for (const HalfEdgeId e : triangles.halfEdges(face)) {
+        triangles_[index(face)][i] = index(triangles.origin(e));
+        neighbours_[index(face)][i++] =
+            triangles.hasTwin(e) ? index(triangles.face(triangles.twin(e))) : kNone;
+      }
     }
-    triangles_.push_back(corners);
-    neighbours_.push_back(across);
+  });
+  for (const auto& triangle : triangles_) {
+    for (const auto v : triangle) box_.extend(Vec3<double>(positions_[v]));
   }
 }
 
 template <std::floating_point T>
 void TriangleSurfaceData<T>::markSlivers() {
   slivers_.assign((triangles_.size() + 31) / 32, 0);
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    const auto& [a, b, c] = triangles_[i];
-    if (isSliver(positions_[a], positions_[b], positions_[c])) slivers_[i / 32] |= 1U << i % 32;
-  }
+  // By words: no two threads write to the same one.
+  parallelFor(slivers_.size(), {.grain = 512}, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = 32 * begin; i < std::min(32 * end, triangles_.size()); ++i) {
+      const auto& [a, b, c] = triangles_[i];
+      if (isSliver(positions_[a], positions_[b], positions_[c])) slivers_[i / 32] |= 1U << i % 32;
+    }
+  });
 }
 
 template <std::floating_point T>

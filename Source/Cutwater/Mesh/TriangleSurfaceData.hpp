@@ -42,6 +42,7 @@ class TriangleSurfaceData {
  private:
   using Corners = typename TriangleSurface<T>::Corners;
 
+  void takeOriented(const DcelMesh<T>& triangles);
   void take(const DcelMesh<T>& triangles);
   void markSlivers();
 
