@@ -120,7 +120,8 @@ class TriangleSearchTest : public ::testing::Test {};
 TYPED_TEST_SUITE(TriangleSearchTest, Precisions);
 
 TYPED_TEST(TriangleSearchTest, OfSmoothSurfaces) {
-  for (const int level : {0, 2, 4}) expectAnswersOfAll<TypeParam>(tessellation::icosphere(1, level));
+  for (const int level : {0, 2, 4})
+    expectAnswersOfAll<TypeParam>(tessellation::icosphere(1, level));
 }
 
 TYPED_TEST(TriangleSearchTest, OfOneTriangleAndOfAFew) {
@@ -142,17 +143,17 @@ TYPED_TEST(TriangleSearchTest, OfTrianglesEquallyNear) {
   for (int i = 0; i < 300; ++i) soup.addPolygon(std::array{0U, 1U, 2U});
   expectAnswersOfAll<TypeParam>(soup, 20);
   // A finely cut cylinder seen from its axis.
-  expectAnswersOfAll<TypeParam>(
-      triangulated(prism([] {
-                     std::vector<std::pair<double, double>> circle;
-                     for (int i = 0; i < 500; ++i) {
-                       const double angle = 2 * std::numbers::pi * i / 500;
-                       circle.emplace_back(std::cos(angle), std::sin(angle));
-                     }
-                     return circle;
-                   }(),
-                         8)),
-      20);
+  expectAnswersOfAll<TypeParam>(triangulated(prism(
+                                    [] {
+                                      std::vector<std::pair<double, double>> circle;
+                                      for (int i = 0; i < 500; ++i) {
+                                        const double angle = 2 * std::numbers::pi * i / 500;
+                                        circle.emplace_back(std::cos(angle), std::sin(angle));
+                                      }
+                                      return circle;
+                                    }(),
+                                    8)),
+                                20);
 }
 
 TYPED_TEST(TriangleSearchTest, OfSurfacesFarFromTheOriginAndAtExtremeSizes) {

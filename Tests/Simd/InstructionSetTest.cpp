@@ -25,8 +25,12 @@ TEST(InstructionSetTest, UnknownNamesArePassedOver) {
   }
 }
 
-int one() { return 1; }
-int two() { return 2; }
+int one() {
+  return 1;
+}
+int two() {
+  return 2;
+}
 
 TEST(InstructionSetTest, TheBestOfAFunctionIsForThisProcessor) {
   using detail::PerInstructionSet;

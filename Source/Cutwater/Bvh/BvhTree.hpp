@@ -176,8 +176,8 @@ void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
   // on an axis is at most the true one times 1 + u, a key, three squares and two sums, at most D^2
   // (1 + u)^5 with D the distance in the node's frame, and that is at most 1 + 2 u times the true
   // distance. A primitive that could win has a true distance up to best + error, hence a key up to
-  // its square times 1 + 10 u; 2^-20 = 16 u leaves room for the last rounding to float. Positions in
-  // the frames are off by a few 2^-53 of their sizes.
+  // its square times 1 + 10 u; 2^-20 = 16 u leaves room for the last rounding to float. Positions
+  // in the frames are off by a few 2^-53 of their sizes.
   const Vec3<double> local = toFrame(p);
   const double slack = error * frame_.scale + 0x1p-50 * (1 + length(local));
   const auto limitFor = [&](double value) {

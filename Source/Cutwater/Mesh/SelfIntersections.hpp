@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Cutwater/Mesh/TrianglePackets.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/TrianglePackets.hpp>
 
 #include <array>
 #include <span>

@@ -78,11 +78,12 @@ std::vector<TrianglePacket> packTriangles(std::span<const Vec3<T>> positions,
   return packets;
 }
 
-#define CUTWATER_INSTANTIATE(T)                                                    \
+#define CUTWATER_INSTANTIATE(T)                                                         \
   template BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth> buildTriangleTree( \
-      std::span<const Vec3<T>>, std::span<const std::array<std::uint32_t, 3>>);    \
-  template std::vector<TrianglePacket> packTriangles(                              \
-      std::span<const Vec3<T>>, std::span<const std::array<std::uint32_t, 3>>, const TriangleTree&);
+      std::span<const Vec3<T>>, std::span<const std::array<std::uint32_t, 3>>);         \
+  template std::vector<TrianglePacket> packTriangles(                                   \
+      std::span<const Vec3<T>>, std::span<const std::array<std::uint32_t, 3>>,          \
+      const TriangleTree&);
 CUTWATER_INSTANTIATE(float)
 CUTWATER_INSTANTIATE(double)
 #undef CUTWATER_INSTANTIATE

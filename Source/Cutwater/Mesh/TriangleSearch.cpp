@@ -14,15 +14,15 @@ using NearestTriangles = void(const TriangleSearch&, const TriangleSurface<T>&, 
 
 }  // namespace
 
-#define CUTWATER_DECLARE_FOR(T)                                                            \
-  void nearestTriangle(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>&,   \
-                       TriangleSurface<T>::Nearest&);                                      \
-  void nearestTriangles(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>*,  \
+#define CUTWATER_DECLARE_FOR(T)                                                           \
+  void nearestTriangle(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>&,  \
+                       TriangleSurface<T>::Nearest&);                                     \
+  void nearestTriangles(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>*, \
                         TriangleSurface<T>::Nearest*, std::size_t);
-#define CUTWATER_DECLARE(set)    \
-  namespace set {                \
-  CUTWATER_DECLARE_FOR(float)    \
-  CUTWATER_DECLARE_FOR(double)   \
+#define CUTWATER_DECLARE(set)  \
+  namespace set {              \
+  CUTWATER_DECLARE_FOR(float)  \
+  CUTWATER_DECLARE_FOR(double) \
   }
 CUTWATER_FOR_INSTRUCTION_SETS(CUTWATER_DECLARE)
 #undef CUTWATER_DECLARE
@@ -37,8 +37,7 @@ TriangleSearch::TriangleSearch(const TriangleTree& tree, std::span<const Triangl
 template <std::floating_point T>
 void TriangleSearch::nearest(const TriangleSurface<T>& surface, const Vec3<T>& p,
                              typename TriangleSurface<T>::Nearest& best) const {
-  static NearestTriangle<T>* const function =
-      CUTWATER_BEST_OF(NearestTriangle<T>, nearestTriangle);
+  static NearestTriangle<T>* const function = CUTWATER_BEST_OF(NearestTriangle<T>, nearestTriangle);
   function(*this, surface, p, best);
 }
 

@@ -49,7 +49,8 @@ CUTWATER_INLINE inline Floats edgeDistance(const Floats3& v, const Floats3& edge
   return dot(rest, rest);
 }
 
-/// Positive if `v`, from the edge's start, lies on the inner side of the edge by more than rounding.
+/// Positive if `v`, from the edge's start, lies on the inner side of the edge by more than
+/// rounding.
 CUTWATER_INLINE inline Floats inward(const Floats3& v, const Floats3& edge, const Floats3& normal,
                                      Floats margin) {
   const Floats size = magnitude(edge.x) + magnitude(edge.y) + magnitude(edge.z);
@@ -201,7 +202,8 @@ class Search {
   CUTWATER_INLINE std::uint32_t within(const float* keys) const {
     const Floats limit = broadcast(limit_);
     std::uint32_t lanes = 0;
-    for (int lane = 0; lane < 16; lane += kLanes) lanes |= notAbove(load(keys + lane), limit) << lane;
+    for (int lane = 0; lane < 16; lane += kLanes)
+      lanes |= notAbove(load(keys + lane), limit) << lane;
     return lanes;
   }
   /// Notes the triangles of a leaf that may be the nearest.
@@ -272,14 +274,14 @@ class Search {
   const TriangleSurface<T>& surface_;
   const Vec3<T>* p_ = nullptr;
   typename TriangleSurface<T>::Nearest* best_ = nullptr;
-  Vec3<double> q_;          // in the tree's frame, as all lengths below
-  double upper_ = 0x1p62;   // the nearest triangle is not farther
+  Vec3<double> q_;         // in the tree's frame, as all lengths below
+  double upper_ = 0x1p62;  // the nearest triangle is not farther
   double slack_ = 0;
-  float limit_ = kFar;      // of keys
-  int count_ = 0;           // candidates: those that may be the nearest, with lower bounds
+  float limit_ = kFar;  // of keys
+  int count_ = 0;       // candidates: those that may be the nearest, with lower bounds
   std::uint32_t ids_[kMost];
   float lowers_[kMost];
-  bool isLeaf_ = false;       // what to look at next
+  bool isLeaf_ = false;  // what to look at next
   std::uint32_t target_ = 0;
   int depth_ = 0;
   Level path_[TriangleTree::kMaxDepth];
@@ -307,7 +309,9 @@ class Team {
 
   CUTWATER_INLINE Team(const TriangleSearch& tree, const TriangleSurface<T>& surface,
                        const Vec3<T>* points, Nearest* bests)
-      : points_(points), bests_(bests), search_{{tree, surface}, {tree, surface}, {tree, surface}, {tree, surface},{tree, surface}, {tree, surface}, {tree, surface}, {tree, surface}} {}
+      : points_(points), bests_(bests), search_{{tree, surface}, {tree, surface}, {tree, surface},
+                                                {tree, surface}, {tree, surface}, {tree, surface},
+                                                {tree, surface}, {tree, surface}} {}
 
   CUTWATER_INLINE void run(std::size_t count) {
     int busy = 0;
@@ -359,19 +363,19 @@ class Team {
 
 }  // namespace
 
-#define CUTWATER_DEFINE(T)                                                                  \
-  void nearestTriangle(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>&,    \
-                       TriangleSurface<T>::Nearest&);                                       \
-  void nearestTriangle(const TriangleSearch& tree, const TriangleSurface<T>& surface,       \
-                       const Vec3<T>& p, TriangleSurface<T>::Nearest& best) {               \
-    nearestOne(tree, surface, p, best);                                                     \
-  }                                                                                         \
-  void nearestTriangles(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>*,   \
-                        TriangleSurface<T>::Nearest*, std::size_t);                         \
-  void nearestTriangles(const TriangleSearch& tree, const TriangleSurface<T>& surface,      \
-                        const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,          \
-                        std::size_t count) {                                                \
-    Team<T>(tree, surface, points, bests).run(count);                                       \
+#define CUTWATER_DEFINE(T)                                                                \
+  void nearestTriangle(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>&,  \
+                       TriangleSurface<T>::Nearest&);                                     \
+  void nearestTriangle(const TriangleSearch& tree, const TriangleSurface<T>& surface,     \
+                       const Vec3<T>& p, TriangleSurface<T>::Nearest& best) {             \
+    nearestOne(tree, surface, p, best);                                                   \
+  }                                                                                       \
+  void nearestTriangles(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>*, \
+                        TriangleSurface<T>::Nearest*, std::size_t);                       \
+  void nearestTriangles(const TriangleSearch& tree, const TriangleSurface<T>& surface,    \
+                        const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,        \
+                        std::size_t count) {                                              \
+    Team<T>(tree, surface, points, bests).run(count);                                     \
   }
 CUTWATER_DEFINE(float)
 CUTWATER_DEFINE(double)

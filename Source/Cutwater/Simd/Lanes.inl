@@ -22,12 +22,24 @@ inline constexpr int kLanes = 16;
 #define CUTWATER_HAS_LEAST_LANE
 using Floats = float __attribute__((vector_size(64)));
 
-CUTWATER_INLINE inline Floats broadcast(float x) { return _mm512_set1_ps(x); }
-CUTWATER_INLINE inline Floats load(const float* from) { return _mm512_load_ps(from); }
-CUTWATER_INLINE inline void store(float* to, Floats a) { _mm512_store_ps(to, a); }
-CUTWATER_INLINE inline Floats least(Floats a, Floats b) { return _mm512_min_ps(a, b); }
-CUTWATER_INLINE inline Floats most(Floats a, Floats b) { return _mm512_max_ps(a, b); }
-CUTWATER_INLINE inline Floats magnitude(Floats a) { return _mm512_abs_ps(a); }
+CUTWATER_INLINE inline Floats broadcast(float x) {
+  return _mm512_set1_ps(x);
+}
+CUTWATER_INLINE inline Floats load(const float* from) {
+  return _mm512_load_ps(from);
+}
+CUTWATER_INLINE inline void store(float* to, Floats a) {
+  _mm512_store_ps(to, a);
+}
+CUTWATER_INLINE inline Floats least(Floats a, Floats b) {
+  return _mm512_min_ps(a, b);
+}
+CUTWATER_INLINE inline Floats most(Floats a, Floats b) {
+  return _mm512_max_ps(a, b);
+}
+CUTWATER_INLINE inline Floats magnitude(Floats a) {
+  return _mm512_abs_ps(a);
+}
 CUTWATER_INLINE inline Floats multiplyAdd(Floats a, Floats b, Floats c) {
   return _mm512_fmadd_ps(a, b, c);
 }
@@ -43,7 +55,9 @@ CUTWATER_INLINE inline Floats wherePositive(Floats condition, Floats a, Floats b
 CUTWATER_INLINE inline std::uint32_t notAbove(Floats a, Floats b) {
   return _mm512_cmp_ps_mask(a, b, _CMP_LE_OQ);
 }
-CUTWATER_INLINE inline float leastOf(Floats a) { return _mm512_reduce_min_ps(a); }
+CUTWATER_INLINE inline float leastOf(Floats a) {
+  return _mm512_reduce_min_ps(a);
+}
 
 /// Which of 16 numbers >= 0 is the least, but for its last 4 bits, of those in `lanes`, which are
 /// some.
@@ -61,11 +75,21 @@ inline constexpr int kLanes = 8;
 #define CUTWATER_HAS_LEAST_LANE
 using Floats = float __attribute__((vector_size(32)));
 
-CUTWATER_INLINE inline Floats broadcast(float x) { return _mm256_set1_ps(x); }
-CUTWATER_INLINE inline Floats load(const float* from) { return _mm256_load_ps(from); }
-CUTWATER_INLINE inline void store(float* to, Floats a) { _mm256_store_ps(to, a); }
-CUTWATER_INLINE inline Floats least(Floats a, Floats b) { return _mm256_min_ps(a, b); }
-CUTWATER_INLINE inline Floats most(Floats a, Floats b) { return _mm256_max_ps(a, b); }
+CUTWATER_INLINE inline Floats broadcast(float x) {
+  return _mm256_set1_ps(x);
+}
+CUTWATER_INLINE inline Floats load(const float* from) {
+  return _mm256_load_ps(from);
+}
+CUTWATER_INLINE inline void store(float* to, Floats a) {
+  _mm256_store_ps(to, a);
+}
+CUTWATER_INLINE inline Floats least(Floats a, Floats b) {
+  return _mm256_min_ps(a, b);
+}
+CUTWATER_INLINE inline Floats most(Floats a, Floats b) {
+  return _mm256_max_ps(a, b);
+}
 CUTWATER_INLINE inline Floats magnitude(Floats a) {
   return _mm256_andnot_ps(_mm256_set1_ps(-0.0F), a);
 }
@@ -110,14 +134,30 @@ CUTWATER_INLINE inline int leastLane(const float* keys, std::uint32_t lanes) {
 inline constexpr int kLanes = 4;
 using Floats = float __attribute__((vector_size(16)));
 
-CUTWATER_INLINE inline Floats broadcast(float x) { return _mm_set1_ps(x); }
-CUTWATER_INLINE inline Floats load(const float* from) { return _mm_load_ps(from); }
-CUTWATER_INLINE inline void store(float* to, Floats a) { _mm_store_ps(to, a); }
-CUTWATER_INLINE inline Floats least(Floats a, Floats b) { return _mm_min_ps(a, b); }
-CUTWATER_INLINE inline Floats most(Floats a, Floats b) { return _mm_max_ps(a, b); }
-CUTWATER_INLINE inline Floats magnitude(Floats a) { return _mm_andnot_ps(_mm_set1_ps(-0.0F), a); }
-CUTWATER_INLINE inline Floats multiplyAdd(Floats a, Floats b, Floats c) { return a * b + c; }
-CUTWATER_INLINE inline Floats subtractProduct(Floats c, Floats a, Floats b) { return c - a * b; }
+CUTWATER_INLINE inline Floats broadcast(float x) {
+  return _mm_set1_ps(x);
+}
+CUTWATER_INLINE inline Floats load(const float* from) {
+  return _mm_load_ps(from);
+}
+CUTWATER_INLINE inline void store(float* to, Floats a) {
+  _mm_store_ps(to, a);
+}
+CUTWATER_INLINE inline Floats least(Floats a, Floats b) {
+  return _mm_min_ps(a, b);
+}
+CUTWATER_INLINE inline Floats most(Floats a, Floats b) {
+  return _mm_max_ps(a, b);
+}
+CUTWATER_INLINE inline Floats magnitude(Floats a) {
+  return _mm_andnot_ps(_mm_set1_ps(-0.0F), a);
+}
+CUTWATER_INLINE inline Floats multiplyAdd(Floats a, Floats b, Floats c) {
+  return a * b + c;
+}
+CUTWATER_INLINE inline Floats subtractProduct(Floats c, Floats a, Floats b) {
+  return c - a * b;
+}
 CUTWATER_INLINE inline Floats wherePositive(Floats condition, Floats a, Floats b) {
   const __m128 mask = _mm_cmpgt_ps(condition, _mm_setzero_ps());
   return _mm_or_ps(_mm_and_ps(mask, a), _mm_andnot_ps(mask, b));
@@ -135,19 +175,39 @@ CUTWATER_INLINE inline float leastOf(Floats a) {
 inline constexpr int kLanes = 1;
 using Floats = float;
 
-CUTWATER_INLINE inline Floats broadcast(float x) { return x; }
-CUTWATER_INLINE inline Floats load(const float* from) { return *from; }
-CUTWATER_INLINE inline void store(float* to, Floats a) { *to = a; }
-CUTWATER_INLINE inline Floats least(Floats a, Floats b) { return a < b ? a : b; }
-CUTWATER_INLINE inline Floats most(Floats a, Floats b) { return a > b ? a : b; }
-CUTWATER_INLINE inline Floats magnitude(Floats a) { return a < 0 ? -a : a; }
-CUTWATER_INLINE inline Floats multiplyAdd(Floats a, Floats b, Floats c) { return a * b + c; }
-CUTWATER_INLINE inline Floats subtractProduct(Floats c, Floats a, Floats b) { return c - a * b; }
+CUTWATER_INLINE inline Floats broadcast(float x) {
+  return x;
+}
+CUTWATER_INLINE inline Floats load(const float* from) {
+  return *from;
+}
+CUTWATER_INLINE inline void store(float* to, Floats a) {
+  *to = a;
+}
+CUTWATER_INLINE inline Floats least(Floats a, Floats b) {
+  return a < b ? a : b;
+}
+CUTWATER_INLINE inline Floats most(Floats a, Floats b) {
+  return a > b ? a : b;
+}
+CUTWATER_INLINE inline Floats magnitude(Floats a) {
+  return a < 0 ? -a : a;
+}
+CUTWATER_INLINE inline Floats multiplyAdd(Floats a, Floats b, Floats c) {
+  return a * b + c;
+}
+CUTWATER_INLINE inline Floats subtractProduct(Floats c, Floats a, Floats b) {
+  return c - a * b;
+}
 CUTWATER_INLINE inline Floats wherePositive(Floats condition, Floats a, Floats b) {
   return condition > 0 ? a : b;
 }
-CUTWATER_INLINE inline std::uint32_t notAbove(Floats a, Floats b) { return a <= b ? 1 : 0; }
-CUTWATER_INLINE inline float leastOf(Floats a) { return a; }
+CUTWATER_INLINE inline std::uint32_t notAbove(Floats a, Floats b) {
+  return a <= b ? 1 : 0;
+}
+CUTWATER_INLINE inline float leastOf(Floats a) {
+  return a;
+}
 
 #endif
 
@@ -162,7 +222,9 @@ CUTWATER_INLINE inline int leastLane(const float* keys, std::uint32_t lanes) {
 }
 #endif
 
-CUTWATER_INLINE inline float squareRoot(float x) { return __builtin_sqrtf(x); }
+CUTWATER_INLINE inline float squareRoot(float x) {
+  return __builtin_sqrtf(x);
+}
 
 /// Three components, lane by lane.
 struct Floats3 {
