@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstdint>
 
+// Private: not installed.
+
 namespace cutwater::detail {
 
 /// What the binary build sorts: a box in single precision, in a frame that fits the items around

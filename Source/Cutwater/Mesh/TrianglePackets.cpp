@@ -78,14 +78,15 @@ std::vector<TrianglePacket> packTriangles(std::span<const Vec3<T>> positions,
   return packets;
 }
 
-#define CUTWATER_INSTANTIATE(T)                                                         \
-  template BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth> buildTriangleTree( \
-      std::span<const Vec3<T>>, std::span<const std::array<std::uint32_t, 3>>);         \
-  template std::vector<TrianglePacket> packTriangles(                                   \
-      std::span<const Vec3<T>>, std::span<const std::array<std::uint32_t, 3>>,          \
-      const TriangleTree&);
-CUTWATER_INSTANTIATE(float)
-CUTWATER_INSTANTIATE(double)
-#undef CUTWATER_INSTANTIATE
+template BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth> buildTriangleTree(
+    std::span<const Vec3<float>>, std::span<const std::array<std::uint32_t, 3>>);
+template std::vector<TrianglePacket> packTriangles(std::span<const Vec3<float>>,
+                                                   std::span<const std::array<std::uint32_t, 3>>,
+                                                   const TriangleTree&);
+template BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth> buildTriangleTree(
+    std::span<const Vec3<double>>, std::span<const std::array<std::uint32_t, 3>>);
+template std::vector<TrianglePacket> packTriangles(std::span<const Vec3<double>>,
+                                                   std::span<const std::array<std::uint32_t, 3>>,
+                                                   const TriangleTree&);
 
 }  // namespace cutwater

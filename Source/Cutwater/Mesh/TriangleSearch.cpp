@@ -49,13 +49,13 @@ void TriangleSearch::nearest(const TriangleSurface<T>& surface, std::span<const 
   function(*this, surface, points.data(), bests.data(), points.size());
 }
 
-#define CUTWATER_INSTANTIATE(T)                                                              \
-  template void TriangleSearch::nearest(const TriangleSurface<T>&, const Vec3<T>&,           \
-                                        TriangleSurface<T>::Nearest&) const;                 \
-  template void TriangleSearch::nearest(const TriangleSurface<T>&, std::span<const Vec3<T>>, \
-                                        std::span<TriangleSurface<T>::Nearest>) const;
-CUTWATER_INSTANTIATE(float)
-CUTWATER_INSTANTIATE(double)
-#undef CUTWATER_INSTANTIATE
+template void TriangleSearch::nearest(const TriangleSurface<float>&, const Vec3<float>&,
+                                      TriangleSurface<float>::Nearest&) const;
+template void TriangleSearch::nearest(const TriangleSurface<float>&, std::span<const Vec3<float>>,
+                                      std::span<TriangleSurface<float>::Nearest>) const;
+template void TriangleSearch::nearest(const TriangleSurface<double>&, const Vec3<double>&,
+                                      TriangleSurface<double>::Nearest&) const;
+template void TriangleSearch::nearest(const TriangleSurface<double>&, std::span<const Vec3<double>>,
+                                      std::span<TriangleSurface<double>::Nearest>) const;
 
 }  // namespace cutwater
