@@ -144,6 +144,20 @@ std::vector<Source> layOut(const BinaryBvh& binary, BvhArrays<K, W>& result) {
   return sources;
 }
 
+template <int K>
+void setBoxes(BvhNode<K>& node, const detail::NodeBoxes& fit, std::size_t children) {
+  node.center = fit.center();
+  node.axes = fit.axes();
+  for (std::size_t lane = 0; lane < children; ++lane) {
+    const Box<float> box = fit.box(lane);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      node.lower[i][lane] = box.lower[axis];
+      node.upper[i][lane] = box.upper[axis];
+    }
+  }
+}
+
 template <int K, int W>
 BvhArrays<K, W> build(std::span<const Box<double>> boxes, const BvhCorners* corners, int threads) {
   if (boxes.size() >= kNone) {
@@ -154,22 +168,13 @@ BvhArrays<K, W> build(std::span<const Box<double>> boxes, const BvhCorners* corn
   if (binary.nodes.empty()) return result;
   result.frame = frameOf(binary.nodes.front().box);
   const auto sources = layOut(binary, result);
-  parallelFor(result.nodes.size(), {.threads = threads, .grain = 16},
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t n = begin; n < end; ++n) {
-                  const detail::NodeBoxes fit(binary, sources[n].children, result.frame, corners);
-                  auto& node = result.nodes[n];
-                  node.center = fit.center();
-                  node.axes = fit.axes();
-                  for (std::size_t lane = 0; lane < sources[n].children.size(); ++lane) {
-                    for (int axis = 0; axis < 3; ++axis) {
-                      const auto i = static_cast<std::size_t>(axis);
-                      node.lower[i][lane] = fit.box(lane).lower[axis];
-                      node.upper[i][lane] = fit.box(lane).upper[axis];
-                    }
-                  }
-                }
-              });
+  const auto fit = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const auto& children = sources[n].children;
+      setBoxes(result.nodes[n], {binary, children, result.frame, corners}, children.size());
+    }
+  };
+  parallelFor(result.nodes.size(), {.threads = threads, .grain = 16}, fit);
   return result;
 }
 

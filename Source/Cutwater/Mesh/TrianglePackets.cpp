@@ -11,6 +11,13 @@ namespace {
 
 using Corners = std::array<Vec3<double>, 3>;
 
+template <std::floating_point T>
+Corners cornersOf(std::span<const Vec3<T>> positions,
+                  const std::array<std::uint32_t, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  return {Vec3<double>(positions[a]), Vec3<double>(positions[b]), Vec3<double>(positions[c])};
+}
+
 void set(std::array<TrianglePacket::Lanes, 3>& to, std::size_t lane, const Vec3<double>& v) {
   for (int axis = 0; axis < 3; ++axis) {
     to[static_cast<std::size_t>(axis)][lane] = static_cast<float>(v[axis]);
@@ -45,11 +52,7 @@ TrianglePacket packed(std::span<const Corners> triangles) {
 template <std::floating_point T>
 BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth> buildTriangleTree(
     std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles) {
-  const auto corners = [&](std::uint32_t id) {
-    const auto& [a, b, c] = triangles[id];
-    return Corners{Vec3<double>(positions[a]), Vec3<double>(positions[b]),
-                   Vec3<double>(positions[c])};
-  };
+  const auto corners = [&](std::uint32_t id) { return cornersOf(positions, triangles[id]); };
   return buildTurnedBvh<TriangleTree::kArity, TriangleTree::kLeafWidth>(
       triangleBoxes(positions, triangles), corners);
 }
@@ -66,10 +69,8 @@ std::vector<TrianglePacket> packTriangles(std::span<const Vec3<T>> positions,
       std::size_t count = 0;
       for (const auto id : tree.leaf(static_cast<std::uint32_t>(n))) {
         if (id == kNone) break;
-        for (std::size_t i = 0; i < 3; ++i) {
-          const Vec3<double> corner(positions[triangles[id][i]]);
-          corners[count][i] = tree.frame().toFrame(corner);
-        }
+        corners[count] = cornersOf(positions, triangles[id]);
+        for (auto& corner : corners[count]) corner = tree.frame().toFrame(corner);
         ++count;
       }
       packets[n] = packed(std::span(corners).first(count));

@@ -59,7 +59,8 @@ class Search {
     while (depth_ > 0) {
       Level& level = path_[depth_ - 1];
       std::uint32_t pending = level.pending;
-      if (pending != 0) pending &= within(level.keys);  // others were overtaken while they waited
+      // Others were overtaken while they waited.
+      if (pending != 0) pending &= within(level.keys, limit_);
       if (pending == 0) {
         --depth_;
         continue;
@@ -83,7 +84,11 @@ class Search {
   }
 
   /// Evaluates the candidates in full.
-  CUTWATER_INLINE void finish() { evaluate(); }
+  CUTWATER_INLINE void evaluate() {
+    drop();
+    surface_.compete(*p_, ids_, static_cast<std::size_t>(count_), *best_);
+    count_ = 0;
+  }
 
  private:
   struct Level {
@@ -127,13 +132,15 @@ class Search {
     }
     return lanes & (std::uint32_t{node.nodeMask} | node.leafMask);
   }
-  CUTWATER_INLINE std::uint32_t within(const float* keys) const {
-    const Floats limit = broadcast(limit_);
+  /// A bit for each of 16 squared distances up to the limit.
+  CUTWATER_INLINE static std::uint32_t within(const float* squares, float limit) {
     std::uint32_t lanes = 0;
-    for (int lane = 0; lane < 16; lane += kLanes)
-      lanes |= notAbove(load(keys + lane), limit) << lane;
+    for (int lane = 0; lane < 16; lane += kLanes) {
+      lanes |= notAbove(load(squares + lane), broadcast(limit)) << lane;
+    }
     return lanes;
   }
+
   /// Notes the triangles of a leaf that may be the nearest.
   CUTWATER_INLINE void look(std::uint32_t leaf) {
     const TrianglePacket& packet = tree_.packets[leaf];
@@ -157,12 +164,7 @@ class Search {
       upper_ = upper;
       setLimit();
     }
-    const Floats limit = broadcast(squaredReach(error));
-    lanes = 0;
-    for (int lane = 0; lane < kWidth; lane += kLanes) {
-      lanes |= notAbove(load(found + lane), limit) << lane;
-    }
-    for (; lanes != 0; lanes &= lanes - 1) {
+    for (lanes = within(found, squaredReach(error)); lanes != 0; lanes &= lanes - 1) {
       const int lane = __builtin_ctz(lanes);
       const std::uint32_t id = tree_.slots[leaf * kWidth + static_cast<std::uint32_t>(lane)];
       if (id == kNone) break;
@@ -190,11 +192,6 @@ class Search {
     }
     count_ = kept;
   }
-  CUTWATER_INLINE void evaluate() {
-    drop();
-    surface_.compete(*p_, ids_, static_cast<std::size_t>(count_), *best_);
-    count_ = 0;
-  }
 
   static constexpr int kMost = 48;
 
@@ -202,8 +199,8 @@ class Search {
   const TriangleSurface<T>& surface_;
   const Vec3<T>* p_ = nullptr;
   typename TriangleSurface<T>::Nearest* best_ = nullptr;
-  Vec3<double> q_;         // in the tree's frame, as all lengths below
-  double upper_ = 0x1p62;  // the nearest triangle is not farther
+  Vec3<double> q_;    // in the tree's frame, as all lengths below
+  double upper_ = 0;  // the nearest triangle is not farther
   double slack_ = 0;
   float limit_ = kFar;  // of keys
   int count_ = 0;       // candidates: those that may be the nearest, with lower bounds
@@ -225,7 +222,7 @@ CUTWATER_INLINE inline void nearestOne(const TriangleSearch& tree,
   search.start(p, best, kAnywhere);
   while (search.step()) {
   }
-  search.finish();
+  search.evaluate();
 }
 
 /// Searches of several points in turns: while the memory that one needs is on its way, others go
@@ -268,7 +265,7 @@ class Team {
  private:
   /// To the next point of the run; false at its end.
   CUTWATER_INLINE bool proceed(int i) {
-    search_[i].finish();
+    search_[i].evaluate();
     const std::size_t done = next_[i]++;
     if (next_[i] == end_[i]) return false;
     const Vec3<double> way = Vec3<double>(points_[next_[i]]) - Vec3<double>(points_[done]);
@@ -291,19 +288,15 @@ class Team {
 
 }  // namespace
 
-#define CUTWATER_DEFINE(T)                                                                \
-  void nearestTriangle(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>&,  \
-                       TriangleSurface<T>::Nearest&);                                     \
-  void nearestTriangle(const TriangleSearch& tree, const TriangleSurface<T>& surface,     \
-                       const Vec3<T>& p, TriangleSurface<T>::Nearest& best) {             \
-    nearestOne(tree, surface, p, best);                                                   \
-  }                                                                                       \
-  void nearestTriangles(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>*, \
-                        TriangleSurface<T>::Nearest*, std::size_t);                       \
-  void nearestTriangles(const TriangleSearch& tree, const TriangleSurface<T>& surface,    \
-                        const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,        \
-                        std::size_t count) {                                              \
-    Team<T>(tree, surface, points, bests).run(count);                                     \
+#define CUTWATER_DEFINE(T)                                                             \
+  void nearestTriangle(const TriangleSearch& tree, const TriangleSurface<T>& surface,  \
+                       const Vec3<T>& p, TriangleSurface<T>::Nearest& best) {          \
+    nearestOne(tree, surface, p, best);                                                \
+  }                                                                                    \
+  void nearestTriangles(const TriangleSearch& tree, const TriangleSurface<T>& surface, \
+                        const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,     \
+                        std::size_t count) {                                           \
+    Team<T>(tree, surface, points, bests).run(count);                                  \
   }
 CUTWATER_DEFINE(float)
 CUTWATER_DEFINE(double)

@@ -25,9 +25,9 @@ constexpr T kLeastDepth = T(sizeof(T) == sizeof(float) ? 0x1p-63 : 0x1p-511);
 template <std::floating_point T>
 void TriangleSurfaceSDF<T>::setSurface(const Surface& surface, double margin) {
   surface_ = surface;
-  for (const auto& corners : surface.triangles) {
-    for (const auto v : corners) box_.extend(surface.positions[v] / surface.scale);
-  }
+  // The corners are numbers of type T.
+  box_ = {static_cast<Vec3<T>>(surface.box.lower) / surface.scale,
+          static_cast<Vec3<T>>(surface.box.upper) / surface.scale};
   box_ = box_.grown(static_cast<T>(margin) / surface.scale);
 }
 

@@ -135,8 +135,7 @@ class MomentsBuilder {
   std::array<Vec3<double>, 3> localTriangle(std::uint32_t id) const {
     std::array<Vec3<double>, 3> result;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3<double> corner(positions_[triangles_[id][i]]);
-      result[i] = tree_.frame().scale * (corner - tree_.frame().center);
+      result[i] = tree_.frame().toFrame(Vec3<double>(positions_[triangles_[id][i]]));
     }
     return result;
   }

@@ -99,8 +99,8 @@ Vec3<double> gapBetween(const Box<double>& a, const Box<double>& b) {
 
 /// In the tree's frame, grown by more than the rounding.
 Box<double> toFrame(const Box<double>& box, const BvhFrame& frame) {
-  const Vec3<double> lower = frame.scale * (box.lower - frame.center);
-  const Vec3<double> upper = frame.scale * (box.upper - frame.center);
+  const Vec3<double> lower = frame.toFrame(box.lower);
+  const Vec3<double> upper = frame.toFrame(box.upper);
   return Box<double>{lower, upper}.grown(0x1p-50 * maxComponent(max(abs(lower), abs(upper))));
 }
 
@@ -117,8 +117,7 @@ std::array<Vec3<double>, 3> WindingNumber<T>::triangle(std::uint32_t id) const {
 /// costs about the same anywhere, so one threshold for all nodes is near the best.
 template <std::floating_point T>
 auto WindingNumber<T>::sum(const Vec3<double>& p, double threshold) const -> Estimate {
-  const auto& frame = tree_.frame();
-  FarField far(frame.scale * (p - frame.center), threshold);
+  FarField far(tree_.frame().toFrame(p), threshold);
   SolidAngleSum near(p);
   const auto keys = [&](const BvhNode<16>& node, BvhNode<16>::Lanes& out) {
     far.add(moments_[indexOf(node)], out);

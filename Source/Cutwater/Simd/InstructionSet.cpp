@@ -1,6 +1,5 @@
 #include <Cutwater/Simd/InstructionSet.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <string_view>
