@@ -4,25 +4,24 @@
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/SurfaceLocation.hpp>
 #include <Cutwater/Mesh/Tessellation.hpp>
-#include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
 #include <numeric>
 
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
 #include "Support/Soups.hpp"
+#include "Support/SurfaceInBlock.hpp"
 
 namespace cutwater::test {
 namespace {
 
 /// A surface with both ways to find its triangles.
 template <typename T>
-struct Searchable {
-  explicit Searchable(const PolygonSoup& soup) : data(DcelMesh<T>(soup)) {
-    BlockWriter writer;
-    const auto sections = data.addTo(writer);
-    block = writer.finish();
-    surface = sections.view(block);
+struct Searchable : SurfaceInBlock<T> {
+  using SurfaceInBlock<T>::data;
+  using SurfaceInBlock<T>::surface;
+
+  explicit Searchable(const PolygonSoup& soup) : SurfaceInBlock<T>(soup) {
     arrays = buildBvh<16, 4>(triangleBoxes(data.positions(), data.triangles()));
   }
   auto byTree() const {
@@ -38,9 +37,6 @@ struct Searchable {
     };
   }
 
-  TriangleSurfaceData<T> data;
-  Block block;
-  TriangleSurface<T> surface;
   BvhArrays<16, 4> arrays;
 };
 

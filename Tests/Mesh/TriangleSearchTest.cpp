@@ -1,7 +1,5 @@
-#include <Cutwater/Core/Block.hpp>
 #include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Mesh/TriangleSearch.hpp>
-#include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 #include <Cutwater/Mesh/Triangulation.hpp>
 
 #include <numeric>
@@ -10,6 +8,7 @@
 #include "Support/Random.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Soups.hpp"
+#include "Support/SurfaceInBlock.hpp"
 
 // The same answers as when all triangles compete; ctest runs these for every instruction set.
 
@@ -18,12 +17,10 @@ namespace {
 
 /// A surface with its tree and packets.
 template <typename T>
-struct Searched {
-  explicit Searched(const PolygonSoup& soup) : data(DcelMesh<T>(soup)) {
-    BlockWriter writer;
-    const auto sections = data.addTo(writer);
-    block = writer.finish();
-    surface = sections.view(block);
+struct Searched : SurfaceInBlock<T> {
+  using SurfaceInBlock<T>::surface;
+
+  explicit Searched(const PolygonSoup& soup) : SurfaceInBlock<T>(soup) {
     arrays = buildTriangleTree(surface.positions, surface.triangles);
     packets = packTriangles(surface.positions, surface.triangles, arrays.tree());
     search = TriangleSearch(arrays.tree(), packets);
@@ -44,9 +41,6 @@ struct Searched {
     return best;
   }
 
-  TriangleSurfaceData<T> data;
-  Block block;
-  TriangleSurface<T> surface;
   BvhArrays<16, 16> arrays;
   std::vector<TrianglePacket> packets;
   TriangleSearch search;
