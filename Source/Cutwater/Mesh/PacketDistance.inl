@@ -1,3 +1,5 @@
+#pragma once
+
 // Distances to the triangles of a packet in single precision, and how far they may be off. Compiled
 // once per instruction set.
 
@@ -35,12 +37,12 @@ CUTWATER_INLINE inline PacketPoint relativeTo(const TrianglePacket& packet, cons
 }
 
 /// The point's squared distance from the edge's start `v`, less its part along the edge.
-CUTWATER_INLINE inline Floats edgeDistance(const Floats3& v, const Floats3& edge) {
+CUTWATER_INLINE inline Floats packedEdgeDistance(const Floats3& v, const Floats3& edge) {
   // A quotient that is not a number, as of an edge without length, counts as 0.
-  const Floats place = dot(edge, v) / dot(edge, edge);
-  const Floats t = least(most(place, broadcast(0)), broadcast(1));
+  const Floats place = fusedDot(edge, v) / fusedDot(edge, edge);
+  const Floats t = least(most(place, broadcast(0.0F)), broadcast(1.0F));
   const Floats3 rest = subtractMultiple(v, t, edge);
-  return dot(rest, rest);
+  return fusedDot(rest, rest);
 }
 
 /// Positive if `v`, from the edge's start, lies on the inner side of the edge by more than
@@ -48,7 +50,7 @@ CUTWATER_INLINE inline Floats edgeDistance(const Floats3& v, const Floats3& edge
 CUTWATER_INLINE inline Floats inward(const Floats3& v, const Floats3& edge, const Floats3& normal,
                                      Floats margin) {
   const Floats size = magnitude(edge.x) + magnitude(edge.y) + magnitude(edge.z);
-  return dot(cross(edge, v), normal) - margin * size;
+  return fusedDot(fusedCross(edge, v), normal) - margin * size;
 }
 
 // How far computed distances may be off, in units of u R, R = |p| + radius. The triangle that the
@@ -68,22 +70,23 @@ constexpr float kErrorNearby = 72;
 constexpr float kNearby = 0x1p-12F / 0x1p-24F;
 
 /// Squared distances, in single precision, to a packet's triangles from `lane` on.
-CUTWATER_INLINE inline Floats distances(const TrianglePacket& packet, int lane,
-                                        const PacketPoint& p) {
+CUTWATER_INLINE inline Floats packedDistances(const TrianglePacket& packet, int lane,
+                                              const PacketPoint& p) {
   const Floats3 v = p.position - rows(packet, A, lane);
   const Floats3 ab = rows(packet, AB, lane);
   const Floats3 ac = rows(packet, AC, lane);
   const Floats3 normal = rows(packet, Normal, lane);
   const Floats3 bc = ac - ab;
   const Floats3 vb = v - ab;
-  const Floats edges = least(least(edgeDistance(v, ab), edgeDistance(v, ac)), edgeDistance(vb, bc));
+  const Floats edges = least(least(packedEdgeDistance(v, ab), packedEdgeDistance(v, ac)),
+                             packedEdgeDistance(vb, bc));
 
   const Floats margin = broadcast(kSideError * p.unit);
   const Floats3 ca{-ac.x, -ac.y, -ac.z};
   const Floats inside = least(least(inward(v, ab, normal, margin), inward(vb, bc, normal, margin)),
                               inward(v, ca, normal, margin));
-  const Floats height = dot(v, normal);
-  return wherePositive(inside, least(height * height, edges), edges);
+  const Floats height = fusedDot(v, normal);
+  return where(isPositive(inside), least(height * height, edges), edges);
 }
 
 }  // namespace

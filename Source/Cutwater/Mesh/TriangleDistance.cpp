@@ -1,18 +1,80 @@
+#include <Cutwater/Core/DoubleDouble.hpp>
 #include <Cutwater/Mesh/TriangleDistance.hpp>
-#include <Cutwater/Mesh/TriangleDistance.inl>
 
 #include <algorithm>
+#include <cmath>
+
+#define CUTWATER_SIMD scalar
+#define CUTWATER_SIMD_PORTABLE
+#include <Cutwater/Mesh/TriangleDistance.inl>
 
 namespace cutwater {
 
 namespace {
 
-using detail::Plain;
-using detail::Wide;
+// Two kinds of arithmetic for one algorithm: that of T, and one with about twice the digits.
+
+template <std::floating_point T>
+struct Plain {
+  using Scalar = T;
+  static Vec3<T> difference(const Vec3<T>& a, const Vec3<T>& b) { return a - b; }
+};
+
+template <std::floating_point T>
+struct Wide;
+template <>
+struct Wide<float> {
+  using Scalar = double;
+  static Vec3<double> difference(const Vec3<float>& a, const Vec3<float>& b) {
+    return Vec3<double>(a) - Vec3<double>(b);
+  }
+};
+template <>
+struct Wide<double> {
+  using Scalar = DoubleDouble;
+  static DoubleDouble3 difference(const Vec3<double>& a, const Vec3<double>& b) {
+    return DoubleDouble3::difference(a, b);
+  }
+};
+
+/// The triangle's plane: normal of twice the area's length.
+template <typename Arithmetic, typename T>
+auto planeNormal(const Triangle<T>& t) {
+  return cross(Arithmetic::difference(t.a, t.c), Arithmetic::difference(t.b, t.a));
+}
+
+/// The vertex nearest to p: the base point from which differences lose the fewest digits.
+template <std::floating_point T>
+int nearestVertex(const Vec3<T>& p, const Triangle<T>& t) {
+  const T a = lengthSquared(p - t.a);
+  const T b = lengthSquared(p - t.b);
+  const T c = lengthSquared(p - t.c);
+  return a <= b && a <= c ? 0 : b <= c ? 1 : 2;
+}
+
+/// scalar::planeDistance() for slivers.
+template <std::floating_point T>
+T sliverPlaneDistance(const Vec3<T>& p, const Triangle<T>& t) {
+  using Arithmetic = Wide<T>;
+  using Scalar = typename Arithmetic::Scalar;
+  const auto between = [](const Vec3<T>& a, const Vec3<T>& b) {
+    return Arithmetic::difference(a, b);
+  };
+  const scalar::SeenTriangle<decltype(between(p, p))> seen{between(p, t.a),   between(p, t.b),
+                                                           between(p, t.c),   between(t.b, t.a),
+                                                           between(t.c, t.b), between(t.a, t.c)};
+  const auto terms = scalar::planeTerms(seen, between(p, t.vertex(nearestVertex(p, t))));
+  const auto isInside = [](Scalar side) { return side > Scalar(0); };
+  if (!isInside(terms.sideAB) || !isInside(terms.sideBC) || !isInside(terms.sideCA) ||
+      !(terms.normalSquared > Scalar(scalar::kLeastNormalSquared<T>))) {
+    return std::numeric_limits<T>::infinity();
+  }
+  return static_cast<T>(terms.height / terms.normalSquared * terms.height);
+}
 
 template <typename Arithmetic, typename T>
 Vec3<T> unitNormalBy(const Triangle<T>& t) {
-  const auto n = detail::planeNormal<Arithmetic>(t);
+  const auto n = planeNormal<Arithmetic>(t);
   const auto squared = dot(n, n);
   if (!(squared > typename Arithmetic::Scalar(0))) return {};
   const auto norm = sqrt(squared);
@@ -22,15 +84,15 @@ Vec3<T> unitNormalBy(const Triangle<T>& t) {
 template <typename Arithmetic, typename T>
 int sideBy(const Vec3<T>& p, const Triangle<T>& t) {
   using Scalar = typename Arithmetic::Scalar;
-  const auto from = Arithmetic::difference(p, t.vertex(detail::nearestVertex(p, t)));
-  const Scalar height = dot(detail::planeNormal<Arithmetic>(t), from);
+  const auto from = Arithmetic::difference(p, t.vertex(nearestVertex(p, t)));
+  const Scalar height = dot(planeNormal<Arithmetic>(t), from);
   return height > Scalar(0) ? 1 : height < Scalar(0) ? -1 : 0;
 }
 
 /// Ratios of the areas of (p, b, c) and (a, p, c) to the whole, projected along the normal.
 template <typename Arithmetic, typename T>
 Vec3<T> faceBarycentric(const Vec3<T>& p, const Triangle<T>& t) {
-  const auto normal = detail::planeNormal<Arithmetic>(t);
+  const auto normal = planeNormal<Arithmetic>(t);
   const auto whole = dot(normal, normal);
   const auto weight = [&](const Vec3<T>& from, const Vec3<T>& to) {
     const auto part = cross(Arithmetic::difference(to, from), Arithmetic::difference(p, from));
@@ -62,8 +124,22 @@ bool isSliver(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c) {
 }
 
 template <std::floating_point T>
-TriangleHit<T> triangleDistance(const Vec3<T>& p, const Triangle<T>& triangle) {
-  return detail::triangleHit(p, triangle);
+TriangleHit<T> triangleDistance(const Vec3<T>& p, const Triangle<T>& t) {
+  using enum TrianglePart;
+  const auto triple = [](const Vec3<T>& v) { return scalar::Triple<T>{v.x, v.y, v.z}; };
+  const auto all = scalar::distances<T>(triple(p), triple(t.a), triple(t.b), triple(t.c));
+  TriangleHit<T> best;
+  const auto offer = [&](const scalar::EdgeDistance<T>& edge, TrianglePart first,
+                         TrianglePart second, TrianglePart inner) {
+    if (!(edge.squared < best.distanceSquared)) return;
+    best = {edge.squared, edge.inner > 0 ? inner : edge.isFirst ? first : second};
+  };
+  offer(all.ab, VertexA, VertexB, EdgeAB);
+  offer(all.bc, VertexB, VertexC, EdgeBC);
+  offer(all.ca, VertexC, VertexA, EdgeCA);
+  const T plane = t.sliver ? sliverPlaneDistance(p, t) : all.plane;
+  if (plane <= best.distanceSquared) best = {plane, Face};
+  return best;
 }
 
 template <std::floating_point T>

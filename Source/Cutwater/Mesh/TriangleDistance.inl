@@ -1,113 +1,107 @@
 #pragma once
 
-// The arithmetic behind TriangleDistance.hpp, for the library's own hot loops. Included by .cpp
-// files only, so that it is always compiled with the library's flags.
+// The squared distance to a triangle, for scalars and for the lanes of vectors from one source: the
+// same bits. Compiled once per instruction set, and for scalars by TriangleDistance.cpp.
 
-#include <Cutwater/Core/DoubleDouble.hpp>
-#include <Cutwater/Mesh/TriangleDistance.hpp>
+#include <Cutwater/Simd/Lanes.inl>
 
-#include <cmath>
+namespace cutwater::CUTWATER_SIMD {
 
-namespace cutwater::detail {
+namespace {
 
-// Two kinds of arithmetic for one algorithm: that of T, and one with about twice the digits.
-
-template <std::floating_point T>
-struct Plain {
-  using Scalar = T;
-  using Vector = Vec3<T>;
-  static Vector difference(const Vec3<T>& a, const Vec3<T>& b) { return a - b; }
+template <typename T>
+struct EdgeDistance {
+  Lanes<T> squared;
+  Lanes<T> inner;     ///< positive if the closest point is not one of the ends
+  MaskOf<T> isFirst;  ///< the first end is the nearer one
 };
 
-template <std::floating_point T>
-struct Wide;
-template <>
-struct Wide<float> {
-  using Scalar = double;
-  using Vector = Vec3<double>;
-  static Vector difference(const Vec3<float>& a, const Vec3<float>& b) {
-    return Vec3<double>(a) - Vec3<double>(b);
-  }
-};
-template <>
-struct Wide<double> {
-  using Scalar = DoubleDouble;
-  using Vector = DoubleDouble3;
-  static Vector difference(const Vec3<double>& a, const Vec3<double>& b) {
-    return DoubleDouble3::difference(a, b);
-  }
-};
-
-/// The triangle's plane: normal of twice the area's length.
-template <typename Arithmetic, typename T>
-auto planeNormal(const Triangle<T>& t) {
-  return cross(Arithmetic::difference(t.a, t.c), Arithmetic::difference(t.b, t.a));
-}
-
-/// The vertex nearest to p: the base point from which differences lose the fewest digits.
-template <std::floating_point T>
-int nearestVertex(const Vec3<T>& p, const Triangle<T>& t) {
-  const T a = lengthSquared(p - t.a);
-  const T b = lengthSquared(p - t.b);
-  const T c = lengthSquared(p - t.c);
-  return a <= b && a <= c ? 0 : b <= c ? 1 : 2;
-}
-
-/// Squared distance to the plane, if the projection lies strictly inside the triangle; else
-/// infinity.
-template <typename Arithmetic, typename T>
-T planeDistanceSquared(const Vec3<T>& p, const Triangle<T>& t, int base) {
-  using Scalar = typename Arithmetic::Scalar;
-  const auto normal = planeNormal<Arithmetic>(t);
-  const auto isInside = [&](const Vec3<T>& from, const Vec3<T>& to) {
-    const auto side = cross(Arithmetic::difference(to, from), Arithmetic::difference(p, from));
-    return dot(side, normal) > Scalar(0);
-  };
-  if (!isInside(t.a, t.b) || !isInside(t.b, t.c) || !isInside(t.c, t.a)) {
-    return std::numeric_limits<T>::infinity();
-  }
-  // Of a triangle this small, squares of areas underflow; its edges are as near as its plane.
-  const Scalar normalSquared = dot(normal, normal);
-  constexpr T kLeast = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
-  if (!(normalSquared > Scalar(kLeast))) return std::numeric_limits<T>::infinity();
-  // Not the square of the height over that: it would underflow before the quotient does.
-  const Scalar height = dot(normal, Arithmetic::difference(p, t.vertex(base)));
-  return static_cast<T>(height / normalSquared * height);
-}
-
-/// Squared distance to the edge (from, to); `fromPart`, `toPart`: its ends' names.
+/// The squared distance to an edge, from the point as seen from its two ends.
 ///
 /// Symmetric in the ends, but for exact ties, so that both triangles at an edge find the same bits.
-template <std::floating_point T>
-TriangleHit<T> edgeDistance(const Vec3<T>& p, const Vec3<T>& from, const Vec3<T>& to,
-                            TrianglePart fromPart, TrianglePart toPart, TrianglePart edgePart) {
-  const Vec3<T> edge = to - from;
-  const Vec3<T> p0 = p - from;
-  const Vec3<T> p1 = p - to;
-  const T along = dot(edge, p0);
-  if (!(along > 0)) return {lengthSquared(p0), fromPart};
-  const T back = -dot(edge, p1);
-  if (!(back > 0)) return {lengthSquared(p1), toPart};
+template <typename T>
+CUTWATER_INLINE inline EdgeDistance<T> edgeDistance(const Triple<Lanes<T>>& fromFirst,
+                                                    const Triple<Lanes<T>>& fromSecond,
+                                                    const Triple<Lanes<T>>& edge) {
+  const auto zero = broadcast(T(0));
+  const auto along = dot(edge, fromFirst);
+  const auto back = zero - dot(edge, fromSecond);
+  const auto inner = least(along, back);
+  const auto isFirst = isAtMost(along, back);
+  const auto isInner = isPositive(inner);
+  const auto place = where(isInner, inner, zero) / where(isInner, dot(edge, edge), broadcast(T(1)));
   // From the nearer end: the part along the edge is removed from the shorter vector.
-  const T edgeSquared = lengthSquared(edge);
-  const Vec3<T> rejected =
-      along <= back ? p0 - (along / edgeSquared) * edge : p1 + (back / edgeSquared) * edge;
-  return {lengthSquared(rejected), edgePart};
+  const auto weight = where(isFirst, zero - place, place);
+  const auto rejected = where(isFirst, fromFirst, fromSecond) + weight * edge;
+  return {dot(rejected, rejected), inner, isFirst};
 }
 
-template <std::floating_point T>
-TriangleHit<T> triangleHit(const Vec3<T>& p, const Triangle<T>& t) {
-  using enum TrianglePart;
-  auto best = edgeDistance(p, t.a, t.b, VertexA, VertexB, EdgeAB);
-  const auto bc = edgeDistance(p, t.b, t.c, VertexB, VertexC, EdgeBC);
-  const auto ca = edgeDistance(p, t.c, t.a, VertexC, VertexA, EdgeCA);
-  if (bc.distanceSquared < best.distanceSquared) best = bc;
-  if (ca.distanceSquared < best.distanceSquared) best = ca;
-  const int base = nearestVertex(p, t);
-  const T plane = t.sliver ? planeDistanceSquared<Wide<T>>(p, t, base)
-                           : planeDistanceSquared<Plain<T>>(p, t, base);
-  if (plane <= best.distanceSquared) best = {plane, Face};
-  return best;
+/// A point and a triangle by their differences, in whatever arithmetic.
+template <typename Vector>
+struct SeenTriangle {
+  Vector pa, pb, pc;  ///< p - a, ...
+  Vector ab, bc, ca;  ///< b - a, ...
+};
+
+/// What decides on the distance to a triangle's plane: it is |height| / |normal|, and counts if the
+/// projection lies strictly inside, where all three sides are positive.
+template <typename Scalar>
+struct PlaneTerms {
+  Scalar sideAB, sideBC, sideCA;
+  Scalar normalSquared;  ///< square of twice the area
+  Scalar height;
+};
+
+/// `from` is the point as seen from the corner nearest to it: so the height loses the fewest
+/// digits.
+template <typename Vector>
+CUTWATER_INLINE inline auto planeTerms(const SeenTriangle<Vector>& t, const Vector& from) {
+  const Vector normal = cross(t.ca, t.ab);
+  return PlaneTerms<decltype(dot(normal, normal))>{
+      dot(cross(t.ab, t.pa), normal), dot(cross(t.bc, t.pb), normal),
+      dot(cross(t.ca, t.pc), normal), dot(normal, normal), dot(normal, from)};
 }
 
-}  // namespace cutwater::detail
+/// Of a triangle with less than that, squares of areas underflow; its edges are as near as its
+/// plane.
+template <typename T>
+constexpr T kLeastNormalSquared = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
+
+/// Infinite where the projection is not inside.
+template <typename T>
+CUTWATER_INLINE inline Lanes<T> planeDistance(const PlaneTerms<Lanes<T>>& terms) {
+  const auto side = least(least(terms.sideAB, terms.sideBC), terms.sideCA);
+  const auto counts =
+      both(isPositive(side), isPositive(terms.normalSquared - broadcast(kLeastNormalSquared<T>)));
+  // Not the square of the height over that: it would underflow before the quotient does.
+  const auto divisor = where(counts, terms.normalSquared, broadcast(T(1)));
+  return where(counts, terms.height / divisor * terms.height,
+               broadcast(std::numeric_limits<T>::infinity()));
+}
+
+template <typename T>
+struct TriangleDistances {
+  EdgeDistance<T> ab, bc, ca;
+  Lanes<T> plane;  ///< infinite where it does not count; not for slivers
+  Lanes<T> normalSquared;
+};
+
+template <typename T>
+CUTWATER_INLINE inline TriangleDistances<T> distances(const Triple<Lanes<T>>& p,
+                                                      const Triple<Lanes<T>>& a,
+                                                      const Triple<Lanes<T>>& b,
+                                                      const Triple<Lanes<T>>& c) {
+  const SeenTriangle<Triple<Lanes<T>>> t{p - a, p - b, p - c, b - a, c - b, a - c};
+  const auto toA = dot(t.pa, t.pa);
+  const auto toB = dot(t.pb, t.pb);
+  const auto toC = dot(t.pc, t.pc);
+  const auto nearest = where(both(isAtMost(toA, toB), isAtMost(toA, toC)), t.pa,
+                             where(isAtMost(toB, toC), t.pb, t.pc));
+  const auto terms = planeTerms(t, nearest);
+  return {edgeDistance<T>(t.pa, t.pb, t.ab), edgeDistance<T>(t.pb, t.pc, t.bc),
+          edgeDistance<T>(t.pc, t.pa, t.ca), planeDistance<T>(terms), terms.normalSquared};
+}
+
+}  // namespace
+
+}  // namespace cutwater::CUTWATER_SIMD

@@ -6,18 +6,18 @@ namespace cutwater {
 namespace {
 
 template <std::floating_point T>
-using NearestTriangle = void(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>&,
+using NearestTriangle = void(const TriangleSearch&, const TriangleArrays<T>&, const Vec3<T>&,
                              typename TriangleSurface<T>::Nearest&);
 template <std::floating_point T>
-using NearestTriangles = void(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>*,
+using NearestTriangles = void(const TriangleSearch&, const TriangleArrays<T>&, const Vec3<T>*,
                               typename TriangleSurface<T>::Nearest*, std::size_t);
 
 }  // namespace
 
-#define CUTWATER_DECLARE_FOR(T)                                                           \
-  void nearestTriangle(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>&,  \
-                       TriangleSurface<T>::Nearest&);                                     \
-  void nearestTriangles(const TriangleSearch&, const TriangleSurface<T>&, const Vec3<T>*, \
+#define CUTWATER_DECLARE_FOR(T)                                                          \
+  void nearestTriangle(const TriangleSearch&, const TriangleArrays<T>&, const Vec3<T>&,  \
+                       TriangleSurface<T>::Nearest&);                                    \
+  void nearestTriangles(const TriangleSearch&, const TriangleArrays<T>&, const Vec3<T>*, \
                         TriangleSurface<T>::Nearest*, std::size_t);
 #define CUTWATER_DECLARE(set)  \
   namespace set {              \
@@ -38,7 +38,7 @@ template <std::floating_point T>
 void TriangleSearch::nearest(const TriangleSurface<T>& surface, const Vec3<T>& p,
                              typename TriangleSurface<T>::Nearest& best) const {
   static NearestTriangle<T>* const function = CUTWATER_BEST_OF(NearestTriangle<T>, nearestTriangle);
-  function(*this, surface, p, best);
+  function(*this, TriangleArrays<T>(surface), p, best);
 }
 
 template <std::floating_point T>
@@ -46,7 +46,7 @@ void TriangleSearch::nearest(const TriangleSurface<T>& surface, std::span<const 
                              std::span<typename TriangleSurface<T>::Nearest> bests) const {
   static NearestTriangles<T>* const function =
       CUTWATER_BEST_OF(NearestTriangles<T>, nearestTriangles);
-  function(*this, surface, points.data(), bests.data(), points.size());
+  function(*this, TriangleArrays<T>(surface), points.data(), bests.data(), points.size());
 }
 
 template void TriangleSearch::nearest(const TriangleSurface<float>&, const Vec3<float>&,

@@ -5,6 +5,19 @@
 
 namespace cutwater {
 
+/// The triangles of a surface, as the vector code reads them.
+template <std::floating_point T>
+struct TriangleArrays {
+  const Vec3<T>* positions;
+  const std::uint32_t* corners;  ///< three for each triangle
+  const std::uint32_t* slivers;  ///< one bit per triangle
+
+  explicit TriangleArrays(const TriangleSurface<T>& surface)
+      : positions(surface.positions.data()),
+        corners(surface.triangles.data()->data()),
+        slivers(surface.slivers.data()) {}
+};
+
 /// What the search for the nearest triangle of a surface reads; a view of arrays in a block.
 ///
 /// Whole loops are compiled for each instruction set, from one source: TriangleSearch.inl.

@@ -1,6 +1,7 @@
 // The search of TriangleSearch.hpp, compiled once per instruction set.
 
 #include <Cutwater/Mesh/PacketDistance.inl>
+#include <Cutwater/Mesh/TriangleCompetition.inl>
 #include <Cutwater/Mesh/TriangleSearch.hpp>
 
 namespace cutwater::CUTWATER_SIMD {
@@ -24,7 +25,7 @@ CUTWATER_INLINE inline const float* upperSide(const Node& node, int axis) {
 template <typename T>
 class Search {
  public:
-  CUTWATER_INLINE Search(const TriangleSearch& tree, const TriangleSurface<T>& surface)
+  CUTWATER_INLINE Search(const TriangleSearch& tree, const TriangleArrays<T>& surface)
       : tree_(tree), surface_(surface) {}
 
   /// The nearest triangle is known to be within `reach`, in units of the surface.
@@ -58,17 +59,18 @@ class Search {
     }
     while (depth_ > 0) {
       Level& level = path_[depth_ - 1];
-      std::uint32_t pending = level.pending;
-      // Others were overtaken while they waited.
-      if (pending != 0) pending &= within(level.keys, limit_);
-      if (pending == 0) {
-        --depth_;
-        continue;
+      if (level.pending != 0) {
+        // Which one does not depend on the limit, so that a processor can begin to look at it
+        // while it still works out the limit from the last one.
+        const int lane = leastLane(level.keys, level.pending);
+        level.pending &= ~(1U << lane);
+        if (level.keys[lane] <= limit_) {
+          setTarget(*level.node, lane);
+          return true;
+        }
       }
-      const int lane = leastLane(level.keys, pending);
-      level.pending = pending & ~(1U << lane);
-      setTarget(*level.node, lane);
-      return true;
+      // Nothing left, or all were overtaken while they waited.
+      --depth_;
     }
     return false;
   }
@@ -86,7 +88,7 @@ class Search {
   /// Evaluates the candidates in full.
   CUTWATER_INLINE void evaluate() {
     drop();
-    surface_.compete(*p_, ids_, static_cast<std::size_t>(count_), *best_);
+    compete(surface_, *p_, ids_, count_, *best_);
     count_ = 0;
   }
 
@@ -118,25 +120,25 @@ class Search {
     const BvhLocalPoint local = node.toLocalFloat(q_);
     const Floats limit = broadcast(limit_);
     std::uint32_t lanes = 0;
-    for (int lane = 0; lane < 16; lane += kLanes) {
-      Floats sum = broadcast(0);
+    for (int lane = 0; lane < 16; lane += kFloats) {
+      Floats sum = broadcast(0.0F);
       for (int axis = 0; axis < 3; ++axis) {
         const float x = local.position[axis];
         const Floats under = load(lowerSide(node, axis) + lane) - broadcast(x + local.error);
         const Floats over = broadcast(x - local.error) - load(upperSide(node, axis) + lane);
-        const Floats gap = most(most(under, over), broadcast(0));
+        const Floats gap = most(most(under, over), broadcast(0.0F));
         sum = multiplyAdd(gap, gap, sum);
       }
       store(keys + lane, sum);
-      lanes |= notAbove(sum, limit) << lane;
+      lanes |= bits(isAtMost(sum, limit)) << lane;
     }
     return lanes & (std::uint32_t{node.nodeMask} | node.leafMask);
   }
   /// A bit for each of 16 squared distances up to the limit.
   CUTWATER_INLINE static std::uint32_t within(const float* squares, float limit) {
     std::uint32_t lanes = 0;
-    for (int lane = 0; lane < 16; lane += kLanes) {
-      lanes |= notAbove(load(squares + lane), broadcast(limit)) << lane;
+    for (int lane = 0; lane < 16; lane += kFloats) {
+      lanes |= bits(isAtMost(load(squares + lane), broadcast(limit))) << lane;
     }
     return lanes;
   }
@@ -150,11 +152,11 @@ class Search {
     const Floats most = broadcast(squaredReach(kErrorNearby * local.unit));
     Floats nearest = broadcast(kFar);
     std::uint32_t lanes = 0;
-    for (int lane = 0; lane < kWidth; lane += kLanes) {
-      const Floats d = distances(packet, lane, local);
+    for (int lane = 0; lane < kWidth; lane += kFloats) {
+      const Floats d = packedDistances(packet, lane, local);
       store(found + lane, d);
       nearest = least(nearest, d);
-      lanes |= notAbove(d, most) << lane;
+      lanes |= bits(isAtMost(d, most)) << lane;
     }
     if (lanes == 0) return;
     const float lower = squareRoot(leastOf(nearest));
@@ -196,7 +198,7 @@ class Search {
   static constexpr int kMost = 48;
 
   const TriangleSearch& tree_;
-  const TriangleSurface<T>& surface_;
+  const TriangleArrays<T>& surface_;
   const Vec3<T>* p_ = nullptr;
   typename TriangleSurface<T>::Nearest* best_ = nullptr;
   Vec3<double> q_;    // in the tree's frame, as all lengths below
@@ -215,8 +217,8 @@ class Search {
 constexpr double kAnywhere = 0x1p62;
 
 template <typename T>
-CUTWATER_INLINE inline void nearestOne(const TriangleSearch& tree,
-                                       const TriangleSurface<T>& surface, const Vec3<T>& p,
+CUTWATER_INLINE inline void nearestOne(const TriangleSearch& tree, const TriangleArrays<T>& surface,
+                                       const Vec3<T>& p,
                                        typename TriangleSurface<T>::Nearest& best) {
   Search<T> search(tree, surface);
   search.start(p, best, kAnywhere);
@@ -232,7 +234,7 @@ class Team {
  public:
   using Nearest = typename TriangleSurface<T>::Nearest;
 
-  CUTWATER_INLINE Team(const TriangleSearch& tree, const TriangleSurface<T>& surface,
+  CUTWATER_INLINE Team(const TriangleSearch& tree, const TriangleArrays<T>& surface,
                        const Vec3<T>* points, Nearest* bests)
       : points_(points), bests_(bests), search_{{tree, surface}, {tree, surface}, {tree, surface},
                                                 {tree, surface}, {tree, surface}, {tree, surface},
@@ -269,7 +271,7 @@ class Team {
     const std::size_t done = next_[i]++;
     if (next_[i] == end_[i]) return false;
     const Vec3<double> way = Vec3<double>(points_[next_[i]]) - Vec3<double>(points_[done]);
-    const double reach = __builtin_sqrt(double{bests_[done].hit.distanceSquared}) +
+    const double reach = __builtin_sqrt(double{bests_[done].distanceSquared}) +
                          __builtin_sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
     search_[i].start(points_[next_[i]], bests_[next_[i]],
                      reach * (1 + 0x1p-20) + double{bests_[done].error});
@@ -288,15 +290,15 @@ class Team {
 
 }  // namespace
 
-#define CUTWATER_DEFINE(T)                                                             \
-  void nearestTriangle(const TriangleSearch& tree, const TriangleSurface<T>& surface,  \
-                       const Vec3<T>& p, TriangleSurface<T>::Nearest& best) {          \
-    nearestOne(tree, surface, p, best);                                                \
-  }                                                                                    \
-  void nearestTriangles(const TriangleSearch& tree, const TriangleSurface<T>& surface, \
-                        const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,     \
-                        std::size_t count) {                                           \
-    Team<T>(tree, surface, points, bests).run(count);                                  \
+#define CUTWATER_DEFINE(T)                                                            \
+  void nearestTriangle(const TriangleSearch& tree, const TriangleArrays<T>& surface,  \
+                       const Vec3<T>& p, TriangleSurface<T>::Nearest& best) {         \
+    nearestOne(tree, surface, p, best);                                               \
+  }                                                                                   \
+  void nearestTriangles(const TriangleSearch& tree, const TriangleArrays<T>& surface, \
+                        const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,    \
+                        std::size_t count) {                                          \
+    Team<T>(tree, surface, points, bests).run(count);                                 \
   }
 CUTWATER_DEFINE(float)
 CUTWATER_DEFINE(double)

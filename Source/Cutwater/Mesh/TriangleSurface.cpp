@@ -1,5 +1,4 @@
 #include <Cutwater/Mesh/ExactPredicates.hpp>
-#include <Cutwater/Mesh/TriangleDistance.inl>
 #include <Cutwater/Mesh/TriangleSurface.hpp>
 
 #include <algorithm>
@@ -26,64 +25,54 @@ int firstVertex(TrianglePart part) {
 }  // namespace
 
 template <std::floating_point T>
-void TriangleSurface<T>::compete(const Vec3<T>& p, const std::uint32_t* ids, std::size_t count,
+void TriangleSurface<T>::compete(const Vec3<T>& p, std::span<const std::uint32_t> ids,
                                  Nearest& best) const {
-  for (const auto id : std::span(ids, count)) {
+  for (const auto id : ids) {
     if (id == kNone) return;
-    const auto hit = detail::triangleHit(p, triangle(id));
-    if (!(hit.distanceSquared <= best.tie)) continue;
+    const T squared = triangleDistance(p, triangle(id)).distanceSquared;
+    if (!(squared <= best.tie)) continue;
     const auto [a, b, c] = corners(id);
-    const int side = orientation(a, b, c, Vec3<double>(p));
-    auto& least = best.leastBySide[side < 0 ? 0 : side == 0 ? 1 : 2];
-    least = std::min(least, hit.distanceSquared);
-    if (hit.distanceSquared < best.hit.distanceSquared ||
-        (hit.distanceSquared == best.hit.distanceSquared && id < best.triangle)) {
-      best.hit = hit;
-      best.triangle = id;
-      // Both distances may be off by the error.
-      const T reach = std::sqrt(hit.distanceSquared) + 2 * best.error;
-      best.tie = reach * reach;
-    }
+    best.offer(squared, id, orientation(a, b, c, Vec3<double>(p)));
   }
 }
 
-/// Unit length for faces; edges and vertices only up to a positive factor.
 template <std::floating_point T>
-Vec3<T> TriangleSurface<T>::pseudonormal(const Nearest& nearest) const {
-  const auto part = nearest.hit.part;
+Vec3<T> TriangleSurface<T>::pseudonormal(std::uint32_t id, TrianglePart part) const {
   const auto corner = static_cast<std::size_t>(firstVertex(part));
   switch (featureOf(part)) {
     case Feature::Vertex:
-      return pseudonormals[triangles[nearest.triangle][corner]];
+      return pseudonormals[triangles[id][corner]];
     case Feature::Edge:
-      if (const auto across = neighbours[nearest.triangle][corner]; across != kNone) {
-        return unitNormal(triangle(nearest.triangle)) + unitNormal(triangle(across));
+      if (const auto across = neighbours[id][corner]; across != kNone) {
+        return unitNormal(triangle(id)) + unitNormal(triangle(across));
       }
       [[fallthrough]];
     default:
-      return unitNormal(triangle(nearest.triangle));
+      return unitNormal(triangle(id));
   }
 }
 
 template <std::floating_point T>
 int TriangleSurface<T>::pseudonormalSide(const Vec3<T>& p, const Nearest& nearest) const {
   const auto t = triangle(nearest.triangle);
-  if (nearest.hit.part == TrianglePart::Face) return sideOfPlane(p, t) < 0 ? -1 : 1;
+  const auto part = triangleDistance(p, t).part;
+  if (part == TrianglePart::Face) return sideOfPlane(p, t) < 0 ? -1 : 1;
   // The base point is a vertex of the feature, the nearer one of an edge: from anywhere else more
   // digits would cancel.
-  const int first = firstVertex(nearest.hit.part);
+  const int first = firstVertex(part);
   Vec3<T> from = p - t.vertex(first);
-  if (featureOf(nearest.hit.part) == Feature::Edge) {
+  if (featureOf(part) == Feature::Edge) {
     const Vec3<T> other = p - t.vertex((first + 1) % 3);
     if (lengthSquared(other) < lengthSquared(from)) from = other;
   }
-  return dot(pseudonormal(nearest), from) < 0 ? -1 : 1;
+  return dot(pseudonormal(nearest.triangle, part), from) < 0 ? -1 : 1;
 }
 
 template <std::floating_point T>
 SurfacePoint<T> TriangleSurface<T>::surfacePoint(const Vec3<T>& p, const Nearest& nearest) const {
   const auto t = triangle(nearest.triangle);
-  const auto weights = closestBarycentric(p, t, nearest.hit.part);
+  const auto part = triangleDistance(p, t).part;
+  const auto weights = closestBarycentric(p, t, part);
   // From the heaviest vertex, so that a vertex is found exactly.
   const int base = weights.x >= weights.y && weights.x >= weights.z ? 0
                    : weights.y >= weights.z                         ? 1
@@ -93,10 +82,10 @@ SurfacePoint<T> TriangleSurface<T>::surfacePoint(const Vec3<T>& p, const Nearest
       origin + weights.x * (t.a - origin) + weights.y * (t.b - origin) + weights.z * (t.c - origin);
   SurfacePoint<T> result;
   result.point = point / scale;
-  result.normal = normalized(pseudonormal(nearest));
+  result.normal = normalized(pseudonormal(nearest.triangle, part));
   result.tolerance = 2 * error(p) / scale;  // of the distance, and of the point
   result.exact = true;
-  result.feature = featureOf(nearest.hit.part);
+  result.feature = featureOf(part);
   result.owner = owner(nearest.triangle);
   result.triangle = nearest.triangle;
   result.barycentric = weights;

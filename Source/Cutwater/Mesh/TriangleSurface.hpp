@@ -18,15 +18,34 @@ struct TriangleSurface {
 
   /// The triangle nearest to a point, and what the search has seen on the way.
   struct Nearest {
-    TriangleHit<T> hit;
+    T distanceSquared = std::numeric_limits<T>::infinity();
     std::uint32_t triangle = kNone;
     /// Bound on the rounding of distances to the point.
     T error = 0;
     /// Any triangle with a squared distance up to this may be the nearest one, but for rounding.
     T tie = std::numeric_limits<T>::max();
-    /// Least squared distance of the triangles that have the point behind, in and before their
-    /// plane; exact tests decide which.
-    std::array<T, 3> leastBySide{tie, tie, tie};
+    // Least squared distance of the triangles that have the point behind, in and before their
+    // plane; exact tests decide which.
+    T behind = tie;
+    T inPlane = tie;
+    T before = tie;
+
+    /// What `tie` is where the nearest triangle has this squared distance: both distances may be
+    /// off by the error.
+    [[nodiscard]] CUTWATER_INLINE T tieAt(T squared) const {
+      const T reach = squareRoot(squared) + 2 * error;
+      return reach * reach;
+    }
+    /// Lets a triangle compete: the nearest wins, of equals the lowest id. `side`: the sign of its
+    /// orientation() towards the point.
+    CUTWATER_INLINE void offer(T squared, std::uint32_t id, int side) {
+      T& least = side < 0 ? behind : side == 0 ? inPlane : before;
+      least = squared < least ? squared : least;
+      if (squared > distanceSquared || (squared == distanceSquared && id > triangle)) return;
+      distanceSquared = squared;
+      triangle = id;
+      tie = tieAt(squared);
+    }
 
     /// The side of the point if all triangles that may be the nearest agree on it: 1 outside, -1
     /// inside; else 0.
@@ -36,11 +55,15 @@ struct TriangleSurface {
     /// Aanaes 2005, "Signed distance computation using the angle weighted pseudonormal"). Which
     /// feature the closest point belongs to, a matter of rounding, does not enter.
     [[nodiscard]] int agreedSide() const {
-      const bool behind = leastBySide[0] <= tie;
-      const bool before = leastBySide[2] <= tie;
-      if (leastBySide[1] <= tie || behind == before) return 0;
-      return before ? 1 : -1;
+      const bool isBehind = behind <= tie;
+      const bool isBefore = before <= tie;
+      if (inPlane <= tie || isBehind == isBefore) return 0;
+      return isBefore ? 1 : -1;
     }
+
+   private:
+    CUTWATER_INLINE static float squareRoot(float x) { return __builtin_sqrtf(x); }
+    CUTWATER_INLINE static double squareRoot(double x) { return __builtin_sqrt(x); }
   };
 
   std::span<const Vec3<T>> positions;
@@ -75,12 +98,8 @@ struct TriangleSurface {
     result.error = error(p);
     return result;
   }
-  /// Lets triangles compete with the best so far; the nearest wins, of equals the lowest id. Ids
-  /// end at the first kNone.
-  void compete(const Vec3<T>& p, std::span<const std::uint32_t> ids, Nearest& best) const {
-    compete(p, ids.data(), ids.size(), best);
-  }
-  void compete(const Vec3<T>& p, const std::uint32_t* ids, std::size_t count, Nearest& best) const;
+  /// Lets triangles compete with the best so far. Ids end at the first kNone.
+  void compete(const Vec3<T>& p, std::span<const std::uint32_t> ids, Nearest& best) const;
 
   /// The sign of the pseudonormal of the nearest feature as computed: 1 outside, -1 inside. At
   /// sharp edges and where sheets are close it needs agreedSide() or locate() to be certain.
@@ -95,7 +114,8 @@ struct TriangleSurface {
   }
 
  private:
-  [[nodiscard]] Vec3<T> pseudonormal(const Nearest& nearest) const;
+  /// Unit length for faces; edges and vertices only up to a positive factor.
+  [[nodiscard]] Vec3<T> pseudonormal(std::uint32_t id, TrianglePart part) const;
 };
 
 extern template struct TriangleSurface<float>;

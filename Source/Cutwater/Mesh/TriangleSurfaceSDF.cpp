@@ -55,7 +55,7 @@ Vec3<T> TriangleSurfaceSDF<T>::scaled(const Vec3<T>& point) const {
 
 template <std::floating_point T>
 int TriangleSurfaceSDF<T>::side(const Vec3<T>& p, const Nearest& nearest) const {
-  if (!signs_.isClosed() && nearest.hit.distanceSquared == 0) return 0;
+  if (!signs_.isClosed() && nearest.distanceSquared == 0) return 0;
   if (signs_.scheme == SignScheme::NearestFeature) {
     if (const int agreed = nearest.agreedSide(); agreed != 0) return agreed;
     if (!signs_.isClosed()) return surface_.pseudonormalSide(p, nearest);
@@ -76,7 +76,7 @@ T TriangleSurfaceSDF<T>::valueAt(const Vec3<T>& point, const Vec3<T>& p,
   const int side = this->side(p, nearest);
   const bool isFar = maxComponent(abs(p)) >= kFarthest<T>;
   if (isFar) return static_cast<T>(side) * std::hypot(point.x, point.y, point.z);
-  const T magnitude = std::sqrt(nearest.hit.distanceSquared);
+  const T magnitude = std::sqrt(nearest.distanceSquared);
   const T value =
       side < 0 ? -std::max(magnitude, kLeastDepth<T>) : static_cast<T>(side) * magnitude;
   return value / surface_.scale;
