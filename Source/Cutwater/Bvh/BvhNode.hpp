@@ -3,7 +3,6 @@
 #include <Cutwater/Core/Box.hpp>
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -37,14 +36,16 @@ struct alignas(64) BvhNode {
   std::uint16_t nodeMask = 0;  // bit k: child k is a node
   std::uint16_t leafMask = 0;
 
-  [[nodiscard]] bool isLeaf(int lane) const { return (leafMask >> lane & 1) != 0; }
-  [[nodiscard]] std::uint32_t nodeIndex(int lane) const {
+  [[nodiscard]] CUTWATER_INLINE bool isLeaf(int lane) const { return (leafMask >> lane & 1) != 0; }
+  [[nodiscard]] CUTWATER_INLINE std::uint32_t nodeIndex(int lane) const {
     return firstNode + below(nodeMask, lane);
   }
-  [[nodiscard]] std::uint32_t leafIndex(int lane) const {
+  [[nodiscard]] CUTWATER_INLINE std::uint32_t leafIndex(int lane) const {
     return firstLeaf + below(leafMask, lane);
   }
-  [[nodiscard]] std::uint32_t childMask() const { return std::uint32_t{nodeMask} | leafMask; }
+  [[nodiscard]] CUTWATER_INLINE std::uint32_t childMask() const {
+    return std::uint32_t{nodeMask} | leafMask;
+  }
 
   /// The child's box in the node's frame.
   [[nodiscard]] CUTWATER_INLINE Box<double> localBox(int lane) const {
@@ -73,8 +74,8 @@ struct alignas(64) BvhNode {
   }
 
  private:
-  static std::uint32_t below(std::uint32_t mask, int lane) {
-    return static_cast<std::uint32_t>(std::popcount(mask & ((1U << lane) - 1U)));
+  CUTWATER_INLINE static std::uint32_t below(std::uint32_t mask, int lane) {
+    return static_cast<std::uint32_t>(__builtin_popcount(mask & ((1U << lane) - 1U)));
   }
 };
 
@@ -86,6 +87,9 @@ struct BvhFrame {
 
   [[nodiscard]] CUTWATER_INLINE Vec3<double> toFrame(const Vec3<double>& p) const {
     return scale * (p - center);
+  }
+  [[nodiscard]] CUTWATER_INLINE Vec3<double> fromFrame(const Vec3<double>& p) const {
+    return center + (1 / scale) * p;
   }
 };
 

@@ -10,12 +10,14 @@ namespace {
 
 /// Points are evaluated in batches of this many; a batch's scratch fits the L1 cache.
 constexpr std::size_t kBatch = 256;
-/// Edges of tiles: large ones are left out at the price of one value, small ones are work for more
-/// threads.
-constexpr std::uint32_t kBandTile = 16;
-constexpr std::uint32_t kFullTile = 8;
-/// Blocks of this edge are not halved: values in more places would cost more than they save.
-constexpr std::uint32_t kLeaf = 4;
+/// Points of a tile, as powers of two: large ones are left out at the price of one value, small
+/// ones are work for more threads.
+constexpr int kBandTileBits = 12;
+constexpr int kFullTileBits = 9;
+/// Blocks of so many points are not divided: values in more places would cost more than they save.
+constexpr int kLeafBits = 6;
+/// Others are, in so many halvings.
+constexpr int kDivisionBits = 3;
 
 template <typename Visit>
 void forEach(const GridBlock& block, Visit visit) {
@@ -58,66 +60,73 @@ template <std::floating_point T>
 class BlockFill<T>::Tile {
  public:
   Tile(const BlockFill& fill, const GridBlock& tile, Batch& batch)
-      : fill_(fill), first_(tile.first), batch_(batch) {
+      : fill_(fill), tile_(tile), batch_(batch) {
     // Of each coordinate only once.
     const auto longest = std::max({tile.size[0], tile.size[1], tile.size[2]});
     for (std::uint32_t n = 0; n < longest; ++n) {
       Offset offset{};
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        offset[axis] = first_[axis] + std::min(n, tile.size[axis] - 1);
+        offset[axis] = tile.first[axis] + std::min(n, tile.size[axis] - 1);
       }
       positions_[n] = fill.patch_.level.position(fill.index(offset));
     }
     std::array<Finding, 1> whole{Finding{.block = tile}};
-    settle(whole, fill.edge_);
+    settle(whole, fill.order_.bits());
   }
 
  private:
   /// What is known of a block.
   struct Finding {
     GridBlock block;
-    Box<T> box{};           // around its positions
-    bool isBeyond = false;  // all of it
-    T sign = 1;             // on which side
-    Vec3<T> center{};       // within the radius of it, all is beyond,
-    T radiusSquared = -1;   // if it is positive
+    std::uint32_t number = 0;  // of its first point in the tile's order
+    Box<T> box{};              // around its positions
+    bool isBeyond = false;     // all of it
+    T sign = 1;                // on which side
+    Vec3<T> center{};          // within the radius of it, all is beyond,
+    T radiusSquared = -1;      // if it is positive
   };
 
   [[nodiscard]] Vec3<T> position(const Offset& offset) const {
-    return {positions_[offset[0] - first_[0]].x, positions_[offset[1] - first_[1]].y,
-            positions_[offset[2] - first_[2]].z};
+    return {positions_[offset[0] - tile_.first[0]].x, positions_[offset[1] - tile_.first[1]].y,
+            positions_[offset[2] - tile_.first[2]].z};
   }
 
-  /// Fills blocks of at most this edge.
-  void settle(std::span<Finding> blocks, std::uint32_t edge) {
+  /// Fills blocks of 2^bits points, less what is beyond the tile's end.
+  void settle(std::span<Finding> blocks, int bits) {
     if (fill_.hasBand()) judge(blocks);
     for (const auto& found : blocks) {
       if (found.isBeyond) {
         fill_.fillConstant(found.block, std::copysign(fill_.limit_, found.sign));
-      } else if (edge <= kLeaf) {
-        addPoints(found);
+      } else if (bits <= kLeafBits) {
+        addPoints(found, bits);
       } else {
-        halve(found.block, edge / 2);
+        divide(found.number, std::max(bits - kDivisionBits, kLeafBits), bits);
       }
     }
   }
 
-  void halve(const GridBlock& block, std::uint32_t half) {
-    std::array<Finding, 8> parts;
+  /// Into blocks of 2^part points.
+  void divide(std::uint32_t number, int part, int bits) {
+    std::array<Finding, 1U << kDivisionBits> parts;
     std::size_t count = 0;
-    for (std::uint32_t n = 0; n < 8; ++n) {
-      GridBlock part = block;
-      bool isEmpty = false;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const bool isUpper = (n >> axis & 1U) != 0;
-        const auto lower = std::min(half, block.size[axis]);
-        part.first[axis] += isUpper ? lower : 0;
-        part.size[axis] = isUpper ? block.size[axis] - lower : lower;
-        isEmpty = isEmpty || part.size[axis] == 0;
-      }
-      if (!isEmpty) parts[count++].block = part;
+    const auto end = number + (1U << bits);
+    for (; number < end; number += 1U << part) {
+      const auto block = blockAt(number, part);
+      if (block.size != Offset{}) parts[count++] = {.block = block, .number = number};
     }
-    settle(std::span(parts).first(count), half);
+    settle(std::span(parts).first(count), part);
+  }
+
+  /// What the tile has of a block; of size 0 if nothing.
+  [[nodiscard]] GridBlock blockAt(std::uint32_t number, int bits) const {
+    const auto offset = fill_.order_.offset(number);
+    GridBlock block;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (offset[axis] >= tile_.size[axis]) return {};
+      block.first[axis] = tile_.first[axis] + offset[axis];
+      block.size[axis] = std::min(fill_.order_.shape(bits)[axis], tile_.size[axis] - offset[axis]);
+    }
+    return block;
   }
 
   /// Which of at most 8 blocks are beyond the limit.
@@ -161,56 +170,73 @@ class BlockFill<T>::Tile {
     if (radius > 0) found.radiusSquared = radius * radius / (kOutward * kOutward);
   }
 
-  void addPoints(const Finding& found) {
-    forEach(found.block, [&](const Offset& offset) {
+  void addPoints(const Finding& found, int bits) {
+    for (std::uint32_t n = 0; n < 1U << bits; ++n) {
+      auto offset = fill_.order_.offset(found.number + n);
+      if (offset[0] >= tile_.size[0] || offset[1] >= tile_.size[1] || offset[2] >= tile_.size[2]) {
+        continue;
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis) offset[axis] += tile_.first[axis];
       const auto point = position(offset);
       if (lengthSquared(point - found.center) < found.radiusSquared) {
         fill_.write(offset, std::copysign(fill_.limit_, found.sign), kNone);
       } else {
         batch_.add(point, offset);
       }
-    });
+    }
   }
 
   const BlockFill& fill_;
-  Offset first_;
+  GridBlock tile_;
   Batch& batch_;
-  std::array<Vec3<T>, std::max(kBandTile, kFullTile)> positions_;
+  std::array<Vec3<T>, TileOrder::kLongest> positions_;
 };
 
 template <std::floating_point T>
 BlockFill<T>::BlockFill(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
                         const FillTargets<T>& targets, T limit)
-    : solid_(solid), patch_(patch), targets_(targets), limit_(limit), promise_(solid.guarantee()) {
-  edge_ = hasBand() ? kBandTile : kFullTile;
+    : solid_(solid),
+      patch_(patch),
+      targets_(targets),
+      limit_(limit),
+      promise_(solid.guarantee()),
+      order_({double{patch.level.spacing().x}, double{patch.level.spacing().y},
+              double{patch.level.spacing().z}},
+             {patch.indices.length(0), patch.indices.length(1), patch.indices.length(2)},
+             hasBand() ? kBandTileBits : kFullTileBits) {}
+
+template <std::floating_point T>
+std::array<std::size_t, 3> BlockFill<T>::tiles() const {
+  std::array<std::size_t, 3> tiles{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t edge = tileShape()[axis];
+    tiles[axis] = (patch_.indices.length(static_cast<int>(axis)) + edge - 1) / edge;
+  }
+  return tiles;
 }
 
 template <std::floating_point T>
 std::size_t BlockFill<T>::tileCount() const {
-  std::size_t count = 1;
-  for (int axis = 0; axis < 3; ++axis) count *= (patch_.indices.length(axis) + edge_ - 1) / edge_;
-  return count;
+  const auto [nx, ny, nz] = tiles();
+  return nx * ny * nz;
 }
 
 template <std::floating_point T>
 std::size_t BlockFill<T>::grain() const {
-  std::size_t inTile = 1;
-  for (int axis = 0; axis < 3; ++axis) {
-    inTile *= std::clamp<std::size_t>(patch_.indices.length(axis), 1, edge_);
-  }
-  return (2 * kBatch + inTile - 1) / inTile;
+  return std::max<std::size_t>(1, (2 * kBatch) >> order_.bits());
 }
 
 template <std::floating_point T>
 GridBlock BlockFill<T>::tile(std::size_t number) const {
+  const auto counts = tiles();
   GridBlock block;
   for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t edge = tileShape()[axis];
     const auto length = patch_.indices.length(static_cast<int>(axis));
-    const auto tiles = (length + edge_ - 1) / edge_;
-    const auto first = number % tiles * edge_;
-    number /= tiles;
+    const auto first = number % counts[axis] * edge;
+    number /= counts[axis];
     block.first[axis] = static_cast<std::uint32_t>(first);
-    block.size[axis] = static_cast<std::uint32_t>(std::min<std::size_t>(edge_, length - first));
+    block.size[axis] = static_cast<std::uint32_t>(std::min(edge, length - first));
   }
   return block;
 }

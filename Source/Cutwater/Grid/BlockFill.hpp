@@ -2,13 +2,9 @@
 
 #include <Cutwater/Core/IndexBox.hpp>
 #include <Cutwater/Grid/Fill.hpp>
-
-#include <array>
+#include <Cutwater/Grid/TileOrder.hpp>
 
 namespace cutwater::detail {
-
-/// An index, counted from the lowest one of a patch.
-using Offset = std::array<std::uint32_t, 3>;
 
 /// Neighbouring indices of a patch.
 struct GridBlock {
@@ -16,9 +12,10 @@ struct GridBlock {
   Offset size{};
 };
 
-/// How fill() goes through a patch: in cubes of indices, its tiles. Points in small cubes are
-/// evaluated together, because the answer of one tells much about the next. With a band, each tile
-/// is halved as long as one value in its middle does not prove that all of it is beyond the band.
+/// How fill() goes through a patch: in tiles, blocks of indices about as long in space on each
+/// axis. Points in small blocks are evaluated together, because the answer of one tells much about
+/// the next. With a band, each tile is divided as long as one value in its middle does not prove
+/// that all of it is beyond the band.
 template <std::floating_point T>
 class BlockFill {
  public:
@@ -37,6 +34,8 @@ class BlockFill {
   class Tile;
 
   [[nodiscard]] bool hasBand() const { return limit_ < std::numeric_limits<T>::infinity(); }
+  [[nodiscard]] const Offset& tileShape() const { return order_.shape(order_.bits()); }
+  [[nodiscard]] std::array<std::size_t, 3> tiles() const;  // along each axis
   [[nodiscard]] GridBlock tile(std::size_t number) const;
   [[nodiscard]] Index3 index(const Offset& offset) const;
   void fillConstant(const GridBlock& block, T distance) const;
@@ -48,7 +47,7 @@ class BlockFill {
   const FillTargets<T>& targets_;
   T limit_;
   Guarantee<T> promise_;
-  std::uint32_t edge_;  // of a tile
+  TileOrder order_;
 };
 
 extern template class BlockFill<float>;

@@ -12,14 +12,31 @@ namespace {
 
 constexpr int kWidth = TrianglePacket::kWidth;
 
+/// Above every squared distance.
+constexpr float kFar = 0x1p126F;
+
 // As plain arrays: the standard library's functions stay out.
 static_assert(sizeof(TrianglePacket) == 832);
 
-/// Where a component of packets begins.
-enum Row : std::uint8_t { A = 0, AB = 3, AC = 6, Normal = 9 };
-CUTWATER_INLINE inline Floats3 rows(const TrianglePacket& packet, Row row, int lane) {
-  const float* const from = reinterpret_cast<const float*>(&packet) + kWidth * row + lane;
-  return {load(from), load(from + kWidth), load(from + 2 * kWidth)};
+/// Triangles, lane by lane, in the order of their rows in a packet.
+struct PackedTriangle {
+  static constexpr int kRows = 12;
+
+  Floats3 a, ab, ac;
+  Floats3 normal;  ///< of unit length; 0 without area
+};
+
+/// Rows of `stride` numbers each, from `lane` on.
+CUTWATER_INLINE inline PackedTriangle packedTriangle(const float* rows, int stride, int lane) {
+  const float* const from = rows + lane;
+  const auto three = [&](int row) __attribute__((always_inline)) {
+    return Floats3{load(from + row * stride), load(from + (row + 1) * stride),
+                   load(from + (row + 2) * stride)};
+  };
+  return {three(0), three(3), three(6), three(9)};
+}
+CUTWATER_INLINE inline const float* rowsOf(const TrianglePacket& packet) {
+  return reinterpret_cast<const float*>(&packet);
 }
 
 /// A point relative to the centre of a packet, in single precision.
@@ -36,21 +53,22 @@ CUTWATER_INLINE inline PacketPoint relativeTo(const TrianglePacket& packet, cons
           0x1p-24F * (size.x + size.y + size.z + packet.radius)};
 }
 
-/// The point's squared distance from the edge's start `v`, less its part along the edge.
-CUTWATER_INLINE inline Floats packedEdgeDistance(const Floats3& v, const Floats3& edge) {
+/// The point from the nearest point of an edge, given the point from the edge's start.
+CUTWATER_INLINE inline Floats3 offEdge(const Floats3& v, const Floats3& edge) {
   // A quotient that is not a number, as of an edge without length, counts as 0.
   const Floats place = fusedDot(edge, v) / fusedDot(edge, edge);
-  const Floats t = least(most(place, broadcast(0.0F)), broadcast(1.0F));
-  const Floats3 rest = subtractMultiple(v, t, edge);
-  return fusedDot(rest, rest);
+  return subtractMultiple(v, least(most(place, broadcast(0.0F)), broadcast(1.0F)), edge);
+}
+
+CUTWATER_INLINE inline Floats edgeSize(const Floats3& edge) {
+  return magnitude(edge.x) + magnitude(edge.y) + magnitude(edge.z);
 }
 
 /// Positive if `v`, from the edge's start, lies on the inner side of the edge by more than
 /// rounding.
 CUTWATER_INLINE inline Floats inward(const Floats3& v, const Floats3& edge, const Floats3& normal,
                                      Floats margin) {
-  const Floats size = magnitude(edge.x) + magnitude(edge.y) + magnitude(edge.z);
-  return fusedDot(fusedCross(edge, v), normal) - margin * size;
+  return fusedDot(fusedCross(edge, v), normal) - margin * edgeSize(edge);
 }
 
 // How far computed distances may be off, in units of u R, R = |p| + radius. The triangle that the
@@ -69,24 +87,60 @@ constexpr float kError = 18;
 constexpr float kErrorNearby = 72;
 constexpr float kNearby = 0x1p-12F / 0x1p-24F;
 
-/// Squared distances, in single precision, to a packet's triangles from `lane` on.
+/// The point from the nearest point of a triangle, in single precision.
+struct PackedOffset {
+  Floats squared;  ///< of its length
+  Floats3 offset;
+};
+
+/// `unit` is that of the point, see PacketPoint.
+CUTWATER_INLINE inline PackedOffset packedOffset(const PackedTriangle& t, const Floats3& p,
+                                                 float unit) {
+  const Floats3 v = p - t.a;
+  const Floats3 vb = v - t.ab;
+  const Floats3 bc = t.ac - t.ab;
+  PackedOffset best{broadcast(kFar), p};
+  const auto offer = [&](const Floats3& offset, Floats squared) __attribute__((always_inline)) {
+    const auto isNearer = isAtMost(squared, best.squared);
+    best.squared = where(isNearer, squared, best.squared);
+    best.offset = where(isNearer, offset, best.offset);
+  };
+  const auto offerEdge = [&](const Floats3& offset) __attribute__((always_inline)) {
+    offer(offset, fusedDot(offset, offset));
+  };
+  offerEdge(offEdge(v, t.ab));
+  offerEdge(offEdge(v, t.ac));
+  offerEdge(offEdge(vb, bc));
+
+  const Floats margin = broadcast(kSideError * unit);
+  const Floats3 ca{-t.ac.x, -t.ac.y, -t.ac.z};
+  const Floats inside =
+      least(least(inward(v, t.ab, t.normal, margin), inward(vb, bc, t.normal, margin)),
+            inward(v, ca, t.normal, margin));
+  const Floats height = fusedDot(v, t.normal);
+  offer(height * t.normal, where(isPositive(inside), height * height, broadcast(kFar)));
+  return best;
+}
+
+// A triangle's closest point as found is within this many units of the triangle: what a distance
+// may be off by where it is not small, and the shift of a candidate's corners.
+constexpr float kOffsetError = 24;
+
+/// Not more than the least w . (p - x) over the triangle's points x, w being the offset: for
+/// ClusterBounds. Corners are within 9 u R of the true ones, the point within 1; the rest is the
+/// rounding of the products.
+CUTWATER_INLINE inline Floats packedSeparation(const PackedTriangle& t, const Floats3& p,
+                                               const PackedOffset& off, float unit) {
+  const Floats toA = fusedDot(off.offset, p - t.a);
+  const Floats farther = most(fusedDot(off.offset, t.ab), fusedDot(off.offset, t.ac));
+  return toA - most(farther, broadcast(0.0F)) -
+         broadcast(kOffsetError * unit) * squareRoot(off.squared);
+}
+
+/// Squared distances to a packet's triangles from `lane` on.
 CUTWATER_INLINE inline Floats packedDistances(const TrianglePacket& packet, int lane,
                                               const PacketPoint& p) {
-  const Floats3 v = p.position - rows(packet, A, lane);
-  const Floats3 ab = rows(packet, AB, lane);
-  const Floats3 ac = rows(packet, AC, lane);
-  const Floats3 normal = rows(packet, Normal, lane);
-  const Floats3 bc = ac - ab;
-  const Floats3 vb = v - ab;
-  const Floats edges = least(least(packedEdgeDistance(v, ab), packedEdgeDistance(v, ac)),
-                             packedEdgeDistance(vb, bc));
-
-  const Floats margin = broadcast(kSideError * p.unit);
-  const Floats3 ca{-ac.x, -ac.y, -ac.z};
-  const Floats inside = least(least(inward(v, ab, normal, margin), inward(vb, bc, normal, margin)),
-                              inward(v, ca, normal, margin));
-  const Floats height = fusedDot(v, normal);
-  return where(isPositive(inside), least(height * height, edges), edges);
+  return packedOffset(packedTriangle(rowsOf(packet), kWidth, lane), p.position, p.unit).squared;
 }
 
 }  // namespace

@@ -36,6 +36,11 @@ class TriangleLanes {
     for (int i = 0; i < 3; ++i) setRows(3 + 3 * i, lane, arrays_.positions[corners[i]]);
     slivers_ = (slivers_ & ~(1U << lane)) | (isSliver(id) ? 1U << lane : 0U);
   }
+  CUTWATER_INLINE void copy(int lane, int from) {
+    for (auto& row : rows_) row[lane] = row[from];
+    ids_[lane] = ids_[from];
+    slivers_ = (slivers_ & ~(1U << lane)) | (slivers_ >> from & 1U) << lane;
+  }
   /// Computes squared distances, and on which sides of the triangles the points lie.
   CUTWATER_INLINE void evaluate() {
     const auto all = distances<T>(rows(0), rows(3), rows(6), rows(9));

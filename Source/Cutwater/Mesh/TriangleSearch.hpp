@@ -16,6 +16,9 @@ struct TriangleArrays {
       : positions(surface.positions.data()),
         corners(surface.triangles.data()->data()),
         slivers(surface.slivers.data()) {}
+
+  /// The triangle's point that is nearest to `p`.
+  [[nodiscard]] Vec3<T> closestPoint(std::uint32_t id, const Vec3<T>& p) const;
 };
 
 /// What the search for the nearest triangle of a surface reads; a view of arrays in a block.

@@ -1,0 +1,86 @@
+#pragma once
+
+// Nearest triangles of points that share leaves of the tree, but not the triangles. Compiled once
+// per instruction set.
+
+#include <Cutwater/Mesh/ClusterPoints.inl>
+
+namespace cutwater::CUTWATER_SIMD {
+
+namespace {
+
+/// From leaves for all of the points to those for a group, then for a brick. Each point looks at
+/// these as if they were the children of one node.
+template <typename T>
+class LeafCluster {
+ public:
+  using Points = ClusterPoints<T>;
+
+  CUTWATER_INLINE LeafCluster(const TriangleSearch& tree, const TriangleArrays<T>& arrays,
+                              const Points& points)
+      : tree_(tree), points_(points), search_(tree, arrays) {}
+
+  /// Points [begin, end), whose nearest triangles are in the leaves. `near`: a point of the
+  /// surface.
+  template <int kMost>
+  CUTWATER_INLINE void runGroup(const LeafList<kMost>& shared, Vec3<double> near, int begin,
+                                int end) {
+    near = searchFirst(shared, near, (begin + end) / 2);
+    select(shared, points_.boxAround(begin, end), near, group_);
+    for (; begin < end; begin += Points::kBrick) {
+      const int past = begin + Points::kBrick < end ? begin + Points::kBrick : end;
+      near = searchFirst(group_, near, (begin + past) / 2);
+      select(group_, points_.boxAround(begin, past), near, brick_);
+      for (int i = begin; i < past; ++i) search(brick_, near, i);
+    }
+  }
+
+ private:
+  static constexpr int kMost = 512;
+
+  template <int kFrom>
+  CUTWATER_INLINE void select(const LeafList<kFrom>& from, const ClusterBox& box,
+                              const Vec3<double>& near, LeafList<kMost>& to) {
+    std::uint16_t kept[kFrom];
+    const int count = from.within(box, points_.boundsFor(box, near), kept);
+    to.clear();
+    for (int i = 0; i < count; ++i) to.add(from, kept[i]);
+    to.pad();
+  }
+  /// For a point that is to tell the bounds of others; the point of the surface nearest to it.
+  template <int kFrom>
+  CUTWATER_INLINE Vec3<double> searchFirst(const LeafList<kFrom>& leaves, const Vec3<double>& near,
+                                           int i) {
+    search(leaves, near, i);
+    return points_.closestTo(points_.point(i), points_.best(i).triangle);
+  }
+  template <int kFrom>
+  CUTWATER_INLINE void search(const LeafList<kFrom>& leaves, const Vec3<double>& near, int i) {
+    const Vec3<double> way = tree_.frame.toFrame(Vec3<double>(points_.point(i))) - near;
+    const double reach = __builtin_sqrt(dot(way, way)) / tree_.frame.scale;
+    search_.start(points_.point(i), points_.best(i),
+                  reach * (1 + 0x1p-20) + double{points_.best(i).error});
+    alignas(64) float keys[16];
+    for (int first = 0; first < leaves.count(); first += 16) {
+      leaves.keys(first, points_.position(i), keys);
+      std::uint32_t lanes = CUTWATER_SIMD::within(keys, search_.limit());
+      for (; lanes != 0;) {
+        const int lane = leastLane(keys, lanes);
+        if (keys[lane] > search_.limit()) break;
+        lanes &= ~(1U << lane);
+        search_.look(leaves.leaf(first + lane));
+      }
+    }
+    search_.evaluate();
+  }
+
+  const TriangleSearch& tree_;
+  const Points& points_;
+  Search<T> search_;
+  LeafList<kMost> group_;
+  LeafList<kMost> brick_;
+};
+
+}  // namespace
+
+}  // namespace cutwater::CUTWATER_SIMD

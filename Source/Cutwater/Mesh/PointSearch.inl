@@ -1,0 +1,241 @@
+#pragma once
+
+// The nearest triangle of one point. Compiled once per instruction set.
+
+#include <Cutwater/Mesh/PacketDistance.inl>
+#include <Cutwater/Mesh/TriangleCompetition.inl>
+
+namespace cutwater::CUTWATER_SIMD {
+
+namespace {
+
+using Node = BvhNode<16>;
+constexpr double kFarthest = 0x1p58;
+
+// As plain arrays: the standard library's functions stay out.
+static_assert(sizeof(Node) == 448);
+CUTWATER_INLINE inline const float* lowerSide(const Node& node, int axis) {
+  return reinterpret_cast<const float*>(&node) + 16 * axis;
+}
+CUTWATER_INLINE inline const float* upperSide(const Node& node, int axis) {
+  return reinterpret_cast<const float*>(&node) + 16 * (3 + axis);
+}
+
+CUTWATER_INLINE inline const float* axisOf(const Node& node, int i) {
+  return &node.center.x + 3 * (1 + i);
+}
+
+/// A bit for each of 16 squared distances up to the limit.
+CUTWATER_INLINE inline std::uint32_t within(const float* squares, float limit) {
+  std::uint32_t lanes = 0;
+  for (int lane = 0; lane < 16; lane += kFloats) {
+    lanes |= bits(isAtMost(load(squares + lane), broadcast(limit))) << lane;
+  }
+  return lanes;
+}
+
+/// How much farther than the nearest triangle, in the tree's frame, one may be that is the nearest,
+/// or ties with it, by computed distances; and the rounding of positions in the frames. `size`: of
+/// the point's largest coordinate.
+CUTWATER_INLINE inline double slackOf(double error, double size, const BvhFrame& frame) {
+  return 4 * error * frame.scale + 0x1p-49 * (1 + size) + 0x1p-60;
+}
+
+/// The search for the triangles nearest to one point, in steps, so that several can take turns.
+template <typename T>
+class Search {
+ public:
+  CUTWATER_INLINE Search(const TriangleSearch& tree, const TriangleArrays<T>& surface)
+      : tree_(tree), surface_(surface) {}
+
+  /// The nearest triangle is known to be within `reach`, in units of the surface.
+  CUTWATER_INLINE void start(const Vec3<T>& p, typename TriangleSurface<T>::Nearest& best,
+                             double reach) {
+    p_ = &p;
+    best_ = &best;
+    q_ = tree_.frame.toFrame(Vec3<double>(p));
+    const double size = maxComponent(abs(q_));
+    slack_ = slackOf(double{best.error}, size, tree_.frame);
+    // From there the slack is larger than the tree and all triangles compete: any point as far will
+    // do, and squares do not overflow.
+    if (size > kFarthest) q_ *= kFarthest / size;
+    upper_ = reach * tree_.frame.scale;
+    setLimit();
+    depth_ = 0;
+    isLeaf_ = false;
+    target_ = 0;
+  }
+
+  /// Looks at a node or a leaf and finds out the next one. False: there is none.
+  CUTWATER_INLINE bool step() {
+    if (isLeaf_) {
+      look(target_);
+    } else {
+      Level& level = path_[depth_++];
+      level.node = &tree_.nodes[target_];
+      level.pending = enter(*level.node, level.keys);
+    }
+    while (depth_ > 0) {
+      Level& level = path_[depth_ - 1];
+      if (level.pending != 0) {
+        // Which one does not depend on the limit, so that a processor can begin to look at it
+        // while it still works out the limit from the last one.
+        const int lane = leastLane(level.keys, level.pending);
+        level.pending &= ~(1U << lane);
+        if (level.keys[lane] <= limit_) {
+          setTarget(*level.node, lane);
+          return true;
+        }
+      }
+      // Nothing left, or all were overtaken while they waited.
+      --depth_;
+    }
+    return false;
+  }
+
+  CUTWATER_INLINE void prefetch() const {
+    const void* const from = isLeaf_ ? static_cast<const void*>(&tree_.packets[target_])
+                                     : static_cast<const void*>(&tree_.nodes[target_]);
+    const std::size_t size = isLeaf_ ? sizeof(TrianglePacket) : sizeof(Node);
+    for (std::size_t at = 0; at < size; at += 64) {
+      __builtin_prefetch(static_cast<const char*>(from) + at);
+    }
+    if (isLeaf_) __builtin_prefetch(&tree_.slots[target_ * kWidth]);
+  }
+
+  /// Squared distances in the tree's frame beyond it do not matter any more.
+  CUTWATER_INLINE float limit() const { return limit_; }
+
+  /// Notes the triangles of a leaf that may be the nearest.
+  CUTWATER_INLINE void look(std::uint32_t leaf) {
+    const TrianglePacket& packet = tree_.packets[leaf];
+    const PacketPoint local = relativeTo(packet, q_);
+    alignas(64) float found[kWidth];
+    // Most leaves hold no candidate: that is found without waiting for the root.
+    const Floats most = broadcast(squaredReach(kErrorNearby * local.unit));
+    Floats nearest = broadcast(kFar);
+    std::uint32_t lanes = 0;
+    for (int lane = 0; lane < kWidth; lane += kFloats) {
+      const Floats d = packedDistances(packet, lane, local);
+      store(found + lane, d);
+      nearest = least(nearest, d);
+      lanes |= bits(isAtMost(d, most)) << lane;
+    }
+    if (lanes == 0) return;
+    const float lower = squareRoot(leastOf(nearest));
+    const float error =
+        (lower > kNearby * local.unit ? kError : kErrorNearby) * local.unit + 0x1p-60F;
+    if (const double upper = double{lower} + double{error}; upper < upper_) {
+      upper_ = upper;
+      setLimit();
+    }
+    for (lanes = within(found, squaredReach(error)); lanes != 0; lanes &= lanes - 1) {
+      const int lane = __builtin_ctz(lanes);
+      const std::uint32_t id = tree_.slots[leaf * kWidth + static_cast<std::uint32_t>(lane)];
+      if (id == kNone) break;
+      note(id, squareRoot(found[lane]) - error);
+    }
+  }
+
+  /// Evaluates the candidates in full.
+  CUTWATER_INLINE void evaluate() {
+    drop();
+    compete(surface_, *p_, ids_, count_, *best_);
+    count_ = 0;
+  }
+
+ private:
+  struct Level {
+    alignas(64) float keys[16];
+    const Node* node;
+    std::uint32_t pending;  // lanes
+  };
+
+  CUTWATER_INLINE void setTarget(const Node& node, int lane) {
+    isLeaf_ = node.isLeaf(lane);
+    target_ = isLeaf_ ? node.leafIndex(lane) : node.nodeIndex(lane);
+  }
+  /// The square of what bounds that are off by `error` have to keep within.
+  CUTWATER_INLINE float squaredReach(float error) const {
+    const double reach = upper_ + slack_ + double{error};
+    const double squared = reach * reach * (1 + 0x1p-19);
+    return squared < kFar ? static_cast<float>(squared) : kFar;
+  }
+  CUTWATER_INLINE void setLimit() { limit_ = squaredReach(0); }
+
+  /// Lower bounds of the squared distances to the node's children, but for relative rounding: see
+  /// BvhTree::nearest(). Returns the lanes that are near enough.
+  CUTWATER_INLINE std::uint32_t enter(const Node& node, float* keys) const {
+    const BvhLocalPoint local = node.toLocalFloat(q_);
+    const Floats limit = broadcast(limit_);
+    std::uint32_t lanes = 0;
+    for (int lane = 0; lane < 16; lane += kFloats) {
+      Floats sum = broadcast(0.0F);
+      for (int axis = 0; axis < 3; ++axis) {
+        const float x = local.position[axis];
+        const Floats under = load(lowerSide(node, axis) + lane) - broadcast(x + local.error);
+        const Floats over = broadcast(x - local.error) - load(upperSide(node, axis) + lane);
+        const Floats gap = most(most(under, over), broadcast(0.0F));
+        sum = multiplyAdd(gap, gap, sum);
+      }
+      store(keys + lane, sum);
+      lanes |= bits(isAtMost(sum, limit)) << lane;
+    }
+    return lanes & node.childMask();
+  }
+  CUTWATER_INLINE void note(std::uint32_t id, float lower) {
+    if (count_ == kMost) {
+      drop();
+      if (count_ == kMost) evaluate();
+    }
+    ids_[count_] = id;
+    lowers_[count_] = lower;
+    ++count_;
+  }
+  /// Forgets candidates that were overtaken.
+  CUTWATER_INLINE void drop() {
+    const auto reach = static_cast<float>((upper_ + slack_) * (1 + 0x1p-20));
+    int kept = 0;
+    for (int i = 0; i < count_; ++i) {
+      ids_[kept] = ids_[i];
+      lowers_[kept] = lowers_[i];
+      kept += lowers_[i] <= reach ? 1 : 0;
+    }
+    count_ = kept;
+  }
+
+  static constexpr int kMost = 48;
+
+  const TriangleSearch& tree_;
+  const TriangleArrays<T>& surface_;
+  const Vec3<T>* p_ = nullptr;
+  typename TriangleSurface<T>::Nearest* best_ = nullptr;
+  Vec3<double> q_;    // in the tree's frame, as all lengths below
+  double upper_ = 0;  // the nearest triangle is not farther
+  double slack_ = 0;
+  float limit_ = kFar;  // of keys
+  int count_ = 0;       // candidates: those that may be the nearest, with lower bounds
+  std::uint32_t ids_[kMost];
+  float lowers_[kMost];
+  bool isLeaf_ = false;  // what to look at next
+  std::uint32_t target_ = 0;
+  int depth_ = 0;
+  Level path_[TriangleTree::kMaxDepth];
+};
+
+constexpr double kAnywhere = 0x1p62;
+
+template <typename T>
+CUTWATER_INLINE inline void nearestOne(const TriangleSearch& tree, const TriangleArrays<T>& surface,
+                                       const Vec3<T>& p,
+                                       typename TriangleSurface<T>::Nearest& best) {
+  Search<T> search(tree, surface);
+  search.start(p, best, kAnywhere);
+  while (search.step()) {
+  }
+  search.evaluate();
+}
+
+}  // namespace
+
+}  // namespace cutwater::CUTWATER_SIMD
