@@ -4,7 +4,7 @@
 // instruction set.
 
 #include <Cutwater/Mesh/BrickDistances.inl>
-#include <Cutwater/Mesh/ClusterPoints.inl>
+#include <Cutwater/Mesh/BrickEvaluation.inl>
 
 namespace cutwater::CUTWATER_SIMD {
 
@@ -19,7 +19,7 @@ class TriangleCluster {
 
   CUTWATER_INLINE TriangleCluster(const TriangleSearch& tree, const TriangleArrays<T>& arrays,
                                   const Points& points)
-      : tree_(tree), points_(points), lanes_(arrays) {}
+      : tree_(tree), points_(points), evaluation_(arrays, points) {}
 
   /// The triangles of leaves that may be nearest to a point within the bounds. False: too many.
   template <int kMost>
@@ -51,7 +51,7 @@ class TriangleCluster {
  private:
   static constexpr int kBrick = Points::kBrick;
   static constexpr int kMostShared = 512;
-  static constexpr int kMostOfGroup = 160;
+  static constexpr int kMostOfGroup = BrickEvaluation<T>::kMost;
 
   CUTWATER_INLINE bool collectFrom(std::uint32_t leaf, const Vec3<double>& middle,
                                    const ClusterBounds& bounds) {
@@ -105,30 +105,15 @@ class TriangleCluster {
       const Floats reach = lower + error + error + broadcast(points_.slack());
       store(limits + lane, reach * reach * broadcast(1 + 0x1p-19F));
     }
+    evaluation_.begin(begin, used);
     for (int i = 0; i < count; ++i) {
       std::uint32_t near = 0;
       for (int lane = 0; lane < kBrick; lane += kFloats) {
         near |= bits(isAtMost(load(squared[i] + lane), load(limits + lane))) << lane;
       }
-      for (near &= (1U << used) - 1U; near != 0; near &= near - 1) {
-        evaluate(begin + __builtin_ctz(near), group_.id(kept[i]));
-      }
+      if (near != 0) evaluation_.add(group_.id(kept[i]), near);
     }
-    flush();
-  }
-
-  /// In full, as soon as there are enough.
-  CUTWATER_INLINE void evaluate(int point, std::uint32_t id) {
-    lanes_.set(waiting_, id, points_.point(point));
-    waitingFor_[waiting_++] = point;
-    if (waiting_ == TriangleLanes<T>::kCount) flush();
-  }
-  CUTWATER_INLINE void flush() {
-    if (waiting_ == 0) return;
-    for (int lane = waiting_; lane < TriangleLanes<T>::kCount; ++lane) lanes_.copy(lane, 0);
-    lanes_.evaluate();
-    for (int lane = 0; lane < waiting_; ++lane) lanes_.offer(lane, points_.best(waitingFor_[lane]));
-    waiting_ = 0;
+    evaluation_.finish();
   }
 
   const TriangleSearch& tree_;
@@ -136,9 +121,7 @@ class TriangleCluster {
   CandidateList<kMostShared> shared_;
   CandidateList<kMostOfGroup> group_;
   PreparedTriangles<kMostOfGroup> prepared_;
-  TriangleLanes<T> lanes_;
-  int waitingFor_[TriangleLanes<T>::kCount];
-  int waiting_ = 0;
+  BrickEvaluation<T> evaluation_;
 };
 
 }  // namespace

@@ -30,9 +30,7 @@ CUTWATER_FOR_INSTRUCTION_SETS(CUTWATER_DECLARE)
 
 template <std::floating_point T>
 Vec3<T> TriangleArrays<T>::closestPoint(std::uint32_t id, const Vec3<T>& p) const {
-  const auto* const v = corners + 3 * std::size_t{id};
-  const Triangle<T> t{positions[v[0]], positions[v[1]], positions[v[2]],
-                      (slivers[id / 32] >> id % 32 & 1U) != 0};
+  const auto t = triangle(id);
   const auto weights = closestBarycentric(p, t, triangleDistance(p, t).part);
   return weights.x * t.a + weights.y * t.b + weights.z * t.c;
 }

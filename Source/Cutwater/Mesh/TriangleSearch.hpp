@@ -12,11 +12,18 @@ struct TriangleArrays {
   const std::uint32_t* corners;  ///< three for each triangle
   const std::uint32_t* slivers;  ///< one bit per triangle
 
+  bool isClosed;  ///< so that signs change at the surface only
+
   explicit TriangleArrays(const TriangleSurface<T>& surface)
       : positions(surface.positions.data()),
         corners(surface.triangles.data()->data()),
         slivers(surface.slivers.data()) {}
 
+  [[nodiscard]] CUTWATER_INLINE Triangle<T> triangle(std::uint32_t id) const {
+    const std::uint32_t* const v = corners + 3 * std::size_t{id};
+    return {positions[v[0]], positions[v[1]], positions[v[2]],
+            (slivers[id / 32] >> id % 32 & 1U) != 0};
+  }
   /// The triangle's point that is nearest to `p`.
   [[nodiscard]] Vec3<T> closestPoint(std::uint32_t id, const Vec3<T>& p) const;
 };

@@ -36,11 +36,14 @@ struct TriangleSurface {
       const T reach = squareRoot(squared) + 2 * error;
       return reach * reach;
     }
-    /// Lets a triangle compete: the nearest wins, of equals the lowest id. `side`: the sign of its
-    /// orientation() towards the point.
-    CUTWATER_INLINE void offer(T squared, std::uint32_t id, int side) {
+    /// `side`: the sign of a triangle's orientation() towards the point.
+    CUTWATER_INLINE void noteSide(T squared, int side) {
       T& least = side < 0 ? behind : side == 0 ? inPlane : before;
       least = squared < least ? squared : least;
+    }
+    /// Lets a triangle compete: the nearest wins, of equals the lowest id.
+    CUTWATER_INLINE void offer(T squared, std::uint32_t id, int side) {
+      noteSide(squared, side);
       if (squared > distanceSquared || (squared == distanceSquared && id > triangle)) return;
       distanceSquared = squared;
       triangle = id;
