@@ -76,9 +76,7 @@ std::vector<Vec3<T>> probes(const TriangleSurface<T>& surface, int count) {
 }
 
 template <typename T>
-void expectAnswersOfAll(const PolygonSoup& soup, int count = scaled(60)) {
-  const Searched<T> mesh(soup);
-  const auto points = probes(mesh.surface, count);
+void expectAnswersOfAll(const Searched<T>& mesh, const std::vector<Vec3<T>>& points) {
   std::vector<typename Searched<T>::Nearest> together;
   for (const auto& p : points) together.push_back(mesh.surface.nothing(p));
   mesh.search.nearest(mesh.surface, std::span<const Vec3<T>>(points), std::span(together));
@@ -86,6 +84,39 @@ void expectAnswersOfAll(const PolygonSoup& soup, int count = scaled(60)) {
     const auto expected = mesh.expected(points[i]);
     expectSame(mesh.found(points[i]), expected, points[i]);
     expectSame(together[i], expected, points[i]);
+  }
+}
+
+template <typename T>
+void expectAnswersOfAll(const PolygonSoup& soup, int count = scaled(60)) {
+  const Searched<T> mesh(soup);
+  expectAnswersOfAll(mesh, probes(mesh.surface, count));
+}
+
+/// Points in blocks, as fill() asks for them, slightly turned: their searches share most.
+template <typename T>
+std::vector<Vec3<T>> block(const Vec3<T>& at, T spacing) {
+  std::vector<Vec3<T>> points;
+  for (int n = 0; n < 130; ++n) {  // two groups, and a brick that is not full
+    const auto bit = [&](int k) { return static_cast<T>(n >> k & 1); };
+    const T x = bit(0) + 2 * bit(3) + 4 * bit(6);
+    const T y = bit(1) + 2 * bit(4) + 4 * bit(7);
+    const T z = bit(2) + 2 * bit(5);
+    points.push_back(at + spacing * Vec3<T>{x - T(0.1) * y, y + T(0.1) * x, z});
+  }
+  return points;
+}
+
+template <typename T>
+void expectAnswersInBlocks(const PolygonSoup& soup) {
+  const Searched<T> mesh(soup);
+  const auto places = probes(mesh.surface, 2);
+  for (const auto& place : places) {
+    // From blocks larger than the surface to those within its rounding.
+    for (const int k : {-3, 0, 3, 5, 7, 10, 16, 30, 50}) {
+      SCOPED_TRACE(k);
+      expectAnswersOfAll(mesh, block(place, std::ldexp(mesh.surface.size, -k)));
+    }
   }
 }
 
@@ -171,6 +202,26 @@ TYPED_TEST(TriangleSearchTest, OfSurfacesFarFromTheOriginAndAtExtremeSizes) {
     }
   }
   expectAnswersOfAll<T>(soup);
+}
+
+TYPED_TEST(TriangleSearchTest, OfBlocksOfPoints) {
+  using T = TypeParam;
+  expectAnswersInBlocks<T>(triangulated(cube()));
+  expectAnswersInBlocks<T>(tessellation::icosphere(1, scaled(60) < 60 ? 2 : 3));
+  expectAnswersInBlocks<T>(makeSoup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  expectAnswersInBlocks<T>(randomTriangles(300, 1, 0.1));
+  expectAnswersInBlocks<T>(randomTriangles(100, 1, 3));
+}
+
+TYPED_TEST(TriangleSearchTest, OfBlocksOfPointsAtFineSurfaces) {
+  using T = TypeParam;
+  // So fine that they share leaves, not triangles.
+  const Searched<T> mesh(tessellation::icosphere(1, 5));
+  for (const auto& place : {Vec3<T>{T(0.9), T(0.2), T(-0.4)}, Vec3<T>{2, 1, 0}, Vec3<T>{}}) {
+    for (const T spacing : {T(0.3), T(0.05), T(0.01)}) {
+      expectAnswersOfAll(mesh, block(place, spacing));
+    }
+  }
 }
 
 TYPED_TEST(TriangleSearchTest, OfNoPointsAndOfFewerThanTakeTurns) {

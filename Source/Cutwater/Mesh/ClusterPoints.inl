@@ -29,17 +29,18 @@ class ClusterPoints {
     count_ = count;
     Vec3<double> lower = tree_.frame.toFrame(Vec3<double>(points_[0]));
     Vec3<double> upper = lower;
-    double error = 0;
+    error_ = 0;
     for (int i = 0; i < count_; ++i) {
       const Vec3<double> q = tree_.frame.toFrame(Vec3<double>(points_[i]));
       lower = min(lower, q);
       upper = max(upper, q);
-      error = double{bests_[i].error} > error ? double{bests_[i].error} : error;
+      error_ = bests_[i].error > error_ ? bests_[i].error : error_;
     }
     const double size = maxComponent(max(abs(lower), abs(upper)));
     if (size > kFarAway) return false;
     origin_ = 0.5 * (lower + upper);
-    slack_ = static_cast<float>((slackOf(error, size, tree_.frame) + 0x1p-60) * (1 + 0x1p-20));
+    slack_ =
+        static_cast<float>((slackOf(double{error_}, size, tree_.frame) + 0x1p-60) * (1 + 0x1p-20));
     const int padded = (count_ + kBrick - 1) / kBrick * kBrick;
     for (int i = 0; i < padded; ++i) {
       const Vec3<T>& p = points_[i < count_ ? i : count_ - 1];
@@ -89,6 +90,9 @@ class ClusterPoints {
   /// The largest of slackOf() for the points.
   CUTWATER_INLINE float slack() const { return slack_; }
 
+  /// The largest of Nearest::error for the points, and so for any point among them.
+  CUTWATER_INLINE T error() const { return error_; }
+
   /// What can hold a nearest point for the box, if `near` is a point of the surface.
   CUTWATER_INLINE ClusterBounds boundsFor(const ClusterBox& box, const Vec3<double>& near) const {
     // The points, the middle and its difference to `near` are rounded to float.
@@ -110,6 +114,7 @@ class ClusterPoints {
   Nearest* bests_ = nullptr;
   int count_ = 0;
   Vec3<double> origin_;
+  T error_ = 0;
   float slack_ = 0;
   float reach_ = 0;
   alignas(64) float x_[kMost];

@@ -77,7 +77,7 @@ class ClusterSearch {
   CUTWATER_INLINE Vec3<double> closestTo(const Vec3<double>& q) const {
     const Vec3<T> p(tree_.frame.fromFrame(q));
     Nearest best;
-    best.error = points_.best(0).error;
+    best.error = points_.error();
     nearestOne(tree_, arrays_, p, best);
     return points_.closestTo(p, best.triangle);
   }
