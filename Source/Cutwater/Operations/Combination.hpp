@@ -33,6 +33,8 @@ class Combination : public SignedDistanceFunction<T> {
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const final;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const final;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const final;
+  void localClosestPoints(std::span<const Vec3<T>> points,
+                          std::span<SurfacePoint<T>> results) const final;
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const final;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
@@ -47,6 +49,15 @@ class Combination : public SignedDistanceFunction<T> {
     T value;
   };
   [[nodiscard]] Decision decide(const Vec3<T>& p) const;
+  /// The same for many points.
+  void decide(std::span<const Vec3<T>> points, std::span<T> values,
+              std::span<std::uint32_t> operands) const;
+  /// Each point's closest point on the operand that decides there, as that operand tells it.
+  void askDeciding(std::span<const Vec3<T>> points, std::span<const std::uint32_t> operands,
+                   std::span<SurfacePoint<T>> found) const;
+  /// From the closest point of the operand that decides at `p`, and the value there.
+  [[nodiscard]] SurfacePoint<T> checked(const Vec3<T>& p, const Decision& decision,
+                                        SurfacePoint<T> found, T residual) const;
   [[nodiscard]] SurfaceOwner counted(SurfaceOwner owner, std::size_t operand) const;
 
   Decides decides_;
