@@ -118,9 +118,6 @@ class BvhTree {
     }
   };
 
-  [[nodiscard]] CUTWATER_INLINE Vec3<double> toFrame(const Vec3<double>& p) const {
-    return frame_.toFrame(p);
-  }
   /// Rounded to float towards `direction` and on by more than an ulp. Boxes of the tree end at
   /// about 1, so far beyond it nothing needs to be told apart.
   [[nodiscard]] CUTWATER_INLINE static float outward(double value, int direction) {
@@ -128,6 +125,43 @@ class BvhTree {
     const double margin = 0x1p-23 * std::abs(value) + 0x1p-126;
     return static_cast<float>(std::clamp(value + direction * margin, -kFar, kFar));
   }
+
+  /// Keys for traverse(): on the axis on which they are farthest apart, the gap between a box and
+  /// those of a node's children; 0 where they meet, or might but for rounding.
+  class Gaps {
+   public:
+    CUTWATER_INLINE Gaps(const BvhFrame& frame, const Box<double>& box)
+        : middle_(frame.toFrame(box.center())),
+          half_((0.5 * frame.scale) * box.size()),
+          slack_(0x1p-48 * (maxComponent(abs(middle_)) + maxComponent(half_) + 1)) {}
+
+    // The lane loop is innermost and writes to an array of its own: so compilers vectorise it.
+    CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
+      const Vec3<double> center = node.toLocal(middle_);
+      typename BvhNode<K>::Lanes gaps{};
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto& row = node.axes[static_cast<std::size_t>(axis)];
+        // What the box spans, and more than the rounding of it all.
+        const double reach = dot(abs(Vec3<double>(row)), half_) + slack_;
+        const auto first = outward(center[axis] - reach, -1);
+        const auto last = outward(center[axis] + reach, 1);
+        const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
+        const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
+        for (std::size_t k = 0; k < K; ++k) {
+          const float under = lowers[k] - last;
+          const float over = first - uppers[k];
+          const float gap = under > over ? under : over;
+          gaps[k] = gap > gaps[k] ? gap : gaps[k];
+        }
+      }
+      out = gaps;
+    }
+
+   private:
+    Vec3<double> middle_;
+    Vec3<double> half_;
+    double slack_;
+  };
 
   BvhFrame frame_;
   std::span<const BvhNode<K>> nodes_;
@@ -178,7 +212,7 @@ void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
   // distance. A primitive that could win has a true distance up to best + error, hence a key up to
   // its square times 1 + 10 u; 2^-20 = 16 u leaves room for the last rounding to float. Positions
   // in the frames are off by a few 2^-53 of their sizes.
-  const Vec3<double> local = toFrame(p);
+  const Vec3<double> local = frame_.toFrame(p);
   const double slack = error * frame_.scale + 0x1p-50 * (1 + length(local));
   const auto limitFor = [&](double value) {
     constexpr double kFar = 1e18;  // its square is about the largest float
@@ -196,30 +230,7 @@ void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
 template <int K, int W>
 template <typename Leaf>
 void BvhTree<K, W>::overlapping(const Box<double>& box, Leaf&& leafVisitor) const {
-  const Vec3<double> middle = toFrame(box.center());
-  const Vec3<double> half = (0.5 * frame_.scale) * box.size();
-  // The lane loop is innermost and writes to an array of its own: so compilers vectorise it.
-  const auto keys = [middle, half](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
-    const Vec3<double> center = node.toLocal(middle);
-    const double size = maxComponent(abs(middle)) + maxComponent(half) + 1;
-    typename BvhNode<K>::Lanes gaps{};  // on the axis on which they are farthest apart
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto& row = node.axes[static_cast<std::size_t>(axis)];
-      // What the box spans, and more than the rounding of it all.
-      const double reach = dot(abs(Vec3<double>(row)), half) + 0x1p-48 * size;
-      const auto first = outward(center[axis] - reach, -1);
-      const auto last = outward(center[axis] + reach, 1);
-      const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
-      const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
-      for (std::size_t k = 0; k < K; ++k) {
-        const float under = lowers[k] - last;
-        const float over = first - uppers[k];
-        const float gap = under > over ? under : over;
-        gaps[k] = gap > gaps[k] ? gap : gaps[k];
-      }
-    }
-    out = gaps;
-  };
+  const Gaps keys(frame_, box);
   traverse(
       keys, [&](std::span<const std::uint32_t> slots) { return leafVisitor(slots) ? 0.0F : -1.0F; },
       0.0F);
@@ -228,8 +239,8 @@ void BvhTree<K, W>::overlapping(const Box<double>& box, Leaf&& leafVisitor) cons
 template <int K, int W>
 template <typename Leaf>
 void BvhTree<K, W>::along(const Segment<double>& segment, Leaf&& leafVisitor) const {
-  const Vec3<double> start = toFrame(segment.start);
-  const Vec3<double> end = toFrame(segment.end);
+  const Vec3<double> start = frame_.toFrame(segment.start);
+  const Vec3<double> end = frame_.toFrame(segment.end);
   const auto keys = [&](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
     const BvhSegment local(node.toLocal(start), node.toLocal(end));
     for (std::size_t k = 0; k < K; ++k) {
