@@ -108,6 +108,7 @@ BvhNode<K> emptyNode() {
 /// A K-ary node and the binary nodes that it and its children come from.
 struct Source {
   std::uint32_t node;
+  int level;  // 1: the root
   std::vector<std::uint32_t> children;
 };
 
@@ -116,7 +117,7 @@ template <int K, int W>
 std::vector<Source> layOut(const BinaryBvh& binary, BvhArrays<K, W>& result) {
   const Collapse<K> collapse(binary);
   // Breadth first: the children of a node are appended together, nodes and leaves each.
-  std::vector<Source> sources{{0, {}}};
+  std::vector<Source> sources{{.node = 0, .level = 1, .children = {}}};
   result.nodes.push_back(emptyNode<K>());
   for (std::size_t n = 0; n < result.nodes.size(); ++n) {
     auto node = emptyNode<K>();
@@ -134,13 +135,14 @@ std::vector<Source> layOut(const BinaryBvh& binary, BvhArrays<K, W>& result) {
         std::copy(binary.order.begin() + from.begin, binary.order.begin() + from.end,
                   result.slots.begin() + static_cast<std::ptrdiff_t>(first));
       } else {
-        sources.push_back({child, {}});
+        sources.push_back({.node = child, .level = sources[n].level + 1, .children = {}});
         result.nodes.push_back(emptyNode<K>());
       }
     }
     sources[n].children = std::move(children);
     result.nodes[n] = node;
   }
+  result.depth = sources.back().level;  // breadth first: no node is deeper than the last
   return sources;
 }
 
@@ -160,6 +162,7 @@ void setBoxes(BvhNode<K>& node, const detail::NodeBoxes& fit, std::size_t childr
 
 template <int K, int W>
 BvhArrays<K, W> build(std::span<const Box<double>> boxes, const BvhCorners* corners, int threads) {
+  static_assert(detail::mostLevels(W) <= BvhTree<K, W>::kMaxDepth);
   if (boxes.size() >= kNone) {
     throw Error(ErrorKind::Limit, "LinearBVH: more than 2^32 - 2 primitives");
   }
