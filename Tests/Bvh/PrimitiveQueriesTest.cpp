@@ -144,6 +144,24 @@ TYPED_TEST(PrimitiveQueriesTest, TiesGoToTheLowestIndices) {
   comparison.expectHits({{0, 0, -1}, {0, 0, T(-0.125)}});  // touches
 }
 
+TYPED_TEST(PrimitiveQueriesTest, FindWhatOnlyRoundingBringsToABox) {
+  using T = TypeParam;
+  const T far = sizeof(T) == sizeof(float) ? T(1e3) : T(1e9);
+  int hits = 0;
+  for (const auto& ball : cloud<T>(300, T(0.1), {far, far, far})) {
+    const LinearBVH<T, Ball<T>> one({ball});
+    // Beside the box by one unit in the last place; points along it are off by as much.
+    const T x = std::nextafter(ball.boundingBox().upper.x, 2 * far);
+    for (const T length : {T(0.3), T(0.7), T(1.1), T(1.9)}) {
+      const Segment<T> beside{{x, ball.center.y - length, ball.center.z},
+                              {x, ball.center.y + length / 3, ball.center.z}};
+      EXPECT_EQ(one.anyHit(beside), ball.crosses(beside)) << ball.center;
+      hits += ball.crosses(beside) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(hits, 5);
+}
+
 TYPED_TEST(PrimitiveQueriesTest, VisitorsCanStop) {
   using T = TypeParam;
   const LinearBVH<T, Ball<T>> bvh(cloud<T>(1000, T(0.3)));
