@@ -5,7 +5,6 @@
 #include <Cutwater/Core/Parallel.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace cutwater {
@@ -88,14 +87,6 @@ class Collapse {
   std::vector<Row> rows_;
 };
 
-BvhFrame frameOf(const Box<double>& box) {
-  const double extent = maxComponent(box.size());
-  if (!(extent > 0) || !std::isfinite(extent)) return {.center = box.center(), .scale = 1};
-  // Well within double's range of exponents, so that lengths divided by the scale are finite.
-  const int exponent = std::clamp(std::ilogb(extent), -900, 900);
-  return {.center = box.center(), .scale = std::ldexp(1.0, -exponent)};
-}
-
 template <int K>
 BvhNode<K> emptyNode() {
   constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -146,20 +137,6 @@ std::vector<Source> layOut(const BinaryBvh& binary, BvhArrays<K, W>& result) {
   return sources;
 }
 
-template <int K>
-void setBoxes(BvhNode<K>& node, const detail::NodeBoxes& fit, std::size_t children) {
-  node.center = fit.center();
-  node.axes = fit.axes();
-  for (std::size_t lane = 0; lane < children; ++lane) {
-    const Box<float> box = fit.box(lane);
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto i = static_cast<std::size_t>(axis);
-      node.lower[i][lane] = box.lower[axis];
-      node.upper[i][lane] = box.upper[axis];
-    }
-  }
-}
-
 template <int K, int W>
 BvhArrays<K, W> build(std::span<const Box<double>> boxes, const BvhCorners* corners, int threads) {
   static_assert(detail::mostLevels(W) <= BvhTree<K, W>::kMaxDepth);
@@ -169,12 +146,19 @@ BvhArrays<K, W> build(std::span<const Box<double>> boxes, const BvhCorners* corn
   BvhArrays<K, W> result;
   const auto binary = detail::buildBinaryBvh(boxes, W, threads);
   if (binary.nodes.empty()) return result;
-  result.frame = frameOf(binary.nodes.front().box);
+  result.frame = detail::frameOf(binary.nodes.front().box);
   const auto sources = layOut(binary, result);
+  const detail::NodeContents contents{
+      .order = binary.order, .boxes = boxes, .corners = corners, .frame = result.frame};
   const auto fit = [&](std::size_t begin, std::size_t end) {
+    std::vector<detail::NodeChild> children;
     for (std::size_t n = begin; n < end; ++n) {
-      const auto& children = sources[n].children;
-      setBoxes(result.nodes[n], {binary, children, result.frame, corners}, children.size());
+      children.clear();
+      for (const auto child : sources[n].children) {
+        const auto& from = binary.nodes[child];
+        children.push_back({.box = from.box, .begin = from.begin, .end = from.end});
+      }
+      detail::NodeBoxes(contents, children).write(result.nodes[n]);
     }
   };
   parallelFor(result.nodes.size(), {.threads = threads, .grain = 16}, fit);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Bvh/BvhRefit.hpp>
 #include <Cutwater/Core/Error.hpp>
 
 #include <algorithm>
@@ -48,6 +48,17 @@ class LinearBVH {
   /// @throws Error if a bounding box is empty or not finite; Error(Limit) beyond 2^32 - 2.
   explicit LinearBVH(std::vector<P> primitives);
 
+  /// Puts primitives that have moved in the place of those before, each under its index, and fits
+  /// the boxes of the tree to them: see BvhRefit. Much cheaper than building a tree. Nobody else
+  /// may use the tree meanwhile. Returns the primitives before, whose memory may serve for the next
+  /// step:
+  ///
+  ///     spare = bvh.primitives();  move(spare);  spare = bvh.refit(std::move(spare));
+  ///
+  /// @throws Error unless there are as many as before, with boxes that are finite and not empty;
+  /// nothing has changed then.
+  std::vector<P> refit(std::vector<P> moved);
+
   /// The primitive with the least value at `point`, the first of them where values tie. Only values
   /// not above `limit` count.
   [[nodiscard]] Nearest nearest(const Vec3<T>& point,
@@ -86,6 +97,13 @@ class LinearBVH {
   [[nodiscard]] Tree tree() const { return arrays_.tree(); }
 
  private:
+  /// The primitives' boxes, checked, and how far the farthest of their corners is.
+  struct Bounds {
+    explicit Bounds(std::span<const P> primitives);
+    std::vector<Box<double>> boxes;
+    double reach = 0;
+  };
+
   class Best;
   class Least;
   template <typename Visit>
@@ -109,16 +127,32 @@ class LinearBVH {
 
 template <std::floating_point T, Primitive<T> P, int K>
 LinearBVH<T, P, K>::LinearBVH(std::vector<P> primitives) : primitives_(std::move(primitives)) {
-  std::vector<Box<double>> boxes;
-  boxes.reserve(primitives_.size());
-  for (const auto& primitive : primitives_) {
+  const Bounds bounds(primitives_);
+  reach_ = bounds.reach;
+  arrays_ = buildBvh<K, 4>(bounds.boxes);
+}
+
+template <std::floating_point T, Primitive<T> P, int K>
+std::vector<P> LinearBVH<T, P, K>::refit(std::vector<P> moved) {
+  require(moved.size() == primitives_.size(), "LinearBVH::refit: need as many primitives as before",
+          Named{"before", primitives_.size()}, Named{"now", moved.size()});
+  const Bounds bounds(moved);
+  refitBvh(arrays_, bounds.boxes);
+  reach_ = bounds.reach;
+  primitives_.swap(moved);
+  return moved;
+}
+
+template <std::floating_point T, Primitive<T> P, int K>
+LinearBVH<T, P, K>::Bounds::Bounds(std::span<const P> primitives) {
+  boxes.reserve(primitives.size());
+  for (const auto& primitive : primitives) {
     const Box<T> box = primitive.boundingBox();
     require(!box.empty() && isFinite(box), "LinearBVH: need a finite bounding box",
             Named{"primitive", boxes.size()});
     boxes.push_back({Vec3<double>(box.lower), Vec3<double>(box.upper)});
-    reach_ = std::max({reach_, length(boxes.back().lower), length(boxes.back().upper)});
+    reach = std::max({reach, length(boxes.back().lower), length(boxes.back().upper)});
   }
-  arrays_ = buildBvh<K, 4>(boxes);
 }
 
 // What to do with a leaf is a class each time, not a lambda: see Inline.hpp.
