@@ -39,7 +39,7 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   this->setSurface(sections.view(block_), winding.reach());
   const auto& surface = this->surface();
   tree_ = TriangleTree(tree.frame, block_.array<BvhNode<TriangleTree::kArity>>(nodes),
-                       block_.array<std::uint32_t>(slots));
+                       block_.array<std::uint32_t>(slots), tree.depth);
   search_ = TriangleSearch(tree_, block_.array<TrianglePacket>(leaves));
   winding_ = windingSections.view(block_);
   patchNames_ = block_.array<char>(nameBytes);
