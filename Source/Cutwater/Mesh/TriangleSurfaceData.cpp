@@ -1,7 +1,9 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/Mesh/InsideOut.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
+#include <Cutwater/Mesh/Pseudonormals.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
 #include <algorithm>
@@ -58,7 +60,7 @@ TriangleSurfaceData<T>::TriangleSurfaceData(const DcelMesh<T>& mesh) {
     throw Error(ErrorKind::Topology, "the surface has no triangles: " + check(mesh).summary());
   }
   takeOriented(split ? *split : mesh);
-  markSlivers();
+  measureTriangles();
   openEdges_ = findOpenEdges(triangles_, positions_.size(), neighbours_);
 }
 
@@ -77,11 +79,8 @@ void TriangleSurfaceData<T>::takeOriented(const DcelMesh<T>& triangles) {
 
 template <std::floating_point T>
 void TriangleSurfaceData<T>::take(const DcelMesh<T>& triangles) {
-  scale_ = normalizingScale(triangles.positions());
-  for (const auto& p : triangles.positions()) {
-    positions_.push_back(scale_ * p);
-    size_ = std::max(size_, length(positions_.back()));
-  }
+  takePositions(triangles.positions());
+  pseudonormals_.reserve(positions_.size());
   for (const VertexId v : triangles.vertices()) pseudonormals_.push_back(triangles.pseudonormal(v));
   triangles_.resize(triangles.faces().size());
   neighbours_.resize(triangles_.size());
@@ -96,9 +95,78 @@ void TriangleSurfaceData<T>::take(const DcelMesh<T>& triangles) {
       }
     }
   });
+}
+
+template <std::floating_point T>
+TriangleSurfaceData<T>::TriangleSurfaceData(const TriangleSurface<T>& before,
+                                            const SignReport& signs,
+                                            std::span<const std::uint32_t> insideOut,
+                                            std::span<const Vec3<T>> positions)
+    : triangles_(before.triangles.begin(), before.triangles.end()),
+      neighbours_(before.neighbours.begin(), before.neighbours.end()),
+      polygons_(before.polygons.begin(), before.polygons.end()),
+      patches_(before.patches.begin(), before.patches.end()) {
+  takePositions(positions);
+  orientAgain(positions, signs, insideOut);
+  std::vector<TriangleCorners> corners;
+  corners.reserve(triangles_.size());
+  for (const auto& [a, b, c] : triangles_) {
+    corners.push_back({VertexId{a}, VertexId{b}, VertexId{c}});
+  }
+  pseudonormals_ = cutwater::pseudonormals<T>(positions, corners).vertices;
+  measureTriangles();
+}
+
+template <std::floating_point T>
+void TriangleSurfaceData<T>::takePositions(std::span<const Vec3<T>> positions) {
+  scale_ = normalizingScale(positions);
+  positions_.reserve(positions.size());
+  for (const auto& p : positions) {
+    positions_.push_back(scale_ * p);
+    size_ = std::max(size_, length(positions_.back()));
+  }
+}
+
+template <std::floating_point T>
+void TriangleSurfaceData<T>::orientAgain(std::span<const Vec3<T>> positions,
+                                         const SignReport& signs,
+                                         std::span<const std::uint32_t> wereInsideOut) {
+  orientation_.turnedFaces = signs.turnedFaces;
+  orientation_.unorientable = signs.unorientable;
+  auto shells = signs.shells == 1
+                    ? ConnectedShells{std::vector<std::uint32_t>(triangles_.size()), {0}}
+                    : connectShells(triangles_, positions.size(), neighbours_);
+  turnShells(shells, wereInsideOut);
+  const auto findEdges = [&] {
+    if (!signs.isClosed()) openEdges_ = findOpenEdges(triangles_, positions.size(), neighbours_);
+  };
+  findEdges();
+  orientation_.insideOut = insideOutShells({.positions = normalizedPositions(positions),
+                                            .triangles = triangles_,
+                                            .shells = shells,
+                                            .openEdges = openEdges_});
+  turnShells(shells, orientation_.insideOut);
+  if (!orientation_.insideOut.empty()) findEdges();
+  orientation_.firstFaces = std::move(shells.firstTriangles);
+}
+
+template <std::floating_point T>
+void TriangleSurfaceData<T>::turnShells(const ConnectedShells& shells,
+                                        std::span<const std::uint32_t> chosen) {
+  if (chosen.empty()) return;
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    if (!std::ranges::binary_search(chosen, shells.shellOf[t])) continue;
+    std::swap(triangles_[t][1], triangles_[t][2]);    // a, c, b, whose edges are
+    std::swap(neighbours_[t][0], neighbours_[t][2]);  // ca, bc, ab
+  }
+}
+
+template <std::floating_point T>
+void TriangleSurfaceData<T>::measureTriangles() {
   for (const auto& triangle : triangles_) {
     for (const auto v : triangle) box_.extend(Vec3<double>(positions_[v]));
   }
+  markSlivers();
 }
 
 template <std::floating_point T>
