@@ -4,29 +4,7 @@
 #include <algorithm>
 #include <new>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
-
 namespace cutwater {
-
-namespace {
-
-/// Memory that starts on a cache line; a large piece in large pages, as far as the system has any:
-/// they take a fraction of the time to come by, and queries that jump about miss fewer of them.
-std::shared_ptr<void> allocate(std::size_t size) {
-  constexpr std::size_t kLargePage = std::size_t{1} << 21U;
-  const bool isLarge = size >= 2 * kLargePage;
-  const auto align = std::align_val_t{isLarge ? kLargePage : BlockWriter::kAlignment};
-  std::shared_ptr<void> memory(::operator new(size, align),
-                               [align](void* p) { ::operator delete(p, align); });
-#ifdef MADV_HUGEPAGE
-  if (isLarge) madvise(memory.get(), size, MADV_HUGEPAGE);  // advice: it may fail
-#endif
-  return memory;
-}
-
-}  // namespace
 
 Section BlockWriter::addBytes(std::span<const std::byte> bytes, std::size_t count) {
   const Section section{size_, count};
@@ -37,7 +15,9 @@ Section BlockWriter::addBytes(std::span<const std::byte> bytes, std::size_t coun
 
 Block BlockWriter::finish() const {
   constexpr std::size_t kCopied = std::size_t{1} << 20U;  // by one thread at a time
-  const auto memory = allocate(size_);
+  constexpr auto kAlign = std::align_val_t{kAlignment};
+  const std::shared_ptr<void> memory(::operator new(size_, kAlign),
+                                     [](void* p) { ::operator delete(p, kAlign); });
   auto* const start = static_cast<std::byte*>(memory.get());
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const auto& piece = pieces_[i];
