@@ -37,12 +37,12 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   /// `positions` are those of the soup's points (of the DcelMesh's vertices) in their order, unused
   /// ones too, before the placement. The answers are, to the bit, those of a MeshSDF made from the
   /// triangles at their new places with the same options, sign report and errors included; polygons
-  /// of more corners stay cut as they are. But it takes a fraction of the time: the tree keeps its
+  /// of more corners stay cut as they are. It takes less than half the time: the tree keeps its
   /// shape. Queries get slower as triangles that share a leaf part, or turn far from where they
   /// were; then build anew.
   ///
   /// A new surface, so that others may go on asking this one: `mesh = mesh.refitted(positions)`
-  /// frees the old one if nobody does. It shares the placement.
+  /// frees the old one if nobody does. The placement stays.
   /// @throws Error(Argument) unless there is one position for each vertex, finite and with finite
   /// squares as a double; Error(Topology) as the constructor.
   [[nodiscard]] MeshSDF refitted(std::span<const Vec3<T>> positions) const;
@@ -72,7 +72,7 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   TriangleTree tree_;
   TriangleSearch search_;
   OpenWinding winding_;                       // of a surface that is not closed
-  std::span<const std::uint32_t> insideOut_;  // shells that were turned, by their first triangle
+  std::span<const std::uint32_t> insideOut_;  // see ShellOrientation
   std::span<const char> patchNames_;          // each ended by a zero
 };
 

@@ -93,16 +93,19 @@ std::vector<TrianglePacket> packTriangles(std::span<const Vec3<T>> positions,
   return packets;
 }
 
-#define CUTWATER_INSTANTIATE(T)                                                                    \
-  template TriangleTreeArrays buildTriangleTree(std::span<const Vec3<T>>,                          \
-                                                std::span<const std::array<std::uint32_t, 3>>);    \
-  template TriangleTreeArrays refittedTriangleTree(const TriangleTree&, std::span<const Vec3<T>>,  \
-                                                   std::span<const std::array<std::uint32_t, 3>>); \
-  template std::vector<TrianglePacket> packTriangles(                                              \
-      std::span<const Vec3<T>>, std::span<const std::array<std::uint32_t, 3>>,                     \
-      const TriangleTree&);
-CUTWATER_INSTANTIATE(float)
-CUTWATER_INSTANTIATE(double)
-#undef CUTWATER_INSTANTIATE
+template TriangleTreeArrays buildTriangleTree(std::span<const Vec3<float>>,
+                                              std::span<const std::array<std::uint32_t, 3>>);
+template TriangleTreeArrays refittedTriangleTree(const TriangleTree&, std::span<const Vec3<float>>,
+                                                 std::span<const std::array<std::uint32_t, 3>>);
+template std::vector<TrianglePacket> packTriangles(std::span<const Vec3<float>>,
+                                                   std::span<const std::array<std::uint32_t, 3>>,
+                                                   const TriangleTree&);
+template TriangleTreeArrays buildTriangleTree(std::span<const Vec3<double>>,
+                                              std::span<const std::array<std::uint32_t, 3>>);
+template TriangleTreeArrays refittedTriangleTree(const TriangleTree&, std::span<const Vec3<double>>,
+                                                 std::span<const std::array<std::uint32_t, 3>>);
+template std::vector<TrianglePacket> packTriangles(std::span<const Vec3<double>>,
+                                                   std::span<const std::array<std::uint32_t, 3>>,
+                                                   const TriangleTree&);
 
 }  // namespace cutwater

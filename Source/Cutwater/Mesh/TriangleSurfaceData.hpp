@@ -23,8 +23,8 @@ class TriangleSurfaceData {
   explicit TriangleSurfaceData(const DcelMesh<T>& mesh);
 
   /// The same triangles between vertices that have moved to `positions`, in the mesh's own units:
-  /// all that a mesh of those triangles would give, and the same bits, but in a fraction of the
-  /// time. Triangles keep their order and their neighbours; only which shells stand inside out is
+  /// all that a mesh of those triangles would give, and the same bits, without half-edges.
+  /// Triangles keep their order and their neighbours; only which shells stand inside out is
   /// decided anew. `signs` and `insideOut` (see ShellOrientation) are what is known of `before`,
   /// which must live as long as this.
   TriangleSurfaceData(const TriangleSurface<T>& before, const SignReport& signs,
