@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace cutwater {
 
@@ -30,14 +31,13 @@ Guarantee<T> united(const Guarantee<T>& a, const Guarantee<T>& b) {
   return both;
 }
 
+/// Closest points are found so many at a time: a nested combination has its own scratch on the
+/// stack.
+constexpr std::size_t kFew = 64;
+
 BoxClass opposite(BoxClass c) {
   return c == BoxClass::Inside ? BoxClass::Outside : c == BoxClass::Outside ? BoxClass::Inside : c;
 }
-
-/// Batches are decided in pieces of this many points at most.
-constexpr std::size_t kBatch = 256;
-/// Closest points in smaller ones: a nested combination has its own scratch on the stack.
-constexpr std::size_t kFewer = 64;
 
 }  // namespace
 
@@ -81,27 +81,19 @@ T Combination<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 void Combination<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                           std::span<T> distances) const {
-  std::array<std::uint32_t, kBatch> deciding;
-  for (std::size_t first = 0; first < points.size(); first += kBatch) {
-    const auto count = std::min(kBatch, points.size() - first);
-    decide(points.subspan(first, count), distances.subspan(first, count),
-           std::span(deciding).first(count));
-  }
-}
-
-template <std::floating_point T>
-void Combination<T>::decide(std::span<const Vec3<T>> points, std::span<T> values,
-                            std::span<std::uint32_t> operands) const {
-  std::array<T, kBatch> scratch;
-  const auto other = std::span<T>(scratch).first(points.size());
-  operands_[0].signedDistances(points, values, {.threads = 1});
-  std::ranges::fill(operands, 0U);
-  for (std::uint32_t i = 1; i < operands_.size(); ++i) {
-    operands_[i].signedDistances(points, other, {.threads = 1});
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (!(side() * other[k] < side() * values[k])) continue;
-      values[k] = other[k];
-      operands[k] = i;
+  constexpr std::size_t kMost = 256;
+  std::array<T, kMost> scratch;
+  for (std::size_t first = 0; first < points.size(); first += kMost) {
+    const auto count = std::min(kMost, points.size() - first);
+    const auto here = points.subspan(first, count);
+    const auto least = distances.subspan(first, count);
+    const auto other = std::span<T>(scratch).first(count);
+    operands_[0].signedDistances(here, least, {.threads = 1});
+    for (std::size_t i = 1; i < operands_.size(); ++i) {
+      operands_[i].signedDistances(here, other, {.threads = 1});
+      for (std::size_t k = 0; k < count; ++k) {
+        if (side() * other[k] < side() * least[k]) least[k] = other[k];
+      }
     }
   }
 }
@@ -132,50 +124,6 @@ SurfacePoint<T> Combination<T>::localClosestPoint(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
-void Combination<T>::localClosestPoints(std::span<const Vec3<T>> points,
-                                        std::span<SurfacePoint<T>> results) const {
-  std::array<T, kFewer> values;
-  std::array<T, kFewer> residuals;
-  std::array<std::uint32_t, kFewer> deciding;
-  std::array<Vec3<T>, kFewer> places;
-  for (std::size_t first = 0; first < points.size(); first += kFewer) {
-    const auto count = std::min(kFewer, points.size() - first);
-    const auto here = points.subspan(first, count);
-    const auto found = results.subspan(first, count);
-    const auto operands = std::span(deciding).first(count);
-    decide(here, std::span(values).first(count), operands);
-    askDeciding(here, operands, found);
-    for (std::size_t k = 0; k < count; ++k) places[k] = found[k].point;
-    localSignedDistances(std::span<const Vec3<T>>(places).first(count),
-                         std::span(residuals).first(count));
-    for (std::size_t k = 0; k < count; ++k) {
-      found[k] = checked(here[k], {operands[k], values[k]}, found[k], residuals[k]);
-    }
-  }
-}
-
-template <std::floating_point T>
-void Combination<T>::askDeciding(std::span<const Vec3<T>> points,
-                                 std::span<const std::uint32_t> operands,
-                                 std::span<SurfacePoint<T>> found) const {
-  std::array<std::size_t, kFewer> places;
-  std::array<Vec3<T>, kFewer> asked;
-  std::array<SurfacePoint<T>, kFewer> answers;
-  for (std::uint32_t i = 0; i < operands_.size(); ++i) {
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (operands[k] != i) continue;
-      places[count] = k;
-      asked[count++] = points[k];
-    }
-    if (count == 0) continue;
-    operands_[i].closestPoints(std::span<const Vec3<T>>(asked).first(count),
-                               std::span(answers).first(count), {.threads = 1});
-    for (std::size_t n = 0; n < count; ++n) found[places[n]] = answers[n];
-  }
-}
-
-template <std::floating_point T>
 SurfacePoint<T> Combination<T>::checked(const Vec3<T>& p, const Decision& decision,
                                         SurfacePoint<T> found, T residual) const {
   if (!(std::abs(residual) <= guarantee_.error(length(p) + length(found.point)))) {
@@ -185,6 +133,52 @@ SurfacePoint<T> Combination<T>::checked(const Vec3<T>& p, const Decision& decisi
   found.distance = decision.value;
   detail::rate(found, p, residual, guarantee_);
   return found;
+}
+
+template <std::floating_point T>
+void Combination<T>::localClosestPoints(std::span<const Vec3<T>> points,
+                                        std::span<SurfacePoint<T>> results) const {
+  std::array<Decision, kFew> decisions;
+  std::array<Vec3<T>, kFew> places;
+  std::array<T, kFew> residuals;
+  for (std::size_t first = 0; first < points.size(); first += kFew) {
+    const auto count = std::min(kFew, points.size() - first);
+    const auto here = points.subspan(first, count);
+    const auto found = results.subspan(first, count);
+    for (std::size_t k = 0; k < count; ++k) decisions[k] = decide(here[k]);
+    askDeciding(here, std::span(decisions).first(count), found);
+    for (std::size_t k = 0; k < count; ++k) places[k] = found[k].point;
+    localSignedDistances(std::span<const Vec3<T>>(places).first(count),
+                         std::span(residuals).first(count));
+    for (std::size_t k = 0; k < count; ++k) {
+      found[k] = checked(here[k], decisions[k], found[k], residuals[k]);
+    }
+  }
+}
+
+template <std::floating_point T>
+void Combination<T>::askDeciding(std::span<const Vec3<T>> points,
+                                 std::span<const Decision> decisions,
+                                 std::span<SurfacePoint<T>> found) const {
+  const auto operandOf = [&](std::size_t k) { return decisions[k].operand; };
+  std::array<std::size_t, kFew> byOperand;
+  std::array<Vec3<T>, kFew> asked;
+  std::array<SurfacePoint<T>, kFew> answers;
+  const auto order = std::span(byOperand).first(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, operandOf);
+  for (std::size_t begin = 0; begin < order.size();) {
+    const auto operand = operandOf(order[begin]);
+    std::size_t end = begin;
+    for (; end < order.size() && operandOf(order[end]) == operand; ++end) {
+      asked[end] = points[order[end]];
+    }
+    operands_[operand].closestPoints(std::span<const Vec3<T>>(asked).subspan(begin, end - begin),
+                                     std::span(answers).subspan(begin, end - begin),
+                                     {.threads = 1});
+    begin = end;
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) found[order[i]] = answers[i];
 }
 
 template <std::floating_point T>

@@ -49,11 +49,8 @@ class Combination : public SignedDistanceFunction<T> {
     T value;
   };
   [[nodiscard]] Decision decide(const Vec3<T>& p) const;
-  /// The same for many points.
-  void decide(std::span<const Vec3<T>> points, std::span<T> values,
-              std::span<std::uint32_t> operands) const;
   /// Each point's closest point on the operand that decides there, as that operand tells it.
-  void askDeciding(std::span<const Vec3<T>> points, std::span<const std::uint32_t> operands,
+  void askDeciding(std::span<const Vec3<T>> points, std::span<const Decision> decisions,
                    std::span<SurfacePoint<T>> found) const;
   /// From the closest point of the operand that decides at `p`, and the value there.
   [[nodiscard]] SurfacePoint<T> checked(const Vec3<T>& p, const Decision& decision,
