@@ -49,13 +49,13 @@ class Combination : public SignedDistanceFunction<T> {
     T value;
   };
   [[nodiscard]] Decision decide(const Vec3<T>& p) const;
+  [[nodiscard]] SurfaceOwner counted(SurfaceOwner owner, std::size_t operand) const;
   /// Each point's closest point on the operand that decides there, as that operand tells it.
   void askDeciding(std::span<const Vec3<T>> points, std::span<const Decision> decisions,
                    std::span<SurfacePoint<T>> found) const;
   /// From the closest point of the operand that decides at `p`, and the value there.
   [[nodiscard]] SurfacePoint<T> checked(const Vec3<T>& p, const Decision& decision,
                                         SurfacePoint<T> found, T residual) const;
-  [[nodiscard]] SurfaceOwner counted(SurfaceOwner owner, std::size_t operand) const;
 
   Decides decides_;
   std::vector<Solid<T>> operands_;
