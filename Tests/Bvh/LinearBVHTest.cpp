@@ -1,32 +1,12 @@
-#include <Cutwater/Bvh/LinearBVH.hpp>
 #include <Cutwater/Core/Error.hpp>
 
 #include <set>
 
+#include "Bvh/Balls.hpp"
 #include "Support/Precisions.hpp"
-#include "Support/Random.hpp"
 
 namespace cutwater::test {
 namespace {
-
-template <typename T>
-struct Ball {
-  Vec3<T> center;
-  T radius;
-
-  Box<T> boundingBox() const { return Box<T>{center, center}.grown(radius); }
-  T distance(const Vec3<T>& p) const { return length(p - center) - radius; }
-};
-
-template <typename T>
-std::vector<Ball<T>> cloud(int count, T radius, Vec3<T> shift = {}, T scale = 1) {
-  RandomPoints<T> random(1);
-  std::vector<Ball<T>> balls;
-  for (int i = 0; i < count; ++i) {
-    balls.push_back({shift + scale * random.next(), scale * radius * (1 + random.next().x / 2)});
-  }
-  return balls;
-}
 
 template <typename T, int K>
 void expectSameAsTryingAll(const std::vector<Ball<T>>& balls, Vec3<T> shift = {}, T scale = 1) {
@@ -109,17 +89,6 @@ TYPED_TEST(LinearBVHTest, OverlappingMatchesTryingAll) {
     });
     EXPECT_EQ(found, expected);
   }
-}
-
-TYPED_TEST(LinearBVHTest, StaysShallowOnBoxesNestedByPowersOfTwo) {
-  using T = TypeParam;
-  // Each split by area peels off one box; without a bound the tree would be thousands deep.
-  std::vector<Ball<T>> balls;
-  for (int i = 0; i < 5000; ++i) {
-    const T size = std::ldexp(T(1), -(i % 100));
-    balls.push_back({{size, size, size}, size});
-  }
-  expectSameAsTryingAll<T, 16>(balls);  // the traversal asserts its depth
 }
 
 TYPED_TEST(LinearBVHTest, RefusesBoxesThatAreNotFinite) {

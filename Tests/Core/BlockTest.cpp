@@ -44,6 +44,16 @@ TEST(Block, StartsEveryArrayOnACacheLine) {
   EXPECT_EQ(reinterpret_cast<std::uintptr_t>(block.bytes().data()) % 64, 0U);
 }
 
+TEST(Block, HoldsArraysOfManyMegabytes) {
+  std::vector<std::uint32_t> ids(3'000'001);
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<std::uint32_t>(7 * i);
+  BlockWriter writer;
+  const auto section = writer.add(ids);
+  const Block block = writer.finish();
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(block.bytes().data()) % BlockWriter::kAlignment, 0U);
+  EXPECT_TRUE(std::ranges::equal(block.array<std::uint32_t>(section), ids));
+}
+
 TEST(Block, OfEqualArraysIsEqualBytes) {
   const auto written = [] {
     const std::vector<std::uint32_t> ids{1, 2, 3};

@@ -39,9 +39,9 @@ double at(const PolygonSoup& soup, double x) {
 std::size_t turned(const PolygonSoup& soup) {
   const auto found = orientShells(DcelMesh<double>(soup));
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(found.turned, true)),
-            12 * found.turnedShells);
-  EXPECT_EQ(MeshSDF<double>(soup).signReport().turnedShells, found.turnedShells);
-  return found.turnedShells;
+            12 * found.turnedShells());
+  EXPECT_EQ(MeshSDF<double>(soup).signReport().turnedShells, found.turnedShells());
+  return found.turnedShells();
 }
 
 TEST(ShellsTest, LeavesGoodSurfacesAlone) {
@@ -76,7 +76,7 @@ TEST(ShellsTest, ANeighbourInTheSameBoundingBoxIsNoCavity) {
     std::swap(ring.corners[3 * i], ring.corners[3 * i + 1]);
   }
   const auto both = together({ring, cube(-0.5, 0.5)});
-  EXPECT_EQ(orientShells(DcelMesh<double>(both)).turnedShells, 1U);
+  EXPECT_EQ(orientShells(DcelMesh<double>(both)).turnedShells(), 1U);
   const MeshSDF<double> mesh(both);
   EXPECT_LT(mesh.signedDistance({0, 0, 0}), 0);
   EXPECT_LT(mesh.signedDistance({4, 0, 0}), 0);
@@ -94,7 +94,7 @@ TEST(ShellsTest, TurnsASheetOfAFewUlps) {
                   {0x1.0f851d9c17334p+0, 0x1.adc6eea8b79cp-4, 0x1.c3b899a64c3d3p+0},
                   {0x1.0f851d9c17334p+0, 0x1.adc6eea8b79cp-4, 0x1.c3b899a64c3dbp+0},
                   {1, 0x1.999999999999ap-4, 0x1.7ac23da4d7fecp+0}};
-  EXPECT_EQ(orientShells(DcelMesh<double>(triangulated(sheet))).turnedShells, 1U);
+  EXPECT_EQ(orientShells(DcelMesh<double>(triangulated(sheet))).turnedShells(), 1U);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "Support/Guarantee.hpp"
 #include "Support/Precisions.hpp"
+#include "Support/SameClosestPoints.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -110,6 +111,15 @@ TYPED_TEST(CombinationTest, ClosestPointsWithinAnotherOperandAreReplaced) {
   EXPECT_FALSE(c.exact);
   // Truly nearest is the circle in which they meet, of radius sqrt(3).
   EXPECT_LE(length(c.point - Vec3<T>{T(-0.25), 0, 0}) - c.tolerance, std::sqrt(T(3.0625)));
+}
+
+TYPED_TEST(CombinationTest, OfEqualOperandsTheFirstDecidesInBatchesToo) {
+  using T = TypeParam;
+  std::vector<Vec3<T>> between;  // as far from one ball as from the other
+  for (int i = 0; i < 100; ++i) between.push_back({0, T(i - 50), T(0.5)});
+  expectSameClosestPoints(this->left_ | this->right_, between);
+  expectSameClosestPoints(this->left_ & this->right_, between);
+  EXPECT_EQ((this->left_ | this->right_).closestPoint({0, 3, 0}).owner.object, 0U);
 }
 
 TYPED_TEST(CombinationTest, ClosestPointsOfASharpEdgeAreFound) {

@@ -45,6 +45,13 @@ class RealMeshesTest : public ::testing::TestWithParam<RealSurface> {
   const PolygonSoup soup_ = triangulated(readSurface(GetParam().file).soup);
 };
 
+TEST_P(RealMeshesTest, TakesFewBytesPerTriangle) {
+  const auto triangles = soup_.polygonCount();
+  if (triangles < 5'000) GTEST_SKIP() << "nodes and leaves of small trees are not full";
+  EXPECT_LE(MeshSDF<double>(soup_).memoryBytes(), 150 * triangles);
+  EXPECT_LE(MeshSDF<float>(soup_).memoryBytes(), 110 * triangles);
+}
+
 TEST_P(RealMeshesTest, AgreesWithCgalInDistanceAndSign) {
   const MeshSDF<double> mesh(soup_);
   EXPECT_EQ(mesh.signReport().turnedShells, GetParam().turnedShells);

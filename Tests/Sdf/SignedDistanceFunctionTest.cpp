@@ -154,6 +154,8 @@ TYPED_TEST(SignedDistanceFunctionTest, BatchesRefuseSpansOfDifferentSize) {
   std::vector<Vec3<T>> points(3);
   std::vector<T> values(2);
   EXPECT_THROW(Ball<T>().signedDistances(points, values), Error);
+  std::vector<SurfacePoint<T>> nearest(2);
+  EXPECT_THROW(Ball<T>().closestPoints(points, nearest), Error);
 }
 
 TYPED_TEST(SignedDistanceFunctionTest, MotionsActInCallOrder) {

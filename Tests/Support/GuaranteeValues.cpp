@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "Support/GuaranteeCheck.hpp"
+#include "Support/SameClosestPoints.hpp"
 
 namespace cutwater::test {
 
@@ -17,11 +18,6 @@ int scaleOfTests() {
   int scale = 1;
   if (text != nullptr) std::from_chars(text, text + std::strlen(text), scale);
   return std::max(scale, 1);
-}
-
-template <std::floating_point T>
-bool sameBits(T a, T b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
 /// v turned about the unit axis u: Rodrigues' formula, independent of the library's matrices.
@@ -138,9 +134,10 @@ void GuaranteeCheck<T>::checkBatches() {
     solid_.signedDistances(points, values, {.threads = 2});
     for (std::size_t i = 0; i < count; ++i) {
       const T alone = solid_.signedDistance(points[i]);
-      tally.expect(sameBits(values[i], alone), "at", points[i], alone, "in batch", values[i]);
+      tally.expect(isSame(values[i], alone), "at", points[i], alone, "in batch", values[i]);
       tally.expect(!std::signbit(alone) || alone < 0, "-0 at", points[i]);
     }
+    expectSameClosestPoints(solid_, points);
   }
 }
 

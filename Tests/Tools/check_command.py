@@ -126,7 +126,7 @@ class Info(CommandTest):
         self.assertEqual(self.value(text, "watertight"), "yes")
         self.assertRegex(self.value(text, "memory"), r"\d+ bytes per triangle")
         self.assertEqual(self.value(text, "self-intersections"), "none")
-        for name in ["read", "weld", "mesh and check", "tree"]:
+        for name in ["read", "weld", "mesh and check", "build"]:
             self.assertRegex(self.value(text, name), r"^[\d.]+ (us|ms|s)$")
         self.assertIn("cutwater sample", text)
 
@@ -180,6 +180,30 @@ class Info(CommandTest):
         self.assertIn("nearest face", self.value(text, "distances"))
         timings = text[text.index("Timings"):]
         self.assertRegex(self.value(timings, "self-intersections"), r"^[\d.]+ (us|ms|s)$")
+
+
+class Memory(CommandTest):
+    def expect_little(self, file):
+        text = self.succeeds("info", file, "--float")
+        for name, most in [("memory", 150), ("memory in float", 110)]:
+            line = re.search(rf"^  {name}  +(.*)$", text, re.MULTILINE)[1]
+            told = re.fullmatch(r"\S+ [kMG]B, (\d+) bytes per triangle; at most \S+ [kMG]B while it was "
+                                r"built, ([\d.]+) times that", line)
+            self.assertTrue(told, line)
+            self.assertGreater(int(told[1]), 60, line)  # corners, neighbours and packets alone
+            self.assertLessEqual(int(told[1]), most, line)
+            self.assertGreater(float(told[2]), 1.5, line)  # arrays are copied into one block
+            self.assertLessEqual(float(told[2]), 4, line)
+
+    def test_of_quads(self):
+        self.succeeds("make", "torus", "--parts", 200, "-o", "torus.off")
+        self.expect_little("torus.off")
+
+    def test_of_a_real_hull(self):
+        hull = os.environ.get("CUTWATER_HULL", "")
+        if not pathlib.Path(hull).is_file():
+            self.skipTest("openfoam-examples is not installed")
+        self.expect_little(hull)
 
 
 class Motions(CommandTest):

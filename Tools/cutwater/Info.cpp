@@ -11,6 +11,7 @@
 
 #include "Commands.hpp"
 #include "Format.hpp"
+#include "HeapUse.hpp"
 #include "Surface.hpp"
 
 namespace cutwater::tool {
@@ -18,6 +19,10 @@ namespace cutwater::tool {
 namespace {
 
 constexpr std::size_t kMostPatches = 40;  // listed
+
+struct InfoOptions : SurfaceOptions {
+  bool inFloat = false;
+};
 
 /// The lines of the report, section by section.
 class Page {
@@ -127,20 +132,47 @@ std::string meaningOf(const Guarantee<double>& guarantee) {
   return "to the nearest face; the sign jumps on the sheets that close holes";
 }
 
-/// What the surface is good for, and what to do next.
-void describeUse(Page& page, const SurfaceOptions& options, const MeshSDF<double>& solid) {
+/// A solid with what building it took.
+template <std::floating_point T>
+struct Built {
+  MeshSDF<T> solid;
+  std::size_t peak;  ///< bytes, besides the soup
+  double seconds;
+};
+
+template <std::floating_point T>
+Built<T> built(const PolygonSoup& soup, const MeshSDFOptions& options) {
+  Stopwatch watch;
+  const HeapUse heap;
+  MeshSDF<T> solid(soup, options);
+  return {.solid = std::move(solid), .peak = heap.peak(), .seconds = watch.lap()};
+}
+
+template <std::floating_point T>
+std::string memoryOf(const Built<T>& build) {
+  const std::size_t size = build.solid.memoryBytes();
+  const std::size_t triangles = build.solid.triangleCount();
+  return bytes(size) + ", " + counted((size + triangles - 1) / triangles, "byte") +
+         " per triangle; at most " + bytes(build.peak) + " while it was built, " +
+         number(static_cast<double>(build.peak) / static_cast<double>(size), 3) + " times that";
+}
+
+/// What the surface is good for, and what to do next. Returns the time that building it took.
+double describeUse(Page& page, const InfoOptions& options, const PolygonSoup& soup,
+                   const MeshSDFOptions& how) {
   page.section("Signed distance");
-  page.line("signs", solid.signReport().summary());
-  page.line("distances", meaningOf(solid.guarantee()));
-  const auto perTriangle = solid.memoryBytes() / solid.triangleCount();
-  page.line("memory",
-            bytes(solid.memoryBytes()) + ", " + counted(perTriangle, "byte") + " per triangle");
+  const auto build = built<double>(soup, how);
+  page.line("signs", build.solid.signReport().summary());
+  page.line("distances", meaningOf(build.solid.guarantee()));
+  page.line("memory", memoryOf(build));
+  if (options.inFloat) page.line("memory in float", memoryOf(built<float>(soup, how)));
   page.section("Next");
   page.plain("cutwater sample '" + options.file + "' -o field.vti");
   page.plain("cutwater slice '" + options.file + "' -o slice.png");
+  return build.seconds;
 }
 
-void run(const SurfaceOptions& options) {
+void run(const InfoOptions& options) {
   const auto surface = load(options);
   Stopwatch watch;
   const DcelMesh<double> mesh(surface.soup);
@@ -155,31 +187,29 @@ void run(const SurfaceOptions& options) {
   describeCheck(page, report, selfIntersections);
   std::optional<double> secondsToBuild;
   if (report.triangles > 0) {
-    watch.lap();
-    const MeshSDF<double> solid(mesh,
-                                {.findSelfIntersections = static_cast<bool>(selfIntersections)});
-    secondsToBuild = watch.lap();
-    describeUse(page, options, solid);
+    secondsToBuild = describeUse(page, options, surface.soup,
+                                 {.findSelfIntersections = static_cast<bool>(selfIntersections)});
   }
   page.section("Timings");
   page.line("read", duration(surface.secondsToRead));
   page.line("weld", duration(surface.secondsToWeld));
   page.line("mesh and check", duration(secondsToCheck));
   page.line("self-intersections", duration(secondsToSearch));
-  if (secondsToBuild) page.line("tree", duration(*secondsToBuild));
+  if (secondsToBuild) page.line("build", duration(*secondsToBuild));
   std::cout << page.text().substr(1);
 }
 
 }  // namespace
 
 void addInfo(CLI::App& program) {
-  const auto options = std::make_shared<SurfaceOptions>();
+  const auto options = std::make_shared<InfoOptions>();
   auto& command = *program.add_subcommand(
       "info", "Read and check a surface, and say what it is: size, patches, defects, memory");
   addSurfaceOptions(command, *options);
+  command.add_flag("--float", options->inFloat, "Say also what it takes in single precision");
   command.footer(
       "Examples:\n"
-      "  cutwater info hull.stl.gz\n"
+      "  cutwater info hull.stl.gz --float\n"
       "  cutwater info part.stl --scale 0.001 --rotate 90,x");
   command.callback([=] { run(*options); });
 }

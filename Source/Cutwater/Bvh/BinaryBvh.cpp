@@ -9,8 +9,6 @@ namespace cutwater::detail {
 
 namespace {
 
-constexpr int kAreaLevels = 32;  // deeper levels halve the range: see BvhTree::kMaxDepth
-constexpr std::size_t kSweepLeaves = 16;
 constexpr std::size_t kSubtree = 32768;  // ranges up to this are a task each
 
 struct Task {

@@ -2,6 +2,7 @@
 
 #include <Cutwater/Core/Box.hpp>
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,7 +19,22 @@ struct BinaryNode {
   [[nodiscard]] std::uint32_t count() const { return end - begin; }
 };
 
-/// Children come after their parent. At most BvhTree::kMaxDepth levels.
+/// Nodes on so many levels may be split by area, wherever that is best.
+inline constexpr int kAreaLevels = 32;
+/// Ranges of at most so many full leaves on one of these levels are split by a sorted sweep, all
+/// the way down.
+inline constexpr int kSweepLeaves = 16;
+
+/// No path of the binary tree has more inner nodes, for up to 2^32 primitives: one on each area
+/// level, and below them one for each time that the 2^32 / leafWidth leaves left, at most, can be
+/// halved; or those of a sweep, that may part one leaf at a time. A K-ary node is made of inner
+/// nodes of its own on each path, so that it bounds the depth of the K-ary tree as well.
+[[nodiscard]] constexpr int mostLevels(unsigned leafWidth) {
+  const int halvings = 33 - std::bit_width(leafWidth);  // 32 - the whole part of its logarithm
+  return kAreaLevels + (halvings > kSweepLeaves ? halvings : kSweepLeaves);
+}
+
+/// Children come after their parent. At most mostLevels() inner nodes on a path.
 struct BinaryBvh {
   std::vector<BinaryNode> nodes;
   std::vector<std::uint32_t> order;

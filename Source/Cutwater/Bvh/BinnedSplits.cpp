@@ -49,8 +49,15 @@ struct BinnedSplits::Bins {
 
 struct BinnedSplits::Choice {
   float cost = std::numeric_limits<float>::infinity();
+  std::size_t smallerHalf = 0;  // items on the side that has fewer
   std::size_t axis = 3;
   std::size_t position = 0;  // the first bin on the right
+
+  /// Of equal costs the more even split: on a line, where all boxes have no area, all are equal.
+  [[nodiscard]] bool isBetterThan(const Choice& other) const {
+    return cost < other.cost ||
+           (cost == other.cost && other.axis != 3 && smallerHalf > other.smallerHalf);
+  }
 };
 
 /// Which bins an item falls into.
@@ -159,6 +166,8 @@ auto BinnedSplits::choose(const Bins& bins) const -> Choice {
   Choice best;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto& own = bins.axes[axis];
+    std::size_t total = 0;
+    for (const auto& bin : own) total += bin.count;
     std::array<float, kBins> rightCost{};
     Bounds4 box;
     std::size_t count = 0;
@@ -174,8 +183,11 @@ auto BinnedSplits::choose(const Bins& bins) const -> Choice {
       box.extend(own[i - 1].box);
       count += own[i - 1].count;
       if (count == 0) continue;
-      const float cost = splitCost(box, count, leafWidth_) + rightCost[i];
-      if (cost < best.cost) best = {cost, axis, i};
+      const Choice choice{.cost = splitCost(box, count, leafWidth_) + rightCost[i],
+                          .smallerHalf = std::min(count, total - count),
+                          .axis = axis,
+                          .position = i};
+      if (choice.isBetterThan(best)) best = choice;
     }
   }
   return best;

@@ -5,7 +5,6 @@
 #include <Cutwater/Core/Parallel.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace cutwater {
@@ -88,14 +87,6 @@ class Collapse {
   std::vector<Row> rows_;
 };
 
-BvhFrame frameOf(const Box<double>& box) {
-  const double extent = maxComponent(box.size());
-  if (!(extent > 0) || !std::isfinite(extent)) return {.center = box.center(), .scale = 1};
-  // Well within double's range of exponents, so that lengths divided by the scale are finite.
-  const int exponent = std::clamp(std::ilogb(extent), -900, 900);
-  return {.center = box.center(), .scale = std::ldexp(1.0, -exponent)};
-}
-
 template <int K>
 BvhNode<K> emptyNode() {
   constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -108,6 +99,7 @@ BvhNode<K> emptyNode() {
 /// A K-ary node and the binary nodes that it and its children come from.
 struct Source {
   std::uint32_t node;
+  int level;  // 1: the root
   std::vector<std::uint32_t> children;
 };
 
@@ -116,7 +108,7 @@ template <int K, int W>
 std::vector<Source> layOut(const BinaryBvh& binary, BvhArrays<K, W>& result) {
   const Collapse<K> collapse(binary);
   // Breadth first: the children of a node are appended together, nodes and leaves each.
-  std::vector<Source> sources{{0, {}}};
+  std::vector<Source> sources{{.node = 0, .level = 1, .children = {}}};
   result.nodes.push_back(emptyNode<K>());
   for (std::size_t n = 0; n < result.nodes.size(); ++n) {
     auto node = emptyNode<K>();
@@ -134,44 +126,39 @@ std::vector<Source> layOut(const BinaryBvh& binary, BvhArrays<K, W>& result) {
         std::copy(binary.order.begin() + from.begin, binary.order.begin() + from.end,
                   result.slots.begin() + static_cast<std::ptrdiff_t>(first));
       } else {
-        sources.push_back({child, {}});
+        sources.push_back({.node = child, .level = sources[n].level + 1, .children = {}});
         result.nodes.push_back(emptyNode<K>());
       }
     }
     sources[n].children = std::move(children);
     result.nodes[n] = node;
   }
+  result.depth = sources.back().level;  // breadth first: no node is deeper than the last
   return sources;
-}
-
-template <int K>
-void setBoxes(BvhNode<K>& node, const detail::NodeBoxes& fit, std::size_t children) {
-  node.center = fit.center();
-  node.axes = fit.axes();
-  for (std::size_t lane = 0; lane < children; ++lane) {
-    const Box<float> box = fit.box(lane);
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto i = static_cast<std::size_t>(axis);
-      node.lower[i][lane] = box.lower[axis];
-      node.upper[i][lane] = box.upper[axis];
-    }
-  }
 }
 
 template <int K, int W>
 BvhArrays<K, W> build(std::span<const Box<double>> boxes, const BvhCorners* corners, int threads) {
+  static_assert(detail::mostLevels(W) <= BvhTree<K, W>::kMaxDepth);
   if (boxes.size() >= kNone) {
     throw Error(ErrorKind::Limit, "LinearBVH: more than 2^32 - 2 primitives");
   }
   BvhArrays<K, W> result;
   const auto binary = detail::buildBinaryBvh(boxes, W, threads);
   if (binary.nodes.empty()) return result;
-  result.frame = frameOf(binary.nodes.front().box);
+  result.frame = detail::frameOf(binary.nodes.front().box);
   const auto sources = layOut(binary, result);
+  const detail::NodeContents contents{
+      .order = binary.order, .boxes = boxes, .corners = corners, .frame = result.frame};
   const auto fit = [&](std::size_t begin, std::size_t end) {
+    std::vector<detail::NodeChild> children;
     for (std::size_t n = begin; n < end; ++n) {
-      const auto& children = sources[n].children;
-      setBoxes(result.nodes[n], {binary, children, result.frame, corners}, children.size());
+      children.clear();
+      for (const auto child : sources[n].children) {
+        const auto& from = binary.nodes[child];
+        children.push_back({.box = from.box, .begin = from.begin, .end = from.end});
+      }
+      detail::NodeBoxes(contents, children).write(result.nodes[n]);
     }
   };
   parallelFor(result.nodes.size(), {.threads = threads, .grain = 16}, fit);

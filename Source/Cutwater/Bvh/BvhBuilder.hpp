@@ -16,8 +16,9 @@ struct BvhArrays {
   BvhFrame frame;
   std::vector<BvhNode<K>> nodes;
   std::vector<std::uint32_t> slots;
+  int depth = 0;  ///< of the deepest node, counted from 1
 
-  [[nodiscard]] BvhTree<K, W> tree() const { return {frame, nodes, slots}; }
+  [[nodiscard]] BvhTree<K, W> tree() const { return {frame, nodes, slots, depth}; }
 };
 
 /// Builds a tree over the boxes; slot ids are indices into them. Deterministic: it depends on the

@@ -37,7 +37,8 @@ class BvhSegment {
     }
     return false;
   }
-  /// No point of the box projects onto the segment at a smaller parameter.
+  /// No point of the box projects onto the segment at a smaller parameter; at least -1, which is
+  /// before its start.
   [[nodiscard]] CUTWATER_INLINE float firstParameter(const Vec3<double>& boxMiddle,
                                                      const Vec3<double>& boxHalf) const {
     const Vec3<double> m = boxMiddle - start_;
@@ -45,7 +46,8 @@ class BvhSegment {
     // The frame's axes are off by 2^-24: products in it are by less than 2^-20 of the lengths.
     const Vec3<double> far = abs(m) + boxHalf;
     const double skew = 0x1p-20 * directionLength_ * (far.x + far.y + far.z);
-    return static_cast<float>(first - skew - parameterSlack_);
+    const double parameter = first - skew - parameterSlack_;
+    return parameter > -1 ? static_cast<float>(parameter) : -1.0F;
   }
 
  private:

@@ -23,17 +23,21 @@ class BvhTree {
  public:
   static constexpr int kArity = K;
   static constexpr int kLeafWidth = W;
-  /// The builder splits by area for at most 32 levels and by halves below, so that 2^32 primitives
-  /// are at most 64 levels deep; collapsing two levels into one only lowers that.
-  static constexpr int kMaxDepth = 64;
+  /// No tree of the builder is deeper: see detail::mostLevels() in BinaryBvh.hpp.
+  static constexpr int kMaxDepth = 65 - std::bit_width(unsigned{W});
 
   /// A limit above all keys. Not infinity, which a user's -ffast-math would be free to ignore.
   static constexpr float kNoLimit = std::numeric_limits<float>::max();
+  /// What a visitor of nearest() or along() returns when it wants no further leaf.
+  static constexpr double kStop = std::numeric_limits<double>::lowest();
 
   BvhTree() = default;
+  /// `depth`: of the deepest node, counted from 1 at the root; at most kMaxDepth.
   BvhTree(const BvhFrame& frame, std::span<const BvhNode<K>> nodes,
-          std::span<const std::uint32_t> slots)
-      : frame_(frame), nodes_(nodes), slots_(slots) {}
+          std::span<const std::uint32_t> slots, int depth)
+      : frame_(frame), nodes_(nodes), slots_(slots), depth_(depth) {
+    assert(0 <= depth && depth <= kMaxDepth);
+  }
 
   [[nodiscard]] std::span<const std::uint32_t> leaf(std::uint32_t index) const {
     return slots_.subspan(std::size_t{index} * W, W);
@@ -41,12 +45,14 @@ class BvhTree {
   [[nodiscard]] std::span<const BvhNode<K>> nodes() const { return nodes_; }
   [[nodiscard]] std::span<const std::uint32_t> slots() const { return slots_; }
   [[nodiscard]] const BvhFrame& frame() const { return frame_; }
+  /// Nodes on the longest path from the root to a leaf; 0 without any.
+  [[nodiscard]] int depth() const { return depth_; }
 
   /// The one traversal: visits leaves in the order of their keys, those above the limit not at all.
   ///
   /// `keys(node, out)` writes a lower bound for each lane of a node, at most kNoLimit; those of
   /// unused lanes do not matter. `leaf(slots)` handles the ids of a leaf and returns the limit from
-  /// then on.
+  /// then on; one below all keys ends the traversal.
   template <typename Keys, typename Leaf>
   void traverse(Keys&& keys, Leaf&& leafVisitor, float limit) const;
 
@@ -63,11 +69,12 @@ class BvhTree {
   template <typename Leaf>
   void overlapping(const Box<double>& box, Leaf&& leafVisitor) const;
 
-  /// Visits the leaves whose box the segment meets, about in the order in which it does.
+  /// Visits the leaves whose box the segment meets, or comes within `margin` of on every axis,
+  /// about in the order in which it does.
   ///
   /// `leaf(slots)` returns a parameter along the segment: leaves that begin beyond it are skipped.
   template <typename Leaf>
-  void along(const Segment<double>& segment, Leaf&& leafVisitor) const;
+  void along(const Segment<double>& segment, Leaf&& leafVisitor, double margin = 0) const;
 
  private:
   struct Level {
@@ -118,9 +125,6 @@ class BvhTree {
     }
   };
 
-  [[nodiscard]] CUTWATER_INLINE Vec3<double> toFrame(const Vec3<double>& p) const {
-    return frame_.toFrame(p);
-  }
   /// Rounded to float towards `direction` and on by more than an ulp. Boxes of the tree end at
   /// about 1, so far beyond it nothing needs to be told apart.
   [[nodiscard]] CUTWATER_INLINE static float outward(double value, int direction) {
@@ -129,20 +133,86 @@ class BvhTree {
     return static_cast<float>(std::clamp(value + direction * margin, -kFar, kFar));
   }
 
+  /// Keys for traverse(): on the axis on which they are farthest apart, the gap between a box and
+  /// those of a node's children; 0 where they meet, or might but for rounding.
+  class Gaps {
+   public:
+    CUTWATER_INLINE Gaps(const BvhFrame& frame, const Box<double>& box)
+        : middle_(frame.toFrame(box.center())),
+          half_((0.5 * frame.scale) * box.size()),
+          slack_(0x1p-48 * (maxComponent(abs(middle_)) + maxComponent(half_) + 1)) {}
+
+    // The lane loop is innermost and writes to an array of its own: so compilers vectorise it.
+    CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
+      const Vec3<double> center = node.toLocal(middle_);
+      typename BvhNode<K>::Lanes gaps{};
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto& row = node.axes[static_cast<std::size_t>(axis)];
+        // What the box spans, and more than the rounding of it all.
+        const double reach = dot(abs(Vec3<double>(row)), half_) + slack_;
+        const auto first = outward(center[axis] - reach, -1);
+        const auto last = outward(center[axis] + reach, 1);
+        const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
+        const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
+        for (std::size_t k = 0; k < K; ++k) {
+          const float under = lowers[k] - last;
+          const float over = first - uppers[k];
+          const float gap = under > over ? under : over;
+          gaps[k] = gap > gaps[k] ? gap : gaps[k];
+        }
+      }
+      out = gaps;
+    }
+
+   private:
+    Vec3<double> middle_;
+    Vec3<double> half_;
+    double slack_;
+  };
+
+  /// Keys for traverse(): where along the segment a child's box begins, never less than -1.
+  class FirstParameters {
+   public:
+    CUTWATER_INLINE FirstParameters(const BvhFrame& frame, const Segment<double>& segment,
+                                    double margin)
+        : start_(frame.toFrame(segment.start)), end_(frame.toFrame(segment.end)) {
+      // A cube reaches sqrt(3) times as far along the axes of a turned frame.
+      const double reach = 2 * margin * frame.scale;
+      reach_ = {reach, reach, reach};
+    }
+
+    CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
+      const BvhSegment local(node.toLocal(start_), node.toLocal(end_));
+      for (std::size_t k = 0; k < K; ++k) {
+        const Box<double> box = node.localBox(static_cast<int>(k));
+        const Vec3<double> middle = box.center();
+        const Vec3<double> half = 0.5 * box.size() + reach_;
+        out[k] = local.isApart(middle, half) ? kNoLimit : local.firstParameter(middle, half);
+      }
+    }
+
+   private:
+    Vec3<double> start_;
+    Vec3<double> end_;
+    Vec3<double> reach_;
+  };
+
   BvhFrame frame_;
   std::span<const BvhNode<K>> nodes_;
   std::span<const std::uint32_t> slots_;
+  int depth_ = 0;
 };
 
 template <int K, int W>
 template <typename Keys, typename Leaf>
 void BvhTree<K, W>::traverse(Keys&& keys, Leaf&& leafVisitor, float limit) const {
   if (nodes_.empty()) return;
-  // One entry per level of the path from the root: the siblings still to be visited.
+  // One entry per level of the path from the root: the siblings still to be visited. There are
+  // depth_ of them at most, and only those are ever touched.
   std::array<Level, kMaxDepth> path;
   int depth = 0;
   const auto enter = [&](const BvhNode<K>& node) {
-    assert(depth < kMaxDepth);
+    assert(depth < depth_);
     Level& level = path[static_cast<std::size_t>(depth++)];
     level.node = &node;
     keys(node, level.keys);
@@ -178,10 +248,11 @@ void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
   // distance. A primitive that could win has a true distance up to best + error, hence a key up to
   // its square times 1 + 10 u; 2^-20 = 16 u leaves room for the last rounding to float. Positions
   // in the frames are off by a few 2^-53 of their sizes.
-  const Vec3<double> local = toFrame(p);
+  const Vec3<double> local = frame_.toFrame(p);
   const double slack = error * frame_.scale + 0x1p-50 * (1 + length(local));
   const auto limitFor = [&](double value) {
     constexpr double kFar = 1e18;  // its square is about the largest float
+    if (value == kStop) return -1.0F;
     if (value >= kFar / frame_.scale) return kNoLimit;
     const double reach = value * frame_.scale + slack;
     const double squared = reach > 0 ? reach * reach : 0;  // only boxes that contain q
@@ -196,30 +267,7 @@ void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
 template <int K, int W>
 template <typename Leaf>
 void BvhTree<K, W>::overlapping(const Box<double>& box, Leaf&& leafVisitor) const {
-  const Vec3<double> middle = toFrame(box.center());
-  const Vec3<double> half = (0.5 * frame_.scale) * box.size();
-  // The lane loop is innermost and writes to an array of its own: so compilers vectorise it.
-  const auto keys = [middle, half](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
-    const Vec3<double> center = node.toLocal(middle);
-    const double size = maxComponent(abs(middle)) + maxComponent(half) + 1;
-    typename BvhNode<K>::Lanes gaps{};  // on the axis on which they are farthest apart
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto& row = node.axes[static_cast<std::size_t>(axis)];
-      // What the box spans, and more than the rounding of it all.
-      const double reach = dot(abs(Vec3<double>(row)), half) + 0x1p-48 * size;
-      const auto first = outward(center[axis] - reach, -1);
-      const auto last = outward(center[axis] + reach, 1);
-      const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
-      const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
-      for (std::size_t k = 0; k < K; ++k) {
-        const float under = lowers[k] - last;
-        const float over = first - uppers[k];
-        const float gap = under > over ? under : over;
-        gaps[k] = gap > gaps[k] ? gap : gaps[k];
-      }
-    }
-    out = gaps;
-  };
+  const Gaps keys(frame_, box);
   traverse(
       keys, [&](std::span<const std::uint32_t> slots) { return leafVisitor(slots) ? 0.0F : -1.0F; },
       0.0F);
@@ -227,25 +275,14 @@ void BvhTree<K, W>::overlapping(const Box<double>& box, Leaf&& leafVisitor) cons
 
 template <int K, int W>
 template <typename Leaf>
-void BvhTree<K, W>::along(const Segment<double>& segment, Leaf&& leafVisitor) const {
-  const Vec3<double> start = toFrame(segment.start);
-  const Vec3<double> end = toFrame(segment.end);
-  const auto keys = [&](const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) {
-    const BvhSegment local(node.toLocal(start), node.toLocal(end));
-    for (std::size_t k = 0; k < K; ++k) {
-      const Box<double> box = node.localBox(static_cast<int>(k));
-      const Vec3<double> middle = box.center();
-      const Vec3<double> half = 0.5 * box.size();
-      out[k] = local.isApart(middle, half) ? kNoLimit : local.firstParameter(middle, half);
-    }
-  };
-  constexpr float kBeyond = 2;  // above every parameter, below the key of what is apart
+void BvhTree<K, W>::along(const Segment<double>& segment, Leaf&& leafVisitor, double margin) const {
+  constexpr double kBeyond = 2;  // above every parameter, below the key of what is apart
   traverse(
-      keys,
+      FirstParameters(frame_, segment, margin),
       [&](std::span<const std::uint32_t> slots) {
-        return std::min(static_cast<float>(leafVisitor(slots)), kBeyond);
+        return static_cast<float>(std::clamp<double>(leafVisitor(slots), -kBeyond, kBeyond));
       },
-      kBeyond);
+      float{kBeyond});
 }
 
 }  // namespace cutwater

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Bvh/BvhRefit.hpp>
 #include <Cutwater/Core/Error.hpp>
 
 #include <algorithm>
 #include <concepts>
+#include <span>
 #include <vector>
 
 namespace cutwater {
@@ -18,13 +19,27 @@ concept Primitive = std::copyable<P> && requires(const P& primitive, const Vec3<
   { primitive.distance(point) } -> std::convertible_to<T>;
 };
 
+/// A primitive that knows whether a segment meets it. Where it does, the segment must meet the
+/// bounding box, or come as close to it as a few roundings of the coordinates.
+template <typename P, typename T>
+concept Crossable = Primitive<P, T> && requires(const P& primitive, const Segment<T>& segment) {
+  { primitive.crosses(segment) } -> std::convertible_to<bool>;
+};
+
 /// A flat K-ary bounding volume hierarchy over primitives of any type.
+///
+/// All queries are clients of one traversal (see BvhTree) and evaluate the primitives themselves,
+/// so that answers are those of trying all, to the bit. They do not allocate. Values and crossings
+/// are trusted to 16 eps of the coordinates that they come from. Queries at points or along
+/// segments that are not finite find nothing.
 ///
 /// Memory: 24 K + 16 bytes a node (rounded to a cache line), about one node for every 10 leaves of
 /// 4 primitives, beside the primitives themselves.
 template <std::floating_point T, Primitive<T> P, int K = 16>
 class LinearBVH {
  public:
+  using Tree = BvhTree<K, 4>;
+
   struct Nearest {
     std::uint32_t primitive = kNone;  ///< index into primitives(); kNone: none within the limit
     T distance = std::numeric_limits<T>::max();
@@ -33,20 +48,78 @@ class LinearBVH {
   /// @throws Error if a bounding box is empty or not finite; Error(Limit) beyond 2^32 - 2.
   explicit LinearBVH(std::vector<P> primitives);
 
+  /// Puts primitives that have moved in the place of those before, each under its index, and fits
+  /// the boxes of the tree to them: see BvhRefit. Much cheaper than building a tree. Nobody else
+  /// may use the tree meanwhile. Returns the primitives before, whose memory may serve for the next
+  /// step:
+  ///
+  ///     spare = bvh.primitives();  move(spare);  spare = bvh.refit(std::move(spare));
+  ///
+  /// @throws Error unless there are as many as before, with boxes that are finite and not empty;
+  /// nothing has changed then.
+  std::vector<P> refit(std::vector<P> moved);
+
   /// The primitive with the least value at `point`, the first of them where values tie. Only values
   /// not above `limit` count.
   [[nodiscard]] Nearest nearest(const Vec3<T>& point,
                                 T limit = std::numeric_limits<T>::max()) const;
+
+  /// The primitives with the least values at `point`: as many as `results` has room for, in the
+  /// order of their values, those with equal values in the order of their indices. Only values not
+  /// above `limit` count. Returns how many were found.
+  std::size_t nearest(const Vec3<T>& point, std::span<Nearest> results,
+                      T limit = std::numeric_limits<T>::max()) const;
+
+  /// Calls visit(Nearest) for every primitive whose value at `point` is not above `radius`, in no
+  /// order, until it answers false.
+  template <std::predicate<const Nearest&> Visit>
+  void within(const Vec3<T>& point, T radius, Visit&& visit) const;
 
   /// Calls visit(index) for every primitive whose bounding box meets `box`, in no order, until it
   /// answers false.
   template <std::predicate<std::uint32_t> Visit>
   void overlapping(const Box<T>& box, Visit&& visit) const;
 
+  /// Calls visit(index) for every primitive whose bounding box the segment meets, and for some that
+  /// it misses, about in the order in which it meets their boxes, until it answers false.
+  template <std::predicate<std::uint32_t> Visit>
+  void along(const Segment<T>& segment, Visit&& visit) const;
+
+  /// Whether the segment crosses any of the primitives; the first one found is enough.
+  [[nodiscard]] bool anyHit(const Segment<T>& segment) const requires Crossable<P, T>;
+
+  /// Calls visit(index) for every primitive that the segment crosses, about in the order in which
+  /// it meets their boxes, until it answers false.
+  template <std::predicate<std::uint32_t> Visit>
+  void allHits(const Segment<T>& segment, Visit&& visit) const requires Crossable<P, T>;
+
   [[nodiscard]] const std::vector<P>& primitives() const { return primitives_; }
-  [[nodiscard]] BvhTree<K, 4> tree() const { return arrays_.tree(); }
+  [[nodiscard]] Tree tree() const { return arrays_.tree(); }
 
  private:
+  /// The primitives' boxes, checked, and how far the farthest of their corners is.
+  struct Bounds {
+    explicit Bounds(std::span<const P> primitives);
+    std::vector<Box<double>> boxes;
+    double reach = 0;
+  };
+
+  class Best;
+  class Least;
+  template <typename Visit>
+  class Within;
+  template <typename Visit>
+  class Each;
+
+  static bool isBefore(const Nearest& a, const Nearest& b) {
+    return a.distance < b.distance || (a.distance == b.distance && a.primitive < b.primitive);
+  }
+
+  /// How far values at points of this size, and bounding boxes, may be off.
+  [[nodiscard]] double error(double size) const {
+    return 16 * double{std::numeric_limits<T>::epsilon()} * (size + reach_);
+  }
+
   std::vector<P> primitives_;
   BvhArrays<K, 4> arrays_;
   double reach_ = 0;  // of the farthest coordinate
@@ -54,36 +127,149 @@ class LinearBVH {
 
 template <std::floating_point T, Primitive<T> P, int K>
 LinearBVH<T, P, K>::LinearBVH(std::vector<P> primitives) : primitives_(std::move(primitives)) {
-  std::vector<Box<double>> boxes;
-  boxes.reserve(primitives_.size());
-  for (const auto& primitive : primitives_) {
+  const Bounds bounds(primitives_);
+  reach_ = bounds.reach;
+  arrays_ = buildBvh<K, 4>(bounds.boxes);
+}
+
+template <std::floating_point T, Primitive<T> P, int K>
+std::vector<P> LinearBVH<T, P, K>::refit(std::vector<P> moved) {
+  require(moved.size() == primitives_.size(), "LinearBVH::refit: need as many primitives as before",
+          Named{"before", primitives_.size()}, Named{"now", moved.size()});
+  const Bounds bounds(moved);
+  refitBvh(arrays_, bounds.boxes);
+  reach_ = bounds.reach;
+  primitives_.swap(moved);
+  return moved;
+}
+
+template <std::floating_point T, Primitive<T> P, int K>
+LinearBVH<T, P, K>::Bounds::Bounds(std::span<const P> primitives) {
+  boxes.reserve(primitives.size());
+  for (const auto& primitive : primitives) {
     const Box<T> box = primitive.boundingBox();
     require(!box.empty() && isFinite(box), "LinearBVH: need a finite bounding box",
             Named{"primitive", boxes.size()});
     boxes.push_back({Vec3<double>(box.lower), Vec3<double>(box.upper)});
-    reach_ = std::max({reach_, length(boxes.back().lower), length(boxes.back().upper)});
+    reach = std::max({reach, length(boxes.back().lower), length(boxes.back().upper)});
   }
-  arrays_ = buildBvh<K, 4>(boxes);
 }
+
+// What to do with a leaf is a class each time, not a lambda: see Inline.hpp.
+
+template <std::floating_point T, Primitive<T> P, int K>
+class LinearBVH<T, P, K>::Best {
+ public:
+  Best(std::span<const P> primitives, const Vec3<T>& point, Nearest& best)
+      : primitives_(primitives), point_(point), best_(best) {}
+
+  /// Returns the value that the next one must not exceed.
+  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
+    for (const auto id : slots) {
+      if (id == kNone) break;
+      const Nearest candidate{id, static_cast<T>(primitives_[id].distance(point_))};
+      if (isBefore(candidate, best_)) best_ = candidate;
+    }
+    return static_cast<double>(best_.distance);
+  }
+
+ private:
+  std::span<const P> primitives_;
+  Vec3<T> point_;
+  Nearest& best_;
+};
 
 template <std::floating_point T, Primitive<T> P, int K>
 auto LinearBVH<T, P, K>::nearest(const Vec3<T>& point, T limit) const -> Nearest {
   Nearest best{.primitive = kNone, .distance = limit};
   if (!isFinite(point)) return best;
-  // Values are trusted to a few roundings of the coordinates they come from.
-  const double error =
-      16 * double{std::numeric_limits<T>::epsilon()} * (length(Vec3<double>(point)) + reach_);
-  tree().nearest(Vec3<double>(point), limit, error, [&](std::span<const std::uint32_t> slots) {
+  const Vec3<double> p(point);
+  tree().nearest(p, static_cast<double>(limit), error(length(p)), Best(primitives_, point, best));
+  return best;
+}
+
+/// The least values so far, in a heap with the greatest of them on top.
+template <std::floating_point T, Primitive<T> P, int K>
+class LinearBVH<T, P, K>::Least {
+ public:
+  Least(std::span<const P> primitives, const Vec3<T>& point, std::span<Nearest> results, T limit)
+      : primitives_(primitives), point_(point), results_(results), limit_(limit) {}
+
+  /// Returns the value that the next one must not exceed.
+  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
     for (const auto id : slots) {
       if (id == kNone) break;
-      const T value = primitives_[id].distance(point);
-      if (value < best.distance || (value == best.distance && id < best.primitive)) {
-        best = {id, value};
-      }
+      const Nearest candidate{id, static_cast<T>(primitives_[id].distance(point_))};
+      if (candidate.distance <= limit_) offer(candidate);
     }
-    return static_cast<double>(best.distance);
-  });
-  return best;
+    return static_cast<double>(limit_);
+  }
+  std::size_t sorted() {
+    std::sort_heap(results_.begin(), end(), isBefore);
+    return count_;
+  }
+
+ private:
+  auto end() const { return results_.begin() + static_cast<std::ptrdiff_t>(count_); }
+
+  void offer(const Nearest& candidate) {
+    if (count_ == results_.size()) {
+      if (!isBefore(candidate, results_.front())) return;
+      std::pop_heap(results_.begin(), end(), isBefore);
+      --count_;
+    }
+    results_[count_++] = candidate;
+    std::push_heap(results_.begin(), end(), isBefore);
+    if (count_ == results_.size()) limit_ = results_.front().distance;
+  }
+
+  std::span<const P> primitives_;
+  Vec3<T> point_;
+  std::span<Nearest> results_;
+  std::size_t count_ = 0;
+  T limit_;
+};
+
+template <std::floating_point T, Primitive<T> P, int K>
+std::size_t LinearBVH<T, P, K>::nearest(const Vec3<T>& point, std::span<Nearest> results,
+                                        T limit) const {
+  if (results.empty() || !isFinite(point)) return 0;
+  Least least(primitives_, point, results, limit);
+  const Vec3<double> p(point);
+  tree().nearest(p, static_cast<double>(limit), error(length(p)), least);
+  return least.sorted();
+}
+
+template <std::floating_point T, Primitive<T> P, int K>
+template <typename Visit>
+class LinearBVH<T, P, K>::Within {
+ public:
+  Within(std::span<const P> primitives, const Vec3<T>& point, T radius, Visit& visit)
+      : primitives_(primitives), point_(point), radius_(radius), visit_(visit) {}
+
+  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
+    for (const auto id : slots) {
+      if (id == kNone) break;
+      const Nearest found{id, static_cast<T>(primitives_[id].distance(point_))};
+      if (found.distance <= radius_ && !visit_(found)) return Tree::kStop;
+    }
+    return static_cast<double>(radius_);
+  }
+
+ private:
+  std::span<const P> primitives_;
+  Vec3<T> point_;
+  T radius_;
+  Visit& visit_;
+};
+
+template <std::floating_point T, Primitive<T> P, int K>
+template <std::predicate<const typename LinearBVH<T, P, K>::Nearest&> Visit>
+void LinearBVH<T, P, K>::within(const Vec3<T>& point, T radius, Visit&& visit) const {
+  if (!isFinite(point) || std::isnan(radius)) return;
+  const Vec3<double> p(point);
+  tree().nearest(p, static_cast<double>(radius), error(length(p)),
+                 Within<Visit>(primitives_, point, radius, visit));
 }
 
 template <std::floating_point T, Primitive<T> P, int K>
@@ -99,6 +285,51 @@ void LinearBVH<T, P, K>::overlapping(const Box<T>& box, Visit&& visit) const {
     }
     return true;
   });
+}
+
+/// All primitives of a leaf, one after the other.
+template <std::floating_point T, Primitive<T> P, int K>
+template <typename Visit>
+class LinearBVH<T, P, K>::Each {
+ public:
+  explicit Each(Visit& visit) : visit_(visit) {}
+
+  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) const {
+    for (const auto id : slots) {
+      if (id == kNone) break;
+      if (!visit_(id)) return Tree::kStop;
+    }
+    return 1;
+  }
+
+ private:
+  Visit& visit_;
+};
+
+template <std::floating_point T, Primitive<T> P, int K>
+template <std::predicate<std::uint32_t> Visit>
+void LinearBVH<T, P, K>::along(const Segment<T>& segment, Visit&& visit) const {
+  if (!isFinite(segment.start) || !isFinite(segment.end)) return;
+  const Segment<double> whole{Vec3<double>(segment.start), Vec3<double>(segment.end)};
+  const double size = std::max(length(whole.start), length(whole.end));
+  tree().along(whole, Each<Visit>(visit), error(size));
+}
+
+template <std::floating_point T, Primitive<T> P, int K>
+bool LinearBVH<T, P, K>::anyHit(const Segment<T>& segment) const requires Crossable<P, T> {
+  bool found = false;
+  along(segment, [&](std::uint32_t id) {
+    found = primitives_[id].crosses(segment);
+    return !found;
+  });
+  return found;
+}
+
+template <std::floating_point T, Primitive<T> P, int K>
+template <std::predicate<std::uint32_t> Visit>
+void LinearBVH<T, P, K>::allHits(const Segment<T>& segment,
+                                 Visit&& visit) const requires Crossable<P, T> {
+  along(segment, [&](std::uint32_t id) { return !primitives_[id].crosses(segment) || visit(id); });
 }
 
 }  // namespace cutwater

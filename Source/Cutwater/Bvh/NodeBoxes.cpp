@@ -1,3 +1,4 @@
+#include <Cutwater/Bvh/BinaryBvh.hpp>
 #include <Cutwater/Bvh/NodeBoxes.hpp>
 
 #include <algorithm>
@@ -29,13 +30,40 @@ double summedArea(const std::vector<Box<double>>& boxes) {
 
 }  // namespace
 
-NodeBoxes::NodeBoxes(const BinaryBvh& tree, std::span<const std::uint32_t> children,
-                     const BvhFrame& frame, const BvhCorners* corners)
-    : tree_(tree), children_(children), frame_(frame), corners_(corners) {
+BvhFrame frameOf(const Box<double>& box) {
+  const double extent = maxComponent(box.size());
+  if (!(extent > 0) || !std::isfinite(extent)) return {.center = box.center(), .scale = 1};
+  // Well within double's range of exponents, so that lengths divided by the scale are finite.
+  const int exponent = std::clamp(std::ilogb(extent), -900, 900);
+  return {.center = box.center(), .scale = std::ldexp(1.0, -exponent)};
+}
+
+NodeBoxes::NodeBoxes(const NodeContents& contents, std::span<const NodeChild> children)
+    : contents_(contents),
+      children_(children),
+      begin_(children.front().begin),
+      end_(children.back().end) {
+  fitAligned();
+  if (contents.corners != nullptr) turnIfSmaller();
+}
+
+NodeBoxes::NodeBoxes(const NodeContents& contents, std::span<const NodeChild> children,
+                     const Axes& axes)
+    : contents_(contents),
+      children_(children),
+      begin_(children.front().begin),
+      end_(children.back().end) {
+  fitAligned();
+  if (axes == kAligned) return;
+  axes_ = axes;
+  boxes_ = boxesAlong(axes, 1);
+}
+
+void NodeBoxes::fitAligned() {
   Box<double> whole;
-  for (const auto child : children) {
-    const auto& box = tree.nodes[child].box;
-    boxes_.push_back({frame.toFrame(box.lower), frame.toFrame(box.upper)});
+  for (const auto& child : children_) {
+    const auto& frame = contents_.frame;
+    boxes_.push_back({frame.toFrame(child.box.lower), frame.toFrame(child.box.upper)});
     whole.extend(boxes_.back());
   }
   center_ = static_cast<Vec3<float>>(whole.center());
@@ -43,16 +71,14 @@ NodeBoxes::NodeBoxes(const BinaryBvh& tree, std::span<const std::uint32_t> child
   for (auto& box : boxes_) box = {box.lower - origin, box.upper - origin};
   // Conversion to the frame, the difference to its centre, three products and two sums.
   rounding_ = 0x1p-49 * maxComponent(max(abs(whole.lower), abs(whole.upper)));
-  if (corners == nullptr) return;
+}
 
-  // Children come in the order of their triangles.
-  begin_ = tree.nodes[children.front()].begin;
-  end_ = tree.nodes[children.back()].end;
+void NodeBoxes::turnIfSmaller() {
   constexpr std::uint32_t kFew = 1024;  // fit into a cache
   if (end_ - begin_ <= kFew) {
     std::vector<Corners> local;
     local.reserve(end_ - begin_);
-    for (auto place = begin_; place < end_; ++place) local.push_back(this->corners(place));
+    for (auto place = begin_; place < end_; ++place) local.push_back(corners(place));
     local_ = std::move(local);
   }
   const Axes turned = fittingAxes();
@@ -79,10 +105,14 @@ Box<float> NodeBoxes::box(std::size_t child) const {
   return result;
 }
 
+Vec3<double> NodeBoxes::toNode(const Vec3<double>& p) const {
+  return contents_.frame.toFrame(p) - Vec3<double>(center_);
+}
+
 auto NodeBoxes::corners(std::uint32_t place) const -> Corners {
   if (!local_.empty()) return local_[place - begin_];
-  auto result = (*corners_)(tree_.order[place]);
-  for (auto& corner : result) corner = frame_.toFrame(corner) - Vec3<double>(center_);
+  auto result = (*contents_.corners)(contents_.order[place]);
+  for (auto& corner : result) corner = toNode(corner);
   return result;
 }
 
@@ -126,14 +156,20 @@ NodeBoxes::Axes NodeBoxes::fittingAxes() const {
 std::vector<Box<double>> NodeBoxes::boxesAlong(const Axes& axes, std::uint32_t stride) const {
   const std::array<Vec3<double>, 3> rows{Vec3<double>(axes[0]), Vec3<double>(axes[1]),
                                          Vec3<double>(axes[2])};
+  const auto turned = [&rows](const Vec3<double>& v) -> Vec3<double> {
+    return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
+  };
   std::vector<Box<double>> boxes;
   boxes.reserve(children_.size());
-  for (const auto child : children_) {
+  for (const auto& child : children_) {
     Box<double> box;
-    const auto& node = tree_.nodes[child];
-    for (std::uint64_t i = node.begin; i < node.end; i += stride) {
-      for (const auto& v : corners(static_cast<std::uint32_t>(i))) {
-        box.extend(Vec3<double>{dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)});
+    for (std::uint64_t i = child.begin; i < child.end; i += stride) {
+      const auto place = static_cast<std::uint32_t>(i);
+      if (contents_.corners != nullptr) {
+        for (const auto& v : corners(place)) box.extend(turned(v));
+      } else {
+        const auto& own = contents_.boxes[contents_.order[place]];
+        for (int k = 0; k < 8; ++k) box.extend(turned(toNode(own.corner(k))));
       }
     }
     boxes.push_back(box);

@@ -10,20 +10,72 @@
 
 namespace cutwater {
 
+namespace {
+
+/// Each ended by a zero.
+std::string joined(std::span<const std::string> names) {
+  std::string result;
+  for (const auto& name : names) result += name + '\0';
+  return result;
+}
+
+/// The surface's triangles between points in the mesh's own units.
 template <std::floating_point T>
-MeshSDF<T>::MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options)
-    : MeshSDF(DcelMesh<T>(soup), options) {}
+PolygonSoup trianglesOf(const TriangleSurface<T>& surface, std::span<const Vec3<T>> positions) {
+  PolygonSoup soup;
+  soup.patchNames = {"surface"};
+  for (const auto& p : positions) soup.points.emplace_back(p);
+  for (const auto& triangle : surface.triangles) soup.addPolygon(triangle);
+  return soup;
+}
+
+}  // namespace
 
 template <std::floating_point T>
-MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
-  const TriangleSurfaceData<T> data(mesh);
-  const auto tree = buildTriangleTree(data.positions(), data.triangles());
-  const auto packets = packTriangles(data.positions(), data.triangles(), tree.tree());
+MeshSDF<T>::MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options) : options_(options) {
   std::string names;
-  for (const auto& name : mesh.patchNames()) names += name + '\0';
+  const auto data = [&] {
+    const DcelMesh<T> mesh(soup);  // not needed any longer than this
+    names = joined(mesh.patchNames());
+    return TriangleSurfaceData<T>(mesh);
+  }();
+  build(data, buildTriangleTree(data.positions(), data.triangles()), names,
+        [&] { return check(DcelMesh<T>(soup)).summary(); });
+}
 
+template <std::floating_point T>
+MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) : options_(options) {
+  const TriangleSurfaceData<T> data(mesh);
+  build(data, buildTriangleTree(data.positions(), data.triangles()), joined(mesh.patchNames()),
+        [&] { return check(mesh).summary(); });
+}
+
+template <std::floating_point T>
+MeshSDF<T> MeshSDF<T>::refitted(std::span<const Vec3<T>> positions) const {
+  const auto& surface = this->surface();
+  require(positions.size() == surface.positions.size(),
+          "refitted: need one position for each vertex", Named{"positions", positions.size()},
+          Named{"vertices", surface.positions.size()});
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    require(std::isfinite(lengthSquared(Vec3<double>(positions[i]))),
+            "refitted: need finite coordinates with finite squares", Named{"vertex", i},
+            Named{"position", positions[i]});
+  }
+  MeshSDF result;
+  result.options_ = options_;
+  result.setPlacement(this->placement());
+  const TriangleSurfaceData<T> data(surface, this->signReport(), insideOut_, positions);
+  result.build(data, refittedTriangleTree(tree_, data.positions(), data.triangles()), patchNames_,
+               [&] { return check(DcelMesh<T>(trianglesOf(surface, positions))).summary(); });
+  return result;
+}
+
+template <std::floating_point T>
+void MeshSDF<T>::build(const TriangleSurfaceData<T>& data, const TriangleTreeArrays& tree,
+                       std::span<const char> patchNames, FunctionRef<std::string()> defects) {
+  const auto packets = packTriangles(data.positions(), data.triangles(), tree.tree());
   const bool needsWinding =
-      !data.openEdges().empty() && options.signs != SignScheme::NearestFeature;
+      !data.openEdges().empty() && options_.signs != SignScheme::NearestFeature;
   const auto winding =
       needsWinding ? OpenWindingData(data.positions(), data.openEdges()) : OpenWindingData();
 
@@ -33,28 +85,33 @@ MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
   const auto slots = writer.add(tree.slots);
   const auto leaves = writer.add(packets);
   const auto windingSections = winding.addTo(writer);
-  const auto nameBytes = writer.add(std::span<const char>(names));
+  const auto insideOut = writer.add(data.orientation().insideOut);
+  const auto nameBytes = writer.add(patchNames);
   block_ = writer.finish();
 
   this->setSurface(sections.view(block_), winding.reach());
-  const auto& surface = this->surface();
   tree_ = TriangleTree(tree.frame, block_.array<BvhNode<TriangleTree::kArity>>(nodes),
-                       block_.array<std::uint32_t>(slots));
+                       block_.array<std::uint32_t>(slots), tree.depth);
   search_ = TriangleSearch(tree_, block_.array<TrianglePacket>(leaves));
   winding_ = windingSections.view(block_);
+  insideOut_ = block_.array<std::uint32_t>(insideOut);
   patchNames_ = block_.array<char>(nameBytes);
-  auto signs = checkSigns<T>(surface, data, this->search(), options.probes);
-  if (needsWinding) probeAmbiguity(options.probes, signs);
-  if (options.findSelfIntersections) {
+  checkSurface(data, needsWinding);
+  if (options_.requireWatertight && !this->signReport().isSound()) {
+    throw Error(ErrorKind::Topology, "the surface does not bound a solid: " +
+                                         this->signReport().summary() + "; " + defects());
+  }
+}
+
+template <std::floating_point T>
+void MeshSDF<T>::checkSurface(const TriangleSurfaceData<T>& data, bool needsWinding) {
+  auto signs = checkSigns<T>(this->surface(), data, this->search(), options_.probes);
+  if (needsWinding) probeAmbiguity(options_.probes, signs);
+  if (options_.findSelfIntersections) {
     signs.selfIntersections =
         findSelfIntersections<T>(data.positions(), data.triangles(), tree_).pairs.count;
   }
-  this->setSigns(signs, options.signs);
-  if (options.requireWatertight && !signs.isSound()) {
-    throw Error(ErrorKind::Topology,
-                "the surface does not bound a solid: " + this->signReport().summary() + "; " +
-                    check(mesh).summary());
-  }
+  this->setSigns(signs, options_.signs);
 }
 
 template <std::floating_point T>

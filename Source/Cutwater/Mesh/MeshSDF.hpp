@@ -8,6 +8,9 @@
 
 namespace cutwater {
 
+template <std::floating_point T>
+class TriangleSurfaceData;
+
 /// A surface mesh as a signed distance function over a LinearBVH.
 ///
 /// The magnitude is within 8 eps (|p| + |V|max) of the distance to the mesh rounded to T, and does
@@ -29,6 +32,21 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   explicit MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options = {});
   explicit MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options = {});
 
+  /// This surface after its vertices have moved, and its connections not: for bodies that deform.
+  ///
+  /// `positions` are those of the soup's points (of the DcelMesh's vertices) in their order, unused
+  /// ones too, before the placement. The answers are, to the bit, those of a MeshSDF made from the
+  /// triangles at their new places with the same options, sign report and errors included; polygons
+  /// of more corners stay cut as they are. It takes less than half the time: the tree keeps its
+  /// shape. Queries get slower as triangles that share a leaf part, or turn far from where they
+  /// were; then build anew.
+  ///
+  /// A new surface, so that others may go on asking this one: `mesh = mesh.refitted(positions)`
+  /// frees the old one if nobody does. The placement stays.
+  /// @throws Error(Argument) unless there is one position for each vertex, finite and with finite
+  /// squares as a double; Error(Topology) as the constructor.
+  [[nodiscard]] MeshSDF refitted(std::span<const Vec3<T>> positions) const;
+
   /// Bytes of the block that queries use.
   [[nodiscard]] std::size_t memoryBytes() const { return block_.bytes().size(); }
 
@@ -42,13 +60,20 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   [[nodiscard]] bool isDecided(const Box<double>& box) const override;
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
 
+  MeshSDF() = default;
+  /// `defects` says more about a surface that is refused.
+  void build(const TriangleSurfaceData<T>& data, const TriangleTreeArrays& tree,
+             std::span<const char> patchNames, FunctionRef<std::string()> defects);
+  void checkSurface(const TriangleSurfaceData<T>& data, bool needsWinding);
   void probeAmbiguity(std::size_t count, SignReport& signs) const;
 
+  MeshSDFOptions options_;
   Block block_;
   TriangleTree tree_;
   TriangleSearch search_;
-  OpenWinding winding_;               // of a surface that is not closed
-  std::span<const char> patchNames_;  // each ended by a zero
+  OpenWinding winding_;                       // of a surface that is not closed
+  std::span<const std::uint32_t> insideOut_;  // see ShellOrientation
+  std::span<const char> patchNames_;          // each ended by a zero
 };
 
 extern template class MeshSDF<float>;

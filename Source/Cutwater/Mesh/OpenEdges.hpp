@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Cutwater/Core/FunctionRef.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +18,21 @@ struct OpenEdge {
   std::int32_t multiplicity;  ///< passes from lower to upper, less those back; not 0
   std::uint32_t triangle;     ///< the first that has the edge
 };
+
+/// A triangle's passage along an edge, as the edge's lower vertex sees it.
+struct EdgePass {
+  std::uint32_t upper;  ///< vertex
+  std::uint32_t triangle;
+  std::int32_t direction;  ///< 1: from the lower vertex to the upper one; else -1
+};
+
+/// Visits every edge that has a half-edge without a neighbour, with those half-edges in the order
+/// of their triangles: by lower vertex, then by upper vertex; n log n. With no `neighbours` at all,
+/// every edge.
+void visitEdgesWithoutNeighbours(
+    std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t vertexCount,
+    std::span<const std::array<std::uint32_t, 3>> neighbours,
+    FunctionRef<void(std::uint32_t lower, std::span<const EdgePass> passes)> visit);
 
 /// All of them, by lower vertex, then by upper vertex; n log n. None: the surface is closed.
 ///

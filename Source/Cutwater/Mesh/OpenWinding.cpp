@@ -70,6 +70,7 @@ OpenWindingData::OpenWindingData(std::span<const Vec3<T>> positions,
   auto tree = buildBvh<WindingTree::kArity, WindingTree::kLeafWidth>(boxes);
   winding_ = buildWindingMoments<double>(positions_, triangles_, tree.tree());
   frame_ = tree.frame;
+  depth_ = tree.depth;
   nodes_ = std::move(tree.nodes);
   slots_ = std::move(tree.slots);
 }
@@ -92,7 +93,8 @@ auto OpenWindingData::addTo(BlockWriter& writer) const -> Sections {
           .moments = writer.add(winding_.moments),
           .edges = writer.add(winding_.edges),
           .openEdges = writer.add(winding_.openEdges),
-          .frame = frame_};
+          .frame = frame_,
+          .depth = depth_};
 }
 
 OpenWinding OpenWindingData::Sections::view(const Block& block) const {
@@ -100,7 +102,7 @@ OpenWinding OpenWindingData::Sections::view(const Block& block) const {
   result.triangles_.positions = block.array<Vec3<double>>(positions);
   result.triangles_.triangles = block.array<std::array<std::uint32_t, 3>>(triangles);
   result.tree_ = WindingTree(frame, block.array<BvhNode<WindingTree::kArity>>(nodes),
-                             block.array<std::uint32_t>(slots));
+                             block.array<std::uint32_t>(slots), depth);
   result.caps_ =
       WindingNumber<double>(result.triangles_.positions, result.triangles_.triangles, result.tree_,
                             block.array<WindingMoments>(moments), block.array<WindingEdges>(edges),

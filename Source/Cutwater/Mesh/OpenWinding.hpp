@@ -64,6 +64,7 @@ class OpenWindingData {
   struct Sections {
     Section positions, triangles, nodes, slots, moments, edges, openEdges;
     BvhFrame frame;
+    int depth = 0;
 
     [[nodiscard]] OpenWinding view(const Block& block) const;
   };
@@ -73,6 +74,7 @@ class OpenWindingData {
   std::vector<Vec3<double>> positions_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   BvhFrame frame_;
+  int depth_ = 0;
   std::vector<BvhNode<WindingTree::kArity>> nodes_;
   std::vector<std::uint32_t> slots_;
   WindingArrays winding_;

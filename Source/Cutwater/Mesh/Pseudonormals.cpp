@@ -19,7 +19,7 @@ Vec3<T> directionOfSum(const Vec3<double>& sum, double weight, double epsilon) {
   return length(sum) > 8 * epsilon * weight ? static_cast<Vec3<T>>(normalized(sum)) : Vec3<T>{};
 }
 
-constexpr std::size_t kBlock = 65536;
+constexpr std::size_t kBlock = 16384;
 // Of the points; all parts read all triangles.
 constexpr std::size_t kMostParts = 8;
 // Neighbours in memory belong to one part.
@@ -57,7 +57,7 @@ Pseudonormals<T> pseudonormals(std::span<const Vec3<T>> points,
         result.triangles[first + i] = static_cast<Vec3<T>>(shapes[i].normal);
       }
     };
-    parallelFor(block.size(), {.grain = 4096}, measure);
+    parallelFor(block.size(), {.grain = 1024}, measure);
     // In the order of triangles, whatever the number of threads: each has points of its own.
     const auto add = [&](std::size_t part, std::size_t) {
       for (std::size_t i = 0; i < block.size(); ++i) {

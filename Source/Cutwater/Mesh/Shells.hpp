@@ -10,11 +10,12 @@ namespace cutwater {
 struct ShellOrientation {
   std::vector<bool> turned;      ///< per face; empty if there is none
   std::size_t turnedFaces = 0;   ///< disagreed with the other faces of their shell
-  std::size_t turnedShells = 0;  ///< stood inside out
   std::size_t unorientable = 0;  ///< shells like a Moebius strip: left as good as they can be
-  std::vector<std::uint32_t> firstFaces;  ///< one of each shell
+  std::vector<std::uint32_t> firstFaces;  ///< the lowest of each shell, ascending
+  std::vector<std::uint32_t> insideOut;   ///< shells that stood so: indices into firstFaces
 
   [[nodiscard]] std::size_t shells() const { return firstFaces.size(); }
+  [[nodiscard]] std::size_t turnedShells() const { return insideOut.size(); }
   [[nodiscard]] bool changesNothing() const { return turned.empty(); }
 };
 

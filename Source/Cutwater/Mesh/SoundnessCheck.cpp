@@ -127,7 +127,7 @@ SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceDa
   report.unbalancedEdges = data.openEdges().size();
   report.shells = orientation.shells();
   report.turnedFaces = orientation.turnedFaces;
-  report.turnedShells = orientation.turnedShells;
+  report.turnedShells = orientation.turnedShells();
   report.unorientable = orientation.unorientable;
   if (report.isClosed()) {
     const auto found = probeSoundness(surface, along, probes, orientation.firstFaces);

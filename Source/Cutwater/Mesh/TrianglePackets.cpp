@@ -1,3 +1,4 @@
+#include <Cutwater/Bvh/BvhRefit.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/TriangleDistance.hpp>
@@ -50,11 +51,24 @@ TrianglePacket packed(std::span<const Corners> triangles) {
 }  // namespace
 
 template <std::floating_point T>
-BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth> buildTriangleTree(
-    std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles) {
+TriangleTreeArrays buildTriangleTree(std::span<const Vec3<T>> positions,
+                                     std::span<const std::array<std::uint32_t, 3>> triangles) {
   const auto corners = [&](std::uint32_t id) { return cornersOf(positions, triangles[id]); };
   return buildTurnedBvh<TriangleTree::kArity, TriangleTree::kLeafWidth>(
       triangleBoxes(positions, triangles), corners);
+}
+
+template <std::floating_point T>
+TriangleTreeArrays refittedTriangleTree(const TriangleTree& tree,
+                                        std::span<const Vec3<T>> positions,
+                                        std::span<const std::array<std::uint32_t, 3>> triangles) {
+  const auto corners = [&](std::uint32_t id) { return cornersOf(positions, triangles[id]); };
+  TriangleTreeArrays result{.frame = tree.frame(),
+                            .nodes = {tree.nodes().begin(), tree.nodes().end()},
+                            .slots = {tree.slots().begin(), tree.slots().end()},
+                            .depth = tree.depth()};
+  refitTurnedBvh(result, triangleBoxes(positions, triangles), corners);
+  return result;
 }
 
 template <std::floating_point T>
@@ -79,13 +93,17 @@ std::vector<TrianglePacket> packTriangles(std::span<const Vec3<T>> positions,
   return packets;
 }
 
-template BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth> buildTriangleTree(
-    std::span<const Vec3<float>>, std::span<const std::array<std::uint32_t, 3>>);
+template TriangleTreeArrays buildTriangleTree(std::span<const Vec3<float>>,
+                                              std::span<const std::array<std::uint32_t, 3>>);
+template TriangleTreeArrays refittedTriangleTree(const TriangleTree&, std::span<const Vec3<float>>,
+                                                 std::span<const std::array<std::uint32_t, 3>>);
 template std::vector<TrianglePacket> packTriangles(std::span<const Vec3<float>>,
                                                    std::span<const std::array<std::uint32_t, 3>>,
                                                    const TriangleTree&);
-template BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth> buildTriangleTree(
-    std::span<const Vec3<double>>, std::span<const std::array<std::uint32_t, 3>>);
+template TriangleTreeArrays buildTriangleTree(std::span<const Vec3<double>>,
+                                              std::span<const std::array<std::uint32_t, 3>>);
+template TriangleTreeArrays refittedTriangleTree(const TriangleTree&, std::span<const Vec3<double>>,
+                                                 std::span<const std::array<std::uint32_t, 3>>);
 template std::vector<TrianglePacket> packTriangles(std::span<const Vec3<double>>,
                                                    std::span<const std::array<std::uint32_t, 3>>,
                                                    const TriangleTree&);

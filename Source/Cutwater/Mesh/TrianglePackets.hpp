@@ -27,10 +27,17 @@ struct alignas(64) TrianglePacket {
 
 /// The tree of a triangle mesh.
 using TriangleTree = BvhTree<16, TrianglePacket::kWidth>;
+using TriangleTreeArrays = BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth>;
 
 template <std::floating_point T>
-[[nodiscard]] BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth> buildTriangleTree(
+[[nodiscard]] TriangleTreeArrays buildTriangleTree(
     std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles);
+
+/// The tree, with the same triangles in every leaf, around vertices that have moved.
+template <std::floating_point T>
+[[nodiscard]] TriangleTreeArrays refittedTriangleTree(
+    const TriangleTree& tree, std::span<const Vec3<T>> positions,
+    std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// One packet for each leaf of the tree.
 template <std::floating_point T>

@@ -1,7 +1,9 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/Mesh/InsideOut.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
+#include <Cutwater/Mesh/Pseudonormals.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
 #include <algorithm>
@@ -46,20 +48,26 @@ bool hasOnlyTriangles(const DcelMesh<T>& mesh) {
 
 template <std::floating_point T>
 TriangleSurfaceData<T>::TriangleSurfaceData(const DcelMesh<T>& mesh) {
-  for (const FaceId face : mesh.faces()) patches_.push_back(mesh.patch(face));
+  for (const FaceId face : mesh.faces()) patches_.own().push_back(mesh.patch(face));
   std::optional<DcelMesh<T>> split;
+  auto& polygons = polygons_.own();
   if (hasOnlyTriangles(mesh)) {
-    polygons_.resize(mesh.faces().size());
-    std::iota(polygons_.begin(), polygons_.end(), 0U);
+    polygons.resize(mesh.faces().size());
+    std::iota(polygons.begin(), polygons.end(), 0U);
   } else {
-    split.emplace(trianglesOf(mesh, polygons_));
+    split.emplace(trianglesOf(mesh, polygons));
   }
-  if (polygons_.empty()) {
+  if (polygons.empty()) {
     throw Error(ErrorKind::Topology, "the surface has no triangles: " + check(mesh).summary());
   }
   takeOriented(split ? *split : mesh);
-  markSlivers();
-  openEdges_ = findOpenEdges(triangles_, positions_.size(), neighbours_);
+  measureTriangles();
+  findEdges();
+}
+
+template <std::floating_point T>
+void TriangleSurfaceData<T>::findEdges() {
+  openEdges_ = findOpenEdges(triangles(), positions_.size(), neighbours_.view());
 }
 
 template <std::floating_point T>
@@ -77,37 +85,105 @@ void TriangleSurfaceData<T>::takeOriented(const DcelMesh<T>& triangles) {
 
 template <std::floating_point T>
 void TriangleSurfaceData<T>::take(const DcelMesh<T>& triangles) {
-  scale_ = normalizingScale(triangles.positions());
-  for (const auto& p : triangles.positions()) {
-    positions_.push_back(scale_ * p);
-    size_ = std::max(size_, length(positions_.back()));
-  }
+  takePositions(triangles.positions());
+  pseudonormals_.reserve(positions_.size());
   for (const VertexId v : triangles.vertices()) pseudonormals_.push_back(triangles.pseudonormal(v));
-  triangles_.resize(triangles.faces().size());
-  neighbours_.resize(triangles_.size());
-  parallelFor(triangles_.size(), {.grain = 16384}, [&](std::size_t begin, std::size_t end) {
+  auto& corners = triangles_.own();
+  auto& neighbours = neighbours_.own();
+  corners.resize(triangles.faces().size());
+  neighbours.resize(corners.size());
+  parallelFor(corners.size(), {.grain = 16384}, [&](std::size_t begin, std::size_t end) {
     for (const FaceId face :
          IdRange<FaceId>(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end))) {
       std::size_t i = 0;
       for (const HalfEdgeId e : triangles.halfEdges(face)) {
-        triangles_[index(face)][i] = index(triangles.origin(e));
-        neighbours_[index(face)][i++] =
+        corners[index(face)][i] = index(triangles.origin(e));
+        neighbours[index(face)][i++] =
             triangles.hasTwin(e) ? index(triangles.face(triangles.twin(e))) : kNone;
       }
     }
   });
-  for (const auto& triangle : triangles_) {
-    for (const auto v : triangle) box_.extend(Vec3<double>(positions_[v]));
+}
+
+template <std::floating_point T>
+TriangleSurfaceData<T>::TriangleSurfaceData(const TriangleSurface<T>& before,
+                                            const SignReport& signs,
+                                            std::span<const std::uint32_t> insideOut,
+                                            std::span<const Vec3<T>> positions)
+    : triangles_(before.triangles),
+      neighbours_(before.neighbours),
+      polygons_(before.polygons),
+      patches_(before.patches) {
+  takePositions(positions);
+  orientAgain(positions, signs, insideOut);
+  std::vector<TriangleCorners> corners;
+  corners.reserve(triangles().size());
+  for (const auto& [a, b, c] : triangles()) {
+    corners.push_back({VertexId{a}, VertexId{b}, VertexId{c}});
+  }
+  pseudonormals_ = cutwater::pseudonormals<T>(positions, corners).vertices;
+  measureTriangles();
+}
+
+template <std::floating_point T>
+void TriangleSurfaceData<T>::takePositions(std::span<const Vec3<T>> positions) {
+  scale_ = normalizingScale(positions);
+  positions_.reserve(positions.size());
+  for (const auto& p : positions) {
+    positions_.push_back(scale_ * p);
+    size_ = std::max(size_, length(positions_.back()));
   }
 }
 
 template <std::floating_point T>
+void TriangleSurfaceData<T>::orientAgain(std::span<const Vec3<T>> positions,
+                                         const SignReport& signs,
+                                         std::span<const std::uint32_t> wereInsideOut) {
+  orientation_.turnedFaces = signs.turnedFaces;
+  orientation_.unorientable = signs.unorientable;
+  auto shells = signs.shells == 1
+                    ? ConnectedShells{std::vector<std::uint32_t>(triangles().size()), {0}}
+                    : connectShells(triangles(), positions.size(), neighbours_.view());
+  turnShells(shells, wereInsideOut);
+  if (!signs.isClosed()) findEdges();
+  orientation_.insideOut = insideOutShells({.positions = normalizedPositions(positions),
+                                            .triangles = triangles(),
+                                            .shells = shells,
+                                            .openEdges = openEdges_});
+  turnShells(shells, orientation_.insideOut);
+  if (!signs.isClosed() && !orientation_.insideOut.empty()) findEdges();
+  orientation_.firstFaces = std::move(shells.firstTriangles);
+}
+
+template <std::floating_point T>
+void TriangleSurfaceData<T>::turnShells(const ConnectedShells& shells,
+                                        std::span<const std::uint32_t> chosen) {
+  if (chosen.empty()) return;
+  auto& triangles = triangles_.own();
+  auto& neighbours = neighbours_.own();
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (!std::ranges::binary_search(chosen, shells.shellOf[t])) continue;
+    std::swap(triangles[t][1], triangles[t][2]);    // a, c, b, whose edges are
+    std::swap(neighbours[t][0], neighbours[t][2]);  // ca, bc, ab
+  }
+}
+
+template <std::floating_point T>
+void TriangleSurfaceData<T>::measureTriangles() {
+  for (const auto& triangle : triangles()) {
+    for (const auto v : triangle) box_.extend(Vec3<double>(positions_[v]));
+  }
+  markSlivers();
+}
+
+template <std::floating_point T>
 void TriangleSurfaceData<T>::markSlivers() {
-  slivers_.assign((triangles_.size() + 31) / 32, 0);
+  const auto triangles = this->triangles();
+  slivers_.assign((triangles.size() + 31) / 32, 0);
   // By words: no two threads write to the same one.
   parallelFor(slivers_.size(), {.grain = 512}, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = 32 * begin; i < std::min(32 * end, triangles_.size()); ++i) {
-      const auto& [a, b, c] = triangles_[i];
+    for (std::size_t i = 32 * begin; i < std::min(32 * end, triangles.size()); ++i) {
+      const auto& [a, b, c] = triangles[i];
       if (isSliver(positions_[a], positions_[b], positions_[c])) slivers_[i / 32] |= 1U << i % 32;
     }
   });
@@ -116,12 +192,12 @@ void TriangleSurfaceData<T>::markSlivers() {
 template <std::floating_point T>
 auto TriangleSurfaceData<T>::addTo(BlockWriter& writer) const -> Sections {
   return {.positions = writer.add(positions_),
-          .triangles = writer.add(triangles_),
-          .neighbours = writer.add(neighbours_),
+          .triangles = writer.add(triangles_.view()),
+          .neighbours = writer.add(neighbours_.view()),
           .slivers = writer.add(slivers_),
           .pseudonormals = writer.add(pseudonormals_),
-          .polygons = writer.add(polygons_),
-          .patches = writer.add(patches_),
+          .polygons = writer.add(polygons_.view()),
+          .patches = writer.add(patches_.view()),
           .scale = scale_,
           .size = size_,
           .box = box_};

@@ -2,9 +2,11 @@
 
 #include <Cutwater/Bvh/BvhBuilder.hpp>
 #include <Cutwater/Core/Block.hpp>
+#include <Cutwater/Mesh/ConnectedShells.hpp>
 #include <Cutwater/Mesh/DcelMesh.hpp>
 #include <Cutwater/Mesh/OpenEdges.hpp>
 #include <Cutwater/Mesh/Shells.hpp>
+#include <Cutwater/Mesh/SignScheme.hpp>
 #include <Cutwater/Mesh/TriangleSurface.hpp>
 
 #include <vector>
@@ -20,6 +22,14 @@ class TriangleSurfaceData {
   /// @throws Error(Topology) if no triangle is left.
   explicit TriangleSurfaceData(const DcelMesh<T>& mesh);
 
+  /// The same triangles between vertices that have moved to `positions`, in the mesh's own units:
+  /// all that a mesh of those triangles would give, and the same bits, without half-edges.
+  /// Triangles keep their order and their neighbours; only which shells stand inside out is
+  /// decided anew. `signs` and `insideOut` (see ShellOrientation) are what is known of `before`,
+  /// which must live as long as this.
+  TriangleSurfaceData(const TriangleSurface<T>& before, const SignReport& signs,
+                      std::span<const std::uint32_t> insideOut, std::span<const Vec3<T>> positions);
+
   /// Where the arrays will lie in the block.
   struct Sections {
     Section positions, triangles, neighbours, slivers, pseudonormals, polygons, patches;
@@ -33,7 +43,7 @@ class TriangleSurfaceData {
 
   [[nodiscard]] std::span<const Vec3<T>> positions() const { return positions_; }
   [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> triangles() const {
-    return triangles_;
+    return triangles_.view();
   }
   [[nodiscard]] const ShellOrientation& orientation() const { return orientation_; }
   /// None, if the surface is closed.
@@ -42,17 +52,47 @@ class TriangleSurfaceData {
  private:
   using Corners = typename TriangleSurface<T>::Corners;
 
+  /// An array of its own, or somebody else's that stays as it is.
+  template <typename Record>
+  class Kept {
+   public:
+    Kept() = default;
+    explicit Kept(std::span<const Record> others) : others_(others) {}
+
+    [[nodiscard]] std::span<const Record> view() const {
+      return others_.empty() ? std::span<const Record>(own_) : others_;
+    }
+    /// To be changed; copies it first.
+    [[nodiscard]] std::vector<Record>& own() {
+      if (!others_.empty()) own_.assign(others_.begin(), others_.end());
+      others_ = {};
+      return own_;
+    }
+
+   private:
+    std::vector<Record> own_;
+    std::span<const Record> others_;
+  };
+
   void takeOriented(const DcelMesh<T>& triangles);
   void take(const DcelMesh<T>& triangles);
+  void takePositions(std::span<const Vec3<T>> positions);
+  /// Which shells stand inside out; turns them.
+  void orientAgain(std::span<const Vec3<T>> positions, const SignReport& signs,
+                   std::span<const std::uint32_t> wereInsideOut);
+  void turnShells(const ConnectedShells& shells, std::span<const std::uint32_t> chosen);
+  void findEdges();
+  /// What follows from triangles and positions.
+  void measureTriangles();
   void markSlivers();
 
   std::vector<Vec3<T>> positions_;
-  std::vector<Corners> triangles_;
-  std::vector<Corners> neighbours_;
+  Kept<Corners> triangles_;
+  Kept<Corners> neighbours_;
   std::vector<std::uint32_t> slivers_;
   std::vector<Vec3<T>> pseudonormals_;
-  std::vector<std::uint32_t> polygons_;
-  std::vector<std::uint32_t> patches_;
+  Kept<std::uint32_t> polygons_;
+  Kept<std::uint32_t> patches_;
   T scale_ = 1;
   T size_ = 0;
   Box<double> box_;

@@ -95,24 +95,44 @@ void TriangleSurfaceSDF<T>::nearest(std::span<const Vec3<T>> points,
 }
 
 template <std::floating_point T>
-void TriangleSurfaceSDF<T>::localSignedDistances(std::span<const Vec3<T>> points,
-                                                 std::span<T> distances) const {
+void TriangleSurfaceSDF<T>::forNearest(
+    std::span<const Vec3<T>> points,
+    FunctionRef<void(std::size_t, const Vec3<T>&, const Nearest&)> visit) const {
   std::array<Vec3<T>, kBatch> p;
   std::array<Nearest, kBatch> nearest;
   for (std::size_t begin = 0; begin < points.size(); begin += kBatch) {
     const auto count = std::min(kBatch, points.size() - begin);
     for (std::size_t i = 0; i < count; ++i) p[i] = scaled(points[begin + i]);
     this->nearest(std::span(p).first(count), std::span(nearest).first(count));
-    for (std::size_t i = 0; i < count; ++i) {
-      distances[begin + i] = valueAt(points[begin + i], p[i], nearest[i]);
-    }
+    for (std::size_t i = 0; i < count; ++i) visit(begin + i, p[i], nearest[i]);
   }
+}
+
+template <std::floating_point T>
+void TriangleSurfaceSDF<T>::localSignedDistances(std::span<const Vec3<T>> points,
+                                                 std::span<T> distances) const {
+  forNearest(points, [&](std::size_t i, const Vec3<T>& p, const Nearest& nearest) {
+    distances[i] = valueAt(points[i], p, nearest);
+  });
 }
 
 template <std::floating_point T>
 SurfacePoint<T> TriangleSurfaceSDF<T>::localClosestPoint(const Vec3<T>& point) const {
   const Vec3<T> p = scaled(point);
-  const auto nearest = this->nearest(p);
+  return closestPointAt(point, p, nearest(p));
+}
+
+template <std::floating_point T>
+void TriangleSurfaceSDF<T>::localClosestPoints(std::span<const Vec3<T>> points,
+                                               std::span<SurfacePoint<T>> results) const {
+  forNearest(points, [&](std::size_t i, const Vec3<T>& p, const Nearest& nearest) {
+    results[i] = closestPointAt(points[i], p, nearest);
+  });
+}
+
+template <std::floating_point T>
+SurfacePoint<T> TriangleSurfaceSDF<T>::closestPointAt(const Vec3<T>& point, const Vec3<T>& p,
+                                                      const Nearest& nearest) const {
   auto result = surface_.surfacePoint(p, nearest);
   result.distance = valueAt(point, p, nearest);
   // Where shells overlap, the nearest triangle need not be part of the solid's surface; and the

@@ -59,13 +59,20 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const final;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& point) const final;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& point) const final;
+  void localClosestPoints(std::span<const Vec3<T>> points,
+                          std::span<SurfacePoint<T>> results) const final;
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& point) const final;
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const final;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
-  /// `point` and, in the surface's units, `p` are the same.
+  // `point` and, in the surface's units, `p` are the same.
   [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest) const;
+  [[nodiscard]] SurfacePoint<T> closestPointAt(const Vec3<T>& point, const Vec3<T>& p,
+                                               const Nearest& nearest) const;
+  /// Calls visit(i, p, nearest) for each of the points, searched for in batches.
+  void forNearest(std::span<const Vec3<T>> points,
+                  FunctionRef<void(std::size_t, const Vec3<T>&, const Nearest&)> visit) const;
 
   /// Whether the sign certainly changes nowhere in the box, in scaled units, but at triangles.
   [[nodiscard]] bool isJumpFree(const Box<double>& box) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace cutwater {
 
@@ -29,6 +30,10 @@ Guarantee<T> united(const Guarantee<T>& a, const Guarantee<T>& b) {
   both.size = std::max(a.size, b.size);
   return both;
 }
+
+/// Closest points are found so many at a time: a nested combination has its own scratch on the
+/// stack.
+constexpr std::size_t kFew = 64;
 
 BoxClass opposite(BoxClass c) {
   return c == BoxClass::Inside ? BoxClass::Outside : c == BoxClass::Outside ? BoxClass::Inside : c;
@@ -114,15 +119,66 @@ SurfaceOwner Combination<T>::localOwner(const Vec3<T>& p) const {
 template <std::floating_point T>
 SurfacePoint<T> Combination<T>::localClosestPoint(const Vec3<T>& p) const {
   const auto decision = decide(p);
-  auto result = operands_[decision.operand].closestPoint(p);
-  const T residual = localSignedDistance(result.point);
-  if (!(std::abs(residual) <= guarantee_.error(length(p) + length(result.point)))) {
+  const auto found = operands_[decision.operand].closestPoint(p);
+  return checked(p, decision, found, localSignedDistance(found.point));
+}
+
+template <std::floating_point T>
+SurfacePoint<T> Combination<T>::checked(const Vec3<T>& p, const Decision& decision,
+                                        SurfacePoint<T> found, T residual) const {
+  if (!(std::abs(residual) <= guarantee_.error(length(p) + length(found.point)))) {
     return SignedDistanceFunction<T>::localClosestPoint(p);
   }
-  result.owner = counted(result.owner, decision.operand);
-  result.distance = decision.value;
-  detail::rate(result, p, residual, guarantee_);
-  return result;
+  found.owner = counted(found.owner, decision.operand);
+  found.distance = decision.value;
+  detail::rate(found, p, residual, guarantee_);
+  return found;
+}
+
+template <std::floating_point T>
+void Combination<T>::localClosestPoints(std::span<const Vec3<T>> points,
+                                        std::span<SurfacePoint<T>> results) const {
+  std::array<Decision, kFew> decisions;
+  std::array<Vec3<T>, kFew> places;
+  std::array<T, kFew> residuals;
+  for (std::size_t first = 0; first < points.size(); first += kFew) {
+    const auto count = std::min(kFew, points.size() - first);
+    const auto here = points.subspan(first, count);
+    const auto found = results.subspan(first, count);
+    for (std::size_t k = 0; k < count; ++k) decisions[k] = decide(here[k]);
+    askDeciding(here, std::span(decisions).first(count), found);
+    for (std::size_t k = 0; k < count; ++k) places[k] = found[k].point;
+    localSignedDistances(std::span<const Vec3<T>>(places).first(count),
+                         std::span(residuals).first(count));
+    for (std::size_t k = 0; k < count; ++k) {
+      found[k] = checked(here[k], decisions[k], found[k], residuals[k]);
+    }
+  }
+}
+
+template <std::floating_point T>
+void Combination<T>::askDeciding(std::span<const Vec3<T>> points,
+                                 std::span<const Decision> decisions,
+                                 std::span<SurfacePoint<T>> found) const {
+  const auto operandOf = [&](std::size_t k) { return decisions[k].operand; };
+  std::array<std::size_t, kFew> byOperand;
+  std::array<Vec3<T>, kFew> asked;
+  std::array<SurfacePoint<T>, kFew> answers;
+  const auto order = std::span(byOperand).first(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, operandOf);
+  for (std::size_t begin = 0; begin < order.size();) {
+    const auto operand = operandOf(order[begin]);
+    std::size_t end = begin;
+    for (; end < order.size() && operandOf(order[end]) == operand; ++end) {
+      asked[end] = points[order[end]];
+    }
+    operands_[operand].closestPoints(std::span<const Vec3<T>>(asked).subspan(begin, end - begin),
+                                     std::span(answers).subspan(begin, end - begin),
+                                     {.threads = 1});
+    begin = end;
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) found[order[i]] = answers[i];
 }
 
 template <std::floating_point T>

@@ -33,6 +33,8 @@ class Combination : public SignedDistanceFunction<T> {
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const final;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const final;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const final;
+  void localClosestPoints(std::span<const Vec3<T>> points,
+                          std::span<SurfacePoint<T>> results) const final;
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const final;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
@@ -48,6 +50,12 @@ class Combination : public SignedDistanceFunction<T> {
   };
   [[nodiscard]] Decision decide(const Vec3<T>& p) const;
   [[nodiscard]] SurfaceOwner counted(SurfaceOwner owner, std::size_t operand) const;
+  /// Each point's closest point on the operand that decides there, as that operand tells it.
+  void askDeciding(std::span<const Vec3<T>> points, std::span<const Decision> decisions,
+                   std::span<SurfacePoint<T>> found) const;
+  /// From the closest point of the operand that decides at `p`, and the value there.
+  [[nodiscard]] SurfacePoint<T> checked(const Vec3<T>& p, const Decision& decision,
+                                        SurfacePoint<T> found, T residual) const;
 
   Decides decides_;
   std::vector<Solid<T>> operands_;

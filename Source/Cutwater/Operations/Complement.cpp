@@ -21,10 +21,21 @@ Vec3<T> Complement<T>::localGradient(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 SurfacePoint<T> Complement<T>::localClosestPoint(const Vec3<T>& p) const {
-  auto result = operand().closestPoint(p);
-  result.normal = -result.normal;
-  result.distance = -result.distance;
-  return result;
+  return turned(operand().closestPoint(p));
+}
+
+template <std::floating_point T>
+void Complement<T>::localClosestPoints(std::span<const Vec3<T>> points,
+                                       std::span<SurfacePoint<T>> results) const {
+  UnaryOperation<T>::localClosestPoints(points, results);
+  for (auto& result : results) result = turned(result);
+}
+
+template <std::floating_point T>
+SurfacePoint<T> Complement<T>::turned(SurfacePoint<T> found) {
+  found.normal = -found.normal;
+  found.distance = -found.distance;
+  return found;
 }
 
 template <std::floating_point T>

@@ -27,6 +27,12 @@ SurfacePoint<T> Offset<T>::localClosestPoint(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+void Offset<T>::localClosestPoints(std::span<const Vec3<T>> points,
+                                   std::span<SurfacePoint<T>> results) const {
+  SignedDistanceFunction<T>::localClosestPoints(points, results);
+}
+
+template <std::floating_point T>
 SurfaceOwner Offset<T>::localOwner(const Vec3<T>& p) const {
   return this->operand().closestPoint(p).owner;  // p is not on the operand's own surface
 }

@@ -21,15 +21,22 @@ T Scale<T>::localSignedDistance(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 void Scale<T>::localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const {
+  forShrunk(points, [&](std::span<const Vec3<T>> here, std::size_t first) {
+    const auto values = distances.subspan(first, here.size());
+    UnaryOperation<T>::localSignedDistances(here, values);
+    for (auto& value : values) value *= std::abs(factor_);
+  });
+}
+
+template <std::floating_point T>
+void Scale<T>::forShrunk(std::span<const Vec3<T>> points,
+                         FunctionRef<void(std::span<const Vec3<T>>, std::size_t)> batch) const {
   constexpr std::size_t kMost = 256;
   std::array<Vec3<T>, kMost> shrunkPoints;
   for (std::size_t first = 0; first < points.size(); first += kMost) {
     const auto count = std::min(kMost, points.size() - first);
-    const auto values = distances.subspan(first, count);
     for (std::size_t i = 0; i < count; ++i) shrunkPoints[i] = points[first + i] / factor_;
-    UnaryOperation<T>::localSignedDistances(std::span<const Vec3<T>>(shrunkPoints).first(count),
-                                            values);
-    for (auto& value : values) value *= std::abs(factor_);
+    batch(std::span<const Vec3<T>>(shrunkPoints).first(count), first);
   }
 }
 
@@ -45,14 +52,28 @@ Vec3<T> Scale<T>::localGradient(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 SurfacePoint<T> Scale<T>::localClosestPoint(const Vec3<T>& p) const {
-  auto result = this->operand().closestPoint(p / factor_);
-  result.point *= factor_;
-  result.normal = mirrored(result.normal);
-  result.distance *= std::abs(factor_);
-  result.tolerance *= std::abs(factor_);
+  return grown(this->operand().closestPoint(p / factor_), p);
+}
+
+template <std::floating_point T>
+void Scale<T>::localClosestPoints(std::span<const Vec3<T>> points,
+                                  std::span<SurfacePoint<T>> results) const {
+  forShrunk(points, [&](std::span<const Vec3<T>> here, std::size_t first) {
+    const auto found = results.subspan(first, here.size());
+    UnaryOperation<T>::localClosestPoints(here, found);
+    for (std::size_t i = 0; i < here.size(); ++i) found[i] = grown(found[i], points[first + i]);
+  });
+}
+
+template <std::floating_point T>
+SurfacePoint<T> Scale<T>::grown(SurfacePoint<T> found, const Vec3<T>& p) const {
+  found.point *= factor_;
+  found.normal = mirrored(found.normal);
+  found.distance *= std::abs(factor_);
+  found.tolerance *= std::abs(factor_);
   // Three more roundings: of the query point, of the point found and of the value.
-  result.tolerance += 4 * std::numeric_limits<T>::epsilon() * (length(p) + length(result.point));
-  return result;
+  found.tolerance += 4 * std::numeric_limits<T>::epsilon() * (length(p) + length(found.point));
+  return found;
 }
 
 template <std::floating_point T>

@@ -20,6 +20,8 @@ class Scale final : public UnaryOperation<T> {
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  void localClosestPoints(std::span<const Vec3<T>> points,
+                          std::span<SurfacePoint<T>> results) const override;
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
@@ -29,6 +31,11 @@ class Scale final : public UnaryOperation<T> {
 
   [[nodiscard]] Vec3<T> mirrored(const Vec3<T>& direction) const;
   [[nodiscard]] OrientedBox<T> shrunk(const OrientedBox<T>& box) const;
+  /// What the operand found for `p`, at this one's size.
+  [[nodiscard]] SurfacePoint<T> grown(SurfacePoint<T> found, const Vec3<T>& p) const;
+  /// Calls batch(points for the operand, index of the first) for pieces of the points.
+  void forShrunk(std::span<const Vec3<T>> points,
+                 FunctionRef<void(std::span<const Vec3<T>>, std::size_t first)> batch) const;
 
   T factor_;
 };

@@ -24,6 +24,12 @@ SurfacePoint<T> UnaryOperation<T>::localClosestPoint(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+void UnaryOperation<T>::localClosestPoints(std::span<const Vec3<T>> points,
+                                           std::span<SurfacePoint<T>> results) const {
+  operand_.closestPoints(points, results, {.threads = 1});
+}
+
+template <std::floating_point T>
 SurfaceOwner UnaryOperation<T>::localOwner(const Vec3<T>& p) const {
   return operand_.owner(p);
 }

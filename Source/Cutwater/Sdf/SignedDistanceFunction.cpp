@@ -17,6 +17,15 @@ constexpr T kNaN = std::numeric_limits<T>::quiet_NaN();
 /// Batches reach the shapes in pieces of this many points, whose local copies fit the L1 cache.
 constexpr std::size_t kBatch = 256;
 
+/// The answer about a point that is not finite.
+template <std::floating_point T>
+SurfacePoint<T> noSurfacePoint() {
+  SurfacePoint<T> none;
+  none.point = none.normal = {kNaN<T>, kNaN<T>, kNaN<T>};
+  none.owner.patch = kNone;
+  return none;
+}
+
 }  // namespace
 
 template <std::floating_point T>
@@ -31,9 +40,21 @@ void SignedDistanceFunction<T>::signedDistances(std::span<const Vec3<T>> points,
                                                 const ParallelOptions& options) const {
   require(points.size() == distances.size(), "signedDistances: need one distance per point",
           Named{"points", points.size()}, Named{"distances", distances.size()});
-  ParallelOptions inBatches = options;
-  inBatches.grain = std::max(options.grain, kBatch) / kBatch * kBatch;
-  parallelFor(points.size(), inBatches, [&](std::size_t begin, std::size_t end) {
+  forBatches(points, options, [&](std::span<const Vec3<T>> local, std::size_t first) {
+    const auto values = distances.subspan(first, local.size());
+    localSignedDistances(local, values);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = isFinite(points[first + i]) ? values[i] + T(0) : kNaN<T>;
+    }
+  });
+}
+
+template <std::floating_point T>
+void SignedDistanceFunction<T>::forBatches(
+    std::span<const Vec3<T>> points, ParallelOptions options,
+    FunctionRef<void(std::span<const Vec3<T>>, std::size_t)> batch) const {
+  options.grain = std::max(options.grain, kBatch) / kBatch * kBatch;
+  parallelFor(points.size(), options, [&](std::size_t begin, std::size_t end) {
     std::array<Vec3<T>, kBatch> local;
     for (auto first = begin; first < end; first += kBatch) {
       const auto count = std::min(kBatch, end - first);
@@ -41,11 +62,7 @@ void SignedDistanceFunction<T>::signedDistances(std::span<const Vec3<T>> points,
         const auto& p = points[first + i];
         local[i] = isFinite(p) ? placement_.toLocal(p) : Vec3<T>{};
       }
-      const auto values = distances.subspan(first, count);
-      localSignedDistances(std::span<const Vec3<T>>(local).first(count), values);
-      for (std::size_t i = 0; i < count; ++i) {
-        values[i] = isFinite(points[first + i]) ? values[i] + T(0) : kNaN<T>;
-      }
+      batch(std::span<const Vec3<T>>(local).first(count), first);
     }
   });
 }
@@ -66,19 +83,31 @@ Vec3<T> SignedDistanceFunction<T>::gradient(const Vec3<T>& point) const {
 
 template <std::floating_point T>
 SurfacePoint<T> SignedDistanceFunction<T>::closestPoint(const Vec3<T>& point) const {
-  if (!isFinite(point)) {
-    const Vec3<T> nowhere{kNaN<T>, kNaN<T>, kNaN<T>};
-    SurfacePoint<T> none;
-    none.point = nowhere;
-    none.normal = nowhere;
-    none.owner.patch = kNone;
-    return none;
-  }
-  auto result = localClosestPoint(placement_.toLocal(point));
-  result.point = placement_.toWorld(result.point);
-  result.normal = placement_.directionToWorld(result.normal);
-  result.distance += T(0);
-  return result;
+  if (!isFinite(point)) return noSurfacePoint<T>();
+  return toWorld(localClosestPoint(placement_.toLocal(point)));
+}
+
+template <std::floating_point T>
+void SignedDistanceFunction<T>::closestPoints(std::span<const Vec3<T>> points,
+                                              std::span<SurfacePoint<T>> results,
+                                              const ParallelOptions& options) const {
+  require(points.size() == results.size(), "closestPoints: need one result per point",
+          Named{"points", points.size()}, Named{"results", results.size()});
+  forBatches(points, options, [&](std::span<const Vec3<T>> local, std::size_t first) {
+    const auto found = results.subspan(first, local.size());
+    localClosestPoints(local, found);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      found[i] = isFinite(points[first + i]) ? toWorld(found[i]) : noSurfacePoint<T>();
+    }
+  });
+}
+
+template <std::floating_point T>
+SurfacePoint<T> SignedDistanceFunction<T>::toWorld(SurfacePoint<T> local) const {
+  local.point = placement_.toWorld(local.point);
+  local.normal = placement_.directionToWorld(local.normal);
+  local.distance += T(0);  // -0 becomes +0
+  return local;
 }
 
 template <std::floating_point T>
@@ -161,6 +190,12 @@ SurfacePoint<T> SignedDistanceFunction<T>::localClosestPoint(const Vec3<T>& poin
        .owner = [this](const Vec3<T>& p) { return localOwner(p); },
        .guarantee = localGuarantee()},
       point);
+}
+
+template <std::floating_point T>
+void SignedDistanceFunction<T>::localClosestPoints(std::span<const Vec3<T>> points,
+                                                   std::span<SurfacePoint<T>> results) const {
+  for (std::size_t i = 0; i < points.size(); ++i) results[i] = localClosestPoint(points[i]);
 }
 
 template <std::floating_point T>

@@ -47,6 +47,11 @@ class SignedDistanceFunction {
   /// A point of the surface nearest to `point`, exact or to the tolerance it states.
   [[nodiscard]] SurfacePoint<T> closestPoint(const Vec3<T>& point) const;
 
+  /// The same for many points, in parallel; the same bits as one by one.
+  /// @throws Error if the spans differ in size.
+  void closestPoints(std::span<const Vec3<T>> points, std::span<SurfacePoint<T>> results,
+                     const ParallelOptions& options = {}) const;
+
   /// Object, patch and face of a point that lies on the surface.
   [[nodiscard]] SurfaceOwner owner(const Vec3<T>& surfacePoint) const;
 
@@ -101,6 +106,9 @@ class SignedDistanceFunction {
   virtual void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const;
   [[nodiscard]] virtual Vec3<T> localGradient(const Vec3<T>& point) const;
   [[nodiscard]] virtual SurfacePoint<T> localClosestPoint(const Vec3<T>& point) const;
+  /// Closest points for a few hundred points at most; runs inside a parallel region.
+  virtual void localClosestPoints(std::span<const Vec3<T>> points,
+                                  std::span<SurfacePoint<T>> results) const;
   /// Whose surface it is at a surface point.
   [[nodiscard]] virtual SurfaceOwner localOwner(const Vec3<T>&) const { return {}; }
   virtual CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const;
@@ -126,6 +134,11 @@ class SignedDistanceFunction {
   friend class Solid;  // forwards the local functions of the shape it holds
 
   [[nodiscard]] OrientedBox<T> toLocal(const OrientedBox<T>& box) const;
+  [[nodiscard]] SurfacePoint<T> toWorld(SurfacePoint<T> local) const;
+  /// Calls batch(local points, index of the first) for pieces of the points, in parallel; those
+  /// that are not finite are replaced by the origin.
+  void forBatches(std::span<const Vec3<T>> points, ParallelOptions options,
+                  FunctionRef<void(std::span<const Vec3<T>> local, std::size_t first)> batch) const;
 
   RigidTransform<T> placement_;
 };

@@ -34,6 +34,12 @@ SurfacePoint<T> Solid<T>::localClosestPoint(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+void Solid<T>::localClosestPoints(std::span<const Vec3<T>> points,
+                                  std::span<SurfacePoint<T>> results) const {
+  root_->localClosestPoints(points, results);
+}
+
+template <std::floating_point T>
 SurfaceOwner Solid<T>::localOwner(const Vec3<T>& p) const {
   return root_->localOwner(p);
 }

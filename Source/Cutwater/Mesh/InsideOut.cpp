@@ -1,0 +1,209 @@
+#include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Core/DoubleDouble.hpp>
+#include <Cutwater/Mesh/InsideOut.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
+#include <Cutwater/Mesh/SurfaceLocation.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace cutwater {
+
+namespace {
+
+struct Shell {
+  bool closed = true;  // as many triangles run one way along each edge as the other
+  bool turned = false;
+  double triangles = 0;
+  double volume = 0;
+  double area = 0;
+  double sizes = 0;  // sum of products of the edges that the volume is made of
+  // Of unbalanced edges: the sum of their corners, the number of those, and the edges' length.
+  Vec3<double> corners;
+  double cornerCount = 0;
+  double rim = 0;
+};
+
+/// Which shells contain a vertex of a given shell: the parity of their passages along a segment
+/// that leads out of the mesh.
+class Containment {
+ public:
+  explicit Containment(const AgreeingTriangles& mesh) : shellOf_(mesh.shells.shellOf) {
+    const auto boxes = triangleBoxes<double>(mesh.positions, mesh.triangles);
+    for (const auto& box : boxes) surface_.box.extend(box);
+    surface_.positions = mesh.positions;
+    surface_.triangles = mesh.triangles;
+    tree_ = buildBvh<16, 4>(boxes);
+  }
+
+  /// Visits the shells that contain the one with this triangle.
+  template <typename Visit>
+  void visitAround(std::uint32_t inner, Visit&& visit) const {
+    const auto own = shellOf_[inner];
+    const auto exit = exitOf(surface_.box, surface_.positions[surface_.triangles[inner][0]]);
+    const auto tree = tree_.tree();
+    const auto along = [&](const Segment<double>& segment, TriangleVisitor visitor) {
+      tree.along(segment, visitor);
+    };
+    std::vector<std::uint32_t> passed;
+    const auto note = [&](std::uint32_t triangle, int) {
+      if (shellOf_[triangle] != own) passed.push_back(shellOf_[triangle]);
+      return 1.0;
+    };
+    visitPassages<double>(surface_, exit, along, note);
+    std::ranges::sort(passed);
+    for (auto first = passed.begin(); first != passed.end();) {
+      const auto last = std::upper_bound(first, passed.end(), *first);
+      if ((last - first) % 2 != 0) visit(*first);
+      first = last;
+    }
+  }
+
+ private:
+  std::span<const std::uint32_t> shellOf_;
+  TriangleSurface<double> surface_;
+  BvhArrays<16, 4> tree_;
+};
+
+class InsideOutSearch {
+ public:
+  explicit InsideOutSearch(const AgreeingTriangles& mesh)
+      : mesh_(mesh), shells_(mesh.shells.firstTriangles.size()) {}
+
+  std::vector<std::uint32_t> run() {
+    noteRims();
+    measure();
+    judge();
+    turnShells();
+    std::vector<std::uint32_t> turned;
+    for (std::uint32_t s = 0; s < shells_.size(); ++s) {
+      if (shells_[s].turned) turned.push_back(s);
+    }
+    return turned;
+  }
+
+ private:
+  void noteRims() {
+    for (const auto& edge : mesh_.openEdges) {
+      const auto& lower = mesh_.positions[edge.lower];
+      const auto& upper = mesh_.positions[edge.upper];
+      auto& shell = shells_[mesh_.shells.shellOf[edge.triangle]];
+      shell.closed = false;
+      shell.corners += lower + upper;
+      shell.cornerCount += 2;
+      shell.rim += length(upper - lower);
+    }
+  }
+
+  /// The shells' volumes; of open ones, closed by fans from the middle of their boundary: they
+  /// contribute nothing, seen from there.
+  void measure() {
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      auto& shell = shells_[mesh_.shells.shellOf[t]];
+      const auto [first, ab, ac] = edgesOf(t);
+      const auto a = first - (shell.closed ? start(t) : shell.corners / shell.cornerCount);
+      const auto normal = cross(ab, ac);
+      shell.volume += dot(a, normal) / 6;
+      shell.sizes += length(a) * length(ab) * length(ac) / 6;
+      shell.area += length(normal) / 2;
+      ++shell.triangles;
+    }
+  }
+
+  /// Volumes that are only rounding are taken again; sheets have none.
+  void judge() {
+    std::vector<bool> thin(shells_.size());
+    bool someAreThin = false;
+    for (std::size_t s = 0; s < shells_.size(); ++s) {
+      const auto& shell = shells_[s];
+      // A dozen roundings within each term, and one per sum.
+      const double rounding = 0x1p-53 * (16 + shell.triangles) * shell.sizes;
+      thin[s] = shell.closed && std::abs(shell.volume) <= rounding;
+      someAreThin = someAreThin || thin[s];
+    }
+    if (someAreThin) measureThin(thin);
+    for (auto& shell : shells_) {
+      const double sphere = shell.area * std::sqrt(shell.area / std::numbers::pi) / 6;
+      const bool isSheet =
+          shell.rim * shell.rim > shell.area && std::abs(shell.volume) < 0.1 * sphere;
+      if (isSheet) shell.volume = 0;
+    }
+  }
+
+  /// In twice the precision, for plates a few ulps thick.
+  void measureThin(const std::vector<bool>& thin) {
+    std::vector<DoubleDouble> volumes(shells_.size());
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const auto s = mesh_.shells.shellOf[t];
+      if (!thin[s]) continue;
+      const auto& [v0, v1, v2] = mesh_.triangles[t];
+      const auto& a = mesh_.positions[v0];
+      const auto normal = cross(DoubleDouble3::difference(mesh_.positions[v1], a),
+                                DoubleDouble3::difference(mesh_.positions[v2], a));
+      volumes[s] += dot(DoubleDouble3::difference(a, start(t)), normal);
+    }
+    for (std::size_t s = 0; s < shells_.size(); ++s) {
+      if (thin[s]) shells_[s].volume = static_cast<double>(volumes[s]) / 6;
+    }
+  }
+
+  void turnShells() {
+    std::vector<std::uint32_t> suspects;
+    for (std::uint32_t s = 0; s < shells_.size(); ++s) {
+      if (shells_[s].volume < 0) suspects.push_back(s);
+    }
+    if (suspects.empty()) return;
+    if (shells_.size() == 1) {
+      shells_[0].turned = true;
+      return;
+    }
+    const Containment containment(mesh_);
+    const auto& first = mesh_.shells.firstTriangles;
+    for (const auto s : suspects) {
+      bool isCavity = false;
+      containment.visitAround(
+          first[s], [&](std::uint32_t outer) { isCavity = isCavity || shells_[outer].closed; });
+      shells_[s].turned = !isCavity;
+    }
+    const auto wasTurned = [](const Shell& shell) { return shell.turned; };
+    if (std::ranges::none_of(shells_, wasTurned)) return;
+    std::vector<std::uint32_t> within;
+    for (std::uint32_t s = 0; s < shells_.size(); ++s) {
+      if (shells_[s].turned) continue;
+      containment.visitAround(first[s], [&](std::uint32_t outer) {
+        if (shells_[outer].closed && shells_[outer].turned && !isListed(within, s)) {
+          within.push_back(s);
+        }
+      });
+    }
+    for (const auto s : within) shells_[s].turned = true;
+  }
+
+  static bool isListed(const std::vector<std::uint32_t>& list, std::uint32_t id) {
+    return !list.empty() && list.back() == id;
+  }
+
+  /// A vertex of the triangle's shell.
+  [[nodiscard]] const Vec3<double>& start(std::size_t triangle) const {
+    const auto first = mesh_.shells.firstTriangles[mesh_.shells.shellOf[triangle]];
+    return mesh_.positions[mesh_.triangles[first][0]];
+  }
+  /// The first corner, and from there to the others.
+  [[nodiscard]] std::array<Vec3<double>, 3> edgesOf(std::size_t triangle) const {
+    const auto& [v0, v1, v2] = mesh_.triangles[triangle];
+    const auto& a = mesh_.positions[v0];
+    return {a, mesh_.positions[v1] - a, mesh_.positions[v2] - a};
+  }
+
+  const AgreeingTriangles& mesh_;
+  std::vector<Shell> shells_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> insideOutShells(const AgreeingTriangles& surface) {
+  return InsideOutSearch(surface).run();
+}
+
+}  // namespace cutwater

@@ -1,0 +1,253 @@
+// MeshSDF::refitted(): held against a MeshSDF made anew, to the bit.
+
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Mesh/Triangulation.hpp>
+
+#include "Support/DamagedSoups.hpp"
+#include "Support/Precisions.hpp"
+#include "Support/SameClosestPoints.hpp"
+#include "Support/Scale.hpp"
+
+namespace cutwater::test {
+namespace {
+
+template <typename T>
+class RefitTest : public ::testing::Test {};
+TYPED_TEST_SUITE(RefitTest, Precisions);
+
+void expectSameReport(const SignReport& a, const SignReport& b) {
+  EXPECT_EQ(a.scheme, b.scheme);
+  EXPECT_EQ(a.unbalancedEdges, b.unbalancedEdges);
+  EXPECT_EQ(a.shells, b.shells);
+  EXPECT_EQ(a.turnedFaces, b.turnedFaces);
+  EXPECT_EQ(a.turnedShells, b.turnedShells);
+  EXPECT_EQ(a.unorientable, b.unorientable);
+  EXPECT_EQ(a.probes, b.probes);
+  EXPECT_EQ(a.unsound, b.unsound);
+  EXPECT_EQ(a.ambiguous, b.ambiguous);
+  EXPECT_EQ(a.selfIntersections, b.selfIntersections);
+}
+
+/// Points around the surface and, from its vertices, at distances down to its rounding.
+template <typename T>
+std::vector<Vec3<T>> probesOf(const MeshSDF<T>& mesh) {
+  const auto box = mesh.boundingBox();
+  const T size = box.diagonal();
+  RandomPoints<T> random(1);
+  std::vector<Vec3<T>> result;
+  for (int i = 0; i < scaled(400); ++i) {
+    result.push_back(box.center() + T(0.75) * size * random.next());
+    const auto id =
+        static_cast<std::uint32_t>(static_cast<std::size_t>(i) * 7919U % mesh.triangleCount());
+    const auto [a, b, c] = mesh.triangle(id);
+    const T away = size * std::pow(T(10), T(-(i % 7)));
+    result.push_back((a + b + c) / T(3) + away * random.next());
+    if (i % 8 == 0) result.push_back(a);
+  }
+  return result;
+}
+
+/// Everything that can be asked.
+template <typename T>
+void expectSame(const MeshSDF<T>& refitted, const MeshSDF<T>& fresh) {
+  expectSameReport(refitted.signReport(), fresh.signReport());
+  EXPECT_EQ(refitted.boundingBox(), fresh.boundingBox());
+  EXPECT_EQ(refitted.patchNames(), fresh.patchNames());
+  ASSERT_EQ(refitted.triangleCount(), fresh.triangleCount());
+  for (std::uint32_t id = 0; id < fresh.triangleCount(); ++id) {
+    ASSERT_EQ(refitted.triangle(id), fresh.triangle(id)) << id;
+  }
+  int wrong = 0;
+  for (const auto& p : probesOf(fresh)) {
+    const auto differing = differingFields(refitted.closestPoint(p), fresh.closestPoint(p));
+    EXPECT_EQ(differing, "") << "at " << p;
+    const Box<T> box{p, p + T(0.125) * fresh.boundingBox().size()};
+    const auto [lower, upper] = refitted.bounds(box);
+    EXPECT_EQ(lower, fresh.bounds(box).lower) << p;
+    EXPECT_EQ(upper, fresh.bounds(box).upper) << p;
+    EXPECT_EQ(refitted.classify(box), fresh.classify(box)) << p;
+    const Segment<T> across{p, fresh.boundingBox().center()};
+    const auto any = [](const auto&) { return true; };
+    EXPECT_EQ(refitted.crossings(across, any).found, fresh.crossings(across, any).found) << p;
+    if (::testing::Test::HasFailure() && ++wrong > 3) return;
+  }
+}
+
+template <typename T, typename Motion>
+std::vector<Vec3<T>> movedPoints(const PolygonSoup& soup, Motion motion) {
+  std::vector<Vec3<T>> result;
+  for (const auto& p : soup.points) result.push_back(static_cast<Vec3<T>>(motion(p)));
+  return result;
+}
+
+template <typename T>
+PolygonSoup soupAt(PolygonSoup soup, const std::vector<Vec3<T>>& positions) {
+  soup.points.assign(positions.begin(), positions.end());
+  return soup;
+}
+
+/// Refits a mesh of triangles, compares it with one made anew, and moves it back.
+template <typename T, typename Motion>
+MeshSDF<T> expectFollows(const PolygonSoup& polygons, Motion motion,
+                         const MeshSDFOptions& options = {}) {
+  const auto soup = triangulated(polygons);
+  const MeshSDF<T> before(soup, options);
+  const auto moved = movedPoints<T>(soup, motion);
+  const auto after = before.refitted(moved);
+  expectSame(after, MeshSDF<T>(soupAt(soup, moved), options));
+  expectSame(after.refitted(movedPoints<T>(soup, [](const auto& p) { return p; })), before);
+  return after;
+}
+
+Vec3<double> stretched(const Vec3<double>& p) {
+  return {3 * p.x + 0.5, 0.5 * p.y - 1, 1.25 * p.z};
+}
+
+/// A beam along x bends upwards, to an arc of radius 2.
+Vec3<double> bent(const Vec3<double>& p) {
+  const double angle = p.x / 2;
+  return {(2 - p.z) * std::sin(angle), p.y, 2 - (2 - p.z) * std::cos(angle)};
+}
+
+Vec3<double> waving(const Vec3<double>& p) {
+  return p + 0.1 * Vec3<double>{std::sin(3 * p.y), std::sin(2 * p.z + 1), std::sin(4 * p.x)};
+}
+
+TYPED_TEST(RefitTest, FollowsASphereThatBecomesAnEllipsoid) {
+  using T = TypeParam;
+  const auto after = expectFollows<T>(tessellation::icosphere(1, 4), stretched);
+  EXPECT_TRUE(after.signReport().isSound());
+  EXPECT_NEAR(after.signedDistance({T(0.5), -1, 0}), T(-0.5), T(0.01));
+}
+
+TYPED_TEST(RefitTest, FollowsABeamThatBends) {
+  using T = TypeParam;
+  const auto beam = tessellation::box({-3, -0.25, -0.25}, {3, 0.25, 0.25}, 24);
+  const auto after = expectFollows<T>(beam, bent, {.findSelfIntersections = true});
+  EXPECT_TRUE(after.signReport().isSound());
+  EXPECT_LT(after.signedDistance(static_cast<Vec3<T>>(bent({2.5, 0, 0}))), 0);
+  EXPECT_GT(after.signedDistance({T(2.5), 0, 0}), 0);
+}
+
+TYPED_TEST(RefitTest, FollowsOpenSurfaces) {
+  using T = TypeParam;
+  EXPECT_FALSE(expectFollows<T>(bowl(24), waving).signReport().isClosed());
+  expectFollows<T>(bowl(16), stretched, {.signs = SignScheme::NearestFeature});
+  expectFollows<T>(twistedBand(60, 0.25, 1), waving);
+  // A bowl pressed flat, and one turned over: what it encloses is told by its rim.
+  expectFollows<T>(bowl(24), [](Vec3<double> p) { return Vec3<double>{p.x, p.y, 0.01 * p.z}; });
+  expectFollows<T>(bowl(24), [](Vec3<double> p) { return Vec3<double>{p.x, p.y, -p.z}; });
+}
+
+TYPED_TEST(RefitTest, SeesShellsMeetAndLeaveEachOther) {
+  using T = TypeParam;
+  const auto ball = tessellation::icosphere(1, 2);
+  const auto apart = together(ball, moved(ball, {3, 0, 0}));
+  const auto closer = [](const Vec3<double>& p) {
+    return p.x < 1.5 ? p : p - Vec3<double>{2, 0, 0};
+  };
+  EXPECT_TRUE(MeshSDF<T>(apart).signReport().isSound());
+  EXPECT_FALSE(expectFollows<T>(apart, closer).signReport().isSound());
+  // A cavity that leaves the ball around it is a ball that stands inside out.
+  const auto hollow = together(ball, insideOut(tessellation::icosphere(0.5, 2)));
+  const auto leaving = [](const Vec3<double>& p) {
+    return length(p) > 0.75 ? p : p + Vec3<double>{3, 0, 0};
+  };
+  EXPECT_EQ(MeshSDF<T>(hollow).signReport().turnedShells, 0U);
+  EXPECT_EQ(expectFollows<T>(hollow, leaving).signReport().turnedShells, 1U);
+  expectFollows<T>(insideOut(hollow), leaving);
+}
+
+TYPED_TEST(RefitTest, TurnsWhatMotionTurnsInsideOut) {
+  using T = TypeParam;
+  const auto mirrored = [](const Vec3<double>& p) { return Vec3<double>{-p.x, p.y, p.z}; };
+  const auto ball = triangulated(tessellation::icosphere(1, 2));
+  EXPECT_EQ(expectFollows<T>(ball, mirrored).signReport().turnedShells, 1U);
+  EXPECT_EQ(expectFollows<T>(insideOut(ball), mirrored).signReport().turnedShells, 0U);
+  EXPECT_EQ(expectFollows<T>(flipped(ball, 7), mirrored).signReport().turnedFaces, 1U);
+  expectFollows<T>(onlyFaces(flipped(insideOut(ball), 9), [](std::size_t i) { return i != 4; }),
+                   mirrored);
+}
+
+TYPED_TEST(RefitTest, FollowsDamagedSurfaces) {
+  using T = TypeParam;
+  const auto box = tessellation::box({0, 0, 0}, {1, 1, 1}, 2);
+  expectFollows<T>(weldedTogether(box, moved(box, {1, 1, 0})), waving);  // four faces at an edge
+  expectFollows<T>(weldedTogether(box, box), waving);                    // every face twice
+  expectFollows<T>(unwelded(box), waving);
+  auto unused = tessellation::box({0, 0, 0}, {1, 1, 1}, 2);
+  unused.points.push_back({9, 9, 9});
+  expectFollows<T>(unused, waving);
+}
+
+TYPED_TEST(RefitTest, FollowsIntoAPlaneAndIntoAPoint) {
+  using T = TypeParam;
+  const auto flat = [](const Vec3<double>& p) { return Vec3<double>{p.x, p.y, 0}; };
+  const auto nowhere = [](const Vec3<double>&) { return Vec3<double>{1, 2, 3}; };
+  const auto ball = triangulated(tessellation::icosphere(1, 1));
+  EXPECT_FALSE(expectFollows<T>(ball, flat).signReport().isSound());
+  expectFollows<T>(ball, nowhere);
+  expectFollows<T>(bowl(16), flat);
+  const MeshSDF<T> strict(ball, {.requireWatertight = true});
+  const auto pressed = movedPoints<T>(ball, flat);
+  EXPECT_THROW(MeshSDF<T>(soupAt(ball, pressed), {.requireWatertight = true}), Error);
+  EXPECT_THROW((void)strict.refitted(pressed), Error);
+}
+
+TYPED_TEST(RefitTest, FollowsToOtherScales) {
+  using T = TypeParam;
+  for (const double factor : {1e-12, 1e12}) {
+    expectFollows<T>(tessellation::icosphere(1, 2),
+                     [factor](const Vec3<double>& p) { return factor * waving(p); });
+  }
+}
+
+TYPED_TEST(RefitTest, PolygonsStayCutAsTheyAre) {
+  using T = TypeParam;
+  const auto quads = tessellation::torus(2, 0.5, 24, 12);
+  const auto positions = movedPoints<T>(quads, waving);
+  const auto after = MeshSDF<T>(quads).refitted(positions);
+  const MeshSDF<T> fresh(soupAt(triangulated(quads), positions));
+  std::vector<std::uint32_t> polygonOf;
+  for (const auto polygon : triangulate(quads).polygons) polygonOf.push_back(polygon);
+  for (const auto& p : probesOf(fresh)) {
+    const auto expected = fresh.closestPoint(p);
+    const auto found = after.closestPoint(p);
+    EXPECT_EQ(found.distance, expected.distance) << p;
+    EXPECT_EQ(found.triangle, expected.triangle) << p;
+    EXPECT_EQ(found.owner.face, polygonOf[expected.owner.face]) << p;
+  }
+}
+
+TYPED_TEST(RefitTest, LeavesTheOldSurfaceAndKeepsThePlacement) {
+  using T = TypeParam;
+  const auto soup = triangulated(tessellation::icosphere(1, 2));
+  MeshSDF<T> mesh(soup);
+  mesh.rotate(30, 2);
+  mesh.translate({1, 2, 3});
+  const auto copy = mesh;
+  const auto after = mesh.refitted(movedPoints<T>(soup, stretched));
+  EXPECT_EQ(after.placement(), mesh.placement());
+  expectSame(mesh, copy);
+  auto expected = MeshSDF<T>(soupAt(soup, movedPoints<T>(soup, stretched)));
+  expected.setPlacement(mesh.placement());
+  expectSame(after, expected);
+}
+
+TYPED_TEST(RefitTest, RefusesWhatIsNoMotion) {
+  using T = TypeParam;
+  const auto soup = tessellation::icosphere(1, 1);
+  const MeshSDF<T> mesh(soup);
+  auto positions = movedPoints<T>(soup, [](const auto& p) { return p; });
+  positions.back().y = std::numeric_limits<T>::quiet_NaN();
+  EXPECT_THROW((void)mesh.refitted(positions), Error);
+  positions.back().y = std::numeric_limits<T>::infinity();
+  EXPECT_THROW((void)mesh.refitted(positions), Error);
+  positions.pop_back();
+  EXPECT_THROW((void)mesh.refitted(positions), Error);
+  EXPECT_THROW((void)mesh.refitted({}), Error);
+}
+
+}  // namespace
+}  // namespace cutwater::test
