@@ -1,0 +1,52 @@
+#include <Cutwater/Operations/OperandTree.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace cutwater::detail {
+
+namespace {
+
+/// From so many on the search costs no more than asking all, even if they are spheres, which are
+/// the cheapest to ask.
+constexpr std::size_t kFewest = 16;
+
+}  // namespace
+
+template <std::floating_point T>
+bool OperandTree<T>::isBounded(const OperandBound<T>& operand) {
+  const auto& promise = operand.guarantee;
+  const auto& box = operand.box;
+  return promise.outside == Quality::Exact && promise.lipschitz && *promise.lipschitz <= 1 &&
+         promise.continuous && promise.domain == Box<T>::everywhere() && promise.size < kFarthest &&
+         promise.ulps < 1 / std::numeric_limits<T>::epsilon() && !box.empty() &&
+         maxComponent(max(abs(box.lower), abs(box.upper))) < kFarthest;
+}
+
+template <std::floating_point T>
+OperandTree<T>::OperandTree(std::span<const OperandBound<T>> operands) {
+  std::vector<Box<double>> boxes;
+  for (std::uint32_t i = 0; i < operands.size(); ++i) {
+    const auto& [promise, box] = operands[i];
+    if (!isBounded(operands[i])) {
+      always_.push_back(i);
+      continue;
+    }
+    ids_.push_back(i);
+    boxes.push_back({Vec3<double>(box.lower), Vec3<double>(box.upper)});
+    ulps_ = std::max(ulps_, promise.ulps);
+    size_ = std::max(size_, promise.size);
+  }
+  if (ids_.size() < kFewest) {
+    ids_.clear();
+    always_.resize(operands.size());
+    std::iota(always_.begin(), always_.end(), 0U);
+  } else {
+    arrays_ = buildBvh<16, 4>(boxes);
+  }
+}
+
+template class OperandTree<float>;
+template class OperandTree<double>;
+
+}  // namespace cutwater::detail
