@@ -176,7 +176,7 @@ void Combination<T>::forEachNear(const OrientedBox<T>& box, double limit, Ask&& 
   const std::size_t count = helps ? tree_.always().size() : operands_.size();
   for (std::size_t i = 0; i < count; ++i) {
     limit = ask(helps ? tree_.always()[i] : i);
-    if (limit == detail::OperandTree<T>::kStop) return;
+    if (limit == kStopTraversal) return;
   }
   if (helps) tree_.forBoundsIn(box, limit, ask);
 }
@@ -212,7 +212,7 @@ BoxClass Combination<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint)
     outside += c == BoxClass::Outside;
     cut += c == BoxClass::Cut;
     isInside = isInside || c == BoxClass::Inside;
-    return isInside ? detail::OperandTree<T>::kStop : 0.0;
+    return isInside ? kStopTraversal : 0.0;
   };
   forEachNear(box, 0, ask);
   if (isInside) return seen(BoxClass::Inside);

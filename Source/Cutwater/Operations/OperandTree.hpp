@@ -54,7 +54,8 @@ class OperandTree {
   }
 
   /// Calls ask(operand) for every operand in the tree whose lower bound in the box may be as low as
-  /// a limit, which it returns: for all others the bound is certainly above it. `limit`: at first.
+  /// a limit, which it returns (kStopTraversal: no other is wanted): for all others the bound is
+  /// certainly above it. `limit`: at first.
   ///
   /// By default that bound is value - radius at the centre, less rounding: of the value, of what
   /// the interval encloses, and of the box on its way through frames within frames, each of which
@@ -66,12 +67,9 @@ class OperandTree {
     const double reach{radius};
     visit(box.center, limit + reach, error, [&](std::uint32_t operand) {
       const double next = ask(operand);
-      return next == kStop ? kStop : next + reach;
+      return next == kStopTraversal ? kStopTraversal : next + reach;
     });
   }
-
-  /// Returned by ask(): no other is wanted.
-  static constexpr double kStop = BvhTree<16, 4>::kStop;
 
  private:
   /// Squares of sums of a few such numbers are finite.
@@ -93,7 +91,7 @@ class OperandTree {
       for (const auto slot : slots) {
         if (slot == kNone) break;
         limit = ask(ids_[slot]);
-        if (limit == kStop) break;
+        if (limit == kStopTraversal) break;
       }
       return limit;
     });
