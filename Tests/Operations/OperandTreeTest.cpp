@@ -224,6 +224,27 @@ TYPED_TEST(OperandTreeTest, FromAfarTheFirstOfEqualsDecides) {
   EXPECT_GT(winners.size(), 10U);
 }
 
+TYPED_TEST(OperandTreeTest, ChainsAreThePlainFoldAtEveryLength) {
+  using T = TypeParam;
+  // Operands come one by one, and now and then several, one of which the tree cannot hold.
+  std::vector<Solid<T>> operands = this->parts(0, 14, T(0.1));
+  Solid<T> chain = unionOf(operands);
+  RandomPoints<T> random(T(1.3), /*seed=*/3);
+  for (int step = 0; step < 60; ++step) {
+    auto more = this->parts(20 * step, 20 * step + (step % 12 == 7 ? 20 : 1), T(0.1));
+    if (step % 10 == 3) more[0] = Shy<T>(random.next());
+    for (const auto& one : more) operands.push_back(one);
+    chain = chain | unionOf(more);
+    const Solid<T> plain = PlainFold<T>(operands, true, chain.guarantee());
+    for (int i = 0; i < 20; ++i) expectSamePoint(chain, plain, random.next());
+    for (int i = 0; i < 5; ++i) {
+      const auto at = random.next();
+      expectSameBox(chain, plain, Box<T>{at, at + T(0.1) * abs(random.next())});
+    }
+  }
+  EXPECT_EQ(chain.template as<Combination<T>>()->operands().size(), operands.size());
+}
+
 TYPED_TEST(OperandTreeTest, DifferencesAreThePlainFoldToTheBit) {
   using T = TypeParam;
   for (const auto& holes : {this->parts(0, 400, T(0.03)), this->parts(0, 40, T(0.1))}) {

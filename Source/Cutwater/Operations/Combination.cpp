@@ -38,7 +38,8 @@ BoxClass opposite(BoxClass c) {
 }  // namespace
 
 template <std::floating_point T>
-Combination<T>::Combination(const char* name, Decides decides, std::vector<Solid<T>> operands)
+Combination<T>::Combination(const char* name, Decides decides, std::vector<Solid<T>> operands,
+                            const Combination* beginning)
     : decides_(decides), operands_(std::move(operands)) {
   if (operands_.empty()) throw Error(ErrorKind::Argument, std::string(name) + ": need an operand");
   std::vector<detail::OperandBound<T>> bounds;
@@ -58,7 +59,7 @@ Combination<T>::Combination(const char* name, Decides decides, std::vector<Solid
   require(patches < kNone, "Combination: too many patches", Named{"patches", patches});
   if (!least) guarantee_ = swapped(guarantee_);
   if (boundingBox_.empty()) boundingBox_ = {};
-  tree_ = detail::OperandTree<T>(bounds);
+  tree_ = detail::OperandTree<T>(bounds, beginning != nullptr ? &beginning->tree_ : nullptr);
 }
 
 /// Of the function that is to be the least: the operand, or its negative.

@@ -31,8 +31,10 @@ class Combination : public SignedDistanceFunction<T> {
   [[nodiscard]] Decides decides() const { return decides_; }
 
  protected:
+  /// `beginning`: a combination of the first of the operands, whose tree may serve; or null.
   /// @throws Error unless there is at least one operand.
-  Combination(const char* name, Decides decides, std::vector<Solid<T>> operands);
+  Combination(const char* name, Decides decides, std::vector<Solid<T>> operands,
+              const Combination* beginning);
 
  private:
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const final;

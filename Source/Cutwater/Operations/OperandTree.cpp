@@ -24,7 +24,28 @@ bool OperandTree<T>::isBounded(const OperandBound<T>& operand) {
 }
 
 template <std::floating_point T>
-OperandTree<T>::OperandTree(std::span<const OperandBound<T>> operands) {
+bool OperandTree<T>::isWorthKeepingFor(std::span<const OperandBound<T>> operands) const {
+  const auto known = ids_.size() + always_.size();
+  const auto more = std::ranges::count_if(operands.subspan(known), isBounded);
+  return !ids_.empty() && late_ + static_cast<std::size_t>(more) < kFewest;
+}
+
+template <std::floating_point T>
+OperandTree<T>::OperandTree(std::span<const OperandBound<T>> operands,
+                            const OperandTree* beginning) {
+  if (beginning == nullptr || !beginning->isWorthKeepingFor(operands)) {
+    build(operands);
+    return;
+  }
+  *this = *beginning;
+  for (auto i = ids_.size() + always_.size(); i < operands.size(); ++i) {
+    always_.push_back(static_cast<std::uint32_t>(i));
+    late_ += isBounded(operands[i]) ? 1 : 0;
+  }
+}
+
+template <std::floating_point T>
+void OperandTree<T>::build(std::span<const OperandBound<T>> operands) {
   std::vector<Box<double>> boxes;
   for (std::uint32_t i = 0; i < operands.size(); ++i) {
     const auto& [promise, box] = operands[i];
@@ -42,7 +63,8 @@ OperandTree<T>::OperandTree(std::span<const OperandBound<T>> operands) {
     always_.resize(operands.size());
     std::iota(always_.begin(), always_.end(), 0U);
   } else {
-    arrays_ = buildBvh<16, 4>(boxes);
+    constexpr std::size_t kMany = 4096;  // fewer take less time than to wake threads
+    arrays_ = buildBvh<16, 4>(boxes, boxes.size() < kMany ? 1 : 0);
   }
 }
 

@@ -29,7 +29,10 @@ template <std::floating_point T>
 class OperandTree {
  public:
   OperandTree() = default;
-  explicit OperandTree(std::span<const OperandBound<T>> operands);
+  /// `beginning`: of the first of the operands, or null. It is kept, and the operands that have
+  /// come since are always asked, until a search among them would be worth a new tree: so a chain
+  /// of a | b | c ... does not build a tree at every step.
+  OperandTree(std::span<const OperandBound<T>> operands, const OperandTree* beginning);
 
   /// Those that no bound is known for, in order.
   [[nodiscard]] std::span<const std::uint32_t> always() const { return always_; }
@@ -76,6 +79,8 @@ class OperandTree {
   static constexpr T kFarthest = sizeof(T) == sizeof(float) ? T(0x1p60) : T(0x1p500);
 
   [[nodiscard]] static bool isBounded(const OperandBound<T>& operand);
+  [[nodiscard]] bool isWorthKeepingFor(std::span<const OperandBound<T>> operands) const;
+  void build(std::span<const OperandBound<T>> operands);
 
   [[nodiscard]] double rounding(const Vec3<T>& p, T radius, T ulps) const {
     // Below the second term squares underflow.
@@ -100,7 +105,8 @@ class OperandTree {
   std::vector<std::uint32_t> always_;
   std::vector<std::uint32_t> ids_;  // operands by their place in the tree
   BvhArrays<16, 4> arrays_;
-  T ulps_ = 0;  // of all in the tree, the largest
+  std::size_t late_ = 0;  // always asked although a bound is known: those that came since
+  T ulps_ = 0;            // of all in the tree, the largest
   T size_ = 0;
 };
 
