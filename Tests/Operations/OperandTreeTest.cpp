@@ -278,7 +278,9 @@ TYPED_TEST(OperandTreeTest, AsksFewOperands) {
     balls.push_back(Counted<T>(random.next(), calls));
     holes.push_back(~balls.back());
   }
-  for (const auto& solid : {unionOf(balls), intersectionOf(holes)}) {
+  Solid<T> chain = balls.front();
+  for (std::size_t i = 1; i < 1000; ++i) chain = chain | balls[i];
+  for (const auto& solid : {unionOf(balls), intersectionOf(holes), chain}) {
     calls = 0;
     for (int i = 0; i < 100; ++i) std::ignore = solid.signedDistance(random.next());
     EXPECT_LT(calls, 100 * 40);
