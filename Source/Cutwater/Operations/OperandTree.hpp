@@ -34,7 +34,7 @@ class OperandTree {
   /// of a | b | c ... does not build a tree at every step.
   OperandTree(std::span<const OperandBound<T>> operands, const OperandTree* beginning);
 
-  /// Those that no bound is known for, in order.
+  /// Those to be asked wherever the point is, in order.
   [[nodiscard]] std::span<const std::uint32_t> always() const { return always_; }
 
   [[nodiscard]] bool asksFirst() const { return !always_.empty() && always_.front() == 0; }
