@@ -27,7 +27,7 @@ class BvhTree {
   static constexpr int kArity = K;
   static constexpr int kLeafWidth = W;
   /// No tree of the builder is deeper: see detail::mostLevels() in BinaryBvh.hpp.
-  static constexpr int kMaxDepth = 65 - std::bit_width(unsigned{W});
+  static constexpr int kMaxDepth = 65 - static_cast<int>(std::bit_width(unsigned{W}));
 
   /// A limit above all keys. Not infinity, which a user's -ffast-math would be free to ignore.
   static constexpr float kNoLimit = std::numeric_limits<float>::max();
