@@ -113,17 +113,17 @@ TYPED_TEST(LinearBVHRefitTest, AnswersAreThoseOfTryingAll) {
     for (int step = 0; step < 3; ++step) {
       for (auto& ball : balls) ball.center += T(0.2) * random.next();
       comparison.move(balls);
-      comparison.run(count == 700 ? 30 : 300);
+      comparison.expectSame(count == 700 ? 30 : 300);
     }
     for (auto& ball : balls) ball = {random.next(), ball.radius * T(0.01)};
     comparison.move(balls);
-    comparison.run(100);
+    comparison.expectSame(100);
     comparison.move(cloud<T>(count, T(0.1), {far, far, far}), {far, far, far});
-    comparison.run(300);
+    comparison.expectSame(300);
     comparison.move(cloud<T>(count, T(0.1), {}, T(1e-15)), {}, T(1e-15));
-    comparison.run(300);
+    comparison.expectSame(300);
     comparison.move(cloud<T>(count, T(0.1), {}, T(1e15)), {}, T(1e15));
-    comparison.run(300);
+    comparison.expectSame(300);
   }
 }
 

@@ -80,7 +80,7 @@ class Comparison {
     misses_ += expected.empty() ? 1 : 0;
   }
 
-  void run(int queries) const {
+  void expectSame(int queries) const {
     RandomPoints<T> random(2, /*seed=*/7);
     for (int i = 0; i < queries; ++i) {
       const Vec3<T> q = shift_ + scale_ * random.next();

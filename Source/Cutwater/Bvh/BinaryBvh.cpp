@@ -51,7 +51,7 @@ class Builder {
       return true;
     }
     splits_.refine(task.range);
-    if (task.level >= kAreaLevels || count > kSweepLeaves * leafWidth_) return false;
+    if (task.level >= kAreaLevels || count > std::size_t{kSweepLeaves} * leafWidth_) return false;
     SweepSplits(splits_.items(task.range), leafWidth_).run(task.node, nodes, ids);
     return true;
   }

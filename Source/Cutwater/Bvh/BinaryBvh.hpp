@@ -30,7 +30,8 @@ inline constexpr int kSweepLeaves = 16;
 /// halved; or those of a sweep, that may part one leaf at a time. A K-ary node is made of inner
 /// nodes of its own on each path, so that it bounds the depth of the K-ary tree as well.
 [[nodiscard]] constexpr int mostLevels(unsigned leafWidth) {
-  const int halvings = 33 - std::bit_width(leafWidth);  // 32 - the whole part of its logarithm
+  const int halvings =
+      33 - static_cast<int>(std::bit_width(leafWidth));  // 32 - the whole part of its logarithm
   return kAreaLevels + (halvings > kSweepLeaves ? halvings : kSweepLeaves);
 }
 

@@ -16,6 +16,9 @@
 
 namespace cutwater {
 
+/// What a visitor of BvhTree::nearest() or along() returns when it wants no further leaf.
+inline constexpr double kStopTraversal = std::numeric_limits<double>::lowest();
+
 /// A flat K-ary tree of boxes over leaves of W slots; a slot holds the id of a primitive, or kNone.
 /// A view of arrays that somebody else owns: it is copied as it is, and knows no primitive.
 template <int K, int W>
@@ -24,12 +27,10 @@ class BvhTree {
   static constexpr int kArity = K;
   static constexpr int kLeafWidth = W;
   /// No tree of the builder is deeper: see detail::mostLevels() in BinaryBvh.hpp.
-  static constexpr int kMaxDepth = 65 - std::bit_width(unsigned{W});
+  static constexpr int kMaxDepth = 65 - static_cast<int>(std::bit_width(unsigned{W}));
 
   /// A limit above all keys. Not infinity, which a user's -ffast-math would be free to ignore.
   static constexpr float kNoLimit = std::numeric_limits<float>::max();
-  /// What a visitor of nearest() or along() returns when it wants no further leaf.
-  static constexpr double kStop = std::numeric_limits<double>::lowest();
 
   BvhTree() = default;
   /// `depth`: of the deepest node, counted from 1 at the root; at most kMaxDepth.
@@ -252,7 +253,7 @@ void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
   const double slack = error * frame_.scale + 0x1p-50 * (1 + length(local));
   const auto limitFor = [&](double value) {
     constexpr double kFar = 1e18;  // its square is about the largest float
-    if (value == kStop) return -1.0F;
+    if (value == kStopTraversal) return -1.0F;
     if (value >= kFar / frame_.scale) return kNoLimit;
     const double reach = value * frame_.scale + slack;
     const double squared = reach > 0 ? reach * reach : 0;  // only boxes that contain q

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Bvh/BvhRefit.hpp>
+#include <Cutwater/Bvh/PrimitiveVisitors.hpp>
 #include <Cutwater/Core/Error.hpp>
 
 #include <algorithm>
@@ -9,22 +10,6 @@
 #include <vector>
 
 namespace cutwater {
-
-/// What a type must offer to be put into a LinearBVH: a finite bounding box, and a value at a point
-/// that is at least the distance to that box wherever the point is outside of it. (Any distance or
-/// signed distance is.)
-template <typename P, typename T>
-concept Primitive = std::copyable<P> && requires(const P& primitive, const Vec3<T>& point) {
-  { primitive.boundingBox() } -> std::convertible_to<Box<T>>;
-  { primitive.distance(point) } -> std::convertible_to<T>;
-};
-
-/// A primitive that knows whether a segment meets it. Where it does, the segment must meet the
-/// bounding box, or come as close to it as a few roundings of the coordinates.
-template <typename P, typename T>
-concept Crossable = Primitive<P, T> && requires(const P& primitive, const Segment<T>& segment) {
-  { primitive.crosses(segment) } -> std::convertible_to<bool>;
-};
 
 /// A flat K-ary bounding volume hierarchy over primitives of any type.
 ///
@@ -40,10 +25,7 @@ class LinearBVH {
  public:
   using Tree = BvhTree<K, 4>;
 
-  struct Nearest {
-    std::uint32_t primitive = kNone;  ///< index into primitives(); kNone: none within the limit
-    T distance = std::numeric_limits<T>::max();
-  };
+  using Nearest = NearestPrimitive<T>;
 
   /// @throws Error if a bounding box is empty or not finite; Error(Limit) beyond 2^32 - 2.
   explicit LinearBVH(std::vector<P> primitives);
@@ -72,7 +54,7 @@ class LinearBVH {
 
   /// Calls visit(Nearest) for every primitive whose value at `point` is not above `radius`, in no
   /// order, until it answers false.
-  template <std::predicate<const Nearest&> Visit>
+  template <std::predicate<const NearestPrimitive<T>&> Visit>
   void within(const Vec3<T>& point, T radius, Visit&& visit) const;
 
   /// Calls visit(index) for every primitive whose bounding box meets `box`, in no order, until it
@@ -104,19 +86,8 @@ class LinearBVH {
     double reach = 0;
   };
 
-  class Best;
-  class Least;
-  template <typename Visit>
-  class Within;
-  template <typename Visit>
-  class Each;
-
-  static bool isBefore(const Nearest& a, const Nearest& b) {
-    return a.distance < b.distance || (a.distance == b.distance && a.primitive < b.primitive);
-  }
-
   /// How far values at points of this size, and bounding boxes, may be off.
-  [[nodiscard]] double error(double size) const {
+  [[nodiscard]] CUTWATER_INLINE double error(double size) const {
     return 16 * double{std::numeric_limits<T>::epsilon()} * (size + reach_);
   }
 
@@ -155,121 +126,33 @@ LinearBVH<T, P, K>::Bounds::Bounds(std::span<const P> primitives) {
   }
 }
 
-// What to do with a leaf is a class each time, not a lambda: see Inline.hpp.
-
-template <std::floating_point T, Primitive<T> P, int K>
-class LinearBVH<T, P, K>::Best {
- public:
-  Best(std::span<const P> primitives, const Vec3<T>& point, Nearest& best)
-      : primitives_(primitives), point_(point), best_(best) {}
-
-  /// Returns the value that the next one must not exceed.
-  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
-    for (const auto id : slots) {
-      if (id == kNone) break;
-      const Nearest candidate{id, static_cast<T>(primitives_[id].distance(point_))};
-      if (isBefore(candidate, best_)) best_ = candidate;
-    }
-    return static_cast<double>(best_.distance);
-  }
-
- private:
-  std::span<const P> primitives_;
-  Vec3<T> point_;
-  Nearest& best_;
-};
-
 template <std::floating_point T, Primitive<T> P, int K>
 auto LinearBVH<T, P, K>::nearest(const Vec3<T>& point, T limit) const -> Nearest {
   Nearest best{.primitive = kNone, .distance = limit};
   if (!isFinite(point)) return best;
   const Vec3<double> p(point);
-  tree().nearest(p, static_cast<double>(limit), error(length(p)), Best(primitives_, point, best));
+  tree().nearest(p, static_cast<double>(limit), error(length(p)),
+                 detail::LeastVisitor<T, P>(primitives_, point, best));
   return best;
 }
-
-/// The least values so far, in a heap with the greatest of them on top.
-template <std::floating_point T, Primitive<T> P, int K>
-class LinearBVH<T, P, K>::Least {
- public:
-  Least(std::span<const P> primitives, const Vec3<T>& point, std::span<Nearest> results, T limit)
-      : primitives_(primitives), point_(point), results_(results), limit_(limit) {}
-
-  /// Returns the value that the next one must not exceed.
-  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
-    for (const auto id : slots) {
-      if (id == kNone) break;
-      const Nearest candidate{id, static_cast<T>(primitives_[id].distance(point_))};
-      if (candidate.distance <= limit_) offer(candidate);
-    }
-    return static_cast<double>(limit_);
-  }
-  std::size_t sorted() {
-    std::sort_heap(results_.begin(), end(), isBefore);
-    return count_;
-  }
-
- private:
-  auto end() const { return results_.begin() + static_cast<std::ptrdiff_t>(count_); }
-
-  void offer(const Nearest& candidate) {
-    if (count_ == results_.size()) {
-      if (!isBefore(candidate, results_.front())) return;
-      std::pop_heap(results_.begin(), end(), isBefore);
-      --count_;
-    }
-    results_[count_++] = candidate;
-    std::push_heap(results_.begin(), end(), isBefore);
-    if (count_ == results_.size()) limit_ = results_.front().distance;
-  }
-
-  std::span<const P> primitives_;
-  Vec3<T> point_;
-  std::span<Nearest> results_;
-  std::size_t count_ = 0;
-  T limit_;
-};
 
 template <std::floating_point T, Primitive<T> P, int K>
 std::size_t LinearBVH<T, P, K>::nearest(const Vec3<T>& point, std::span<Nearest> results,
                                         T limit) const {
   if (results.empty() || !isFinite(point)) return 0;
-  Least least(primitives_, point, results, limit);
+  detail::SeveralLeastVisitor<T, P> least(primitives_, point, results, limit);
   const Vec3<double> p(point);
   tree().nearest(p, static_cast<double>(limit), error(length(p)), least);
   return least.sorted();
 }
 
 template <std::floating_point T, Primitive<T> P, int K>
-template <typename Visit>
-class LinearBVH<T, P, K>::Within {
- public:
-  Within(std::span<const P> primitives, const Vec3<T>& point, T radius, Visit& visit)
-      : primitives_(primitives), point_(point), radius_(radius), visit_(visit) {}
-
-  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
-    for (const auto id : slots) {
-      if (id == kNone) break;
-      const Nearest found{id, static_cast<T>(primitives_[id].distance(point_))};
-      if (found.distance <= radius_ && !visit_(found)) return Tree::kStop;
-    }
-    return static_cast<double>(radius_);
-  }
-
- private:
-  std::span<const P> primitives_;
-  Vec3<T> point_;
-  T radius_;
-  Visit& visit_;
-};
-
-template <std::floating_point T, Primitive<T> P, int K>
-template <std::predicate<const typename LinearBVH<T, P, K>::Nearest&> Visit>
+template <std::predicate<const NearestPrimitive<T>&> Visit>
 void LinearBVH<T, P, K>::within(const Vec3<T>& point, T radius, Visit&& visit) const {
   if (!isFinite(point) || std::isnan(radius)) return;
   const Vec3<double> p(point);
   tree().nearest(p, static_cast<double>(radius), error(length(p)),
-                 Within<Visit>(primitives_, point, radius, visit));
+                 detail::WithinVisitor<T, P, Visit>(primitives_, point, radius, visit));
 }
 
 template <std::floating_point T, Primitive<T> P, int K>
@@ -287,32 +170,13 @@ void LinearBVH<T, P, K>::overlapping(const Box<T>& box, Visit&& visit) const {
   });
 }
 
-/// All primitives of a leaf, one after the other.
-template <std::floating_point T, Primitive<T> P, int K>
-template <typename Visit>
-class LinearBVH<T, P, K>::Each {
- public:
-  explicit Each(Visit& visit) : visit_(visit) {}
-
-  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) const {
-    for (const auto id : slots) {
-      if (id == kNone) break;
-      if (!visit_(id)) return Tree::kStop;
-    }
-    return 1;
-  }
-
- private:
-  Visit& visit_;
-};
-
 template <std::floating_point T, Primitive<T> P, int K>
 template <std::predicate<std::uint32_t> Visit>
 void LinearBVH<T, P, K>::along(const Segment<T>& segment, Visit&& visit) const {
   if (!isFinite(segment.start) || !isFinite(segment.end)) return;
   const Segment<double> whole{Vec3<double>(segment.start), Vec3<double>(segment.end)};
   const double size = std::max(length(whole.start), length(whole.end));
-  tree().along(whole, Each<Visit>(visit), error(size));
+  tree().along(whole, detail::EachVisitor<Visit>(visit), error(size));
 }
 
 template <std::floating_point T, Primitive<T> P, int K>

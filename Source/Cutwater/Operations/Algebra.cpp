@@ -13,29 +13,31 @@ namespace {
 /// Operands that are combinations of the same kind give way to their own operands: a long chain of
 /// `|` is one wide union, not a deep one. A moved one stays, so that moving changes no digit.
 template <typename Kind, std::floating_point T>
-std::vector<Solid<T>> flattened(std::vector<Solid<T>> operands) {
+Solid<T> combined(const std::vector<Solid<T>>& operands) {
+  const auto asSameKind = [](const Solid<T>& operand) {
+    return operand.placement().isIdentity() ? operand.template as<Kind>() : nullptr;
+  };
   std::vector<Solid<T>> flat;
-  for (auto& operand : operands) {
-    const auto* same = operand.placement().isIdentity() ? operand.template as<Kind>() : nullptr;
-    if (same != nullptr) {
+  for (const auto& operand : operands) {
+    if (const auto* const same = asSameKind(operand)) {
       flat.insert(flat.end(), same->operands().begin(), same->operands().end());
     } else {
-      flat.push_back(std::move(operand));
+      flat.push_back(operand);
     }
   }
-  return flat;
+  return Kind(std::move(flat), operands.empty() ? nullptr : asSameKind(operands.front()));
 }
 
 }  // namespace
 
 template <std::floating_point T>
-Solid<T> unite(std::vector<Solid<T>> operands) {
-  return Union<T>(flattened<Union<T>>(std::move(operands)));
+Solid<T> unite(const std::vector<Solid<T>>& operands) {
+  return combined<Union<T>>(operands);
 }
 
 template <std::floating_point T>
-Solid<T> intersect(std::vector<Solid<T>> operands) {
-  return Intersection<T>(flattened<Intersection<T>>(std::move(operands)));
+Solid<T> intersect(const std::vector<Solid<T>>& operands) {
+  return combined<Intersection<T>>(operands);
 }
 
 template <std::floating_point T>
@@ -76,10 +78,10 @@ Solid<T> labelled(Solid<T> a, std::string name) {
   return Labelled<T>(std::move(a), std::move(name));
 }
 
-template Solid<float> unite(std::vector<Solid<float>>);
-template Solid<double> unite(std::vector<Solid<double>>);
-template Solid<float> intersect(std::vector<Solid<float>>);
-template Solid<double> intersect(std::vector<Solid<double>>);
+template Solid<float> unite(const std::vector<Solid<float>>&);
+template Solid<double> unite(const std::vector<Solid<double>>&);
+template Solid<float> intersect(const std::vector<Solid<float>>&);
+template Solid<double> intersect(const std::vector<Solid<double>>&);
 template Solid<float> complementOf(Solid<float>);
 template Solid<double> complementOf(Solid<double>);
 template Solid<float> offsetOf(const Solid<float>&, float);

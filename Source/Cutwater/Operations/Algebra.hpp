@@ -16,9 +16,9 @@ namespace detail {
 
 // On Solids; out of line, so that a user's file parses no operator it does not use.
 template <std::floating_point T>
-[[nodiscard]] Solid<T> unite(std::vector<Solid<T>> operands);
+[[nodiscard]] Solid<T> unite(const std::vector<Solid<T>>& operands);
 template <std::floating_point T>
-[[nodiscard]] Solid<T> intersect(std::vector<Solid<T>> operands);
+[[nodiscard]] Solid<T> intersect(const std::vector<Solid<T>>& operands);
 template <std::floating_point T>
 [[nodiscard]] Solid<T> complementOf(Solid<T> a);
 template <std::floating_point T>
@@ -73,8 +73,8 @@ requires(detail::SameScalar<A, Others>&&...)
 }
 /// @throws Error if there is none.
 template <std::floating_point T>
-[[nodiscard]] Solid<T> unionOf(std::vector<Solid<T>> solids) {
-  return detail::unite<T>(std::move(solids));
+[[nodiscard]] Solid<T> unionOf(const std::vector<Solid<T>>& solids) {
+  return detail::unite<T>(solids);
 }
 
 /// The intersection of any number of solids, in one step.
@@ -85,8 +85,8 @@ requires(detail::SameScalar<A, Others>&&...)
 }
 /// @throws Error if there is none.
 template <std::floating_point T>
-[[nodiscard]] Solid<T> intersectionOf(std::vector<Solid<T>> solids) {
-  return detail::intersect<T>(std::move(solids));
+[[nodiscard]] Solid<T> intersectionOf(const std::vector<Solid<T>>& solids) {
+  return detail::intersect<T>(solids);
 }
 
 /// The solid grown by a distance, or shrunk if it is negative; see Offset.

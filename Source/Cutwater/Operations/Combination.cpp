@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Combination.hpp>
+#include <Cutwater/Operations/Complement.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
 
 #include <algorithm>
@@ -42,40 +43,75 @@ BoxClass opposite(BoxClass c) {
 }  // namespace
 
 template <std::floating_point T>
-Combination<T>::Combination(const char* name, Decides decides, std::vector<Solid<T>> operands)
+Combination<T>::Combination(const char* name, Decides decides, std::vector<Solid<T>> operands,
+                            const Combination* beginning)
     : decides_(decides), operands_(std::move(operands)) {
   if (operands_.empty()) throw Error(ErrorKind::Argument, std::string(name) + ": need an operand");
+  std::vector<detail::OperandBound<T>> bounds;
+  for (const auto& operand : operands_) bounds.push_back(boundOf(operand));
   const bool least = decides == Decides::Least;
-  const auto seen = [least](const Guarantee<T>& g) { return least ? g : swapped(g); };
-  guarantee_ = seen(operands_[0].guarantee());
+  guarantee_ = bounds[0].guarantee;
   boundingBox_ = operands_[0].boundingBox();
   std::size_t patches = 0;
   for (std::size_t i = 0; i < operands_.size(); ++i) {
     firstPatch_.push_back(static_cast<std::uint32_t>(patches));
     patches += operands_[i].patchNames().size();
     if (i == 0) continue;
-    guarantee_ = united(guarantee_, seen(operands_[i].guarantee()));
+    guarantee_ = united(guarantee_, bounds[i].guarantee);
     const auto box = operands_[i].boundingBox();
     boundingBox_ = least ? boundingBox_.extend(box) : boundingBox_.intersection(box);
   }
   require(patches < kNone, "Combination: too many patches", Named{"patches", patches});
-  guarantee_ = seen(guarantee_);
+  if (!least) guarantee_ = swapped(guarantee_);
   if (boundingBox_.empty()) boundingBox_ = {};
+  tree_ = detail::OperandTree<T>(bounds, beginning != nullptr ? &beginning->tree_ : nullptr);
+}
+
+/// Of the function that is to be the least: the operand, or its negative.
+template <std::floating_point T>
+detail::OperandBound<T> Combination<T>::boundOf(const Solid<T>& operand) const {
+  if (decides_ == Decides::Least) return {operand.guarantee(), operand.boundingBox()};
+  // The negative of a complement is positive outside of the solid within.
+  const auto* const rest = operand.template as<Complement<T>>();
+  return {swapped(operand.guarantee()),
+          rest != nullptr ? operand.placement().toWorld(rest->operand().boundingBox())
+                          : Box<T>::everywhere()};
 }
 
 template <std::floating_point T>
 auto Combination<T>::decide(const Vec3<T>& p) const -> Decision {
-  Decision least{0, side() * operands_[0].signedDistance(p)};
-  for (std::size_t i = 1; i < operands_.size(); ++i) {
+  Decision least{kNone, std::numeric_limits<T>::infinity()};
+  const auto ask = [&](std::size_t i) {
     const T value = side() * operands_[i].signedDistance(p);
-    if (value < least.value) least = {i, value};
+    if (value < least.value || (value == least.value && i < least.operand)) least = {i, value};
+    return least.value;
+  };
+  const auto askFirst = [&] { least = {0, side() * operands_[0].signedDistance(p)}; };
+  if (tree_.helpsAt(p)) {
+    if (tree_.asksFirst()) askFirst();
+    for (const auto i : tree_.always()) ask(i);
+    tree_.forLeastAt(p, least.value, ask);
+  } else {
+    askFirst();
+    for (std::size_t i = 1; i < operands_.size(); ++i) ask(i);
   }
+  if (least.operand == kNone) askFirst();  // all broke their promise of a number
   return {least.operand, side() * least.value};
 }
 
 template <std::floating_point T>
 T Combination<T>::localSignedDistance(const Vec3<T>& p) const {
   return decide(p).value;
+}
+
+template <std::floating_point T>
+T Combination<T>::decidingValue(const Vec3<T>& p, T ofAlwaysAsked) const {
+  if (!tree_.helpsAt(p)) return decide(p).value;
+  T least = side() * ofAlwaysAsked;
+  tree_.forLeastAt(p, least, [&](std::size_t i) {
+    return least = std::min(least, side() * operands_[i].signedDistance(p));
+  });
+  return std::isinf(least) ? decide(p).value : side() * least;
 }
 
 template <std::floating_point T>
@@ -88,13 +124,20 @@ void Combination<T>::localSignedDistances(std::span<const Vec3<T>> points,
     const auto here = points.subspan(first, count);
     const auto least = distances.subspan(first, count);
     const auto other = std::span<T>(scratch).first(count);
-    operands_[0].signedDistances(here, least, {.threads = 1});
-    for (std::size_t i = 1; i < operands_.size(); ++i) {
+    if (tree_.asksFirst()) {
+      operands_[0].signedDistances(here, least, {.threads = 1});
+    } else {
+      std::ranges::fill(least, side() * std::numeric_limits<T>::infinity());
+    }
+    for (const auto i : tree_.always()) {
+      if (i == 0) continue;
       operands_[i].signedDistances(here, other, {.threads = 1});
       for (std::size_t k = 0; k < count; ++k) {
         if (side() * other[k] < side() * least[k]) least[k] = other[k];
       }
     }
+    if (tree_.always().size() == operands_.size()) continue;
+    for (std::size_t k = 0; k < count; ++k) least[k] = decidingValue(here[k], least[k]);
   }
 }
 
@@ -181,29 +224,56 @@ void Combination<T>::askDeciding(std::span<const Vec3<T>> points,
   for (std::size_t i = 0; i < order.size(); ++i) found[order[i]] = answers[i];
 }
 
+/// Calls ask(operand) for all operands, but for those of which a lower bound in the box is
+/// certainly above the limit that it returns.
+template <std::floating_point T>
+template <typename Ask>
+void Combination<T>::forEachNear(const OrientedBox<T>& box, double limit, Ask&& ask) const {
+  const bool helps = tree_.helpsAt(box.center, box.radius());
+  const std::size_t count = helps ? tree_.always().size() : operands_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    limit = ask(helps ? tree_.always()[i] : i);
+    if (limit == kStopTraversal) return;
+  }
+  if (helps) tree_.forBoundsIn(box, limit, ask);
+}
+
 template <std::floating_point T>
 Interval<T> Combination<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
   const bool least = decides_ == Decides::Least;
   const auto decided = [least](T a, T b) { return least ? std::min(a, b) : std::max(a, b); };
-  auto result = this->boundsOf(operands_[0], box);
-  for (std::size_t i = 1; i < operands_.size(); ++i) {
+  std::optional<Interval<T>> found;
+  // Answers up to where another operand's bound would change the result.
+  const auto ask = [&](std::size_t i) {
     const auto other = this->boundsOf(operands_[i], box);
-    result = {decided(result.lower, other.lower), decided(result.upper, other.upper)};
-  }
-  return result;
+    const auto before = found.value_or(other);
+    const Interval<T> result{decided(before.lower, other.lower),
+                             decided(before.upper, other.upper)};
+    found = result;
+    return static_cast<double>(least ? result.upper : -result.lower);
+  };
+  forEachNear(box, std::numeric_limits<double>::infinity(), ask);
+  return {found->lower + T(0), found->upper + T(0)};  // of zeros, -0 is not the less
 }
 
 template <std::floating_point T>
 BoxClass Combination<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   const auto seen = [this](BoxClass c) { return decides_ == Decides::Least ? c : opposite(c); };
+  std::size_t asked = 0;
   std::size_t outside = 0;
   std::size_t cut = 0;
-  for (const auto& operand : operands_) {
-    const auto c = seen(this->classOf(operand, box));
-    if (c == BoxClass::Inside) return seen(c);
+  bool isInside = false;
+  const auto ask = [&](std::size_t i) {
+    const auto c = seen(this->classOf(operands_[i], box));
+    ++asked;
     outside += c == BoxClass::Outside;
     cut += c == BoxClass::Cut;
-  }
+    isInside = isInside || c == BoxClass::Inside;
+    return isInside ? kStopTraversal : 0.0;
+  };
+  forEachNear(box, 0, ask);
+  if (isInside) return seen(BoxClass::Inside);
+  outside += operands_.size() - asked;  // bounded from below by more than 0
   if (outside == operands_.size()) return seen(BoxClass::Outside);
   // With all others away, the surface of the one that cuts is that of the whole.
   if (cut == 1 && outside + 1 == operands_.size()) return BoxClass::Cut;

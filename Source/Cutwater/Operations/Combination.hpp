@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Operations/OperandTree.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
 #include <vector>
@@ -12,7 +13,12 @@ namespace cutwater {
 /// Closest point, owner and gradient are those of the deciding operand: SurfaceOwner::object is its
 /// index, patches are counted through the operands' tables one after the other. A closest point
 /// that lies within another operand, and so not on the surface, is replaced by a projection along
-/// the gradient. Every query costs one per operand.
+/// the gradient.
+///
+/// A query costs one per operand if there are few. Of many, those with a finite bounding box and
+/// exact distances outside are found by a tree over their boxes, and most are not asked; so are, in
+/// an intersection, the complements of such, which differences take away. Answers are the same, to
+/// the bit: see OperandTree.
 ///
 /// A least value is exact outside and a lower bound inside, a greatest the other way round, as far
 /// as the operands are.
@@ -25,8 +31,10 @@ class Combination : public SignedDistanceFunction<T> {
   [[nodiscard]] Decides decides() const { return decides_; }
 
  protected:
+  /// `beginning`: a combination of the first of the operands, whose tree may serve; or null.
   /// @throws Error unless there is at least one operand.
-  Combination(const char* name, Decides decides, std::vector<Solid<T>> operands);
+  Combination(const char* name, Decides decides, std::vector<Solid<T>> operands,
+              const Combination* beginning);
 
  private:
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const final;
@@ -49,6 +57,11 @@ class Combination : public SignedDistanceFunction<T> {
     T value;
   };
   [[nodiscard]] Decision decide(const Vec3<T>& p) const;
+  /// The deciding value, if that of the operands that are always asked is known.
+  [[nodiscard]] T decidingValue(const Vec3<T>& p, T ofAlwaysAsked) const;
+  template <typename Ask>
+  void forEachNear(const OrientedBox<T>& box, double limit, Ask&& ask) const;
+  [[nodiscard]] detail::OperandBound<T> boundOf(const Solid<T>& operand) const;
   [[nodiscard]] SurfaceOwner counted(SurfaceOwner owner, std::size_t operand) const;
   /// Each point's closest point on the operand that decides there, as that operand tells it.
   void askDeciding(std::span<const Vec3<T>> points, std::span<const Decision> decisions,
@@ -62,6 +75,7 @@ class Combination : public SignedDistanceFunction<T> {
   std::vector<std::uint32_t> firstPatch_;  // of each operand, in the table of all
   Guarantee<T> guarantee_;
   Box<T> boundingBox_;
+  detail::OperandTree<T> tree_;
 };
 
 extern template class Combination<float>;

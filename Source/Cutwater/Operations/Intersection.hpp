@@ -11,8 +11,10 @@ namespace cutwater {
 template <std::floating_point T>
 class Intersection final : public Combination<T> {
  public:
-  explicit Intersection(std::vector<Solid<T>> operands)
-      : Combination<T>("Intersection", Combination<T>::Decides::Greatest, std::move(operands)) {}
+  /// `beginning`: if given, of the first of the operands; it only saves time.
+  explicit Intersection(std::vector<Solid<T>> operands, const Intersection* beginning = nullptr)
+      : Combination<T>("Intersection", Combination<T>::Decides::Greatest, std::move(operands),
+                       beginning) {}
 };
 
 }  // namespace cutwater

@@ -112,6 +112,9 @@ class SignedDistanceFunction {
   /// Whose surface it is at a surface point.
   [[nodiscard]] virtual SurfaceOwner localOwner(const Vec3<T>&) const { return {}; }
   virtual CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const;
+  /// An override may be tighter than the default, and must not be looser; nor may that of
+  /// localClassify() leave open what the default decides. A union of many goes by the defaults
+  /// alone where a box is far from an operand.
   [[nodiscard]] virtual Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const;
   [[nodiscard]] virtual BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const;
   /// Promises nothing but the sign unless overridden.

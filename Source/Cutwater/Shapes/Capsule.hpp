@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Shapes/Axisymmetric.hpp>
+#include <Cutwater/Shapes/CapsuleProfile.hpp>
 
 namespace cutwater {
 
@@ -21,10 +22,7 @@ class Capsule final : public Axisymmetric<T> {
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
 
-  [[nodiscard]] ProfilePoint<T> fromSegment(const ProfilePoint<T>& p) const;
-
-  T radius_;
-  T length_;
+  detail::CapsuleProfile<T> profile_;
   T size_;
 };
 

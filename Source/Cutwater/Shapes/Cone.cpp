@@ -7,7 +7,7 @@ namespace cutwater {
 template <std::floating_point T>
 Cone<T>::Cone(const Vec3<T>& apex, const Vec3<T>& base, T radius)
     : Axisymmetric<T>("Cone", apex, base - apex),
-      profile_(detail::distanceBetween(apex, base), T(0), radius),
+      profile_(apex, base, T(0), radius),
       size_(detail::farther(apex, base) + radius) {
   require(radius > 0 && std::isfinite(radius), "Cone: need 0 < radius < infinity",
           Named{"radius", radius});
@@ -30,8 +30,7 @@ Guarantee<T> Cone<T>::localGuarantee() const {
 
 template <std::floating_point T>
 Box<T> Cone<T>::localBoundingBox() const {
-  return localGuarantee().grown(
-      this->discBox(profile_.height(), profile_.radiusB()).extend(this->origin()));
+  return localGuarantee().grown(profile_.box(this->rotationAxis()));
 }
 
 template class Cone<float>;

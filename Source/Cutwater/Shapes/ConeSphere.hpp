@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Shapes/Axisymmetric.hpp>
+#include <Cutwater/Shapes/ConeSphereProfile.hpp>
 
 namespace cutwater {
 
@@ -25,16 +26,8 @@ class ConeSphere final : public Axisymmetric<T> {
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
 
-  enum class Part { BallA, Cone, BallB };
-  [[nodiscard]] Part nearestPart(const ProfilePoint<T>& p) const;
-
-  T radiusA_;
-  T radiusB_;
-  T length_;
-  T sine_ = 0;
-  T cosine_ = 0;
+  detail::ConeSphereProfile<T> profile_;
   T size_;
-  bool isBall_;  // one contains the other
 };
 
 extern template class ConeSphere<float>;

@@ -34,7 +34,9 @@ Guarantee<T> Cylinder<T>::localGuarantee() const {
 
 template <std::floating_point T>
 Box<T> Cylinder<T>::localBoundingBox() const {
-  return localGuarantee().grown(this->discBox(0, radius_).extend(this->discBox(length_, radius_)));
+  return localGuarantee().grown(this->rotationAxis()
+                                    .discBox(0, radius_)
+                                    .extend(this->rotationAxis().discBox(length_, radius_)));
 }
 
 template class Cylinder<float>;

@@ -13,6 +13,15 @@ void requireFinite(const char* shape, const char* argument, const Vec3<T>& point
 }
 
 template <std::floating_point T>
+void requireRadii(const char* shape, T radiusA, T radiusB) {
+  const T sum = radiusA + radiusB;
+  if (radiusA >= 0 && radiusB >= 0 && sum > 0 && std::isfinite(sum)) return;
+  const std::string message =
+      std::string(shape) + ": need finite radii, none negative and one positive";
+  require(false, message.c_str(), Named{"radiusA", radiusA}, Named{"radiusB", radiusB});
+}
+
+template <std::floating_point T>
 Vec3<T> unitVector(const char* shape, const char* argument, const Vec3<T>& direction) {
   requireFinite(shape, argument, direction);
   const T largest = maxComponent(abs(direction));
@@ -37,6 +46,8 @@ T farther(const Vec3<T>& a, const Vec3<T>& b) {
 
 template void requireFinite(const char*, const char*, const Vec3<float>&);
 template void requireFinite(const char*, const char*, const Vec3<double>&);
+template void requireRadii(const char*, float, float);
+template void requireRadii(const char*, double, double);
 template Vec3<float> unitVector(const char*, const char*, const Vec3<float>&);
 template Vec3<double> unitVector(const char*, const char*, const Vec3<double>&);
 template float distanceBetween(const Vec3<float>&, const Vec3<float>&);

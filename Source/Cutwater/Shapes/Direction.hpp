@@ -9,6 +9,10 @@ namespace cutwater::detail {
 template <std::floating_point T>
 void requireFinite(const char* shape, const char* argument, const Vec3<T>& point);
 
+/// @throws Error unless both are finite, none is negative, and one is positive.
+template <std::floating_point T>
+void requireRadii(const char* shape, T radiusA, T radiusB);
+
 /// The unit vector along `direction`, rounded once whatever its length.
 /// @throws Error unless the direction is finite and not zero.
 template <std::floating_point T>

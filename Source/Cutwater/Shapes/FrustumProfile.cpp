@@ -1,3 +1,4 @@
+#include <Cutwater/Shapes/Direction.hpp>
 #include <Cutwater/Shapes/FrustumProfile.hpp>
 
 #include <algorithm>
@@ -5,12 +6,12 @@
 namespace cutwater::detail {
 
 template <std::floating_point T>
-FrustumProfile<T>::FrustumProfile(T length, T radiusA, T radiusB)
-    : length_(length), radiusA_(radiusA), radiusB_(radiusB) {
+FrustumProfile<T>::FrustumProfile(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB)
+    : length_(distanceBetween(a, b)), radiusA_(radiusA), radiusB_(radiusB) {
   const double widening = static_cast<double>(radiusB) - static_cast<double>(radiusA);
-  const double slant = std::hypot(static_cast<double>(length), widening);
+  const double slant = std::hypot(static_cast<double>(length_), widening);
   slant_ = static_cast<T>(slant);
-  along_ = {static_cast<T>(widening / slant), static_cast<T>(static_cast<double>(length) / slant)};
+  along_ = {static_cast<T>(widening / slant), static_cast<T>(static_cast<double>(length_) / slant)};
   normal_ = {along_.axial, -along_.radial};
 }
 
@@ -59,6 +60,11 @@ ProfilePoint<T> FrustumProfile<T>::gradient(const ProfilePoint<T>& p) const {
   const bool isB = p.axial - length_ == deepest;
   if (isFlank + isA + isB != 1) return {};
   return isFlank ? normal_ : ProfilePoint<T>{0, isA ? T(-1) : T(1)};
+}
+
+template <std::floating_point T>
+Box<T> FrustumProfile<T>::box(const RotationAxis<T>& axis) const {
+  return axis.discBox(0, radiusA_).extend(axis.discBox(length_, radiusB_));
 }
 
 template class FrustumProfile<float>;

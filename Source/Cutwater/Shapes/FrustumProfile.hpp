@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Shapes/Axisymmetric.hpp>
+#include <Cutwater/Shapes/RotationAxis.hpp>
 
 namespace cutwater::detail {
 
@@ -13,14 +13,15 @@ namespace cutwater::detail {
 template <std::floating_point T>
 class FrustumProfile {
  public:
-  FrustumProfile(T length, T radiusA, T radiusB);
+  /// Of the frustum from a to b.
+  FrustumProfile(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
 
   [[nodiscard]] T distance(const ProfilePoint<T>& p) const;
   [[nodiscard]] ProfilePoint<T> gradient(const ProfilePoint<T>& p) const;
 
-  [[nodiscard]] T height() const { return length_; }
-  [[nodiscard]] T radiusA() const { return radiusA_; }
-  [[nodiscard]] T radiusB() const { return radiusB_; }
+  /// Around the body of revolution, as computed.
+  [[nodiscard]] Box<T> box(const RotationAxis<T>& axis) const;
+  [[nodiscard]] T largestRadius() const { return radiusA_ < radiusB_ ? radiusB_ : radiusA_; }
 
  private:
   [[nodiscard]] T flankDistance(const ProfilePoint<T>& p) const;

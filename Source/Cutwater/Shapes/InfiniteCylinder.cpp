@@ -27,7 +27,7 @@ Guarantee<T> InfiniteCylinder<T>::localGuarantee() const {
 
 template <std::floating_point T>
 Box<T> InfiniteCylinder<T>::localBoundingBox() const {
-  auto box = this->ballBox(0, radius_);
+  auto box = this->rotationAxis().ballBox(0, radius_);
   for (int i = 0; i < 3; ++i) {
     if (this->axis()[i] != 0) box.lower[i] = -Box<T>::kInf, box.upper[i] = Box<T>::kInf;
   }

@@ -40,8 +40,8 @@ Guarantee<T> RoundedCylinder<T>::localGuarantee() const {
 
 template <std::floating_point T>
 Box<T> RoundedCylinder<T>::localBoundingBox() const {
-  auto core = this->discBox(section_.lower.y, coreRadius_);
-  core.extend(this->discBox(section_.upper.y, coreRadius_));
+  auto core = this->rotationAxis().discBox(section_.lower.y, coreRadius_);
+  core.extend(this->rotationAxis().discBox(section_.upper.y, coreRadius_));
   return localGuarantee().grown(core.grown(rounding_));
 }
 

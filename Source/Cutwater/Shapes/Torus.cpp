@@ -28,7 +28,7 @@ Guarantee<T> Torus<T>::localGuarantee() const {
 
 template <std::floating_point T>
 Box<T> Torus<T>::localBoundingBox() const {
-  return localGuarantee().grown(this->discBox(0, major_).grown(minor_));
+  return localGuarantee().grown(this->rotationAxis().discBox(0, major_).grown(minor_));
 }
 
 template class Torus<float>;

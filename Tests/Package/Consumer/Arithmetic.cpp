@@ -36,12 +36,21 @@ struct Ball {
 
   Box<T> boundingBox() const { return Box<T>{center, center}.grown(radius); }
   T distance(const Vec3<T>& p) const { return length(p - center) - radius; }
+  bool crosses(const Segment<T>& s) const { return distance(s.at(T(0.5))) < 0; }
 };
 
 template <typename T>
 T everyTreeQuery(const Vec3<T>& a, const Vec3<T>& b) {
-  const cutwater::LinearBVH<T, Ball<T>> balls({{a, 1}, {b, 2}});
+  cutwater::LinearBVH<T, Ball<T>> balls({{a, 1}, {b, 2}});
   T sum = balls.nearest(a + b).distance;
+  balls.refit({{b, 1}, {a, 2}});
+  std::array<typename cutwater::LinearBVH<T, Ball<T>>::Nearest, 2> both;
+  sum += static_cast<T>(balls.nearest(a + b, both)) * both[0].distance;
+  const auto add = [&](const auto&) { return ++sum > 0; };
+  balls.within(a, 3, add);
+  balls.along({a, b}, add);
+  balls.allHits({a, b}, add);
+  sum += balls.anyHit({a, b}) ? T(1) : T(0);
   balls.overlapping({a, b}, [&](std::uint32_t ball) {
     sum += balls.primitives()[ball].radius;
     return true;

@@ -147,6 +147,9 @@ void printTree() {
     const auto nearest = tree.nearest(questions.point());
     std::printf("site %u", nearest.primitive);
     print(nearest.distance);
+    std::array<typename LinearBVH<T, Site<T>>::Nearest, 5> five;
+    const auto found = tree.nearest(questions.point(), five, T(0.75));
+    for (const auto& one : std::span(five).first(found)) std::printf(" %u", one.primitive);
     std::printf("\n");
   }
 }

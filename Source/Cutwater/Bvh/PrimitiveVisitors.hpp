@@ -1,0 +1,156 @@
+#pragma once
+
+#include <Cutwater/Bvh/BvhTree.hpp>
+
+#include <algorithm>
+#include <concepts>
+#include <span>
+
+namespace cutwater {
+
+/// What a type must offer to be put into a LinearBVH: a finite bounding box, and a value at a point
+/// that is at least the distance to that box wherever the point is outside of it. (Any distance or
+/// signed distance is.)
+template <typename P, typename T>
+concept Primitive = std::copyable<P> && requires(const P& primitive, const Vec3<T>& point) {
+  { primitive.boundingBox() } -> std::convertible_to<Box<T>>;
+  { primitive.distance(point) } -> std::convertible_to<T>;
+};
+
+/// A primitive that knows whether a segment meets it. Where it does, the segment must meet the
+/// bounding box, or come as close to it as a few roundings of the coordinates.
+template <typename P, typename T>
+concept Crossable = Primitive<P, T> && requires(const P& primitive, const Segment<T>& segment) {
+  { primitive.crosses(segment) } -> std::convertible_to<bool>;
+};
+
+/// A primitive, and its value at the point that was asked about.
+template <std::floating_point T>
+struct NearestPrimitive {
+  std::uint32_t primitive = kNone;  ///< index into primitives(); kNone: none within the limit
+  T distance = std::numeric_limits<T>::max();
+};
+
+// What LinearBVH does with the leaves that the traversal visits. Classes, not lambdas: see
+// Inline.hpp.
+namespace detail {
+
+/// By value, equals by index.
+struct IsBefore {
+  template <std::floating_point T>
+  CUTWATER_INLINE bool operator()(const NearestPrimitive<T>& a,
+                                  const NearestPrimitive<T>& b) const {
+    return a.distance < b.distance || (a.distance == b.distance && a.primitive < b.primitive);
+  }
+};
+
+/// Keeps the least value, the first of equals.
+template <std::floating_point T, typename P>
+class LeastVisitor {
+ public:
+  LeastVisitor(std::span<const P> primitives, const Vec3<T>& point, NearestPrimitive<T>& best)
+      : primitives_(primitives), point_(point), best_(best) {}
+
+  /// Returns the value that the next one must not exceed.
+  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
+    for (const auto id : slots) {
+      if (id == kNone) break;
+      const NearestPrimitive<T> candidate{id, static_cast<T>(primitives_[id].distance(point_))};
+      if (IsBefore()(candidate, best_)) best_ = candidate;
+    }
+    return static_cast<double>(best_.distance);
+  }
+
+ private:
+  std::span<const P> primitives_;
+  Vec3<T> point_;
+  NearestPrimitive<T>& best_;
+};
+
+/// The least values so far, in a heap with the greatest of them on top.
+template <std::floating_point T, typename P>
+class SeveralLeastVisitor {
+ public:
+  SeveralLeastVisitor(std::span<const P> primitives, const Vec3<T>& point,
+                      std::span<NearestPrimitive<T>> results, T limit)
+      : primitives_(primitives), point_(point), results_(results), limit_(limit) {}
+
+  /// Returns the value that the next one must not exceed.
+  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
+    for (const auto id : slots) {
+      if (id == kNone) break;
+      const NearestPrimitive<T> candidate{id, static_cast<T>(primitives_[id].distance(point_))};
+      if (candidate.distance <= limit_) offer(candidate);
+    }
+    return static_cast<double>(limit_);
+  }
+  std::size_t sorted() {
+    std::sort_heap(results_.begin(), end(), IsBefore());
+    return count_;
+  }
+
+ private:
+  auto end() const { return results_.begin() + static_cast<std::ptrdiff_t>(count_); }
+
+  void offer(const NearestPrimitive<T>& candidate) {
+    if (count_ == results_.size()) {
+      if (!IsBefore()(candidate, results_.front())) return;
+      std::pop_heap(results_.begin(), end(), IsBefore());
+      --count_;
+    }
+    results_[count_++] = candidate;
+    std::push_heap(results_.begin(), end(), IsBefore());
+    if (count_ == results_.size()) limit_ = results_.front().distance;
+  }
+
+  std::span<const P> primitives_;
+  Vec3<T> point_;
+  std::span<NearestPrimitive<T>> results_;
+  std::size_t count_ = 0;
+  T limit_;
+};
+
+/// Tells all values up to a radius.
+template <std::floating_point T, typename P, typename Visit>
+class WithinVisitor {
+ public:
+  WithinVisitor(std::span<const P> primitives, const Vec3<T>& point, T radius, Visit& visit)
+      : primitives_(primitives), point_(point), radius_(radius), visit_(visit) {}
+
+  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
+    for (const auto id : slots) {
+      if (id == kNone) break;
+      const NearestPrimitive<T> found{id, static_cast<T>(primitives_[id].distance(point_))};
+      if (found.distance <= radius_ && !visit_(found)) return kStopTraversal;
+    }
+    return static_cast<double>(radius_);
+  }
+
+ private:
+  std::span<const P> primitives_;
+  Vec3<T> point_;
+  T radius_;
+  Visit& visit_;
+};
+
+/// All primitives of a leaf, one after the other.
+template <typename Visit>
+class EachVisitor {
+ public:
+  explicit EachVisitor(Visit& visit) : visit_(visit) {}
+
+  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) const {
+    for (const auto id : slots) {
+      if (id == kNone) break;
+      if (!visit_(id)) return kStopTraversal;
+    }
+    return 1;
+  }
+
+ private:
+  Visit& visit_;
+};
+
+}  // namespace detail
+
+}  // namespace cutwater

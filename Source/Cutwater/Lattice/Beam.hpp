@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Cutwater/Shapes/CapsuleProfile.hpp>
+#include <Cutwater/Shapes/ConeSphereProfile.hpp>
+#include <Cutwater/Shapes/FrustumProfile.hpp>
+
+namespace cutwater {
+
+/// A straight beam of a lattice: a body of revolution about the line between two nodes, as a
+/// primitive for LinearBVH. The values are those of the shape of that kind, whose formulas it
+/// shares, at well below half the memory: nothing is virtual, and there is no placement.
+template <std::floating_point T, typename Profile>
+class Beam {
+ public:
+  /// The bits of signedDistance() of the shape, without a placement. `p` is finite.
+  [[nodiscard]] T distance(const Vec3<T>& p) const;
+  /// That of the shape: tight, but for rounding, at the ends of round beams and around flat caps.
+  [[nodiscard]] Box<T> boundingBox() const;
+
+ protected:
+  /// From a to b.
+  Beam(const detail::RotationAxis<T>& axis, const Profile& profile, const Vec3<T>& a,
+       const Vec3<T>& b);
+
+ private:
+  detail::RotationAxis<T> axis_;
+  Profile profile_;
+  T size_;
+};
+
+/// A beam with the surface of a Capsule: half balls at its ends.
+template <std::floating_point T>
+class CapsuleBeam : public Beam<T, detail::CapsuleProfile<T>> {
+ public:
+  /// @throws Error unless the nodes are finite and 0 < radius < infinity.
+  CapsuleBeam(const Vec3<T>& a, const Vec3<T>& b, T radius);
+};
+
+/// A beam with the surface of a ConeSphere: the hull of a ball about each node.
+template <std::floating_point T>
+class ConeSphereBeam : public Beam<T, detail::ConeSphereProfile<T>> {
+ public:
+  /// @throws Error unless the nodes are finite, both radii are finite and not negative, and one of
+  /// them is positive.
+  ConeSphereBeam(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
+};
+
+/// A beam with the surface of a CappedCone: flat at its ends.
+template <std::floating_point T>
+class CappedConeBeam : public Beam<T, detail::FrustumProfile<T>> {
+ public:
+  /// @throws Error unless the nodes are finite and differ, both radii are finite and not negative,
+  /// and one of them is positive.
+  CappedConeBeam(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
+};
+
+extern template class Beam<float, detail::CapsuleProfile<float>>;
+extern template class Beam<double, detail::CapsuleProfile<double>>;
+extern template class Beam<float, detail::ConeSphereProfile<float>>;
+extern template class Beam<double, detail::ConeSphereProfile<double>>;
+extern template class Beam<float, detail::FrustumProfile<float>>;
+extern template class Beam<double, detail::FrustumProfile<double>>;
+extern template class CapsuleBeam<float>;
+extern template class CapsuleBeam<double>;
+extern template class ConeSphereBeam<float>;
+extern template class ConeSphereBeam<double>;
+extern template class CappedConeBeam<float>;
+extern template class CappedConeBeam<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Sdf/BoxQuery.hpp>
+#include <Cutwater/Sdf/Guarantee.hpp>
+
+#include <vector>
+
+namespace cutwater::detail {
+
+/// What is known of one function among several whose least value is wanted.
+template <std::floating_point T>
+struct OperandBound {
+  Guarantee<T> guarantee;
+  Box<T> box;  ///< encloses where it is not positive
+};
+
+/// Finds the functions that may have the least value at a point, or matter to it in a box, by a
+/// tree over their boxes.
+///
+/// In the tree are functions whose values outside are exact distances: there a value is at least
+/// the distance to the box. All others, e.g. lower bounds, planes and whatever is infinite, are
+/// always to be asked; so are all if there are few.
+///
+/// What is left out could not have changed the result by a single bit. For boxes that holds if
+/// bounds() and classify() of the functions are no worse than the defaults of
+/// SignedDistanceFunction.
+template <std::floating_point T>
+class OperandTree {
+ public:
+  OperandTree() = default;
+  /// `beginning`: of the first of the operands, or null. It is kept, and the operands that have
+  /// come since are always asked, until a search among them would be worth a new tree: so a chain
+  /// of a | b | c ... does not build a tree at every step.
+  OperandTree(std::span<const OperandBound<T>> operands, const OperandTree* beginning);
+
+  /// Those to be asked wherever the point is, in order.
+  [[nodiscard]] std::span<const std::uint32_t> always() const { return always_; }
+
+  [[nodiscard]] bool asksFirst() const { return !always_.empty() && always_.front() == 0; }
+
+  /// Whether the tree can tell anything about points within `radius` of p: there is one, and
+  /// squares of distances do not overflow.
+  [[nodiscard]] bool helpsAt(const Vec3<T>& p, T radius = 0) const {
+    return !ids_.empty() && maxComponent(abs(p)) + radius < kFarthest;
+  }
+
+  /// Calls ask(operand) for every operand in the tree whose value at p may be as low as the least,
+  /// those with the nearest boxes first. It returns the least value so far, and `least` is that of
+  /// the others.
+  template <typename Ask>
+  void forLeastAt(const Vec3<T>& p, T least, Ask&& ask) const {
+    // Half of it is what the guarantees allow for.
+    const double error = 2 * rounding(p, T(0), ulps_);
+    visit(p, least, error,
+          [&](std::uint32_t operand) { return static_cast<double>(ask(operand)); });
+  }
+
+  /// Calls ask(operand) for every operand in the tree whose lower bound in the box may be as low as
+  /// a limit, which it returns (kStopTraversal: no other is wanted): for all others the bound is
+  /// certainly above it. `limit`: at first.
+  ///
+  /// By default that bound is value - radius at the centre, less rounding: of the value, of what
+  /// the interval encloses, and of the box on its way through frames within frames, each of which
+  /// adds to the ulps of the guarantee. In sum less than 8 times what the guarantee allows for.
+  template <typename Ask>
+  void forBoundsIn(const OrientedBox<T>& box, double limit, Ask&& ask) const {
+    const T radius = box.radius();
+    const double error = 16 * rounding(box.center, radius, ulps_ > 8 ? ulps_ : T(8));
+    const double reach{radius};
+    visit(box.center, limit + reach, error, [&](std::uint32_t operand) {
+      const double next = ask(operand);
+      return next == kStopTraversal ? kStopTraversal : next + reach;
+    });
+  }
+
+ private:
+  /// Squares of sums of a few such numbers are finite.
+  static constexpr T kFarthest = sizeof(T) == sizeof(float) ? T(0x1p60) : T(0x1p500);
+
+  [[nodiscard]] static bool isBounded(const OperandBound<T>& operand);
+  [[nodiscard]] bool isWorthKeepingFor(std::span<const OperandBound<T>> operands) const;
+  void build(std::span<const OperandBound<T>> operands);
+
+  [[nodiscard]] double rounding(const Vec3<T>& p, T radius, T ulps) const {
+    // Below the second term squares underflow.
+    const double size = length(Vec3<double>(p)) + double{radius} + double{size_};
+    return double{ulps} * double{std::numeric_limits<T>::epsilon()} * size +
+           4 * std::sqrt(double{std::numeric_limits<T>::min()});
+  }
+
+  template <typename Ask>
+  void visit(const Vec3<T>& p, double best, double error, Ask&& ask) const {
+    arrays_.tree().nearest(Vec3<double>(p), best, error, [&](std::span<const std::uint32_t> slots) {
+      double limit = best;
+      for (const auto slot : slots) {
+        if (slot == kNone) break;
+        limit = ask(ids_[slot]);
+        if (limit == kStopTraversal) break;
+      }
+      return limit;
+    });
+  }
+
+  std::vector<std::uint32_t> always_;
+  std::vector<std::uint32_t> ids_;  // operands by their place in the tree
+  BvhArrays<16, 4> arrays_;
+  std::size_t late_ = 0;  // always asked although a bound is known: those that came since
+  T ulps_ = 0;            // of all in the tree, the largest
+  T size_ = 0;
+};
+
+extern template class OperandTree<float>;
+extern template class OperandTree<double>;
+
+}  // namespace cutwater::detail

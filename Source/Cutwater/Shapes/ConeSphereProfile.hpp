@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Cutwater/Shapes/RotationAxis.hpp>
+
+namespace cutwater::detail {
+
+/// Exact signed distance in the half-plane of a cone-sphere, the hull of a ball at axial position 0
+/// and one at the length: see ConeSphere.
+template <std::floating_point T>
+class ConeSphereProfile {
+ public:
+  /// Of the hull of the balls about a and b.
+  /// @throws Error unless both radii are finite and not negative, and one of them is positive.
+  ConeSphereProfile(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
+
+  [[nodiscard]] T distance(const ProfilePoint<T>& p) const;
+  [[nodiscard]] ProfilePoint<T> gradient(const ProfilePoint<T>& p) const;
+  /// Around the body of revolution, as computed.
+  [[nodiscard]] Box<T> box(const RotationAxis<T>& axis) const;
+  [[nodiscard]] T largestRadius() const { return radiusA_ < radiusB_ ? radiusB_ : radiusA_; }
+
+ private:
+  enum class Part { BallA, Cone, BallB };
+  [[nodiscard]] Part nearestPart(const ProfilePoint<T>& p) const;
+
+  T radiusA_;
+  T radiusB_;
+  T length_;
+  T sine_ = 0;
+  T cosine_ = 0;
+  bool isBall_;  // one contains the other
+};
+
+extern template class ConeSphereProfile<float>;
+extern template class ConeSphereProfile<double>;
+
+}  // namespace cutwater::detail
