@@ -23,7 +23,7 @@ class ClusterSearch {
         arrays_(arrays),
         points_(tree, arrays),
         triangles_(tree, arrays, points_),
-        leafwise_(tree, arrays, points_) {}
+        leafwise_(tree, arrays, points_, triangles_) {}
 
   /// False: they have too little in common; nothing was done for points from `next()` on.
   CUTWATER_INLINE bool run(const Vec3<T>* points, Nearest* bests, int count) {
@@ -35,6 +35,7 @@ class ClusterSearch {
       if (!isShared && !collect(points_.boxAround(next_, end))) return false;
       if (!(hasTriangles_ && triangles_.runGroup(next_, end))) {
         leafwise_.runGroup(leaves_, near_, next_, end);
+        hasTriangles_ = false;  // it uses the list for its own
       }
     }
     return true;

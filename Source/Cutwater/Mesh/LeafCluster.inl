@@ -3,7 +3,7 @@
 // Nearest triangles of points that share leaves of the tree, but not the triangles. Compiled once
 // per instruction set.
 
-#include <Cutwater/Mesh/ClusterPoints.inl>
+#include <Cutwater/Mesh/TriangleCluster.inl>
 
 namespace cutwater::CUTWATER_SIMD {
 
@@ -17,8 +17,8 @@ class LeafCluster {
   using Points = ClusterPoints<T>;
 
   CUTWATER_INLINE LeafCluster(const TriangleSearch& tree, const TriangleArrays<T>& arrays,
-                              const Points& points)
-      : tree_(tree), points_(points), search_(tree, arrays) {}
+                              const Points& points, TriangleCluster<T>& triangles)
+      : tree_(tree), points_(points), triangles_(triangles), search_(tree, arrays) {}
 
   /// Points [begin, end), whose nearest triangles are in the leaves. `near`: a point of the
   /// surface.
@@ -31,12 +31,19 @@ class LeafCluster {
       const int past = begin + Points::kBrick < end ? begin + Points::kBrick : end;
       near = searchFirst(group_, near, (begin + past) / 2);
       select(group_, points_.boxAround(begin, past), near, brick_);
+      const ClusterBox box = points_.boxAround(begin, past);
+      if (brick_.count() <= kFewLeaves &&
+          triangles_.collect(brick_, points_.middle(box), points_.boundsFor(box, near)) &&
+          triangles_.runGroup(begin, past)) {
+        continue;
+      }
       for (int i = begin; i < past; ++i) search(brick_, near, i);
     }
   }
 
  private:
   static constexpr int kMost = 512;
+  static constexpr int kFewLeaves = 32;
 
   template <int kFrom>
   CUTWATER_INLINE void select(const LeafList<kFrom>& from, const ClusterBox& box,
@@ -76,6 +83,7 @@ class LeafCluster {
 
   const TriangleSearch& tree_;
   const Points& points_;
+  TriangleCluster<T>& triangles_;
   Search<T> search_;
   LeafList<kMost> group_;
   LeafList<kMost> brick_;
