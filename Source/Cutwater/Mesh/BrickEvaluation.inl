@@ -67,8 +67,7 @@ class BrickEvaluation {
   CUTWATER_INLINE Triple<Lanes<T>> positions(int i) const {
     return {load(x_ + i), load(y_ + i), load(z_ + i)};
   }
-  template <typename S>
-  CUTWATER_INLINE static Triple<Lanes<S>> broadcastOf(const Vec3<S>& v) {
+  CUTWATER_INLINE static Triple<Lanes<T>> broadcastOf(const Vec3<T>& v) {
     return {broadcast(v.x), broadcast(v.y), broadcast(v.z)};
   }
   CUTWATER_INLINE void evaluate(int n) {
@@ -76,12 +75,16 @@ class BrickEvaluation {
     const auto a = broadcastOf(t.a);
     const auto b = broadcastOf(t.b);
     const auto c = broadcastOf(t.c);
+    behind_[n] = 0;
+    before_[n] = 0;
     for (int i = 0; i < kBrick; i += kLanes) {
       const std::uint32_t wanted = wanted_[n] >> i & ((1U << kLanes) - 1U);
       auto squared = broadcast(std::numeric_limits<T>::infinity());
       if (wanted != 0) {
         const auto all = distances<T>(positions(i), a, b, c);
         squared = least(least(least(all.ab.squared, all.bc.squared), all.ca.squared), all.plane);
+        before_[n] |= bits(isPositive(all.side)) << i;
+        behind_[n] |= bits(isPositive(broadcast(T(0)) - all.side)) << i;
       }
       store(squared_[n] + i, squared);
       if (wanted == 0) continue;
@@ -108,21 +111,13 @@ class BrickEvaluation {
     std::uint32_t before = 0;
     std::uint32_t uncertain = 0;
     for (int n = 0; n < count_; ++n) {
-      const Triangle<T> t = arrays_.triangle(ids_[n]);
-      for (int i = 0; i < kBrick; i += kDoubles) {
-        const auto ties = isAtMost(loadDoubles(squared_[n] + i), loadDoubles(tie_ + i));
-        if (bits(ties) == 0) continue;
-        const auto filter =
-            filterOrientation(broadcastOf(Vec3<double>(t.a)), broadcastOf(Vec3<double>(t.b)),
-                              broadcastOf(Vec3<double>(t.c)),
-                              {loadDoubles(x_ + i), loadDoubles(y_ + i), loadDoubles(z_ + i)});
-        const std::uint32_t front = bits(both(ties, isPositive(filter.value - filter.bound())));
-        const std::uint32_t back =
-            bits(both(ties, isPositive(broadcast(0.0) - filter.value - filter.bound())));
-        before |= front << i;
-        behind |= back << i;
-        uncertain |= (bits(ties) & ~(front | back)) << i;
+      std::uint32_t ties = 0;
+      for (int i = 0; i < kBrick; i += kLanes) {
+        ties |= bits(isAtMost(load(squared_[n] + i), load(tie_ + i))) << i;
       }
+      behind |= ties & behind_[n];
+      before |= ties & before_[n];
+      uncertain |= ties & ~(behind_[n] | before_[n]);
     }
     for (int i = 0; i < used_; ++i) {
       Nearest& best = points_.best(first_ + i);
@@ -148,7 +143,9 @@ class BrickEvaluation {
   int used_ = 0;
   int count_ = 0;
   std::uint32_t ids_[kMost];
-  std::uint32_t wanted_[kMost];
+  std::uint32_t wanted_[kMost];  // by which points
+  std::uint32_t behind_[kMost];  // certainly; those before; the rest has to be found out
+  std::uint32_t before_[kMost];
   alignas(64) T x_[kBrick];
   alignas(64) T y_[kBrick];
   alignas(64) T z_[kBrick];

@@ -34,7 +34,7 @@ class ClusterSearch {
       const int end = next_ + Points::kGroup < count ? next_ + Points::kGroup : count;
       if (!isShared && !collect(points_.boxAround(next_, end))) return false;
       if (!(hasTriangles_ && triangles_.runGroup(next_, end))) {
-        leafwise_.runGroup(leaves_, near_, next_, end);
+        if (!leafwise_.runGroup(leaves_, near_, next_, end)) return false;
         hasTriangles_ = false;  // it uses the list for its own
       }
     }
@@ -46,9 +46,11 @@ class ClusterSearch {
   static constexpr int kMostLeaves = 512;
   static constexpr int kFewLeaves = 64;
   static constexpr int kMostWaiting = 256;
+  static constexpr float kWidest = 0.125F;  // half of it; the surface is about 1
 
   /// All leaves that may hold a triangle nearest to a point in the box. False: too many.
   CUTWATER_INLINE bool collect(const ClusterBox& box) {
+    if (maxComponent(box.half) > kWidest) return false;
     leaves_.clear();
     const Vec3<double> middle = points_.middle(box);
     near_ = closestTo(middle);

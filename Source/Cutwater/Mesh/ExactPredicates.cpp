@@ -4,15 +4,9 @@
 #include <cmath>
 #include <cstddef>
 
-#define CUTWATER_SIMD scalar
-#define CUTWATER_SIMD_PORTABLE
-#include <Cutwater/Mesh/OrientationFilter.inl>
-
 namespace cutwater {
 
 namespace {
-
-using scalar::kTiny;
 
 int sign(double value) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
@@ -136,13 +130,29 @@ int determinantSign(const DoubleDouble3& u, const DoubleDouble3& v, const Double
   return (x + y + z).signOf();
 }
 
+/// Below this the filters leave the decision to exact arithmetic: far above what coarse() drops
+/// from a product of three numbers up to 2^60, and far below any determinant of consequence.
+constexpr double kTiny = 0x1p-200;
+
 }  // namespace
 
 int orientation(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c,
                 const Vec3<double>& p) {
-  const auto triple = [](const Vec3<double>& v) { return scalar::Triple<double>{v.x, v.y, v.z}; };
-  const auto filter = scalar::filterOrientation(triple(a), triple(b), triple(c), triple(p));
-  if (std::abs(filter.value) > filter.bound()) return sign(filter.value);
+  const Vec3<double> u = b - a;
+  const Vec3<double> v = c - a;
+  const Vec3<double> w = p - a;
+  const double xy = u.x * v.y;
+  const double yx = u.y * v.x;
+  const double yz = u.y * v.z;
+  const double zy = u.z * v.y;
+  const double zx = u.z * v.x;
+  const double xz = u.x * v.z;
+  const double value = (yz - zy) * w.x + (zx - xz) * w.y + (xy - yx) * w.z;
+  // Shewchuk's bound is (7 + 56 u) u times the sum of sizes, u = 2^-53.
+  const double sizes = (std::abs(yz) + std::abs(zy)) * std::abs(w.x) +
+                       (std::abs(zx) + std::abs(xz)) * std::abs(w.y) +
+                       (std::abs(xy) + std::abs(yx)) * std::abs(w.z);
+  if (std::abs(value) > 8 * 0x1p-53 * sizes + kTiny) return sign(value);
   if (p == a || p == b || p == c) return 0;  // often: grids, and vertices of many triangles
 
   const DoubleDouble3 exactU = difference(b, a);
@@ -150,7 +160,7 @@ int orientation(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>
   const DoubleDouble3 exactW = difference(p, a);
   // Each operation is within 2^-100 of its terms, and five of them lie on every path.
   const double finer = static_cast<double>(dot(cross(exactU, exactV), exactW));
-  if (std::abs(finer) > 0x1p-96 * filter.sizes + kTiny) return sign(finer);
+  if (std::abs(finer) > 0x1p-96 * sizes + kTiny) return sign(finer);
   return determinantSign(exactU, exactV, exactW);
 }
 

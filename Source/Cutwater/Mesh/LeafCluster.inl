@@ -23,36 +23,42 @@ class LeafCluster {
   /// Points [begin, end), whose nearest triangles are in the leaves. `near`: a point of the
   /// surface.
   template <int kMost>
-  CUTWATER_INLINE void runGroup(const LeafList<kMost>& shared, Vec3<double> near, int begin,
+  CUTWATER_INLINE bool runGroup(const LeafList<kMost>& shared, Vec3<double> near, int begin,
                                 int end) {
     near = searchFirst(shared, near, (begin + end) / 2);
-    select(shared, points_.boxAround(begin, end), near, group_);
+    if (!select(shared, points_.boxAround(begin, end), near, group_)) return false;
     for (; begin < end; begin += Points::kBrick) {
-      const int past = begin + Points::kBrick < end ? begin + Points::kBrick : end;
-      near = searchFirst(group_, near, (begin + past) / 2);
-      select(group_, points_.boxAround(begin, past), near, brick_);
-      const ClusterBox box = points_.boxAround(begin, past);
-      if (brick_.count() <= kFewLeaves &&
-          triangles_.collect(brick_, points_.middle(box), points_.boundsFor(box, near)) &&
-          triangles_.runGroup(begin, past)) {
-        continue;
-      }
-      for (int i = begin; i < past; ++i) search(brick_, near, i);
+      runBrick(near, begin, begin + Points::kBrick < end ? begin + Points::kBrick : end);
     }
+    return true;
   }
 
  private:
-  static constexpr int kMost = 512;
+  static constexpr int kMost = 192;
   static constexpr int kFewLeaves = 32;
 
+  CUTWATER_INLINE void runBrick(Vec3<double>& near, int begin, int end) {
+    near = searchFirst(group_, near, (begin + end) / 2);
+    const ClusterBox box = points_.boxAround(begin, end);
+    select(group_, box, near, brick_);
+    if (brick_.count() <= kFewLeaves &&
+        triangles_.collect(brick_, points_.middle(box), points_.boundsFor(box, near)) &&
+        triangles_.runGroup(begin, end)) {
+      return;
+    }
+    for (int i = begin; i < end; ++i) search(brick_, near, i);
+  }
+
   template <int kFrom>
-  CUTWATER_INLINE void select(const LeafList<kFrom>& from, const ClusterBox& box,
+  CUTWATER_INLINE bool select(const LeafList<kFrom>& from, const ClusterBox& box,
                               const Vec3<double>& near, LeafList<kMost>& to) {
     std::uint16_t kept[kFrom];
     const int count = from.within(box, points_.boundsFor(box, near), kept);
+    if (count > kMost) return false;
     to.clear();
     for (int i = 0; i < count; ++i) to.add(from, kept[i]);
     to.pad();
+    return true;
   }
   /// For a point that is to tell the bounds of others; the point of the surface nearest to it.
   template <int kFrom>

@@ -4,7 +4,6 @@
 // instruction set.
 
 #include <Cutwater/Mesh/ExactPredicates.hpp>
-#include <Cutwater/Mesh/OrientationFilter.inl>
 #include <Cutwater/Mesh/TriangleDistance.inl>
 #include <Cutwater/Mesh/TriangleSearch.hpp>
 
@@ -36,11 +35,6 @@ class TriangleLanes {
     for (int i = 0; i < 3; ++i) setRows(3 + 3 * i, lane, arrays_.positions[corners[i]]);
     slivers_ = (slivers_ & ~(1U << lane)) | (isSliver(id) ? 1U << lane : 0U);
   }
-  CUTWATER_INLINE void copy(int lane, int from) {
-    for (auto& row : rows_) row[lane] = row[from];
-    ids_[lane] = ids_[from];
-    slivers_ = (slivers_ & ~(1U << lane)) | (slivers_ >> from & 1U) << lane;
-  }
   /// Computes squared distances, and on which sides of the triangles the points lie.
   CUTWATER_INLINE void evaluate() {
     const auto all = distances<T>(rows(0), rows(3), rows(6), rows(9));
@@ -50,12 +44,7 @@ class TriangleLanes {
       store(edges_, edges);
       store(normalSquared_, all.normalSquared);
     }
-    for (int lane = 0; lane < kCount; lane += kDoubles) {
-      const auto filter =
-          filterOrientation(doubles(3, lane), doubles(6, lane), doubles(9, lane), doubles(0, lane));
-      store(orientation_ + lane, where(isPositive(magnitude(filter.value) - filter.bound()),
-                                       filter.value, broadcast(0.0)));
-    }
+    store(side_, all.side);
   }
   /// The least squared distance of all lanes, but for the planes of slivers: not less than that of
   /// the nearest.
@@ -93,10 +82,6 @@ class TriangleLanes {
   CUTWATER_INLINE Triple<Lanes<T>> rows(int row) const {
     return {load(rows_[row]), load(rows_[row + 1]), load(rows_[row + 2])};
   }
-  CUTWATER_INLINE Triple<Doubles> doubles(int row, int lane) const {
-    return {loadDoubles(rows_[row] + lane), loadDoubles(rows_[row + 1] + lane),
-            loadDoubles(rows_[row + 2] + lane)};
-  }
   CUTWATER_INLINE Vec3<T> point(int row, int lane) const {
     return {rows_[row][lane], rows_[row + 1][lane], rows_[row + 2][lane]};
   }
@@ -123,8 +108,7 @@ class TriangleLanes {
     return a > b ? (a > c ? a : c) : b > c ? b : c;
   }
   CUTWATER_INLINE int side(int lane) const {
-    const double value = orientation_[lane];
-    if (value != 0) return value > 0 ? 1 : -1;
+    if (side_[lane] != 0) return side_[lane] > 0 ? 1 : -1;
     return orientation(Vec3<double>(point(3, lane)), Vec3<double>(point(6, lane)),
                        Vec3<double>(point(9, lane)), Vec3<double>(point(0, lane)));
   }
@@ -134,7 +118,7 @@ class TriangleLanes {
   alignas(64) T squared_[kCount];
   alignas(64) T edges_[kCount];  // these two for slivers
   alignas(64) T normalSquared_[kCount];
-  alignas(64) double orientation_[kCount];  // 0: not certain
+  alignas(64) T side_[kCount];  // 0: not certain
   std::uint32_t ids_[kCount];
   std::uint32_t slivers_ = 0;
 };

@@ -57,9 +57,10 @@ struct PlaneTerms {
 template <typename Vector>
 CUTWATER_INLINE inline auto planeTerms(const SeenTriangle<Vector>& t, const Vector& from) {
   const Vector normal = cross(t.ca, t.ab);
+  // Into the triangle from its edges: the same for all points.
   return PlaneTerms<decltype(dot(normal, normal))>{
-      dot(cross(t.ab, t.pa), normal), dot(cross(t.bc, t.pb), normal),
-      dot(cross(t.ca, t.pc), normal), dot(normal, normal), dot(normal, from)};
+      dot(cross(normal, t.ab), t.pa), dot(cross(normal, t.bc), t.pb),
+      dot(cross(normal, t.ca), t.pc), dot(normal, normal), dot(normal, from)};
 }
 
 /// Of a triangle with less than that, squares of areas underflow; its edges are as near as its
@@ -79,11 +80,18 @@ CUTWATER_INLINE inline Lanes<T> planeDistance(const PlaneTerms<Lanes<T>>& terms)
                broadcast(std::numeric_limits<T>::infinity()));
 }
 
+/// In the sum of components' sizes.
+template <typename Real>
+CUTWATER_INLINE inline Real sizeOf(const Triple<Real>& v) {
+  return magnitude(v.x) + magnitude(v.y) + magnitude(v.z);
+}
+
 template <typename T>
 struct TriangleDistances {
   EdgeDistance<T> ab, bc, ca;
   Lanes<T> plane;  ///< infinite where it does not count; not for slivers
   Lanes<T> normalSquared;
+  Lanes<T> side;  ///< of the sign of orientation(), or 0 where that is not certain
 };
 
 template <typename T>
@@ -98,8 +106,21 @@ CUTWATER_INLINE inline TriangleDistances<T> distances(const Triple<Lanes<T>>& p,
   const auto nearest = where(both(isAtMost(toA, toB), isAtMost(toA, toC)), t.pa,
                              where(isAtMost(toB, toC), t.pb, t.pc));
   const auto terms = planeTerms(t, nearest);
-  return {edgeDistance<T>(t.pa, t.pb, t.ab), edgeDistance<T>(t.pb, t.pc, t.bc),
-          edgeDistance<T>(t.pc, t.pa, t.ca), planeDistance<T>(terms), terms.normalSquared};
+  // With u half the epsilon: the normal's components are within 4 u of the products of the edges'
+  // sizes, which differences, products and sums of the height make 9 u at most. What underflows,
+  // and what orientation() drops from exact products, is far below the rest.
+  constexpr T kRounding = 8 * std::numeric_limits<T>::epsilon();
+  constexpr T kTiny = sizeof(T) == sizeof(float) ? T(0x1p-100) : T(0x1p-200);
+  const auto bound =
+      (broadcast(kRounding) * (sizeOf(t.ca) * sizeOf(t.ab)) + broadcast(kTiny)) * sizeOf(nearest) +
+      broadcast(kTiny);
+  const auto isCertain = isPositive(magnitude(terms.height) - bound);
+  return {edgeDistance<T>(t.pa, t.pb, t.ab),
+          edgeDistance<T>(t.pb, t.pc, t.bc),
+          edgeDistance<T>(t.pc, t.pa, t.ca),
+          planeDistance<T>(terms),
+          terms.normalSquared,
+          where(isCertain, terms.height, broadcast(T(0)))};
 }
 
 }  // namespace

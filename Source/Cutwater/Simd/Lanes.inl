@@ -14,7 +14,7 @@
 //     leastOf                                     the least of all lanes
 //
 // and on Floats, for bounds: multiplyAdd(a, b, c) = a b + c and subtractProduct(c, a, b) = c - a b,
-// rounded once or twice as the set has it; leastOf() over all lanes. loadDoubles() converts.
+// rounded once or twice as the set has it.
 //
 // Functions of the standard library stay out: what is not inlined would be compiled for this set
 // and shared with everybody.
@@ -49,10 +49,6 @@ CUTWATER_INLINE inline int leastLane(const float* keys, std::uint32_t lanes) {
   return best;
 }
 #endif
-
-CUTWATER_INLINE inline Doubles loadDoubles(const double* from) {
-  return load(from);
-}
 
 CUTWATER_INLINE inline float squareRoot(float x) {
   return __builtin_sqrtf(x);

@@ -80,9 +80,6 @@ CUTWATER_INLINE inline Doubles where(DoubleMask mask, Doubles a, Doubles b) {
 CUTWATER_INLINE inline std::uint32_t bits(DoubleMask mask) {
   return static_cast<std::uint32_t>(_mm256_movemask_pd(mask));
 }
-CUTWATER_INLINE inline Doubles loadDoubles(const float* from) {
-  return _mm256_cvtps_pd(_mm_load_ps(from));
-}
 CUTWATER_INLINE inline Floats squareRoot(Floats a) {
   return _mm256_sqrt_ps(a);
 }

@@ -81,9 +81,6 @@ CUTWATER_INLINE inline Doubles where(DoubleMask mask, Doubles a, Doubles b) {
 CUTWATER_INLINE inline std::uint32_t bits(DoubleMask mask) {
   return mask;
 }
-CUTWATER_INLINE inline Doubles loadDoubles(const float* from) {
-  return _mm256_cvtps_pd(_mm_load_ps(from));
-}
 CUTWATER_INLINE inline Floats squareRoot(Floats a) {
   return _mm512_sqrt_ps(a);
 }

@@ -71,9 +71,6 @@ CUTWATER_INLINE inline bool both(bool a, bool b) {
 CUTWATER_INLINE inline std::uint32_t bits(bool mask) {
   return mask ? 1 : 0;
 }
-CUTWATER_INLINE inline Doubles loadDoubles(const float* from) {
-  return *from;
-}
 CUTWATER_INLINE inline Floats multiplyAdd(Floats a, Floats b, Floats c) {
   return a * b + c;
 }

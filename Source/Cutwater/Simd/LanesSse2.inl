@@ -79,9 +79,6 @@ CUTWATER_INLINE inline Doubles where(DoubleMask mask, Doubles a, Doubles b) {
 CUTWATER_INLINE inline std::uint32_t bits(DoubleMask mask) {
   return static_cast<std::uint32_t>(_mm_movemask_pd(mask));
 }
-CUTWATER_INLINE inline Doubles loadDoubles(const float* from) {
-  return Doubles{from[0], from[1]};
-}
 CUTWATER_INLINE inline Floats squareRoot(Floats a) {
   return _mm_sqrt_ps(a);
 }
