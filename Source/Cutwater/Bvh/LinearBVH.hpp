@@ -68,7 +68,10 @@ class LinearBVH {
   void along(const Segment<T>& segment, Visit&& visit) const;
 
   /// Whether the segment crosses any of the primitives; the first one found is enough.
-  [[nodiscard]] bool anyHit(const Segment<T>& segment) const requires Crossable<P, T>;
+  // A template, so that trees of what knows no crossings can be instantiated as a whole: clang 14
+  // would instantiate a constrained member as well.
+  template <Crossable<T> Q = P>
+  [[nodiscard]] bool anyHit(const Segment<T>& segment) const;
 
   /// Calls visit(index) for every primitive that the segment crosses, about in the order in which
   /// it meets their boxes, until it answers false.
@@ -180,7 +183,8 @@ void LinearBVH<T, P, K>::along(const Segment<T>& segment, Visit&& visit) const {
 }
 
 template <std::floating_point T, Primitive<T> P, int K>
-bool LinearBVH<T, P, K>::anyHit(const Segment<T>& segment) const requires Crossable<P, T> {
+template <Crossable<T> Q>
+bool LinearBVH<T, P, K>::anyHit(const Segment<T>& segment) const {
   bool found = false;
   along(segment, [&](std::uint32_t id) {
     found = primitives_[id].crosses(segment);

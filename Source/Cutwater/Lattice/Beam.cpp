@@ -49,5 +49,11 @@ template class ConeSphereBeam<float>;
 template class ConeSphereBeam<double>;
 template class CappedConeBeam<float>;
 template class CappedConeBeam<double>;
+template class LinearBVH<float, CapsuleBeam<float>>;
+template class LinearBVH<double, CapsuleBeam<double>>;
+template class LinearBVH<float, ConeSphereBeam<float>>;
+template class LinearBVH<double, ConeSphereBeam<double>>;
+template class LinearBVH<float, CappedConeBeam<float>>;
+template class LinearBVH<double, CappedConeBeam<double>>;
 
 }  // namespace cutwater
