@@ -16,10 +16,11 @@ namespace cutwater {
 /// All queries are clients of one traversal (see BvhTree) and evaluate the primitives themselves,
 /// so that answers are those of trying all, to the bit. They do not allocate. Values and crossings
 /// are trusted to 16 eps of the coordinates that they come from. Queries at points or along
-/// segments that are not finite find nothing.
+/// segments that are not finite find nothing. Over a primitive of the user's they are compiled in
+/// the user's file: their margins have room for what its compiler flags do to them.
 ///
-/// Memory: 24 K + 16 bytes a node (rounded to a cache line), about one node for every 10 leaves of
-/// 4 primitives, beside the primitives themselves.
+/// Memory: 24 K + 60 bytes a node (rounded up to cache lines), about one node for every 10 leaves
+/// of 4 primitives, beside the primitives themselves.
 template <std::floating_point T, Primitive<T> P, int K = 16>
 class LinearBVH {
  public:
