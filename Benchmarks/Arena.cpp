@@ -77,4 +77,10 @@ void Arena::checkAgainst(const std::string& peer, const std::string& workload,
   check(workload, kOurs, peer, comparison);
 }
 
+void Arena::count(const std::string& workload, std::span<const Vec3<double>> points,
+                  std::span<double> distances) {
+  if (!counted_) counted_.emplace(soup_);
+  report_.efforts[{name_, workload}] = counted_->ask(points, distances);
+}
+
 }  // namespace cutwater::benchmarks

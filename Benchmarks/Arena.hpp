@@ -7,6 +7,7 @@
 
 #include "Checks.hpp"
 #include "Peers/Peers.hpp"
+#include "SearchEffort.hpp"
 #include "Settings.hpp"
 
 namespace cutwater::benchmarks {
@@ -36,6 +37,10 @@ class Arena {
   /// Holds ours against a peer's.
   void checkAgainst(const std::string& peer, const std::string& workload, Comparison comparison);
 
+  /// Notes what our search takes to find the points' distances, which have no signs.
+  void count(const std::string& workload, std::span<const Vec3<double>> points,
+             std::span<double> distances);
+
  private:
   std::string name_;
   const Settings& settings_;
@@ -44,6 +49,7 @@ class Arena {
   double diagonal_;
   double farthest_ = 0;  // of the points from the origin
   std::optional<MeshSDF<double>> ours_;
+  std::optional<CountedSearch> counted_;
   std::map<std::string, std::unique_ptr<Peer>> peers_;
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "BruteForce.hpp"
 #include "Points.hpp"
@@ -34,6 +35,7 @@ class PointWorkload : public Workload {
     if (truth_.empty()) truth_ = bruteForce(arena_.soup(), first(checked));
     ask(contestant, checked, 0);
     arena_.check(name_, contestant, "brute force", comparison(checked, truth_));
+    if (contestant == kOurs) count();
     if (contestant == kOurs || contestant != peers().front().name) return;
     ask(kOurs, points_.size(), 0);
     arena_.checkAgainst(contestant, name_, comparison(points_.size(), {}));
@@ -43,7 +45,6 @@ class PointWorkload : public Workload {
   virtual void ask(const std::string& contestant, std::size_t count, int threads) {
     arena_.ask(contestant, first(count), distances(count), threads);
   }
-  [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] std::span<const Vec3<double>> first(std::size_t count) const {
     return std::span(points_).first(count);
   }
@@ -53,8 +54,25 @@ class PointWorkload : public Workload {
   [[nodiscard]] Comparison comparison(std::size_t count, std::span<const double> truth) {
     return {.points = first(count), .answers = distances(count), .truth = truth};
   }
+  /// The answers are to be the same bits as the truth.
+  void checkBits(const std::string& truthName, std::span<const double> truth) {
+    auto toTheBit = comparison(truth.size(), truth);
+    toTheBit.tolerance = [](const Vec3<double>&) { return 0.0; };
+    arena_.check(name_, kOurs, truthName, toTheBit);
+  }
 
  private:
+  /// What the search looks at; with counters it is to find what it finds without.
+  void count() {
+    std::vector<double> truth(points_.size());
+    arena_.count(name_, points_, truth);
+    ask(kOurs, points_.size(), 0);
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      truth[i] = std::copysign(truth[i], distances_[i]);
+    }
+    checkBits("counted search", truth);
+  }
+
   std::string name_;
   Points points_;
   std::vector<double> distances_;
@@ -73,9 +91,7 @@ class BatchWorkload final : public PointWorkload {
     std::vector<double> truth(count);
     arena_.ask(kOurs, first(count), truth, 0);
     ask(kOurs, count, 0);
-    auto toTheBit = comparison(count, truth);
-    toTheBit.tolerance = [](const Vec3<double>&) { return 0.0; };
-    arena_.check(name(), kOurs, "one by one", toTheBit);
+    checkBits("one by one", truth);
   }
 
  private:

@@ -15,6 +15,11 @@ const Time* Report::find(const Race& race) const {
   return at == times.end() ? nullptr : &at->second;
 }
 
+const Effort* Report::findEffort(const Race& race) const {
+  const auto at = efforts.find({race.surface, race.workload});
+  return at == efforts.end() || race.contestant != kOurs ? nullptr : &at->second;
+}
+
 std::size_t Report::wrongOfOurs() const {
   std::size_t count = 0;
   for (const auto& check : checks) {

@@ -38,6 +38,24 @@ struct Check {
   double largestError = 0;  ///< over the diagonal of the surface's box
 };
 
+/// Parts of a tree.
+struct Openings {
+  std::size_t nodes = 0;
+  std::size_t leaves = 0;
+};
+
+/// What all queries of a workload together look at.
+struct Effort {
+  std::size_t queries = 0;
+  Openings opened;
+  Openings necessary;         ///< those that no search through the tree can leave out
+  std::size_t evaluated = 0;  ///< triangles, in full
+
+  [[nodiscard]] double perQuery(std::size_t count) const {
+    return static_cast<double>(count) / static_cast<double>(queries);
+  }
+};
+
 struct Memory {
   std::size_t peak = 0;  ///< bytes in use at most while it was built, beside the soup
   std::size_t kept = 0;  ///< bytes in use after, as the system sees them
@@ -55,9 +73,12 @@ struct Report {
   std::vector<Check> checks;
   std::map<std::pair<std::string, std::string>, Memory> memory;  ///< by surface and contestant
   std::map<std::string, SurfaceFacts> surfaces;
+  std::map<std::pair<std::string, std::string>, Effort> efforts;  ///< ours, by surface and workload
 
   void add(const Race& race, double nanoseconds, double share);
   [[nodiscard]] const Time* find(const Race& race) const;
+  /// Null for others than ours, and where nothing is counted.
+  [[nodiscard]] const Effort* findEffort(const Race& race) const;
   /// Answers of ours that were wrong.
   [[nodiscard]] std::size_t wrongOfOurs() const;
 };

@@ -121,6 +121,26 @@ void printMemory(const Report& report, std::ostream& out) {
   }
 }
 
+void printEfforts(const Report& report, std::ostream& out) {
+  if (report.efforts.empty()) return;
+  std::vector<Row> rows{{"surface", "workload", "nodes", "necessary", "times", "leaves",
+                         "necessary", "times", "evaluated"}};
+  for (const auto& [key, effort] : report.efforts) {
+    Row row{key.first, key.second};
+    for (const auto part : {&Openings::nodes, &Openings::leaves}) {
+      const double opened = effort.perQuery(effort.opened.*part);
+      const double necessary = effort.perQuery(effort.necessary.*part);
+      row.insert(row.end(), {number(opened), number(necessary), number(opened / necessary)});
+    }
+    row.push_back(number(effort.perQuery(effort.evaluated)));
+    rows.push_back(row);
+  }
+  out << "## What a query opens\n\nNodes and leaves of the tree that a query of " << kOurs
+      << " opens, one by one; those of them whose box is not farther than the nearest triangle, so "
+         "that no search can leave them out; and triangles evaluated in full.\n\n";
+  printAligned(rows, out);
+}
+
 /// Adds up the workloads of a surface.
 std::vector<Check> summed(const std::vector<Check>& checks) {
   std::map<std::tuple<std::string, std::string, std::string>, Check> sums;
@@ -179,6 +199,7 @@ void printTables(const Report& report, std::ostream& out) {
       printShares(report, surface, threads, out);
     }
   }
+  printEfforts(report, out);
   printMemory(report, out);
   printChecks(report, out);
 }

@@ -14,6 +14,14 @@ bool isLong(const Race& race) {
   return fillsAll || race.workload == "build" || race.workload == "read";
 }
 
+void addCounters(const Effort& effort, benchmark::UserCounters& counters) {
+  counters["nodes"] = effort.perQuery(effort.opened.nodes);
+  counters["necessary_nodes"] = effort.perQuery(effort.necessary.nodes);
+  counters["leaves"] = effort.perQuery(effort.opened.leaves);
+  counters["necessary_leaves"] = effort.perQuery(effort.necessary.leaves);
+  counters["evaluated"] = effort.perQuery(effort.evaluated);
+}
+
 }  // namespace
 
 Tournament::Tournament(const Settings& settings, Report& report)
@@ -51,6 +59,7 @@ void Tournament::run(benchmark::State& state, const Race& race, const WorkloadKi
   if (checked_.emplace(race.surface, race.workload, race.contestant).second) {
     its.check(race.contestant);
   }
+  if (const auto* effort = report_.findEffort(race)) addCounters(*effort, state.counters);
   if (race.workload == "build") measureMemory(race.contestant);
 }
 

@@ -98,6 +98,18 @@ TEST(BvhRefitTest, BoxesEncloseWhatHasMoved) {
   expectRight(moved([&](const auto&) { return far; }), 1e-9);
 }
 
+TEST(BvhRefitTest, RefusesTooFewBoxesAndTooMany) {
+  const auto boxes = boxesOf(manyTriangles(100));
+  auto arrays = buildBvh<16, 4>(boxes);
+  const auto before = arrays;
+  EXPECT_THROW(refitBvh(arrays, std::span(boxes).first(99)), Error);
+  EXPECT_THROW(refitBvh(arrays, {}), Error);
+  EXPECT_THROW(refitBvh(arrays, boxesOf(manyTriangles(101))), Error);
+  expectSame(arrays, before);
+  BvhArrays<16, 4> none;
+  EXPECT_THROW(refitBvh(none, boxes), Error);
+}
+
 template <typename T>
 class LinearBVHRefitTest : public ::testing::Test {};
 TYPED_TEST_SUITE(LinearBVHRefitTest, Precisions);

@@ -181,12 +181,23 @@ TYPED_TEST(BeamTest, AreSmall) {
 TYPED_TEST(BeamTest, RefuseImpossibleArguments) {
   using T = TypeParam;
   const T nan = this->kNaN;
-  EXPECT_THROW((CapsuleBeam<T>({0, 0, 0}, {0, 0, 1}, 0)), Error);
+  const auto refusal = [](auto make) -> std::string {
+    try {
+      make();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const Vec3<T> a{0, 0, 0};
+  const Vec3<T> b{0, 0, 1};
+  EXPECT_TRUE(refusal([&] { CapsuleBeam<T>(a, b, 0); }).starts_with("CapsuleBeam:"));
+  EXPECT_TRUE(refusal([&] { ConeSphereBeam<T>(a, b, 0, 0); }).starts_with("ConeSphereBeam:"));
+  EXPECT_TRUE(refusal([&] { CappedConeBeam<T>(a, b, -1, 2); }).starts_with("CappedConeBeam:"));
+  EXPECT_THROW((CapsuleBeam<T>({0, 0, 0}, {0, 0, 1}, nan)), Error);
   EXPECT_THROW((CapsuleBeam<T>({0, 0, nan}, {0, 0, 1}, 1)), Error);
-  EXPECT_THROW((ConeSphereBeam<T>({0, 0, 0}, {0, 0, 1}, 0, 0)), Error);
   EXPECT_THROW((ConeSphereBeam<T>({0, 0, 0}, {0, nan, 1}, 1, 1)), Error);
   EXPECT_THROW((CappedConeBeam<T>({0, 0, 0}, {0, 0, 0}, 1, 1)), Error);
-  EXPECT_THROW((CappedConeBeam<T>({0, 0, 0}, {0, 0, 1}, -1, 2)), Error);
 }
 
 }  // namespace

@@ -48,10 +48,15 @@ Mesh expectBuild(MakeSoup makeSoup, std::uint32_t n, double mostSeconds) {
   return *mesh;
 }
 
-/// Even if all triangles are equally near: a few exact predicates for each, 0.1 to 0.5 us.
+/// Even if all triangles are equally near: a few exact predicates for each, 0.1 to 0.5 us. The
+/// least of up to three rounds, as above.
 void expectLinearQuery(const Mesh& mesh, const Vec3<double>& p) {
-  const double seconds = cpuSeconds([&] { (void)mesh.signedDistance(p); });
-  EXPECT_LT(seconds, 10e-6 * static_cast<double>(mesh.triangleCount())) << p;
+  const double enough = 10e-6 * static_cast<double>(mesh.triangleCount());
+  double least = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 3 && !(least < enough); ++round) {
+    least = std::min(least, cpuSeconds([&] { (void)mesh.signedDistance(p); }));
+  }
+  EXPECT_LT(least, enough) << p;
 }
 
 /// Both pyramids over an n-gon in the unit circle, of height 1: n triangles at each apex.

@@ -15,15 +15,13 @@
 namespace cutwater::test {
 namespace {
 
-/// A surface with its tree and packets.
+/// A surface that can be searched with and without its tree.
 template <typename T>
-struct Searched : SurfaceInBlock<T> {
-  using SurfaceInBlock<T>::surface;
+struct Searched : SearchableInBlock<T> {
+  using SearchableInBlock<T>::surface;
+  using SearchableInBlock<T>::search;
 
-  explicit Searched(const PolygonSoup& soup) : SurfaceInBlock<T>(soup) {
-    arrays = buildTriangleTree(surface.positions, surface.triangles);
-    packets = packTriangles(surface.positions, surface.triangles, arrays.tree());
-    search = TriangleSearch(arrays.tree(), packets);
+  explicit Searched(const PolygonSoup& soup) : SearchableInBlock<T>(soup) {
     ids.resize(surface.triangles.size());
     std::iota(ids.begin(), ids.end(), 0U);
   }
@@ -41,9 +39,6 @@ struct Searched : SurfaceInBlock<T> {
     return best;
   }
 
-  BvhArrays<16, 16> arrays;
-  std::vector<TrianglePacket> packets;
-  TriangleSearch search;
   std::vector<std::uint32_t> ids;
 };
 

@@ -2,20 +2,20 @@
 
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
-#include <bit>
 #include <limits>
 #include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "Support/Grid.hpp"
+
 namespace cutwater::test {
 
 /// The same bits; any NaN is equal to any other.
 template <std::floating_point T>
 bool isSame(T a, T b) {
-  using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b) || (std::isnan(a) && std::isnan(b));
+  return sameBits(a, b) || (std::isnan(a) && std::isnan(b));
 }
 
 template <std::floating_point T>

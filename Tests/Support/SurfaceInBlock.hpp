@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Block.hpp>
+#include <Cutwater/Mesh/TriangleSearch.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
 namespace cutwater::test {
@@ -18,6 +19,22 @@ struct SurfaceInBlock {
   TriangleSurfaceData<T> data;
   Block block;
   TriangleSurface<T> surface;
+};
+
+/// With its tree, and what the search for the nearest triangle reads.
+template <std::floating_point T>
+struct SearchableInBlock : SurfaceInBlock<T> {
+  using SurfaceInBlock<T>::surface;
+
+  explicit SearchableInBlock(const PolygonSoup& soup)
+      : SurfaceInBlock<T>(soup),
+        arrays(buildTriangleTree(surface.positions, surface.triangles)),
+        packets(packTriangles(surface.positions, surface.triangles, arrays.tree())),
+        search(arrays.tree(), packets) {}
+
+  TriangleTreeArrays arrays;
+  std::vector<TrianglePacket> packets;
+  TriangleSearch search;
 };
 
 }  // namespace cutwater::test

@@ -1,6 +1,9 @@
 #include <Cutwater/Bvh/BvhRefit.hpp>
 #include <Cutwater/Bvh/NodeBoxes.hpp>
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Parallel.hpp>
+
+#include <algorithm>
 
 namespace cutwater {
 
@@ -85,6 +88,9 @@ class Contents {
 template <int K, int W>
 void refit(BvhArrays<K, W>& arrays, std::span<const Box<double>> boxes, const BvhCorners* corners,
            int threads) {
+  const auto unused = static_cast<std::size_t>(std::ranges::count(arrays.slots, kNone));
+  require(boxes.size() == arrays.slots.size() - unused, "refitBvh: need a box for each primitive",
+          Named{"boxes", boxes.size()}, Named{"primitives", arrays.slots.size() - unused});
   if (arrays.nodes.empty()) return;
   const Contents<K, W> contents(arrays, boxes, threads);
   arrays.frame = detail::frameOf(contents.box());

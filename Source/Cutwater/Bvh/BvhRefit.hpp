@@ -13,6 +13,7 @@ namespace cutwater {
 /// else may use the tree meanwhile. In parallel, by at most so many threads (see ParallelOptions);
 /// the result does not depend on their number. Empty and infinite boxes are the caller's to keep
 /// out.
+/// @throws Error unless there are as many boxes as primitives in the tree.
 template <int K, int W>
 void refitBvh(BvhArrays<K, W>& arrays, std::span<const Box<double>> boxes, int threads = 0);
 

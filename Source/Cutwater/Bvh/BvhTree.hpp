@@ -85,13 +85,14 @@ class BvhTree {
   };
 
   /// A bit for every lane whose key is not above the limit.
-  static std::uint32_t notAbove(float limit, const typename BvhNode<K>::Lanes& keys) {
+  CUTWATER_INLINE static std::uint32_t notAbove(float limit,
+                                                const typename BvhNode<K>::Lanes& keys) {
     std::uint32_t lanes = 0;
     for (std::size_t k = 0; k < K; ++k) lanes |= static_cast<std::uint32_t>(keys[k] <= limit) << k;
     return lanes;
   }
 
-  static int nearestLane(const Level& level) {
+  CUTWATER_INLINE static int nearestLane(const Level& level) {
     int best = std::countr_zero(level.pending);
     for (auto rest = level.pending & (level.pending - 1); rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);

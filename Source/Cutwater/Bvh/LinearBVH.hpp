@@ -16,10 +16,11 @@ namespace cutwater {
 /// All queries are clients of one traversal (see BvhTree) and evaluate the primitives themselves,
 /// so that answers are those of trying all, to the bit. They do not allocate. Values and crossings
 /// are trusted to 16 eps of the coordinates that they come from. Queries at points or along
-/// segments that are not finite find nothing.
+/// segments that are not finite find nothing. Over a primitive of the user's they are compiled in
+/// the user's file: their margins have room for what its compiler flags do to them.
 ///
-/// Memory: 24 K + 16 bytes a node (rounded to a cache line), about one node for every 10 leaves of
-/// 4 primitives, beside the primitives themselves.
+/// Memory: 24 K + 60 bytes a node (rounded up to cache lines), about one node for every 10 leaves
+/// of 4 primitives, beside the primitives themselves.
 template <std::floating_point T, Primitive<T> P, int K = 16>
 class LinearBVH {
  public:
@@ -68,7 +69,10 @@ class LinearBVH {
   void along(const Segment<T>& segment, Visit&& visit) const;
 
   /// Whether the segment crosses any of the primitives; the first one found is enough.
-  [[nodiscard]] bool anyHit(const Segment<T>& segment) const requires Crossable<P, T>;
+  // A template, so that trees of what knows no crossings can be instantiated as a whole: clang 14
+  // would instantiate a constrained member as well.
+  template <Crossable<T> Q = P>
+  [[nodiscard]] bool anyHit(const Segment<T>& segment) const;
 
   /// Calls visit(index) for every primitive that the segment crosses, about in the order in which
   /// it meets their boxes, until it answers false.
@@ -180,7 +184,8 @@ void LinearBVH<T, P, K>::along(const Segment<T>& segment, Visit&& visit) const {
 }
 
 template <std::floating_point T, Primitive<T> P, int K>
-bool LinearBVH<T, P, K>::anyHit(const Segment<T>& segment) const requires Crossable<P, T> {
+template <Crossable<T> Q>
+bool LinearBVH<T, P, K>::anyHit(const Segment<T>& segment) const {
   bool found = false;
   along(segment, [&](std::uint32_t id) {
     found = primitives_[id].crosses(segment);

@@ -35,9 +35,10 @@ struct NearestPrimitive {
 // Inline.hpp.
 namespace detail {
 
-/// By value, equals by index.
+/// By value, equals by index. Of the primitives' type, so that what algorithms make of it is no
+/// function that a user's tree shares with one of the library's.
+template <std::floating_point T, typename P>
 struct IsBefore {
-  template <std::floating_point T>
   CUTWATER_INLINE bool operator()(const NearestPrimitive<T>& a,
                                   const NearestPrimitive<T>& b) const {
     return a.distance < b.distance || (a.distance == b.distance && a.primitive < b.primitive);
@@ -56,7 +57,7 @@ class LeastVisitor {
     for (const auto id : slots) {
       if (id == kNone) break;
       const NearestPrimitive<T> candidate{id, static_cast<T>(primitives_[id].distance(point_))};
-      if (IsBefore()(candidate, best_)) best_ = candidate;
+      if (IsBefore<T, P>()(candidate, best_)) best_ = candidate;
     }
     return static_cast<double>(best_.distance);
   }
@@ -85,7 +86,7 @@ class SeveralLeastVisitor {
     return static_cast<double>(limit_);
   }
   std::size_t sorted() {
-    std::sort_heap(results_.begin(), end(), IsBefore());
+    std::sort_heap(results_.begin(), end(), IsBefore<T, P>());
     return count_;
   }
 
@@ -94,12 +95,12 @@ class SeveralLeastVisitor {
 
   void offer(const NearestPrimitive<T>& candidate) {
     if (count_ == results_.size()) {
-      if (!IsBefore()(candidate, results_.front())) return;
-      std::pop_heap(results_.begin(), end(), IsBefore());
+      if (!IsBefore<T, P>()(candidate, results_.front())) return;
+      std::pop_heap(results_.begin(), end(), IsBefore<T, P>());
       --count_;
     }
     results_[count_++] = candidate;
-    std::push_heap(results_.begin(), end(), IsBefore());
+    std::push_heap(results_.begin(), end(), IsBefore<T, P>());
     if (count_ == results_.size()) limit_ = results_.front().distance;
   }
 

@@ -22,13 +22,13 @@ Box<T> Beam<T, Profile>::boundingBox() const {
 template <std::floating_point T>
 CapsuleBeam<T>::CapsuleBeam(const Vec3<T>& a, const Vec3<T>& b, T radius)
     : Beam<T, detail::CapsuleProfile<T>>(detail::RotationAxis<T>::between("CapsuleBeam", a, b),
-                                         {a, b, radius}, a, b) {}
+                                         {"CapsuleBeam", a, b, radius}, a, b) {}
 
 template <std::floating_point T>
 ConeSphereBeam<T>::ConeSphereBeam(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB)
     : Beam<T, detail::ConeSphereProfile<T>>(
-          detail::RotationAxis<T>::between("ConeSphereBeam", a, b), {a, b, radiusA, radiusB}, a,
-          b) {}
+          detail::RotationAxis<T>::between("ConeSphereBeam", a, b),
+          {"ConeSphereBeam", a, b, radiusA, radiusB}, a, b) {}
 
 template <std::floating_point T>
 CappedConeBeam<T>::CappedConeBeam(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB)
@@ -49,5 +49,11 @@ template class ConeSphereBeam<float>;
 template class ConeSphereBeam<double>;
 template class CappedConeBeam<float>;
 template class CappedConeBeam<double>;
+template class LinearBVH<float, CapsuleBeam<float>>;
+template class LinearBVH<double, CapsuleBeam<double>>;
+template class LinearBVH<float, ConeSphereBeam<float>>;
+template class LinearBVH<double, ConeSphereBeam<double>>;
+template class LinearBVH<float, CappedConeBeam<float>>;
+template class LinearBVH<double, CappedConeBeam<double>>;
 
 }  // namespace cutwater

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Bvh/LinearBVH.hpp>
 #include <Cutwater/Shapes/CapsuleProfile.hpp>
 #include <Cutwater/Shapes/ConeSphereProfile.hpp>
 #include <Cutwater/Shapes/FrustumProfile.hpp>
@@ -66,5 +67,12 @@ extern template class ConeSphereBeam<float>;
 extern template class ConeSphereBeam<double>;
 extern template class CappedConeBeam<float>;
 extern template class CappedConeBeam<double>;
+// Trees of beams are compiled in the library, too.
+extern template class LinearBVH<float, CapsuleBeam<float>>;
+extern template class LinearBVH<double, CapsuleBeam<double>>;
+extern template class LinearBVH<float, ConeSphereBeam<float>>;
+extern template class LinearBVH<double, ConeSphereBeam<double>>;
+extern template class LinearBVH<float, CappedConeBeam<float>>;
+extern template class LinearBVH<double, CappedConeBeam<double>>;
 
 }  // namespace cutwater

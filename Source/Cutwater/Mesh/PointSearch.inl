@@ -41,12 +41,20 @@ CUTWATER_INLINE inline double slackOf(double error, double size, const BvhFrame&
   return 4 * error * frame.scale + 0x1p-49 * (1 + size) + 0x1p-60;
 }
 
+/// Is told what a search opens, and does nothing: the benchmarks have one that counts.
+struct NoObserver {
+  CUTWATER_INLINE void onNode() const {}
+  CUTWATER_INLINE void onLeaf() const {}
+  CUTWATER_INLINE void onEvaluation(int /*triangles*/) const {}
+};
+
 /// The search for the triangles nearest to one point, in steps, so that several can take turns.
-template <typename T>
+template <typename T, typename Observer = NoObserver>
 class Search {
  public:
-  CUTWATER_INLINE Search(const TriangleSearch& tree, const TriangleArrays<T>& surface)
-      : tree_(tree), surface_(surface) {}
+  CUTWATER_INLINE Search(const TriangleSearch& tree, const TriangleArrays<T>& surface,
+                         Observer observer = {})
+      : tree_(tree), surface_(surface), observer_(observer) {}
 
   /// The nearest triangle is known to be within `reach`, in units of the surface.
   CUTWATER_INLINE void start(const Vec3<T>& p, typename TriangleSurface<T>::Nearest& best,
@@ -69,8 +77,10 @@ class Search {
   /// Looks at a node or a leaf and finds out the next one. False: there is none.
   CUTWATER_INLINE bool step() {
     if (isLeaf_) {
+      observer_.onLeaf();
       look(target_);
     } else {
+      observer_.onNode();
       Level& level = path_[depth_++];
       level.node = &tree_.nodes[target_];
       level.pending = enter(*level.node, level.keys);
@@ -140,6 +150,7 @@ class Search {
   /// Evaluates the candidates in full.
   CUTWATER_INLINE void evaluate() {
     drop();
+    observer_.onEvaluation(count_);
     compete(surface_, *p_, ids_, count_, *best_);
     count_ = 0;
   }
@@ -208,6 +219,7 @@ class Search {
 
   const TriangleSearch& tree_;
   const TriangleArrays<T>& surface_;
+  [[no_unique_address]] Observer observer_;
   const Vec3<T>* p_ = nullptr;
   typename TriangleSurface<T>::Nearest* best_ = nullptr;
   Vec3<double> q_;    // in the tree's frame, as all lengths below
@@ -225,11 +237,11 @@ class Search {
 
 constexpr double kAnywhere = 0x1p62;
 
-template <typename T>
+template <typename T, typename Observer = NoObserver>
 CUTWATER_INLINE inline void nearestOne(const TriangleSearch& tree, const TriangleArrays<T>& surface,
-                                       const Vec3<T>& p,
-                                       typename TriangleSurface<T>::Nearest& best) {
-  Search<T> search(tree, surface);
+                                       const Vec3<T>& p, typename TriangleSurface<T>::Nearest& best,
+                                       Observer observer = {}) {
+  Search<T, Observer> search(tree, surface, observer);
   search.start(p, best, kAnywhere);
   while (search.step()) {
   }

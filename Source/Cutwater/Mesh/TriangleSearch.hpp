@@ -12,8 +12,6 @@ struct TriangleArrays {
   const std::uint32_t* corners;  ///< three for each triangle
   const std::uint32_t* slivers;  ///< one bit per triangle
 
-  bool isClosed;  ///< so that signs change at the surface only
-
   explicit TriangleArrays(const TriangleSurface<T>& surface)
       : positions(surface.positions.data()),
         corners(surface.triangles.data()->data()),

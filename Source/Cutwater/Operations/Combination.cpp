@@ -89,7 +89,7 @@ auto Combination<T>::decide(const Vec3<T>& p) const -> Decision {
   const auto askFirst = [&] { least = {0, side() * operands_[0].signedDistance(p)}; };
   if (tree_.helpsAt(p)) {
     if (tree_.asksFirst()) askFirst();
-    for (const auto i : tree_.always()) ask(i);
+    for (const auto i : tree_.alwaysButFirst()) ask(i);
     tree_.forLeastAt(p, least.value, ask);
   } else {
     askFirst();
@@ -129,8 +129,7 @@ void Combination<T>::localSignedDistances(std::span<const Vec3<T>> points,
     } else {
       std::ranges::fill(least, side() * std::numeric_limits<T>::infinity());
     }
-    for (const auto i : tree_.always()) {
-      if (i == 0) continue;
+    for (const auto i : tree_.alwaysButFirst()) {
       operands_[i].signedDistances(here, other, {.threads = 1});
       for (std::size_t k = 0; k < count; ++k) {
         if (side() * other[k] < side() * least[k]) least[k] = other[k];

@@ -1,6 +1,7 @@
 #include <Cutwater/Operations/OperandTree.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace cutwater::detail {
@@ -26,6 +27,7 @@ bool OperandTree<T>::isBounded(const OperandBound<T>& operand) {
 template <std::floating_point T>
 bool OperandTree<T>::isWorthKeepingFor(std::span<const OperandBound<T>> operands) const {
   const auto known = ids_.size() + always_.size();
+  assert(known <= operands.size());
   const auto more = std::ranges::count_if(operands.subspan(known), isBounded);
   return !ids_.empty() && late_ + static_cast<std::size_t>(more) < kFewest;
 }

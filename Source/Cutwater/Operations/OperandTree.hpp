@@ -38,6 +38,9 @@ class OperandTree {
   [[nodiscard]] std::span<const std::uint32_t> always() const { return always_; }
 
   [[nodiscard]] bool asksFirst() const { return !always_.empty() && always_.front() == 0; }
+  [[nodiscard]] std::span<const std::uint32_t> alwaysButFirst() const {
+    return always().subspan(asksFirst() ? 1 : 0);
+  }
 
   /// Whether the tree can tell anything about points within `radius` of p: there is one, and
   /// squares of distances do not overflow.

@@ -6,7 +6,7 @@ namespace cutwater {
 template <std::floating_point T>
 Capsule<T>::Capsule(const Vec3<T>& a, const Vec3<T>& b, T radius)
     : Axisymmetric<T>(detail::RotationAxis<T>::between("Capsule", a, b)),
-      profile_(a, b, radius),
+      profile_("Capsule", a, b, radius),
       size_(detail::farther(a, b) + radius) {}
 
 template <std::floating_point T>

@@ -7,10 +7,11 @@
 namespace cutwater::detail {
 
 template <std::floating_point T>
-CapsuleProfile<T>::CapsuleProfile(const Vec3<T>& a, const Vec3<T>& b, T radius)
+CapsuleProfile<T>::CapsuleProfile(const char* name, const Vec3<T>& a, const Vec3<T>& b, T radius)
     : length_(distanceBetween(a, b)), radius_(radius) {
-  require(radius > 0 && std::isfinite(radius), "Capsule: need 0 < radius < infinity",
-          Named{"radius", radius});
+  if (radius > 0 && std::isfinite(radius)) return;
+  const std::string message = std::string(name) + ": need 0 < radius < infinity";
+  require(false, message.c_str(), Named{"radius", radius});
 }
 
 template <std::floating_point T>

@@ -12,8 +12,8 @@ template <std::floating_point T>
 class CapsuleProfile {
  public:
   /// Of the capsule from a to b.
-  /// @throws Error unless 0 < radius < infinity.
-  CapsuleProfile(const Vec3<T>& a, const Vec3<T>& b, T radius);
+  /// @throws Error, as from the shape `name`, unless 0 < radius < infinity.
+  CapsuleProfile(const char* name, const Vec3<T>& a, const Vec3<T>& b, T radius);
 
   [[nodiscard]] T distance(const ProfilePoint<T>& p) const;
   [[nodiscard]] ProfilePoint<T> gradient(const ProfilePoint<T>& p) const;

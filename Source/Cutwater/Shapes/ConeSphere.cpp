@@ -6,7 +6,7 @@ namespace cutwater {
 template <std::floating_point T>
 ConeSphere<T>::ConeSphere(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB)
     : Axisymmetric<T>(detail::RotationAxis<T>::between("ConeSphere", a, b)),
-      profile_(a, b, radiusA, radiusB),
+      profile_("ConeSphere", a, b, radiusA, radiusB),
       size_(detail::farther(a, b) + profile_.largestRadius()) {}
 
 template <std::floating_point T>

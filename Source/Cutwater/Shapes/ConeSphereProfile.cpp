@@ -4,12 +4,13 @@
 namespace cutwater::detail {
 
 template <std::floating_point T>
-ConeSphereProfile<T>::ConeSphereProfile(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB)
+ConeSphereProfile<T>::ConeSphereProfile(const char* name, const Vec3<T>& a, const Vec3<T>& b,
+                                        T radiusA, T radiusB)
     : radiusA_(radiusA),
       radiusB_(radiusB),
       length_(distanceBetween(a, b)),
       isBall_(std::abs(radiusA - radiusB) >= length_) {
-  requireRadii("ConeSphere", radiusA, radiusB);
+  requireRadii(name, radiusA, radiusB);
   if (isBall_) return;
   const T delta = radiusA - radiusB;
   sine_ = delta / length_;

@@ -10,8 +10,9 @@ template <std::floating_point T>
 class ConeSphereProfile {
  public:
   /// Of the hull of the balls about a and b.
-  /// @throws Error unless both radii are finite and not negative, and one of them is positive.
-  ConeSphereProfile(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
+  /// @throws Error, as from the shape `name`, unless both radii are finite and not negative, and
+  /// one of them is positive.
+  ConeSphereProfile(const char* name, const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
 
   [[nodiscard]] T distance(const ProfilePoint<T>& p) const;
   [[nodiscard]] ProfilePoint<T> gradient(const ProfilePoint<T>& p) const;

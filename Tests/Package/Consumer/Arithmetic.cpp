@@ -6,6 +6,9 @@
 #include <Cutwater/Core/Interval.hpp>
 #include <Cutwater/Core/RigidTransform.hpp>
 #include <Cutwater/Core/Segment.hpp>
+#include <Cutwater/Lattice/Beam.hpp>
+
+#include <array>
 
 using cutwater::Box;
 using cutwater::Interval;
@@ -58,11 +61,33 @@ T everyTreeQuery(const Vec3<T>& a, const Vec3<T>& b) {
   return sum;
 }
 
+/// A primitive of the library's: its trees are the library's, too.
+template <typename Beam, typename T>
+T everyQueryOf(std::vector<Beam> beams, const Vec3<T>& a) {
+  cutwater::LinearBVH<T, Beam> tree(std::move(beams));
+  tree.refit(tree.primitives());
+  std::array<cutwater::NearestPrimitive<T>, 2> both;
+  T sum = tree.nearest(a).distance + static_cast<T>(tree.nearest(a, both)) * both[0].distance;
+  const auto add = [&](const auto&) { return ++sum > 0; };
+  tree.within(a, 3, add);
+  tree.along({a, both[0].distance * a}, add);
+  tree.overlapping({a, a}, add);
+  return sum;
+}
+
+template <typename T>
+T everyBeam(const Vec3<T>& a, const Vec3<T>& b) {
+  using namespace cutwater;
+  return everyQueryOf<CapsuleBeam<T>>({{a, b, 1}, {b, a, 2}}, a) +
+         everyQueryOf<ConeSphereBeam<T>>({{a, b, 1, 2}, {b, a, 2, 3}}, a) +
+         everyQueryOf<CappedConeBeam<T>>({{a, b, 1, 2}, {b, a, 2, 3}}, a);
+}
+
 }  // namespace
 
 float arithmetic(const Vec3<float>& a, const Vec3<float>& b) {
-  return everyOperation(a, b, 0.5F) + everyTreeQuery(a, b);
+  return everyOperation(a, b, 0.5F) + everyTreeQuery(a, b) + everyBeam(a, b);
 }
 double arithmetic(const Vec3<double>& a, const Vec3<double>& b) {
-  return everyOperation(a, b, 0.5) + everyTreeQuery(a, b);
+  return everyOperation(a, b, 0.5) + everyTreeQuery(a, b) + everyBeam(a, b);
 }

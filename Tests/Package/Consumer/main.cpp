@@ -4,6 +4,7 @@
 
 #include <Cutwater/Bvh/LinearBVH.hpp>
 #include <Cutwater/Core/Level.hpp>
+#include <Cutwater/Lattice/Beam.hpp>
 #include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
@@ -155,6 +156,29 @@ void printTree() {
 }
 
 template <typename T>
+void printBeams() {
+  Questions<T> questions;
+  std::vector<CapsuleBeam<T>> beams;
+  std::vector<Solid<T>> solids;
+  for (int i = 0; i < 60; ++i) {
+    const auto a = questions.point();
+    const auto b = questions.point();
+    beams.push_back({a, b, T(0.1)});
+    solids.push_back(Capsule<T>(a, b, T(0.1)));
+  }
+  const LinearBVH<T, CapsuleBeam<T>> tree(std::move(beams));
+  for (int i = 0; i < 50; ++i) {
+    std::array<NearestPrimitive<T>, 5> five;
+    for (const auto& one : std::span(five).first(tree.nearest(questions.point(), five))) {
+      std::printf("beam %u", one.primitive);
+      print(one.distance);
+    }
+    std::printf("\n");
+  }
+  printAnswers<T>("capsules", unionOf(solids));
+}
+
+template <typename T>
 void printShapes() {
   const Vec3<T> a{T(0.1), T(-0.7), T(0.2)};
   const Vec3<T> b{T(1.3), T(0.9), T(-0.4)};
@@ -210,6 +234,7 @@ template <typename T>
 void printAll() {
   printLevel<T>();
   printTree<T>();
+  printBeams<T>();
   printShapes<T>();
   printComposites<T>();
   printMeshes<T>();
