@@ -151,7 +151,7 @@ class Search {
   CUTWATER_INLINE void evaluate() {
     drop();
     observer_.onEvaluation(count_);
-    compete(surface_, *p_, ids_, count_, *best_);
+    Competition<T>(surface_, *p_).run(ids_, count_, *best_);
     count_ = 0;
   }
 
@@ -215,7 +215,7 @@ class Search {
     count_ = kept;
   }
 
-  static constexpr int kMost = 48;
+  static constexpr int kMost = Competition<T>::kMost;
 
   const TriangleSearch& tree_;
   const TriangleArrays<T>& surface_;

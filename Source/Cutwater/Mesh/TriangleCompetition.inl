@@ -1,6 +1,6 @@
 #pragma once
 
-// TriangleSurface::compete() for several triangles at a time: the same bits. Compiled once per
+// TriangleSurface::compete() for many triangles at a time: the same bits. Compiled once per
 // instruction set.
 
 #include <Cutwater/Mesh/ExactPredicates.hpp>
@@ -11,137 +11,124 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-/// As many triangles as a vector has lanes, and for each a point.
+/// Triangles that compete to be the nearest to a point.
 template <typename T>
-class TriangleLanes {
+class Competition {
  public:
-  static constexpr int kCount = kLanesOf<T>;
+  static constexpr int kMost = 48;
   using Nearest = typename TriangleSurface<T>::Nearest;
 
-  CUTWATER_INLINE explicit TriangleLanes(const TriangleArrays<T>& arrays) : arrays_(arrays) {}
+  CUTWATER_INLINE Competition(const TriangleArrays<T>& arrays, const Vec3<T>& p)
+      : arrays_(arrays), p_(p) {}
 
-  /// All lanes alike.
-  CUTWATER_INLINE void setAll(std::uint32_t id, const Vec3<T>& p) {
-    const std::uint32_t* const corners = arrays_.corners + 3 * std::size_t{id};
-    setAllRows(0, p);
-    for (int i = 0; i < 3; ++i) setAllRows(3 + 3 * i, arrays_.positions[corners[i]]);
-    for (int lane = 0; lane < kCount; ++lane) ids_[lane] = id;
-    slivers_ = isSliver(id) ? (1U << kCount) - 1U : 0U;
-  }
-  CUTWATER_INLINE void set(int lane, std::uint32_t id, const Vec3<T>& p) {
-    const std::uint32_t* const corners = arrays_.corners + 3 * std::size_t{id};
-    ids_[lane] = id;
-    setRows(0, lane, p);
-    for (int i = 0; i < 3; ++i) setRows(3 + 3 * i, lane, arrays_.positions[corners[i]]);
-    slivers_ = (slivers_ & ~(1U << lane)) | (isSliver(id) ? 1U << lane : 0U);
-  }
-  /// Computes squared distances, and on which sides of the triangles the points lie.
-  CUTWATER_INLINE void evaluate() {
-    const auto all = distances<T>(rows(0), rows(3), rows(6), rows(9));
-    const auto edges = least(least(all.ab.squared, all.bc.squared), all.ca.squared);
-    store(squared_, least(edges, all.plane));
-    if (slivers_ != 0) {
-      store(edges_, edges);
-      store(normalSquared_, all.normalSquared);
+  CUTWATER_INLINE void run(const std::uint32_t* ids, int count, Nearest& best) {
+    auto nearest = broadcast(std::numeric_limits<T>::infinity());
+    for (int first = 0; first < count; first += kLanes) {
+      setAll(first, ids[first]);
+      for (int i = first + 1; i < first + kLanes && i < count; ++i) set(i, ids[i]);
+      evaluate(first);
+      nearest = least(nearest, load(squared_ + first));
     }
-    store(side_, all.side);
-  }
-  /// The least squared distance of all lanes, but for the planes of slivers: not less than that of
-  /// the nearest.
-  CUTWATER_INLINE T leastSquared() const {
-    return slivers_ == 0 ? leastOf(load(squared_)) : leastOf(load(edges_));
-  }
-  /// A bit for every lane that may have a squared distance up to the limit; slivers always.
-  CUTWATER_INLINE std::uint32_t within(T limit) const {
-    return bits(isAtMost(load(squared_), broadcast(limit))) | slivers_;
-  }
-  CUTWATER_INLINE void offer(int lane, Nearest& best) const {
-    T squared = squared_[lane];
-    if ((slivers_ >> lane & 1U) != 0) {
-      if (isBeyond(lane, best)) return;
-      squared = triangleDistance(point(0, lane), triangle(lane)).distanceSquared;
+    // No winner is farther than the nearest so far.
+    const T tie = smaller(best.tieAt(leastOf(nearest)), best.tie);
+    for (int first = 0; first < count; first += kLanes) {
+      std::uint32_t near = within(first, tie, best.error);
+      if (count - first < kLanes) near &= (1U << (count - first)) - 1U;
+      for (; near != 0; near &= near - 1) {
+        const int i = first + __builtin_ctz(near);
+        offer(i, ids[i], best);
+      }
     }
-    if (squared > best.tie) return;
-    best.offer(squared, ids_[lane], side(lane));
   }
 
  private:
-  CUTWATER_INLINE bool isSliver(std::uint32_t id) const {
-    return (arrays_.slivers[id / 32] >> id % 32 & 1U) != 0;
+  static constexpr int kLanes = kLanesOf<T>;
+
+  CUTWATER_INLINE static T smaller(T a, T b) { return a < b ? a : b; }
+
+  CUTWATER_INLINE void set(int i, std::uint32_t id) {
+    const Triangle<T> t = arrays_.triangle(id);
+    const T values[9] = {t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z, t.c.x, t.c.y, t.c.z};
+    for (int row = 0; row < 9; ++row) rows_[row][i] = values[row];
+    isSliver_[i] = t.sliver;
+    hasSlivers_ = hasSlivers_ || t.sliver;
   }
-  CUTWATER_INLINE void setRows(int row, int lane, const Vec3<T>& v) {
-    rows_[row][lane] = v.x;
-    rows_[row + 1][lane] = v.y;
-    rows_[row + 2][lane] = v.z;
+  /// All lanes of a vector alike.
+  CUTWATER_INLINE void setAll(int first, std::uint32_t id) {
+    const Triangle<T> t = arrays_.triangle(id);
+    const T values[9] = {t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z, t.c.x, t.c.y, t.c.z};
+    for (int row = 0; row < 9; ++row) store(rows_[row] + first, broadcast(values[row]));
+    for (int i = first; i < first + kLanes; ++i) isSliver_[i] = t.sliver;
+    hasSlivers_ = hasSlivers_ || t.sliver;
   }
-  CUTWATER_INLINE void setAllRows(int row, const Vec3<T>& v) {
-    store(rows_[row], broadcast(v.x));
-    store(rows_[row + 1], broadcast(v.y));
-    store(rows_[row + 2], broadcast(v.z));
+  CUTWATER_INLINE Triple<Lanes<T>> corner(int row, int first) const {
+    return {load(rows_[row] + first), load(rows_[row + 1] + first), load(rows_[row + 2] + first)};
   }
-  CUTWATER_INLINE Triple<Lanes<T>> rows(int row) const {
-    return {load(rows_[row]), load(rows_[row + 1]), load(rows_[row + 2])};
+  CUTWATER_INLINE Triangle<T> triangle(int i) const {
+    return {{rows_[0][i], rows_[1][i], rows_[2][i]},
+            {rows_[3][i], rows_[4][i], rows_[5][i]},
+            {rows_[6][i], rows_[7][i], rows_[8][i]},
+            isSliver_[i]};
   }
-  CUTWATER_INLINE Vec3<T> point(int row, int lane) const {
-    return {rows_[row][lane], rows_[row + 1][lane], rows_[row + 2][lane]};
-  }
-  CUTWATER_INLINE Triangle<T> triangle(int lane) const {
-    return {point(3, lane), point(6, lane), point(9, lane), true};
-  }
-  /// Whether a sliver is certainly farther than `best.tie`.
-  ///
-  /// Where its plane is nearer than its edges, the projection is inside and at most the inradius
-  /// from an edge: 2 A / perimeter <= |n| / 2 L, with L the longest edge and |n| = 2 A, computed to
-  /// 32 eps L^2.
-  CUTWATER_INLINE bool isBeyond(int lane, const Nearest& best) const {
+
+  CUTWATER_INLINE void evaluate(int first) {
+    const auto zero = broadcast(T(0));
+    const auto all = distances<T>({broadcast(p_.x), broadcast(p_.y), broadcast(p_.z)},
+                                  corner(0, first), corner(3, first), corner(6, first));
+    const auto edges = least(least(all.ab.squared, all.bc.squared), all.ca.squared);
+    store(squared_ + first, least(edges, all.plane));
+    store(side_ + first, all.side);
+    store(reach_ + first, zero);
+    if (!hasSlivers_) return;
+    // Where a sliver's plane is nearer than its edges, the projection is inside and at most the
+    // inradius from an edge: 2 A / perimeter <= |n| / 2 L, with L the longest edge and |n| = 2 A as
+    // computed to 32 eps L^2. Its square is at most half of (|n|^2 + (32 eps L^2)^2) / L^2.
     constexpr T kRounding = 32 * std::numeric_limits<T>::epsilon();
-    const auto t = triangle(lane);
-    const T longest =
-        largest(lengthSquared(t.b - t.a), lengthSquared(t.c - t.b), lengthSquared(t.a - t.c));
-    const T height = squareRoot(normalSquared_[lane]) + kRounding * longest;
-    const T edges = squareRoot(edges_[lane]) - best.error;
-    const T reach = squareRoot(best.tie) + best.error;
-    // Of a point without extent nothing but the edges counts; then this says no.
-    return edges > 0 && (edges * edges - reach * reach) * longest * 4 > height * height * T(1.001);
+    const auto longest = most(all.longestSquared, broadcast(std::numeric_limits<T>::min()));
+    alignas(64) T reach[kLanes];
+    alignas(64) T squared[kLanes];
+    store(reach, broadcast(T(0.51)) *
+                     (all.normalSquared / longest + broadcast(kRounding * kRounding) * longest));
+    store(squared, edges);
+    for (int i = 0; i < kLanes; ++i) {
+      if (!isSliver_[first + i]) continue;
+      squared_[first + i] = squared[i];
+      reach_[first + i] = reach[i];
+    }
   }
-  CUTWATER_INLINE static T largest(T a, T b, T c) {
-    return a > b ? (a > c ? a : c) : b > c ? b : c;
+  /// A bit for every lane that may have a squared distance up to the limit.
+  ///
+  /// With s the distance to a sliver's edges, r that of the limit and e the error of both, it is
+  /// farther if (s - e)^2 - reach > (r + e)^2; and 2 s e <= (s^2 / (r + e) + (r + e)) e.
+  CUTWATER_INLINE std::uint32_t within(int first, T limit, T error) const {
+    if (!hasSlivers_) {
+      return bits(isAtMost(load(squared_ + first), broadcast(limit)));
+    }
+    const T r = squareRoot(limit) + error;
+    const auto lower = load(squared_ + first) * broadcast(1 - error / r) - load(reach_ + first);
+    return bits(isAtMost(lower, broadcast(r * r + r * error)));
   }
-  CUTWATER_INLINE int side(int lane) const {
-    if (side_[lane] != 0) return side_[lane] > 0 ? 1 : -1;
-    return orientation(Vec3<double>(point(3, lane)), Vec3<double>(point(6, lane)),
-                       Vec3<double>(point(9, lane)), Vec3<double>(point(0, lane)));
+
+  CUTWATER_INLINE void offer(int i, std::uint32_t id, Nearest& best) const {
+    const T squared =
+        isSliver_[i] ? triangleDistance(p_, triangle(i)).distanceSquared : squared_[i];
+    if (!(squared > best.tie)) best.offer(squared, id, side(i));
+  }
+  CUTWATER_INLINE int side(int i) const {
+    if (side_[i] != 0) return side_[i] > 0 ? 1 : -1;
+    const Triangle<T> t = triangle(i);
+    return orientation(Vec3<double>(t.a), Vec3<double>(t.b), Vec3<double>(t.c), Vec3<double>(p_));
   }
 
   const TriangleArrays<T>& arrays_;
-  alignas(64) T rows_[12][kCount];  // p, a, b, c
-  alignas(64) T squared_[kCount];
-  alignas(64) T edges_[kCount];  // these two for slivers
-  alignas(64) T normalSquared_[kCount];
-  alignas(64) T side_[kCount];  // 0: not certain
-  std::uint32_t ids_[kCount];
-  std::uint32_t slivers_ = 0;
+  const Vec3<T>& p_;
+  alignas(64) T rows_[9][kMost];  // a, b, c
+  alignas(64) T squared_[kMost];  // to the edges, for slivers
+  alignas(64) T reach_[kMost];    // how much less a sliver's squared distance may be
+  alignas(64) T side_[kMost];     // 0: not certain
+  bool isSliver_[kMost];
+  bool hasSlivers_ = false;  // so far
 };
-
-/// Lets triangles compete for one point.
-template <typename T>
-CUTWATER_INLINE inline void compete(const TriangleArrays<T>& arrays, const Vec3<T>& p,
-                                    const std::uint32_t* ids, int count,
-                                    typename TriangleSurface<T>::Nearest& best) {
-  constexpr int kCount = TriangleLanes<T>::kCount;
-  TriangleLanes<T> lanes(arrays);
-  for (int begin = 0; begin < count; begin += kCount) {
-    const int used = count - begin < kCount ? count - begin : kCount;
-    lanes.setAll(ids[begin], p);
-    for (int lane = 1; lane < used; ++lane) lanes.set(lane, ids[begin + lane], p);
-    lanes.evaluate();
-    const T tie = best.tieAt(lanes.leastSquared());
-    std::uint32_t near = lanes.within(tie < best.tie ? tie : best.tie);
-    for (near &= (1U << used) - 1U; near != 0; near &= near - 1) {
-      lanes.offer(__builtin_ctz(near), best);
-    }
-  }
-}
 
 }  // namespace
 

@@ -91,7 +91,8 @@ struct TriangleDistances {
   EdgeDistance<T> ab, bc, ca;
   Lanes<T> plane;  ///< infinite where it does not count; not for slivers
   Lanes<T> normalSquared;
-  Lanes<T> side;  ///< of the sign of orientation(), or 0 where that is not certain
+  Lanes<T> longestSquared;  ///< edge
+  Lanes<T> side;            ///< of the sign of orientation(), or 0 where that is not certain
 };
 
 template <typename T>
@@ -120,6 +121,7 @@ CUTWATER_INLINE inline TriangleDistances<T> distances(const Triple<Lanes<T>>& p,
           edgeDistance<T>(t.pc, t.pa, t.ca),
           planeDistance<T>(terms),
           terms.normalSquared,
+          most(most(dot(t.ab, t.ab), dot(t.bc, t.bc)), dot(t.ca, t.ca)),
           where(isCertain, terms.height, broadcast(T(0)))};
 }
 
