@@ -265,19 +265,40 @@ void BlockFill<T>::fillConstant(const GridBlock& block, T distance) const {
 template <std::floating_point T>
 void BlockFill<T>::evaluate(std::span<const Vec3<T>> points,
                             std::span<const Offset> offsets) const {
-  const bool wantsPatch = targets_.patch.data != nullptr;
-  const bool isByPoint = wantsPatch && !hasBand();  // the closest point tells the distance as well
-  std::array<T, kBatch> distances;
-  if (!isByPoint) {
+  if (targets_.patch.data == nullptr || hasBand()) {
+    std::array<T, kBatch> distances;
     solid_.signedDistances(points, std::span(distances).first(points.size()), {.threads = 1});
+    evaluate(points, offsets, distances);
+    return;
   }
+  // The closest point tells the distance as well.
+  std::array<SurfacePoint<T>, kBatch> hits;
+  solid_.closestPoints(points, std::span(hits).first(points.size()), {.threads = 1});
   for (std::size_t n = 0; n < points.size(); ++n) {
-    if (!wantsPatch || (hasBand() && std::abs(distances[n]) > limit_)) {
+    write(offsets[n], hits[n].distance, hits[n].owner.patch);
+  }
+}
+
+template <std::floating_point T>
+void BlockFill<T>::evaluate(std::span<const Vec3<T>> points, std::span<const Offset> offsets,
+                            std::span<const T> distances) const {
+  std::array<Vec3<T>, kBatch> within;
+  std::array<std::size_t, kBatch> which;
+  std::size_t count = 0;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    if (targets_.patch.data == nullptr || std::abs(distances[n]) > limit_) {
       write(offsets[n], distances[n], kNone);
     } else {
-      const auto hit = solid_.closestPoint(points[n]);
-      write(offsets[n], isByPoint ? hit.distance : distances[n], hit.owner.patch);
+      within[count] = points[n];
+      which[count++] = n;
     }
+  }
+  if (count == 0) return;
+  std::array<SurfacePoint<T>, kBatch> hits;
+  solid_.closestPoints(std::span<const Vec3<T>>(within).first(count), std::span(hits).first(count),
+                       {.threads = 1});
+  for (std::size_t i = 0; i < count; ++i) {
+    write(offsets[which[i]], distances[which[i]], hits[i].owner.patch);
   }
 }
 

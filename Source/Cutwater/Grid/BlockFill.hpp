@@ -40,6 +40,8 @@ class BlockFill {
   [[nodiscard]] Index3 index(const Offset& offset) const;
   void fillConstant(const GridBlock& block, T distance) const;
   void evaluate(std::span<const Vec3<T>> points, std::span<const Offset> offsets) const;
+  void evaluate(std::span<const Vec3<T>> points, std::span<const Offset> offsets,
+                std::span<const T> distances) const;
   void write(const Offset& offset, T distance, std::uint32_t patch) const;
 
   const SignedDistanceFunction<T>& solid_;
