@@ -211,6 +211,36 @@ TYPED_TEST(OperandTreeTest, FromAfarTheFirstOfEqualsDecides) {
   EXPECT_GT(winners.size(), 10U);
 }
 
+/// A ball whose values are rounded down to multiples of 1/64, as its guarantee tells.
+template <typename T>
+struct Coarse final : SignedDistanceFunction<T> {
+  explicit Coarse(const Vec3<T>& at) : ball(at, T(0.001)) {}
+  T localSignedDistance(const Vec3<T>& p) const override {
+    return std::floor(64 * ball.signedDistance(p)) / 64;
+  }
+  Guarantee<T> localGuarantee() const override {
+    auto promise = Guarantee<T>::exact(2);
+    promise.ulps = T(0x1p-6) / std::numeric_limits<T>::epsilon();
+    return promise;
+  }
+  Box<T> localBoundingBox() const override { return ball.boundingBox(); }
+  Sphere<T> ball;
+};
+
+TYPED_TEST(OperandTreeTest, OfEqualCoarseValuesTheFirstDecides) {
+  using T = TypeParam;
+  RandomPoints<T> random(1, /*seed=*/5);
+  std::vector<Solid<T>> operands;
+  for (int i = 0; i < 2000; ++i) operands.push_back(Coarse<T>(random.next()));
+  const auto all = unionOf(operands);
+  const Solid<T> plain = PlainFold<T>(operands, true, all.guarantee());
+  for (int i = 0; i < 1000; ++i) {
+    const auto p = random.next();
+    ASSERT_EQ(all.signedDistance(p), plain.signedDistance(p)) << p;
+    ASSERT_EQ(all.owner(p).object, plain.owner(p).object) << p;
+  }
+}
+
 TYPED_TEST(OperandTreeTest, ChainsAreThePlainFoldAtEveryLength) {
   using T = TypeParam;
   // Operands come one by one, and now and then several, one of which the tree cannot hold.
