@@ -210,13 +210,47 @@ TYPED_TEST(TriangleSearchTest, OfBlocksOfPoints) {
 
 TYPED_TEST(TriangleSearchTest, OfBlocksOfPointsAtFineSurfaces) {
   using T = TypeParam;
-  // So fine that they share leaves, not triangles.
-  const Searched<T> mesh(tessellation::icosphere(1, 5));
-  for (const auto& place : {Vec3<T>{T(0.9), T(0.2), T(-0.4)}, Vec3<T>{2, 1, 0}, Vec3<T>{}}) {
-    for (const T spacing : {T(0.3), T(0.05), T(0.01)}) {
-      expectAnswersOfAll(mesh, block(place, spacing));
+  // So fine that points share leaves of the tree, or none, but not triangles.
+  const Searched<T> mesh(tessellation::icosphere(1, 6));
+  for (const auto& place : probes(mesh.surface, scaled(4))) {
+    for (const int k : {1, 3, 4, 5, 6, 8}) {
+      const auto points = block(place, std::ldexp(mesh.surface.size, -k));
+      std::vector<typename Searched<T>::Nearest> together;
+      for (const auto& p : points) together.push_back(mesh.surface.nothing(p));
+      mesh.search.nearest(mesh.surface, std::span<const Vec3<T>>(points), std::span(together));
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        expectSame(together[i], mesh.found(points[i]), points[i]);
+      }
     }
   }
+}
+
+TYPED_TEST(TriangleSearchTest, OfSliversWhosePlanesAreNearerThanTheirEdges) {
+  using T = TypeParam;
+  // Ribs of a corrugated plate, thirty times as long as they are wide.
+  PolygonSoup soup;
+  soup.patchNames = {"plate"};
+  constexpr std::uint32_t kRibs = 120;
+  for (std::uint32_t i = 0; i <= kRibs; ++i) {
+    for (const double y : {0.0, 1.0}) {
+      soup.points.push_back({i / 30.0, y, i % 2 == 0 ? 0.0 : 0.01});
+    }
+  }
+  for (std::uint32_t i = 0; i < kRibs; ++i) {
+    soup.addPolygon(std::array{2 * i, 2 * i + 2, 2 * i + 1});
+    soup.addPolygon(std::array{2 * i + 1, 2 * i + 2, 2 * i + 3});
+  }
+  const Searched<T> mesh(soup);
+  std::vector<Vec3<T>> points;
+  RandomPoints<T> random(1, /*seed=*/3);
+  for (int i = 0; i < scaled(400); ++i) {
+    const auto t = mesh.surface.triangle(static_cast<std::uint32_t>(i) % (2 * kRibs));
+    const auto p = random.next();
+    const auto height = mesh.surface.size * std::ldexp(T(1), -(i % 12));
+    points.push_back(T(1) / T(3) * (t.a + t.b + t.c) + Vec3<T>{0, T(0.1) * p.y, height * p.z});
+  }
+  expectAnswersOfAll(mesh, points);
+  expectAnswersInBlocks<T>(soup);
 }
 
 TYPED_TEST(TriangleSearchTest, OfNoPointsAndOfFewerThanTakeTurns) {
