@@ -227,27 +227,31 @@ TYPED_TEST(TriangleSearchTest, OfBlocksOfPointsAtFineSurfaces) {
 
 TYPED_TEST(TriangleSearchTest, OfSliversWhosePlanesAreNearerThanTheirEdges) {
   using T = TypeParam;
-  // Ribs of a corrugated plate, thirty times as long as they are wide.
+  // Two plates of ribs thirty times as long as they are wide; ribs of one are above edges of the
+  // other. In the middle between them planes of one are nearer than edges of the other, though
+  // these are nearer than the former's edges.
   PolygonSoup soup;
-  soup.patchNames = {"plate"};
+  soup.patchNames = {"plates"};
   constexpr std::uint32_t kRibs = 120;
-  for (std::uint32_t i = 0; i <= kRibs; ++i) {
-    for (const double y : {0.0, 1.0}) {
-      soup.points.push_back({i / 30.0, y, i % 2 == 0 ? 0.0 : 0.01});
+  for (const double z : {0.0, 0.2001}) {
+    const auto base = static_cast<std::uint32_t>(soup.points.size());
+    for (std::uint32_t i = 0; i <= kRibs; ++i) {
+      for (const double y : {0.0, 1.0}) soup.points.push_back({i / 30.0 + z / 12.006, y, z});
+    }
+    for (std::uint32_t i = 0; i < kRibs; ++i) {
+      const auto at = base + 2 * i;
+      soup.addPolygon(std::array{at, at + 2, at + 1});
+      soup.addPolygon(std::array{at + 1, at + 2, at + 3});
     }
   }
-  for (std::uint32_t i = 0; i < kRibs; ++i) {
-    soup.addPolygon(std::array{2 * i, 2 * i + 2, 2 * i + 1});
-    soup.addPolygon(std::array{2 * i + 1, 2 * i + 2, 2 * i + 3});
-  }
   const Searched<T> mesh(soup);
+  const T scale = mesh.surface.scale;
   std::vector<Vec3<T>> points;
   RandomPoints<T> random(1, /*seed=*/3);
   for (int i = 0; i < scaled(400); ++i) {
-    const auto t = mesh.surface.triangle(static_cast<std::uint32_t>(i) % (2 * kRibs));
     const auto p = random.next();
-    const auto height = mesh.surface.size * std::ldexp(T(1), -(i % 12));
-    points.push_back(T(1) / T(3) * (t.a + t.b + t.c) + Vec3<T>{0, T(0.1) * p.y, height * p.z});
+    const auto x = (static_cast<T>(i % 240) + T(0.1) * p.x) / 60;
+    points.push_back(scale * Vec3<T>{x, T(0.5) * (p.y + 1), T(0.1) + T(1e-4) * p.z});
   }
   expectAnswersOfAll(mesh, points);
   expectAnswersInBlocks<T>(soup);
