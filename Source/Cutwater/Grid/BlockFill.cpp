@@ -19,12 +19,19 @@ constexpr int kLeafBits = 6;
 /// Others are, in so many halvings.
 constexpr int kDivisionBits = 3;
 
-template <typename Visit>
-void forEach(const GridBlock& block, Visit visit) {
+/// The same value at all indices of a block.
+template <typename Value>
+void fillBlock(const GridView<Value>& view, const GridBlock& block, Value value) {
+  if (view.data == nullptr) return;
   const auto& [first, size] = block;
   for (auto k = first[2]; k < first[2] + size[2]; ++k) {
     for (auto j = first[1]; j < first[1] + size[1]; ++j) {
-      for (auto i = first[0]; i < first[0] + size[0]; ++i) visit(Offset{i, j, k});
+      Value* const row = &view.at(first[0], j, k);
+      if (view.stride[0] == 1) {
+        std::fill_n(row, size[0], value);
+      } else {
+        for (std::uint32_t i = 0; i < size[0]; ++i) row[i * view.stride[0]] = value;
+      }
     }
   }
 }
@@ -259,7 +266,8 @@ Index3 BlockFill<T>::index(const Offset& offset) const {
 
 template <std::floating_point T>
 void BlockFill<T>::fillConstant(const GridBlock& block, T distance) const {
-  forEach(block, [&](const Offset& offset) { write(offset, distance, kNone); });
+  fillBlock(targets_.distance, block, distance);
+  fillBlock(targets_.patch, block, kNone);
 }
 
 template <std::floating_point T>
