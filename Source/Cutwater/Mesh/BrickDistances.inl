@@ -36,8 +36,8 @@ class PreparedTriangles {
     const Floats3 ab = three(3, i);
     const Floats3 ac = three(6, i);
     const Floats3 vb = v - ab;
-    const Floats edges = least(least(offEdge(v, ab, one(21, i)), offEdge(v, ac, one(23, i))),
-                               offEdge(vb, ac - ab, one(22, i)));
+    const Floats edges = least(least(toEdge(v, ab, one(21, i)), toEdge(v, ac, one(23, i))),
+                               toEdge(vb, ac - ab, one(22, i)));
     const Floats inside = least(least(fusedDot(three(12, i), v) - margin * one(24, i),
                                       fusedDot(three(15, i), vb) - margin * one(25, i)),
                                 fusedDot(three(18, i), v) - margin * one(26, i));
@@ -62,10 +62,9 @@ class PreparedTriangles {
     return where(hasLength, broadcast(1.0F), broadcast(0.0F)) /
            where(hasLength, squared, broadcast(1.0F));
   }
-  CUTWATER_INLINE static Floats offEdge(const Floats3& v, const Floats3& edge, Floats inverse) {
-    const Floats place = fusedDot(edge, v) * inverse;
-    const Floats3 rest =
-        subtractMultiple(v, least(most(place, broadcast(0.0F)), broadcast(1.0F)), edge);
+  /// Squared.
+  CUTWATER_INLINE static Floats toEdge(const Floats3& v, const Floats3& edge, Floats inverse) {
+    const Floats3 rest = offEdge(v, edge, fusedDot(edge, v) * inverse);
     return fusedDot(rest, rest);
   }
 

@@ -47,7 +47,7 @@ class BrickEvaluation {
   }
   CUTWATER_INLINE void finish() {
     for (int i = 0; i < kBrick; i += kLanes) {
-      store(nearest_ + i, broadcast(std::numeric_limits<T>::infinity()));
+      store(nearest_ + i, broadcast(kNone));
       store(winner_ + i, broadcast(T(0)));
     }
     for (int n = 0; n < count_; ++n) evaluate(n);
@@ -63,6 +63,7 @@ class BrickEvaluation {
 
  private:
   static constexpr int kLanes = kLanesOf<T>;
+  static constexpr T kNone = std::numeric_limits<T>::max();  // instead of a distance
 
   CUTWATER_INLINE Triple<Lanes<T>> positions(int i) const {
     return {load(x_ + i), load(y_ + i), load(z_ + i)};
@@ -79,7 +80,7 @@ class BrickEvaluation {
     before_[n] = 0;
     for (int i = 0; i < kBrick; i += kLanes) {
       const std::uint32_t wanted = wanted_[n] >> i & ((1U << kLanes) - 1U);
-      auto squared = broadcast(std::numeric_limits<T>::infinity());
+      auto squared = broadcast(kNone);
       if (wanted != 0) {
         const auto all = distances<T>(positions(i), a, b, c);
         squared = least(least(least(all.ab.squared, all.bc.squared), all.ca.squared), all.plane);
@@ -100,7 +101,7 @@ class BrickEvaluation {
     for (int i = first; i < first + kLanes; ++i, wanted >>= 1U) {
       squared_[n][i] = (wanted & 1U) != 0
                            ? triangleDistance(Vec3<T>{x_[i], y_[i], z_[i]}, t).distanceSquared
-                           : std::numeric_limits<T>::infinity();
+                           : kNone;
     }
     return load(squared_[n] + first);
   }

@@ -74,7 +74,6 @@ class ClusterPoints {
     return box;
   }
 
-  CUTWATER_INLINE int count() const { return count_; }
   CUTWATER_INLINE const Vec3<T>& point(int i) const { return points_[i]; }
   CUTWATER_INLINE Nearest& best(int i) const { return bests_[i]; }
   CUTWATER_INLINE Vec3<float> position(int i) const { return {x_[i], y_[i], z_[i]}; }
@@ -89,7 +88,6 @@ class ClusterPoints {
   CUTWATER_INLINE float reach() const { return reach_; }
   /// The largest of slackOf() for the points.
   CUTWATER_INLINE float slack() const { return slack_; }
-
   /// The largest of Nearest::error for the points, and so for any point among them.
   CUTWATER_INLINE T error() const { return error_; }
 

@@ -21,7 +21,7 @@ class LeafCluster {
       : tree_(tree), points_(points), triangles_(triangles), search_(tree, arrays) {}
 
   /// Points [begin, end), whose nearest triangles are in the leaves. `near`: a point of the
-  /// surface.
+  /// surface. False: there are too many leaves, and what was done for some point does no harm.
   template <int kMost>
   CUTWATER_INLINE bool runGroup(const LeafList<kMost>& shared, Vec3<double> near, int begin,
                                 int end) {
@@ -40,7 +40,7 @@ class LeafCluster {
   CUTWATER_INLINE void runBrick(Vec3<double>& near, int begin, int end) {
     near = searchFirst(group_, near, (begin + end) / 2);
     const ClusterBox box = points_.boxAround(begin, end);
-    select(group_, box, near, brick_);
+    select(group_, box, near, brick_);  // always: they are no more
     if (brick_.count() <= kFewLeaves &&
         triangles_.collect(brick_, points_.middle(box), points_.boundsFor(box, near)) &&
         triangles_.runGroup(begin, end)) {
@@ -77,7 +77,7 @@ class LeafCluster {
     for (int first = 0; first < leaves.count(); first += 16) {
       leaves.keys(first, points_.position(i), keys);
       std::uint32_t lanes = CUTWATER_SIMD::within(keys, search_.limit());
-      for (; lanes != 0;) {
+      while (lanes != 0) {
         const int lane = leastLane(keys, lanes);
         if (keys[lane] > search_.limit()) break;
         lanes &= ~(1U << lane);

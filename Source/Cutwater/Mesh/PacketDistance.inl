@@ -53,11 +53,14 @@ CUTWATER_INLINE inline PacketPoint relativeTo(const TrianglePacket& packet, cons
           0x1p-24F * (size.x + size.y + size.z + packet.radius)};
 }
 
-/// The point from the nearest point of an edge, given the point from the edge's start.
+/// The point from the nearest point of an edge, given the point from the edge's start and its place
+/// along the edge, 0 at the start and 1 at the end.
+CUTWATER_INLINE inline Floats3 offEdge(const Floats3& v, const Floats3& edge, Floats place) {
+  return subtractMultiple(v, least(most(place, broadcast(0.0F)), broadcast(1.0F)), edge);
+}
 CUTWATER_INLINE inline Floats3 offEdge(const Floats3& v, const Floats3& edge) {
   // A quotient that is not a number, as of an edge without length, counts as 0.
-  const Floats place = fusedDot(edge, v) / fusedDot(edge, edge);
-  return subtractMultiple(v, least(most(place, broadcast(0.0F)), broadcast(1.0F)), edge);
+  return offEdge(v, edge, fusedDot(edge, v) / fusedDot(edge, edge));
 }
 
 CUTWATER_INLINE inline Floats edgeSize(const Floats3& edge) {

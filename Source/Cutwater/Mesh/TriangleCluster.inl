@@ -43,8 +43,9 @@ class TriangleCluster {
     }
     group_.pad();
     prepared_.prepare(group_);
-    for (; begin < end; begin += kBrick)
+    for (; begin < end; begin += kBrick) {
       runBrick(begin, end - begin < kBrick ? end - begin : kBrick);
+    }
     return true;
   }
 

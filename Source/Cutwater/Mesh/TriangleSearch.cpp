@@ -38,11 +38,18 @@ Vec3<T> TriangleArrays<T>::closestPoint(std::uint32_t id, const Vec3<T>& p) cons
 template struct TriangleArrays<float>;
 template struct TriangleArrays<double>;
 
+namespace {
+
+constexpr std::size_t kSmall = std::size_t{1} << 20;
+
+}  // namespace
+
 TriangleSearch::TriangleSearch(const TriangleTree& tree, std::span<const TrianglePacket> leaves)
     : nodes(tree.nodes().data()),
       slots(tree.slots().data()),
       packets(leaves.data()),
-      frame(tree.frame()) {}
+      frame(tree.frame()),
+      isSmall(leaves.size_bytes() <= kSmall) {}
 
 template <std::floating_point T>
 void TriangleSearch::nearest(const TriangleSurface<T>& surface, const Vec3<T>& p,

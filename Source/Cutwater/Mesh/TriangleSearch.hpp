@@ -34,6 +34,7 @@ struct TriangleSearch {
   const std::uint32_t* slots = nullptr;
   const TrianglePacket* packets = nullptr;
   BvhFrame frame;
+  bool isSmall = false;  ///< and stays in a processor's second cache
 
   TriangleSearch() = default;
   TriangleSearch(const TriangleTree& tree, std::span<const TrianglePacket> leaves);

@@ -68,23 +68,47 @@ class Team {
   int active_[kSize];  // those with points left
 };
 
-/// Neighbouring points share a search if they have enough in common; else they take turns.
+// Never inlined, so that the scratch of one is not on the stack beside the other's.
+
+/// Returns for how many points, from the first on, a shared search paid; the rest has too little in
+/// common.
+template <typename T>
+[[gnu::noinline]] std::size_t nearestTogether(const TriangleSearch& tree,
+                                              const TriangleArrays<T>& surface,
+                                              const Vec3<T>* points,
+                                              typename TriangleSurface<T>::Nearest* bests,
+                                              std::size_t count) {
+  constexpr std::size_t kMost = ClusterPoints<T>::kMost;
+  ClusterSearch<T> search(tree, surface);
+  std::size_t done = 0;
+  while (count - done >= ClusterPoints<T>::kBrick) {
+    const std::size_t some = count - done < kMost ? count - done : kMost;
+    if (!search.run(points + done, bests + done, static_cast<int>(some))) {
+      return done + static_cast<std::size_t>(search.next());
+    }
+    done += some;
+  }
+  return done;
+}
+
+template <typename T>
+[[gnu::noinline]] void nearestInTurns(const TriangleSearch& tree, const TriangleArrays<T>& surface,
+                                      const Vec3<T>* points,
+                                      typename TriangleSurface<T>::Nearest* bests,
+                                      std::size_t count) {
+  Team<T>(tree, surface, points, bests).run(count);
+}
+
 template <typename T>
 CUTWATER_INLINE inline void nearestOfMany(const TriangleSearch& tree,
                                           const TriangleArrays<T>& surface, const Vec3<T>* points,
                                           typename TriangleSurface<T>::Nearest* bests,
                                           std::size_t count) {
-  constexpr std::size_t kMost = ClusterPoints<T>::kMost;
-  constexpr std::size_t kFew = ClusterPoints<T>::kBrick;
-  std::size_t done = 0;
-  while (count - done >= kFew) {
-    const std::size_t some = count - done < kMost ? count - done : kMost;
-    ClusterSearch<T> together(tree, surface);
-    const bool all = together.run(points + done, bests + done, static_cast<int>(some));
-    done += all ? some : static_cast<std::size_t>(together.next());
-    if (!all) break;
+  auto done = nearestTogether(tree, surface, points, bests, count);
+  if (tree.isSmall) {  // nothing to wait for
+    for (; done < count; ++done) nearestOne(tree, surface, points[done], bests[done]);
   }
-  Team<T>(tree, surface, points + done, bests + done).run(count - done);
+  if (done < count) nearestInTurns(tree, surface, points + done, bests + done, count - done);
 }
 
 }  // namespace
