@@ -55,7 +55,7 @@ class CandidateList {
 
   /// Writes which candidates may be the nearest to a point in the box; returns how many. At least
   /// one.
-  CUTWATER_INLINE int within(const ClusterBox& box, float slack, std::uint16_t* kept) const {
+  [[gnu::noinline]] int within(const ClusterBox& box, float slack, std::uint16_t* kept) const {
     alignas(64) float squared[kMost];
     alignas(64) float separation[kMost];
     alignas(64) float offset[3][kMost];

@@ -10,6 +10,8 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
+// What is done for many points at once is not inlined: that would cost nothing but compile time.
+
 /// Collects the leaves of the tree that may hold a nearest triangle of some of the points; goes on
 /// with their triangles if these are few, else with the leaves.
 template <typename T>
@@ -49,7 +51,7 @@ class ClusterSearch {
   static constexpr float kWidest = 0.125F;  // half of it; the surface is about 1
 
   /// All leaves that may hold a triangle nearest to a point in the box. False: too many.
-  CUTWATER_INLINE bool collect(const ClusterBox& box) {
+  [[gnu::noinline]] bool collect(const ClusterBox& box) {
     if (maxComponent(box.half) > kWidest) return false;
     leaves_.clear();
     const Vec3<double> middle = points_.middle(box);

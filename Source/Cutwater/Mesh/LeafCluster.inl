@@ -23,8 +23,8 @@ class LeafCluster {
   /// Points [begin, end), whose nearest triangles are in the leaves. `near`: a point of the
   /// surface. False: there are too many leaves, and what was done for some point does no harm.
   template <int kMost>
-  CUTWATER_INLINE bool runGroup(const LeafList<kMost>& shared, Vec3<double> near, int begin,
-                                int end) {
+  [[gnu::noinline]] bool runGroup(const LeafList<kMost>& shared, Vec3<double> near, int begin,
+                                  int end) {
     near = searchFirst(shared, near, (begin + end) / 2);
     if (!select(shared, points_.boxAround(begin, end), near, group_)) return false;
     for (; begin < end; begin += Points::kBrick) {
@@ -37,7 +37,7 @@ class LeafCluster {
   static constexpr int kMost = 192;
   static constexpr int kFewLeaves = 32;
 
-  CUTWATER_INLINE void runBrick(Vec3<double>& near, int begin, int end) {
+  [[gnu::noinline]] void runBrick(Vec3<double>& near, int begin, int end) {
     near = searchFirst(group_, near, (begin + end) / 2);
     const ClusterBox box = points_.boxAround(begin, end);
     select(group_, box, near, brick_);  // always: they are no more
@@ -68,7 +68,7 @@ class LeafCluster {
     return points_.closestTo(points_.point(i), points_.best(i).triangle);
   }
   template <int kFrom>
-  CUTWATER_INLINE void search(const LeafList<kFrom>& leaves, const Vec3<double>& near, int i) {
+  [[gnu::noinline]] void search(const LeafList<kFrom>& leaves, const Vec3<double>& near, int i) {
     const Vec3<double> way = tree_.frame.toFrame(Vec3<double>(points_.point(i))) - near;
     const double reach = __builtin_sqrt(dot(way, way)) / tree_.frame.scale;
     search_.start(points_.point(i), points_.best(i),

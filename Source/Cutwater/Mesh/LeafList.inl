@@ -66,8 +66,8 @@ class LeafList {
     }
   }
   /// Writes which leaves may hold a nearest point of the box; returns how many.
-  CUTWATER_INLINE int within(const ClusterBox& box, const ClusterBounds& bounds,
-                             std::uint16_t* kept) const {
+  [[gnu::noinline]] int within(const ClusterBox& box, const ClusterBounds& bounds,
+                               std::uint16_t* kept) const {
     int found = 0;
     for (int i = 0; i < count_; i += kFloats) {
       const Floats3 w = gap(i, box.middle);

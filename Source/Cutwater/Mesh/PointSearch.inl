@@ -148,7 +148,7 @@ class Search {
   }
 
   /// Evaluates the candidates in full.
-  CUTWATER_INLINE void evaluate() {
+  [[gnu::noinline]] void evaluate() {
     drop();
     observer_.onEvaluation(count_);
     Competition<T>(surface_, *p_).run(ids_, count_, *best_);

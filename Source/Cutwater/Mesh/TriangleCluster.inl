@@ -33,7 +33,7 @@ class TriangleCluster {
     return shared_.count() > 0;
   }
   /// Points [begin, end). False: nothing was done, there are too many triangles.
-  CUTWATER_INLINE bool runGroup(int begin, int end) {
+  [[gnu::noinline]] bool runGroup(int begin, int end) {
     std::uint16_t kept[kMostShared];
     const int count = shared_.within(points_.boxAround(begin, end), points_.slack(), kept);
     if (count > kMostOfGroup) return false;
@@ -54,8 +54,8 @@ class TriangleCluster {
   static constexpr int kMostShared = 512;
   static constexpr int kMostOfGroup = BrickEvaluation<T>::kMost;
 
-  CUTWATER_INLINE bool collectFrom(std::uint32_t leaf, const Vec3<double>& middle,
-                                   const ClusterBounds& bounds) {
+  [[gnu::noinline]] bool collectFrom(std::uint32_t leaf, const Vec3<double>& middle,
+                                     const ClusterBounds& bounds) {
     const TrianglePacket& packet = tree_.packets[leaf];
     const PacketPoint local = relativeTo(packet, middle);
     const Vec3<float> half = bounds.half();
@@ -80,7 +80,7 @@ class TriangleCluster {
     return true;
   }
 
-  CUTWATER_INLINE void runBrick(int begin, int used) {
+  [[gnu::noinline]] void runBrick(int begin, int used) {
     std::uint16_t kept[kMostOfGroup];
     const int count =
         group_.within(points_.boxAround(begin, begin + kBrick), points_.slack(), kept);
