@@ -26,7 +26,7 @@ class PreparedTriangles {
       put(15, i, fusedCross(t.normal, bc));
       put(18, i, fusedCross(t.normal, ca));
       put(21, i, {inverse(t.ab), inverse(bc), inverse(t.ac)});
-      put(24, i, {edgeSize(t.ab), edgeSize(bc), edgeSize(ca)});
+      put(24, i, {sizeOf(t.ab), sizeOf(bc), sizeOf(ca)});
     }
   }
   /// Squared distances to triangle `i`: as packedOffset() finds them, to the same error. `margin`

@@ -83,7 +83,7 @@ class BrickEvaluation {
       auto squared = broadcast(kNone);
       if (wanted != 0) {
         const auto all = distances<T>(positions(i), a, b, c);
-        squared = least(least(least(all.ab.squared, all.bc.squared), all.ca.squared), all.plane);
+        squared = least(all.edges(), all.plane);
         before_[n] |= bits(isPositive(all.side)) << i;
         behind_[n] |= bits(isPositive(broadcast(T(0)) - all.side)) << i;
       }

@@ -63,15 +63,11 @@ CUTWATER_INLINE inline Floats3 offEdge(const Floats3& v, const Floats3& edge) {
   return offEdge(v, edge, fusedDot(edge, v) / fusedDot(edge, edge));
 }
 
-CUTWATER_INLINE inline Floats edgeSize(const Floats3& edge) {
-  return magnitude(edge.x) + magnitude(edge.y) + magnitude(edge.z);
-}
-
 /// Positive if `v`, from the edge's start, lies on the inner side of the edge by more than
 /// rounding.
 CUTWATER_INLINE inline Floats inward(const Floats3& v, const Floats3& edge, const Floats3& normal,
                                      Floats margin) {
-  return fusedDot(fusedCross(edge, v), normal) - margin * edgeSize(edge);
+  return fusedDot(fusedCross(edge, v), normal) - margin * sizeOf(edge);
 }
 
 // How far computed distances may be off, in units of u R, R = |p| + radius. The triangle that the

@@ -89,8 +89,7 @@ class TriangleCluster {
     for (int lane = 0; lane < kBrick; lane += kFloats) {
       const int at = begin + lane;
       const Floats3 p = points_.positions(at);
-      const Floats unit = broadcast(0x1p-24F) * (magnitude(p.x) + magnitude(p.y) + magnitude(p.z) +
-                                                 broadcast(group_.radius()));
+      const Floats unit = broadcast(0x1p-24F) * (sizeOf(p) + broadcast(group_.radius()));
       const Floats margin = broadcast(kSideError) * unit;
       Floats nearest = broadcast(kFar);
       for (int i = 0; i < count; ++i) {

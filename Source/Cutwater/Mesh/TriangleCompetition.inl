@@ -75,7 +75,7 @@ class Competition {
     const auto zero = broadcast(T(0));
     const auto all = distances<T>({broadcast(p_.x), broadcast(p_.y), broadcast(p_.z)},
                                   corner(0, first), corner(3, first), corner(6, first));
-    const auto edges = least(least(all.ab.squared, all.bc.squared), all.ca.squared);
+    const auto edges = all.edges();
     store(squared_ + first, least(edges, all.plane));
     store(side_ + first, all.side);
     store(reach_ + first, zero);

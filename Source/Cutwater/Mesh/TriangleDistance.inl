@@ -80,12 +80,6 @@ CUTWATER_INLINE inline Lanes<T> planeDistance(const PlaneTerms<Lanes<T>>& terms)
                broadcast(std::numeric_limits<T>::infinity()));
 }
 
-/// In the sum of components' sizes.
-template <typename Real>
-CUTWATER_INLINE inline Real sizeOf(const Triple<Real>& v) {
-  return magnitude(v.x) + magnitude(v.y) + magnitude(v.z);
-}
-
 template <typename T>
 struct TriangleDistances {
   EdgeDistance<T> ab, bc, ca;
@@ -93,6 +87,10 @@ struct TriangleDistances {
   Lanes<T> normalSquared;
   Lanes<T> longestSquared;  ///< edge
   Lanes<T> side;            ///< of the sign of orientation(), or 0 where that is not certain
+
+  [[nodiscard]] CUTWATER_INLINE Lanes<T> edges() const {
+    return least(least(ab.squared, bc.squared), ca.squared);
+  }
 };
 
 template <typename T>

@@ -106,6 +106,12 @@ CUTWATER_INLINE inline Triple<Real> where(Mask mask, const Triple<Real>& a, cons
   return {where(mask, a.x, b.x), where(mask, a.y, b.y), where(mask, a.z, b.z)};
 }
 
+/// In the sum of components' sizes.
+template <typename Real>
+CUTWATER_INLINE inline Real sizeOf(const Triple<Real>& v) {
+  return magnitude(v.x) + magnitude(v.y) + magnitude(v.z);
+}
+
 // The same for bounds: rounded as the instruction set has it.
 
 using Floats3 = Triple<Floats>;
