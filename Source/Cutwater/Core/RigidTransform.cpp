@@ -109,6 +109,13 @@ Vec3<T> RigidTransform<T>::toLocal(const Vec3<T>& world) const {
 }
 
 template <std::floating_point T>
+void RigidTransform<T>::toLocal(std::span<const Vec3<T>> world, std::span<Vec3<T>> local) const {
+  for (std::size_t i = 0; i < world.size(); ++i) local[i] = world[i] - offset_;
+  if (!rotated_) return;
+  for (auto& p : local) p = directionToLocal(p);
+}
+
+template <std::floating_point T>
 Vec3<T> RigidTransform<T>::toWorld(const Vec3<T>& local) const {
   return directionToWorld(local) + offset_;
 }

@@ -4,6 +4,7 @@
 #include <Cutwater/Core/Vec3.hpp>
 
 #include <array>
+#include <span>
 
 namespace cutwater {
 
@@ -27,6 +28,8 @@ class RigidTransform {
 
   /// World -> the object's own frame. Out of line: the same bits whatever the caller's flags.
   [[nodiscard]] Vec3<T> toLocal(const Vec3<T>& world) const;
+  /// The same for each of the points; both spans have the same size.
+  void toLocal(std::span<const Vec3<T>> world, std::span<Vec3<T>> local) const;
   [[nodiscard]] Vec3<T> toWorld(const Vec3<T>& local) const;
   /// The same for directions, e.g. normals.
   [[nodiscard]] Vec3<T> directionToLocal(const Vec3<T>& world) const;

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/Scratch.hpp>
 #include <Cutwater/Mesh/MeshCrossings.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
@@ -95,15 +96,14 @@ void TriangleSurfaceSDF<T>::nearest(std::span<const Vec3<T>> points,
 }
 
 template <std::floating_point T>
-void TriangleSurfaceSDF<T>::forNearest(
-    std::span<const Vec3<T>> points,
-    FunctionRef<void(std::size_t, const Vec3<T>&, const Nearest&)> visit) const {
-  std::array<Vec3<T>, kBatch> p;
-  std::array<Nearest, kBatch> nearest;
+template <typename Visit>
+void TriangleSurfaceSDF<T>::forNearest(std::span<const Vec3<T>> points, Visit visit) const {
+  Scratch<Vec3<T>, kBatch> p;
+  Scratch<Nearest, kBatch> nearest;
   for (std::size_t begin = 0; begin < points.size(); begin += kBatch) {
     const auto count = std::min(kBatch, points.size() - begin);
     for (std::size_t i = 0; i < count; ++i) p[i] = scaled(points[begin + i]);
-    this->nearest(std::span(p).first(count), std::span(nearest).first(count));
+    this->nearest(p.first(count), nearest.first(count));
     for (std::size_t i = 0; i < count; ++i) visit(begin + i, p[i], nearest[i]);
   }
 }

@@ -71,8 +71,8 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] SurfacePoint<T> closestPointAt(const Vec3<T>& point, const Vec3<T>& p,
                                                const Nearest& nearest) const;
   /// Calls visit(i, p, nearest) for each of the points, searched for in batches.
-  void forNearest(std::span<const Vec3<T>> points,
-                  FunctionRef<void(std::size_t, const Vec3<T>&, const Nearest&)> visit) const;
+  template <typename Visit>
+  void forNearest(std::span<const Vec3<T>> points, Visit visit) const;
 
   /// Whether the sign certainly changes nowhere in the box, in scaled units, but at triangles.
   [[nodiscard]] bool isJumpFree(const Box<double>& box) const;

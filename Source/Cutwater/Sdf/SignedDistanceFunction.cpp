@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/Scratch.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
@@ -40,29 +41,39 @@ void SignedDistanceFunction<T>::signedDistances(std::span<const Vec3<T>> points,
                                                 const ParallelOptions& options) const {
   require(points.size() == distances.size(), "signedDistances: need one distance per point",
           Named{"points", points.size()}, Named{"distances", distances.size()});
-  forBatches(points, options, [&](std::span<const Vec3<T>> local, std::size_t first) {
-    const auto values = distances.subspan(first, local.size());
-    localSignedDistances(local, values);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = isFinite(points[first + i]) ? values[i] + T(0) : kNaN<T>;
-    }
-  });
+  forBatches(
+      points, options,
+      [&](std::span<const Vec3<T>> local, std::size_t first) {
+        const auto values = distances.subspan(first, local.size());
+        localSignedDistances(local, values);
+        for (auto& value : values) value += T(0);  // -0 becomes +0
+      },
+      [&](std::size_t i) { distances[i] = kNaN<T>; });
 }
 
 template <std::floating_point T>
 void SignedDistanceFunction<T>::forBatches(
     std::span<const Vec3<T>> points, ParallelOptions options,
-    FunctionRef<void(std::span<const Vec3<T>>, std::size_t)> batch) const {
+    FunctionRef<void(std::span<const Vec3<T>>, std::size_t)> answer,
+    FunctionRef<void(std::size_t)> refuse) const {
   options.grain = std::max(options.grain, kBatch) / kBatch * kBatch;
   parallelFor(points.size(), options, [&](std::size_t begin, std::size_t end) {
-    std::array<Vec3<T>, kBatch> local;
+    Scratch<Vec3<T>, kBatch> scratch;
     for (auto first = begin; first < end; first += kBatch) {
-      const auto count = std::min(kBatch, end - first);
-      for (std::size_t i = 0; i < count; ++i) {
-        const auto& p = points[first + i];
-        local[i] = isFinite(p) ? placement_.toLocal(p) : Vec3<T>{};
+      const auto world = points.subspan(first, std::min(kBatch, end - first));
+      const auto local = scratch.first(world.size());
+      placement_.toLocal(world, local);
+      bool areFinite = true;
+      for (std::size_t i = 0; i < world.size(); ++i) {
+        if (isFinite(world[i])) continue;
+        local[i] = {};
+        areFinite = false;
       }
-      batch(std::span<const Vec3<T>>(local).first(count), first);
+      answer(local, first);
+      if (areFinite) continue;
+      for (std::size_t i = 0; i < world.size(); ++i) {
+        if (!isFinite(world[i])) refuse(first + i);
+      }
     }
   });
 }
@@ -93,13 +104,14 @@ void SignedDistanceFunction<T>::closestPoints(std::span<const Vec3<T>> points,
                                               const ParallelOptions& options) const {
   require(points.size() == results.size(), "closestPoints: need one result per point",
           Named{"points", points.size()}, Named{"results", results.size()});
-  forBatches(points, options, [&](std::span<const Vec3<T>> local, std::size_t first) {
-    const auto found = results.subspan(first, local.size());
-    localClosestPoints(local, found);
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      found[i] = isFinite(points[first + i]) ? toWorld(found[i]) : noSurfacePoint<T>();
-    }
-  });
+  forBatches(
+      points, options,
+      [&](std::span<const Vec3<T>> local, std::size_t first) {
+        const auto found = results.subspan(first, local.size());
+        localClosestPoints(local, found);
+        for (auto& result : found) result = toWorld(result);
+      },
+      [&](std::size_t i) { results[i] = noSurfacePoint<T>(); });
 }
 
 template <std::floating_point T>

@@ -138,10 +138,11 @@ class SignedDistanceFunction {
 
   [[nodiscard]] OrientedBox<T> toLocal(const OrientedBox<T>& box) const;
   [[nodiscard]] SurfacePoint<T> toWorld(SurfacePoint<T> local) const;
-  /// Calls batch(local points, index of the first) for pieces of the points, in parallel; those
-  /// that are not finite are replaced by the origin.
+  /// Calls answer(local points, index of the first) for pieces of the points, in parallel, with the
+  /// origin in place of points that are not finite; then refuse(index) for these.
   void forBatches(std::span<const Vec3<T>> points, ParallelOptions options,
-                  FunctionRef<void(std::span<const Vec3<T>> local, std::size_t first)> batch) const;
+                  FunctionRef<void(std::span<const Vec3<T>> local, std::size_t first)> answer,
+                  FunctionRef<void(std::size_t index)> refuse) const;
 
   RigidTransform<T> placement_;
 };
