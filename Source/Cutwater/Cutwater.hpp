@@ -34,6 +34,7 @@
 #include <Cutwater/Shapes/ConeSphere.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
+#include <Cutwater/Shapes/Ellipsoid.hpp>
 #include <Cutwater/Shapes/InfiniteCone.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>
 #include <Cutwater/Shapes/Plane.hpp>

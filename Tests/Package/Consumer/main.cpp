@@ -15,6 +15,7 @@
 #include <Cutwater/Shapes/ConeSphere.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
+#include <Cutwater/Shapes/Ellipsoid.hpp>
 #include <Cutwater/Shapes/InfiniteCone.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
@@ -189,6 +190,7 @@ void printShapes() {
   printAnswers<T>("cone-sphere", ConeSphere<T>(a, b, r, T(0.3)));
   printAnswers<T>("cuboid", Cuboid<T>({T(-0.3), T(-0.7), T(-1.1)}, {T(0.9), T(1.3), T(0.1)}));
   printAnswers<T>("cylinder", Cylinder<T>(a, b, r));
+  printAnswers<T>("ellipsoid", Ellipsoid<T>(a, {r, T(1.1), T(0.3)}));
   printAnswers<T>("infinite cylinder", InfiniteCylinder<T>(a, b, r));
   printAnswers<T>("infinite cone", InfiniteCone<T>(a, b, T(33)));
   printAnswers<T>("plane", Plane<T>(a, b));

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+#include <array>
+
+namespace cutwater {
+
+/// An ellipsoid with its axes along x, y and z; rotate() turns it.
+///
+///     f(p) = +-|p - q|,  q the nearest surface point        exact
+///
+/// With e the semi-axes, the last the shortest, q_i = e_i^2 p_i / (e_i^2 + s) where s is the
+/// largest root of sum (e_i p_i / (e_i^2 + s))^2 = 1 (D. Eberly, "Distance from a point to an
+/// ellipse, an ellipsoid, or a hyperellipsoid", Geometric Tools, 2013). Instead of s/e_2^2 we solve
+/// for t = 1 + s/e_2^2, which does not cancel inside flat solids, and by Newton's method on
+/// 1/sqrt(sum), concave in t, which approaches from below in a few steps (J. J. More, D. C.
+/// Sorensen, "Computing a trust region step", SIAM J. Sci. Stat. Comput. 4 (1983)) where Eberly
+/// bisects.
+///
+/// Against quadruple precision values were off by at most 3 eps (|p| + size), for semi-axes up to
+/// 10^6 times as long as each other, after at most 29 steps and mostly 4 to 7.
+/// @throws Error unless the centre is finite, the semi-axes are finite and positive, and the
+/// longest is at most 10^6 times the shortest.
+template <std::floating_point T>
+class Ellipsoid final : public SignedDistanceFunction<T> {
+ public:
+  Ellipsoid(const Vec3<T>& center, const Vec3<T>& semiAxes);
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  /// By axes from the longest to the shortest.
+  using Sorted = std::array<T, 3>;
+
+  /// The nearest surface point is (e_i^2/e_2^2) normal_i, and the value (t - 1)|normal|.
+  struct Foot {
+    T t;
+    Sorted normal;
+    bool isUnique;
+  };
+  /// For a point with no coordinate negative.
+  [[nodiscard]] Foot foot(const Sorted& y) const;
+  [[nodiscard]] T root(const Sorted& z, T start) const;
+  [[nodiscard]] Sorted sorted(const Vec3<T>& fromCenter) const;
+
+  Vec3<T> center_;
+  Vec3<T> semiAxes_;
+  std::array<int, 3> order_{0, 1, 2};  // axes from the longest to the shortest
+  Sorted e_;
+  Sorted ratio_;   // (e_i / e_2)^2
+  Sorted excess_;  // the same less 1
+};
+
+extern template class Ellipsoid<float>;
+extern template class Ellipsoid<double>;
+
+}  // namespace cutwater
