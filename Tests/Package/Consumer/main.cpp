@@ -9,16 +9,22 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
+#include <Cutwater/Shapes/BoxFrame.hpp>
 #include <Cutwater/Shapes/CappedCone.hpp>
+#include <Cutwater/Shapes/CappedTorus.hpp>
 #include <Cutwater/Shapes/Capsule.hpp>
 #include <Cutwater/Shapes/Cone.hpp>
 #include <Cutwater/Shapes/ConeSphere.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/Ellipsoid.hpp>
+#include <Cutwater/Shapes/HexagonalPrism.hpp>
 #include <Cutwater/Shapes/InfiniteCone.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>
+#include <Cutwater/Shapes/Link.hpp>
+#include <Cutwater/Shapes/Octahedron.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
+#include <Cutwater/Shapes/Pyramid.hpp>
 #include <Cutwater/Shapes/RoundedBox.hpp>
 #include <Cutwater/Shapes/RoundedCylinder.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
@@ -184,16 +190,22 @@ void printShapes() {
   const Vec3<T> a{T(0.1), T(-0.7), T(0.2)};
   const Vec3<T> b{T(1.3), T(0.9), T(-0.4)};
   const T r = T(0.6);
+  printAnswers<T>("box frame", BoxFrame<T>({{-1, -1, -1}, {T(1.7), 1, 1}}, T(0.3)));
   printAnswers<T>("capped cone", CappedCone<T>(a, b, r, T(0.3)));
+  printAnswers<T>("capped torus", CappedTorus<T>(T(1.1), r, T(120)));
   printAnswers<T>("capsule", Capsule<T>(a, b, r));
   printAnswers<T>("cone", Cone<T>(a, b, r));
   printAnswers<T>("cone-sphere", ConeSphere<T>(a, b, r, T(0.3)));
   printAnswers<T>("cuboid", Cuboid<T>({T(-0.3), T(-0.7), T(-1.1)}, {T(0.9), T(1.3), T(0.1)}));
   printAnswers<T>("cylinder", Cylinder<T>(a, b, r));
   printAnswers<T>("ellipsoid", Ellipsoid<T>(a, {r, T(1.1), T(0.3)}));
+  printAnswers<T>("hexagonal prism", HexagonalPrism<T>(T(1.1), r));
   printAnswers<T>("infinite cylinder", InfiniteCylinder<T>(a, b, r));
   printAnswers<T>("infinite cone", InfiniteCone<T>(a, b, T(33)));
+  printAnswers<T>("link", Link<T>(T(1.1), r, T(0.3)));
+  printAnswers<T>("octahedron", Octahedron<T>(r));
   printAnswers<T>("plane", Plane<T>(a, b));
+  printAnswers<T>("pyramid", Pyramid<T>(T(1.1), r));
   printAnswers<T>("rounded box", RoundedBox<T>({-1, -1, -1}, {T(1.7), 1, 1}, T(0.3)));
   printAnswers<T>("rounded cylinder", RoundedCylinder<T>(a, b, r, T(0.1)));
   printAnswers<T>("torus", Torus<T>(a, b, T(1.1), T(0.3)));

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+namespace cutwater {
+
+/// A link of a chain: a ring about the local z axis (see Torus), cut in half and its halves pulled
+/// `length` apart along y, with straight tubes between them.
+///
+///     q = (p.x, max(|p.y| - length/2, 0))
+///     f(p) = | (|q| - major, p.z) | - minor        exact
+///
+/// @throws Error unless 0 < minor < major < infinity and 0 <= length < infinity.
+template <std::floating_point T>
+class Link final : public SignedDistanceFunction<T> {
+ public:
+  Link(T length, T major, T minor);
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  T half_;  // of the length
+  T major_;
+  T minor_;
+};
+
+extern template class Link<float>;
+extern template class Link<double>;
+
+}  // namespace cutwater

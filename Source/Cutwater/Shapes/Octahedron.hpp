@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+namespace cutwater {
+
+/// A regular octahedron about the origin, with corners `radius` away on the axes:
+/// |x| + |y| + |z| <= radius.
+///
+/// Exact: with q = |p|, the step from the nearest point is min(q_i, t), with the t that brings the
+/// rest of q down to the sum `radius` (J. Duchi et al., "Efficient projections onto the l1-ball for
+/// learning in high dimensions", ICML 2008).
+/// @throws Error unless 0 < radius < infinity.
+template <std::floating_point T>
+class Octahedron final : public SignedDistanceFunction<T> {
+ public:
+  explicit Octahedron(T radius);
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  /// t, for a point of the first octant.
+  [[nodiscard]] T reduction(const Vec3<T>& q) const;
+
+  T radius_;
+};
+
+extern template class Octahedron<float>;
+extern template class Octahedron<double>;
+
+}  // namespace cutwater
