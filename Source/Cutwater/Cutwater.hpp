@@ -35,6 +35,7 @@
 #include <Cutwater/Shapes/Capsule.hpp>
 #include <Cutwater/Shapes/Cone.hpp>
 #include <Cutwater/Shapes/ConeSphere.hpp>
+#include <Cutwater/Shapes/ConvexPolyhedron.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/Ellipsoid.hpp>

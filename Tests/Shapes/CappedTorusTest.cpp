@@ -40,6 +40,8 @@ TYPED_TEST(CappedTorusTest, IsATorusIfNothingIsCutOff) {
     if (i % 3 == 0) p = {-std::abs(p.x), 0, p.z};
     EXPECT_NEAR(whole.signedDistance(p), torus.signedDistance(p), tolerance<T>(8, 2)) << p;
   }
+  EXPECT_EQ(whole.gradient({-3, 0, 0}), (Vec3<T>{-1, 0, 0}));  // no ends that are equally near
+  EXPECT_EQ(whole.guarantee().inside, Quality::Exact);
 }
 
 TYPED_TEST(CappedTorusTest, IsATubeAroundItsArc) {

@@ -79,10 +79,11 @@ TYPED_TEST(EllipsoidTest, MatchesHandComputedValues) {
   EXPECT_EQ(solid.signedDistance({1, T(0.25), 0}), T(-0.75));
   // On the long axis, between the two centres of curvature of its ends (at 4 - 1/4 from the
   // centre): q_x = 16/15 x, and the rest by the surface's equation.
-  const T x = T(1.5);
-  const T q = T(16) / 15 * x;
-  const T height = std::sqrt(1 - q * q / 16);
-  EXPECT_NEAR(solid.signedDistance({1 + x, 0, 0}), -std::hypot(q - x, height), tolerance<T>(5));
+  for (const T x : {T(1.5), T(3), T(3.625), T(3.734375), T(3.75)}) {
+    const T q = T(16) / 15 * x;
+    const T height = std::sqrt(std::max(1 - q * q / 16, T(0)));
+    EXPECT_NEAR(solid.signedDistance({1 + x, 0, 0}), -std::hypot(q - x, height), tolerance<T>(5));
+  }
   EXPECT_NEAR(solid.signedDistance({1 + T(3.875), 0, 0}), T(-0.125), tolerance<T>(5));
   EXPECT_EQ(solid.gradient({-5, 0, 0}), (Vec3<T>{-1, 0, 0}));
   EXPECT_EQ(solid.gradient({1, -1, 0}), (Vec3<T>{0, -1, 0}));

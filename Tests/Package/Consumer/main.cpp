@@ -15,6 +15,7 @@
 #include <Cutwater/Shapes/Capsule.hpp>
 #include <Cutwater/Shapes/Cone.hpp>
 #include <Cutwater/Shapes/ConeSphere.hpp>
+#include <Cutwater/Shapes/ConvexPolyhedron.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/Ellipsoid.hpp>
@@ -196,6 +197,12 @@ void printShapes() {
   printAnswers<T>("capsule", Capsule<T>(a, b, r));
   printAnswers<T>("cone", Cone<T>(a, b, r));
   printAnswers<T>("cone-sphere", ConeSphere<T>(a, b, r, T(0.3)));
+  printAnswers<T>("convex polyhedron", ConvexPolyhedron<T>({{a, {1, T(0.1), T(-0.2)}},
+                                                            {-a, {-1, T(0.3), T(0.1)}},
+                                                            {b, {T(0.1), 1, T(0.3)}},
+                                                            {-b, {T(0.2), -1, T(0.1)}},
+                                                            {{0, 0, 1}, {T(-0.1), T(0.2), 1}},
+                                                            {{0, 0, -1}, {T(0.1), T(0.4), -1}}}));
   printAnswers<T>("cuboid", Cuboid<T>({T(-0.3), T(-0.7), T(-1.1)}, {T(0.9), T(1.3), T(0.1)}));
   printAnswers<T>("cylinder", Cylinder<T>(a, b, r));
   printAnswers<T>("ellipsoid", Ellipsoid<T>(a, {r, T(1.1), T(0.3)}));

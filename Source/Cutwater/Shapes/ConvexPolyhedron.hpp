@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+#include <vector>
+
+namespace cutwater {
+
+/// All points p with normal . (p - point) <= 0. The normal points out, and has any length.
+template <std::floating_point T>
+struct HalfSpace {
+  Vec3<T> point;
+  Vec3<T> normal;
+};
+
+/// A convex solid: what is in all of the half-spaces.
+///
+/// Exact: inside, the nearest plane decides. Outside, the nearest surface point lies on a face that
+/// the point is in front of; it is the foot on the face's plane, or else lies on one of the sides
+/// that the foot is beyond. Faces are found once, in twice the precision; half-spaces without a
+/// face cost nothing afterwards. A query takes time linear in the number of faces: for thousands,
+/// use a MeshSDF.
+/// @throws Error unless all are finite, no normal is zero, and the intersection is bounded and has
+/// an inside.
+template <std::floating_point T>
+class ConvexPolyhedron final : public SignedDistanceFunction<T> {
+ public:
+  explicit ConvexPolyhedron(const std::vector<HalfSpace<T>>& halfSpaces);
+
+  /// No more than there are half-spaces.
+  [[nodiscard]] std::size_t faceCount() const { return faces_.size(); }
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  struct Face {
+    Vec3<T> normal;
+    std::uint32_t first;  // of its sides, and behind the last
+    std::uint32_t last;
+  };
+  struct Side {
+    Vec3<T> start;
+    Vec3<T> along;    // unit vectors in the face's plane: along the side, counterclockwise,
+    Vec3<T> outward;  // and out of the face
+    T length;
+  };
+  /// From the plane of the face, outwards.
+  [[nodiscard]] T height(const Face& face, const Vec3<T>& p) const;
+  /// From the face's nearest point to p, for a point in front of it.
+  [[nodiscard]] Vec3<T> fromFace(const Face& face, const Vec3<T>& p) const;
+  [[nodiscard]] Vec3<T> fromSurface(const Vec3<T>& p) const;
+
+  std::vector<Face> faces_;
+  std::vector<Side> sides_;
+  Box<T> box_;
+  T size_ = 0;
+};
+
+extern template class ConvexPolyhedron<float>;
+extern template class ConvexPolyhedron<double>;
+
+}  // namespace cutwater
