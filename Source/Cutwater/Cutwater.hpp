@@ -39,14 +39,17 @@
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/Ellipsoid.hpp>
+#include <Cutwater/Shapes/Extrusion.hpp>
 #include <Cutwater/Shapes/HexagonalPrism.hpp>
 #include <Cutwater/Shapes/InfiniteCone.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>
 #include <Cutwater/Shapes/Link.hpp>
 #include <Cutwater/Shapes/Octahedron.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
+#include <Cutwater/Shapes/Polygon.hpp>
 #include <Cutwater/Shapes/Prismatic.hpp>
 #include <Cutwater/Shapes/Pyramid.hpp>
+#include <Cutwater/Shapes/Revolution.hpp>
 #include <Cutwater/Shapes/RoundedBox.hpp>
 #include <Cutwater/Shapes/RoundedCylinder.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>

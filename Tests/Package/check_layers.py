@@ -9,7 +9,7 @@ MAY_INCLUDE = {
     "Simd": "Core",
     "Bvh": "Core Simd",
     "Sdf": "Core",
-    "Shapes": "Core Sdf",
+    "Shapes": "Core Bvh Sdf",
     "Operations": "Core Bvh Sdf",
     "Mesh": "Core Simd Bvh Sdf",
     "Lattice": "Core Simd Bvh Sdf Shapes Operations",

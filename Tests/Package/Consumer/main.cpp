@@ -19,13 +19,16 @@
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/Ellipsoid.hpp>
+#include <Cutwater/Shapes/Extrusion.hpp>
 #include <Cutwater/Shapes/HexagonalPrism.hpp>
 #include <Cutwater/Shapes/InfiniteCone.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>
 #include <Cutwater/Shapes/Link.hpp>
 #include <Cutwater/Shapes/Octahedron.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
+#include <Cutwater/Shapes/Polygon.hpp>
 #include <Cutwater/Shapes/Pyramid.hpp>
+#include <Cutwater/Shapes/Revolution.hpp>
 #include <Cutwater/Shapes/RoundedBox.hpp>
 #include <Cutwater/Shapes/RoundedCylinder.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
@@ -206,6 +209,9 @@ void printShapes() {
   printAnswers<T>("cuboid", Cuboid<T>({T(-0.3), T(-0.7), T(-1.1)}, {T(0.9), T(1.3), T(0.1)}));
   printAnswers<T>("cylinder", Cylinder<T>(a, b, r));
   printAnswers<T>("ellipsoid", Ellipsoid<T>(a, {r, T(1.1), T(0.3)}));
+  const Polygon<T> section({{T(0.1), -1}, {1, T(-0.9)}, {T(0.7), 1}, {T(0.3), T(0.2)}},
+                           {{{T(0.3), T(-0.7)}, {T(0.6), T(-0.7)}, {T(0.5), T(-0.2)}}});
+  printAnswers<T>("extrusion", Extrusion<T>(section, T(-0.3), T(1.1)));
   printAnswers<T>("hexagonal prism", HexagonalPrism<T>(T(1.1), r));
   printAnswers<T>("infinite cylinder", InfiniteCylinder<T>(a, b, r));
   printAnswers<T>("infinite cone", InfiniteCone<T>(a, b, T(33)));
@@ -213,6 +219,7 @@ void printShapes() {
   printAnswers<T>("octahedron", Octahedron<T>(r));
   printAnswers<T>("plane", Plane<T>(a, b));
   printAnswers<T>("pyramid", Pyramid<T>(T(1.1), r));
+  printAnswers<T>("revolution", Revolution<T>(section, a, b));
   printAnswers<T>("rounded box", RoundedBox<T>({-1, -1, -1}, {T(1.7), 1, 1}, T(0.3)));
   printAnswers<T>("rounded cylinder", RoundedCylinder<T>(a, b, r, T(0.1)));
   printAnswers<T>("torus", Torus<T>(a, b, T(1.1), T(0.3)));

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Cutwater/Shapes/PolygonDistance.hpp>
+#include <Cutwater/Shapes/Prismatic.hpp>
+
+namespace cutwater {
+
+/// A polygon in the xy plane, extruded along z: a prism of any section.
+///
+/// Exact. A query takes a time that grows with the logarithm of the number of edges.
+/// @throws Error unless lower and upper are finite and lower < upper.
+template <std::floating_point T>
+class Extrusion final : public Prismatic<T> {
+ public:
+  /// From z = lower to z = upper.
+  Extrusion(const Polygon<T>& section, T lower, T upper);
+
+ private:
+  [[nodiscard]] T sectionDistance(const Vec2<T>& p) const override;
+  [[nodiscard]] Vec2<T> sectionGradient(const Vec2<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  detail::PolygonDistance<T> section_;
+};
+
+extern template class Extrusion<float>;
+extern template class Extrusion<double>;
+
+}  // namespace cutwater

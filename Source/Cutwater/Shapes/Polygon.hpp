@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Cutwater/Core/Vec2.hpp>
+
+#include <span>
+#include <vector>
+
+namespace cutwater {
+
+/// An area in a plane, bounded by closed loops of straight edges: outlines, holes, islands in
+/// holes.
+///
+/// Loops nest: what an odd number of loops surround is solid (even-odd rule), whichever way round
+/// they are given. No two edges may cross or touch, but for neighbours at their common corner.
+template <std::floating_point T>
+class Polygon {
+ public:
+  using Loop = std::vector<Vec2<T>>;
+
+  /// A loop's last corner is joined to its first; corners that repeat the one before are dropped.
+  /// O(n log n) for n corners, unless they are crowded.
+  /// @throws Error if a coordinate is not finite, a loop has fewer than three different corners, or
+  /// edges cross, touch or fold back on each other.
+  explicit Polygon(const Loop& outline, const std::vector<Loop>& others = {});
+
+  /// With the solid to the left: outlines run counterclockwise, holes clockwise.
+  [[nodiscard]] std::span<const Loop> loops() const { return loops_; }
+  [[nodiscard]] T area() const;
+
+ private:
+  std::vector<Loop> loops_;
+};
+
+extern template class Polygon<float>;
+extern template class Polygon<double>;
+
+}  // namespace cutwater

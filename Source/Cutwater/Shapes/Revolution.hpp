@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Cutwater/Shapes/Axisymmetric.hpp>
+#include <Cutwater/Shapes/PolygonDistance.hpp>
+
+namespace cutwater {
+
+/// A polygon turned around an axis: x of the polygon is the distance from the axis, y the position
+/// along it. The axis need not have unit length; without one, it is the local z axis.
+///
+/// Exact. The profile's edges on the axis lie inside the solid and do not count. A query takes a
+/// time that grows with the logarithm of the number of edges.
+/// @throws Error unless x >= 0 at all corners, the origin and the axis are finite and the axis is
+/// not zero.
+template <std::floating_point T>
+class Revolution final : public Axisymmetric<T> {
+ public:
+  explicit Revolution(const Polygon<T>& profile) : Revolution(profile, {}, {0, 0, 1}) {}
+  Revolution(const Polygon<T>& profile, const Vec3<T>& origin, const Vec3<T>& axis);
+
+ private:
+  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
+  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  detail::PolygonDistance<T> profile_;
+  Box<T> box_;
+};
+
+extern template class Revolution<float>;
+extern template class Revolution<double>;
+
+}  // namespace cutwater
