@@ -48,7 +48,7 @@ TYPED_TEST(PolygonTest, DropsRepeatedCorners) {
 TYPED_TEST(PolygonTest, TakesCornersInStraightSidesAndSidesThatNearlyTouch) {
   using T = TypeParam;
   const T next = std::nextafter(T(1), T(2));
-  EXPECT_EQ(Polygon<T>({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}).area(), T(4));
+  EXPECT_EQ(Polygon<T>({{1, 0}, {2, 0}, {2, 2}, {0, 2}, {0, 0}}).area(), T(4));
   EXPECT_EQ(Polygon<T>(rectangle<T>(0, 0, 1, 1), {rectangle<T>(next, 0, 2, 1)}).loops().size(), 2U);
   EXPECT_GT(Polygon<T>({{0, 0}, {1, 0}, {1, next - 1}}).area(), T(0));
 }
