@@ -28,9 +28,11 @@ TYPED_TEST(OctahedronTest, MatchesHandComputedValues) {
 
 TYPED_TEST(OctahedronTest, RefusesImpossibleArguments) {
   using T = TypeParam;
-  EXPECT_THROW(Octahedron<T>(0), Error);
-  EXPECT_THROW(Octahedron<T>(std::numeric_limits<T>::infinity()), Error);
-  EXPECT_THROW(Octahedron<T>(std::numeric_limits<T>::quiet_NaN()), Error);
+  const T inf = std::numeric_limits<T>::infinity();
+  const T nan = std::numeric_limits<T>::quiet_NaN();
+  EXPECT_THROW(Octahedron<T>{0}, Error);
+  EXPECT_THROW(Octahedron<T>{inf}, Error);
+  EXPECT_THROW(Octahedron<T>{nan}, Error);
 }
 
 TYPED_TEST(OctahedronTest, KeepsItsGuarantee) {

@@ -90,7 +90,7 @@ class Usage(CommandTest):
 
 class Make(CommandTest):
     def test_all_shapes_are_closed(self):
-        for shape in ["sphere", "box", "torus", "cylinder", "cone", "capsule"]:
+        for shape in ["sphere", "ellipsoid", "box", "torus", "cylinder", "cone", "capsule"]:
             for extension in ["stl", "ply", "obj", "off"]:
                 name = f"{shape}.{extension}"
                 self.succeeds("make", shape, "-o", name, "--parts", 12)
@@ -103,10 +103,15 @@ class Make(CommandTest):
         self.succeeds("make", "cylinder", "--radius", 2, "--height", 7, "-o", "c.off")
         points, _ = read_off(self.folder / "c.off")
         self.assertEqual(bounds(points), (-2, -2, 0, 2, 2, 7))
+        self.succeeds("make", "ellipsoid", "--size", "2,4,8", "-o", "e.off")
+        points, _ = read_off(self.folder / "e.off")
+        for point in points:
+            self.assertAlmostEqual(point[0] ** 2 + (point[1] / 2) ** 2 + (point[2] / 4) ** 2, 1)
 
     def test_refusals(self):
         self.fails(2, "make", "teapot", "-o", "a.stl")
         self.fails(1, "make", "torus", "--minor", "2", "-o", "a.stl")
+        self.fails(1, "make", "ellipsoid", "--size", "1,0,1", "-o", "a.stl")
         self.fails(1, "make", "box", "-o", "a.xyz")
         self.assertEqual(list(self.folder.iterdir()), [])
 

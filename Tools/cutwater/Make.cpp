@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/Tessellation.hpp>
 
 #include <CLI/CLI.hpp>
@@ -29,10 +30,21 @@ struct Options {
 
 using Maker = PolygonSoup (*)(const Options&);
 
-PolygonSoup makeSphere(const Options& o) {
+PolygonSoup makeBall(double radius, int parts) {
   int subdivisions = 0;  // an edge of the icosahedron is about a sixth of the circumference
-  while (5 << subdivisions < o.parts && subdivisions < 12) ++subdivisions;
-  return tessellation::icosphere(o.radius, subdivisions);
+  while (5 << subdivisions < parts && subdivisions < 12) ++subdivisions;
+  return tessellation::icosphere(radius, subdivisions);
+}
+PolygonSoup makeSphere(const Options& o) {
+  return makeBall(o.radius, o.parts);
+}
+PolygonSoup makeEllipsoid(const Options& o) {
+  require(isFinite(o.size) && o.size.x > 0 && o.size.y > 0 && o.size.z > 0,
+          "ellipsoid: need finite sizes above 0", Named{"size", o.size});
+  auto soup = makeBall(0.5, o.parts);
+  soup.patchNames = {"ellipsoid"};
+  for (auto& p : soup.points) p = {o.size.x * p.x, o.size.y * p.y, o.size.z * p.z};
+  return soup;
 }
 PolygonSoup makeBox(const Options& o) {
   return tessellation::box(-0.5 * o.size, 0.5 * o.size);
@@ -51,9 +63,10 @@ PolygonSoup makeCapsule(const Options& o) {
 }
 
 const std::map<std::string, Maker>& makers() {
-  static const std::map<std::string, Maker> all{{"sphere", makeSphere}, {"box", makeBox},
-                                                {"torus", makeTorus},   {"cylinder", makeCylinder},
-                                                {"cone", makeCone},     {"capsule", makeCapsule}};
+  static const std::map<std::string, Maker> all{
+      {"sphere", makeSphere},  {"ellipsoid", makeEllipsoid}, {"box", makeBox},
+      {"torus", makeTorus},    {"cylinder", makeCylinder},   {"cone", makeCone},
+      {"capsule", makeCapsule}};
   return all;
 }
 
@@ -71,7 +84,9 @@ void addMake(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   auto& command = *program.add_subcommand(
       "make", "Make the surface of a simple solid about the origin or the z axis, closed");
-  command.add_option("SHAPE", options->shape, "sphere, box, torus, cylinder, cone or capsule")
+  command
+      .add_option("SHAPE", options->shape,
+                  "sphere, ellipsoid, box, torus, cylinder, cone or capsule")
       ->required()
       ->check(CLI::IsMember(makers()))
       ->type_name("");
@@ -91,7 +106,7 @@ void addMake(CLI::App& program) {
   command
       .add_option_function<std::string>(
           "--size", [=](const std::string& text) { options->size = vectorOf("--size", text); },
-          "Of the box [1,1,1]")
+          "Of the box, or from end to end of the ellipsoid [1,1,1]")
       ->type_name("X,Y,Z");
   command.add_option("--parts", options->parts, "Parts around the axis [96]")
       ->check(CLI::Range(3, 100000))

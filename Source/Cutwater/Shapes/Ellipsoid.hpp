@@ -19,7 +19,7 @@ namespace cutwater {
 /// bisects.
 ///
 /// Against quadruple precision values were off by at most 3 eps (|p| + size), for semi-axes up to
-/// 10^6 times as long as each other, after at most 29 steps and mostly 4 to 7.
+/// 10^6 times as long as each other, after 4 steps or fewer in most cases and 29 at most.
 /// @throws Error unless the centre is finite, the semi-axes are finite and positive, and the
 /// longest is at most 10^6 times the shortest.
 template <std::floating_point T>

@@ -18,7 +18,7 @@ class Polygon {
   using Loop = std::vector<Vec2<T>>;
 
   /// A loop's last corner is joined to its first; corners that repeat the one before are dropped.
-  /// O(n log n) for n corners, unless they are crowded.
+  /// O(n log n) for n corners, unless the bounding boxes of many edges overlap.
   /// @throws Error if a coordinate is not finite, a loop has fewer than three different corners, or
   /// edges cross, touch or fold back on each other.
   explicit Polygon(const Loop& outline, const std::vector<Loop>& others = {});
