@@ -2,7 +2,6 @@
 #include <Cutwater/Core/Scratch.hpp>
 #include <Cutwater/Mesh/MeshCrossings.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
-#include <Cutwater/Sdf/Defaults.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -191,20 +190,6 @@ CrossingCount TriangleSurfaceSDF<T>::localCrossings(const Segment<T>& segment,
                            .isJumpFree = [this](const Box<double>& box) { return isJumpFree(box); },
                            .isClosed = signs_.isClosed()},
                           pulledIn, restored);
-}
-
-template <std::floating_point T>
-Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
-  // The distance to the triangles changes at most as fast as the point; the sign is what its own
-  // bound allows.
-  auto promise = localGuarantee();
-  promise.lipschitz = T(1);
-  const auto range = detail::boundsAround(localSignedDistance(box.center), box, promise);
-  if (signs_.isClosed()) return range;
-  // Free of triangles and of jumps, or both signs may be anywhere.
-  if (!range.contains(0) && hasNoJump(box.bounds())) return range;
-  const T most = std::max(-range.lower, range.upper);
-  return {-most, most};
 }
 
 template <std::floating_point T>

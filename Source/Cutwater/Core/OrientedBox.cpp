@@ -1,8 +1,20 @@
-#include <Cutwater/Sdf/BoxQuery.hpp>
+#include <Cutwater/Core/OrientedBox.hpp>
 
 #include <algorithm>
 
 namespace cutwater {
+
+namespace {
+
+/// A power of two in which squares of lengths neither over- nor underflow.
+template <std::floating_point T>
+T unitFor(const std::array<Vec3<T>, 3>& lengths) {
+  const T longest = maxComponent(max(abs(lengths[0]), max(abs(lengths[1]), abs(lengths[2]))));
+  constexpr T kLarge = sizeof(T) == sizeof(float) ? T(0x1p60) : T(0x1p500);
+  return longest > kLarge ? kLarge : longest < 1 / kLarge ? 1 / kLarge : T(1);
+}
+
+}  // namespace
 
 template <std::floating_point T>
 OrientedBox<T> OrientedBox<T>::of(const Box<T>& box) {
@@ -19,16 +31,18 @@ OrientedBox<T> OrientedBox<T>::of(const Box<T>& box) {
 template <std::floating_point T>
 T OrientedBox<T>::innerRadius() const {
   // The half axes are orthogonal.
-  const T squared = std::min(
-      {lengthSquared(halfAxis[0]), lengthSquared(halfAxis[1]), lengthSquared(halfAxis[2])});
-  return std::sqrt(squared) * (1 - 8 * std::numeric_limits<T>::epsilon());
+  const T unit = unitFor(halfAxis);
+  const auto squared = [unit](const Vec3<T>& half) { return lengthSquared(half / unit); };
+  const T least = std::min({squared(halfAxis[0]), squared(halfAxis[1]), squared(halfAxis[2])});
+  return unit * std::sqrt(least) * (1 - 8 * std::numeric_limits<T>::epsilon());
 }
 
 template <std::floating_point T>
 T OrientedBox<T>::radius() const {
-  const T squared =
-      lengthSquared(halfAxis[0]) + lengthSquared(halfAxis[1]) + lengthSquared(halfAxis[2]);
-  return std::sqrt(squared) * (1 + 8 * std::numeric_limits<T>::epsilon()) + slack;
+  const T unit = unitFor(halfAxis);
+  T squared = 0;
+  for (const auto& half : halfAxis) squared += lengthSquared(half / unit);
+  return unit * std::sqrt(squared) * (1 + 8 * std::numeric_limits<T>::epsilon()) + slack;
 }
 
 template <std::floating_point T>
