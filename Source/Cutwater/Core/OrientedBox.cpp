@@ -46,6 +46,29 @@ T OrientedBox<T>::radius() const {
 }
 
 template <std::floating_point T>
+Interval<T> OrientedBox<T>::distancesFrom(const Vec3<T>& p) const {
+  const Vec3<T> d = p - center;
+  Vec3<T> rest = d;  // across axes of no length
+  T nearest = 0;
+  T farthest = 0;
+  for (const auto& half : halfAxis) {
+    const T extent = length(half);
+    if (!(extent > 0)) continue;
+    const Vec3<T> axis = half / extent;
+    const T along = dot(d, axis);
+    rest = rest - along * axis;
+    const T beyond = std::max(std::abs(along) - extent, T(0));
+    const T across = std::abs(along) + extent;
+    nearest += beyond * beyond;
+    farthest += across * across;
+  }
+  const T beside = lengthSquared(rest);
+  const T rounding = slack + 16 * std::numeric_limits<T>::epsilon() * (length(d) + radius());
+  return {std::max(std::sqrt(nearest + beside) - rounding, T(0)),
+          std::sqrt(farthest + beside) + rounding};
+}
+
+template <std::floating_point T>
 Vec3<T> OrientedBox<T>::corner(int i) const {
   Vec3<T> result = center;
   for (int axis = 0; axis < 3; ++axis) {

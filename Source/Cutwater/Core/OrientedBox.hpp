@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Box.hpp>
+#include <Cutwater/Core/Interval.hpp>
 
 #include <array>
 
@@ -25,6 +26,8 @@ struct OrientedBox {
   [[nodiscard]] T radius() const;
   /// The ball of this radius about the centre lies in the box, slack not included.
   [[nodiscard]] T innerRadius() const;
+  /// Encloses the distances of its points from `p`, slack and rounding included.
+  [[nodiscard]] Interval<T> distancesFrom(const Vec3<T>& p) const;
   /// Corner 0..7: bit i chooses +halfAxis[i].
   [[nodiscard]] Vec3<T> corner(int i) const;
   /// The axis-aligned box around it, slack included.

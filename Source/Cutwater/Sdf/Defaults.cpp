@@ -273,6 +273,15 @@ Interval<T> boundsAround(T atCenter, const OrientedBox<T>& box, const Guarantee<
 }
 
 template <std::floating_point T>
+Interval<T> boundsWithin(const Interval<T>& range, T atCenter, const OrientedBox<T>& box,
+                         const Guarantee<T>& guarantee) {
+  const auto around = boundsAround(atCenter, box, guarantee);
+  const T margin = 2 * guarantee.error(length(box.center) + box.radius());
+  return {std::max(around.lower, range.lower - margin),
+          std::min(around.upper, range.upper + margin)};
+}
+
+template <std::floating_point T>
 Guarantee<T> placed(Guarantee<T> local, const RigidTransform<T>& placement) {
   if (placement.isIdentity()) return local;
   // transformPoint() moves the point by up to one rounding of the offset's size, a rotation by up
@@ -293,6 +302,10 @@ template CrossingCount isolatedCrossings(const Field<double>&, const Segment<dou
                                          CrossingVisitor<double>);
 template Interval<float> boundsAround(float, const OrientedBox<float>&, const Guarantee<float>&);
 template Interval<double> boundsAround(double, const OrientedBox<double>&,
+                                       const Guarantee<double>&);
+template Interval<float> boundsWithin(const Interval<float>&, float, const OrientedBox<float>&,
+                                      const Guarantee<float>&);
+template Interval<double> boundsWithin(const Interval<double>&, double, const OrientedBox<double>&,
                                        const Guarantee<double>&);
 template Guarantee<float> placed(Guarantee<float>, const RigidTransform<float>&);
 template Guarantee<double> placed(Guarantee<double>, const RigidTransform<double>&);

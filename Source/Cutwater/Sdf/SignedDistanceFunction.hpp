@@ -62,6 +62,11 @@ class SignedDistanceFunction {
   /// Encloses the function's value, exact and as computed, at every point of the box.
   [[nodiscard]] Interval<T> bounds(const Box<T>& box, BoxHint* hint = nullptr) const;
 
+  /// Encloses the distance to the surface, which is what a band around it is about, at every point
+  /// of the box: never negative; [0, infinity) where the guarantee tells nothing, and without an
+  /// upper end where values are lower bounds.
+  [[nodiscard]] Interval<T> distanceBounds(const Box<T>& box, BoxHint* hint = nullptr) const;
+
   /// Where the box lies; Inside, Outside and Cut are certain.
   [[nodiscard]] BoxClass classify(const Box<T>& box, BoxHint* hint = nullptr) const;
 
