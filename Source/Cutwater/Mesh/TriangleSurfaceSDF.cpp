@@ -47,6 +47,11 @@ std::array<Vec3<T>, 3> TriangleSurfaceSDF<T>::triangle(std::uint32_t id) const {
 }
 
 template <std::floating_point T>
+std::string TriangleSurfaceSDF<T>::localName() const {
+  return "Mesh of " + detail::counted(triangleCount(), "triangle", "triangles");
+}
+
+template <std::floating_point T>
 Vec3<T> TriangleSurfaceSDF<T>::scaled(const Vec3<T>& point) const {
   const Vec3<T> p = surface_.scale * point;
   if (maxComponent(abs(p)) <= kFarthest<T>) return p;

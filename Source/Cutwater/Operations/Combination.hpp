@@ -49,6 +49,12 @@ class Combination : public SignedDistanceFunction<T> {
   [[nodiscard]] Guarantee<T> localGuarantee() const final { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const final { return boundingBox_; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const final;
+  [[nodiscard]] std::string localName() const final {
+    return decides_ == Decides::Least ? "Union" : "Intersection";
+  }
+  void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const final {
+    for (const auto& operand : operands_) visit(operand);
+  }
 
   /// -1 turns a greatest into a least; exact.
   [[nodiscard]] T side() const { return decides_ == Decides::Least ? T(1) : T(-1); }

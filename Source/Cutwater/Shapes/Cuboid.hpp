@@ -17,6 +17,7 @@ class Cuboid final : public SignedDistanceFunction<T> {
   Cuboid(const Vec3<T>& lower, const Vec3<T>& upper) : Cuboid(Box<T>{lower, upper}) {}
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Box"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;

@@ -18,6 +18,7 @@ class RoundedBox final : public SignedDistanceFunction<T> {
       : RoundedBox(Box<T>{lower, upper}, radius) {}
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Rounded box"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
