@@ -14,12 +14,14 @@
 #include <Cutwater/Core/Segment.hpp>
 #include <Cutwater/Core/Vec3.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Operations/BinaryOperation.hpp>
 #include <Cutwater/Operations/Combination.hpp>
 #include <Cutwater/Operations/Complement.hpp>
 #include <Cutwater/Operations/Intersection.hpp>
 #include <Cutwater/Operations/Labelled.hpp>
 #include <Cutwater/Operations/Offset.hpp>
 #include <Cutwater/Operations/Scale.hpp>
+#include <Cutwater/Operations/SymmetricDifference.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 #include <Cutwater/Operations/Union.hpp>
 #include <Cutwater/Sdf/BoxQuery.hpp>

@@ -4,6 +4,7 @@
 #include <Cutwater/Operations/Labelled.hpp>
 #include <Cutwater/Operations/Offset.hpp>
 #include <Cutwater/Operations/Scale.hpp>
+#include <Cutwater/Operations/SymmetricDifference.hpp>
 #include <Cutwater/Operations/Union.hpp>
 
 namespace cutwater::detail {
@@ -45,6 +46,11 @@ Solid<T> complementOf(Solid<T> a) {
   return Complement<T>(std::move(a));
 }
 
+template <std::floating_point T>
+Solid<T> xorOf(Solid<T> a, Solid<T> b) {
+  return SymmetricDifference<T>(std::move(a), std::move(b));
+}
+
 /// Subtracting a constant commutes with least and greatest, to the bit; with a complement it
 /// changes sign. Done operand by operand, the bounding box stays finite where only the operands'
 /// values are exact, e.g. outside of a difference.
@@ -84,6 +90,8 @@ template Solid<float> intersect(const std::vector<Solid<float>>&);
 template Solid<double> intersect(const std::vector<Solid<double>>&);
 template Solid<float> complementOf(Solid<float>);
 template Solid<double> complementOf(Solid<double>);
+template Solid<float> xorOf(Solid<float>, Solid<float>);
+template Solid<double> xorOf(Solid<double>, Solid<double>);
 template Solid<float> offsetOf(const Solid<float>&, float);
 template Solid<double> offsetOf(const Solid<double>&, double);
 template Solid<float> scaledBy(Solid<float>, float);

@@ -9,7 +9,7 @@
 ///
 ///     const auto body = rounded(hull, 0.1) | translated(mast, {2, 0, 0}) - hatch;
 ///
-/// `-` binds tighter than `&`, and `&` tighter than `|`.
+/// `-` binds tighter than `&`, `&` tighter than `^`, and `^` tighter than `|`.
 namespace cutwater {
 
 namespace detail {
@@ -21,6 +21,8 @@ template <std::floating_point T>
 [[nodiscard]] Solid<T> intersect(const std::vector<Solid<T>>& operands);
 template <std::floating_point T>
 [[nodiscard]] Solid<T> complementOf(Solid<T> a);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> xorOf(Solid<T> a, Solid<T> b);
 template <std::floating_point T>
 [[nodiscard]] Solid<T> offsetOf(const Solid<T>& a, T distance);
 template <std::floating_point T>
@@ -63,6 +65,18 @@ template <SolidLike A, SolidLike B>
 requires detail::SameScalar<A, B>
 [[nodiscard]] detail::SolidOf<A> operator-(const A& a, const B& b) {
   return a & ~b;
+}
+
+/// All points of a or b, but not of both; see SymmetricDifference.
+template <SolidLike A, SolidLike B>
+requires detail::SameScalar<A, B>
+[[nodiscard]] detail::SolidOf<A> operator^(const A& a, const B& b) {
+  return detail::xorOf<detail::ScalarOf<A>>(a, b);
+}
+template <SolidLike A, SolidLike B>
+requires detail::SameScalar<A, B>
+[[nodiscard]] detail::SolidOf<A> symmetricDifference(const A& a, const B& b) {
+  return a ^ b;
 }
 
 /// The union of any number of solids, in one step.

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Cutwater/Sdf/Guarantee.hpp>
+
+/// Rules by which a composite's guarantee follows from those of its operands.
+namespace cutwater::detail {
+
+/// What both promise: the worse quality on each side, the larger constant and rounding, the common
+/// domain.
+template <std::floating_point T>
+[[nodiscard]] Guarantee<T> common(const Guarantee<T>& a, const Guarantee<T>& b);
+
+template <std::floating_point T>
+[[nodiscard]] Guarantee<T> swapped(Guarantee<T> g);
+
+/// What the magnitude of a function means that is only known to have the right sign and this
+/// Lipschitz constant: of at most 1 it is a lower bound of the distance.
+template <std::floating_point T>
+[[nodiscard]] Quality qualityBy(const std::optional<T>& lipschitz) {
+  return lipschitz && *lipschitz <= 1 ? Quality::LowerBound : Quality::SignOnly;
+}
+
+}  // namespace cutwater::detail
