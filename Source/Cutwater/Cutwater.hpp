@@ -21,6 +21,8 @@
 #include <Cutwater/Operations/Labelled.hpp>
 #include <Cutwater/Operations/Offset.hpp>
 #include <Cutwater/Operations/Scale.hpp>
+#include <Cutwater/Operations/SmoothCombination.hpp>
+#include <Cutwater/Operations/SmoothMinimum.hpp>
 #include <Cutwater/Operations/SymmetricDifference.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 #include <Cutwater/Operations/Union.hpp>

@@ -4,6 +4,7 @@
 #include <Cutwater/Operations/Labelled.hpp>
 #include <Cutwater/Operations/Offset.hpp>
 #include <Cutwater/Operations/Scale.hpp>
+#include <Cutwater/Operations/SmoothCombination.hpp>
 #include <Cutwater/Operations/SymmetricDifference.hpp>
 #include <Cutwater/Operations/Union.hpp>
 
@@ -51,6 +52,27 @@ Solid<T> xorOf(Solid<T> a, Solid<T> b) {
   return SymmetricDifference<T>(std::move(a), std::move(b));
 }
 
+namespace {
+
+template <std::floating_point T>
+bool isPlain(const std::vector<Solid<T>>& operands, const Smoothing<T>& smoothing) {
+  return operands.size() < 2 || smoothing.reach == 0;
+}
+
+}  // namespace
+
+template <std::floating_point T>
+Solid<T> uniteSmoothly(const std::vector<Solid<T>>& operands, const Smoothing<T>& smoothing) {
+  if (isPlain(operands, smoothing)) return unite(operands);
+  return SmoothCombination<T>(SmoothCombination<T>::Result::Union, operands, smoothing);
+}
+
+template <std::floating_point T>
+Solid<T> intersectSmoothly(const std::vector<Solid<T>>& operands, const Smoothing<T>& smoothing) {
+  if (isPlain(operands, smoothing)) return intersect(operands);
+  return SmoothCombination<T>(SmoothCombination<T>::Result::Intersection, operands, smoothing);
+}
+
 /// Subtracting a constant commutes with least and greatest, to the bit; with a complement it
 /// changes sign. Done operand by operand, the bounding box stays finite where only the operands'
 /// values are exact, e.g. outside of a difference.
@@ -92,6 +114,11 @@ template Solid<float> complementOf(Solid<float>);
 template Solid<double> complementOf(Solid<double>);
 template Solid<float> xorOf(Solid<float>, Solid<float>);
 template Solid<double> xorOf(Solid<double>, Solid<double>);
+template Solid<float> uniteSmoothly(const std::vector<Solid<float>>&, const Smoothing<float>&);
+template Solid<float> intersectSmoothly(const std::vector<Solid<float>>&, const Smoothing<float>&);
+template Solid<double> uniteSmoothly(const std::vector<Solid<double>>&, const Smoothing<double>&);
+template Solid<double> intersectSmoothly(const std::vector<Solid<double>>&,
+                                         const Smoothing<double>&);
 template Solid<float> offsetOf(const Solid<float>&, float);
 template Solid<double> offsetOf(const Solid<double>&, double);
 template Solid<float> scaledBy(Solid<float>, float);

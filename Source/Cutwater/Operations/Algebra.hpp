@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Operations/SmoothMinimum.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
 #include <string>
@@ -23,6 +24,12 @@ template <std::floating_point T>
 [[nodiscard]] Solid<T> complementOf(Solid<T> a);
 template <std::floating_point T>
 [[nodiscard]] Solid<T> xorOf(Solid<T> a, Solid<T> b);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> uniteSmoothly(const std::vector<Solid<T>>& operands,
+                                     const Smoothing<T>& smoothing);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> intersectSmoothly(const std::vector<Solid<T>>& operands,
+                                         const Smoothing<T>& smoothing);
 template <std::floating_point T>
 [[nodiscard]] Solid<T> offsetOf(const Solid<T>& a, T distance);
 template <std::floating_point T>
@@ -101,6 +108,40 @@ requires(detail::SameScalar<A, Others>&&...)
 template <std::floating_point T>
 [[nodiscard]] Solid<T> intersectionOf(const std::vector<Solid<T>>& solids) {
   return detail::intersect<T>(solids);
+}
+
+/// The union with a fillet where the two meet, e.g. smoothUnion(a, b, {.reach = 0.1}); see
+/// SmoothCombination. With reach 0 these are the plain operators. They are not associative: of
+/// more than two solids use the ...Of forms, whose result does not depend on the order.
+/// @throws Error unless the reach is finite and not negative.
+template <SolidLike A, SolidLike B>
+requires detail::SameScalar<A, B>
+[[nodiscard]] detail::SolidOf<A> smoothUnion(const A& a, const B& b,
+                                             const Smoothing<detail::ScalarOf<A>>& smoothing) {
+  return detail::uniteSmoothly<detail::ScalarOf<A>>({a, b}, smoothing);
+}
+template <SolidLike A, SolidLike B>
+requires detail::SameScalar<A, B>
+[[nodiscard]] detail::SolidOf<A> smoothIntersection(
+    const A& a, const B& b, const Smoothing<detail::ScalarOf<A>>& smoothing) {
+  return detail::intersectSmoothly<detail::ScalarOf<A>>({a, b}, smoothing);
+}
+template <SolidLike A, SolidLike B>
+requires detail::SameScalar<A, B>
+[[nodiscard]] detail::SolidOf<A> smoothDifference(const A& a, const B& b,
+                                                  const Smoothing<detail::ScalarOf<A>>& smoothing) {
+  return smoothIntersection(a, ~b, smoothing);
+}
+/// @throws Error also if there is none.
+template <std::floating_point T>
+[[nodiscard]] Solid<T> smoothUnionOf(const std::vector<Solid<T>>& solids,
+                                     const Smoothing<T>& smoothing) {
+  return detail::uniteSmoothly<T>(solids, smoothing);
+}
+template <std::floating_point T>
+[[nodiscard]] Solid<T> smoothIntersectionOf(const std::vector<Solid<T>>& solids,
+                                            const Smoothing<T>& smoothing) {
+  return detail::intersectSmoothly<T>(solids, smoothing);
 }
 
 /// The solid grown by a distance, or shrunk if it is negative; see Offset.

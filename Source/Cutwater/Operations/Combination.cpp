@@ -1,6 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Combination.hpp>
-#include <Cutwater/Operations/Complement.hpp>
 #include <Cutwater/Operations/DerivedGuarantee.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
 
@@ -37,8 +36,8 @@ Combination<T>::Combination(const char* name, Decides decides, std::vector<Solid
     : decides_(decides), operands_(std::move(operands)), patches_(operands_) {
   if (operands_.empty()) throw Error(ErrorKind::Argument, std::string(name) + ": need an operand");
   std::vector<detail::OperandBound<T>> bounds;
-  for (const auto& operand : operands_) bounds.push_back(boundOf(operand));
   const bool least = decides == Decides::Least;
+  for (const auto& operand : operands_) bounds.push_back(detail::boundOf(operand, !least));
   guarantee_ = bounds[0].guarantee;
   boundingBox_ = operands_[0].boundingBox();
   for (std::size_t i = 1; i < operands_.size(); ++i) {
@@ -49,17 +48,6 @@ Combination<T>::Combination(const char* name, Decides decides, std::vector<Solid
   if (!least) guarantee_ = detail::swapped(guarantee_);
   if (boundingBox_.empty()) boundingBox_ = {};
   tree_ = detail::OperandTree<T>(bounds, beginning != nullptr ? &beginning->tree_ : nullptr);
-}
-
-/// Of the function that is to be the least: the operand, or its negative.
-template <std::floating_point T>
-detail::OperandBound<T> Combination<T>::boundOf(const Solid<T>& operand) const {
-  if (decides_ == Decides::Least) return {operand.guarantee(), operand.boundingBox()};
-  // The negative of a complement is positive outside of the solid within.
-  const auto* const rest = operand.template as<Complement<T>>();
-  return {detail::swapped(operand.guarantee()),
-          rest != nullptr ? operand.placement().toWorld(rest->operand().boundingBox())
-                          : Box<T>::everywhere()};
 }
 
 template <std::floating_point T>

@@ -62,7 +62,6 @@ class Combination : public SignedDistanceFunction<T> {
   [[nodiscard]] T decidingValue(const Vec3<T>& p, T ofAlwaysAsked) const;
   template <typename Ask>
   void forEachNear(const OrientedBox<T>& box, double limit, Ask&& ask) const;
-  [[nodiscard]] detail::OperandBound<T> boundOf(const Solid<T>& operand) const;
   /// Each point's closest point on the operand that decides there, as that operand tells it.
   void askDeciding(std::span<const Vec3<T>> points, std::span<const Decision> decisions,
                    std::span<SurfacePoint<T>> found) const;
