@@ -2,6 +2,7 @@
 
 /// Everything that is public, for those who do not choose header by header.
 
+#include <Cutwater/Core/AffineMap.hpp>
 #include <Cutwater/Core/Box.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/FunctionRef.hpp>
@@ -13,13 +14,16 @@
 #include <Cutwater/Core/RigidTransform.hpp>
 #include <Cutwater/Core/Segment.hpp>
 #include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/Operations/Affine.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/BinaryOperation.hpp>
 #include <Cutwater/Operations/Combination.hpp>
 #include <Cutwater/Operations/Complement.hpp>
 #include <Cutwater/Operations/Intersection.hpp>
 #include <Cutwater/Operations/Labelled.hpp>
+#include <Cutwater/Operations/Mirror.hpp>
 #include <Cutwater/Operations/Offset.hpp>
+#include <Cutwater/Operations/PointMap.hpp>
 #include <Cutwater/Operations/Scale.hpp>
 #include <Cutwater/Operations/SmoothCombination.hpp>
 #include <Cutwater/Operations/SmoothMinimum.hpp>

@@ -1,7 +1,9 @@
+#include <Cutwater/Operations/Affine.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/Complement.hpp>
 #include <Cutwater/Operations/Intersection.hpp>
 #include <Cutwater/Operations/Labelled.hpp>
+#include <Cutwater/Operations/Mirror.hpp>
 #include <Cutwater/Operations/Offset.hpp>
 #include <Cutwater/Operations/Scale.hpp>
 #include <Cutwater/Operations/SmoothCombination.hpp>
@@ -102,6 +104,19 @@ Solid<T> scaledBy(Solid<T> a, T factor) {
 }
 
 template <std::floating_point T>
+Solid<T> mirrorOf(Solid<T> a, const Vec3<T>& point, const Vec3<T>& normal) {
+  const Mirror<T> image(a, point, normal);
+  const auto* const before = a.placement().isIdentity() ? a.template as<Mirror<T>>() : nullptr;
+  if (before != nullptr && before->plane() == image.plane()) return before->operand();
+  return image;
+}
+
+template <std::floating_point T>
+Solid<T> affineImageOf(Solid<T> a, const AffineMap<T>& map) {
+  return Affine<T>(std::move(a), map);
+}
+
+template <std::floating_point T>
 Solid<T> labelled(Solid<T> a, std::string name) {
   return Labelled<T>(std::move(a), std::move(name));
 }
@@ -123,6 +138,10 @@ template Solid<float> offsetOf(const Solid<float>&, float);
 template Solid<double> offsetOf(const Solid<double>&, double);
 template Solid<float> scaledBy(Solid<float>, float);
 template Solid<double> scaledBy(Solid<double>, double);
+template Solid<float> mirrorOf(Solid<float>, const Vec3<float>&, const Vec3<float>&);
+template Solid<float> affineImageOf(Solid<float>, const AffineMap<float>&);
+template Solid<double> mirrorOf(Solid<double>, const Vec3<double>&, const Vec3<double>&);
+template Solid<double> affineImageOf(Solid<double>, const AffineMap<double>&);
 template Solid<float> labelled(Solid<float>, std::string);
 template Solid<double> labelled(Solid<double>, std::string);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/AffineMap.hpp>
 #include <Cutwater/Operations/SmoothMinimum.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
@@ -34,6 +35,10 @@ template <std::floating_point T>
 [[nodiscard]] Solid<T> offsetOf(const Solid<T>& a, T distance);
 template <std::floating_point T>
 [[nodiscard]] Solid<T> scaledBy(Solid<T> a, T factor);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> mirrorOf(Solid<T> a, const Vec3<T>& point, const Vec3<T>& normal);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> affineImageOf(Solid<T> a, const AffineMap<T>& map);
 template <std::floating_point T>
 [[nodiscard]] Solid<T> labelled(Solid<T> a, std::string name);
 
@@ -160,6 +165,21 @@ template <SolidLike A>
 template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> scaled(const A& a, detail::ScalarOf<A> factor) {
   return detail::scaledBy<detail::ScalarOf<A>>(a, factor);
+}
+
+/// The mirror image in the plane through `point`; see Mirror. Mirrored twice in a plane, a solid is
+/// itself.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> mirrored(const A& a, const Vec3<detail::ScalarOf<A>>& normal,
+                                          const Vec3<detail::ScalarOf<A>>& point = {}) {
+  return detail::mirrorOf<detail::ScalarOf<A>>(a, point, normal);
+}
+
+/// The image under any invertible affine map; see Affine.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> transformed(const A& a,
+                                             const AffineMap<detail::ScalarOf<A>>& map) {
+  return detail::affineImageOf<detail::ScalarOf<A>>(a, map);
 }
 
 /// A moved copy; shares the geometry.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Cutwater/Core/AffineMap.hpp>
+#include <Cutwater/Core/Interval.hpp>
 #include <Cutwater/Sdf/Guarantee.hpp>
 
 /// Rules by which a composite's guarantee follows from those of its operands.
@@ -18,6 +20,18 @@ template <std::floating_point T>
 template <std::floating_point T>
 [[nodiscard]] Quality qualityBy(const std::optional<T>& lipschitz) {
   return lipschitz && *lipschitz <= 1 ? Quality::LowerBound : Quality::SignOnly;
+}
+
+/// A box that the inverse of the map takes into the domain: a scaled copy, about its centre, of the
+/// box around the domain's image. Empty if there is none that is certain.
+template <std::floating_point T>
+[[nodiscard]] Box<T> domainUnder(const AffineMap<T>& map, const AffineMap<T>& inverse,
+                                 const Box<T>& domain);
+
+/// What two enclosures of the same values say together.
+template <std::floating_point T>
+[[nodiscard]] Interval<T> intersection(const Interval<T>& a, const Interval<T>& b) {
+  return {a.lower < b.lower ? b.lower : a.lower, a.upper < b.upper ? a.upper : b.upper};
 }
 
 }  // namespace cutwater::detail
