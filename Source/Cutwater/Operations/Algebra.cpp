@@ -1,11 +1,15 @@
 #include <Cutwater/Operations/Affine.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Operations/Blend.hpp>
 #include <Cutwater/Operations/Complement.hpp>
+#include <Cutwater/Operations/Elongation.hpp>
+#include <Cutwater/Operations/Fold.hpp>
 #include <Cutwater/Operations/Intersection.hpp>
 #include <Cutwater/Operations/Labelled.hpp>
 #include <Cutwater/Operations/Mirror.hpp>
 #include <Cutwater/Operations/Offset.hpp>
 #include <Cutwater/Operations/Scale.hpp>
+#include <Cutwater/Operations/Shell.hpp>
 #include <Cutwater/Operations/SmoothCombination.hpp>
 #include <Cutwater/Operations/SymmetricDifference.hpp>
 #include <Cutwater/Operations/Union.hpp>
@@ -117,6 +121,26 @@ Solid<T> affineImageOf(Solid<T> a, const AffineMap<T>& map) {
 }
 
 template <std::floating_point T>
+Solid<T> shellOf(Solid<T> a, T halfThickness) {
+  return Shell<T>(std::move(a), halfThickness);
+}
+
+template <std::floating_point T>
+Solid<T> elongationOf(Solid<T> a, const Vec3<T>& half) {
+  return Elongation<T>(std::move(a), half);
+}
+
+template <std::floating_point T>
+Solid<T> blendOf(Solid<T> a, Solid<T> b, T t) {
+  return Blend<T>(std::move(a), std::move(b), t);
+}
+
+template <std::floating_point T>
+Solid<T> foldOf(Solid<T> a, const Vec3<T>& point, const Vec3<T>& normal) {
+  return Fold<T>(std::move(a), point, normal);
+}
+
+template <std::floating_point T>
 Solid<T> labelled(Solid<T> a, std::string name) {
   return Labelled<T>(std::move(a), std::move(name));
 }
@@ -142,6 +166,14 @@ template Solid<float> mirrorOf(Solid<float>, const Vec3<float>&, const Vec3<floa
 template Solid<float> affineImageOf(Solid<float>, const AffineMap<float>&);
 template Solid<double> mirrorOf(Solid<double>, const Vec3<double>&, const Vec3<double>&);
 template Solid<double> affineImageOf(Solid<double>, const AffineMap<double>&);
+template Solid<float> shellOf(Solid<float>, float);
+template Solid<float> elongationOf(Solid<float>, const Vec3<float>&);
+template Solid<float> blendOf(Solid<float>, Solid<float>, float);
+template Solid<float> foldOf(Solid<float>, const Vec3<float>&, const Vec3<float>&);
+template Solid<double> shellOf(Solid<double>, double);
+template Solid<double> elongationOf(Solid<double>, const Vec3<double>&);
+template Solid<double> blendOf(Solid<double>, Solid<double>, double);
+template Solid<double> foldOf(Solid<double>, const Vec3<double>&, const Vec3<double>&);
 template Solid<float> labelled(Solid<float>, std::string);
 template Solid<double> labelled(Solid<double>, std::string);
 

@@ -40,6 +40,14 @@ template <std::floating_point T>
 template <std::floating_point T>
 [[nodiscard]] Solid<T> affineImageOf(Solid<T> a, const AffineMap<T>& map);
 template <std::floating_point T>
+[[nodiscard]] Solid<T> shellOf(Solid<T> a, T halfThickness);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> elongationOf(Solid<T> a, const Vec3<T>& half);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> blendOf(Solid<T> a, Solid<T> b, T t);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> foldOf(Solid<T> a, const Vec3<T>& point, const Vec3<T>& normal);
+template <std::floating_point T>
 [[nodiscard]] Solid<T> labelled(Solid<T> a, std::string name);
 
 template <typename A>
@@ -180,6 +188,39 @@ template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> transformed(const A& a,
                                              const AffineMap<detail::ScalarOf<A>>& map) {
   return detail::affineImageOf<detail::ScalarOf<A>>(a, map);
+}
+
+/// A wall around the surface, `halfThickness` to either side; see Shell.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> shell(const A& a, detail::ScalarOf<A> halfThickness) {
+  return detail::shellOf<detail::ScalarOf<A>>(a, halfThickness);
+}
+
+/// The solid drawn out by `half` to either side of the origin along each axis; see Elongation.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> elongated(const A& a, const Vec3<detail::ScalarOf<A>>& half) {
+  return detail::elongationOf<detail::ScalarOf<A>>(a, half);
+}
+
+/// Between a (t = 0) and b (t = 1): (1 - t) a + t b; see Blend.
+template <SolidLike A, SolidLike B>
+requires detail::SameScalar<A, B>
+[[nodiscard]] detail::SolidOf<A> blended(const A& a, const B& b, detail::ScalarOf<A> t) {
+  return detail::blendOf<detail::ScalarOf<A>>(a, b, t);
+}
+
+/// The part on the side that the normal looks to, and its mirror image; see Fold.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> folded(const A& a, const Vec3<detail::ScalarOf<A>>& normal,
+                                        const Vec3<detail::ScalarOf<A>>& point = {}) {
+  return detail::foldOf<detail::ScalarOf<A>>(a, point, normal);
+}
+
+/// All of the solid and all of its mirror image: exact outside wherever the plane is.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> unfolded(const A& a, const Vec3<detail::ScalarOf<A>>& normal,
+                                          const Vec3<detail::ScalarOf<A>>& point = {}) {
+  return a | mirrored(a, normal, point);
 }
 
 /// A moved copy; shares the geometry.
