@@ -23,6 +23,7 @@
 #include <Cutwater/Operations/Elongation.hpp>
 #include <Cutwater/Operations/Fold.hpp>
 #include <Cutwater/Operations/Intersection.hpp>
+#include <Cutwater/Operations/Inversion.hpp>
 #include <Cutwater/Operations/Labelled.hpp>
 #include <Cutwater/Operations/Mirror.hpp>
 #include <Cutwater/Operations/Offset.hpp>

@@ -5,6 +5,7 @@
 #include <Cutwater/Operations/Elongation.hpp>
 #include <Cutwater/Operations/Fold.hpp>
 #include <Cutwater/Operations/Intersection.hpp>
+#include <Cutwater/Operations/Inversion.hpp>
 #include <Cutwater/Operations/Labelled.hpp>
 #include <Cutwater/Operations/Mirror.hpp>
 #include <Cutwater/Operations/Offset.hpp>
@@ -140,6 +141,17 @@ Solid<T> foldOf(Solid<T> a, const Vec3<T>& point, const Vec3<T>& normal) {
   return Fold<T>(std::move(a), point, normal);
 }
 
+/// A complement is inverted as the complement of the image of what it leaves out, which may be
+/// bounded.
+template <std::floating_point T>
+Solid<T> inversionOf(const Solid<T>& a) {
+  const auto* const rest = a.template as<Complement<T>>();
+  if (rest == nullptr) return Inversion<T>(a);
+  auto leftOut = rest->operand();
+  leftOut.setPlacement(RigidTransform<T>::composed(leftOut.placement(), a.placement()));
+  return complementOf(inversionOf(leftOut));
+}
+
 template <std::floating_point T>
 Solid<T> labelled(Solid<T> a, std::string name) {
   return Labelled<T>(std::move(a), std::move(name));
@@ -174,6 +186,8 @@ template Solid<double> shellOf(Solid<double>, double);
 template Solid<double> elongationOf(Solid<double>, const Vec3<double>&);
 template Solid<double> blendOf(Solid<double>, Solid<double>, double);
 template Solid<double> foldOf(Solid<double>, const Vec3<double>&, const Vec3<double>&);
+template Solid<float> inversionOf(const Solid<float>&);
+template Solid<double> inversionOf(const Solid<double>&);
 template Solid<float> labelled(Solid<float>, std::string);
 template Solid<double> labelled(Solid<double>, std::string);
 

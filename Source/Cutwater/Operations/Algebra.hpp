@@ -48,6 +48,8 @@ template <std::floating_point T>
 template <std::floating_point T>
 [[nodiscard]] Solid<T> foldOf(Solid<T> a, const Vec3<T>& point, const Vec3<T>& normal);
 template <std::floating_point T>
+[[nodiscard]] Solid<T> inversionOf(const Solid<T>& a);
+template <std::floating_point T>
 [[nodiscard]] Solid<T> labelled(Solid<T> a, std::string name);
 
 template <typename A>
@@ -221,6 +223,12 @@ template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> unfolded(const A& a, const Vec3<detail::ScalarOf<A>>& normal,
                                           const Vec3<detail::ScalarOf<A>>& point = {}) {
   return a | mirrored(a, normal, point);
+}
+
+/// The image under inversion in the unit sphere about the origin; see Inversion.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> inverted(const A& a) {
+  return detail::inversionOf<detail::ScalarOf<A>>(a);
 }
 
 /// A moved copy; shares the geometry.
