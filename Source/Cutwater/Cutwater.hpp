@@ -28,6 +28,7 @@
 #include <Cutwater/Operations/Mirror.hpp>
 #include <Cutwater/Operations/Offset.hpp>
 #include <Cutwater/Operations/PointMap.hpp>
+#include <Cutwater/Operations/Repetition.hpp>
 #include <Cutwater/Operations/Scale.hpp>
 #include <Cutwater/Operations/Shell.hpp>
 #include <Cutwater/Operations/SmoothCombination.hpp>

@@ -9,6 +9,7 @@
 #include <Cutwater/Operations/Labelled.hpp>
 #include <Cutwater/Operations/Mirror.hpp>
 #include <Cutwater/Operations/Offset.hpp>
+#include <Cutwater/Operations/Repetition.hpp>
 #include <Cutwater/Operations/Scale.hpp>
 #include <Cutwater/Operations/Shell.hpp>
 #include <Cutwater/Operations/SmoothCombination.hpp>
@@ -153,6 +154,11 @@ Solid<T> inversionOf(const Solid<T>& a) {
 }
 
 template <std::floating_point T>
+Solid<T> repetitionOf(Solid<T> a, const Repeats<T>& repeats) {
+  return Repetition<T>(std::move(a), repeats);
+}
+
+template <std::floating_point T>
 Solid<T> labelled(Solid<T> a, std::string name) {
   return Labelled<T>(std::move(a), std::move(name));
 }
@@ -188,6 +194,8 @@ template Solid<double> blendOf(Solid<double>, Solid<double>, double);
 template Solid<double> foldOf(Solid<double>, const Vec3<double>&, const Vec3<double>&);
 template Solid<float> inversionOf(const Solid<float>&);
 template Solid<double> inversionOf(const Solid<double>&);
+template Solid<float> repetitionOf(Solid<float>, const Repeats<float>&);
+template Solid<double> repetitionOf(Solid<double>, const Repeats<double>&);
 template Solid<float> labelled(Solid<float>, std::string);
 template Solid<double> labelled(Solid<double>, std::string);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/AffineMap.hpp>
+#include <Cutwater/Operations/Repetition.hpp>
 #include <Cutwater/Operations/SmoothMinimum.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
@@ -49,6 +50,8 @@ template <std::floating_point T>
 [[nodiscard]] Solid<T> foldOf(Solid<T> a, const Vec3<T>& point, const Vec3<T>& normal);
 template <std::floating_point T>
 [[nodiscard]] Solid<T> inversionOf(const Solid<T>& a);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> repetitionOf(Solid<T> a, const Repeats<T>& repeats);
 template <std::floating_point T>
 [[nodiscard]] Solid<T> labelled(Solid<T> a, std::string name);
 
@@ -229,6 +232,13 @@ template <SolidLike A>
 template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> inverted(const A& a) {
   return detail::inversionOf<detail::ScalarOf<A>>(a);
+}
+
+/// Copies at multiples of a period along each axis, e.g. repeated(a, {.period = {2, 2, 0}}) for
+/// endless rows and columns, or with .count = {3, 4, 1}; see Repetition.
+template <SolidLike A>
+[[nodiscard]] detail::SolidOf<A> repeated(const A& a, const Repeats<detail::ScalarOf<A>>& repeats) {
+  return detail::repetitionOf<detail::ScalarOf<A>>(a, repeats);
 }
 
 /// A moved copy; shares the geometry.
