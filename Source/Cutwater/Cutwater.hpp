@@ -20,6 +20,7 @@
 #include <Cutwater/Operations/Blend.hpp>
 #include <Cutwater/Operations/Combination.hpp>
 #include <Cutwater/Operations/Complement.hpp>
+#include <Cutwater/Operations/Displacement.hpp>
 #include <Cutwater/Operations/Elongation.hpp>
 #include <Cutwater/Operations/Fold.hpp>
 #include <Cutwater/Operations/Intersection.hpp>
@@ -36,7 +37,9 @@
 #include <Cutwater/Operations/SymmetricDifference.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 #include <Cutwater/Operations/Union.hpp>
+#include <Cutwater/Operations/Warp.hpp>
 #include <Cutwater/Sdf/BoxQuery.hpp>
+#include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Sdf/Guarantee.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 #include <Cutwater/Sdf/Solid.hpp>

@@ -159,6 +159,11 @@ Solid<T> repetitionOf(Solid<T> a, const Repeats<T>& repeats) {
 }
 
 template <std::floating_point T>
+Solid<T> displacementOf(Solid<T> a, Solid<T> h, const FunctionLimits<T>& limits) {
+  return Displacement<T>(std::move(a), std::move(h), limits.amplitude);
+}
+
+template <std::floating_point T>
 Solid<T> labelled(Solid<T> a, std::string name) {
   return Labelled<T>(std::move(a), std::move(name));
 }
@@ -196,6 +201,8 @@ template Solid<float> inversionOf(const Solid<float>&);
 template Solid<double> inversionOf(const Solid<double>&);
 template Solid<float> repetitionOf(Solid<float>, const Repeats<float>&);
 template Solid<double> repetitionOf(Solid<double>, const Repeats<double>&);
+template Solid<float> displacementOf(Solid<float>, Solid<float>, const FunctionLimits<float>&);
+template Solid<double> displacementOf(Solid<double>, Solid<double>, const FunctionLimits<double>&);
 template Solid<float> labelled(Solid<float>, std::string);
 template Solid<double> labelled(Solid<double>, std::string);
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Cutwater/Core/AffineMap.hpp>
+#include <Cutwater/Operations/Displacement.hpp>
 #include <Cutwater/Operations/Repetition.hpp>
 #include <Cutwater/Operations/SmoothMinimum.hpp>
+#include <Cutwater/Operations/Warp.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
 #include <string>
@@ -52,6 +54,8 @@ template <std::floating_point T>
 [[nodiscard]] Solid<T> inversionOf(const Solid<T>& a);
 template <std::floating_point T>
 [[nodiscard]] Solid<T> repetitionOf(Solid<T> a, const Repeats<T>& repeats);
+template <std::floating_point T>
+[[nodiscard]] Solid<T> displacementOf(Solid<T> a, Solid<T> h, const FunctionLimits<T>& limits);
 template <std::floating_point T>
 [[nodiscard]] Solid<T> labelled(Solid<T> a, std::string name);
 
@@ -239,6 +243,33 @@ template <SolidLike A>
 template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> repeated(const A& a, const Repeats<detail::ScalarOf<A>>& repeats) {
   return detail::repetitionOf<detail::ScalarOf<A>>(a, repeats);
+}
+
+/// The solid with h(p) added to its value; see Displacement.
+///
+///     displaced(ball, [](const Vec3<double>& p) { return 0.1 * std::sin(5 * p.x); },
+///               {.lipschitz = 0.5, .amplitude = 0.1})
+///
+/// @throws Error unless the limits are finite or none, and not negative.
+template <SolidLike A, typename Function>
+[[nodiscard]] detail::SolidOf<A> displaced(const A& a, Function h,
+                                           const FunctionLimits<detail::ScalarOf<A>>& limits) {
+  using T = detail::ScalarOf<A>;
+  detail::requireLimits<T>("displaced", limits);
+  const auto promise = detail::guaranteeOf<T>(limits, h(Vec3<T>{}));
+  return detail::displacementOf<T>(a, FunctionSDF<T, Function>(std::move(h), promise), limits);
+}
+
+/// The solid seen from p + v(p); see Warp.
+///
+///     warped(beam, [](const Vec3<double>& p) { return Vec3<double>{0.1 * std::sin(p.z), 0, 0}; },
+///            {.lipschitz = 0.1, .amplitude = 0.1})
+///
+/// @throws Error unless the limits are finite or none, and not negative.
+template <SolidLike A, typename Function>
+[[nodiscard]] detail::SolidOf<A> warped(const A& a, Function v,
+                                        const FunctionLimits<detail::ScalarOf<A>>& limits) {
+  return WarpBy<detail::ScalarOf<A>, Function>(a, std::move(v), limits);
 }
 
 /// A moved copy; shares the geometry.
