@@ -101,6 +101,21 @@ TYPED_TEST(AffineTest, KeepsItsGuarantee) {
   expectGuarantee(transformed(transformed(this->box_, this->oblique_), stretch<T>(3, 1, 1)), 8);
 }
 
+TYPED_TEST(AffineTest, CrossingsHaveTheNormalsOfTheImage) {
+  using T = TypeParam;
+  const auto image = transformed(this->ring_, this->oblique_);
+  RandomPoints<T> points(3);
+  int found = 0;
+  for (int i = 0; i < 200; ++i) {
+    image.crossings({points.next(), points.next()}, [&](const Crossing<T>& c) {
+      const auto normal = image.normal(c.point, sizeof(T) == 4 ? T(1e-2) : T(1e-5));
+      EXPECT_NEAR(dot(c.normal, normal), T(1), T(2e-3)) << c.point;
+      return ++found > 0;
+    });
+  }
+  EXPECT_GT(found, 50);
+}
+
 TYPED_TEST(AffineTest, OfUnequalStretchRoundsAsItStates) {
   const auto make = [](auto scalar) {
     using S = decltype(scalar);

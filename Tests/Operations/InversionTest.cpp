@@ -83,6 +83,18 @@ TYPED_TEST(InversionTest, KeepsItsGuarantee) {
   expectGuarantee(translated(rotated(inverted(this->ball_ | box), 20, {1, 2, 3}), {1, 0, 0}), 3);
 }
 
+TYPED_TEST(InversionTest, OfABoundKeepsItsLipschitzConstant) {
+  using T = TypeParam;
+  // Near the centre of what is cut off, the value is as deep as the solid is far: with the radius
+  // of the surface, the bound would change 80 times as fast as the point.
+  const auto cap = Sphere<T>({0, 0, 0}, 1) - Sphere<T>({-40, 0, 0}, 40);
+  const auto image = inverted(cap);
+  EXPECT_EQ(image.guarantee().lipschitz, T(1));
+  const Vec3<T> p{T(-1 / 40.1), 0, 0};
+  const Vec3<T> q{T(-1 / 40.4), 0, 0};
+  EXPECT_LE(std::abs(image.signedDistance(p) - image.signedDistance(q)), T(1.1) * length(p - q));
+}
+
 TYPED_TEST(InversionTest, TheOriginStandsForInfinity) {
   using T = TypeParam;
   const auto image = inverted(this->ball_);

@@ -125,6 +125,20 @@ TYPED_TEST(RepetitionTest, KeepsItsGuarantee) {
   expectGuarantee(translated(moved, {1, 0, 0}), 5);
 }
 
+TYPED_TEST(RepetitionTest, BoundsCountAtLeastAsTheDistanceToTheBox) {
+  using T = TypeParam;
+  // A pill of half length 4, whose own value grows by only 1/4 along its axis.
+  const AffineMap<T> stretch{{{{4, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {}};
+  const auto pill = transformed(Sphere<T>({0, 0, 0}, 1), stretch);
+  EXPECT_NEAR(pill.signedDistance({5, 0, 0}), T(0.25), tolerance<T>(1));
+  const auto row = repeated(pill, {.period = {10, 0, 0}});
+  EXPECT_NEAR(row.signedDistance({5, 0, 0}), T(1), tolerance<T>(8, 256));
+  EXPECT_NEAR(row.signedDistance({105, 0, 0}), T(1), tolerance<T>(100, 64));
+  EXPECT_NEAR(row.signedDistance({5, 3, 0}), T(2.25), tolerance<T>(8, 64));  // its own is more
+  EXPECT_NEAR(row.gradient({T(4.5), 0, 0}).x, T(1), tolerance<T>(1));
+  expectGuarantee(row, 8);
+}
+
 TYPED_TEST(RepetitionTest, FarAwayCopiesRoundAsItStates) {
   const auto make = [](auto scalar) {
     using S = decltype(scalar);

@@ -31,6 +31,8 @@ TYPED_TEST(ShellTest, MatchesHandComputedValues) {
   std::size_t found = 0;
   wall.crossings({{-9, 0, 0}, {9, 0, 0}}, [&](const Crossing<T>&) { return ++found > 0; });
   EXPECT_EQ(found, 4U);
+  const auto range = wall.bounds({{-9, -9, -9}, {9, 9, 9}});
+  EXPECT_NEAR(range.lower, T(-0.5), tolerance<T>(8));  // nowhere deeper, however large the box
   EXPECT_EQ(wall.classify({{0, -1, -1}, {2, 1, 1}}), BoxClass::Cut);  // corners in the wall
   EXPECT_EQ(wall.classify({{T(0.5), T(-0.5), T(-0.5)}, {T(1.5), T(0.5), T(0.5)}}),
             BoxClass::Outside);

@@ -89,8 +89,7 @@ bool Inversion<T>::isOrigin(T radius) const {
 
 template <std::floating_point T>
 T Inversion<T>::bound(T value, T radius) const {
-  const T byValue = std::abs(value) / divisor_;
-  return value < 0 ? byValue : std::max(byValue, 1 / radius - surfaceRadius_);
+  return std::max(std::abs(value) / divisor_, 1 / radius - surfaceRadius_);
 }
 
 template <std::floating_point T>
