@@ -28,4 +28,13 @@ struct AffineMap {
 extern template struct AffineMap<float>;
 extern template struct AffineMap<double>;
 
+namespace detail {
+
+/// A box that the inverse of the map takes into the domain: a scaled copy, about its centre, of the
+/// box around the domain's image. Empty if there is none that is certain.
+template <std::floating_point T>
+Box<T> domainUnder(const AffineMap<T>& map, const AffineMap<T>& inverse, const Box<T>& domain);
+
+}  // namespace detail
+
 }  // namespace cutwater

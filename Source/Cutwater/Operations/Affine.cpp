@@ -1,6 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Affine.hpp>
-#include <Cutwater/Operations/DerivedGuarantee.hpp>
 
 #include <algorithm>
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Cutwater/Core/AffineMap.hpp>
 #include <Cutwater/Core/Interval.hpp>
 #include <Cutwater/Sdf/Guarantee.hpp>
 
@@ -21,12 +20,6 @@ template <std::floating_point T>
 [[nodiscard]] Quality qualityBy(const std::optional<T>& lipschitz) {
   return lipschitz && *lipschitz <= 1 ? Quality::LowerBound : Quality::SignOnly;
 }
-
-/// A box that the inverse of the map takes into the domain: a scaled copy, about its centre, of the
-/// box around the domain's image. Empty if there is none that is certain.
-template <std::floating_point T>
-[[nodiscard]] Box<T> domainUnder(const AffineMap<T>& map, const AffineMap<T>& inverse,
-                                 const Box<T>& domain);
 
 /// What two enclosures of the same values say together.
 template <std::floating_point T>

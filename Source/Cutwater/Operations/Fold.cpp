@@ -1,4 +1,3 @@
-#include <Cutwater/Operations/DerivedGuarantee.hpp>
 #include <Cutwater/Operations/Fold.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
 

@@ -1,4 +1,3 @@
-#include <Cutwater/Operations/DerivedGuarantee.hpp>
 #include <Cutwater/Operations/Mirror.hpp>
 #include <Cutwater/Shapes/Direction.hpp>
 
