@@ -150,6 +150,10 @@ class SignedDistanceFunction {
     return operand.localClassify(operand.toLocal(box), nullptr);
   }
 
+  // How the default of localClassify() is certain that a box within the domain is cut.
+  [[nodiscard]] bool holdsNearestPoint(const OrientedBox<T>& box) const;
+  [[nodiscard]] bool holdsBothSides(const OrientedBox<T>& box) const;
+
  private:
   template <std::floating_point>
   friend class Solid;  // forwards the local functions of the shape it holds
