@@ -21,6 +21,7 @@ class Affine final : public PointMap<T> {
   Affine(Solid<T> operand, const AffineMap<T>& map);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Affine image"; }
   [[nodiscard]] Vec3<T> mapped(const Vec3<T>& p) const override;
   [[nodiscard]] OrientedBox<T> mapped(const OrientedBox<T>& box) const override;
   [[nodiscard]] Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const override;

@@ -32,6 +32,9 @@ class BinaryOperation : public SignedDistanceFunction<T> {
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
+  void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const override {
+    for (const auto& operand : operands_) visit(operand);
+  }
 
  private:
   std::array<Solid<T>, 2> operands_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/BinaryOperation.hpp>
 
 namespace cutwater {
@@ -18,6 +19,9 @@ class Blend final : public BinaryOperation<T> {
   Blend(Solid<T> a, Solid<T> b, T t);
 
  private:
+  [[nodiscard]] std::string localName() const override {
+    return "Blend at " + detail::toText(double{t_});
+  }
   [[nodiscard]] T combined(T a, T b) const override;
   [[nodiscard]] Interval<T> combined(const Interval<T>& a, const Interval<T>& b) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;

@@ -19,6 +19,7 @@ class Displacement final : public BinaryOperation<T> {
   Displacement(Solid<T> operand, Solid<T> h, T amplitude);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Displacement"; }
   [[nodiscard]] T combined(T a, T b) const override { return a + b; }
   [[nodiscard]] Interval<T> combined(const Interval<T>& a, const Interval<T>& b) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;

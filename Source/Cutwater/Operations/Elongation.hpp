@@ -17,6 +17,7 @@ class Elongation final : public PointMap<T> {
   Elongation(Solid<T> operand, const Vec3<T>& half);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Elongation"; }
   [[nodiscard]] Vec3<T> mapped(const Vec3<T>& p) const override;
   [[nodiscard]] OrientedBox<T> mapped(const OrientedBox<T>& box) const override;
   [[nodiscard]] Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const override;

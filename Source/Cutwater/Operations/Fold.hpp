@@ -19,6 +19,7 @@ class Fold final : public PointMap<T> {
   Fold(Solid<T> operand, const Vec3<T>& point, const Vec3<T>& normal);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Fold"; }
   [[nodiscard]] Vec3<T> mapped(const Vec3<T>& p) const override;
   [[nodiscard]] OrientedBox<T> mapped(const OrientedBox<T>& box) const override;
   [[nodiscard]] Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const override;

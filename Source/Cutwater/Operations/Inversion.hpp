@@ -26,6 +26,7 @@ class Inversion final : public UnaryOperation<T> {
   explicit Inversion(Solid<T> operand);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Inversion"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;

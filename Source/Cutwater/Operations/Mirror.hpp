@@ -33,6 +33,7 @@ class MirrorPlane {
   bool operator==(const MirrorPlane&) const = default;
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Mirror image"; }
   Vec3<T> point_;
   Vec3<T> normal_;  // unit
 };

@@ -37,6 +37,7 @@ class Repetition final : public UnaryOperation<T> {
   Repetition(Solid<T> operand, const Repeats<T>& repeats);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Repetition"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 
 namespace cutwater {
@@ -19,6 +20,9 @@ class Shell final : public UnaryOperation<T> {
   Shell(Solid<T> operand, T halfThickness);
 
  private:
+  [[nodiscard]] std::string localName() const override {
+    return "Shell of " + detail::toText(double{halfThickness_}) + " to either side";
+  }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;

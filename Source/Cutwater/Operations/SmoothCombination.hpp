@@ -37,6 +37,12 @@ class SmoothCombination final : public SignedDistanceFunction<T> {
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const override { return boundingBox_; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
+  [[nodiscard]] std::string localName() const override {
+    return result_ == Result::Union ? "Smooth union" : "Smooth intersection";
+  }
+  void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const override {
+    for (const auto& operand : operands_) visit(operand);
+  }
 
   void deriveGuarantee();
   void deriveBoundingBox();

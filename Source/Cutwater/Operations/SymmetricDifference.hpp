@@ -17,6 +17,7 @@ class SymmetricDifference final : public BinaryOperation<T> {
   SymmetricDifference(Solid<T> a, Solid<T> b) : BinaryOperation<T>(std::move(a), std::move(b)) {}
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Symmetric difference"; }
   [[nodiscard]] T combined(T a, T b) const override;
   [[nodiscard]] Interval<T> combined(const Interval<T>& a, const Interval<T>& b) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;

@@ -23,6 +23,7 @@ class Warp : public PointMap<T> {
   [[nodiscard]] virtual Vec3<T> shift(const Vec3<T>& p) const = 0;
 
  private:
+  [[nodiscard]] std::string localName() const final { return "Warp"; }
   [[nodiscard]] Vec3<T> mapped(const Vec3<T>& p) const final { return p + shift(p); }
   [[nodiscard]] OrientedBox<T> mapped(const OrientedBox<T>& box) const final;
   [[nodiscard]] Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const final;

@@ -8,6 +8,12 @@
 
 namespace cutwater {
 
+/// What can be asked for a number at a point.
+template <typename F, typename T>
+concept PointFunction = std::is_invocable_r_v < T,
+        const F&, const Vec3<T>
+& > ;
+
 /// A function of the user's own as a solid: {function < 0}, with what its values promise.
 ///
 ///     const FunctionSDF bumpy([](const Vec3<double>& p) { return ...; },
@@ -19,9 +25,8 @@ namespace cutwater {
 /// called from several threads at once and must not throw.
 ///
 /// @throws Error if the Lipschitz constant or the rounding is negative or not a number.
-template <std::floating_point T, typename Function>
-requires std::is_invocable_r_v < T, const Function&, const Vec3<T>
-& > class FunctionSDF final : public SignedDistanceFunction<T> {
+template <std::floating_point T, PointFunction<T> Function>
+class FunctionSDF final : public SignedDistanceFunction<T> {
  public:
   /// `boundingBox`: encloses where the function is not positive, if that is known.
   FunctionSDF(Function function, const Guarantee<T>& guarantee,
