@@ -33,7 +33,6 @@ class MirrorPlane {
   bool operator==(const MirrorPlane&) const = default;
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Mirror image"; }
   Vec3<T> point_;
   Vec3<T> normal_;  // unit
 };
@@ -58,6 +57,7 @@ class Mirror final : public PointMap<T> {
   [[nodiscard]] const detail::MirrorPlane<T>& plane() const { return plane_; }
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Mirror image"; }
   [[nodiscard]] Vec3<T> mapped(const Vec3<T>& p) const override;
   [[nodiscard]] OrientedBox<T> mapped(const OrientedBox<T>& box) const override;
   [[nodiscard]] Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const override;
