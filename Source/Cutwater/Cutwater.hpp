@@ -2,6 +2,7 @@
 
 /// Everything that is public, for those who do not choose header by header.
 
+#include <Cutwater/Core/AffineMap.hpp>
 #include <Cutwater/Core/Box.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/FunctionRef.hpp>
@@ -14,16 +15,32 @@
 #include <Cutwater/Core/Segment.hpp>
 #include <Cutwater/Core/Vec2.hpp>
 #include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/Operations/Affine.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Operations/BinaryOperation.hpp>
+#include <Cutwater/Operations/Blend.hpp>
 #include <Cutwater/Operations/Combination.hpp>
 #include <Cutwater/Operations/Complement.hpp>
+#include <Cutwater/Operations/Displacement.hpp>
+#include <Cutwater/Operations/Elongation.hpp>
+#include <Cutwater/Operations/Fold.hpp>
 #include <Cutwater/Operations/Intersection.hpp>
+#include <Cutwater/Operations/Inversion.hpp>
 #include <Cutwater/Operations/Labelled.hpp>
+#include <Cutwater/Operations/Mirror.hpp>
 #include <Cutwater/Operations/Offset.hpp>
+#include <Cutwater/Operations/PointMap.hpp>
+#include <Cutwater/Operations/Repetition.hpp>
 #include <Cutwater/Operations/Scale.hpp>
+#include <Cutwater/Operations/Shell.hpp>
+#include <Cutwater/Operations/SmoothCombination.hpp>
+#include <Cutwater/Operations/SmoothMinimum.hpp>
+#include <Cutwater/Operations/SymmetricDifference.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 #include <Cutwater/Operations/Union.hpp>
+#include <Cutwater/Operations/Warp.hpp>
 #include <Cutwater/Sdf/BoxQuery.hpp>
+#include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Sdf/Guarantee.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 #include <Cutwater/Sdf/Solid.hpp>

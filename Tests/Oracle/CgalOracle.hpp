@@ -70,6 +70,11 @@ class CgalOracle {
                                           : Side::Outside;
   }
   bool isInside(const Vec3<double>& p) const { return side(p) == Side::Inside; }
+  /// Whether the box and the surface have a point in common.
+  bool meets(const Box<double>& box) const {
+    const auto& [a, b] = box;
+    return tree_->do_intersect(Kernel::Iso_cuboid_3(Point(a.x, a.y, a.z), Point(b.x, b.y, b.z)));
+  }
 
   /// Closed, free of self-intersections by exact tests, and every shell outward or a cavity, once
   /// all is turned as it has to be.

@@ -52,6 +52,37 @@ TEST_P(RealMeshesTest, TakesFewBytesPerTriangle) {
   EXPECT_LE(MeshSDF<float>(soup_).memoryBytes(), 110 * triangles);
 }
 
+TEST_P(RealMeshesTest, ClassifiesBoxesAsCgalDoes) {
+  const MeshSDF<double> mesh(soup_);
+  const CgalOracle oracle(soup_);
+  Probes probes(soup_, 23);
+  const double size = soup_.boundingBox().diagonal();
+  const int count = scaled(3'000);
+  int cut = 0;
+  int unknown = 0;
+  for (int i = 0; i < count; ++i) {
+    const auto corner = probes.next();
+    const auto spread = abs(probes.next() - soup_.boundingBox().center());
+    const auto extent =
+        std::pow(10.0, -0.5 * (i % 8)) * (0.1 * spread + 1e-3 * Vec3<double>{size, size, size});
+    const Box<double> box{corner, corner + extent};
+    const auto kind = mesh.classify(box);
+    const auto bounds = mesh.bounds(box);
+    if (kind == BoxClass::Unknown) {
+      ++unknown;
+    } else {
+      ASSERT_EQ(kind == BoxClass::Cut, oracle.meets(box)) << i;
+    }
+    cut += kind == BoxClass::Cut ? 1 : 0;
+    if (kind != BoxClass::Cut && kind != BoxClass::Unknown) {
+      ASSERT_EQ(kind == BoxClass::Inside, oracle.isInside(box.center())) << i;
+    }
+    for (int k = 0; k < 8; ++k) ASSERT_TRUE(bounds.contains(mesh.signedDistance(box.corner(k))));
+  }
+  EXPECT_GT(cut, count / 20);
+  EXPECT_LT(unknown, count / 200 + 2);
+}
+
 TEST_P(RealMeshesTest, AgreesWithCgalInDistanceAndSign) {
   const MeshSDF<double> mesh(soup_);
   EXPECT_EQ(mesh.signReport().turnedShells, GetParam().turnedShells);

@@ -10,7 +10,7 @@ MAY_INCLUDE = {
     "Bvh": "Core Simd",
     "Sdf": "Core",
     "Shapes": "Core Bvh Sdf",
-    "Operations": "Core Bvh Sdf",
+    "Operations": "Core Bvh Sdf Shapes",
     "Mesh": "Core Simd Bvh Sdf",
     "Lattice": "Core Simd Bvh Sdf Shapes Operations",
     "Tpms": "Core Simd Sdf Operations",

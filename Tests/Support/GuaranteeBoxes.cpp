@@ -32,6 +32,11 @@ void GuaranteeCheck<T>::checkOneBox(const Box<T>& box, Tally& bounds, Tally& cla
   const auto kind = solid_.classify(box);
   bounds.expect(solid_.bounds(box, &hint) == range && solid_.classify(box, &hint) == kind,
                 "a hint changes the answer");
+  const auto octant = Box<T>{box.center(), box.center()}.extend(box.corner(5));
+  bounds.expect(solid_.classify(octant, &hint) == solid_.classify(octant) &&
+                    solid_.bounds(octant, &hint) == solid_.bounds(octant),
+                "a hint changes the answer for an octant of", box.lower, box.upper);
+  checkDistanceBounds(box, bounds);
   int inside = 0;
   int outside = 0;
   for (int i = 0; i < 32; ++i) {
@@ -61,6 +66,30 @@ void GuaranteeCheck<T>::checkOneBox(const Box<T>& box, Tally& bounds, Tally& cla
                    box.upper, "of class", static_cast<int>(kind));
   } else if (kind == BoxClass::Cut) {
     classes.expect(range.contains(0), "cut, but bounds exclude 0", range.lower, range.upper);
+  }
+}
+
+template <std::floating_point T>
+void GuaranteeCheck<T>::checkDistanceBounds(const Box<T>& box, Tally& bounds) const {
+  const auto distances = solid_.distanceBounds(box);
+  const auto range = solid_.bounds(box);
+  bounds.expect(distances.lower >= 0 && distances.lower <= distances.upper, "distances from",
+                distances.lower, "to", distances.upper);
+  if (samples_.points().empty()) return;
+  for (int i = 0; i < 9; i += 4) {
+    const auto p = i == 8 ? box.center() : box.corner(i);
+    const double nearest = samples_.nearest(Vec3<double>(p)).distance;
+    const double cover = options_.covering * samples_.spacing();
+    const double rounding{error(p)};
+    // Farther away there may be surface that was not sampled.
+    const double reach = double{maxComponent(abs(p))} + double{distances.upper} + cover;
+    bounds.expect(double{distances.lower} <= nearest + rounding &&
+                      (reach > extent_ || double{distances.upper} >= nearest - cover - rounding),
+                  "distance", nearest, "at", p, "not in", distances.lower, distances.upper);
+  }
+  if (promise_.outside == Quality::Exact && range.lower > 0 &&
+      promise_.domain == Box<T>::everywhere()) {
+    bounds.expect(distances == range, "distances outside are not the values");
   }
 }
 

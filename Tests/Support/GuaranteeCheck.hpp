@@ -58,6 +58,7 @@ class GuaranteeCheck {
   // Boxes: GuaranteeBoxes.cpp
   void checkBoxes();
   void checkOneBox(const Box<T>& box, Tally& bounds, Tally& classes);
+  void checkDistanceBounds(const Box<T>& box, Tally& bounds) const;
   /// Proves by values and the Lipschitz constant alone that the box holds no surface, if it can.
   [[nodiscard]] bool isCertainlyFree(const Box<T>& box, int depth) const;
   void checkBoundingBox();

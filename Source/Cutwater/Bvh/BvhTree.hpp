@@ -1,8 +1,6 @@
 #pragma once
 
-#include <Cutwater/Bvh/BvhNode.hpp>
-#include <Cutwater/Bvh/BvhSegment.hpp>
-#include <Cutwater/Core/Box.hpp>
+#include <Cutwater/Bvh/TraversalKeys.hpp>
 #include <Cutwater/Core/Segment.hpp>
 
 #include <algorithm>
@@ -29,9 +27,6 @@ class BvhTree {
   /// No tree of the builder is deeper: see detail::mostLevels() in BinaryBvh.hpp.
   static constexpr int kMaxDepth = 65 - static_cast<int>(std::bit_width(unsigned{W}));
 
-  /// A limit above all keys. Not infinity, which a user's -ffast-math would be free to ignore.
-  static constexpr float kNoLimit = std::numeric_limits<float>::max();
-
   BvhTree() = default;
   /// `depth`: of the deepest node, counted from 1 at the root; at most kMaxDepth.
   BvhTree(const BvhFrame& frame, std::span<const BvhNode<K>> nodes,
@@ -51,7 +46,7 @@ class BvhTree {
 
   /// The one traversal: visits leaves in the order of their keys, those above the limit not at all.
   ///
-  /// `keys(node, out)` writes a lower bound for each lane of a node, at most kNoLimit; those of
+  /// `keys(node, out)` writes a lower bound for each lane of a node, at most kMostKey; those of
   /// unused lanes do not matter. `leaf(slots)` handles the ids of a leaf and returns the limit from
   /// then on; one below all keys ends the traversal.
   template <typename Keys, typename Leaf>
@@ -66,10 +61,15 @@ class BvhTree {
   template <typename Leaf>
   void nearest(const Vec3<double>& p, double best, double error, Leaf&& leafVisitor) const;
 
+  /// Visits leaves that may hold a primitive nearest to some point of the box, nearest first:
+  /// leaf(slots) returns the least distance so far of a primitive from the box; those that are
+  /// farther are not visited.
+  template <typename Leaf>
+  void nearest(const OrientedBox<double>& box, double best, Leaf&& leafVisitor) const;
+
   /// Visits the leaves whose box meets `box`: leaf(slots) answers whether to go on.
   template <typename Leaf>
-  void overlapping(const Box<double>& box, Leaf&& leafVisitor) const;
-
+  void overlapping(const OrientedBox<double>& box, Leaf&& leafVisitor) const;
   /// Visits the leaves whose box the segment meets, or comes within `margin` of on every axis,
   /// about in the order in which it does.
   ///
@@ -102,102 +102,6 @@ class BvhTree {
     }
     return best;
   }
-
-  /// Keys for traverse(): squared distances from `p`, in the tree's frame, to boxes; never more
-  /// than the true ones but for the rounding of the squares.
-  struct SquaredDistances {
-    Vec3<double> p;
-
-    CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
-      const BvhLocalPoint local = node.toLocalFloat(p);
-      typename BvhNode<K>::Lanes sums{};
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
-        const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
-        const float most = local.position[axis] + local.error;
-        const float least = local.position[axis] - local.error;
-        for (std::size_t k = 0; k < K; ++k) {
-          const float under = lowers[k] - most;
-          const float over = least - uppers[k];
-          const float gap = under > over ? under : over;
-          sums[k] += gap > 0 ? gap * gap : 0;
-        }
-      }
-      for (std::size_t k = 0; k < K; ++k) out[k] = sums[k] < kNoLimit ? sums[k] : kNoLimit;
-    }
-  };
-
-  /// Rounded to float towards `direction` and on by more than an ulp. Boxes of the tree end at
-  /// about 1, so far beyond it nothing needs to be told apart.
-  [[nodiscard]] CUTWATER_INLINE static float outward(double value, int direction) {
-    constexpr double kFar = 1e30;
-    const double margin = 0x1p-23 * std::abs(value) + 0x1p-126;
-    return static_cast<float>(std::clamp(value + direction * margin, -kFar, kFar));
-  }
-
-  /// Keys for traverse(): on the axis on which they are farthest apart, the gap between a box and
-  /// those of a node's children; 0 where they meet, or might but for rounding.
-  class Gaps {
-   public:
-    CUTWATER_INLINE Gaps(const BvhFrame& frame, const Box<double>& box)
-        : middle_(frame.toFrame(box.center())),
-          half_((0.5 * frame.scale) * box.size()),
-          slack_(0x1p-48 * (maxComponent(abs(middle_)) + maxComponent(half_) + 1)) {}
-
-    // The lane loop is innermost and writes to an array of its own: so compilers vectorise it.
-    CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
-      const Vec3<double> center = node.toLocal(middle_);
-      typename BvhNode<K>::Lanes gaps{};
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto& row = node.axes[static_cast<std::size_t>(axis)];
-        // What the box spans, and more than the rounding of it all.
-        const double reach = dot(abs(Vec3<double>(row)), half_) + slack_;
-        const auto first = outward(center[axis] - reach, -1);
-        const auto last = outward(center[axis] + reach, 1);
-        const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
-        const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
-        for (std::size_t k = 0; k < K; ++k) {
-          const float under = lowers[k] - last;
-          const float over = first - uppers[k];
-          const float gap = under > over ? under : over;
-          gaps[k] = gap > gaps[k] ? gap : gaps[k];
-        }
-      }
-      out = gaps;
-    }
-
-   private:
-    Vec3<double> middle_;
-    Vec3<double> half_;
-    double slack_;
-  };
-
-  /// Keys for traverse(): where along the segment a child's box begins, never less than -1.
-  class FirstParameters {
-   public:
-    CUTWATER_INLINE FirstParameters(const BvhFrame& frame, const Segment<double>& segment,
-                                    double margin)
-        : start_(frame.toFrame(segment.start)), end_(frame.toFrame(segment.end)) {
-      // A cube reaches sqrt(3) times as far along the axes of a turned frame.
-      const double reach = 2 * margin * frame.scale;
-      reach_ = {reach, reach, reach};
-    }
-
-    CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
-      const BvhSegment local(node.toLocal(start_), node.toLocal(end_));
-      for (std::size_t k = 0; k < K; ++k) {
-        const Box<double> box = node.localBox(static_cast<int>(k));
-        const Vec3<double> middle = box.center();
-        const Vec3<double> half = 0.5 * box.size() + reach_;
-        out[k] = local.isApart(middle, half) ? kNoLimit : local.firstParameter(middle, half);
-      }
-    }
-
-   private:
-    Vec3<double> start_;
-    Vec3<double> end_;
-    Vec3<double> reach_;
-  };
 
   BvhFrame frame_;
   std::span<const BvhNode<K>> nodes_;
@@ -255,23 +159,37 @@ void BvhTree<K, W>::nearest(const Vec3<double>& p, double best, double error,
   const auto limitFor = [&](double value) {
     constexpr double kFar = 1e18;  // its square is about the largest float
     if (value == kStopTraversal) return -1.0F;
-    if (value >= kFar / frame_.scale) return kNoLimit;
+    if (value >= kFar / frame_.scale) return kMostKey;
     const double reach = value * frame_.scale + slack;
     const double squared = reach > 0 ? reach * reach : 0;  // only boxes that contain q
-    return reach < kFar ? static_cast<float>(squared * (1 + 0x1p-20) + 0x1p-126) : kNoLimit;
+    return reach < kFar ? static_cast<float>(squared * (1 + 0x1p-20) + 0x1p-126) : kMostKey;
   };
   traverse(
-      SquaredDistances{local},
+      PointDistances<K>{local},
       [&](std::span<const std::uint32_t> slots) { return limitFor(leafVisitor(slots)); },
       limitFor(best));
 }
 
 template <int K, int W>
 template <typename Leaf>
-void BvhTree<K, W>::overlapping(const Box<double>& box, Leaf&& leafVisitor) const {
-  const Gaps keys(frame_, box);
+void BvhTree<K, W>::nearest(const OrientedBox<double>& box, double best, Leaf&& leafVisitor) const {
+  const auto limitFor = [&](double distance) {
+    if (distance <= 0) return -1.0F;  // none is nearer
+    const double reach = distance * frame_.scale;
+    return reach < 1e18 ? static_cast<float>(reach * reach * (1 + 0x1p-20) + 0x1p-126) : kMostKey;
+  };
   traverse(
-      keys, [&](std::span<const std::uint32_t> slots) { return leafVisitor(slots) ? 0.0F : -1.0F; },
+      BoxDistances<K>(frame_, box),
+      [&](std::span<const std::uint32_t> slots) { return limitFor(leafVisitor(slots)); },
+      limitFor(best));
+}
+
+template <int K, int W>
+template <typename Leaf>
+void BvhTree<K, W>::overlapping(const OrientedBox<double>& box, Leaf&& leafVisitor) const {
+  traverse(
+      BoxDistances<K>(frame_, box),
+      [&](std::span<const std::uint32_t> slots) { return leafVisitor(slots) ? 0.0F : -1.0F; },
       0.0F);
 }
 
@@ -280,7 +198,7 @@ template <typename Leaf>
 void BvhTree<K, W>::along(const Segment<double>& segment, Leaf&& leafVisitor, double margin) const {
   constexpr double kBeyond = 2;  // above every parameter, below the key of what is apart
   traverse(
-      FirstParameters(frame_, segment, margin),
+      FirstParameters<K>(frame_, segment, margin),
       [&](std::span<const std::uint32_t> slots) {
         return static_cast<float>(std::clamp<double>(leafVisitor(slots), -kBeyond, kBeyond));
       },

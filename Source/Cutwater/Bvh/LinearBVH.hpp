@@ -164,7 +164,7 @@ template <std::predicate<std::uint32_t> Visit>
 void LinearBVH<T, P, K>::overlapping(const Box<T>& box, Visit&& visit) const {
   const Box<double> query{Vec3<double>(box.lower), Vec3<double>(box.upper)};
   if (query.empty()) return;
-  tree().overlapping(query, [&](std::span<const std::uint32_t> slots) {
+  tree().overlapping(OrientedBox<double>::of(query), [&](std::span<const std::uint32_t> slots) {
     for (const auto id : slots) {
       if (id == kNone) break;
       const Box<T> own = primitives_[id].boundingBox();

@@ -4,7 +4,29 @@
 #include <algorithm>
 #include <new>
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 namespace cutwater {
+
+namespace {
+
+/// Memory for a block. Large ones ask the system for large pages: a search touches places all over
+/// the tree, and with pages of 4 kB most of these miss the processor's table of addresses.
+std::shared_ptr<void> allocate(std::size_t size) {
+  constexpr std::size_t kLargePage = std::size_t{1} << 21U;
+  const std::align_val_t align{size < kLargePage ? BlockWriter::kAlignment : kLargePage};
+  const std::shared_ptr<void> memory(::operator new(size, align),
+                                     [align](void* p) { ::operator delete(p, align); });
+#ifdef __linux__
+  // A wish: where it is not granted, all stays as it was. What does not fill a page is left out.
+  if (size >= kLargePage) madvise(memory.get(), size / kLargePage * kLargePage, MADV_HUGEPAGE);
+#endif
+  return memory;
+}
+
+}  // namespace
 
 Section BlockWriter::addBytes(std::span<const std::byte> bytes, std::size_t count) {
   const Section section{size_, count};
@@ -15,9 +37,7 @@ Section BlockWriter::addBytes(std::span<const std::byte> bytes, std::size_t coun
 
 Block BlockWriter::finish() const {
   constexpr std::size_t kCopied = std::size_t{1} << 20U;  // by one thread at a time
-  constexpr auto kAlign = std::align_val_t{kAlignment};
-  const std::shared_ptr<void> memory(::operator new(size_, kAlign),
-                                     [](void* p) { ::operator delete(p, kAlign); });
+  const auto memory = allocate(size_);
   auto* const start = static_cast<std::byte*>(memory.get());
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const auto& piece = pieces_[i];

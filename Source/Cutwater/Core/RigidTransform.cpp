@@ -1,3 +1,4 @@
+#include <Cutwater/Core/AffineMap.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/RigidTransform.hpp>
 
@@ -133,28 +134,7 @@ Vec3<T> RigidTransform<T>::directionToWorld(const Vec3<T>& local) const {
 
 template <std::floating_point T>
 Box<T> RigidTransform<T>::toWorld(const Box<T>& local) const {
-  if (local.empty()) return local;
-  Box<T> world;
-  for (int row = 0; row < 3; ++row) {
-    T lower = offset_[row];
-    T upper = offset_[row];
-    T size = std::abs(offset_[row]);  // of the finite terms
-    const auto added = [&size](T term) {
-      if (std::isfinite(term)) size += std::abs(term);
-      return term;
-    };
-    for (int j = 0; j < 3; ++j) {
-      const T factor = column_[static_cast<std::size_t>(j)][row];
-      if (factor == 0) continue;  // 0 * infinity
-      lower += added(factor * (factor > 0 ? local.lower[j] : local.upper[j]));
-      upper += added(factor * (factor > 0 ? local.upper[j] : local.lower[j]));
-    }
-    // Four products and sums each, and the rotation's own rounding.
-    const T slack = isIdentity() ? T(0) : 8 * std::numeric_limits<T>::epsilon() * size;
-    world.lower[row] = lower - slack;
-    world.upper[row] = upper + slack;
-  }
-  return world;
+  return isIdentity() ? local : AffineMap<T>{column_, offset_}(local);
 }
 
 template <std::floating_point T>

@@ -24,7 +24,8 @@ BlockFill<T>::BlockFill(const SignedDistanceFunction<T>& solid, const Patch<T>& 
             .order = {{double{patch.level.spacing().x}, double{patch.level.spacing().y},
                        double{patch.level.spacing().z}},
                       {patch.indices.length(0), patch.indices.length(1), patch.indices.length(2)},
-                      limit < std::numeric_limits<T>::infinity() ? kBandTileBits : kFullTileBits}} {}
+                      limit < std::numeric_limits<T>::infinity() ? kBandTileBits : kFullTileBits}} {
+}
 
 template <std::floating_point T>
 std::array<std::size_t, 3> BlockFill<T>::tiles() const {

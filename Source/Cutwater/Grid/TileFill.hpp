@@ -28,12 +28,12 @@ class TileFill {
   /// Points that are neighbours in the tile's order, and what is known of them.
   struct Block {
     GridBlock indices;
-    std::uint32_t number;       // of its first point in the tile's order
-    Box<T> box = {};            // around its positions
-    bool isBeyond = false;      // all of it
-    T sign = 1;                 // on which side
-    Vec3<T> center = {};        // within the radius of it, all is beyond,
-    T beyondSquared = -1;       // which is the root of this, if it is positive
+    std::uint32_t number;   // of its first point in the tile's order
+    Box<T> box = {};        // around its positions
+    bool isBeyond = false;  // all of it
+    T sign = 1;             // on which side
+    Vec3<T> center = {};    // within the radius of it, all is beyond,
+    T beyondSquared = -1;   // which is the root of this, if it is positive
   };
   using Blocks = Scratch<Block, kMostBlocks>;
 

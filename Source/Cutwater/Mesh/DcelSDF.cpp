@@ -39,6 +39,19 @@ void DcelSDF<T>::along(const Segment<double>&, TriangleVisitor visit) const {
 }
 
 template <std::floating_point T>
+void DcelSDF<T>::overlapping(const OrientedBox<double>&,
+                             FunctionRef<bool(std::span<const std::uint32_t>)> visit) const {
+  for (std::uint32_t id = 0; id < this->surface().triangles.size(); ++id) {
+    if (!visit({&id, 1})) return;
+  }
+}
+
+template <std::floating_point T>
+void DcelSDF<T>::around(const OrientedBox<double>&, double, TriangleVisitor visit) const {
+  for (std::uint32_t id = 0; id < this->surface().triangles.size(); ++id) visit({&id, 1});
+}
+
+template <std::floating_point T>
 std::vector<std::string> DcelSDF<T>::localPatchNames() const {
   return {mesh_->patchNames().begin(), mesh_->patchNames().end()};
 }

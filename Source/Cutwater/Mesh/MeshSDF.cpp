@@ -151,6 +151,17 @@ void MeshSDF<T>::along(const Segment<double>& segment, TriangleVisitor visit) co
 }
 
 template <std::floating_point T>
+void MeshSDF<T>::overlapping(const OrientedBox<double>& box,
+                             FunctionRef<bool(std::span<const std::uint32_t>)> visit) const {
+  tree_.overlapping(box, visit);
+}
+
+template <std::floating_point T>
+void MeshSDF<T>::around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const {
+  tree_.nearest(box, limit, visit);
+}
+
+template <std::floating_point T>
 bool MeshSDF<T>::isSurrounded(const Vec3<T>& p) const {
   return winding_.isInside(this->surface(), this->search(), Vec3<double>(p));
 }

@@ -103,14 +103,19 @@ class Search {
     return false;
   }
 
+  /// What step() looks at next.
   CUTWATER_INLINE void prefetch() const {
-    const void* const from = isLeaf_ ? static_cast<const void*>(&tree_.packets[target_])
-                                     : static_cast<const void*>(&tree_.nodes[target_]);
-    const std::size_t size = isLeaf_ ? sizeof(TrianglePacket) : sizeof(Node);
-    for (std::size_t at = 0; at < size; at += 64) {
-      __builtin_prefetch(static_cast<const char*>(from) + at);
-    }
+    prefetch(isLeaf_, target_);
     if (isLeaf_) __builtin_prefetch(&tree_.slots[target_ * kWidth]);
+  }
+  /// What is most likely to come after that.
+  CUTWATER_INLINE void prefetchSecond() const {
+    const Level& level = path_[depth_ - 1];
+    if (level.pending == 0) return;
+    const int lane = leastLane(level.keys, level.pending);
+    if (level.keys[lane] > limit_) return;
+    const bool isLeaf = level.node->isLeaf(lane);
+    prefetch(isLeaf, isLeaf ? level.node->leafIndex(lane) : level.node->nodeIndex(lane));
   }
 
   /// Squared distances in the tree's frame beyond it do not matter any more.
@@ -162,6 +167,14 @@ class Search {
     std::uint32_t pending;  // lanes
   };
 
+  CUTWATER_INLINE void prefetch(bool isLeaf, std::uint32_t index) const {
+    const void* const from = isLeaf ? static_cast<const void*>(&tree_.packets[index])
+                                    : static_cast<const void*>(&tree_.nodes[index]);
+    const std::size_t size = isLeaf ? sizeof(TrianglePacket) : sizeof(Node);
+    for (std::size_t at = 0; at < size; at += 64) {
+      __builtin_prefetch(static_cast<const char*>(from) + at);
+    }
+  }
   CUTWATER_INLINE void setTarget(const Node& node, int lane) {
     isLeaf_ = node.isLeaf(lane);
     target_ = isLeaf_ ? node.leafIndex(lane) : node.nodeIndex(lane);
@@ -196,8 +209,8 @@ class Search {
   }
   CUTWATER_INLINE void note(std::uint32_t id, float lower) {
     if (count_ == kMost) {
-      drop();
-      if (count_ == kMost) evaluate();
+      narrow();
+      if (count_ > kMost / 2) evaluate();
     }
     ids_[count_] = id;
     lowers_[count_] = lower;
@@ -213,6 +226,22 @@ class Search {
       kept += lowers_[i] <= reach ? 1 : 0;
     }
     count_ = kept;
+  }
+
+  /// Drops candidates that full precision shows to be beyond the nearest, and lets these bound it.
+  [[gnu::noinline]] void narrow() {
+    drop();
+    int places[kMost];
+    count_ = Competition<T>(surface_, *p_).narrow(ids_, count_, *best_, places);
+    for (int i = 0; i < count_; ++i) {
+      ids_[i] = ids_[places[i]];
+      lowers_[i] = lowers_[places[i]];
+    }
+    const double upper = __builtin_sqrt(double{best_->tie}) * tree_.frame.scale * (1 + 0x1p-40);
+    if (upper < upper_) {
+      upper_ = upper;
+      setLimit();
+    }
   }
 
   static constexpr int kMost = Competition<T>::kMost;
@@ -244,6 +273,7 @@ CUTWATER_INLINE inline void nearestOne(const TriangleSearch& tree, const Triangl
   Search<T, Observer> search(tree, surface, observer);
   search.start(p, best, kAnywhere);
   while (search.step()) {
+    if (!tree.isSmall) search.prefetchSecond();
   }
   search.evaluate();
 }

@@ -91,7 +91,7 @@ class Search {
     if (flat_[triangle]) return;
     const std::size_t before = partners.size();
     const auto& box = boxes_[triangle];
-    tree_.overlapping(box, [&](std::span<const std::uint32_t> slots) {
+    tree_.overlapping(OrientedBox<double>::of(box), [&](std::span<const std::uint32_t> slots) {
       for (const auto other : slots) {
         if (other == kNone) break;
         if (other > triangle && box.overlaps(boxes_[other]) && !flat_[other] &&

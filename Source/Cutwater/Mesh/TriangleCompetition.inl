@@ -22,6 +22,29 @@ class Competition {
       : arrays_(arrays), p_(p) {}
 
   CUTWATER_INLINE void run(const std::uint32_t* ids, int count, Nearest& best) {
+    const T tie = bound(ids, count, best);
+    const auto compete = [&](int i) __attribute__((always_inline)) {
+      offer(i, ids[i], best);
+    };
+    forNear(count, tie, best.error, compete);
+  }
+  /// Which of them can still win or tie: writes their places, returns how many. None is evaluated
+  /// with more than the precision of T. `best.tie` becomes what they bound it by.
+  CUTWATER_INLINE int narrow(const std::uint32_t* ids, int count, Nearest& best, int* places) {
+    best.tie = bound(ids, count, best);
+    int kept = 0;
+    const auto keep = [&](int i) __attribute__((always_inline)) {
+      places[kept++] = i;
+    };
+    forNear(count, best.tie, best.error, keep);
+    return kept;
+  }
+
+ private:
+  static constexpr int kLanes = kLanesOf<T>;
+
+  /// Returns what no winner is beyond: none is farther than the nearest so far.
+  CUTWATER_INLINE T bound(const std::uint32_t* ids, int count, const Nearest& best) {
     auto nearest = broadcast(std::numeric_limits<T>::infinity());
     for (int first = 0; first < count; first += kLanes) {
       setAll(first, ids[first]);
@@ -29,22 +52,18 @@ class Competition {
       evaluate(first);
       nearest = least(nearest, load(squared_ + first));
     }
-    // No winner is farther than the nearest so far.
-    const T tie = smaller(best.tieAt(leastOf(nearest)), best.tie);
+    const T tie = best.tieAt(leastOf(nearest));
+    return tie < best.tie ? tie : best.tie;
+  }
+  /// Calls visit(i) for those that may have a squared distance up to the limit.
+  template <typename Visit>
+  CUTWATER_INLINE void forNear(int count, T limit, T error, const Visit& visit) const {
     for (int first = 0; first < count; first += kLanes) {
-      std::uint32_t near = within(first, tie, best.error);
+      std::uint32_t near = within(first, limit, error);
       if (count - first < kLanes) near &= (1U << (count - first)) - 1U;
-      for (; near != 0; near &= near - 1) {
-        const int i = first + __builtin_ctz(near);
-        offer(i, ids[i], best);
-      }
+      for (; near != 0; near &= near - 1) visit(first + __builtin_ctz(near));
     }
   }
-
- private:
-  static constexpr int kLanes = kLanesOf<T>;
-
-  CUTWATER_INLINE static T smaller(T a, T b) { return a < b ? a : b; }
 
   CUTWATER_INLINE void set(int i, std::uint32_t id) {
     const Triangle<T> t = arrays_.triangle(id);

@@ -2,7 +2,6 @@
 #include <Cutwater/Core/Scratch.hpp>
 #include <Cutwater/Mesh/MeshCrossings.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
-#include <Cutwater/Sdf/Defaults.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +44,11 @@ std::array<Vec3<T>, 3> TriangleSurfaceSDF<T>::triangle(std::uint32_t id) const {
   require(id < triangleCount(), "triangle: no such triangle", Named{"id", id});
   const auto t = surface_.triangle(id);
   return {t.a / surface_.scale, t.b / surface_.scale, t.c / surface_.scale};
+}
+
+template <std::floating_point T>
+std::string TriangleSurfaceSDF<T>::localName() const {
+  return "Mesh of " + detail::counted(triangleCount(), "triangle", "triangles");
 }
 
 template <std::floating_point T>
@@ -191,20 +195,6 @@ CrossingCount TriangleSurfaceSDF<T>::localCrossings(const Segment<T>& segment,
                            .isJumpFree = [this](const Box<double>& box) { return isJumpFree(box); },
                            .isClosed = signs_.isClosed()},
                           pulledIn, restored);
-}
-
-template <std::floating_point T>
-Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
-  // The distance to the triangles changes at most as fast as the point; the sign is what its own
-  // bound allows.
-  auto promise = localGuarantee();
-  promise.lipschitz = T(1);
-  const auto range = detail::boundsAround(localSignedDistance(box.center), box, promise);
-  if (signs_.isClosed()) return range;
-  // Free of triangles and of jumps, or both signs may be anywhere.
-  if (!range.contains(0) && hasNoJump(box.bounds())) return range;
-  const T most = std::max(-range.lower, range.upper);
-  return {-most, most};
 }
 
 template <std::floating_point T>

@@ -33,6 +33,14 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   static constexpr std::size_t kBatch = 256;
   /// See TrianglesAlong.
   virtual void along(const Segment<double>& segment, TriangleVisitor visit) const = 0;
+  /// Shows at least all triangles that the box meets, until visit(ids) answers false. Ids end at
+  /// the first kNone.
+  virtual void overlapping(const OrientedBox<double>& box,
+                           FunctionRef<bool(std::span<const std::uint32_t>)> visit) const = 0;
+  /// Shows at least all triangles that are no farther from the box than what visit(ids) returns,
+  /// and `limit` at first.
+  virtual void around(const OrientedBox<double>& box, double limit,
+                      TriangleVisitor visit) const = 0;
   // The winding number of a surface that is not closed: whether it exceeds 1/2 at the point, and
   // whether it certainly does so in all or none of the box, but for the sides of triangles.
   [[nodiscard]] virtual bool isSurrounded(const Vec3<T>& p) const = 0;
@@ -64,8 +72,10 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& point) const final;
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const final;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
+  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
+  [[nodiscard]] std::string localName() const final;
   // `point` and, in the surface's units, `p` are the same.
   [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest) const;
   [[nodiscard]] SurfacePoint<T> closestPointAt(const Vec3<T>& point, const Vec3<T>& p,
@@ -74,6 +84,12 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   template <typename Visit>
   void forNearest(std::span<const Vec3<T>> points, Visit visit) const;
 
+  /// In scaled units; nothing if it is too large or too far for these to resolve it.
+  [[nodiscard]] std::optional<OrientedBox<double>> scaled(const OrientedBox<T>& box) const;
+  enum class Overlap : std::uint8_t { None, Possible, Certain };
+  [[nodiscard]] Overlap overlapWith(const OrientedBox<double>& box) const;
+  /// How far the triangles are from the box at least; known to be within `limit`.
+  [[nodiscard]] double gapTo(const OrientedBox<double>& box, double limit) const;
   /// Whether the sign certainly changes nowhere in the box, in scaled units, but at triangles.
   [[nodiscard]] bool isJumpFree(const Box<double>& box) const;
   /// The same for a box in the mesh's own units.

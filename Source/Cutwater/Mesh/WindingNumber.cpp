@@ -40,14 +40,14 @@ class FarField {
         threshold_(static_cast<float>(4 * std::numbers::pi * std::min(threshold, 1e6))) {}
 
   /// Adds the lanes of a node, but for those that could be wrong by more than the threshold: these
-  /// get the key 0, the others kNoLimit.
+  /// get the key 0, the others kMostKey.
   void add(const WindingMoments& node, Lanes& keys) {
     Lanes value;
     Lanes error;
     evaluate(node, value, error);
     for (std::size_t k = 0; k < keys.size(); ++k) {
       const bool enough = error[k] <= threshold_;
-      keys[k] = enough ? WindingTree::kNoLimit : 0.0F;
+      keys[k] = enough ? kMostKey : 0.0F;
       value_ += enough ? double{value[k]} : 0;
       error_ += enough ? double{error[k]} : 0;
     }
@@ -76,7 +76,7 @@ class FarField {
       const float square = inverse * inverse;
       const float rest = node.second[k] * (1 + 2 * gap * inverse) * quotient * quotient;
       const float sum = rest + 0x1p-17F * node.area[k] * square + 0x1p-80F;
-      error[k] = gap > 0.5F * distance ? sum : WindingTree::kNoLimit;  // more than any threshold
+      error[k] = gap > 0.5F * distance ? sum : kMostKey;  // more than any threshold
       // The derivative of g is I / D^3 - 3 d d^T / D^5; the first moment has no trace.
       const float quadratic = node.first[0][k] * (x * x - z * z) +
                               node.first[1][k] * (y * y - z * z) + node.first[2][k] * x * y +
@@ -218,7 +218,7 @@ double WindingNumber<T>::gradientBound(const Box<double>& box) const {
   double nearEdges = 0;
   double farEdges = 0;  // in the tree's frame
   const auto keys = [&](const BvhNode<16>& node, BvhNode<16>::Lanes& out) {
-    out.fill(WindingTree::kNoLimit);
+    out.fill(kMostKey);
     for (const auto& edge : edgesOf(indexOf(node))) {
       nearEdges += std::abs(edge.multiplicity) * inverseSquare(edge, box);
     }
@@ -255,7 +255,7 @@ double WindingNumber<T>::gradientBoundByArea(const Box<double>& box) const {
       const Box<double> child = node.alignedBox(static_cast<int>(k));
       const double gapSquared = lengthSquared(gapBetween(child, local));
       const bool isFar = gapSquared > lengthSquared(child.size());
-      out[k] = isFar ? WindingTree::kNoLimit : 0.0F;
+      out[k] = isFar ? kMostKey : 0.0F;
       if (isFar) far += double{areas[k]} / (gapSquared * std::sqrt(gapSquared));
     }
   };

@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Combination.hpp>
-#include <Cutwater/Operations/Complement.hpp>
+#include <Cutwater/Operations/DerivedGuarantee.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
 
 #include <algorithm>
@@ -11,24 +11,12 @@ namespace cutwater {
 
 namespace {
 
-template <std::floating_point T>
-Guarantee<T> swapped(Guarantee<T> g) {
-  std::swap(g.inside, g.outside);
-  return g;
-}
-
 /// Of the least of two functions.
 template <std::floating_point T>
 Guarantee<T> united(const Guarantee<T>& a, const Guarantee<T>& b) {
-  Guarantee<T> both;
-  both.outside = std::min(a.outside, b.outside);
+  auto both = detail::common(a, b);
   // Deep in one operand the surface may be farther than that operand's own.
-  both.inside = std::min({a.inside, b.inside, Quality::LowerBound});
-  if (a.lipschitz && b.lipschitz) both.lipschitz = std::max(*a.lipschitz, *b.lipschitz);
-  both.continuous = a.continuous && b.continuous;
-  both.domain = a.domain.intersection(b.domain);
-  both.ulps = std::max(a.ulps, b.ulps);
-  both.size = std::max(a.size, b.size);
+  both.inside = std::min(both.inside, Quality::LowerBound);
   return both;
 }
 
@@ -45,37 +33,21 @@ BoxClass opposite(BoxClass c) {
 template <std::floating_point T>
 Combination<T>::Combination(const char* name, Decides decides, std::vector<Solid<T>> operands,
                             const Combination* beginning)
-    : decides_(decides), operands_(std::move(operands)) {
+    : decides_(decides), operands_(std::move(operands)), patches_(operands_) {
   if (operands_.empty()) throw Error(ErrorKind::Argument, std::string(name) + ": need an operand");
   std::vector<detail::OperandBound<T>> bounds;
-  for (const auto& operand : operands_) bounds.push_back(boundOf(operand));
   const bool least = decides == Decides::Least;
+  for (const auto& operand : operands_) bounds.push_back(detail::boundOf(operand, !least));
   guarantee_ = bounds[0].guarantee;
   boundingBox_ = operands_[0].boundingBox();
-  std::size_t patches = 0;
-  for (std::size_t i = 0; i < operands_.size(); ++i) {
-    firstPatch_.push_back(static_cast<std::uint32_t>(patches));
-    patches += operands_[i].patchNames().size();
-    if (i == 0) continue;
+  for (std::size_t i = 1; i < operands_.size(); ++i) {
     guarantee_ = united(guarantee_, bounds[i].guarantee);
     const auto box = operands_[i].boundingBox();
     boundingBox_ = least ? boundingBox_.extend(box) : boundingBox_.intersection(box);
   }
-  require(patches < kNone, "Combination: too many patches", Named{"patches", patches});
-  if (!least) guarantee_ = swapped(guarantee_);
+  if (!least) guarantee_ = detail::swapped(guarantee_);
   if (boundingBox_.empty()) boundingBox_ = {};
   tree_ = detail::OperandTree<T>(bounds, beginning != nullptr ? &beginning->tree_ : nullptr);
-}
-
-/// Of the function that is to be the least: the operand, or its negative.
-template <std::floating_point T>
-detail::OperandBound<T> Combination<T>::boundOf(const Solid<T>& operand) const {
-  if (decides_ == Decides::Least) return {operand.guarantee(), operand.boundingBox()};
-  // The negative of a complement is positive outside of the solid within.
-  const auto* const rest = operand.template as<Complement<T>>();
-  return {swapped(operand.guarantee()),
-          rest != nullptr ? operand.placement().toWorld(rest->operand().boundingBox())
-                          : Box<T>::everywhere()};
 }
 
 template <std::floating_point T>
@@ -146,16 +118,9 @@ Vec3<T> Combination<T>::localGradient(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
-SurfaceOwner Combination<T>::counted(SurfaceOwner owner, std::size_t operand) const {
-  owner.object = static_cast<std::uint32_t>(operand);
-  owner.patch += firstPatch_[operand];
-  return owner;
-}
-
-template <std::floating_point T>
 SurfaceOwner Combination<T>::localOwner(const Vec3<T>& p) const {
   const auto operand = decide(p).operand;
-  return counted(operands_[operand].owner(p), operand);
+  return patches_.counted(operands_[operand].owner(p), operand);
 }
 
 template <std::floating_point T>
@@ -171,7 +136,7 @@ SurfacePoint<T> Combination<T>::checked(const Vec3<T>& p, const Decision& decisi
   if (!(std::abs(residual) <= guarantee_.error(length(p) + length(found.point)))) {
     return SignedDistanceFunction<T>::localClosestPoint(p);
   }
-  found.owner = counted(found.owner, decision.operand);
+  found.owner = patches_.counted(found.owner, decision.operand);
   found.distance = decision.value;
   detail::rate(found, p, residual, guarantee_);
   return found;
@@ -281,11 +246,7 @@ BoxClass Combination<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint)
 
 template <std::floating_point T>
 std::vector<std::string> Combination<T>::localPatchNames() const {
-  std::vector<std::string> names;
-  for (const auto& operand : operands_) {
-    for (auto& name : operand.patchNames()) names.push_back(std::move(name));
-  }
-  return names;
+  return detail::OperandPatches<T>::names(operands_);
 }
 
 template class Combination<float>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Operations/OperandPatches.hpp>
 #include <Cutwater/Operations/OperandTree.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
@@ -49,6 +50,12 @@ class Combination : public SignedDistanceFunction<T> {
   [[nodiscard]] Guarantee<T> localGuarantee() const final { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const final { return boundingBox_; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const final;
+  [[nodiscard]] std::string localName() const final {
+    return decides_ == Decides::Least ? "Union" : "Intersection";
+  }
+  void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const final {
+    for (const auto& operand : operands_) visit(operand);
+  }
 
   /// -1 turns a greatest into a least; exact.
   [[nodiscard]] T side() const { return decides_ == Decides::Least ? T(1) : T(-1); }
@@ -61,8 +68,6 @@ class Combination : public SignedDistanceFunction<T> {
   [[nodiscard]] T decidingValue(const Vec3<T>& p, T ofAlwaysAsked) const;
   template <typename Ask>
   void forEachNear(const OrientedBox<T>& box, double limit, Ask&& ask) const;
-  [[nodiscard]] detail::OperandBound<T> boundOf(const Solid<T>& operand) const;
-  [[nodiscard]] SurfaceOwner counted(SurfaceOwner owner, std::size_t operand) const;
   /// Each point's closest point on the operand that decides there, as that operand tells it.
   void askDeciding(std::span<const Vec3<T>> points, std::span<const Decision> decisions,
                    std::span<SurfacePoint<T>> found) const;
@@ -72,7 +77,7 @@ class Combination : public SignedDistanceFunction<T> {
 
   Decides decides_;
   std::vector<Solid<T>> operands_;
-  std::vector<std::uint32_t> firstPatch_;  // of each operand, in the table of all
+  detail::OperandPatches<T> patches_;
   Guarantee<T> guarantee_;
   Box<T> boundingBox_;
   detail::OperandTree<T> tree_;

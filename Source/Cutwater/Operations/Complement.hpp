@@ -17,6 +17,7 @@ class Complement final : public UnaryOperation<T> {
   using UnaryOperation<T>::operand;
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Complement"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;

@@ -14,6 +14,7 @@ class Labelled final : public UnaryOperation<T> {
   Labelled(Solid<T> operand, std::string name);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Named \"" + name_ + "\""; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
 
   std::string name_;

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Operations/DerivedGuarantee.hpp>
 #include <Cutwater/Operations/Offset.hpp>
 
 namespace cutwater {
@@ -62,8 +63,7 @@ BoxClass Offset<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) cons
 template <std::floating_point T>
 Guarantee<T> Offset<T>::localGuarantee() const {
   auto promise = this->operand().guarantee();
-  const bool isDistanceBound = promise.lipschitz && *promise.lipschitz <= 1;
-  const Quality others = isDistanceBound ? Quality::LowerBound : Quality::SignOnly;
+  const Quality others = detail::qualityBy(promise.lipschitz);
   if (!(distance_ >= 0 && promise.outside == Quality::Exact)) promise.outside = others;
   if (!(distance_ <= 0 && promise.inside == Quality::Exact)) promise.inside = others;
   promise.ulps += 1;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 
 namespace cutwater {
@@ -19,6 +20,9 @@ class Offset final : public UnaryOperation<T> {
   Offset(Solid<T> operand, T distance);
 
  private:
+  [[nodiscard]] std::string localName() const override {
+    return "Offset by " + detail::toText(double{distance_});
+  }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;

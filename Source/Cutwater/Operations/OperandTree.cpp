@@ -1,3 +1,5 @@
+#include <Cutwater/Operations/Complement.hpp>
+#include <Cutwater/Operations/DerivedGuarantee.hpp>
 #include <Cutwater/Operations/OperandTree.hpp>
 
 #include <algorithm>
@@ -13,6 +15,16 @@ namespace {
 constexpr std::size_t kFewest = 16;
 
 }  // namespace
+
+template <std::floating_point T>
+OperandBound<T> boundOf(const Solid<T>& operand, bool isNegated) {
+  if (!isNegated) return {operand.guarantee(), operand.boundingBox()};
+  // The negative of a complement is positive outside of the solid within.
+  const auto* const rest = operand.template as<Complement<T>>();
+  return {swapped(operand.guarantee()),
+          rest != nullptr ? operand.placement().toWorld(rest->operand().boundingBox())
+                          : Box<T>::everywhere()};
+}
 
 template <std::floating_point T>
 bool OperandTree<T>::isBounded(const OperandBound<T>& operand) {
@@ -70,6 +82,8 @@ void OperandTree<T>::build(std::span<const OperandBound<T>> operands) {
   }
 }
 
+template OperandBound<float> boundOf(const Solid<float>&, bool);
+template OperandBound<double> boundOf(const Solid<double>&, bool);
 template class OperandTree<float>;
 template class OperandTree<double>;
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <Cutwater/Bvh/BvhBuilder.hpp>
-#include <Cutwater/Sdf/BoxQuery.hpp>
-#include <Cutwater/Sdf/Guarantee.hpp>
+#include <Cutwater/Sdf/Solid.hpp>
 
 #include <vector>
 
@@ -14,6 +13,10 @@ struct OperandBound {
   Guarantee<T> guarantee;
   Box<T> box;  ///< encloses where it is not positive
 };
+
+/// Of the operand's own function or of its negative.
+template <std::floating_point T>
+[[nodiscard]] OperandBound<T> boundOf(const Solid<T>& operand, bool isNegated);
 
 /// Finds the functions that may have the least value at a point, or matter to it in a box, by a
 /// tree over their boxes.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 
 namespace cutwater {
@@ -16,6 +17,9 @@ class Scale final : public UnaryOperation<T> {
   Scale(Solid<T> operand, T factor);
 
  private:
+  [[nodiscard]] std::string localName() const override {
+    return "Scaled by " + detail::toText(double{factor_});
+  }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;

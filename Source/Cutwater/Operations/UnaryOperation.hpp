@@ -25,6 +25,9 @@ class UnaryOperation : public SignedDistanceFunction<T> {
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return operand_.guarantee(); }
   [[nodiscard]] Box<T> localBoundingBox() const override { return operand_.boundingBox(); }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
+  void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const override {
+    visit(operand_);
+  }
 
  private:
   Solid<T> operand_;

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/AffineMap.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
 
 #include <algorithm>
@@ -237,24 +238,6 @@ class CrossingSearch {
   bool afterCrossing_ = false;
 };
 
-/// The largest scaled copy of the box about its centre whose rotated image fits into the box.
-template <std::floating_point T>
-Box<T> innerBox(const Box<T>& local, const RigidTransform<T>& placement) {
-  if (local == Box<T>::everywhere()) return local;
-  if (!placement.isRotated()) {
-    return {local.lower + placement.offset(), local.upper + placement.offset()};
-  }
-  const auto half = T(0.5) * local.size();
-  T shrink = 1;
-  for (int i = 0; i < 3; ++i) {
-    const auto row = placement.axis(i);  // local coordinate i = row . (world - offset)
-    shrink = std::min(shrink, half[i] / dot(abs(row), half));
-  }
-  if (!(shrink >= 0) || !isFinite(half)) return {};  // no certain domain is left
-  const auto center = placement.toWorld(local.center());
-  return {center - shrink * half, center + shrink * half};
-}
-
 }  // namespace
 
 template <std::floating_point T>
@@ -273,13 +256,36 @@ Interval<T> boundsAround(T atCenter, const OrientedBox<T>& box, const Guarantee<
 }
 
 template <std::floating_point T>
+Interval<T> boundsWithin(const Interval<T>& range, T atCenter, const OrientedBox<T>& box,
+                         const Guarantee<T>& guarantee) {
+  const auto around = boundsAround(atCenter, box, guarantee);
+  const T margin = 2 * guarantee.error(length(box.center) + box.radius());
+  return {std::max(around.lower, range.lower - margin),
+          std::min(around.upper, range.upper + margin)};
+}
+
+template <std::floating_point T>
 Guarantee<T> placed(Guarantee<T> local, const RigidTransform<T>& placement) {
   if (placement.isIdentity()) return local;
   // transformPoint() moves the point by up to one rounding of the offset's size, a rotation by up
   // to eight more; the value follows by the Lipschitz constant.
   local.ulps += local.lipschitz.value_or(T(1)) * (placement.isRotated() ? T(9) : T(1));
   local.size += length(placement.offset());
-  local.domain = innerBox(local.domain, placement);
+  if (!placement.isRotated()) {
+    local.domain.lower += placement.offset();
+    local.domain.upper += placement.offset();
+    return local;
+  }
+  AffineMap<T> map;
+  AffineMap<T> inverse;
+  map.offset = placement.offset();
+  for (int i = 0; i < 3; ++i) {
+    map.columns[static_cast<std::size_t>(i)] = placement.axis(i);
+    for (int j = 0; j < 3; ++j) {
+      inverse.columns[static_cast<std::size_t>(i)][j] = placement.axis(j)[i];
+    }
+  }
+  local.domain = detail::domainUnder(map, inverse, local.domain);
   return local;
 }
 
@@ -293,6 +299,10 @@ template CrossingCount isolatedCrossings(const Field<double>&, const Segment<dou
                                          CrossingVisitor<double>);
 template Interval<float> boundsAround(float, const OrientedBox<float>&, const Guarantee<float>&);
 template Interval<double> boundsAround(double, const OrientedBox<double>&,
+                                       const Guarantee<double>&);
+template Interval<float> boundsWithin(const Interval<float>&, float, const OrientedBox<float>&,
+                                      const Guarantee<float>&);
+template Interval<double> boundsWithin(const Interval<double>&, double, const OrientedBox<double>&,
                                        const Guarantee<double>&);
 template Guarantee<float> placed(Guarantee<float>, const RigidTransform<float>&);
 template Guarantee<double> placed(Guarantee<double>, const RigidTransform<double>&);

@@ -51,6 +51,12 @@ CrossingCount isolatedCrossings(const Field<T>& field, const Segment<T>& segment
 template <std::floating_point T>
 Interval<T> boundsAround(T atCenter, const OrientedBox<T>& box, const Guarantee<T>& guarantee);
 
+/// The same made tighter: by a range that encloses the function's exact values in the box, computed
+/// with no more rounding than a value.
+template <std::floating_point T>
+Interval<T> boundsWithin(const Interval<T>& range, T atCenter, const OrientedBox<T>& box,
+                         const Guarantee<T>& guarantee);
+
 /// The guarantee of a moved function.
 template <std::floating_point T>
 Guarantee<T> placed(Guarantee<T> local, const RigidTransform<T>& placement);

@@ -146,6 +146,21 @@ Interval<T> SignedDistanceFunction<T>::bounds(const Box<T>& box, BoxHint* hint) 
 }
 
 template <std::floating_point T>
+Interval<T> SignedDistanceFunction<T>::distanceBounds(const Box<T>& box, BoxHint* hint) const {
+  constexpr T kInf = std::numeric_limits<T>::infinity();
+  const auto range = bounds(box, hint);
+  const auto promise = guarantee();
+  if (!promise.domain.contains(box.lower) || !promise.domain.contains(box.upper)) return {0, kInf};
+  // The least of what values mean on the sides that the box may have points on.
+  auto quality = Quality::Exact;
+  if (range.lower < 0) quality = std::min(quality, promise.inside);
+  if (range.upper >= 0) quality = std::min(quality, promise.outside);
+  if (quality == Quality::SignOnly) return {0, kInf};
+  return {std::max({T(0), range.lower, -range.upper}),
+          quality == Quality::Exact ? std::max(-range.lower, range.upper) : kInf};
+}
+
+template <std::floating_point T>
 BoxClass SignedDistanceFunction<T>::classify(const Box<T>& box, BoxHint* hint) const {
   if (box.empty() || !isFinite(box)) return BoxClass::Unknown;
   return localClassify(toLocal(OrientedBox<T>::of(box)), hint);
@@ -234,20 +249,25 @@ BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, Box
   if (range.lower > 0) return BoxClass::Outside;
   if (range.upper < 0) return BoxClass::Inside;
 
+  if (!box.isWithin(localGuarantee().domain)) return BoxClass::Unknown;
+  return holdsNearestPoint(box) || holdsBothSides(box) ? BoxClass::Cut : BoxClass::Unknown;
+}
+
+/// The ball around the centre that reaches the nearest surface point fits into the box.
+template <std::floating_point T>
+bool SignedDistanceFunction<T>::holdsNearestPoint(const OrientedBox<T>& box) const {
   const auto promise = localGuarantee();
-  if (!box.isWithin(promise.domain)) return BoxClass::Unknown;
   const T rounding = promise.error(length(box.center) + box.radius());
   const T atCenter = localSignedDistance(box.center);
-
-  // Cut, if the ball around the centre that reaches the nearest surface point fits into the box.
   const bool sideIsSure = std::abs(atCenter) > rounding || promise.inside == promise.outside;
-  if (sideIsSure && promise.quality(atCenter) == Quality::Exact &&
-      std::abs(atCenter) + rounding + box.slack <= box.innerRadius()) {
-    return BoxClass::Cut;
-  }
+  return sideIsSure && promise.quality(atCenter) == Quality::Exact &&
+         std::abs(atCenter) + rounding + box.slack <= box.innerRadius();
+}
 
-  // Cut, if two of its points are certainly on different sides; jumps are surface, too. A corner of
-  // this box is within its slack of one of the box that was asked about.
+/// Two of its points are certainly on different sides; jumps are surface, too. A corner of this box
+/// is within its slack of one of the box that was asked about.
+template <std::floating_point T>
+bool SignedDistanceFunction<T>::holdsBothSides(const OrientedBox<T>& box) const {
   bool inside = false;
   bool outside = false;
   for (int i = -1; i < 8 && !(inside && outside); ++i) {
@@ -256,7 +276,7 @@ BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, Box
     inside = inside || around.upper < 0;
     outside = outside || around.lower > 0;
   }
-  return inside && outside ? BoxClass::Cut : BoxClass::Unknown;
+  return inside && outside;
 }
 
 template class SignedDistanceFunction<float>;

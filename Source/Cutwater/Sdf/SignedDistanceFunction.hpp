@@ -62,6 +62,11 @@ class SignedDistanceFunction {
   /// Encloses the function's value, exact and as computed, at every point of the box.
   [[nodiscard]] Interval<T> bounds(const Box<T>& box, BoxHint* hint = nullptr) const;
 
+  /// Encloses the distance to the surface, which is what a band around it is about, at every point
+  /// of the box: never negative; [0, infinity) where the guarantee tells nothing, and without an
+  /// upper end where values are lower bounds.
+  [[nodiscard]] Interval<T> distanceBounds(const Box<T>& box, BoxHint* hint = nullptr) const;
+
   /// Where the box lies; Inside, Outside and Cut are certain.
   [[nodiscard]] BoxClass classify(const Box<T>& box, BoxHint* hint = nullptr) const;
 
@@ -73,6 +78,15 @@ class SignedDistanceFunction {
 
   /// Names of the patches that closestPoint() and crossings() tell by their index.
   [[nodiscard]] std::vector<std::string> patchNames() const { return localPatchNames(); }
+
+  /// The expression, a line for every shape and operator with what it promises, operands below:
+  ///
+  ///     Union: outside exact, inside lower bound, Lipschitz 1; in (-1, -1, -1) .. (3, 1, 1)
+  ///       Sphere: exact, Lipschitz 1; in (-1, -1, -1) .. (1, 1, 1)
+  ///       Torus, moved by (2, 0, 0) and turned: exact, Lipschitz 1; in (0.9, -1, -1) .. (3, 1, 1)
+  ///
+  /// Of more than 16 operands the first ones.
+  [[nodiscard]] std::string describe() const;
 
   /// Motions act on the object, in call order: see RigidTransform.
   void translate(const Vec3<T>& offset) { placement_.translate(offset); }
@@ -122,6 +136,10 @@ class SignedDistanceFunction {
   [[nodiscard]] virtual Box<T> localBoundingBox() const { return Box<T>::everywhere(); }
   [[nodiscard]] virtual std::vector<std::string> localPatchNames() const { return {"surface"}; }
 
+  /// For describe(): what it is called, with what parameters, and what it is made of.
+  [[nodiscard]] virtual std::string localName() const { return "Function"; }
+  virtual void forEachOperand(FunctionRef<void(const SignedDistanceFunction&)>) const {}
+
   // For composites: what an operand answers about a box given in the composite's own frame.
   [[nodiscard]] static Interval<T> boundsOf(const SignedDistanceFunction& operand,
                                             const OrientedBox<T>& box) {
@@ -132,10 +150,15 @@ class SignedDistanceFunction {
     return operand.localClassify(operand.toLocal(box), nullptr);
   }
 
+  // How the default of localClassify() is certain that a box within the domain is cut.
+  [[nodiscard]] bool holdsNearestPoint(const OrientedBox<T>& box) const;
+  [[nodiscard]] bool holdsBothSides(const OrientedBox<T>& box) const;
+
  private:
   template <std::floating_point>
   friend class Solid;  // forwards the local functions of the shape it holds
 
+  void describe(std::string& text, int depth) const;
   [[nodiscard]] OrientedBox<T> toLocal(const OrientedBox<T>& box) const;
   [[nodiscard]] SurfacePoint<T> toWorld(SurfacePoint<T> local) const;
   /// Calls answer(local points, index of the first) for pieces of the points, in parallel, with the

@@ -45,6 +45,10 @@ class Solid final : public SignedDistanceFunction<T> {
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const override { return boundingBox_; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
+  [[nodiscard]] std::string localName() const override { return root_->localName(); }
+  void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const override {
+    root_->forEachOperand(visit);
+  }
 
   std::shared_ptr<const SignedDistanceFunction<T>> root_;  // its own placement is the identity
   Guarantee<T> guarantee_;                                 // of root_; composites ask often

@@ -12,6 +12,20 @@ T boxDistance(const Box<T>& box, const Vec3<T>& p) {
 }
 
 template <std::floating_point T>
+Interval<T> boxDistances(const Box<T>& box, const Box<T>& range) {
+  const Vec3<T> middle = box.center();
+  Vec3<T> nearest;
+  Vec3<T> farthest;
+  for (int axis = 0; axis < 3; ++axis) {
+    const T lower = range.lower[axis];
+    const T upper = range.upper[axis];
+    nearest[axis] = std::clamp(middle[axis], lower, upper);
+    farthest[axis] = middle[axis] - lower > upper - middle[axis] ? lower : upper;
+  }
+  return {boxDistance(box, nearest), boxDistance(box, farthest)};
+}
+
+template <std::floating_point T>
 Vec3<T> boxGradient(const Box<T>& box, const Vec3<T>& p) {
   const Vec3<T> below = box.lower - p;
   const Vec3<T> above = p - box.upper;
@@ -30,6 +44,8 @@ Vec3<T> boxGradient(const Box<T>& box, const Vec3<T>& p) {
 
 template float boxDistance(const Box<float>&, const Vec3<float>&);
 template double boxDistance(const Box<double>&, const Vec3<double>&);
+template Interval<float> boxDistances(const Box<float>&, const Box<float>&);
+template Interval<double> boxDistances(const Box<double>&, const Box<double>&);
 template Vec3<float> boxGradient(const Box<float>&, const Vec3<float>&);
 template Vec3<double> boxGradient(const Box<double>&, const Vec3<double>&);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Box.hpp>
+#include <Cutwater/Core/Interval.hpp>
 
 /// The exact signed distance of an axis-aligned box, which a cuboid and a rounded box share.
 ///
@@ -10,6 +11,10 @@ namespace cutwater::detail {
 
 template <std::floating_point T>
 [[nodiscard]] T boxDistance(const Box<T>& box, const Vec3<T>& p);
+
+/// Its range in another such box: it grows with the distance from the middle on each axis.
+template <std::floating_point T>
+[[nodiscard]] Interval<T> boxDistances(const Box<T>& box, const Box<T>& range);
 
 /// Zero where it is not defined: on edges, and inside where several faces are equally near.
 template <std::floating_point T>

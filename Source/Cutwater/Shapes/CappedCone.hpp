@@ -17,6 +17,7 @@ class CappedCone final : public Axisymmetric<T> {
   CappedCone(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Capped cone"; }
   [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
   [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

@@ -17,6 +17,7 @@ class Capsule final : public Axisymmetric<T> {
   Capsule(const Vec3<T>& a, const Vec3<T>& b, T radius);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Capsule"; }
   [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
   [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

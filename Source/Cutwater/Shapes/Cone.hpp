@@ -14,6 +14,7 @@ class Cone final : public Axisymmetric<T> {
   Cone(const Vec3<T>& apex, const Vec3<T>& base, T radius);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Cone"; }
   [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
   [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

@@ -21,6 +21,7 @@ class ConeSphere final : public Axisymmetric<T> {
   ConeSphere(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Cone-sphere"; }
   [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
   [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

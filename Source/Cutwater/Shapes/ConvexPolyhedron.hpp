@@ -31,6 +31,7 @@ class ConvexPolyhedron final : public SignedDistanceFunction<T> {
   [[nodiscard]] std::size_t faceCount() const { return faces_.size(); }
 
  private:
+  [[nodiscard]] std::string localName() const override { return "ConvexPolyhedron"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Sdf/Defaults.hpp>
 #include <Cutwater/Shapes/BoxDistance.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Direction.hpp>
@@ -21,6 +22,12 @@ T Cuboid<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 Vec3<T> Cuboid<T>::localGradient(const Vec3<T>& p) const {
   return detail::boxGradient(box_, p);
+}
+
+template <std::floating_point T>
+Interval<T> Cuboid<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
+  return detail::boundsWithin(detail::boxDistances(box_, box.bounds()),
+                              localSignedDistance(box.center), box, localGuarantee());
 }
 
 template <std::floating_point T>

@@ -17,8 +17,10 @@ class Cuboid final : public SignedDistanceFunction<T> {
   Cuboid(const Vec3<T>& lower, const Vec3<T>& upper) : Cuboid(Box<T>{lower, upper}) {}
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Box"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
 

@@ -16,6 +16,7 @@ class Cylinder final : public Axisymmetric<T> {
   Cylinder(const Vec3<T>& a, const Vec3<T>& b, T radius);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Cylinder"; }
   [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
   [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

@@ -28,6 +28,7 @@ class Ellipsoid final : public SignedDistanceFunction<T> {
   Ellipsoid(const Vec3<T>& center, const Vec3<T>& semiAxes);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Ellipsoid"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

@@ -16,6 +16,7 @@ class Extrusion final : public Prismatic<T> {
   Extrusion(const Polygon<T>& section, T lower, T upper);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Extrusion"; }
   [[nodiscard]] T sectionDistance(const Vec2<T>& p) const override;
   [[nodiscard]] Vec2<T> sectionGradient(const Vec2<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

@@ -19,6 +19,7 @@ class InfiniteCone final : public Axisymmetric<T> {
   InfiniteCone(const Vec3<T>& apex, const Vec3<T>& axis, T halfAngle);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Infinite cone"; }
   [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
   [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

@@ -16,6 +16,7 @@ class InfiniteCylinder final : public Axisymmetric<T> {
   InfiniteCylinder(const Vec3<T>& point, const Vec3<T>& axis, T radius);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Infinite cylinder"; }
   [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
   [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

@@ -17,6 +17,7 @@ class Link final : public SignedDistanceFunction<T> {
   Link(T length, T major, T minor);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Link"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

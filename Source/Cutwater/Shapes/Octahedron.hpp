@@ -17,6 +17,7 @@ class Octahedron final : public SignedDistanceFunction<T> {
   explicit Octahedron(T radius);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Octahedron"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Sdf/Defaults.hpp>
 #include <Cutwater/Shapes/Direction.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
 
@@ -18,6 +19,15 @@ T Plane<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 Vec3<T> Plane<T>::localGradient(const Vec3<T>&) const {
   return normal_;
+}
+
+template <std::floating_point T>
+Interval<T> Plane<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
+  const T atCenter = localSignedDistance(box.center);
+  T reach = 2 * box.slack;
+  for (const auto& half : box.halfAxis) reach += std::abs(dot(half, normal_));
+  return detail::boundsWithin({atCenter - reach, atCenter + reach}, atCenter, box,
+                              localGuarantee());
 }
 
 template <std::floating_point T>

@@ -16,8 +16,10 @@ class Plane final : public SignedDistanceFunction<T> {
   Plane(const Vec3<T>& point, const Vec3<T>& normal);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Plane"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
 

@@ -17,6 +17,7 @@ class Pyramid final : public SignedDistanceFunction<T> {
   Pyramid(T side, T height);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Pyramid"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

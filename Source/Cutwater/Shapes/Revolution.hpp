@@ -19,6 +19,7 @@ class Revolution final : public Axisymmetric<T> {
   Revolution(const Polygon<T>& profile, const Vec3<T>& origin, const Vec3<T>& axis);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Revolution"; }
   [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
   [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Sdf/Defaults.hpp>
 #include <Cutwater/Shapes/BoxDistance.hpp>
 #include <Cutwater/Shapes/Direction.hpp>
 #include <Cutwater/Shapes/RoundedBox.hpp>
@@ -31,6 +32,13 @@ T RoundedBox<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 Vec3<T> RoundedBox<T>::localGradient(const Vec3<T>& p) const {
   return detail::boxGradient(core_, p);
+}
+
+template <std::floating_point T>
+Interval<T> RoundedBox<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
+  const auto toCore = detail::boxDistances(core_, box.bounds());
+  return detail::boundsWithin({toCore.lower - radius_, toCore.upper - radius_},
+                              localSignedDistance(box.center), box, localGuarantee());
 }
 
 template <std::floating_point T>

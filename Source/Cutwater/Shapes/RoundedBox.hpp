@@ -18,8 +18,10 @@ class RoundedBox final : public SignedDistanceFunction<T> {
       : RoundedBox(Box<T>{lower, upper}, radius) {}
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Rounded box"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
 

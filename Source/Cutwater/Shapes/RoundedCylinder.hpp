@@ -17,6 +17,7 @@ class RoundedCylinder final : public Axisymmetric<T> {
   RoundedCylinder(const Vec3<T>& a, const Vec3<T>& b, T radius, T rounding);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Rounded cylinder"; }
   [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
   [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

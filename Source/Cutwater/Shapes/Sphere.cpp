@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Sdf/Defaults.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
 namespace cutwater {
@@ -18,6 +19,13 @@ T Sphere<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 Vec3<T> Sphere<T>::localGradient(const Vec3<T>& p) const {
   return normalized(p - center_);
+}
+
+template <std::floating_point T>
+Interval<T> Sphere<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
+  const auto distances = box.distancesFrom(center_);
+  return detail::boundsWithin({distances.lower - radius_, distances.upper - radius_},
+                              localSignedDistance(box.center), box, localGuarantee());
 }
 
 template <std::floating_point T>

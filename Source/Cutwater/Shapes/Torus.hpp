@@ -18,6 +18,7 @@ class Torus final : public Axisymmetric<T> {
   Torus(const Vec3<T>& center, const Vec3<T>& axis, T major, T minor);
 
  private:
+  [[nodiscard]] std::string localName() const override { return "Torus"; }
   [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
   [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

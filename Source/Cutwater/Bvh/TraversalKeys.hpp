@@ -1,0 +1,127 @@
+#pragma once
+
+#include <Cutwater/Bvh/BvhNode.hpp>
+#include <Cutwater/Bvh/BvhSegment.hpp>
+#include <Cutwater/Core/OrientedBox.hpp>
+#include <Cutwater/Core/Segment.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// Keys for BvhTree::traverse(): lower bounds for each child of a node.
+
+namespace cutwater {
+
+/// The limit above all keys. Not infinity, which a user's -ffast-math would be free to ignore.
+inline constexpr float kMostKey = std::numeric_limits<float>::max();
+
+/// Squared distances from `p`, in the tree's frame, to boxes; never more than the true ones but for
+/// the rounding of the squares.
+template <int K>
+struct PointDistances {
+  Vec3<double> p;
+
+  CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
+    const BvhLocalPoint local = node.toLocalFloat(p);
+    typename BvhNode<K>::Lanes sums{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
+      const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
+      const float most = local.position[axis] + local.error;
+      const float least = local.position[axis] - local.error;
+      for (std::size_t k = 0; k < K; ++k) {
+        const float under = lowers[k] - most;
+        const float over = least - uppers[k];
+        const float gap = under > over ? under : over;
+        sums[k] += gap > 0 ? gap * gap : 0;
+      }
+    }
+    for (std::size_t k = 0; k < K; ++k) out[k] = sums[k] < kMostKey ? sums[k] : kMostKey;
+  }
+};
+
+/// Squared distances, in the tree's frame, from a box to the boxes of a node's children, or rather
+/// to the box around it in the node's frame; never more than the true
+/// ones but for the rounding of the squares, and 0 where they meet, or might but for rounding.
+template <int K>
+class BoxDistances {
+ public:
+  CUTWATER_INLINE BoxDistances(const BvhFrame& frame, const OrientedBox<double>& box)
+      : middle_(frame.toFrame(box.center)),
+        half_{frame.scale * box.halfAxis[0], frame.scale * box.halfAxis[1],
+              frame.scale * box.halfAxis[2]},
+        slack_(1.5 * frame.scale * box.slack + 0x1p-48 * (1 + sizeOf(middle_) + sizeOf(half_[0]) +
+                                                          sizeOf(half_[1]) + sizeOf(half_[2]))) {}
+
+  // The lane loop is innermost and writes to an array of its own: so compilers vectorise it.
+  CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
+    const Vec3<double> center = node.toLocal(middle_);
+    typename BvhNode<K>::Lanes sums{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3<double> row(node.axes[static_cast<std::size_t>(axis)]);
+      // What the box spans, and more than the rounding of it all.
+      const double reach =
+          size(dot(row, half_[0])) + size(dot(row, half_[1])) + size(dot(row, half_[2])) + slack_;
+      const auto first = outward(center[axis] - reach, -1);
+      const auto last = outward(center[axis] + reach, 1);
+      const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
+      const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
+      for (std::size_t k = 0; k < K; ++k) {
+        const float under = lowers[k] - last;
+        const float over = first - uppers[k];
+        const float gap = under > over ? under : over;
+        sums[k] += gap > 0 ? gap * gap : 0;
+      }
+    }
+    for (std::size_t k = 0; k < K; ++k) out[k] = sums[k] < kMostKey ? sums[k] : kMostKey;
+  }
+
+ private:
+  CUTWATER_INLINE static double size(double x) { return x < 0 ? -x : x; }
+  CUTWATER_INLINE static double sizeOf(const Vec3<double>& v) {
+    const Vec3<double> a = abs(v);
+    return a.x + a.y + a.z;
+  }
+  /// Rounded to float towards `direction` and on by more than an ulp. Boxes of the tree end at
+  /// about 1, so far beyond it nothing needs to be told apart.
+  CUTWATER_INLINE static float outward(double value, int direction) {
+    constexpr double kFar = 1e15;  // squares do not overflow
+    const double margin = 0x1p-23 * size(value) + 0x1p-126;
+    return static_cast<float>(std::clamp(value + direction * margin, -kFar, kFar));
+  }
+
+  Vec3<double> middle_;
+  std::array<Vec3<double>, 3> half_;
+  double slack_;
+};
+
+/// Where along the segment a child's box begins, never less than -1.
+template <int K>
+class FirstParameters {
+ public:
+  CUTWATER_INLINE FirstParameters(const BvhFrame& frame, const Segment<double>& segment,
+                                  double margin)
+      : start_(frame.toFrame(segment.start)), end_(frame.toFrame(segment.end)) {
+    // A cube reaches sqrt(3) times as far along the axes of a turned frame.
+    const double reach = 2 * margin * frame.scale;
+    reach_ = {reach, reach, reach};
+  }
+
+  CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
+    const BvhSegment local(node.toLocal(start_), node.toLocal(end_));
+    for (std::size_t k = 0; k < K; ++k) {
+      const Box<double> box = node.localBox(static_cast<int>(k));
+      const Vec3<double> middle = box.center();
+      const Vec3<double> half = 0.5 * box.size() + reach_;
+      out[k] = local.isApart(middle, half) ? kMostKey : local.firstParameter(middle, half);
+    }
+  }
+
+ private:
+  Vec3<double> start_;
+  Vec3<double> end_;
+  Vec3<double> reach_;
+};
+
+}  // namespace cutwater

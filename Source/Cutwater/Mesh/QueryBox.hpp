@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Cutwater/Core/OrientedBox.hpp>
+
+#include <array>
+#include <span>
+
+namespace cutwater {
+
+/// A box that triangles are tested against, in double precision. All answers are certain, for the
+/// box with its slack and in spite of rounding; what is not is left open.
+///
+/// Coordinates are to be about 1 at most, or not much larger than the distances that matter.
+class QueryBox {
+ public:
+  using Corners = std::array<Vec3<double>, 3>;
+
+  explicit QueryBox(const OrientedBox<double>& box);
+
+  /// As seen from the box: from its centre, along its edges. All below is in this frame.
+  [[nodiscard]] Corners toBox(const Corners& triangle) const;
+
+  /// The triangle has no point in common with the box. (Separating axes: Gottschalk, Lin and
+  /// Manocha 1996, "OBBTree".)
+  [[nodiscard]] bool isApart(const Corners& triangle) const;
+  /// The triangle has a point in the box.
+  [[nodiscard]] bool meets(const Corners& triangle) const;
+  /// The triangle is at least so far from every point of the box; it is not asked how far if that
+  /// is `enough`.
+  /// Less what rounding and the search for the direction of the gap leave, about a thousandth.
+  [[nodiscard]] double gap(const Corners& triangle, double enough) const;
+
+  /// No point of the box is farther from `p`, of the frame that the box was given in.
+  [[nodiscard]] double reachFrom(const Vec3<double>& p) const;
+
+ private:
+  [[nodiscard]] Vec3<double> toBox(const Vec3<double>& p) const;
+  /// How far apart they are along a direction, times its length; negative if they overlap there.
+  [[nodiscard]] double separation(const Vec3<double>& axis, const Corners& triangle) const;
+
+  Vec3<double> center_;
+  std::array<Vec3<double>, 3> axes_;  // orthonormal
+  Vec3<double> half_;                 // of a box around it
+  Vec3<double> innerHalf_;            // of a box within it; may be negative
+  double rounding_;                   // of coordinates of points near the box
+};
+
+}  // namespace cutwater

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Operations/BinaryOperation.hpp>
+
+namespace cutwater {
+
+/// A solid between two others.
+///
+///     f(p) = (1 - t) a(p) + t b(p)
+///
+/// The solid is where the value is negative. Values are lower bounds on both sides if the operands'
+/// Lipschitz constants L are such that (1 - t) L_a + t L_b is at most 1.
+///
+/// @throws Error unless 0 <= t <= 1.
+template <std::floating_point T>
+class Blend final : public BinaryOperation<T> {
+ public:
+  Blend(Solid<T> a, Solid<T> b, T t);
+
+ private:
+  [[nodiscard]] std::string localName() const override {
+    return "Blend at " + detail::toText(double{t_});
+  }
+  [[nodiscard]] T combined(T a, T b) const override;
+  [[nodiscard]] Interval<T> combined(const Interval<T>& a, const Interval<T>& b) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  T t_;
+};
+
+extern template class Blend<float>;
+extern template class Blend<double>;
+
+}  // namespace cutwater

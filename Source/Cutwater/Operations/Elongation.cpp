@@ -1,0 +1,65 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Operations/Elongation.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+template <std::floating_point T>
+Elongation<T>::Elongation(Solid<T> operand, const Vec3<T>& half)
+    : PointMap<T>(std::move(operand)), half_(half) {
+  require(isFinite(half) && half.x >= 0 && half.y >= 0 && half.z >= 0,
+          "elongated: need finite lengths, none negative", Named{"half", half});
+}
+
+template <std::floating_point T>
+Vec3<T> Elongation<T>::mapped(const Vec3<T>& p) const {
+  return p - max(-half_, min(half_, p));
+}
+
+template <std::floating_point T>
+OrientedBox<T> Elongation<T>::mapped(const OrientedBox<T>& box) const {
+  // Axis by axis the map is monotone: the image of an axis-aligned box is one.
+  const auto around = box.bounds();
+  return OrientedBox<T>::of({mapped(around.lower), mapped(around.upper)});
+}
+
+template <std::floating_point T>
+Vec3<T> Elongation<T>::pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const {
+  Vec3<T> result = gradient;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(p[axis]) < half_[axis]) result[axis] = 0;
+  }
+  return result;
+}
+
+template <std::floating_point T>
+Guarantee<T> Elongation<T>::localGuarantee() const {
+  auto promise = this->operand().guarantee();
+  promise.outside = std::min(promise.outside, Quality::LowerBound);
+  promise.inside = std::min(promise.inside, Quality::LowerBound);
+  promise.ulps += promise.lipschitz.value_or(T(1));  // of the difference
+  // No point moves farther away, so that the domain's box holds its own image if it holds 0.
+  if (!promise.domain.contains({})) promise.domain = {};
+  return promise;
+}
+
+template <std::floating_point T>
+Box<T> Elongation<T>::localBoundingBox() const {
+  const auto box = this->operand().boundingBox();
+  if (box.empty()) return box;
+  Box<T> result;
+  for (int axis = 0; axis < 3; ++axis) {
+    const T half = half_[axis];
+    result.lower[axis] = box.lower[axis] + (box.lower[axis] > 0 ? half : -half);
+    result.upper[axis] = box.upper[axis] + (box.upper[axis] < 0 ? -half : half);
+  }
+  auto promise = localGuarantee();
+  promise.size += length(half_);
+  return promise.grown(result);
+}
+
+template class Elongation<float>;
+template class Elongation<double>;
+
+}  // namespace cutwater

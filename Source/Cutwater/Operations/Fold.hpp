@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Cutwater/Operations/Mirror.hpp>
+
+namespace cutwater {
+
+/// The part of the operand on the side of a plane that the normal looks to, together with its
+/// mirror image: symmetric about the plane, at the price of one query.
+///
+///     f(p) = g(p),            (p - point) . normal >= 0
+///     f(p) = g(mirrored p)    otherwise
+///
+/// A lower bound if the operand's value is one. Exact outside if the operand is and its bounding
+/// box lies on the side that is kept; inside as well if the box does not touch the plane.
+/// @throws Error unless point and normal are finite and the normal is not zero.
+template <std::floating_point T>
+class Fold final : public PointMap<T> {
+ public:
+  Fold(Solid<T> operand, const Vec3<T>& point, const Vec3<T>& normal);
+
+ private:
+  [[nodiscard]] std::string localName() const override { return "Fold"; }
+  [[nodiscard]] Vec3<T> mapped(const Vec3<T>& p) const override;
+  [[nodiscard]] OrientedBox<T> mapped(const OrientedBox<T>& box) const override;
+  [[nodiscard]] Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const override;
+  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  /// Which side all of a box is on, rounding considered: 1 the one that is kept, -1 the other, 0
+  /// unknown.
+  [[nodiscard]] int sideOf(const OrientedBox<T>& box) const;
+  /// Of the box's corners, on the side that is kept.
+  [[nodiscard]] T leastHeight(const Box<T>& box) const;
+
+  detail::MirrorPlane<T> plane_;
+};
+
+extern template class Fold<float>;
+extern template class Fold<double>;
+
+}  // namespace cutwater

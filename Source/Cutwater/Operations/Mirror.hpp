@@ -1,0 +1,76 @@
+#pragma once
+
+#include <Cutwater/Core/AffineMap.hpp>
+#include <Cutwater/Operations/PointMap.hpp>
+
+namespace cutwater {
+
+namespace detail {
+
+/// A plane as a mirror.
+template <std::floating_point T>
+class MirrorPlane {
+ public:
+  /// The normal need not have unit length; `name` is that of the operator, for messages.
+  /// @throws Error unless both are finite and the normal is not zero.
+  MirrorPlane(const char* name, const Vec3<T>& point, const Vec3<T>& normal);
+
+  /// The mirror image; moved by rounding of at most 14 eps (|p| + |point|).
+  [[nodiscard]] Vec3<T> image(const Vec3<T>& p) const;
+  [[nodiscard]] Vec3<T> imageOfDirection(const Vec3<T>& v) const;
+  /// Encloses the images, and what is computed for them.
+  [[nodiscard]] OrientedBox<T> image(const OrientedBox<T>& box) const;
+  [[nodiscard]] SurfacePoint<T> image(SurfacePoint<T> found, const Vec3<T>& from) const;
+  [[nodiscard]] AffineMap<T> map() const;
+
+  /// How far p is on the side the normal looks to.
+  [[nodiscard]] T height(const Vec3<T>& p) const;
+  [[nodiscard]] const Vec3<T>& point() const { return point_; }
+  [[nodiscard]] const Vec3<T>& normal() const { return normal_; }
+  /// Points of this length have images no longer than that and this together.
+  [[nodiscard]] T reach() const;
+
+  bool operator==(const MirrorPlane&) const = default;
+
+ private:
+  Vec3<T> point_;
+  Vec3<T> normal_;  // unit
+};
+
+extern template class MirrorPlane<float>;
+extern template class MirrorPlane<double>;
+
+}  // namespace detail
+
+/// The operand's mirror image.
+///
+///     f(p) = g(p - 2 ((p - point) . normal) normal)        keeps what the operand guarantees
+///
+/// The normal need not have unit length. Exact about planes x = 0, y = 0 and z = 0.
+/// @throws Error unless point and normal are finite and the normal is not zero.
+template <std::floating_point T>
+class Mirror final : public PointMap<T> {
+ public:
+  Mirror(Solid<T> solid, const Vec3<T>& point, const Vec3<T>& normal);
+
+  using UnaryOperation<T>::operand;
+  [[nodiscard]] const detail::MirrorPlane<T>& plane() const { return plane_; }
+
+ private:
+  [[nodiscard]] std::string localName() const override { return "Mirror image"; }
+  [[nodiscard]] Vec3<T> mapped(const Vec3<T>& p) const override;
+  [[nodiscard]] OrientedBox<T> mapped(const OrientedBox<T>& box) const override;
+  [[nodiscard]] Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const override;
+  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
+  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  detail::MirrorPlane<T> plane_;
+};
+
+extern template class Mirror<float>;
+extern template class Mirror<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,79 @@
+#include <Cutwater/Operations/DerivedGuarantee.hpp>
+#include <Cutwater/Operations/PointMap.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace cutwater {
+
+template <std::floating_point T>
+T PointMap<T>::localSignedDistance(const Vec3<T>& p) const {
+  return factor() * this->operand().signedDistance(mapped(p));
+}
+
+template <std::floating_point T>
+void PointMap<T>::localSignedDistances(std::span<const Vec3<T>> points,
+                                       std::span<T> distances) const {
+  constexpr std::size_t kMost = 256;
+  std::array<Vec3<T>, kMost> images;
+  for (std::size_t first = 0; first < points.size(); first += kMost) {
+    const auto count = std::min(kMost, points.size() - first);
+    const auto values = distances.subspan(first, count);
+    for (std::size_t i = 0; i < count; ++i) images[i] = mapped(points[first + i]);
+    UnaryOperation<T>::localSignedDistances(std::span<const Vec3<T>>(images).first(count), values);
+    for (auto& value : values) value *= factor();
+  }
+}
+
+template <std::floating_point T>
+Vec3<T> PointMap<T>::localGradient(const Vec3<T>& p) const {
+  return factor() * pulledBack(p, this->operand().gradient(mapped(p)));
+}
+
+template <std::floating_point T>
+SurfacePoint<T> PointMap<T>::localClosestPoint(const Vec3<T>& p) const {
+  return SignedDistanceFunction<T>::localClosestPoint(p);
+}
+
+template <std::floating_point T>
+void PointMap<T>::localClosestPoints(std::span<const Vec3<T>> points,
+                                     std::span<SurfacePoint<T>> results) const {
+  SignedDistanceFunction<T>::localClosestPoints(points, results);
+}
+
+template <std::floating_point T>
+SurfaceOwner PointMap<T>::localOwner(const Vec3<T>& p) const {
+  return this->operand().owner(mapped(p));
+}
+
+template <std::floating_point T>
+CrossingCount PointMap<T>::localCrossings(const Segment<T>& segment,
+                                          CrossingVisitor<T> visit) const {
+  return SignedDistanceFunction<T>::localCrossings(segment, visit);
+}
+
+template <std::floating_point T>
+Interval<T> PointMap<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) const {
+  const auto range = this->boundsOf(this->operand(), mapped(box));
+  const T outward = 2 * std::numeric_limits<T>::epsilon();
+  const auto scaled = [&](T bound, T side) {
+    const T value = factor() * bound;
+    return std::isfinite(value) ? value + side * outward * std::abs(value) : bound;
+  };
+  return detail::intersection(SignedDistanceFunction<T>::localBounds(box, hint),
+                              {scaled(range.lower, -1), scaled(range.upper, 1)});
+}
+
+template <std::floating_point T>
+BoxClass PointMap<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
+  const auto byValues = SignedDistanceFunction<T>::localClassify(box, hint);
+  if (byValues != BoxClass::Unknown) return byValues;
+  // Of a box around the image only that it is free of surface is certain.
+  const auto ofImage = this->classOf(this->operand(), mapped(box));
+  return ofImage == BoxClass::Cut ? BoxClass::Unknown : ofImage;
+}
+
+template class PointMap<float>;
+template class PointMap<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Cutwater/Operations/UnaryOperation.hpp>
+
+namespace cutwater {
+
+/// The operand, asked at another point: f(p) = factor g(q(p)).
+///
+/// A subclass states the map q and what follows from it. Owners, patches and bounds are then those
+/// of the operand at q; closest points and crossings are found by values.
+template <std::floating_point T>
+class PointMap : public UnaryOperation<T> {
+ protected:
+  explicit PointMap(Solid<T> operand) : UnaryOperation<T>(std::move(operand)) {}
+
+  /// q(p).
+  [[nodiscard]] virtual Vec3<T> mapped(const Vec3<T>& p) const = 0;
+  /// Encloses the image of every point of the box, and what is computed for it.
+  [[nodiscard]] virtual OrientedBox<T> mapped(const OrientedBox<T>& box) const = 0;
+  /// The gradient at p of the operand's function at q(p), from its gradient there: that of q,
+  /// transposed, times `gradient`.
+  [[nodiscard]] virtual Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const = 0;
+  [[nodiscard]] virtual T factor() const { return 1; }
+
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  void localClosestPoints(std::span<const Vec3<T>> points,
+                          std::span<SurfacePoint<T>> results) const override;
+  [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
+  CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+};
+
+extern template class PointMap<float>;
+extern template class PointMap<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Operations/UnaryOperation.hpp>
+
+namespace cutwater {
+
+/// A wall around the operand's surface, `halfThickness` to either side.
+///
+///     f(p) = |g(p)| - halfThickness
+///
+/// Outside of the wall, in the hollow too, the value is exact if the operand's is on both sides,
+/// inside the wall a lower bound; where the operand's is not exact, the wall is
+/// {|g| < halfThickness}, and values are lower bounds if its Lipschitz constant is at most 1.
+///
+/// @throws Error unless 0 < halfThickness < infinity.
+template <std::floating_point T>
+class Shell final : public UnaryOperation<T> {
+ public:
+  Shell(Solid<T> operand, T halfThickness);
+
+ private:
+  [[nodiscard]] std::string localName() const override {
+    return "Shell of " + detail::toText(double{halfThickness_}) + " to either side";
+  }
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  void localClosestPoints(std::span<const Vec3<T>> points,
+                          std::span<SurfacePoint<T>> results) const override;
+  [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
+  CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  T halfThickness_;
+};
+
+extern template class Shell<float>;
+extern template class Shell<double>;
+
+}  // namespace cutwater

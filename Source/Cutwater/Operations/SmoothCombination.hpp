@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Cutwater/Operations/OperandPatches.hpp>
+#include <Cutwater/Operations/OperandTree.hpp>
+#include <Cutwater/Operations/SmoothMinimum.hpp>
+
+namespace cutwater {
+
+/// The union or intersection of any number of solids, with rounded edges where they meet.
+///
+/// The operands' values at the point are folded by a smooth minimum in ascending order, of equal
+/// ones the first operand first; an intersection is the complement of the union of the complements.
+/// Every operand within reach counts, however many there are. Exponential sums over all operands in
+/// their order.
+///
+/// The solid is where the value is negative. A union is larger than the plain one: its value is
+/// less by at most k/4 (quadratic), k/6 (cubic), k (1 - sqrt(1/2)) (circular) for two operands,
+/// less than k for any number, k ln N for Exponential. The value is a lower bound of the distance
+/// on both sides if the operands' Lipschitz constants are at most 1, which the weights keep.
+///
+/// Patches are those of the operand that is least, or greatest. Cost: one per operand; of many,
+/// those out of reach are not asked where the rules of OperandTree allow, unless Exponential.
+template <std::floating_point T>
+class SmoothCombination final : public SignedDistanceFunction<T> {
+ public:
+  enum class Result : std::uint8_t { Union, Intersection };
+
+  /// @throws Error unless there is an operand, and the reach is finite and more than 0.
+  SmoothCombination(Result result, std::vector<Solid<T>> operands, const Smoothing<T>& smoothing);
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
+  [[nodiscard]] Box<T> localBoundingBox() const override { return boundingBox_; }
+  [[nodiscard]] std::vector<std::string> localPatchNames() const override;
+  [[nodiscard]] std::string localName() const override {
+    return result_ == Result::Union ? "Smooth union" : "Smooth intersection";
+  }
+  void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const override {
+    for (const auto& operand : operands_) visit(operand);
+  }
+
+  void deriveGuarantee();
+  void deriveBoundingBox();
+
+  /// -1 turns an intersection into a union of complements; exact.
+  [[nodiscard]] T side() const { return result_ == Result::Union ? T(1) : T(-1); }
+  [[nodiscard]] bool isExponential() const { return smoothing_.kind == SmoothKind::Exponential; }
+
+  /// Calls ask(operand) for all whose value at p, times side(), may be as low as the limit that it
+  /// returns.
+  template <typename Ask>
+  void forEachAt(const Vec3<T>& p, T limit, Ask&& ask) const;
+  /// The same with a lower bound in the box.
+  template <typename Ask>
+  void forEachIn(const OrientedBox<T>& box, T limit, Ask&& ask) const;
+  /// The smooth least of the values; each(limit, ask) calls ask(operand, value), at least for all
+  /// values up to the limit that it returns, and visit(operand, weight) is called for those that
+  /// count, in order. NaN if there is no number.
+  template <typename Each, typename Visit>
+  [[nodiscard]] T folded(Each&& each, Visit&& visit) const;
+  template <typename Visit>
+  [[nodiscard]] T foldedAt(const Vec3<T>& p, Visit&& visit) const;
+
+  Result result_;
+  std::vector<Solid<T>> operands_;
+  Smoothing<T> smoothing_;
+  detail::OperandPatches<T> patches_;
+  Guarantee<T> guarantee_;
+  Box<T> boundingBox_;
+  detail::OperandTree<T> tree_;
+};
+
+extern template class SmoothCombination<float>;
+extern template class SmoothCombination<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Cutwater/Operations/BinaryOperation.hpp>
+
+namespace cutwater {
+
+/// All points of one of the operands, but not of both (xor).
+///
+///     f(p) = max(min(a, b), -max(a, b))        |f| = min(|a|, |b|): exact if both operands are
+///
+/// The surface is that of both operands together. Where the two coincide it is not one: there a
+/// value of 0 remains although both sides are outside, as between two solids that touch in a union,
+/// and values near by are lower bounds only. A box is never called cut because of such a place.
+template <std::floating_point T>
+class SymmetricDifference final : public BinaryOperation<T> {
+ public:
+  SymmetricDifference(Solid<T> a, Solid<T> b) : BinaryOperation<T>(std::move(a), std::move(b)) {}
+
+ private:
+  [[nodiscard]] std::string localName() const override { return "Symmetric difference"; }
+  [[nodiscard]] T combined(T a, T b) const override;
+  [[nodiscard]] Interval<T> combined(const Interval<T>& a, const Interval<T>& b) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override;
+  [[nodiscard]] Box<T> localBoundingBox() const override;
+
+  /// Of the two values, the one nearer to zero, whose surface is the nearest.
+  struct Nearest {
+    std::size_t operand;
+    T value;     ///< of the whole
+    bool turns;  ///< within the other operand, where normals look the other way
+  };
+  [[nodiscard]] Nearest nearest(const Vec3<T>& p) const;
+};
+
+extern template class SymmetricDifference<float>;
+extern template class SymmetricDifference<double>;
+
+}  // namespace cutwater
