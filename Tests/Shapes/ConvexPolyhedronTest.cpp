@@ -171,6 +171,20 @@ TEST(ConvexPolyhedronBruteForce, AgreesWithAllFeet) {
   }
 }
 
+TYPED_TEST(ConvexPolyhedronTest, KnowsTheRangeInBoxesInsideAndInFrontOfAFace) {
+  using T = TypeParam;
+  const ConvexPolyhedron<T> solid(cube<T>());
+  const auto expectRange = [&](const Box<T>& box, T lower, T upper) {
+    const auto range = solid.bounds(box);
+    EXPECT_NEAR(range.lower, lower, tolerance<T>(4, 40));
+    EXPECT_NEAR(range.upper, upper, tolerance<T>(4, 40));
+  };
+  expectRange({{T(-0.25), T(-0.5), 0}, {T(0.25), T(0.5), T(0.75)}}, -1, T(-0.25));
+  // The centre is 2 away, and the corners sqrt(0.75) from it.
+  expectRange({{T(2.5), T(-0.5), T(-0.5)}, {T(3.5), T(0.5), T(0.5)}}, T(1.5),
+              2 + std::sqrt(T(0.75)));
+}
+
 TYPED_TEST(ConvexPolyhedronTest, RefusesImpossibleArguments) {
   using T = TypeParam;
   const T nan = std::numeric_limits<T>::quiet_NaN();

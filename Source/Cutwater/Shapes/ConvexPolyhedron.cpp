@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Sdf/Defaults.hpp>
 #include <Cutwater/Shapes/ConvexPolyhedron.hpp>
 #include <Cutwater/Shapes/Direction.hpp>
 #include <Cutwater/Shapes/HalfSpaceFaces.hpp>
@@ -95,6 +96,21 @@ Vec3<T> ConvexPolyhedron<T>::localGradient(const Vec3<T>& p) const {
     if (gap != Vec3<T>{}) return normalized(gap);
   }
   return isUnique ? normal : Vec3<T>{};
+}
+
+template <std::floating_point T>
+Interval<T> ConvexPolyhedron<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
+  // No value is less than the height over any plane; inside, it is the largest of these.
+  Interval<T> highest{-std::numeric_limits<T>::infinity(), -std::numeric_limits<T>::infinity()};
+  for (const auto& face : faces_) {
+    const T atCenter = height(face, box.center);
+    T reach = 2 * box.slack;
+    for (const auto& half : box.halfAxis) reach += std::abs(dot(half, face.normal));
+    highest.lower = std::max(highest.lower, atCenter - reach);
+    highest.upper = std::max(highest.upper, atCenter + reach);
+  }
+  if (!(highest.upper < 0)) highest.upper = std::numeric_limits<T>::infinity();
+  return detail::boundsWithin(highest, localSignedDistance(box.center), box, localGuarantee());
 }
 
 template <std::floating_point T>

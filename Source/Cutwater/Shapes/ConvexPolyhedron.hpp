@@ -34,6 +34,7 @@ class ConvexPolyhedron final : public SignedDistanceFunction<T> {
   [[nodiscard]] std::string localName() const override { return "ConvexPolyhedron"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
 
