@@ -73,7 +73,7 @@ TYPED_TEST(OffsetTest, BoundingBoxesMoveWithTheSurface) {
 TYPED_TEST(OffsetTest, ShrunkToNothingHasNoSurface) {
   using T = TypeParam;
   const auto none = offset(this->box_, T(-2));
-  EXPECT_EQ(none.classify({{-3, -3, -3}, {3, 3, 3}}), BoxClass::Unknown);
+  EXPECT_EQ(none.classify({{-3, -3, -3}, {3, 3, 3}}), BoxClass::Outside);
   EXPECT_FALSE(none.closestPoint({0, 0, 0}).exact);
   expectGuarantee(none, 3, {.inside = [](const auto&) { return false; }, .hasSurface = false});
 }

@@ -154,7 +154,7 @@ void expectSameAsPlain(Solid<T> solid, const std::vector<Solid<T>>& operands, bo
       const T size = std::ldexp(T(1), -(i % 12));
       classes.insert(expectSameBox(solid, plain, Box<T>{at, at + size * abs(random.next())}));
     }
-    EXPECT_EQ(classes.size(), 4U);
+    EXPECT_GE(classes.size(), 3U);  // few remain Unknown
     expectSameBox(solid, plain, {{0, 0, 0}, {T(1e20), T(1e20), T(1e20)}});
     expectSameBox(solid, plain, {{-9, -9, -9}, {9, 9, 9}});
     for (int i = 0; i < 4; ++i) expectSameCrossings(solid, plain, {random.next(), random.next()});

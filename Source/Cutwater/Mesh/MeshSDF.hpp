@@ -36,10 +36,10 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   ///
   /// `positions` are those of the soup's points (of the DcelMesh's vertices) in their order, unused
   /// ones too, before the placement. The answers are, to the bit, those of a MeshSDF made from the
-  /// triangles at their new places with the same options, sign report and errors included; polygons
-  /// of more corners stay cut as they are. It takes less than half the time: the tree keeps its
-  /// shape. Queries get slower as triangles that share a leaf part, or turn far from where they
-  /// were; then build anew.
+  /// triangles at their new places with the same options, sign report and errors included (but for
+  /// bounds(), which may differ by a thousandth of the gap); polygons of more corners stay cut as
+  /// they are. It takes less than half the time: the tree keeps its shape. Queries get slower as
+  /// triangles that share a leaf part, or turn far from where they were; then build anew.
   ///
   /// A new surface, so that others may go on asking this one: `mesh = mesh.refitted(positions)`
   /// frees the old one if nobody does. The placement stays.

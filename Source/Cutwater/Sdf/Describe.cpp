@@ -17,7 +17,9 @@ std::string nameOf(Quality quality) {
 
 template <std::floating_point T>
 std::string textOf(const Vec3<T>& v) {
-  return "(" + toText(double{v.x}) + ", " + toText(double{v.y}) + ", " + toText(double{v.z}) + ")";
+  std::string text = "(";  // g++ 12 warns of sums that begin with it
+  text += toText(double{v.x}) + ", " + toText(double{v.y}) + ", " + toText(double{v.z}) + ")";
+  return text;
 }
 template <std::floating_point T>
 std::string textOf(const Box<T>& box) {
@@ -28,10 +30,11 @@ std::string textOf(const Box<T>& box) {
 
 template <std::floating_point T>
 std::string textOf(const RigidTransform<T>& placement) {
-  if (placement.isIdentity()) return "";
-  const std::string turned = placement.isRotated() ? "turned" : "";
-  if (placement.offset() == Vec3<T>{}) return ", " + turned;
-  return ", moved by " + textOf(placement.offset()) + (turned.empty() ? "" : " and " + turned);
+  const bool isMoved = placement.offset() != Vec3<T>{};
+  std::string text;
+  if (isMoved) text += ", moved by " + textOf(placement.offset());
+  if (placement.isRotated()) text += isMoved ? " and turned" : ", turned";
+  return text;
 }
 
 template <std::floating_point T>
