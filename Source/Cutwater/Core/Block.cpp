@@ -17,8 +17,8 @@ namespace {
 std::shared_ptr<void> allocate(std::size_t size) {
   constexpr std::size_t kLargePage = std::size_t{1} << 21U;
   const std::align_val_t align{size < kLargePage ? BlockWriter::kAlignment : kLargePage};
-  const std::shared_ptr<void> memory(::operator new(size, align),
-                                     [align](void* p) { ::operator delete(p, align); });
+  std::shared_ptr<void> memory(::operator new(size, align),
+                               [align](void* p) { ::operator delete(p, align); });
 #ifdef __linux__
   // A wish: where it is not granted, all stays as it was. What does not fill a page is left out.
   if (size >= kLargePage) madvise(memory.get(), size / kLargePage * kLargePage, MADV_HUGEPAGE);

@@ -10,7 +10,7 @@ T Complement<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 void Complement<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                          std::span<T> distances) const {
-  UnaryOperation<T>::localSignedDistances(points, distances);
+  this->operandValues(points, distances);
   for (auto& distance : distances) distance = -distance;
 }
 
@@ -27,7 +27,7 @@ SurfacePoint<T> Complement<T>::localClosestPoint(const Vec3<T>& p) const {
 template <std::floating_point T>
 void Complement<T>::localClosestPoints(std::span<const Vec3<T>> points,
                                        std::span<SurfacePoint<T>> results) const {
-  UnaryOperation<T>::localClosestPoints(points, results);
+  this->operandPoints(points, results);
   for (auto& result : results) result = turned(result);
 }
 
@@ -54,13 +54,13 @@ CrossingCount Complement<T>::localCrossings(const Segment<T>& segment,
 }
 
 template <std::floating_point T>
-Interval<T> Complement<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
-  return -this->boundsOf(operand(), box);
+Interval<T> Complement<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) const {
+  return -this->boundsOf(operand(), box, hint);
 }
 
 template <std::floating_point T>
-BoxClass Complement<T>::localClassify(const OrientedBox<T>& box, BoxHint*) const {
-  const auto c = this->classOf(operand(), box);
+BoxClass Complement<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
+  const auto c = this->classOf(operand(), box, hint);
   if (c == BoxClass::Inside) return BoxClass::Outside;
   return c == BoxClass::Outside ? BoxClass::Inside : c;
 }

@@ -24,6 +24,9 @@ class Complement final : public UnaryOperation<T> {
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
   void localClosestPoints(std::span<const Vec3<T>> points,
                           std::span<SurfacePoint<T>> results) const override;
+  [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override {
+    return this->operand().owner(p);
+  }
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;

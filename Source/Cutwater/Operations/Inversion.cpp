@@ -122,7 +122,7 @@ void Inversion<T>::localSignedDistances(std::span<const Vec3<T>> points,
       const T radius = length(p);
       images[i] = isOrigin(radius) ? Vec3<T>{} : image(p, radius);
     }
-    UnaryOperation<T>::localSignedDistances(std::span<const Vec3<T>>(images).first(count), values);
+    this->operandValues(std::span<const Vec3<T>>(images).first(count), values);
     for (std::size_t i = 0; i < count; ++i) {
       const T radius = length(points[first + i]);
       values[i] = isOrigin(radius) ? valueAtOrigin() : valueFrom(values[i], radius);
@@ -155,36 +155,9 @@ Vec3<T> Inversion<T>::localGradient(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
-SurfacePoint<T> Inversion<T>::localClosestPoint(const Vec3<T>& p) const {
-  return SignedDistanceFunction<T>::localClosestPoint(p);
-}
-
-template <std::floating_point T>
-void Inversion<T>::localClosestPoints(std::span<const Vec3<T>> points,
-                                      std::span<SurfacePoint<T>> results) const {
-  SignedDistanceFunction<T>::localClosestPoints(points, results);
-}
-
-template <std::floating_point T>
 SurfaceOwner Inversion<T>::localOwner(const Vec3<T>& p) const {
   const T radius = length(p);
   return isOrigin(radius) ? SurfaceOwner{} : this->operand().owner(image(p, radius));
-}
-
-template <std::floating_point T>
-CrossingCount Inversion<T>::localCrossings(const Segment<T>& segment,
-                                           CrossingVisitor<T> visit) const {
-  return SignedDistanceFunction<T>::localCrossings(segment, visit);
-}
-
-template <std::floating_point T>
-Interval<T> Inversion<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) const {
-  return SignedDistanceFunction<T>::localBounds(box, hint);
-}
-
-template <std::floating_point T>
-BoxClass Inversion<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
-  return SignedDistanceFunction<T>::localClassify(box, hint);
 }
 
 template class Inversion<float>;

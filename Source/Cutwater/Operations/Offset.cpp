@@ -18,29 +18,13 @@ T Offset<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 void Offset<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                      std::span<T> distances) const {
-  UnaryOperation<T>::localSignedDistances(points, distances);
+  this->operandValues(points, distances);
   for (auto& distance : distances) distance -= distance_;
-}
-
-template <std::floating_point T>
-SurfacePoint<T> Offset<T>::localClosestPoint(const Vec3<T>& p) const {
-  return SignedDistanceFunction<T>::localClosestPoint(p);
-}
-
-template <std::floating_point T>
-void Offset<T>::localClosestPoints(std::span<const Vec3<T>> points,
-                                   std::span<SurfacePoint<T>> results) const {
-  SignedDistanceFunction<T>::localClosestPoints(points, results);
 }
 
 template <std::floating_point T>
 SurfaceOwner Offset<T>::localOwner(const Vec3<T>& p) const {
   return this->operand().closestPoint(p).owner;  // p is not on the operand's own surface
-}
-
-template <std::floating_point T>
-CrossingCount Offset<T>::localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const {
-  return SignedDistanceFunction<T>::localCrossings(segment, visit);
 }
 
 template <std::floating_point T>
@@ -53,11 +37,6 @@ Interval<T> Offset<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
   };
   return {range.lower - distance_ - outward(range.lower),
           range.upper - distance_ + outward(range.upper)};
-}
-
-template <std::floating_point T>
-BoxClass Offset<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
-  return SignedDistanceFunction<T>::localClassify(box, hint);
 }
 
 template <std::floating_point T>

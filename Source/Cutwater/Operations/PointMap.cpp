@@ -20,7 +20,7 @@ void PointMap<T>::localSignedDistances(std::span<const Vec3<T>> points,
     const auto count = std::min(kMost, points.size() - first);
     const auto values = distances.subspan(first, count);
     for (std::size_t i = 0; i < count; ++i) images[i] = mapped(points[first + i]);
-    UnaryOperation<T>::localSignedDistances(std::span<const Vec3<T>>(images).first(count), values);
+    this->operandValues(std::span<const Vec3<T>>(images).first(count), values);
     for (auto& value : values) value *= factor();
   }
 }
@@ -31,25 +31,8 @@ Vec3<T> PointMap<T>::localGradient(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
-SurfacePoint<T> PointMap<T>::localClosestPoint(const Vec3<T>& p) const {
-  return SignedDistanceFunction<T>::localClosestPoint(p);
-}
-
-template <std::floating_point T>
-void PointMap<T>::localClosestPoints(std::span<const Vec3<T>> points,
-                                     std::span<SurfacePoint<T>> results) const {
-  SignedDistanceFunction<T>::localClosestPoints(points, results);
-}
-
-template <std::floating_point T>
 SurfaceOwner PointMap<T>::localOwner(const Vec3<T>& p) const {
   return this->operand().owner(mapped(p));
-}
-
-template <std::floating_point T>
-CrossingCount PointMap<T>::localCrossings(const Segment<T>& segment,
-                                          CrossingVisitor<T> visit) const {
-  return SignedDistanceFunction<T>::localCrossings(segment, visit);
 }
 
 template <std::floating_point T>

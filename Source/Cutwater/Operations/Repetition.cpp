@@ -194,7 +194,7 @@ void Repetition<T>::localSignedDistances(std::span<const Vec3<T>> points,
     const auto here = points.subspan(first, count);
     const auto values = distances.subspan(first, count);
     for (std::size_t i = 0; i < count; ++i) locals[i] = seenFrom(central(here[i]), here[i]);
-    UnaryOperation<T>::localSignedDistances(std::span<const Vec3<T>>(locals).first(count), values);
+    this->operandValues(std::span<const Vec3<T>>(locals).first(count), values);
     for (std::size_t i = 0; i < count; ++i) {
       const T value = valueFrom(locals[i], values[i]);
       values[i] = decide(here[i], {central(here[i]), value}).value;
@@ -227,30 +227,8 @@ SurfacePoint<T> Repetition<T>::localClosestPoint(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
-void Repetition<T>::localClosestPoints(std::span<const Vec3<T>> points,
-                                       std::span<SurfacePoint<T>> results) const {
-  SignedDistanceFunction<T>::localClosestPoints(points, results);
-}
-
-template <std::floating_point T>
 SurfaceOwner Repetition<T>::localOwner(const Vec3<T>& p) const {
   return this->operand().owner(seenFrom(decide(p).copy, p));
-}
-
-template <std::floating_point T>
-CrossingCount Repetition<T>::localCrossings(const Segment<T>& segment,
-                                            CrossingVisitor<T> visit) const {
-  return SignedDistanceFunction<T>::localCrossings(segment, visit);
-}
-
-template <std::floating_point T>
-Interval<T> Repetition<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) const {
-  return SignedDistanceFunction<T>::localBounds(box, hint);
-}
-
-template <std::floating_point T>
-BoxClass Repetition<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
-  return SignedDistanceFunction<T>::localClassify(box, hint);
 }
 
 template <std::floating_point T>

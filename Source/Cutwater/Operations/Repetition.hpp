@@ -42,12 +42,7 @@ class Repetition final : public UnaryOperation<T> {
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
-  void localClosestPoints(std::span<const Vec3<T>> points,
-                          std::span<SurfacePoint<T>> results) const override;
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
-  CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
-  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
-  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const override;
 

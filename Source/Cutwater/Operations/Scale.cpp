@@ -23,7 +23,7 @@ template <std::floating_point T>
 void Scale<T>::localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const {
   forShrunk(points, [&](std::span<const Vec3<T>> here, std::size_t first) {
     const auto values = distances.subspan(first, here.size());
-    UnaryOperation<T>::localSignedDistances(here, values);
+    this->operandValues(here, values);
     for (auto& value : values) value *= std::abs(factor_);
   });
 }
@@ -60,7 +60,7 @@ void Scale<T>::localClosestPoints(std::span<const Vec3<T>> points,
                                   std::span<SurfacePoint<T>> results) const {
   forShrunk(points, [&](std::span<const Vec3<T>> here, std::size_t first) {
     const auto found = results.subspan(first, here.size());
-    UnaryOperation<T>::localClosestPoints(here, found);
+    this->operandPoints(here, found);
     for (std::size_t i = 0; i < here.size(); ++i) found[i] = grown(found[i], points[first + i]);
   });
 }
@@ -103,8 +103,8 @@ OrientedBox<T> Scale<T>::shrunk(const OrientedBox<T>& box) const {
 }
 
 template <std::floating_point T>
-Interval<T> Scale<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
-  const auto range = this->boundsOf(this->operand(), shrunk(box));
+Interval<T> Scale<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) const {
+  const auto range = this->boundsOf(this->operand(), shrunk(box), hint);
   const T s = std::abs(factor_);
   const T outward = 2 * std::numeric_limits<T>::epsilon();
   return {s * range.lower - outward * std::abs(s * range.lower),
@@ -112,8 +112,8 @@ Interval<T> Scale<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
 }
 
 template <std::floating_point T>
-BoxClass Scale<T>::localClassify(const OrientedBox<T>& box, BoxHint*) const {
-  return this->classOf(this->operand(), shrunk(box));
+BoxClass Scale<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
+  return this->classOf(this->operand(), shrunk(box), hint);
 }
 
 template <std::floating_point T>

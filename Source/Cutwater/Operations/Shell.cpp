@@ -21,7 +21,7 @@ T Shell<T>::localSignedDistance(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 void Shell<T>::localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const {
-  UnaryOperation<T>::localSignedDistances(points, distances);
+  this->operandValues(points, distances);
   for (auto& distance : distances) distance = std::abs(distance) - halfThickness_;
 }
 
@@ -32,24 +32,8 @@ Vec3<T> Shell<T>::localGradient(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
-SurfacePoint<T> Shell<T>::localClosestPoint(const Vec3<T>& p) const {
-  return SignedDistanceFunction<T>::localClosestPoint(p);
-}
-
-template <std::floating_point T>
-void Shell<T>::localClosestPoints(std::span<const Vec3<T>> points,
-                                  std::span<SurfacePoint<T>> results) const {
-  SignedDistanceFunction<T>::localClosestPoints(points, results);
-}
-
-template <std::floating_point T>
 SurfaceOwner Shell<T>::localOwner(const Vec3<T>& p) const {
   return this->operand().closestPoint(p).owner;  // p is not on the operand's own surface
-}
-
-template <std::floating_point T>
-CrossingCount Shell<T>::localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const {
-  return SignedDistanceFunction<T>::localCrossings(segment, visit);
 }
 
 template <std::floating_point T>
@@ -62,11 +46,6 @@ Interval<T> Shell<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
                                 : T(0);
   };
   return {least - halfThickness_ - outward(least), most - halfThickness_ + outward(most)};
-}
-
-template <std::floating_point T>
-BoxClass Shell<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
-  return SignedDistanceFunction<T>::localClassify(box, hint);
 }
 
 template <std::floating_point T>

@@ -4,7 +4,7 @@
 
 namespace cutwater {
 
-/// One operand, to which everything is passed on that a subclass does not change.
+/// One operand, whose patches are those of the whole.
 template <std::floating_point T>
 class UnaryOperation : public SignedDistanceFunction<T> {
  protected:
@@ -12,18 +12,14 @@ class UnaryOperation : public SignedDistanceFunction<T> {
 
   [[nodiscard]] const Solid<T>& operand() const { return operand_; }
 
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
-  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
-  void localClosestPoints(std::span<const Vec3<T>> points,
-                          std::span<SurfacePoint<T>> results) const override;
-  [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
-  CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
-  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
-  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override { return operand_.guarantee(); }
-  [[nodiscard]] Box<T> localBoundingBox() const override { return operand_.boundingBox(); }
+  /// The operand's answers for many points of its own frame, from within a parallel region.
+  void operandValues(std::span<const Vec3<T>> points, std::span<T> distances) const {
+    operand_.signedDistances(points, distances, {.threads = 1});
+  }
+  void operandPoints(std::span<const Vec3<T>> points, std::span<SurfacePoint<T>> results) const {
+    operand_.closestPoints(points, results, {.threads = 1});
+  }
+
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
   void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const override {
     visit(operand_);

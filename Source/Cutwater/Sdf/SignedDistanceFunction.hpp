@@ -142,12 +142,12 @@ class SignedDistanceFunction {
 
   // For composites: what an operand answers about a box given in the composite's own frame.
   [[nodiscard]] static Interval<T> boundsOf(const SignedDistanceFunction& operand,
-                                            const OrientedBox<T>& box) {
-    return operand.localBounds(operand.toLocal(box), nullptr);
+                                            const OrientedBox<T>& box, BoxHint* hint = nullptr) {
+    return operand.localBounds(operand.toLocal(box), hint);
   }
   [[nodiscard]] static BoxClass classOf(const SignedDistanceFunction& operand,
-                                        const OrientedBox<T>& box) {
-    return operand.localClassify(operand.toLocal(box), nullptr);
+                                        const OrientedBox<T>& box, BoxHint* hint = nullptr) {
+    return operand.localClassify(operand.toLocal(box), hint);
   }
 
   // How the default of localClassify() is certain that a box within the domain is cut.
