@@ -33,7 +33,8 @@ class RandomTreesTest : public ::testing::Test {
   }
 
   static bool expectTree(unsigned seed, int depth) {
-    const auto solid = RandomTrees<T>(seed).tree(depth);
+    // One in four of numbers that a person would choose: faces are aligned, distances equal.
+    const auto solid = RandomTrees<T>(seed, seed % 4 == 3 ? 0.125 : 0).tree(depth);
     const double extent = extentOf(solid);
     if (extent == 0) return false;
     const SurfaceSamples<T> samples(solid, extent, 12, 1);

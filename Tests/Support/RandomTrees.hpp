@@ -11,7 +11,8 @@ namespace cutwater::test {
 template <std::floating_point T>
 class RandomTrees {
  public:
-  explicit RandomTrees(unsigned seed) : engine_(seed) {}
+  /// `grid`: if not 0, all numbers are multiples of it, and much coincides or is aligned.
+  explicit RandomTrees(unsigned seed, double grid = 0) : engine_(seed), grid_(grid) {}
 
   /// An operator of Algebra.hpp over trees of which one has depth - 1 levels of operators, the
   /// others fewer; depth 0 is a shape.
@@ -24,7 +25,12 @@ class RandomTrees {
 
   double uniform(double a, double b) { return std::uniform_real_distribution<>(a, b)(engine_); }
   int below(int end) { return static_cast<int>(uniform(0, end)); }
-  T number(double a, double b) { return static_cast<T>(uniform(a, b)); }
+  T number(double a, double b) {
+    const double x = uniform(a, b);
+    if (grid_ == 0) return static_cast<T>(x);
+    const double coarse = std::round(x / grid_) * grid_;
+    return static_cast<T>(a > 0 ? std::max(coarse, grid_) : coarse);
+  }
   Vec3<T> point(double extent);
   Vec3<T> direction();
   Smoothing<T> smoothing();
@@ -47,6 +53,7 @@ class RandomTrees {
   Solid<T> first(int depth) { return tree(depth - 1); }
 
   std::mt19937 engine_;
+  double grid_;
   int leaves_ = 0;
 };
 
