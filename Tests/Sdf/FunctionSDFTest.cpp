@@ -43,6 +43,24 @@ TYPED_TEST(FunctionSDFTest, WithoutALipschitzConstantOnlyPointsAreCertain) {
   expectGuarantee(step, 1, {.polish = false});
 }
 
+TYPED_TEST(FunctionSDFTest, ClosestPointsAreNotSoughtFarAway) {
+  using T = TypeParam;
+  // No surface, and a gradient that nearly vanishes: steps to where the value would be 0 lead away.
+  T farthest = 0;
+  const auto value = [&farthest](const Vec3<T>& p) {
+    farthest = std::max(farthest, length(p));
+    return std::sqrt(p.x * p.x + 1);
+  };
+  const FunctionSDF valley(value, Guarantee<T>{.outside = Quality::LowerBound,
+                                               .inside = Quality::LowerBound,
+                                               .lipschitz = T(1),
+                                               .continuous = true});
+  for (const T x : {T(0.5), T(1e-2), T(-1e-3), T(1e-5)}) {
+    EXPECT_FALSE(valley.closestPoint({x, 1, 0}).exact);
+  }
+  EXPECT_LT(farthest, T(200));
+}
+
 TYPED_TEST(FunctionSDFTest, RefusesNegativePromises) {
   using T = TypeParam;
   const auto zero = [](const Vec3<T>&) { return T(0); };

@@ -84,7 +84,8 @@ void GuaranteeCheck<T>::checkDistanceBounds(const Box<T>& box, Tally& bounds) co
     // Farther away there may be surface that was not sampled.
     const double reach = double{maxComponent(abs(p))} + double{distances.upper} + cover;
     bounds.expect(double{distances.lower} <= nearest + rounding &&
-                      (reach > extent_ || double{distances.upper} >= nearest - cover - rounding),
+                      (reach > extent_ || double{distances.upper} >= nearest - cover - rounding ||
+                       hasSurfaceAt(p, double{distances.upper} + rounding)),
                   "distance", nearest, "at", p, "not in", distances.lower, distances.upper);
   }
   if (promise_.outside == Quality::Exact && range.lower > 0 &&

@@ -52,6 +52,8 @@ class GuaranteeCheck {
   void checkSign();
   void checkLipschitz();
   void checkDistances();
+  /// The sign changes at the closest point that the solid tells, which is no farther than this.
+  [[nodiscard]] bool hasSurfaceAt(const Vec3<T>& p, double distance) const;
   void checkBatches();
   void checkNonFinite();
   void checkMotions();

@@ -17,6 +17,7 @@ class Projection {
     quality_ = field.guarantee.quality(residual_);
     start_ = p;
     startValue_ = residual_;
+    reach_ = kFarthest * (length(p) + std::abs(residual_) + field.guarantee.size);
   }
 
   SurfacePoint<T> run() {
@@ -24,7 +25,7 @@ class Projection {
     std::array<Vec3<T>, 4> trail;  // the points before
     for (std::size_t step = 0; step < kMostSteps && !arrived(); ++step) {
       trail[step % 4] = point_;
-      if (!moveTo(point_ - (residual_ / lengthSquared(slope())) * slope_)) break;
+      if (!moveTo(limited(point_ - (residual_ / lengthSquared(slope())) * slope_))) break;
       if (step % 4 == 3) leapAlong(trail[0], trail[2]);
     }
     if (normal_ == Vec3<T>{}) normal_ = normalized(slope());  // p was on the surface
@@ -39,6 +40,15 @@ class Projection {
   }
 
  private:
+  /// In units of all lengths that are known. Where the gradient nearly vanishes, as it does if there
+  /// is no surface at all, steps would end anywhere: far away, a value may take very long to find.
+  static constexpr T kFarthest = 64;
+
+  /// A point on the way to `next`, no farther away than that.
+  [[nodiscard]] Vec3<T> limited(const Vec3<T>& next) const {
+    const T distance = length(next - start_);
+    return distance > reach_ ? start_ + (reach_ / distance) * (next - start_) : next;
+  }
   [[nodiscard]] T rounding() const { return field_.guarantee.error(length(point_)); }
   [[nodiscard]] bool arrived() const { return std::abs(residual_) <= rounding(); }
 
@@ -96,7 +106,7 @@ class Projection {
     const T before = length(second - first);
     const T ratio = length(point_ - second) / before;
     if (!(ratio < 1)) return;
-    const Vec3<T> limit = point_ + (ratio / (1 - ratio)) * (point_ - second);
+    const Vec3<T> limit = limited(point_ + (ratio / (1 - ratio)) * (point_ - second));
     const T there = field_.value(limit);
     if (std::abs(there) < std::abs(residual_)) point_ = limit, residual_ = there;
   }
@@ -104,6 +114,7 @@ class Projection {
   const Field<T>& field_;
   Vec3<T> start_;
   T startValue_{};
+  T reach_{};
   Vec3<T> point_;
   T residual_;
   Quality quality_{};

@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <sstream>
+
+#include "Support/Guarantee.hpp"
+#include "Support/Precisions.hpp"
+#include "Support/Random.hpp"
+#include "Support/RandomTrees.hpp"
+#include "Support/SameClosestPoints.hpp"
+#include "Support/Scale.hpp"
+#include "Support/SurfaceSamples.hpp"
+
+namespace cutwater::test {
+namespace {
+
+template <typename T>
+class RandomTreesTest : public ::testing::Test {
+ protected:
+  /// How far from the origin it is worth looking: all of a bounded solid, and no farther than the
+  /// guarantee holds. 0 if that is hardly anywhere.
+  static double extentOf(const Solid<T>& solid) {
+    const auto box = solid.boundingBox();
+    double extent = 3;
+    if (!box.empty() && isFinite(box)) {
+      extent = 1.2 * double{maxComponent(max(abs(box.lower), abs(box.upper)))};
+      extent = std::clamp(extent, 0.5, 8.0);
+    }
+    const auto domain = solid.guarantee().domain;
+    if (domain == Box<T>::everywhere()) return extent;
+    const auto within = min(domain.upper, T(-1) * domain.lower);
+    // Checks ask at points of up to twice the extent.
+    const double reach = std::min({double{within.x}, double{within.y}, double{within.z}});
+    return std::isfinite(reach) && reach > 0.5 ? std::min(extent, reach / 4) : 0;
+  }
+
+  static bool expectTree(unsigned seed, int depth) {
+    // One in four of numbers that a person would choose: faces are aligned, distances equal.
+    const auto solid = RandomTrees<T>(seed, seed % 4 == 3 ? 0.125 : 0).tree(depth);
+    const double extent = extentOf(solid);
+    if (extent == 0) return false;
+    const SurfaceSamples<T> samples(solid, extent, 12, 1);
+    GuaranteeOptions options{.probes = 250, .lines = 16, .seed = seed};
+    options.hasSurface = samples.points().size() > 50;
+    const bool hadFailure = ::testing::Test::HasFailure();
+    expectGuarantee(solid, extent, options);
+    if (!hadFailure && ::testing::Test::HasFailure()) {
+      ADD_FAILURE() << "tree of seed " << seed << " and depth " << depth << ", extent " << extent
+                    << ":\n"
+                    << solid.describe();
+    }
+    return options.hasSurface;
+  }
+
+  static void expectTrees(int depth, int count) {
+    const int all = scaled(count);
+    int checked = 0;
+    for (int i = 0; i < all && !::testing::Test::HasFailure(); ++i) {
+      checked += expectTree(static_cast<unsigned>(1000 * depth + i), depth) ? 1 : 0;
+    }
+    if (!::testing::Test::HasFailure()) {
+      EXPECT_GE(2 * checked, all) << "hardly any has a surface";
+    }
+  }
+
+  /// Calls check(tree, other tree) for some of each depth; a failing one is told.
+  template <typename Check>
+  static void forTrees(int count, const Check& check) {
+    for (int i = 0; i < scaled(count) && !::testing::Test::HasFailure(); ++i) {
+      const auto seed = static_cast<unsigned>(i + 1);
+      RandomTrees<T> trees(seed);
+      const auto a = trees.tree(1 + i % 4);
+      const auto b = trees.tree(i % 3);
+      check(a, b);
+      if (!::testing::Test::HasFailure()) continue;
+      ADD_FAILURE() << "trees of seed " << seed << ":\n" << a.describe() << b.describe();
+    }
+  }
+
+  /// Values are the same bits, of the second at points shifted by this much.
+  static void expectSame(const Solid<T>& a, const Solid<T>& b, const Vec3<T>& shift = {}) {
+    RandomPoints<T> points(3);
+    for (int i = 0; i < 50 && !::testing::Test::HasFailure(); ++i) {
+      const auto p = coarse(points.next());
+      const T first = a.signedDistance(p);
+      const T second = b.signedDistance(p + shift);
+      EXPECT_TRUE(isSame(first, second)) << p << ' ' << first << ' ' << second;
+    }
+  }
+  /// Multiples of 1/1024: sums of such are exact.
+  static Vec3<T> coarse(const Vec3<T>& p) {
+    return {std::round(p.x * 1024) / 1024, std::round(p.y * 1024) / 1024,
+            std::round(p.z * 1024) / 1024};
+  }
+};
+TYPED_TEST_SUITE(RandomTreesTest, Precisions);
+
+TYPED_TEST(RandomTreesTest, OfOneOperatorKeepTheirGuarantee) {
+  this->expectTrees(1, 12);
+}
+TYPED_TEST(RandomTreesTest, OfTwoLevelsKeepTheirGuarantee) {
+  this->expectTrees(2, 12);
+}
+TYPED_TEST(RandomTreesTest, OfThreeLevelsKeepTheirGuarantee) {
+  this->expectTrees(3, 8);
+}
+TYPED_TEST(RandomTreesTest, OfFourLevelsKeepTheirGuarantee) {
+  this->expectTrees(4, 6);
+}
+
+TYPED_TEST(RandomTreesTest, IdentitiesHoldToTheBit) {
+  using T = TypeParam;
+  this->forTrees(60, [this](const Solid<T>& a, const Solid<T>& b) {
+    this->expectSame(a, ~~a);
+    this->expectSame(~(a | b), ~a & ~b);
+    this->expectSame(~(a & b), ~a | ~b);
+    this->expectSame(a - b, ~(~a | b));
+    this->expectSame(a ^ b, b ^ a);
+    const Smoothing<T> smoothing{.reach = T(0.25)};
+    this->expectSame(~smoothUnion(a, b, smoothing), smoothIntersection(~a, ~b, smoothing));
+    for (const T factor : {T(4), T(-0.125)}) {
+      this->expectSame(a, scaled(scaled(a, factor), 1 / factor));
+    }
+    this->expectSame(a,
+                     mirrored(mirrored(a, {1, 2, 3}, {T(0.3), 0, 0}), {1, 2, 3}, {T(0.3), 0, 0}));
+    this->expectSame(a, rotated(mirrored(mirrored(named(a, "a"), {0, 1, 0}), {0, 0, 1}), 180, 0));
+  });
+}
+
+TYPED_TEST(RandomTreesTest, MovingTheSolidIsMovingThePoint) {
+  using T = TypeParam;
+  this->forTrees(100, [this](const Solid<T>& a, const Solid<T>&) {
+    // Named, it has no placement of its own, to which the offset would be added with rounding.
+    const Vec3<T> offset{8, T(-0.5), T(0.0625)};
+    this->expectSame(a, translated(named(a, "a"), offset), offset);
+  });
+}
+
+TYPED_TEST(RandomTreesTest, BatchesAreAsOneByOne) {
+  using T = TypeParam;
+  this->forTrees(100, [](const Solid<T>& a, const Solid<T>&) {
+    RandomPoints<T> random(2);
+    std::vector<Vec3<T>> points(300);
+    for (auto& p : points) p = random.next();
+    std::vector<T> values(points.size());
+    a.signedDistances(points, values);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_TRUE(isSame(values[i], a.signedDistance(points[i]))) << points[i];
+    }
+  });
+}
+
+TYPED_TEST(RandomTreesTest, DescribeEveryShapeInALine) {
+  int described = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    RandomTrees<TypeParam> trees(seed);
+    const auto text = trees.tree(static_cast<int>(seed % 5)).describe();
+    if (text.find(" more\n") != std::string::npos) continue;  // more than 16 operands
+    ++described;
+    std::istringstream lines(text);
+    int shapes = 0;
+    std::size_t depthBefore = 0;
+    for (std::string line; std::getline(lines, line);) {
+      const auto depth = line.find_first_not_of(' ') / 2;
+      shapes += depth <= depthBefore && depthBefore > 0 ? 1 : 0;
+      EXPECT_LE(depth, depthBefore + 1);
+      EXPECT_NE(line.find(": "), std::string::npos) << line;
+      EXPECT_NE(line.find("; "), std::string::npos) << line;
+      depthBefore = depth;
+    }
+    EXPECT_EQ(shapes + 1, trees.leaves()) << "seed " << seed << "\n" << text;
+  }
+  EXPECT_GT(described, 150);
+}
+
+}  // namespace
+}  // namespace cutwater::test
