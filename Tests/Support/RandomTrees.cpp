@@ -1,14 +1,24 @@
 #include "Support/RandomTrees.hpp"
 
+#include <Cutwater/Shapes/BoxFrame.hpp>
 #include <Cutwater/Shapes/CappedCone.hpp>
+#include <Cutwater/Shapes/CappedTorus.hpp>
 #include <Cutwater/Shapes/Capsule.hpp>
 #include <Cutwater/Shapes/Cone.hpp>
 #include <Cutwater/Shapes/ConeSphere.hpp>
+#include <Cutwater/Shapes/ConvexPolyhedron.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
+#include <Cutwater/Shapes/Ellipsoid.hpp>
+#include <Cutwater/Shapes/Extrusion.hpp>
+#include <Cutwater/Shapes/HexagonalPrism.hpp>
 #include <Cutwater/Shapes/InfiniteCone.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>
+#include <Cutwater/Shapes/Link.hpp>
+#include <Cutwater/Shapes/Octahedron.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
+#include <Cutwater/Shapes/Pyramid.hpp>
+#include <Cutwater/Shapes/Revolution.hpp>
 #include <Cutwater/Shapes/RoundedBox.hpp>
 #include <Cutwater/Shapes/RoundedCylinder.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
@@ -59,6 +69,43 @@ Solid<T> RandomTrees<T>::roundShape(int kind) {
 }
 
 template <std::floating_point T>
+Solid<T> RandomTrees<T>::centredShape(int kind) {
+  const T size = number(0.5, 1);
+  const T thin = number(0.125, 0.25) * size;
+  const Vec3<T> half{size, number(0.5, 1), number(0.5, 1)};
+  switch (kind) {
+    case 0:
+      return Ellipsoid<T>({}, half);
+    case 1:
+      return BoxFrame<T>({-half, half}, thin);
+    case 2:
+      return CappedTorus<T>(size, thin, number(10, 85));
+    case 3:
+      return Link<T>(number(0.25, 1), size, thin);
+    case 4:
+      return HexagonalPrism<T>(size, half.y);
+    case 5:
+      return Octahedron<T>(size);
+    case 6:
+      return Pyramid<T>(size, half.y);
+    case 7:
+      return ConvexPolyhedron<T>({{{half.x, 0, 0}, {1, 0, 0}},
+                                  {{-half.x, 0, 0}, {-1, 0, T(0.25)}},
+                                  {{0, half.y, 0}, {T(0.25), 1, 0}},
+                                  {{0, -half.y, 0}, {0, -1, 0}},
+                                  {{0, 0, half.z}, {T(0.25), 0, 1}},
+                                  {{0, 0, -half.z}, {0, T(0.5), -1}}});
+    default: {
+      // An L, as a bar or about the axis.
+      const Polygon<T> section(
+          {{thin, -size}, {half.y, -size}, {half.y, thin - size}, {2 * thin, size}, {thin, size}});
+      if (kind == 8) return Extrusion<T>(section, -half.z, half.z);
+      return Revolution<T>(section);
+    }
+  }
+}
+
+template <std::floating_point T>
 Solid<T> RandomTrees<T>::unboundedShape(int kind) {
   const auto a = point(0.5);
   switch (kind) {
@@ -91,7 +138,8 @@ Solid<T> RandomTrees<T>::unboundedShape(int kind) {
 template <std::floating_point T>
 Solid<T> RandomTrees<T>::shape() {
   ++leaves_;
-  const int kind = below(16);
+  const int kind = below(26);
+  if (kind >= 16) return translated(centredShape(kind - 16), point(0.4));
   if (kind < 8) return roundShape(kind);
   if (kind < 12) return unboundedShape(kind - 8);
   const auto lower = point(0.75);

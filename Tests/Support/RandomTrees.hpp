@@ -38,8 +38,8 @@ class RandomTrees {
 
   Solid<T> shape();
   Solid<T> roundShape(int kind);
+  Solid<T> centredShape(int kind);
   Solid<T> unboundedShape(int kind);
-  /// The same in one to three of the operands, drawn in turn.
   Solid<T> combination(int depth);
   Solid<T> smoothCombination(int depth);
   Solid<T> manyOperands(int depth);
