@@ -114,9 +114,8 @@ bool QueryBox::isApart(const Corners& triangle) const {
   const std::array<Vec3<double>, 3> edges{b - a, c - b, a - c};
   if (separation(cross(edges[0], edges[2]), triangle) > 0) return true;
   return std::ranges::any_of(edges, [&](const Vec3<double>& e) {
-    return std::ranges::any_of(acrossEdges(e), [&](const Vec3<double>& axis) {
-      return separation(axis, triangle) > 0;
-    });
+    return std::ranges::any_of(
+        acrossEdges(e), [&](const Vec3<double>& axis) { return separation(axis, triangle) > 0; });
   });
 }
 
@@ -150,7 +149,8 @@ double QueryBox::gap(const Corners& triangle, double enough) const {
   for (const auto& corner : triangle) ask(corner - max(-half_, min(half_, corner)));
   if (certain(best) >= enough) return certain(best);
 
-  // Else an edge is nearest to a corner of the box; projections to the one and the other lead there.
+  // Else an edge is nearest to a corner of the box; projections to the one and the other lead
+  // there.
   constexpr int kMostSteps = 8;
   const Triangle<double> t{a, b, c, isSliver(a, b, c)};
   Vec3<double> inBox;

@@ -40,8 +40,9 @@ class Projection {
   }
 
  private:
-  /// In units of all lengths that are known. Where the gradient nearly vanishes, as it does if there
-  /// is no surface at all, steps would end anywhere: far away, a value may take very long to find.
+  /// In units of all lengths that are known. Where the gradient nearly vanishes, as it does if
+  /// there is no surface at all, steps would end anywhere: far away, a value may take very long to
+  /// find.
   static constexpr T kFarthest = 64;
 
   /// A point on the way to `next`, no farther away than that.
