@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Shapes/CappedTorus.hpp>
 #include <Cutwater/Shapes/Capsule.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
@@ -72,6 +73,16 @@ TYPED_TEST(ElongationTest, RefusesImpossibleLengths) {
   EXPECT_THROW(static_cast<void>(elongated(this->ball_, {0, -1, 0})), Error);
   EXPECT_THROW(
       static_cast<void>(elongated(this->ball_, {0, 0, std::numeric_limits<T>::infinity()})), Error);
+}
+
+TYPED_TEST(ElongationTest, HasAGradientWhereTheOperandHasNone) {
+  using T = TypeParam;
+  const CappedTorus<T> arc(1, T(0.25), 45);
+  EXPECT_EQ(arc.gradient({-1, 0, 0}), Vec3<T>{});  // both ends are equally near
+  const auto gradient = elongated(arc, {0, T(0.5), 0}).gradient({-1, T(0.2), 0});
+  const T x = -1 - std::sqrt(T(0.5));  // from the end's x to the point
+  EXPECT_NEAR(gradient.x, x / std::hypot(x, std::sqrt(T(0.5))), T(1e-3));
+  EXPECT_NEAR(gradient.y, T(0), T(1e-3));
 }
 
 }  // namespace

@@ -34,6 +34,14 @@ Vec3<T> Elongation<T>::pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) con
 }
 
 template <std::floating_point T>
+Vec3<T> Elongation<T>::localGradient(const Vec3<T>& p) const {
+  const auto gradient = PointMap<T>::localGradient(p);
+  // The gap shows the operand's plane of symmetry, where it may have no gradient; across the gap
+  // values do not change, so here there is one.
+  return gradient == Vec3<T>{} ? SignedDistanceFunction<T>::localGradient(p) : gradient;
+}
+
+template <std::floating_point T>
 Guarantee<T> Elongation<T>::localGuarantee() const {
   auto promise = this->operand().guarantee();
   promise.outside = std::min(promise.outside, Quality::LowerBound);

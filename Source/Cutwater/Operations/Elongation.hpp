@@ -21,6 +21,7 @@ class Elongation final : public PointMap<T> {
   [[nodiscard]] Vec3<T> mapped(const Vec3<T>& p) const override;
   [[nodiscard]] OrientedBox<T> mapped(const OrientedBox<T>& box) const override;
   [[nodiscard]] Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
 
