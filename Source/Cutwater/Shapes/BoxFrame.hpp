@@ -20,7 +20,7 @@ class BoxFrame final : public SignedDistanceFunction<T> {
   BoxFrame(const Box<T>& box, T thickness);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "BoxFrame"; }
+  [[nodiscard]] std::string localName() const override { return "Box frame"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

@@ -19,7 +19,7 @@ class CappedTorus final : public SignedDistanceFunction<T> {
   CappedTorus(T major, T minor, T halfAngle);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "CappedTorus"; }
+  [[nodiscard]] std::string localName() const override { return "Capped torus"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;

@@ -31,7 +31,7 @@ class ConvexPolyhedron final : public SignedDistanceFunction<T> {
   [[nodiscard]] std::size_t faceCount() const { return faces_.size(); }
 
  private:
-  [[nodiscard]] std::string localName() const override { return "ConvexPolyhedron"; }
+  [[nodiscard]] std::string localName() const override { return "Convex polyhedron"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;

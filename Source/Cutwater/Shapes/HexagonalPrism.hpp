@@ -16,7 +16,7 @@ class HexagonalPrism final : public Prismatic<T> {
   HexagonalPrism(T inradius, T height);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "HexagonalPrism"; }
+  [[nodiscard]] std::string localName() const override { return "Hexagonal prism"; }
   [[nodiscard]] T sectionDistance(const Vec2<T>& p) const override;
   [[nodiscard]] Vec2<T> sectionGradient(const Vec2<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
