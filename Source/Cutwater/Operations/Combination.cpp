@@ -223,25 +223,36 @@ Interval<T> Combination<T>::localBounds(const OrientedBox<T>& box, BoxHint*) con
 template <std::floating_point T>
 BoxClass Combination<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   const auto seen = [this](BoxClass c) { return decides_ == Decides::Least ? c : opposite(c); };
-  std::size_t asked = 0;
-  std::size_t outside = 0;
+  const auto around = box.bounds();
+  std::size_t reaching = 0;  // operands into the box; all others are outside
   std::size_t cut = 0;
   bool isInside = false;
   const auto ask = [&](std::size_t i) {
+    // If two do, it only matters whether another contains the box.
+    if (reaching >= 2 && !mayContain(i, around)) return 0.0;
     const auto c = seen(this->classOf(operands_[i], box));
-    ++asked;
-    outside += c == BoxClass::Outside;
+    reaching += c != BoxClass::Outside;
     cut += c == BoxClass::Cut;
     isInside = isInside || c == BoxClass::Inside;
     return isInside ? kStopTraversal : 0.0;
   };
   forEachNear(box, 0, ask);
   if (isInside) return seen(BoxClass::Inside);
-  outside += operands_.size() - asked;  // bounded from below by more than 0
-  if (outside == operands_.size()) return seen(BoxClass::Outside);
+  if (reaching == 0) return seen(BoxClass::Outside);
   // With all others away, the surface of the one that cuts is that of the whole.
-  if (cut == 1 && outside + 1 == operands_.size()) return BoxClass::Cut;
-  return SignedDistanceFunction<T>::localClassify(box, hint);
+  if (reaching == 1 && cut == 1) return BoxClass::Cut;
+  if (reaching == 1) return SignedDistanceFunction<T>::localClassify(box, hint);
+  // Bounds would show it free of surface only where those of an operand do.
+  if (!box.isWithin(guarantee_.domain)) return BoxClass::Unknown;
+  return this->holdsNearestPoint(box) || this->holdsBothSides(box) ? BoxClass::Cut
+                                                                   : BoxClass::Unknown;
+}
+
+template <std::floating_point T>
+bool Combination<T>::mayContain(std::size_t operand, const Box<T>& box) const {
+  if (decides_ == Decides::Greatest) return true;
+  const auto whole = operands_[operand].boundingBox();
+  return whole.contains(box.lower) && whole.contains(box.upper);
 }
 
 template <std::floating_point T>

@@ -66,6 +66,8 @@ class Combination : public SignedDistanceFunction<T> {
   [[nodiscard]] Decision decide(const Vec3<T>& p) const;
   /// The deciding value, if that of the operands that are always asked is known.
   [[nodiscard]] T decidingValue(const Vec3<T>& p, T ofAlwaysAsked) const;
+  /// Whether an operand whose value is to be the least may be negative in all of the box.
+  [[nodiscard]] bool mayContain(std::size_t operand, const Box<T>& box) const;
   template <typename Ask>
   void forEachNear(const OrientedBox<T>& box, double limit, Ask&& ask) const;
   /// Each point's closest point on the operand that decides there, as that operand tells it.
