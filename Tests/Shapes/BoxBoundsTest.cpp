@@ -45,21 +45,21 @@ class BoxBoundsTest : public ::testing::Test {
       ASSERT_GE(range.lower, least - step - rounding) << i;
       ASSERT_LE(range.upper, most + step + rounding) << i;
       // What one value tells would be this wide.
-      if (range.upper - range.lower < T(1.2) * length(half)) ++narrow_;
+      if (range.upper - range.lower < T(1.2) * length(half)) ++narrow;
     }
   }
-  static inline int narrow_ = 0;
+  static inline int narrow = 0;
 };
 TYPED_TEST_SUITE(BoxBoundsTest, Precisions);
 
 TYPED_TEST(BoxBoundsTest, AreTheRange) {
   using T = TypeParam;
-  this->narrow_ = 0;
+  this->narrow = 0;
   this->expectTight(Sphere<T>({T(0.25), 0, T(-0.5)}, T(0.75)));
   this->expectTight(Cuboid<T>({-1, T(-0.5), 0}, {T(0.5), 1, T(0.75)}));
   this->expectTight(RoundedBox<T>(Box<T>{{-1, T(-0.5), 0}, {T(0.5), 1, T(0.75)}}, T(0.25)));
   this->expectTight(Plane<T>({T(0.1), T(0.2), T(0.3)}, {1, 2, -1}));
-  EXPECT_GT(this->narrow_, 50);
+  EXPECT_GT(this->narrow, 50);
 }
 
 TYPED_TEST(BoxBoundsTest, OfTurnedSpheresAndPlanesToo) {
