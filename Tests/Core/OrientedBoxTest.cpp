@@ -58,6 +58,21 @@ TYPED_TEST(OrientedBoxTest, EnclosesDistancesAndNoMore) {
   }
 }
 
+TYPED_TEST(OrientedBoxTest, ReachIsThatOfTheFarthestCornerAndSlack) {
+  using T = TypeParam;
+  RandomPoints<T> points(1, 5);
+  for (int i = 0; i < 1000; ++i) {
+    auto box = this->turned(points, i);
+    box.slack = i % 2 == 0 ? T(0) : T(0.01);
+    const auto p = points.next();
+    T farthest = 0;
+    for (int k = 0; k < 8; ++k) farthest = std::max(farthest, length(box.corner(k) - p));
+    const T reach = box.distancesFrom(p).upper;
+    ASSERT_GE(reach, farthest + T(0.99) * box.slack);
+    ASSERT_LE(reach, farthest + T(1.8) * box.slack + 200 * this->kEps);
+  }
+}
+
 TYPED_TEST(OrientedBoxTest, OfExtremeSizesHasRadii) {
   using T = TypeParam;
   const T huge = sizeof(T) == sizeof(float) ? T(1e30) : T(1e250);

@@ -129,17 +129,5 @@ TEST_F(QueryBoxTest, GapIsABoundAndNearlyTheDistance) {
   EXPECT_LT(worst, 0.002);
 }
 
-TEST_F(QueryBoxTest, ReachIsThatOfTheFarthestCorner) {
-  for (int i = 0; i < 1000; ++i) {
-    const auto box = nextBox(i);
-    const auto p = points_.next();
-    double farthest = 0;
-    for (int k = 0; k < 8; ++k) farthest = std::max(farthest, length(box.corner(k) - p));
-    const double reach = QueryBox(box).reachFrom(p);
-    ASSERT_GE(reach, farthest + 0.99 * box.slack);
-    ASSERT_LE(reach, farthest + 1.8 * box.slack + 1e-11);
-  }
-}
-
 }  // namespace
 }  // namespace cutwater::test

@@ -70,6 +70,7 @@ class BvhTree {
   /// Visits the leaves whose box meets `box`: leaf(slots) answers whether to go on.
   template <typename Leaf>
   void overlapping(const OrientedBox<double>& box, Leaf&& leafVisitor) const;
+
   /// Visits the leaves whose box the segment meets, or comes within `margin` of on every axis,
   /// about in the order in which it does.
   ///

@@ -16,6 +16,29 @@ namespace cutwater {
 /// The limit above all keys. Not infinity, which a user's -ffast-math would be free to ignore.
 inline constexpr float kMostKey = std::numeric_limits<float>::max();
 
+/// Sums, over the axes, the squared gaps between [first, last] and what a node's children span.
+template <int K>
+class SquaredGaps {
+ public:
+  // The lane loop is innermost and writes to an array of its own: so compilers vectorise it.
+  CUTWATER_INLINE void add(const BvhNode<K>& node, int axis, float first, float last) {
+    const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
+    const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
+    for (std::size_t k = 0; k < K; ++k) {
+      const float under = lowers[k] - last;
+      const float over = first - uppers[k];
+      const float gap = under > over ? under : over;
+      sums_[k] += gap > 0 ? gap * gap : 0;
+    }
+  }
+  CUTWATER_INLINE void writeTo(typename BvhNode<K>::Lanes& out) const {
+    for (std::size_t k = 0; k < K; ++k) out[k] = sums_[k] < kMostKey ? sums_[k] : kMostKey;
+  }
+
+ private:
+  typename BvhNode<K>::Lanes sums_{};
+};
+
 /// Squared distances from `p`, in the tree's frame, to boxes; never more than the true ones but for
 /// the rounding of the squares.
 template <int K>
@@ -24,26 +47,18 @@ struct PointDistances {
 
   CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
     const BvhLocalPoint local = node.toLocalFloat(p);
-    typename BvhNode<K>::Lanes sums{};
+    SquaredGaps<K> gaps;
     for (int axis = 0; axis < 3; ++axis) {
-      const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
-      const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
-      const float most = local.position[axis] + local.error;
-      const float least = local.position[axis] - local.error;
-      for (std::size_t k = 0; k < K; ++k) {
-        const float under = lowers[k] - most;
-        const float over = least - uppers[k];
-        const float gap = under > over ? under : over;
-        sums[k] += gap > 0 ? gap * gap : 0;
-      }
+      const float x = local.position[axis];
+      gaps.add(node, axis, x - local.error, x + local.error);
     }
-    for (std::size_t k = 0; k < K; ++k) out[k] = sums[k] < kMostKey ? sums[k] : kMostKey;
+    gaps.writeTo(out);
   }
 };
 
 /// Squared distances, in the tree's frame, from a box to the boxes of a node's children, or rather
-/// to the box around it in the node's frame; never more than the true
-/// ones but for the rounding of the squares, and 0 where they meet, or might but for rounding.
+/// to the box around it in the node's frame; never more than the true ones but for the rounding of
+/// the squares, and 0 where they meet, or might but for rounding.
 template <int K>
 class BoxDistances {
  public:
@@ -54,27 +69,17 @@ class BoxDistances {
         slack_(1.5 * frame.scale * box.slack + 0x1p-48 * (1 + sizeOf(middle_) + sizeOf(half_[0]) +
                                                           sizeOf(half_[1]) + sizeOf(half_[2]))) {}
 
-  // The lane loop is innermost and writes to an array of its own: so compilers vectorise it.
   CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
     const Vec3<double> center = node.toLocal(middle_);
-    typename BvhNode<K>::Lanes sums{};
+    SquaredGaps<K> gaps;
     for (int axis = 0; axis < 3; ++axis) {
       const Vec3<double> row(node.axes[static_cast<std::size_t>(axis)]);
       // What the box spans, and more than the rounding of it all.
       const double reach =
           size(dot(row, half_[0])) + size(dot(row, half_[1])) + size(dot(row, half_[2])) + slack_;
-      const auto first = outward(center[axis] - reach, -1);
-      const auto last = outward(center[axis] + reach, 1);
-      const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
-      const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
-      for (std::size_t k = 0; k < K; ++k) {
-        const float under = lowers[k] - last;
-        const float over = first - uppers[k];
-        const float gap = under > over ? under : over;
-        sums[k] += gap > 0 ? gap * gap : 0;
-      }
+      gaps.add(node, axis, outward(center[axis] - reach, -1), outward(center[axis] + reach, 1));
     }
-    for (std::size_t k = 0; k < K; ++k) out[k] = sums[k] < kMostKey ? sums[k] : kMostKey;
+    gaps.writeTo(out);
   }
 
  private:

@@ -167,9 +167,4 @@ double QueryBox::gap(const Corners& triangle, double enough) const {
   return std::max(0.0, certain(best));
 }
 
-double QueryBox::reachFrom(const Vec3<double>& p) const {
-  // A distance is convex: the farthest point is a corner.
-  return length(abs(toBox(p)) + half_) * (1 + 0x1p-40) + 4 * rounding_;
-}
-
 }  // namespace cutwater

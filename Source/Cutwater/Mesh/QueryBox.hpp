@@ -30,9 +30,6 @@ class QueryBox {
   /// Less what rounding and the search for the direction of the gap leave, about a thousandth.
   [[nodiscard]] double gap(const Corners& triangle, double enough) const;
 
-  /// No point of the box is farther from `p`, of the frame that the box was given in.
-  [[nodiscard]] double reachFrom(const Vec3<double>& p) const;
-
  private:
   [[nodiscard]] Vec3<double> toBox(const Vec3<double>& p) const;
   /// How far apart they are along a direction, times its length; negative if they overlap there.

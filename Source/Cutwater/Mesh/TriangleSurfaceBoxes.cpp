@@ -68,9 +68,8 @@ Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHin
   if (const auto q = scaled(box)) {
     const double scale{surface_.scale};
     const T rounding = 4 * promise.error(length(box.center) + box.radius());
-    const QueryBox query(*q);
-    most = std::min(
-        most, static_cast<T>(query.reachFrom(scale * Vec3<double>(hit.point)) / scale) + rounding);
+    const auto reaches = q->distancesFrom(scale * Vec3<double>(hit.point));
+    most = std::min(most, static_cast<T>(reaches.upper / scale) + rounding);
     const T distance = std::abs(hit.distance) + rounding;
     // Farther away the ball around the box is as good, and more triangles compete.
     constexpr T kFar = 4;

@@ -112,22 +112,18 @@ T Inversion<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 void Inversion<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                         std::span<T> distances) const {
-  constexpr std::size_t kMost = 256;
-  std::array<Vec3<T>, kMost> images;
-  for (std::size_t first = 0; first < points.size(); first += kMost) {
-    const auto count = std::min(kMost, points.size() - first);
-    const auto values = distances.subspan(first, count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto& p = points[first + i];
-      const T radius = length(p);
-      images[i] = isOrigin(radius) ? Vec3<T>{} : image(p, radius);
-    }
-    this->operandValues(std::span<const Vec3<T>>(images).first(count), values);
-    for (std::size_t i = 0; i < count; ++i) {
+  const auto imageOf = [this](const Vec3<T>& p) {
+    const T radius = length(p);
+    return isOrigin(radius) ? Vec3<T>{} : image(p, radius);
+  };
+  this->forImages(points, imageOf, [&](std::span<const Vec3<T>> images, std::size_t first) {
+    const auto values = distances.subspan(first, images.size());
+    this->operandValues(images, values);
+    for (std::size_t i = 0; i < values.size(); ++i) {
       const T radius = length(points[first + i]);
       values[i] = isOrigin(radius) ? valueAtOrigin() : valueFrom(values[i], radius);
     }
-  }
+  });
 }
 
 template <std::floating_point T>

@@ -1,9 +1,6 @@
 #include <Cutwater/Operations/DerivedGuarantee.hpp>
 #include <Cutwater/Operations/PointMap.hpp>
 
-#include <algorithm>
-#include <array>
-
 namespace cutwater {
 
 template <std::floating_point T>
@@ -14,15 +11,13 @@ T PointMap<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 void PointMap<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                        std::span<T> distances) const {
-  constexpr std::size_t kMost = 256;
-  std::array<Vec3<T>, kMost> images;
-  for (std::size_t first = 0; first < points.size(); first += kMost) {
-    const auto count = std::min(kMost, points.size() - first);
-    const auto values = distances.subspan(first, count);
-    for (std::size_t i = 0; i < count; ++i) images[i] = mapped(points[first + i]);
-    this->operandValues(std::span<const Vec3<T>>(images).first(count), values);
-    for (auto& value : values) value *= factor();
-  }
+  this->forImages(
+      points, [this](const Vec3<T>& p) { return mapped(p); },
+      [&](std::span<const Vec3<T>> images, std::size_t first) {
+        const auto values = distances.subspan(first, images.size());
+        this->operandValues(images, values);
+        for (auto& value : values) value *= factor();
+      });
 }
 
 template <std::floating_point T>

@@ -187,19 +187,16 @@ T Repetition<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 void Repetition<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                          std::span<T> distances) const {
-  constexpr std::size_t kMost = 256;
-  std::array<Vec3<T>, kMost> locals;
-  for (std::size_t first = 0; first < points.size(); first += kMost) {
-    const auto count = std::min(kMost, points.size() - first);
-    const auto here = points.subspan(first, count);
-    const auto values = distances.subspan(first, count);
-    for (std::size_t i = 0; i < count; ++i) locals[i] = seenFrom(central(here[i]), here[i]);
-    this->operandValues(std::span<const Vec3<T>>(locals).first(count), values);
-    for (std::size_t i = 0; i < count; ++i) {
+  const auto local = [this](const Vec3<T>& p) { return seenFrom(central(p), p); };
+  this->forImages(points, local, [&](std::span<const Vec3<T>> locals, std::size_t first) {
+    const auto here = points.subspan(first, locals.size());
+    const auto values = distances.subspan(first, locals.size());
+    this->operandValues(locals, values);
+    for (std::size_t i = 0; i < values.size(); ++i) {
       const T value = valueFrom(locals[i], values[i]);
       values[i] = decide(here[i], {central(here[i]), value}).value;
     }
-  }
+  });
 }
 
 template <std::floating_point T>

@@ -2,9 +2,6 @@
 #include <Cutwater/Operations/Scale.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
 
-#include <algorithm>
-#include <array>
-
 namespace cutwater {
 
 template <std::floating_point T>
@@ -21,23 +18,12 @@ T Scale<T>::localSignedDistance(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 void Scale<T>::localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const {
-  forShrunk(points, [&](std::span<const Vec3<T>> here, std::size_t first) {
+  const auto shrink = [this](const Vec3<T>& p) { return p / factor_; };
+  this->forImages(points, shrink, [&](std::span<const Vec3<T>> here, std::size_t first) {
     const auto values = distances.subspan(first, here.size());
     this->operandValues(here, values);
     for (auto& value : values) value *= std::abs(factor_);
   });
-}
-
-template <std::floating_point T>
-void Scale<T>::forShrunk(std::span<const Vec3<T>> points,
-                         FunctionRef<void(std::span<const Vec3<T>>, std::size_t)> batch) const {
-  constexpr std::size_t kMost = 256;
-  std::array<Vec3<T>, kMost> shrunkPoints;
-  for (std::size_t first = 0; first < points.size(); first += kMost) {
-    const auto count = std::min(kMost, points.size() - first);
-    for (std::size_t i = 0; i < count; ++i) shrunkPoints[i] = points[first + i] / factor_;
-    batch(std::span<const Vec3<T>>(shrunkPoints).first(count), first);
-  }
 }
 
 template <std::floating_point T>
@@ -58,7 +44,8 @@ SurfacePoint<T> Scale<T>::localClosestPoint(const Vec3<T>& p) const {
 template <std::floating_point T>
 void Scale<T>::localClosestPoints(std::span<const Vec3<T>> points,
                                   std::span<SurfacePoint<T>> results) const {
-  forShrunk(points, [&](std::span<const Vec3<T>> here, std::size_t first) {
+  const auto shrink = [this](const Vec3<T>& p) { return p / factor_; };
+  this->forImages(points, shrink, [&](std::span<const Vec3<T>> here, std::size_t first) {
     const auto found = results.subspan(first, here.size());
     this->operandPoints(here, found);
     for (std::size_t i = 0; i < here.size(); ++i) found[i] = grown(found[i], points[first + i]);

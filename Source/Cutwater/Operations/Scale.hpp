@@ -37,9 +37,6 @@ class Scale final : public UnaryOperation<T> {
   [[nodiscard]] OrientedBox<T> shrunk(const OrientedBox<T>& box) const;
   /// What the operand found for `p`, at this one's size.
   [[nodiscard]] SurfacePoint<T> grown(SurfacePoint<T> found, const Vec3<T>& p) const;
-  /// Calls batch(points for the operand, index of the first) for pieces of the points.
-  void forShrunk(std::span<const Vec3<T>> points,
-                 FunctionRef<void(std::span<const Vec3<T>>, std::size_t first)> batch) const;
 
   T factor_;
 };

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <Cutwater/Core/Scratch.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
+
+#include <algorithm>
 
 namespace cutwater {
 
@@ -18,6 +21,19 @@ class UnaryOperation : public SignedDistanceFunction<T> {
   }
   void operandPoints(std::span<const Vec3<T>> points, std::span<SurfacePoint<T>> results) const {
     operand_.closestPoints(points, results, {.threads = 1});
+  }
+
+  /// Calls batch(images, index of the first) for pieces of the points as image(p) maps them into
+  /// the operand's frame.
+  template <typename Image, typename Batch>
+  static void forImages(std::span<const Vec3<T>> points, const Image& image, const Batch& batch) {
+    constexpr std::size_t kMost = 256;
+    Scratch<Vec3<T>, kMost> images;
+    for (std::size_t first = 0; first < points.size(); first += kMost) {
+      const auto some = images.first(std::min(kMost, points.size() - first));
+      for (std::size_t i = 0; i < some.size(); ++i) some[i] = image(points[first + i]);
+      batch(std::span<const Vec3<T>>(some), first);
+    }
   }
 
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
