@@ -147,17 +147,12 @@ Interval<T> SignedDistanceFunction<T>::bounds(const Box<T>& box, BoxHint* hint) 
 
 template <std::floating_point T>
 Interval<T> SignedDistanceFunction<T>::distanceBounds(const Box<T>& box, BoxHint* hint) const {
-  constexpr T kInf = std::numeric_limits<T>::infinity();
   const auto range = bounds(box, hint);
   const auto promise = guarantee();
-  if (!promise.domain.contains(box.lower) || !promise.domain.contains(box.upper)) return {0, kInf};
-  // The least of what values mean on the sides that the box may have points on.
-  auto quality = Quality::Exact;
-  if (range.lower < 0) quality = std::min(quality, promise.inside);
-  if (range.upper >= 0) quality = std::min(quality, promise.outside);
-  if (quality == Quality::SignOnly) return {0, kInf};
-  return {std::max({T(0), range.lower, -range.upper}),
-          quality == Quality::Exact ? std::max(-range.lower, range.upper) : kInf};
+  if (!promise.domain.contains(box.lower) || !promise.domain.contains(box.upper)) {
+    return {0, std::numeric_limits<T>::infinity()};
+  }
+  return detail::distanceRange(range, promise);
 }
 
 template <std::floating_point T>
