@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Scratch.hpp>
-#include <Cutwater/Grid/Refinement.hpp>
+#include <Cutwater/Grid/FacetRules.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
 
 #include <algorithm>
@@ -11,17 +11,41 @@ namespace cutwater {
 template <std::floating_point T>
 int Refinement<T>::deepest() const {
   int level = cut;
-  for (const auto& band : bands) level = std::max(level, band.level);
+  const auto add = [&level](const auto& rules) {
+    for (const auto& rule : rules) level = std::max(level, rule.level);
+  };
+  add(bands);
+  add(patches);
+  for (const auto& rule : {curvature, edges}) level = std::max(level, rule ? rule->level : 0);
+  for (const auto& rule : {gaps, walls}) level = std::max(level, rule ? rule->level : 0);
   return level;
 }
 
 template <std::floating_point T>
 void Refinement<T>::check() const {
-  require(cut >= 0, "Refinement: need levels >= 0", Named{"cut", cut});
+  const auto checkLevel = [](const char* what, int level) {
+    require(level >= 0, "Refinement: need levels >= 0", Named{what, level});
+  };
+  const auto checkSize = [](const char* what, T size) {
+    require(size >= 0 && std::isfinite(size), "Refinement: need finite distances and widths >= 0",
+            Named{what, size});
+  };
+  checkLevel("cut", cut);
   for (const auto& band : bands) {
-    require(band.level >= 0, "Refinement: need levels >= 0", Named{"band level", band.level});
-    require(band.distance >= 0 && std::isfinite(band.distance),
-            "Refinement: need finite distances >= 0", Named{"band distance", band.distance});
+    checkLevel("band level", band.level);
+    checkSize("band distance", band.distance);
+  }
+  for (const auto& rule : patches) checkLevel("patch level", rule.level);
+  for (const auto& rule : {curvature, edges}) {
+    if (!rule) continue;
+    checkLevel("angle level", rule->level);
+    require(rule->degrees > 0 && rule->degrees < 180, "Refinement: need angles within (0, 180)",
+            Named{"degrees", rule->degrees});
+  }
+  for (const auto& rule : {gaps, walls}) {
+    if (!rule) continue;
+    checkLevel("width level", rule->level);
+    checkSize("cells", rule->cells);
   }
 }
 
@@ -43,11 +67,14 @@ T CellJudge<T>::reachOf(int level) const {
 template <std::floating_point T>
 void CellJudge<T>::judge(int level, std::span<const Box<T>> cells, std::span<BoxHint> hints,
                          std::span<CellVerdict> verdicts) const {
+  detail::FacetRules<T> rules(solid_, refinement_);
+  const bool rulesMatter = rules.matter(level);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     auto& [kind, isRefined] = verdicts[i];
     kind = solid_.classify(cells[i], &hints[i]);
     const bool mayBeCut = kind == BoxClass::Cut || kind == BoxClass::Unknown;
-    isRefined = mayBeCut && level < refinement_.cut;
+    isRefined =
+        mayBeCut && (level < refinement_.cut || (rulesMatter && rules.ask(level, cells[i])));
   }
   if (const T reach = reachOf(level); reach >= 0) judgeNearness(reach, cells, hints, verdicts);
 }

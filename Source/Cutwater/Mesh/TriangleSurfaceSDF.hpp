@@ -6,6 +6,8 @@
 
 namespace cutwater {
 
+class QueryBox;
+
 /// What all mesh functions share: the answers that follow once the nearest triangle is known. How
 /// triangles are found is the subclass' business, and changes no bit.
 template <std::floating_point T>
@@ -73,6 +75,8 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const final;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
+  bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const final;
+  [[nodiscard]] SurfaceFacet<T> facet(std::uint32_t id, const QueryBox& box) const;
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
   [[nodiscard]] std::string localName() const final;

@@ -221,6 +221,20 @@ Interval<T> Combination<T>::localBounds(const OrientedBox<T>& box, BoxHint*) con
 }
 
 template <std::floating_point T>
+bool Combination<T>::localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const {
+  bool areAll = true;
+  bool goesOn = true;
+  forEachNear(box, 0, [&](std::size_t i) {
+    areAll &= this->facetsOf(operands_[i], box, [&](SurfaceFacet<T> facet) {
+      facet.owner = patches_.counted(facet.owner, i);
+      return goesOn = visit(facet);
+    });
+    return goesOn ? 0.0 : kStopTraversal;
+  });
+  return areAll;
+}
+
+template <std::floating_point T>
 BoxClass Combination<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   const auto seen = [this](BoxClass c) { return decides_ == Decides::Least ? c : opposite(c); };
   const auto around = box.bounds();

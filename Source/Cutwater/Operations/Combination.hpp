@@ -47,6 +47,7 @@ class Combination : public SignedDistanceFunction<T> {
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const final;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
+  bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const final { return boundingBox_; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const final;

@@ -59,6 +59,15 @@ Interval<T> Complement<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint)
 }
 
 template <std::floating_point T>
+bool Complement<T>::localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const {
+  return this->facetsOf(operand(), box, [&](SurfaceFacet<T> facet) {
+    facet.normal = -facet.normal;
+    for (auto& normal : facet.across) normal = -normal;
+    return visit(facet);
+  });
+}
+
+template <std::floating_point T>
 BoxClass Complement<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   const auto c = this->classOf(operand(), box, hint);
   if (c == BoxClass::Inside) return BoxClass::Outside;

@@ -53,6 +53,11 @@ Interval<T> Labelled<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) c
 }
 
 template <std::floating_point T>
+bool Labelled<T>::localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const {
+  return this->facetsOf(this->operand(), box, visit);
+}
+
+template <std::floating_point T>
 BoxClass Labelled<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   return this->classOf(this->operand(), box, hint);
 }

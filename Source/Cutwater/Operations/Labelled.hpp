@@ -25,6 +25,7 @@ class Labelled final : public UnaryOperation<T> {
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return this->operand().guarantee(); }
   [[nodiscard]] Box<T> localBoundingBox() const override { return this->operand().boundingBox(); }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;

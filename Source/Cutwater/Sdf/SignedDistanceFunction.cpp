@@ -162,6 +162,32 @@ BoxClass SignedDistanceFunction<T>::classify(const Box<T>& box, BoxHint* hint) c
 }
 
 template <std::floating_point T>
+bool SignedDistanceFunction<T>::facetsIn(const Box<T>& box, FacetVisitor<T> visit) const {
+  if (box.empty() || !isFinite(box)) return true;
+  return facetsOf(*this, OrientedBox<T>::of(box), visit);
+}
+
+template <std::floating_point T>
+bool SignedDistanceFunction<T>::facetsOf(const SignedDistanceFunction& operand,
+                                         const OrientedBox<T>& box, FacetVisitor<T> visit) {
+  const auto& placement = operand.placement_;
+  if (placement.isIdentity()) return operand.localFacetsIn(box, visit);
+  return operand.localFacetsIn(operand.toLocal(box), [&](SurfaceFacet<T> facet) {
+    for (auto& corner : facet.corners) corner = placement.toWorld(corner);
+    for (auto& normal : facet.across) normal = placement.directionToWorld(normal);
+    facet.normal = placement.directionToWorld(facet.normal);
+    return visit(facet);
+  });
+}
+
+template <std::floating_point T>
+bool SignedDistanceFunction<T>::localFacetsIn(const OrientedBox<T>& box,
+                                              FacetVisitor<T> visit) const {
+  detail::sampleFacets<T>([this](const Vec3<T>& p) { return localClosestPoint(p); }, box, visit);
+  return false;
+}
+
+template <std::floating_point T>
 Guarantee<T> SignedDistanceFunction<T>::guarantee() const {
   return detail::placed(localGuarantee(), placement_);
 }

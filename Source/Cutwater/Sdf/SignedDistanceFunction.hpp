@@ -6,7 +6,7 @@
 #include <Cutwater/Core/Segment.hpp>
 #include <Cutwater/Sdf/BoxQuery.hpp>
 #include <Cutwater/Sdf/Guarantee.hpp>
-#include <Cutwater/Sdf/SurfacePoint.hpp>
+#include <Cutwater/Sdf/SurfaceFacet.hpp>
 
 #include <span>
 #include <string>
@@ -70,6 +70,12 @@ class SignedDistanceFunction {
   /// Where the box lies; Inside, Outside and Cut are certain.
   [[nodiscard]] BoxClass classify(const Box<T>& box, BoxHint* hint = nullptr) const;
 
+  /// Shows the surface that meets the box, until visit(facet) answers false: where it is made of
+  /// flat pieces, all of them that do, and perhaps some that do not or that lie within another
+  /// operand; otherwise samples of it. Nothing of a box that is empty or not finite. Returns
+  /// whether all pieces were shown, and no mere samples.
+  bool facetsIn(const Box<T>& box, FacetVisitor<T> visit) const;
+
   /// What a value means, in world coordinates.
   [[nodiscard]] Guarantee<T> guarantee() const;
 
@@ -131,6 +137,7 @@ class SignedDistanceFunction {
   /// alone where a box is far from an operand.
   [[nodiscard]] virtual Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const;
   [[nodiscard]] virtual BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const;
+  virtual bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const;
   /// Promises nothing but the sign unless overridden.
   [[nodiscard]] virtual Guarantee<T> localGuarantee() const { return {}; }
   [[nodiscard]] virtual Box<T> localBoundingBox() const { return Box<T>::everywhere(); }
@@ -149,6 +156,9 @@ class SignedDistanceFunction {
                                         const OrientedBox<T>& box, BoxHint* hint = nullptr) {
     return operand.localClassify(operand.toLocal(box), hint);
   }
+
+  static bool facetsOf(const SignedDistanceFunction& operand, const OrientedBox<T>& box,
+                       FacetVisitor<T> visit);
 
   // How the default of localClassify() is certain that a box within the domain is cut.
   [[nodiscard]] bool holdsNearestPoint(const OrientedBox<T>& box) const;

@@ -55,6 +55,11 @@ Interval<T> Solid<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) cons
 }
 
 template <std::floating_point T>
+bool Solid<T>::localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const {
+  return root_->localFacetsIn(box, visit);
+}
+
+template <std::floating_point T>
 BoxClass Solid<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   return root_->localClassify(box, hint);
 }
