@@ -37,19 +37,19 @@ struct Refinement {
   int cut = 0;
   /// Of cells with a point within a distance of the surface, as far as distanceBounds() can rule it
   /// out: all cells where the solid's guarantee tells nothing of distances.
-  std::vector<Band> bands = {};
+  std::vector<Band> bands{};
   /// Of cells that a patch meets, beyond `cut`.
-  std::vector<Patch> patches = {};
+  std::vector<Patch> patches{};
   /// Of cells in which normals differ by more than the angle; of some that differ by nine tenths of
   /// it.
-  std::optional<Angle> curvature = {};
+  std::optional<Angle> curvature{};
   /// Of cells that meet an edge at which the surface bends by more than the angle.
-  std::optional<Angle> edges = {};
+  std::optional<Angle> edges{};
   /// Of cells from which another sheet that faces this one, within 60 degrees, is fewer cells away:
   /// gaps with too few cells across. Cells are counted along axes.
-  std::optional<Width> gaps = {};
+  std::optional<Width> gaps{};
   /// The same for walls: the sheets stand back to back.
-  std::optional<Width> walls = {};
+  std::optional<Width> walls{};
 
   /// The finest level that is asked for.
   [[nodiscard]] int deepest() const;
