@@ -19,6 +19,7 @@ void GuaranteeCheck<T>::checkBoxes() {
     if (i % 4 == 0) half = Vec3<T>(Vec3<double>{size, size, size});
     const Box<T> box{center - half, center + half};
     checkOneBox(box, bounds, classes);
+    ++counts_.boxes;
     if (i % 4 == 0 && onSurface && isExact && static_cast<T>(size) > 50 * error(center)) {
       cut.expect(solid_.classify(box) == BoxClass::Cut, "at", center, "half", size);
     }

@@ -46,6 +46,7 @@ class GuaranteeCheck {
   GuaranteeCheck(const Solid<T>& solid, double extent, const GuaranteeOptions& options);
 
   void run();
+  [[nodiscard]] const GuaranteeCounts& counts() const { return counts_; }
 
  private:
   // Values: GuaranteeValues.cpp
@@ -88,6 +89,7 @@ class GuaranteeCheck {
   Solid<T> solid_;
   double extent_;
   GuaranteeOptions options_;
+  GuaranteeCounts counts_;
   Guarantee<T> promise_;
   std::mt19937 engine_;
   SurfaceSamples<T> samples_;

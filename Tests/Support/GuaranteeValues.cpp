@@ -1,24 +1,13 @@
-#include <array>
-#include <charconv>
-#include <cstdlib>
-#include <cstring>
 #include <numbers>
-#include <string_view>
 #include <vector>
 
 #include "Support/GuaranteeCheck.hpp"
 #include "Support/SameClosestPoints.hpp"
+#include "Support/Scale.hpp"
 
 namespace cutwater::test {
 
 namespace {
-
-int scaleOfTests() {
-  const char* text = std::getenv("CUTWATER_TEST_SCALE");
-  int scale = 1;
-  if (text != nullptr) std::from_chars(text, text + std::strlen(text), scale);
-  return std::max(scale, 1);
-}
 
 /// v turned about the unit axis u: Rodrigues' formula, independent of the library's matrices.
 Vec3<double> turned(const Vec3<double>& v, const Vec3<double>& u, double degrees) {
@@ -38,7 +27,7 @@ GuaranteeCheck<T>::GuaranteeCheck(const Solid<T>& solid, double extent,
       promise_(solid.guarantee()),
       engine_(options.seed),
       samples_(solid_, extent, options.lines, options.seed) {
-  options_.probes *= scaleOfTests();
+  options_.probes = scaled(options_.probes);
 }
 
 template <std::floating_point T>
@@ -93,6 +82,7 @@ void GuaranteeCheck<T>::checkLipschitz() {
     tally.expect(change <= *promise_.lipschitz * length(p - q) + error(p) + error(q), "between", p,
                  "and", q, "change", change, "distance", length(p - q));
   }
+  counts_.pairs += tally.all();
 }
 
 template <std::floating_point T>
@@ -134,6 +124,7 @@ void GuaranteeCheck<T>::checkDistances() {
                         (distance <= enough || hasSurfaceAt(p, std::abs(value))),
                     "at", p, "value", value, "but", distance);
   }
+  counts_.distances += under.all();
   if (promise_.inside == Quality::Exact && promise_.outside == Quality::Exact) {
     EXPECT_GT(over.all(), options_.probes / 20) << "choose a larger extent";
   }
@@ -205,8 +196,11 @@ void GuaranteeCheck<T>::checkMotions() {
 }
 
 template <std::floating_point T>
-void checkGuarantee(const Solid<T>& solid, double extent, const GuaranteeOptions& options) {
-  GuaranteeCheck<T>(solid, extent, options).run();
+GuaranteeCounts checkGuarantee(const Solid<T>& solid, double extent,
+                               const GuaranteeOptions& options) {
+  GuaranteeCheck<T> check(solid, extent, options);
+  check.run();
+  return check.counts();
 }
 
 void expectRounding(const Solid<float>& single, const Solid<double>& twice, double extent) {
@@ -214,7 +208,7 @@ void expectRounding(const Solid<float>& single, const Solid<double>& twice, doub
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   const auto promise = single.guarantee();
-  for (int i = 0; i < 20000 * scaleOfTests(); ++i) {
+  for (int i = 0; i < scaled(20000); ++i) {
     const double size = extent * std::pow(10.0, 4.5 + 4.5 * coordinate(engine)) * 1e-3;
     Vec3<double> direction;
     for (int axis = 0; axis < 3; ++axis) direction[axis] = coordinate(engine);
@@ -231,7 +225,7 @@ void expectRounding(const Solid<float>& single, const Solid<double>& twice, doub
 
 template class GuaranteeCheck<float>;
 template class GuaranteeCheck<double>;
-template void checkGuarantee(const Solid<float>&, double, const GuaranteeOptions&);
-template void checkGuarantee(const Solid<double>&, double, const GuaranteeOptions&);
+template GuaranteeCounts checkGuarantee(const Solid<float>&, double, const GuaranteeOptions&);
+template GuaranteeCounts checkGuarantee(const Solid<double>&, double, const GuaranteeOptions&);
 
 }  // namespace cutwater::test
