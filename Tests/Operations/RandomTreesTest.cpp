@@ -131,6 +131,21 @@ TYPED_TEST(RandomTreesTest, OfFourLevelsKeepTheirGuarantee) {
   this->expectTrees(4);
 }
 
+/// So that a union of many such is asked through a tree; that values keep to it is checked above.
+TYPED_TEST(RandomTreesTest, MostBoundedOnesKnowABoxThatBoundsTheirValues) {
+  using T = TypeParam;
+  int bounded = 0;
+  int known = 0;
+  this->forTrees(100, [&](const Solid<T>& a, const Solid<T>&) {
+    const auto box = a.boundingBox();
+    if (a.guarantee().outside != Quality::LowerBound || box.empty() || !isFinite(box)) return;
+    ++bounded;
+    known += isFinite(a.clearanceBox()) ? 1 : 0;
+  });
+  EXPECT_GT(bounded, 20);
+  EXPECT_GT(10 * known, 7 * bounded) << known << " of " << bounded;
+}
+
 TYPED_TEST(RandomTreesTest, IdentitiesHoldToTheBit) {
   using T = TypeParam;
   this->forTrees(60, [this](const Solid<T>& a, const Solid<T>& b) {

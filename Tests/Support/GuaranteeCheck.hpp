@@ -65,6 +65,7 @@ class GuaranteeCheck {
   /// Proves by values and the Lipschitz constant alone that the box holds no surface, if it can.
   [[nodiscard]] bool isCertainlyFree(const Box<T>& box, int depth) const;
   void checkBoundingBox();
+  void checkClearance(const Solid<T>& solid);
   // Surface: GuaranteeSurface.cpp
   void checkGradient();
   void checkClosestPoints();

@@ -75,6 +75,9 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
+  [[nodiscard]] Box<T> localClearanceBox() const final {
+    return signs_.isClosed() ? box_ : Box<T>::everywhere();  // no triangle is beyond it
+  }
   [[nodiscard]] std::string localName() const final;
   // `point` and, in the surface's units, `p` are the same.
   [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest) const;

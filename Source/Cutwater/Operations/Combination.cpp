@@ -47,6 +47,7 @@ Combination<T>::Combination(const char* name, Decides decides, std::vector<Solid
   }
   if (!least) guarantee_ = detail::swapped(guarantee_);
   if (boundingBox_.empty()) boundingBox_ = {};
+  clearanceBox_ = detail::clearanceBoxOf<T>(operands_, least);
   tree_ = detail::OperandTree<T>(bounds, beginning != nullptr ? &beginning->tree_ : nullptr);
 }
 

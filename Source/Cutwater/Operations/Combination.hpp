@@ -16,10 +16,10 @@ namespace cutwater {
 /// that lies within another operand, and so not on the surface, is replaced by a projection along
 /// the gradient.
 ///
-/// A query costs one per operand if there are few. Of many, those with a finite bounding box and
-/// exact distances outside are found by a tree over their boxes, and most are not asked; so are, in
-/// an intersection, the complements of such, which differences take away. Answers are the same, to
-/// the bit: see OperandTree.
+/// A query costs one per operand if there are few. Of many, those with a finite clearanceBox() are
+/// found by a tree over their boxes, and most are not asked; so are, in an intersection, the
+/// complements of such, which differences take away. Answers are the same, to the bit: see
+/// OperandTree.
 ///
 /// A least value is exact outside and a lower bound inside, a greatest the other way round, as far
 /// as the operands are.
@@ -49,6 +49,7 @@ class Combination : public SignedDistanceFunction<T> {
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const final { return boundingBox_; }
+  [[nodiscard]] Box<T> localClearanceBox() const final { return clearanceBox_; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const final;
   [[nodiscard]] std::string localName() const final {
     return decides_ == Decides::Least ? "Union" : "Intersection";
@@ -82,6 +83,7 @@ class Combination : public SignedDistanceFunction<T> {
   detail::OperandPatches<T> patches_;
   Guarantee<T> guarantee_;
   Box<T> boundingBox_;
+  Box<T> clearanceBox_;
   detail::OperandTree<T> tree_;
 };
 

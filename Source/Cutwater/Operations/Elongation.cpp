@@ -69,6 +69,15 @@ Box<T> Elongation<T>::localBoundingBox() const {
   return promise.grown(result);
 }
 
+template <std::floating_point T>
+Box<T> Elongation<T>::localClearanceBox() const {
+  // Along each axis the image of a point beyond is as far beyond the operand's box, or farther.
+  const auto box = this->operand().clearanceBox();
+  auto promise = localGuarantee();
+  promise.size += length(half_);
+  return promise.grown({box.lower - half_, box.upper + half_});
+}
+
 template class Elongation<float>;
 template class Elongation<double>;
 

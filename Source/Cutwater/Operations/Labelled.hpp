@@ -27,6 +27,7 @@ class Labelled final : public UnaryOperation<T> {
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return this->operand().guarantee(); }
   [[nodiscard]] Box<T> localBoundingBox() const override { return this->operand().boundingBox(); }
+  [[nodiscard]] Box<T> localClearanceBox() const override { return this->operand().clearanceBox(); }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
 
   std::string name_;

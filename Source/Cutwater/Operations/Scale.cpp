@@ -118,12 +118,21 @@ Guarantee<T> Scale<T>::localGuarantee() const {
 }
 
 template <std::floating_point T>
-Box<T> Scale<T>::localBoundingBox() const {
-  const auto box = this->operand().boundingBox();
+Box<T> Scale<T>::image(const Box<T>& box) const {
   if (box.empty()) return box;
   const auto a = factor_ * box.lower;
   const auto b = factor_ * box.upper;
   return localGuarantee().grown({min(a, b), max(a, b)});
+}
+
+template <std::floating_point T>
+Box<T> Scale<T>::localBoundingBox() const {
+  return image(this->operand().boundingBox());
+}
+
+template <std::floating_point T>
+Box<T> Scale<T>::localClearanceBox() const {
+  return image(this->operand().clearanceBox());
 }
 
 template class Scale<float>;

@@ -76,6 +76,11 @@ class SignedDistanceFunction {
   /// Encloses the solid {value <= 0}; may be infinite or empty.
   [[nodiscard]] Box<T> boundingBox() const;
 
+  /// A box beyond which a value is at least the distance to the box, up to rounding; infinite if
+  /// none is known. Where values outside are exact distances it is boundingBox(); that of mere
+  /// lower bounds may be larger: the whole block's for what is left of a block.
+  [[nodiscard]] Box<T> clearanceBox() const;
+
   /// Names of the patches that closestPoint() and crossings() tell by their index.
   [[nodiscard]] std::vector<std::string> patchNames() const { return localPatchNames(); }
 
@@ -134,6 +139,7 @@ class SignedDistanceFunction {
   /// Promises nothing but the sign unless overridden.
   [[nodiscard]] virtual Guarantee<T> localGuarantee() const { return {}; }
   [[nodiscard]] virtual Box<T> localBoundingBox() const { return Box<T>::everywhere(); }
+  [[nodiscard]] virtual Box<T> localClearanceBox() const;
   [[nodiscard]] virtual std::vector<std::string> localPatchNames() const { return {"surface"}; }
 
   /// For describe(): what it is called, with what parameters, and what it is made of.

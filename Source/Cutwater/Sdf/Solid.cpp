@@ -60,6 +60,11 @@ BoxClass Solid<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const
 }
 
 template <std::floating_point T>
+Box<T> Solid<T>::localClearanceBox() const {
+  return root_->localClearanceBox();
+}
+
+template <std::floating_point T>
 std::vector<std::string> Solid<T>::localPatchNames() const {
   return root_->localPatchNames();
 }

@@ -44,6 +44,7 @@ class Solid final : public SignedDistanceFunction<T> {
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const override { return boundingBox_; }
+  [[nodiscard]] Box<T> localClearanceBox() const override;
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
   [[nodiscard]] std::string localName() const override { return root_->localName(); }
   void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const override {
