@@ -68,7 +68,7 @@ template <std::floating_point T>
 Box<T> Offset<T>::localClearanceBox() const {
   // Shrinking only adds to the values.
   const auto box = this->operand().clearanceBox();
-  return distance_ > 0 ? localGuarantee().grown(box.grown(distance_)) : box;
+  return distance_ >= 0 ? localGuarantee().grown(box.grown(distance_)) : box;
 }
 
 template class Offset<float>;
