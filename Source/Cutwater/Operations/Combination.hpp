@@ -39,6 +39,8 @@ class Combination : public SignedDistanceFunction<T> {
 
  private:
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const final;
+  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& p,
+                                            const Interval<T>& wanted) const final;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const final;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const final;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const final;
@@ -64,7 +66,17 @@ class Combination : public SignedDistanceFunction<T> {
     std::size_t operand;
     T value;
   };
-  [[nodiscard]] Decision decide(const Vec3<T>& p) const;
+  [[nodiscard]] Decision decide(const Vec3<T>& p) const {
+    return decide(p, Interval<T>::everything());
+  }
+  /// `wanted` as for localSignedDistanceWithin(), of the values times side().
+  [[nodiscard]] Decision decide(const Vec3<T>& p, Interval<T> wanted) const;
+  /// The operand's value times side(), if that is wanted.
+  [[nodiscard]] T sidedValue(std::size_t operand, const Vec3<T>& p,
+                             const Interval<T>& wanted) const {
+    const auto ofOperand = decides_ == Decides::Least ? wanted : -wanted;
+    return side() * this->valueWithin(operands_[operand], p, ofOperand);
+  }
   /// The deciding value, if that of the operands that are always asked is known.
   [[nodiscard]] T decidingValue(const Vec3<T>& p, T ofAlwaysAsked) const;
   /// Whether an operand whose value is to be the least may be negative in all of the box.

@@ -17,6 +17,11 @@ T Scale<T>::localSignedDistance(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+T Scale<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
+  return this->operandValueWithin(p / factor_, std::abs(factor_), wanted);
+}
+
+template <std::floating_point T>
 void Scale<T>::localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const {
   const auto shrink = [this](const Vec3<T>& p) { return p / factor_; };
   this->forImages(points, shrink, [&](std::span<const Vec3<T>> here, std::size_t first) {

@@ -21,6 +21,8 @@ class Scale final : public UnaryOperation<T> {
     return "Scaled by " + detail::toText(double{factor_});
   }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& p,
+                                            const Interval<T>& wanted) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;

@@ -118,6 +118,14 @@ class SignedDistanceFunction {
   /// All that a new shape must write. The point is finite and in the shape's own frame.
   [[nodiscard]] virtual T localSignedDistance(const Vec3<T>& point) const = 0;
 
+  /// The same bits if the value is within `wanted`; if not, any number beyond the same end of it.
+  /// To be overridden where that takes less than the value itself: of many operands, most only have
+  /// to be known to be farther than the nearest one.
+  [[nodiscard]] virtual T localSignedDistanceWithin(const Vec3<T>& point,
+                                                    const Interval<T>& /*wanted*/) const {
+    return localSignedDistance(point);
+  }
+
   // All below have defaults that follow from localSignedDistance() and localGuarantee(). They are
   // called in the shape's own frame, and answer in it.
 
@@ -146,7 +154,10 @@ class SignedDistanceFunction {
   [[nodiscard]] virtual std::string localName() const { return "Function"; }
   virtual void forEachOperand(FunctionRef<void(const SignedDistanceFunction&)>) const {}
 
-  // For composites: what an operand answers about a box given in the composite's own frame.
+  // For composites: what an operand answers about a point or a box given in the composite's own
+  // frame.
+  [[nodiscard]] static T valueWithin(const SignedDistanceFunction& operand, const Vec3<T>& point,
+                                     const Interval<T>& wanted);
   [[nodiscard]] static Interval<T> boundsOf(const SignedDistanceFunction& operand,
                                             const OrientedBox<T>& box, BoxHint* hint = nullptr) {
     return operand.localBounds(operand.toLocal(box), hint);

@@ -19,6 +19,11 @@ T Solid<T>::localSignedDistance(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+T Solid<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
+  return root_->localSignedDistanceWithin(p, wanted);
+}
+
+template <std::floating_point T>
 void Solid<T>::localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const {
   root_->localSignedDistances(points, distances);
 }

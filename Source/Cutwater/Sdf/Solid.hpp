@@ -33,6 +33,8 @@ class Solid final : public SignedDistanceFunction<T> {
 
  private:
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& p,
+                                            const Interval<T>& wanted) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
