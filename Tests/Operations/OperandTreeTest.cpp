@@ -59,6 +59,25 @@ TYPED_TEST(OperandTreeTest, UnionsAreThePlainFoldToTheBit) {
   expectSameAsPlain(all, operands, true);
 }
 
+/// Of which each is asked only for values up to the best so far.
+TYPED_TEST(OperandTreeTest, UnionsOfMeshesAreThePlainFoldToTheBit) {
+  using T = TypeParam;
+  const Solid<T> ring = MeshSDF<T>(tessellation::torus(0.2, 0.08, 16, 8));
+  const Solid<T> ball = MeshSDF<T>(tessellation::icosphere(0.15, 2));
+  RandomPoints<T> random(1);
+  std::vector<Solid<T>> meshes;
+  for (int i = 0; i < 120; ++i) {
+    const auto axis = random.next();
+    auto mesh = rotated(i % 2 == 0 ? ring : ball, 180 * random.next().x, axis);
+    if (i % 3 == 0) mesh = scaled(mesh, T(-0.7));
+    if (i % 5 == 0) mesh = mirrored(named(mesh, "mesh"), axis);
+    meshes.push_back(translated(mesh, random.next()));
+  }
+  expectSameAsPlain(unionOf(meshes), meshes, true);
+  const auto remains = block(meshes);
+  expectSameAsPlain(intersectionOf(remains), remains, false);
+}
+
 TYPED_TEST(OperandTreeTest, OperandsThatAreNoDistancesAreNotLost) {
   using T = TypeParam;
   auto operands = parts<T>(0, 300, T(0.15));

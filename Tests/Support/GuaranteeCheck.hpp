@@ -55,6 +55,7 @@ class GuaranteeCheck {
   void checkDistances();
   /// The sign changes at the closest point that the solid tells, which is no farther than this.
   [[nodiscard]] bool hasSurfaceAt(const Vec3<T>& p, double distance) const;
+  void checkWithin();
   void checkBatches();
   void checkNonFinite();
   void checkMotions();

@@ -1,3 +1,5 @@
+#include <Cutwater/Operations/Algebra.hpp>
+
 #include <numbers>
 #include <vector>
 
@@ -47,6 +49,7 @@ void GuaranteeCheck<T>::run() {
   checkSign();
   checkLipschitz();
   if (!samples_.points().empty()) checkDistances();
+  checkWithin();
   checkBatches();
   checkNonFinite();
   checkMotions();
@@ -127,6 +130,28 @@ void GuaranteeCheck<T>::checkDistances() {
   counts_.distances += under.all();
   if (promise_.inside == Quality::Exact && promise_.outside == Quality::Exact) {
     EXPECT_GT(over.all(), options_.probes / 20) << "choose a larger extent";
+  }
+}
+
+template <std::floating_point T>
+void GuaranteeCheck<T>::checkWithin() {
+  Tally tally("value within an interval");
+  constexpr T kInf = std::numeric_limits<T>::infinity();
+  const auto moved = translated(Solid<T>(scaled(named(solid_, "x"), T(-1.5))), {0, 1, 0});
+  for (int i = 0; i < options_.probes / 2; ++i) {
+    const auto& solid = i % 4 == 3 ? moved : solid_;
+    const auto p = probe();
+    const T value = solid.signedDistance(p);
+    // From far beside the value to an end at it.
+    const T reach = static_cast<T>(extent_ * std::pow(10.0, uniform(-9, 0.5)));
+    const T end = i % 3 == 0 ? value : value + static_cast<T>(uniform(-1, 1)) * reach;
+    const T lower = i % 2 == 0 ? -kInf : end;
+    const T upper = i % 2 == 0 ? end : end + std::abs(reach);
+    const T answer = solid.signedDistanceWithin(p, {lower, upper});
+    const bool isRight = value < lower   ? answer < lower
+                         : value > upper ? answer > upper
+                                         : isSame(answer, value);
+    tally.expect(isRight, "at", p, "value", value, "in", lower, upper, "is", answer);
   }
 }
 

@@ -75,7 +75,7 @@ class Combination : public SignedDistanceFunction<T> {
   [[nodiscard]] T sidedValue(std::size_t operand, const Vec3<T>& p,
                              const Interval<T>& wanted) const {
     const auto ofOperand = decides_ == Decides::Least ? wanted : -wanted;
-    return side() * this->valueWithin(operands_[operand], p, ofOperand);
+    return side() * operands_[operand].signedDistanceWithin(p, ofOperand);
   }
   /// The deciding value, if that of the operands that are always asked is known.
   [[nodiscard]] T decidingValue(const Vec3<T>& p, T ofAlwaysAsked) const;

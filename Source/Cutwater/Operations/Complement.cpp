@@ -9,7 +9,7 @@ T Complement<T>::localSignedDistance(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 T Complement<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
-  return -this->valueWithin(operand(), p, -wanted);
+  return -operand().signedDistanceWithin(p, -wanted);
 }
 
 template <std::floating_point T>

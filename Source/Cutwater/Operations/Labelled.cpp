@@ -16,7 +16,7 @@ T Labelled<T>::localSignedDistance(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 T Labelled<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
-  return this->valueWithin(this->operand(), p, wanted);
+  return this->operand().signedDistanceWithin(p, wanted);
 }
 
 template <std::floating_point T>

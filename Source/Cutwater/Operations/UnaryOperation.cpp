@@ -13,7 +13,8 @@ T UnaryOperation<T>::operandValueWithin(const Vec3<T>& q, T factor,
   };
   const T lower = wanted.lower / factor;
   const T upper = wanted.upper / factor;
-  return factor * this->valueWithin(operand_, q, {lower - outward(lower), upper + outward(upper)});
+  return factor *
+         operand_.signedDistanceWithin(q, {lower - outward(lower), upper + outward(upper)});
 }
 
 template <std::floating_point T>

@@ -36,13 +36,6 @@ T SignedDistanceFunction<T>::signedDistance(const Vec3<T>& point) const {
 }
 
 template <std::floating_point T>
-T SignedDistanceFunction<T>::valueWithin(const SignedDistanceFunction& operand,
-                                         const Vec3<T>& point, const Interval<T>& wanted) {
-  if (!isFinite(point)) return kNaN<T>;
-  return operand.localSignedDistanceWithin(operand.placement_.toLocal(point), wanted) + T(0);
-}
-
-template <std::floating_point T>
 void SignedDistanceFunction<T>::signedDistances(std::span<const Vec3<T>> points,
                                                 std::span<T> distances,
                                                 const ParallelOptions& options) const {

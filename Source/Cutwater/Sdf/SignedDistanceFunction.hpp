@@ -154,10 +154,7 @@ class SignedDistanceFunction {
   [[nodiscard]] virtual std::string localName() const { return "Function"; }
   virtual void forEachOperand(FunctionRef<void(const SignedDistanceFunction&)>) const {}
 
-  // For composites: what an operand answers about a point or a box given in the composite's own
-  // frame.
-  [[nodiscard]] static T valueWithin(const SignedDistanceFunction& operand, const Vec3<T>& point,
-                                     const Interval<T>& wanted);
+  // For composites: what an operand answers about a box given in the composite's own frame.
   [[nodiscard]] static Interval<T> boundsOf(const SignedDistanceFunction& operand,
                                             const OrientedBox<T>& box, BoxHint* hint = nullptr) {
     return operand.localBounds(operand.toLocal(box), hint);

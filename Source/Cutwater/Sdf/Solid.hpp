@@ -25,6 +25,10 @@ class Solid final : public SignedDistanceFunction<T> {
   /// @throws Error if there is no shape.
   explicit Solid(std::unique_ptr<SignedDistanceFunction<T>> shape);
 
+  /// signedDistance(), to the bit, if that is within `wanted`; if not, any number beyond the same
+  /// end of it, which may take less to find.
+  [[nodiscard]] T signedDistanceWithin(const Vec3<T>& point, const Interval<T>& wanted) const;
+
   /// The shape inside, if it is one of this kind, without the Solid's placement; else nullptr.
   template <std::derived_from<SignedDistanceFunction<T>> Shape>
   [[nodiscard]] const Shape* as() const {
