@@ -118,16 +118,16 @@ class SignedDistanceFunction {
   /// All that a new shape must write. The point is finite and in the shape's own frame.
   [[nodiscard]] virtual T localSignedDistance(const Vec3<T>& point) const = 0;
 
-  /// The same bits if the value is within `wanted`; if not, any number beyond the same end of it.
-  /// To be overridden where that takes less than the value itself: of many operands, most only have
-  /// to be known to be farther than the nearest one.
+  // All below have defaults that follow from localSignedDistance() and localGuarantee(). They are
+  // called in the shape's own frame, and answer in it.
+
+  /// The value, to the bit, if that is within `wanted`; if not, any number beyond the same end of
+  /// it. To be overridden where that takes less than the value itself: of many operands, most only
+  /// have to be known to be farther than the nearest one.
   [[nodiscard]] virtual T localSignedDistanceWithin(const Vec3<T>& point,
                                                     const Interval<T>& /*wanted*/) const {
     return localSignedDistance(point);
   }
-
-  // All below have defaults that follow from localSignedDistance() and localGuarantee(). They are
-  // called in the shape's own frame, and answer in it.
 
   /// Values for a few hundred points at most; runs inside a parallel region.
   virtual void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const;
