@@ -139,8 +139,13 @@ void MeshSDF<T>::probeAmbiguity(std::size_t count, SignReport& signs) const {
 
 template <std::floating_point T>
 auto MeshSDF<T>::nearest(const Vec3<T>& p) const -> Nearest {
+  return nearestWithin(p, TriangleSearch::kAnywhere);
+}
+
+template <std::floating_point T>
+auto MeshSDF<T>::nearestWithin(const Vec3<T>& p, double reach) const -> Nearest {
   auto best = this->surface().nothing(p);
-  search_.nearest(this->surface(), p, best);
+  search_.nearest(this->surface(), p, best, reach);
   return best;
 }
 

@@ -54,6 +54,7 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   using Nearest = typename TriangleSurface<T>::Nearest;
 
   [[nodiscard]] Nearest nearest(const Vec3<T>& p) const override;
+  [[nodiscard]] Nearest nearestWithin(const Vec3<T>& p, double reach) const override;
   void nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const override;
   void along(const Segment<double>& segment, TriangleVisitor visit) const override;
   void overlapping(const OrientedBox<double>& box,

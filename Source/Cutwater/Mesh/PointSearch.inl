@@ -274,14 +274,13 @@ class Search {
   Level path_[TriangleTree::kMaxDepth];
 };
 
-constexpr double kAnywhere = 0x1p62;
-
 template <typename T, typename Observer = NoObserver>
 CUTWATER_INLINE inline void nearestOne(const TriangleSearch& tree, const TriangleArrays<T>& surface,
                                        const Vec3<T>& p, typename TriangleSurface<T>::Nearest& best,
+                                       double reach = TriangleSearch::kAnywhere,
                                        Observer observer = {}) {
   Search<T, Observer> search(tree, surface, observer);
-  search.start(p, best, kAnywhere);
+  search.start(p, best, reach);
   while (search.step()) {
     if (!tree.isSmall) search.prefetchSecond();
   }

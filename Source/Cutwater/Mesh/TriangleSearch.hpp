@@ -42,11 +42,12 @@ struct TriangleSearch {
   TriangleSearch(const TriangleTree& tree, std::span<const TrianglePacket> leaves,
                  std::span<const ChildHulls> childHulls, std::span<const std::uint32_t> ofNode);
 
-  /// Lets all triangles compete that may be the nearest to `p`, or tie with it within rounding.
-  /// `best` is surface.nothing(p), or what is known already.
+  /// Lets all triangles compete that may be the nearest to `p`, or tie with it within rounding, if
+  /// that is within `reach`. `best` is surface.nothing(p), or what is known already.
   template <std::floating_point T>
   void nearest(const TriangleSurface<T>& surface, const Vec3<T>& p,
-               typename TriangleSurface<T>::Nearest& best) const;
+               typename TriangleSurface<T>::Nearest& best, double reach = kAnywhere) const;
+  static constexpr double kAnywhere = 0x1p62;
 
   /// The same for many points, each with its own `bests`. Neighbours in the span are best close to
   /// each other in space.

@@ -28,6 +28,10 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
 
   /// The triangle nearest to `p`, of equals the one with the lowest id, and whatever ties with it.
   [[nodiscard]] virtual Nearest nearest(const Vec3<T>& p) const = 0;
+  /// The same if its distance is at most `reach`; if not, any triangle or none.
+  [[nodiscard]] virtual Nearest nearestWithin(const Vec3<T>& p, double /*reach*/) const {
+    return nearest(p);
+  }
   /// The same for each of at most kBatch points.
   virtual void nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const;
   static constexpr std::size_t kBatch = 256;
@@ -64,6 +68,11 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
 
  private:
   [[nodiscard]] T localSignedDistance(const Vec3<T>& point) const final;
+  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& point,
+                                            const Interval<T>& wanted) const final;
+  /// Whether a ball about the point leaves the mesh's box, both in the mesh's own units: if it
+  /// holds no triangle of a closed surface, the point is outside.
+  [[nodiscard]] bool leavesBox(const Vec3<T>& point, T radius) const;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const final;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& point) const final;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& point) const final;
@@ -75,6 +84,9 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
+  [[nodiscard]] Box<T> localClearanceBox() const final {
+    return signs_.isClosed() ? box_ : Box<T>::everywhere();  // no triangle is beyond it
+  }
   [[nodiscard]] std::string localName() const final;
   // `point` and, in the surface's units, `p` are the same.
   [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest) const;

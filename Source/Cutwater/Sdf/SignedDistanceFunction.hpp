@@ -76,6 +76,11 @@ class SignedDistanceFunction {
   /// Encloses the solid {value <= 0}; may be infinite or empty.
   [[nodiscard]] Box<T> boundingBox() const;
 
+  /// A box beyond which a value is at least the distance to the box, up to rounding; infinite if
+  /// none is known. Where values outside are exact distances it is boundingBox(); that of mere
+  /// lower bounds may be larger: the whole block's for what is left of a block.
+  [[nodiscard]] Box<T> clearanceBox() const;
+
   /// Names of the patches that closestPoint() and crossings() tell by their index.
   [[nodiscard]] std::vector<std::string> patchNames() const { return localPatchNames(); }
 
@@ -116,6 +121,14 @@ class SignedDistanceFunction {
   // All below have defaults that follow from localSignedDistance() and localGuarantee(). They are
   // called in the shape's own frame, and answer in it.
 
+  /// The value, to the bit, if that is within `wanted`; if not, any number beyond the same end of
+  /// it. To be overridden where that takes less than the value itself: of many operands, most only
+  /// have to be known to be farther than the nearest one.
+  [[nodiscard]] virtual T localSignedDistanceWithin(const Vec3<T>& point,
+                                                    const Interval<T>& /*wanted*/) const {
+    return localSignedDistance(point);
+  }
+
   /// Values for a few hundred points at most; runs inside a parallel region.
   virtual void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const;
   [[nodiscard]] virtual Vec3<T> localGradient(const Vec3<T>& point) const;
@@ -134,6 +147,7 @@ class SignedDistanceFunction {
   /// Promises nothing but the sign unless overridden.
   [[nodiscard]] virtual Guarantee<T> localGuarantee() const { return {}; }
   [[nodiscard]] virtual Box<T> localBoundingBox() const { return Box<T>::everywhere(); }
+  [[nodiscard]] virtual Box<T> localClearanceBox() const;
   [[nodiscard]] virtual std::vector<std::string> localPatchNames() const { return {"surface"}; }
 
   /// For describe(): what it is called, with what parameters, and what it is made of.
