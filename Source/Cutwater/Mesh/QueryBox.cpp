@@ -36,6 +36,12 @@ std::array<Vec3<double>, 3> axesAlong(const std::array<Vec3<double>, 3>& halfAxe
   return axes;
 }
 
+/// Half axes along the coordinate axes, in their order.
+bool areAligned(const std::array<Vec3<double>, 3>& halfAxes) {
+  const auto& [x, y, z] = halfAxes;
+  return x.y == 0 && x.z == 0 && y.x == 0 && y.z == 0 && z.x == 0 && z.y == 0;
+}
+
 /// Directions across an edge and one of the box's.
 std::array<Vec3<double>, 3> acrossEdges(const Vec3<double>& e) {
   return {{{0, -e.z, e.y}, {e.z, 0, -e.x}, {-e.y, e.x, 0}}};
@@ -73,7 +79,10 @@ class Polygon {
 }  // namespace
 
 QueryBox::QueryBox(const OrientedBox<double>& box)
-    : center_(box.center), axes_(axesAlong(box.halfAxis)) {
+    : center_(box.center),
+      axes_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+      isAligned_(areAligned(box.halfAxis)) {
+  if (!isAligned_) axes_ = axesAlong(box.halfAxis);
   double size = sizeOf(center_);
   for (const auto& half : box.halfAxis) size += sizeOf(half);
   // Differences, products and sums of coordinates up to about 1, and of the box's own.
@@ -96,6 +105,12 @@ Vec3<double> QueryBox::toBox(const Vec3<double>& p) const {
 
 auto QueryBox::toBox(const Corners& triangle) const -> Corners {
   return {toBox(triangle[0]), toBox(triangle[1]), toBox(triangle[2])};
+}
+
+BoxOverlap QueryBox::overlapWith(const Corners& triangle) const {
+  const auto corners = toBox(triangle);
+  if (isApart(corners)) return BoxOverlap::None;
+  return meets(corners) ? BoxOverlap::Certain : BoxOverlap::Possible;
 }
 
 double QueryBox::separation(const Vec3<double>& axis, const Corners& triangle) const {

@@ -3,9 +3,12 @@
 #include <Cutwater/Core/OrientedBox.hpp>
 
 #include <array>
-#include <span>
+#include <cstdint>
 
 namespace cutwater {
+
+/// Whether a box meets triangles: not at all, perhaps, or certainly.
+enum class BoxOverlap : std::uint8_t { None, Possible, Certain };
 
 /// A box that triangles are tested against, in double precision. All answers are certain, for the
 /// box with its slack and in spite of rounding; what is not is left open.
@@ -17,7 +20,9 @@ class QueryBox {
 
   explicit QueryBox(const OrientedBox<double>& box);
 
-  /// As seen from the box: from its centre, along its edges. All below is in this frame.
+  [[nodiscard]] BoxOverlap overlapWith(const Corners& triangle) const;
+
+  /// As seen from the box: from its centre, along its edges. Triangles below are in this frame.
   [[nodiscard]] Corners toBox(const Corners& triangle) const;
 
   /// The triangle has no point in common with the box. (Separating axes: Gottschalk, Lin and
@@ -30,6 +35,17 @@ class QueryBox {
   /// Less what rounding and the search for the direction of the gap leave, about a thousandth.
   [[nodiscard]] double gap(const Corners& triangle, double enough) const;
 
+  [[nodiscard]] const Vec3<double>& center() const { return center_; }
+  [[nodiscard]] const Vec3<double>& axis(int i) const { return axes_[static_cast<std::size_t>(i)]; }
+  /// Half lengths along the axes, slack included: what isApart() and gap() are about.
+  [[nodiscard]] const Vec3<double>& half() const { return half_; }
+  /// Those of what meets() is about; may be negative.
+  [[nodiscard]] const Vec3<double>& innerHalf() const { return innerHalf_; }
+  /// Of the coordinates of points near the box.
+  [[nodiscard]] double rounding() const { return rounding_; }
+  /// The axes are (1, 0, 0), (0, 1, 0) and (0, 0, 1).
+  [[nodiscard]] bool isAligned() const { return isAligned_; }
+
  private:
   [[nodiscard]] Vec3<double> toBox(const Vec3<double>& p) const;
   /// How far apart they are along a direction, times its length; negative if they overlap there.
@@ -40,6 +56,7 @@ class QueryBox {
   Vec3<double> half_;                 // of a box around it
   Vec3<double> innerHalf_;            // of a box within it; may be negative
   double rounding_;                   // of coordinates of points near the box
+  bool isAligned_;
 };
 
 }  // namespace cutwater

@@ -25,23 +25,6 @@ auto TriangleSurfaceSDF<T>::scaled(const OrientedBox<T>& box) const
 }
 
 template <std::floating_point T>
-auto TriangleSurfaceSDF<T>::overlapWith(const OrientedBox<double>& box) const -> Overlap {
-  const QueryBox query(box);
-  auto result = Overlap::None;
-  overlapping(box, [&](std::span<const std::uint32_t> ids) {
-    for (const auto id : ids) {
-      if (id == kNone) break;
-      const auto corners = query.toBox(surface_.corners(id));
-      if (query.isApart(corners)) continue;
-      result = query.meets(corners) ? Overlap::Certain : Overlap::Possible;
-      if (result == Overlap::Certain) return false;
-    }
-    return true;
-  });
-  return result;
-}
-
-template <std::floating_point T>
 double TriangleSurfaceSDF<T>::gapTo(const OrientedBox<double>& box, double limit) const {
   const QueryBox query(box);
   double least = limit;
@@ -89,9 +72,9 @@ template <std::floating_point T>
 BoxClass TriangleSurfaceSDF<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   if (hint != nullptr && hint->words[0] != 0) return static_cast<BoxClass>(hint->words[0] - 1);
   const auto q = scaled(box);
-  const auto overlap = q ? overlapWith(*q) : Overlap::Possible;
-  if (overlap == Overlap::Certain && signs_.isSound()) return BoxClass::Cut;
-  if (overlap != Overlap::None || !isJumpFree(q->bounds())) {
+  const auto overlap = q ? overlapWith(*q) : BoxOverlap::Possible;
+  if (overlap == BoxOverlap::Certain && signs_.isSound()) return BoxClass::Cut;
+  if (overlap != BoxOverlap::None || !isJumpFree(q->bounds())) {
     return SignedDistanceFunction<T>::localClassify(box, hint);
   }
   const Vec3<T> p = scaled(box.center);
@@ -110,7 +93,6 @@ BoxClass TriangleSurfaceSDF<T>::localClassify(const OrientedBox<T>& box, BoxHint
 #define CUTWATER_DEFINE(T)                                                                        \
   template auto TriangleSurfaceSDF<T>::scaled(const OrientedBox<T>&)                              \
       const->std::optional<OrientedBox<double>>;                                                  \
-  template auto TriangleSurfaceSDF<T>::overlapWith(const OrientedBox<double>&) const->Overlap;    \
   template double TriangleSurfaceSDF<T>::gapTo(const OrientedBox<double>&, double) const;         \
   template Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>&, BoxHint*) const; \
   template BoxClass TriangleSurfaceSDF<T>::localClassify(const OrientedBox<T>&, BoxHint*) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Mesh/QueryBox.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
 #include <Cutwater/Mesh/SurfaceLocation.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
@@ -33,12 +34,10 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   static constexpr std::size_t kBatch = 256;
   /// See TrianglesAlong.
   virtual void along(const Segment<double>& segment, TriangleVisitor visit) const = 0;
-  /// Shows at least all triangles that the box meets, until visit(ids) answers false. Ids end at
-  /// the first kNone.
-  virtual void overlapping(const OrientedBox<double>& box,
-                           FunctionRef<bool(std::span<const std::uint32_t>)> visit) const = 0;
+  /// What QueryBox tells about the triangles, the most certain of it.
+  [[nodiscard]] virtual BoxOverlap overlapWith(const OrientedBox<double>& box) const = 0;
   /// Shows at least all triangles that are no farther from the box than what visit(ids) returns,
-  /// and `limit` at first.
+  /// and `limit` at first. Ids end at the first kNone.
   virtual void around(const OrientedBox<double>& box, double limit,
                       TriangleVisitor visit) const = 0;
   // The winding number of a surface that is not closed: whether it exceeds 1/2 at the point, and
@@ -86,8 +85,6 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
 
   /// In scaled units; nothing if it is too large or too far for these to resolve it.
   [[nodiscard]] std::optional<OrientedBox<double>> scaled(const OrientedBox<T>& box) const;
-  enum class Overlap : std::uint8_t { None, Possible, Certain };
-  [[nodiscard]] Overlap overlapWith(const OrientedBox<double>& box) const;
   /// How far the triangles are from the box at least; known to be within `limit`.
   [[nodiscard]] double gapTo(const OrientedBox<double>& box, double limit) const;
   /// Whether the sign certainly changes nowhere in the box, in scaled units, but at triangles.
