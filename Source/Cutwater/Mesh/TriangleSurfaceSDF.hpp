@@ -72,6 +72,8 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const final;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
+  void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
+                    std::span<BoxHint> hints) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
   [[nodiscard]] std::string localName() const final;
@@ -85,6 +87,11 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
 
   /// In scaled units; nothing if it is too large or too far for these to resolve it.
   [[nodiscard]] std::optional<OrientedBox<double>> scaled(const OrientedBox<T>& box) const;
+  /// The class of a box, unless no triangle meets it, and no jump: then it is that of its centre.
+  [[nodiscard]] std::optional<BoxClass> classUnlessClear(const OrientedBox<T>& box,
+                                                         BoxHint* hint) const;
+  [[nodiscard]] BoxClass classOfClear(const OrientedBox<T>& box, const Vec3<T>& p,
+                                      const Nearest& nearest, BoxHint* hint) const;
   /// How far the triangles are from the box at least; known to be within `limit`.
   [[nodiscard]] double gapTo(const OrientedBox<double>& box, double limit) const;
   /// Whether the sign certainly changes nowhere in the box, in scaled units, but at triangles.
