@@ -8,42 +8,43 @@ namespace cutwater {
 
 namespace {
 
-using ExactOverlap = BoxOverlap(const void* context, std::uint32_t triangle);
-using TreeOverlap = BoxOverlap(const TriangleSearch&, const TreeBox&, ExactOverlap*,
-                               const void* context);
+using TreeOverlap = BoxOverlap(const TriangleSearch&, const TreeBox&, std::uint32_t&,
+                               const ExactOverlap&);
 
 }  // namespace
 
-#define CUTWATER_DECLARE(set)                                                          \
-  namespace set {                                                                      \
-  BoxOverlap overlapWithTree(const TriangleSearch&, const TreeBox&, ExactOverlap*,     \
-                             const void*);                                             \
+#define CUTWATER_DECLARE(set)                                                            \
+  namespace set {                                                                        \
+  BoxOverlap overlapWithTree(const TriangleSearch&, const TreeBox&, std::uint32_t& node, \
+                             const ExactOverlap&);                                       \
   }
 CUTWATER_FOR_INSTRUCTION_SETS(CUTWATER_DECLARE)
 #undef CUTWATER_DECLARE
 
-TreeBox::TreeBox(const QueryBox& box, const BvhFrame& frame)
+TreeBox::TreeBox(const QueryBox& box, double slack, const BvhFrame& frame)
     : center(frame.toFrame(box.center())), isAligned(box.isAligned()) {
   const Vec3<double> lengths = frame.scale * box.half();
   half = Vec3<float>(lengths);
-  for (int i = 0; i < 3; ++i) {
+  size = half.x + half.y + half.z;
+  leastHalf = std::min({half.x, half.y, half.z});
+  for (int i = 0; i < 3 && !isAligned; ++i) {
     axes[i] = Vec3<float>(box.axis(i));
     halfAxes[i] = Vec3<float>(lengths[i] * box.axis(i));
   }
-  size = half.x + half.y + half.z;
-  leastHalf = std::min({half.x, half.y, half.z});
   // What QueryBox allows for, several times over, and the rounding of positions in the frame.
-  const Vec3<double> reach = abs(center);
+  const Vec3<double> away = abs(center);
   const double all = 8 * frame.scale * box.rounding() +
-                     0x1p-48 * (1 + reach.x + reach.y + reach.z + double{size});
+                     0x1p-48 * (1 + away.x + away.y + away.z + double{size});
+  const double within = maxComponent(box.half() - box.innerHalf());
   rounding = static_cast<float>(1.01 * all);
-  depth = static_cast<float>(
-      1.01 * (all + frame.scale * maxComponent(box.half() - box.innerHalf())));
+  depth = static_cast<float>(1.01 * (all + frame.scale * within));
+  // A box and its image with slack differ by twice the slack, and so do those of one within it.
+  reach = rounding + static_cast<float>(8 * frame.scale * slack);
 }
 
 template <std::floating_point T>
 BoxOverlap overlapOf(const TriangleSearch& tree, const TriangleSurface<T>& surface,
-                     const OrientedBox<double>& box) {
+                     const OrientedBox<double>& box, std::uint32_t& node) {
   static TreeOverlap* const function = CUTWATER_BEST_OF(TreeOverlap, overlapWithTree);
   struct Context {
     QueryBox box;
@@ -54,12 +55,12 @@ BoxOverlap overlapOf(const TriangleSearch& tree, const TriangleSurface<T>& surfa
     const auto& [query, triangles] = *static_cast<const Context*>(given);
     return query.overlapWith(triangles.corners(triangle));
   };
-  return function(tree, TreeBox(context.box, tree.frame), exact, &context);
+  return function(tree, TreeBox(context.box, box.slack, tree.frame), node, {exact, &context});
 }
 
 template BoxOverlap overlapOf(const TriangleSearch&, const TriangleSurface<float>&,
-                              const OrientedBox<double>&);
+                              const OrientedBox<double>&, std::uint32_t&);
 template BoxOverlap overlapOf(const TriangleSearch&, const TriangleSurface<double>&,
-                              const OrientedBox<double>&);
+                              const OrientedBox<double>&, std::uint32_t&);
 
 }  // namespace cutwater

@@ -7,8 +7,6 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-using ExactOverlap = BoxOverlap(const void* context, std::uint32_t triangle);
-
 /// How far along one of the box's axes, or a direction across one, two points are from its middle
 /// on the same side, less the box's own reach; negative where the box or the middle is between.
 CUTWATER_INLINE inline Floats beyond(Floats p, Floats q, Floats reach) {
@@ -47,24 +45,46 @@ constexpr float kTiny = 0x1p-100F;
 
 class BoxVisit {
  public:
-  CUTWATER_INLINE BoxVisit(const TriangleSearch& tree, const TreeBox& box, ExactOverlap* exact,
-                           const void* context)
+  CUTWATER_INLINE BoxVisit(const TriangleSearch& tree, const TreeBox& box,
+                           const ExactOverlap& exact)
       : tree_(tree),
         box_(box),
         exact_(exact),
-        context_(context),
         // Half axes are rounded, 1 of the box's size, their products and sums with a row, 6, and
         // these with a coordinate, 2: see BvhNode::toLocalFloat().
-        margin_(box.rounding + 10 * 0x1p-24F * box.size + kTiny),
+        margin_(box.reach + 10 * 0x1p-24F * box.size + kTiny),
         half_{broadcast(box.half.x), broadcast(box.half.y), broadcast(box.half.z)} {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3 && !box.isAligned; ++i) {
       axes_[i] = {broadcast(box.axes[i].x), broadcast(box.axes[i].y), broadcast(box.axes[i].z)};
     }
   }
 
-  CUTWATER_INLINE BoxOverlap run() {
+  /// From a node on, or from the one below it that leads to all leaves.
+  CUTWATER_INLINE BoxOverlap run(std::uint32_t& start) {
+    const Node* first = &tree_.nodes[start];
+    std::uint32_t lanes = enter(*first);
+    while (lanes != 0 && (lanes & (lanes - 1)) == 0 && (lanes & first->leafMask) == 0) {
+      start = first->nodeIndex(__builtin_ctz(lanes));
+      first = &tree_.nodes[start];
+      lanes = enter(*first);
+    }
+    path_[0] = {first, lanes};
+    return visit();
+  }
+
+ private:
+  struct Level {
+    const Node* node;
+    std::uint32_t pending;  // lanes
+  };
+  struct Lanes16 {
+    std::uint32_t met = 0;
+    std::uint32_t open = 0;
+  };
+
+  /// What is on the path.
+  CUTWATER_INLINE BoxOverlap visit() {
     auto result = BoxOverlap::None;
-    path_[0] = {tree_.nodes, enter(*tree_.nodes)};
     int depth = 1;
     while (depth > 0) {
       Level& level = path_[depth - 1];
@@ -85,16 +105,6 @@ class BoxVisit {
     }
     return result;
   }
-
- private:
-  struct Level {
-    const Node* node;
-    std::uint32_t pending;  // lanes
-  };
-  struct Lanes16 {
-    std::uint32_t met = 0;
-    std::uint32_t open = 0;
-  };
 
   CUTWATER_INLINE static float sizeOf(const Vec3<float>& v) {
     const Vec3<float> a = abs(v);
@@ -213,7 +223,7 @@ class BoxVisit {
       const auto lane = static_cast<std::uint32_t>(__builtin_ctz(lanes));
       const std::uint32_t id = tree_.slots[leaf * kWidth + lane];
       if (id == kNone) break;
-      const auto found = exact_(context_, id);
+      const auto found = exact_.function(exact_.context, id);
       if (found == BoxOverlap::Certain) return found;
       if (found != BoxOverlap::None) result = found;
     }
@@ -222,8 +232,7 @@ class BoxVisit {
 
   const TriangleSearch& tree_;
   const TreeBox& box_;
-  ExactOverlap* exact_;
-  const void* context_;
+  const ExactOverlap& exact_;
   float margin_;
   Floats3 half_;
   Floats3 axes_[3];
@@ -232,9 +241,9 @@ class BoxVisit {
 
 }  // namespace
 
-BoxOverlap overlapWithTree(const TriangleSearch& tree, const TreeBox& box, ExactOverlap* exact,
-                           const void* context) {
-  return BoxVisit(tree, box, exact, context).run();
+BoxOverlap overlapWithTree(const TriangleSearch& tree, const TreeBox& box, std::uint32_t& node,
+                           const ExactOverlap& exact) {
+  return BoxVisit(tree, box, exact).run(node);
 }
 
 }  // namespace cutwater::CUTWATER_SIMD

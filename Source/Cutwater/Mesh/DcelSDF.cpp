@@ -41,7 +41,7 @@ void DcelSDF<T>::along(const Segment<double>&, TriangleVisitor visit) const {
 }
 
 template <std::floating_point T>
-BoxOverlap DcelSDF<T>::overlapWith(const OrientedBox<double>& box) const {
+BoxOverlap DcelSDF<T>::overlapWith(const OrientedBox<double>& box, std::uint32_t& /*place*/) const {
   const QueryBox query(box);
   auto result = BoxOverlap::None;
   for (std::uint32_t id = 0; id < this->surface().triangles.size(); ++id) {

@@ -152,8 +152,8 @@ void MeshSDF<T>::along(const Segment<double>& segment, TriangleVisitor visit) co
 }
 
 template <std::floating_point T>
-BoxOverlap MeshSDF<T>::overlapWith(const OrientedBox<double>& box) const {
-  return overlapOf(search_, this->surface(), box);
+BoxOverlap MeshSDF<T>::overlapWith(const OrientedBox<double>& box, std::uint32_t& place) const {
+  return overlapOf(search_, this->surface(), box, place);
 }
 
 template <std::floating_point T>

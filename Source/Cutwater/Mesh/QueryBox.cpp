@@ -89,10 +89,13 @@ QueryBox::QueryBox(const OrientedBox<double>& box)
   rounding_ = 0x1p-48 * (1 + size);
   for (int i = 0; i < 3; ++i) {
     const auto& axis = axes_[static_cast<std::size_t>(i)];
-    double reach = 0;
-    for (const auto& half : box.halfAxis) reach += std::abs(dot(half, axis));
+    const auto& along = box.halfAxis[static_cast<std::size_t>(i)];
+    const double own = std::abs(isAligned_ ? along[i] : dot(along, axis));
+    double reach = isAligned_ ? own : 0;
+    for (int k = 0; k < 3 && !isAligned_; ++k) {
+      reach += std::abs(dot(box.halfAxis[static_cast<std::size_t>(k)], axis));
+    }
     // What half axes that are not quite orthogonal add on one side they take away on the other.
-    const double own = std::abs(dot(box.halfAxis[static_cast<std::size_t>(i)], axis));
     half_[i] = reach + box.slack + rounding_;
     innerHalf_[i] = own - (reach - own) - box.slack - 4 * rounding_;
   }

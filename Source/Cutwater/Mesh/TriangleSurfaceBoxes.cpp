@@ -10,6 +10,14 @@
 
 namespace cutwater {
 
+namespace {
+
+// Words of a hint: the class, plus one, of all boxes within; where their triangles are.
+constexpr std::size_t kKnown = 0;
+constexpr std::size_t kPlace = 1;
+
+}  // namespace
+
 template <std::floating_point T>
 auto TriangleSurfaceSDF<T>::scaled(const OrientedBox<T>& box) const
     -> std::optional<OrientedBox<double>> {
@@ -77,9 +85,11 @@ Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHin
 template <std::floating_point T>
 std::optional<BoxClass> TriangleSurfaceSDF<T>::classUnlessClear(const OrientedBox<T>& box,
                                                                 BoxHint* hint) const {
-  if (hint != nullptr && hint->words[0] != 0) return static_cast<BoxClass>(hint->words[0] - 1);
+  BoxHint none;
+  auto& words = (hint != nullptr ? hint : &none)->words;
+  if (words[kKnown] != 0) return static_cast<BoxClass>(words[kKnown] - 1);
   const auto q = scaled(box);
-  const auto overlap = q ? overlapWith(*q) : BoxOverlap::Possible;
+  const auto overlap = q ? overlapWith(*q, words[kPlace]) : BoxOverlap::Possible;
   if (overlap == BoxOverlap::Certain && signs_.isSound()) return BoxClass::Cut;
   if (overlap == BoxOverlap::None && isJumpFree(q->bounds())) return {};
   return SignedDistanceFunction<T>::localClassify(box, hint);
@@ -95,7 +105,7 @@ BoxClass TriangleSurfaceSDF<T>::classOfClear(const OrientedBox<T>& box, const Ve
   const double room = std::sqrt(double{nearest.distanceSquared}) - 8 * double{nearest.error};
   const double rounding = 4 * q->slack + 0x1p-40 * (1 + maxComponent(abs(q->center)));
   if (room > 1.01 * q->radius() + rounding) {
-    hint->words[0] = static_cast<std::uint32_t>(found) + 1;
+    hint->words[kKnown] = static_cast<std::uint32_t>(found) + 1;
   }
   return found;
 }

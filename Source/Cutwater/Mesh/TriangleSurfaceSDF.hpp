@@ -34,8 +34,10 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   static constexpr std::size_t kBatch = 256;
   /// See TrianglesAlong.
   virtual void along(const Segment<double>& segment, TriangleVisitor visit) const = 0;
-  /// What QueryBox tells about the triangles, the most certain of it.
-  [[nodiscard]] virtual BoxOverlap overlapWith(const OrientedBox<double>& box) const = 0;
+  /// What QueryBox tells about the triangles, the most certain of it. `place`: what is known of
+  /// where triangles are that boxes within this one meet; 0 at first.
+  [[nodiscard]] virtual BoxOverlap overlapWith(const OrientedBox<double>& box,
+                                               std::uint32_t& place) const = 0;
   /// Shows at least all triangles that are no farther from the box than what visit(ids) returns,
   /// and `limit` at first. Ids end at the first kNone.
   virtual void around(const OrientedBox<double>& box, double limit,
