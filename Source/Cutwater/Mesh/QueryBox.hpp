@@ -35,16 +35,13 @@ class QueryBox {
   /// Less what rounding and the search for the direction of the gap leave, about a thousandth.
   [[nodiscard]] double gap(const Corners& triangle, double enough) const;
 
-  [[nodiscard]] const Vec3<double>& center() const { return center_; }
+  /// Orthonormal; along the half axes, as far as these have a direction.
   [[nodiscard]] const Vec3<double>& axis(int i) const { return axes_[static_cast<std::size_t>(i)]; }
-  /// Half lengths along the axes, slack included: what isApart() and gap() are about.
-  [[nodiscard]] const Vec3<double>& half() const { return half_; }
-  /// Those of what meets() is about; may be negative.
-  [[nodiscard]] const Vec3<double>& innerHalf() const { return innerHalf_; }
-  /// Of the coordinates of points near the box.
-  [[nodiscard]] double rounding() const { return rounding_; }
-  /// The axes are (1, 0, 0), (0, 1, 0) and (0, 0, 1).
-  [[nodiscard]] bool isAligned() const { return isAligned_; }
+  /// The half axes are along x, y and z.
+  [[nodiscard]] static bool isAligned(const OrientedBox<double>& box) {
+    const auto& [x, y, z] = box.halfAxis;
+    return x.y == 0 && x.z == 0 && y.x == 0 && y.z == 0 && z.x == 0 && z.y == 0;
+  }
 
  private:
   [[nodiscard]] Vec3<double> toBox(const Vec3<double>& p) const;
@@ -56,7 +53,6 @@ class QueryBox {
   Vec3<double> half_;                 // of a box around it
   Vec3<double> innerHalf_;            // of a box within it; may be negative
   double rounding_;                   // of coordinates of points near the box
-  bool isAligned_;
 };
 
 }  // namespace cutwater

@@ -32,7 +32,8 @@ void SignedDistanceFunction<T>::classify(std::span<const Box<T>> boxes, std::spa
       const auto some = boxes.subspan(first, count);
       const auto found = classes.subspan(first, count);
       const auto known = hints.empty() ? hints : hints.subspan(first, count);
-      if (std::ranges::all_of(some, [](const Box<T>& box) { return !box.empty() && isFinite(box); })) {
+      if (std::ranges::all_of(some,
+                              [](const Box<T>& box) { return !box.empty() && isFinite(box); })) {
         for (std::size_t i = 0; i < count; ++i) local[i] = toLocal(OrientedBox<T>::of(some[i]));
         localClasses(local.first(count), found, known);
       } else {
@@ -53,11 +54,11 @@ void SignedDistanceFunction<T>::localClasses(std::span<const OrientedBox<T>> box
   }
 }
 
-#define CUTWATER_DEFINE(T)                                                                      \
+#define CUTWATER_DEFINE(T)                                                                        \
   template void SignedDistanceFunction<T>::classify(std::span<const Box<T>>, std::span<BoxClass>, \
-                                                    std::span<BoxHint>, const ParallelOptions&) \
-      const;                                                                                    \
-  template void SignedDistanceFunction<T>::localClasses(                                        \
+                                                    std::span<BoxHint>, const ParallelOptions&)   \
+      const;                                                                                      \
+  template void SignedDistanceFunction<T>::localClasses(                                          \
       std::span<const OrientedBox<T>>, std::span<BoxClass>, std::span<BoxHint>) const;
 CUTWATER_DEFINE(float)
 CUTWATER_DEFINE(double)
