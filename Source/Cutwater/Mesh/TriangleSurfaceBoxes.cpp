@@ -155,11 +155,15 @@ void TriangleSurfaceSDF<T>::localClasses(std::span<const OrientedBox<T>> boxes,
                                                                            BoxHint*) const;       \
   template BoxClass TriangleSurfaceSDF<T>::classOfClear(const OrientedBox<T>&, const Vec3<T>&,    \
                                                         const Nearest&, BoxHint*) const;          \
-  template BoxClass TriangleSurfaceSDF<T>::localClassify(const OrientedBox<T>&, BoxHint*) const;  \
-  template void TriangleSurfaceSDF<T>::localClasses(                                              \
-      std::span<const OrientedBox<T>>, std::span<BoxClass>, std::span<BoxHint>) const;
+  template BoxClass TriangleSurfaceSDF<T>::localClassify(const OrientedBox<T>&, BoxHint*) const;
 CUTWATER_DEFINE(float)
 CUTWATER_DEFINE(double)
 #undef CUTWATER_DEFINE
+template void TriangleSurfaceSDF<float>::localClasses(std::span<const OrientedBox<float>>,
+                                                      std::span<BoxClass>,
+                                                      std::span<BoxHint>) const;
+template void TriangleSurfaceSDF<double>::localClasses(std::span<const OrientedBox<double>>,
+                                                       std::span<BoxClass>,
+                                                       std::span<BoxHint>) const;
 
 }  // namespace cutwater

@@ -54,14 +54,17 @@ void SignedDistanceFunction<T>::localClasses(std::span<const OrientedBox<T>> box
   }
 }
 
-#define CUTWATER_DEFINE(T)                                                                        \
-  template void SignedDistanceFunction<T>::classify(std::span<const Box<T>>, std::span<BoxClass>, \
-                                                    std::span<BoxHint>, const ParallelOptions&)   \
-      const;                                                                                      \
-  template void SignedDistanceFunction<T>::localClasses(                                          \
-      std::span<const OrientedBox<T>>, std::span<BoxClass>, std::span<BoxHint>) const;
-CUTWATER_DEFINE(float)
-CUTWATER_DEFINE(double)
-#undef CUTWATER_DEFINE
+template void SignedDistanceFunction<float>::classify(std::span<const Box<float>>,
+                                                      std::span<BoxClass>, std::span<BoxHint>,
+                                                      const ParallelOptions&) const;
+template void SignedDistanceFunction<float>::localClasses(std::span<const OrientedBox<float>>,
+                                                          std::span<BoxClass>,
+                                                          std::span<BoxHint>) const;
+template void SignedDistanceFunction<double>::classify(std::span<const Box<double>>,
+                                                       std::span<BoxClass>, std::span<BoxHint>,
+                                                       const ParallelOptions&) const;
+template void SignedDistanceFunction<double>::localClasses(std::span<const OrientedBox<double>>,
+                                                           std::span<BoxClass>,
+                                                           std::span<BoxHint>) const;
 
 }  // namespace cutwater
