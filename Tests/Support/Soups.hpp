@@ -3,7 +3,10 @@
 #include <Cutwater/Mesh/PolygonSoup.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <initializer_list>
+#include <numbers>
 #include <vector>
 
 #include "Support/Random.hpp"
@@ -55,6 +58,24 @@ inline PolygonSoup prism(const std::vector<std::pair<double, double>>& outline, 
   }
   soup.addPolygon(bottom);
   soup.addPolygon(top);
+  return soup;
+}
+
+/// Both pyramids over an n-gon in the unit circle, of height 1: n triangles at each apex.
+inline PolygonSoup bipyramid(std::uint32_t n) {
+  PolygonSoup soup;
+  soup.patchNames = {"fans"};
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    soup.points.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  soup.points.push_back({0, 0, 1});
+  soup.points.push_back({0, 0, -1});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t next = (i + 1) % n;
+    soup.addPolygon(std::array{i, next, n});
+    soup.addPolygon(std::array{next, i, n + 1});
+  }
   return soup;
 }
 

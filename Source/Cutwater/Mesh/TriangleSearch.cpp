@@ -44,10 +44,14 @@ constexpr std::size_t kSmall = std::size_t{1} << 20;
 
 }  // namespace
 
-TriangleSearch::TriangleSearch(const TriangleTree& tree, std::span<const TrianglePacket> leaves)
+TriangleSearch::TriangleSearch(const TriangleTree& tree, std::span<const TrianglePacket> leaves,
+                               std::span<const ChildHulls> childHulls,
+                               std::span<const std::uint32_t> ofNode)
     : nodes(tree.nodes().data()),
       slots(tree.slots().data()),
       packets(leaves.data()),
+      hulls(childHulls.data()),
+      hullsOfNode(ofNode.empty() ? nullptr : ofNode.data()),
       frame(tree.frame()),
       isSmall(leaves.size_bytes() <= kSmall) {}
 
