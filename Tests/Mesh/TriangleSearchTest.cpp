@@ -116,25 +116,6 @@ void expectAnswersInBlocks(const PolygonSoup& soup) {
   }
 }
 
-PolygonSoup randomTriangles(int count, double spread, double size) {
-  RandomPoints<double> random(1, /*seed=*/11);
-  PolygonSoup soup;
-  soup.patchNames = {"random"};
-  for (int i = 0; i < count; ++i) {
-    const auto at = spread * random.next();
-    const auto first = static_cast<std::uint32_t>(soup.points.size());
-    // Every other one a needle, and each seventh of a size of its own.
-    const double scale = std::ldexp(size, i % 7 == 0 ? -(i % 40) : 0);
-    const auto along = scale * random.next();
-    const auto across = (i % 2 == 0 ? 1e-9 * scale : scale) * random.next();
-    for (const auto& corner : {at, at + along, at + 0.4 * along + across}) {
-      soup.points.push_back(corner);
-    }
-    soup.addPolygon(std::array{first, first + 1, first + 2});
-  }
-  return soup;
-}
-
 template <typename T>
 class TriangleSearchTest : public ::testing::Test {};
 TYPED_TEST_SUITE(TriangleSearchTest, Precisions);

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include "Support/Random.hpp"
+
 namespace cutwater::test {
 
 using Polygons = std::vector<std::vector<std::uint32_t>>;
@@ -125,6 +127,27 @@ inline PolygonSoup star(std::uint32_t n) {
     polygons[n].push_back(n - i);
   }
   return makeSoup(std::move(points), polygons);
+}
+
+/// Triangles that have nothing to do with each other, about `size` large; needles among them, and
+/// some that are far smaller.
+inline PolygonSoup randomTriangles(int count, double spread, double size) {
+  RandomPoints<double> random(1, /*seed=*/11);
+  PolygonSoup soup;
+  soup.patchNames = {"random"};
+  for (int i = 0; i < count; ++i) {
+    const auto at = spread * random.next();
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    // Every other one a needle, and each seventh of a size of its own.
+    const double scale = std::ldexp(size, i % 7 == 0 ? -(i % 40) : 0);
+    const auto along = scale * random.next();
+    const auto across = (i % 2 == 0 ? 1e-9 * scale : scale) * random.next();
+    for (const auto& corner : {at, at + along, at + 0.4 * along + across}) {
+      soup.points.push_back(corner);
+    }
+    soup.addPolygon(std::array{first, first + 1, first + 2});
+  }
+  return soup;
 }
 
 }  // namespace cutwater::test

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/BoxSearch.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/SelfIntersections.hpp>
@@ -161,9 +162,8 @@ void MeshSDF<T>::along(const Segment<double>& segment, TriangleVisitor visit) co
 }
 
 template <std::floating_point T>
-void MeshSDF<T>::overlapping(const OrientedBox<double>& box,
-                             FunctionRef<bool(std::span<const std::uint32_t>)> visit) const {
-  tree_.overlapping(box, visit);
+BoxOverlap MeshSDF<T>::overlapWith(const OrientedBox<double>& box, std::uint32_t& place) const {
+  return overlapOf(search_, this->surface(), box, place);
 }
 
 template <std::floating_point T>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Mesh/QueryBox.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
 #include <Cutwater/Mesh/SurfaceLocation.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
@@ -37,12 +38,12 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   static constexpr std::size_t kBatch = 256;
   /// See TrianglesAlong.
   virtual void along(const Segment<double>& segment, TriangleVisitor visit) const = 0;
-  /// Shows at least all triangles that the box meets, until visit(ids) answers false. Ids end at
-  /// the first kNone.
-  virtual void overlapping(const OrientedBox<double>& box,
-                           FunctionRef<bool(std::span<const std::uint32_t>)> visit) const = 0;
+  /// What QueryBox tells about the triangles, the most certain of it. `place`: what is known of
+  /// where triangles are that boxes within this one meet; 0 at first.
+  [[nodiscard]] virtual BoxOverlap overlapWith(const OrientedBox<double>& box,
+                                               std::uint32_t& place) const = 0;
   /// Shows at least all triangles that are no farther from the box than what visit(ids) returns,
-  /// and `limit` at first.
+  /// and `limit` at first. Ids end at the first kNone.
   virtual void around(const OrientedBox<double>& box, double limit,
                       TriangleVisitor visit) const = 0;
   // The winding number of a surface that is not closed: whether it exceeds 1/2 at the point, and
@@ -82,6 +83,8 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const final;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
+  void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
+                    std::span<BoxHint> hints) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
   [[nodiscard]] Box<T> localClearanceBox() const final {
@@ -98,8 +101,11 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
 
   /// In scaled units; nothing if it is too large or too far for these to resolve it.
   [[nodiscard]] std::optional<OrientedBox<double>> scaled(const OrientedBox<T>& box) const;
-  enum class Overlap : std::uint8_t { None, Possible, Certain };
-  [[nodiscard]] Overlap overlapWith(const OrientedBox<double>& box) const;
+  /// The class of a box, unless no triangle meets it, and no jump: then it is that of its centre.
+  [[nodiscard]] std::optional<BoxClass> classUnlessClear(const OrientedBox<T>& box,
+                                                         BoxHint* hint) const;
+  [[nodiscard]] BoxClass classOfClear(const OrientedBox<T>& box, const Vec3<T>& p,
+                                      const Nearest& nearest, BoxHint* hint) const;
   /// How far the triangles are from the box at least; known to be within `limit`.
   [[nodiscard]] double gapTo(const OrientedBox<double>& box, double limit) const;
   /// Whether the sign certainly changes nowhere in the box, in scaled units, but at triangles.

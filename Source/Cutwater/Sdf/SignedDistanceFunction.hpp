@@ -70,6 +70,12 @@ class SignedDistanceFunction {
   /// Where the box lies; Inside, Outside and Cut are certain.
   [[nodiscard]] BoxClass classify(const Box<T>& box, BoxHint* hint = nullptr) const;
 
+  /// The same for many boxes, in parallel; the same as one by one. Neighbours in the span are best
+  /// close to each other in space. Hints, if there are any, are one for each box.
+  /// @throws Error if the spans differ in size.
+  void classify(std::span<const Box<T>> boxes, std::span<BoxClass> classes,
+                std::span<BoxHint> hints = {}, const ParallelOptions& options = {}) const;
+
   /// What a value means, in world coordinates.
   [[nodiscard]] Guarantee<T> guarantee() const;
 
@@ -144,6 +150,10 @@ class SignedDistanceFunction {
   /// alone where a box is far from an operand.
   [[nodiscard]] virtual Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const;
   [[nodiscard]] virtual BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const;
+  /// Classes of a few hundred boxes at most, with no hints or one for each; runs inside a parallel
+  /// region.
+  virtual void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
+                            std::span<BoxHint> hints) const;
   /// Promises nothing but the sign unless overridden.
   [[nodiscard]] virtual Guarantee<T> localGuarantee() const { return {}; }
   [[nodiscard]] virtual Box<T> localBoundingBox() const { return Box<T>::everywhere(); }

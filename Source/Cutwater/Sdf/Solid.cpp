@@ -76,6 +76,12 @@ Box<T> Solid<T>::localClearanceBox() const {
 }
 
 template <std::floating_point T>
+void Solid<T>::localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
+                            std::span<BoxHint> hints) const {
+  root_->localClasses(boxes, classes, hints);
+}
+
+template <std::floating_point T>
 std::vector<std::string> Solid<T>::localPatchNames() const {
   return root_->localPatchNames();
 }

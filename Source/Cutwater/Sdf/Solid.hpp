@@ -48,6 +48,8 @@ class Solid final : public SignedDistanceFunction<T> {
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
+                    std::span<BoxHint> hints) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const override { return boundingBox_; }
   [[nodiscard]] Box<T> localClearanceBox() const override;
