@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/BoxSearch.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/SelfIntersections.hpp>
@@ -74,6 +75,7 @@ template <std::floating_point T>
 void MeshSDF<T>::build(const TriangleSurfaceData<T>& data, const TriangleTreeArrays& tree,
                        std::span<const char> patchNames, FunctionRef<std::string()> defects) {
   const auto packets = packTriangles(data.positions(), data.triangles(), tree.tree());
+  const auto hulls = buildHulls(data.positions(), data.triangles(), tree.tree());
   const bool needsWinding =
       !data.openEdges().empty() && options_.signs != SignScheme::NearestFeature;
   const auto winding =
@@ -84,6 +86,8 @@ void MeshSDF<T>::build(const TriangleSurfaceData<T>& data, const TriangleTreeArr
   const auto nodes = writer.add(tree.nodes);
   const auto slots = writer.add(tree.slots);
   const auto leaves = writer.add(packets);
+  const auto childHulls = writer.add(hulls.hulls);
+  const auto hullsOfNode = writer.add(hulls.ofNode);
   const auto windingSections = winding.addTo(writer);
   const auto insideOut = writer.add(data.orientation().insideOut);
   const auto nameBytes = writer.add(patchNames);
@@ -92,7 +96,9 @@ void MeshSDF<T>::build(const TriangleSurfaceData<T>& data, const TriangleTreeArr
   this->setSurface(sections.view(block_), winding.reach());
   tree_ = TriangleTree(tree.frame, block_.array<BvhNode<TriangleTree::kArity>>(nodes),
                        block_.array<std::uint32_t>(slots), tree.depth);
-  search_ = TriangleSearch(tree_, block_.array<TrianglePacket>(leaves));
+  search_ = TriangleSearch(tree_, block_.array<TrianglePacket>(leaves),
+                           block_.array<ChildHulls>(childHulls),
+                           block_.array<std::uint32_t>(hullsOfNode));
   winding_ = windingSections.view(block_);
   insideOut_ = block_.array<std::uint32_t>(insideOut);
   patchNames_ = block_.array<char>(nameBytes);
@@ -134,8 +140,13 @@ void MeshSDF<T>::probeAmbiguity(std::size_t count, SignReport& signs) const {
 
 template <std::floating_point T>
 auto MeshSDF<T>::nearest(const Vec3<T>& p) const -> Nearest {
+  return nearestWithin(p, TriangleSearch::kAnywhere);
+}
+
+template <std::floating_point T>
+auto MeshSDF<T>::nearestWithin(const Vec3<T>& p, double reach) const -> Nearest {
   auto best = this->surface().nothing(p);
-  search_.nearest(this->surface(), p, best);
+  search_.nearest(this->surface(), p, best, reach);
   return best;
 }
 
@@ -151,9 +162,8 @@ void MeshSDF<T>::along(const Segment<double>& segment, TriangleVisitor visit) co
 }
 
 template <std::floating_point T>
-void MeshSDF<T>::overlapping(const OrientedBox<double>& box,
-                             FunctionRef<bool(std::span<const std::uint32_t>)> visit) const {
-  tree_.overlapping(box, visit);
+BoxOverlap MeshSDF<T>::overlapWith(const OrientedBox<double>& box, std::uint32_t& place) const {
+  return overlapOf(search_, this->surface(), box, place);
 }
 
 template <std::floating_point T>

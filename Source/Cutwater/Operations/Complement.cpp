@@ -8,6 +8,11 @@ T Complement<T>::localSignedDistance(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+T Complement<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
+  return -operand().signedDistanceWithin(p, -wanted);
+}
+
+template <std::floating_point T>
 void Complement<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                          std::span<T> distances) const {
   this->operandValues(points, distances);

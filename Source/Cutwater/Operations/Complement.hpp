@@ -19,6 +19,8 @@ class Complement final : public UnaryOperation<T> {
  private:
   [[nodiscard]] std::string localName() const override { return "Complement"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& p,
+                                            const Interval<T>& wanted) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;

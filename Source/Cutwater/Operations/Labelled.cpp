@@ -15,6 +15,11 @@ T Labelled<T>::localSignedDistance(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+T Labelled<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
+  return this->operand().signedDistanceWithin(p, wanted);
+}
+
+template <std::floating_point T>
 void Labelled<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                        std::span<T> distances) const {
   this->operandValues(points, distances);

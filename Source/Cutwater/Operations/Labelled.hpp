@@ -16,6 +16,8 @@ class Labelled final : public UnaryOperation<T> {
  private:
   [[nodiscard]] std::string localName() const override { return "Named \"" + name_ + "\""; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& p,
+                                            const Interval<T>& wanted) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
@@ -28,6 +30,7 @@ class Labelled final : public UnaryOperation<T> {
   bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return this->operand().guarantee(); }
   [[nodiscard]] Box<T> localBoundingBox() const override { return this->operand().boundingBox(); }
+  [[nodiscard]] Box<T> localClearanceBox() const override { return this->operand().clearanceBox(); }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
 
   std::string name_;

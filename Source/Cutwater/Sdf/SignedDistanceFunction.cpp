@@ -198,6 +198,11 @@ Box<T> SignedDistanceFunction<T>::boundingBox() const {
 }
 
 template <std::floating_point T>
+Box<T> SignedDistanceFunction<T>::clearanceBox() const {
+  return placement_.toWorld(localClearanceBox());
+}
+
+template <std::floating_point T>
 OrientedBox<T> SignedDistanceFunction<T>::toLocal(const OrientedBox<T>& box) const {
   if (placement_.isIdentity()) return box;
   OrientedBox<T> local = box;
@@ -272,6 +277,14 @@ BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, Box
 
   if (!box.isWithin(localGuarantee().domain)) return BoxClass::Unknown;
   return holdsNearestPoint(box) || holdsBothSides(box) ? BoxClass::Cut : BoxClass::Unknown;
+}
+
+template <std::floating_point T>
+Box<T> SignedDistanceFunction<T>::localClearanceBox() const {
+  const auto promise = localGuarantee();
+  const bool isExact = promise.outside == Quality::Exact && promise.domain == Box<T>::everywhere();
+  const auto box = localBoundingBox();
+  return isExact && !box.empty() ? box : Box<T>::everywhere();
 }
 
 /// The ball around the centre that reaches the nearest surface point fits into the box.
