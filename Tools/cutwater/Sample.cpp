@@ -43,14 +43,14 @@ class Fields {
   }
 
   [[nodiscard]] const FillTargets<double>& targets() const { return targets_; }
-  [[nodiscard]] std::span<const VtiArray> arrays() const { return arrays_; }
+  [[nodiscard]] std::span<const VtkArray> arrays() const { return arrays_; }
   [[nodiscard]] std::span<const double> distance() const { return distance_; }
 
  private:
   std::vector<double> distance_;
   std::vector<std::uint32_t> patch_;
   FillTargets<double> targets_;
-  std::vector<VtiArray> arrays_;
+  std::vector<VtkArray> arrays_;
 };
 
 void report(const Options& options, const Patch<double>& grid, const Fields& fields,
