@@ -66,6 +66,13 @@ Index3 lowerCorner(const OctreeCell& cell, int deepest) {
   return {cell.index.i << shift, cell.index.j << shift, cell.index.k << shift};
 }
 
+/// Where each corner is looked for next: the same corner of the next cell is mostly near.
+std::array<std::size_t, 8> allAt(std::size_t place) {
+  std::array<std::size_t, 8> places{};
+  places.fill(place);
+  return places;
+}
+
 }  // namespace
 
 template <std::floating_point T>
@@ -84,8 +91,10 @@ OctreeNodes<T>::OctreeNodes(const Octree<T>& mesh, const ParallelOptions& option
               {.threads = options.threads, .grain = kGrain, .progress = options.progress},
               [&](std::size_t begin, std::size_t end) {
                 std::vector<std::uint64_t> found;
-                forCorners(begin, end, [&](auto, auto, const Index3& node, std::size_t cell) {
-                  if (cell == kNoCell) found.push_back(keyOf(node));
+                auto near = allAt(begin);
+                forCorners(begin, end, [&](auto, std::size_t corner, const Place& place) {
+                  if (place.isInParent || cellFrom(place, near[corner]) != kNoCell) return;
+                  found.push_back(keyOf(place.node));
                 });
                 sortUnique(found);
                 const std::lock_guard lock(mutex);
@@ -104,43 +113,59 @@ Index3 OctreeNodes<T>::index(std::size_t node) const {
 
 template <std::floating_point T>
 void OctreeNodes<T>::corners(std::size_t firstCell, std::span<Corners> result) const {
-  std::array<std::size_t, 8> near{};
+  auto near = allAt(firstCell);
+  auto nearOther = allAt(0);
+  for (std::size_t n = 0; n < result.size(); ++n) result[n][0] = firstCell + n;
   forCorners(firstCell, firstCell + result.size(),
-             [&](std::size_t n, std::size_t corner, const Index3& node, std::size_t cell) {
-               if (cell == kNoCell) {
-                 near[corner] = seek(others_, keyOf(node), near[corner]);
-                 cell = places_.size() + near[corner];
-               }
-               result[n - firstCell][corner] = cell;
+             [&](std::size_t n, std::size_t corner, const Place& place) {
+               auto& node = result[n - firstCell][corner];
+               node = cellFrom(place, near[corner]);
+               if (node != kNoCell) return;
+               nearOther[corner] = seek(others_, keyOf(place.node), nearOther[corner]);
+               node = places_.size() + nearOther[corner];
              });
 }
 
 template <std::floating_point T>
 template <typename Visit>
 void OctreeNodes<T>::forCorners(std::size_t begin, std::size_t end, const Visit& visit) const {
-  // The same corner of the next cell is mostly near.
-  std::array<std::size_t, 8> near{};
-  near.fill(begin);
+  // Every third bit of a code is one coordinate's.
+  constexpr MortonCode kFirst = 0x1249249249249249U;
   for (auto n = begin; n < end; ++n) {
     const auto& cell = mesh_.cells()[n];
-    const auto lower = lowerCorner(cell, mesh_.deepest());
-    const std::int32_t width = 1 << (mesh_.deepest() - cell.level);
-    visit(n, std::size_t{0}, lower, n);
+    const int shift = mesh_.deepest() - cell.level;
+    const auto child = static_cast<std::size_t>(places_[n] >> 3 * shift & 7U);  // of its parent
+    std::array<Index3, 2> sides{lowerCorner(cell, mesh_.deepest()), {}};
+    const std::int32_t width = 1 << shift;
+    sides[1] = {sides[0].i + width, sides[0].j + width, sides[0].k + width};
+    const std::size_t beyond = (sides[1].i == size_.i ? 1U : 0U) |
+                               (sides[1].j == size_.j ? 2U : 0U) |
+                               (sides[1].k == size_.k ? 4U : 0U);
     for (std::size_t corner = 1; corner < 8; ++corner) {
-      const Index3 node{lower.i + ((corner & 1U) != 0 ? width : 0),
-                        lower.j + ((corner & 2U) != 0 ? width : 0),
-                        lower.k + ((corner & 4U) != 0 ? width : 0)};
-      visit(n, corner, node, cellFrom(node, near[corner]));
+      const auto x = corner & 1U;
+      const auto y = corner >> 1U & 1U;
+      const auto z = corner >> 2U;
+      // Adds the width to a coordinate's bits; ones between them carry over.
+      const auto moved = [&](MortonCode bits, MortonCode step) {
+        return ((places_[n] | ~bits) + step) & bits;
+      };
+      const MortonCode code = moved(kFirst, x << 3 * shift) |
+                              moved(kFirst << 1U, y << (3 * shift + 1)) |
+                              moved(kFirst << 2U, z << (3 * shift + 2));
+      visit(n, corner,
+            Place{.node = {sides[x].i, sides[y].j, sides[z].k},
+                  .code = code,
+                  .isBeyond = (corner & beyond) != 0,
+                  .isInParent = cell.level > 0 && (corner & child) == 0});
     }
   }
 }
 
 template <std::floating_point T>
-std::size_t OctreeNodes<T>::cellFrom(const Index3& node, std::size_t& near) const {
-  if (node.i == size_.i || node.j == size_.j || node.k == size_.k) return kNoCell;
-  const auto code = mortonCode(node);
-  near = seek(places_, code, near);
-  return near < places_.size() && places_[near] == code ? near : kNoCell;
+std::size_t OctreeNodes<T>::cellFrom(const Place& place, std::size_t& near) const {
+  if (place.isBeyond) return kNoCell;
+  near = seek(places_, place.code, near);
+  return near < places_.size() && places_[near] == place.code ? near : kNoCell;
 }
 
 template class OctreeNodes<float>;

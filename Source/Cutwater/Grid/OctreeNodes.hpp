@@ -32,10 +32,19 @@ class OctreeNodes {
   void corners(std::size_t firstCell, std::span<Corners> result) const;
 
  private:
-  /// Calls visit(cell, corner, index of the node, the cell that begins there or kNoCell).
+  /// Where a corner of a cell is.
+  struct Place {
+    Index3 node;
+    MortonCode code = 0;      ///< unless it is past the last cell on an axis
+    bool isBeyond = false;    ///< it is
+    bool isInParent = false;  ///< a cell of the same parent begins there
+  };
+
+  /// Calls visit(cell, corner, its place) for the corners of cells but their lower ones.
   template <typename Visit>
   void forCorners(std::size_t begin, std::size_t end, const Visit& visit) const;
-  [[nodiscard]] std::size_t cellFrom(const Index3& node, std::size_t& near) const;
+  /// The cell that begins there, or kNoCell; looks from `near` on, and leaves it where that was.
+  [[nodiscard]] std::size_t cellFrom(const Place& place, std::size_t& near) const;
 
   static constexpr auto kNoCell = static_cast<std::size_t>(-1);
 
