@@ -78,7 +78,7 @@ class EdgeWalk {
                hint)) {
       writeFree(first, width);
     } else if (bits == 0) {
-      for (std::size_t axis = 0; axis < 3; ++axis) walkEdge(first, axis, hint);
+      for (std::size_t axis = 0; axis < 3; ++axis) walkEdge(first, axis);
     } else {
       const auto half = width / 2;
       for (int part = 0; part < 8; ++part) {
@@ -110,27 +110,25 @@ class EdgeWalk {
     }
   }
 
-  void walkEdge(const Wide& node, std::size_t axis, BoxHint hint) {
+  void walkEdge(const Wide& node, std::size_t axis) {
     auto next = node;
     ++next[axis];
     if (next[axis] > upper_[axis]) return;
     const Segment<T> edge{position(node), position(next)};
     EdgeRecord<T> record;
-    if (!isFree({edge.start, edge.end}, hint)) {
-      const auto a = static_cast<int>(axis);
-      const auto count = solid_.crossings(edge, [&](const Crossing<T>& crossing) {
-        record.last = std::clamp(crossing.point[a], edge.start[a], edge.end[a]);
-        record.lastPatch = crossing.owner.patch;
-        if (record.count == 0) {
-          record.first = record.last;
-          record.firstPatch = record.lastPatch;
-        }
-        ++record.count;
-        return true;
-      });
-      report_.crossed += record.count > 0 ? 1 : 0;
-      report_.unresolved += count.unresolved > 0 ? 1 : 0;
-    }
+    const auto a = static_cast<int>(axis);
+    const auto found = solid_.crossings(edge, [&](const Crossing<T>& crossing) {
+      record.last = std::clamp(crossing.point[a], edge.start[a], edge.end[a]);
+      record.lastPatch = crossing.owner.patch;
+      if (record.count == 0) {
+        record.first = record.last;
+        record.firstPatch = record.lastPatch;
+      }
+      ++record.count;
+      return true;
+    });
+    report_.crossed += record.count > 0 ? 1 : 0;
+    report_.unresolved += found.unresolved > 0 ? 1 : 0;
     write(axis, node, record);
   }
 
