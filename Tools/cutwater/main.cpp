@@ -25,7 +25,8 @@ int failed(std::string message, int status) {
 
 void describe(CLI::App& program) {
   program.name("cutwater");
-  program.description("Signed distance fields and AMR meshes from surface meshes, for embedded-boundary CFD.");
+  program.description(
+      "Signed distance fields and AMR meshes from surface meshes, for embedded-boundary CFD.");
   program.set_version_flag("--version", "cutwater " CUTWATER_VERSION);
   program.set_help_all_flag("--help-all", "Help for all subcommands");
   program.require_subcommand(1);

@@ -58,7 +58,7 @@ std::size_t seek(std::span<const std::uint64_t> sorted, std::uint64_t value, std
 
 void sortUnique(std::vector<std::uint64_t>& values) {
   std::ranges::sort(values);
-  values.erase(std::ranges::unique(values).begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 Index3 lowerCorner(const OctreeCell& cell, int deepest) {

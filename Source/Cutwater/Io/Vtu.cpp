@@ -11,7 +11,7 @@ namespace cutwater {
 namespace {
 
 /// Records that are made together before they are written, and those that a thread makes at a time.
-constexpr std::size_t kStretch = std::size_t{1} << 18U;
+constexpr std::size_t kStretch = std::size_t{1} << 17U;
 constexpr std::size_t kGrain = std::size_t{1} << 12U;
 
 constexpr std::uint8_t kVoxel = 11;
