@@ -69,9 +69,11 @@ void CellJudge<T>::judge(int level, std::span<const Box<T>> cells, std::span<Box
                          std::span<CellVerdict> verdicts) const {
   detail::FacetRules<T> rules(solid_, refinement_);
   const bool rulesMatter = rules.matter(level);
+  Scratch<BoxClass, kMost> kinds;
+  solid_.classify(cells, kinds.first(cells.size()), hints, {.threads = 1});
   for (std::size_t i = 0; i < cells.size(); ++i) {
     auto& [kind, isRefined] = verdicts[i];
-    kind = solid_.classify(cells[i], &hints[i]);
+    kind = kinds[i];
     const bool mayBeCut = kind == BoxClass::Cut || kind == BoxClass::Unknown;
     isRefined =
         mayBeCut && (level < refinement_.cut || (rulesMatter && rules.ask(level, cells[i])));
