@@ -81,7 +81,7 @@ int medianOpenings(std::uint32_t slivers) {
     auto best = mesh.surface.nothing(q);
     openings.push_back(0);
     counting::nearestOne(mesh.search, TriangleArrays<double>(mesh.surface), q, best,
-                         Counter{&openings.back()});
+                         TriangleSearch::kAnywhere, Counter{&openings.back()});
   }
   std::ranges::nth_element(openings, openings.begin() + 250);
   return openings[250];
