@@ -41,12 +41,16 @@ auto UnresolvedCell<T>::find(bool isCut) -> std::optional<Finding> {
     if (!isMultiCut(result.isSolid)) return {};
     result.kind = UnresolvedKind::MultiCut;
   }
-  // What is hidden is as deep as its deepest place; between sheets the narrowest matters.
-  const bool isDeepest = isHidden || count_ == 0;
-  if (isDeepest) samplePoints();
+  if (result.kind == UnresolvedKind::MultiCut && thickest_ > 0) {
+    result.depth = thickest_;
+    result.point = thickestAt_;
+    return result;
+  }
+  samplePoints();
   for (std::size_t i = 0; i < count_; ++i) {
     const T depth = depthAt(i, result.isSolid);
-    if (i > 0 && (isDeepest ? depth <= result.depth : depth >= result.depth)) continue;
+    // What is hidden is as deep as its deepest place; between sheets the narrowest matters.
+    if (i > 0 && (isHidden ? depth <= result.depth : depth >= result.depth)) continue;
     result.depth = depth;
     result.point = points_[i];
   }
@@ -66,13 +70,23 @@ std::size_t UnresolvedCell<T>::crossed(int corner, int axis) {
   const int other = corner | 1 << axis;
   const Segment<T> edge{box_.corner(corner), box_.corner(other)};
   if (isInside(corner) == isInside(other) && !mayMeet({edge.start, edge.end})) return 0;
-  return solid_
-      .crossings(edge,
-                 [this](const Crossing<T>& crossing) {
-                   note(crossing.point, crossing.normal);
-                   return true;
-                 })
-      .found;
+  std::optional<T> last;
+  const auto visit = [&](const Crossing<T>& crossing) {
+    note(crossing.point, crossing.normal);
+    if (last) noteStretch(edge, *last, crossing.parameter);
+    last = crossing.parameter;
+    return true;
+  };
+  return solid_.crossings(edge, visit).found;
+}
+
+template <std::floating_point T>
+void UnresolvedCell<T>::noteStretch(const Segment<T>& edge, T first, T second) {
+  const auto middle = edge.at((first + second) / 2);
+  const T thickness = 2 * std::abs(solid_.signedDistance(middle));
+  if (!(thickness > thickest_)) return;
+  thickest_ = thickness;
+  thickestAt_ = middle;
 }
 
 template <std::floating_point T>

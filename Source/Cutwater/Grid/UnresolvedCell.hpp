@@ -27,13 +27,16 @@ class UnresolvedCell {
 
   [[nodiscard]] bool isInside(int corner) const { return (inside_ >> corner & 1U) != 0; }
   [[nodiscard]] bool mayMeet(const Box<T>& part) const;
-  /// Crossings of the edge from a corner along an axis; the first few are noted.
+  /// Crossings of the edge from a corner along an axis; the first few are noted, and what it
+  /// passes through between two of them.
   std::size_t crossed(int corner, int axis);
   [[nodiscard]] UnresolvedKind hiddenKind();
   [[nodiscard]] bool isMultiCut(bool& isSolid);
   /// Notes points of the surface in the cell, from samples.
   void samplePoints();
   void note(const Vec3<T>& point, const Vec3<T>& normal);
+  /// A stretch of an edge between two crossings: as thick as twice the distance in its middle.
+  void noteStretch(const Segment<T>& edge, T first, T second);
   /// Of the solid or the fluid behind a noted point: along the normal, to the other side or out of
   /// the cell.
   [[nodiscard]] T depthAt(std::size_t point, bool isSolid) const;
@@ -41,6 +44,8 @@ class UnresolvedCell {
   const SignedDistanceFunction<T>& solid_;
   Box<T> box_;
   unsigned inside_ = 0;  // a bit for each corner
+  T thickest_ = 0;       // of the stretches
+  Vec3<T> thickestAt_;
   std::size_t count_ = 0;
   std::array<Vec3<T>, kMostPoints> points_;
   std::array<Vec3<T>, kMostPoints> normals_;
