@@ -1,5 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/OctreeFill.hpp>
+#include <Cutwater/Grid/OctreeRegions.hpp>
+#include <Cutwater/Grid/UnresolvedFeatures.hpp>
 #include <Cutwater/Io/Vtu.hpp>
 
 #include <CLI/CLI.hpp>
@@ -8,11 +10,13 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <ranges>
 #include <system_error>
 
 #include "Arguments.hpp"
 #include "Commands.hpp"
 #include "Format.hpp"
+#include "Picture.hpp"
 #include "ProgressBar.hpp"
 #include "SampleGrid.hpp"
 #include "Surface.hpp"
@@ -26,6 +30,8 @@ const std::map<std::string, Balance> kBalances{{"none", Balance::None},
                                                {"edge", Balance::Edge},
                                                {"corner", Balance::Corner}};
 
+constexpr std::uint8_t kCovered = 4;  // after those of BoxClass
+
 struct Options {
   SurfaceOptions surface;
   std::string output;
@@ -33,6 +39,9 @@ struct Options {
   Refinement<double> refinement;
   Balance balance = Balance::Corner;
   std::vector<std::string> write{"distance", "class", "level"};
+  bool features = false;
+  std::optional<Vec3<double>> keep;
+  PictureOptions picture;
 };
 
 struct Seconds {
@@ -61,6 +70,11 @@ class Fields {
     for (std::size_t n = 0; n < level_.size(); ++n) level_[n] = cells[n].level;
   }
 
+  /// Cells that are to be covered have a class of their own.
+  void cover(std::span<const std::size_t> cells) {
+    if (class_.empty()) return;
+    for (const auto n : cells) class_[n] = kCovered;
+  }
   [[nodiscard]] OctreeTargets<double> targets() { return {distance_, normal_, patch_}; }
   [[nodiscard]] std::span<const VtkArray> arrays() const { return arrays_; }
 
@@ -118,6 +132,45 @@ void report(const Options& options, const Octree<double>& mesh, const Seconds& s
             << " cells per second\n";
 }
 
+/// Covers what the point's region of fluid does not reach.
+void keepRegion(const Vec3<double>& keep, const Octree<double>& mesh, Fields& fields,
+                bool isShown) {
+  const FluidRegions<double> fluid(mesh);
+  const auto cells = fluid.unreached(mesh, keep);
+  fields.cover(cells);
+  if (!isShown) return;
+  std::cout << "fluid: " << counted(fluid.regions().size(), "region") << "; not reached from "
+            << point(keep) << ", and covered: " << counted(cells.size(), "cell") << '\n';
+}
+
+/// Of each kind the first few.
+void reportFeatures(const SignedDistanceFunction<double>& solid, const Octree<double>& mesh,
+                    int threads) {
+  constexpr std::size_t kFew = 5;
+  Stopwatch watch;
+  const auto features = [&] {
+    ProgressBar bar("looking for what is lost", true);
+    return unresolvedFeatures(solid, mesh, {.threads = threads, .progress = bar.callback()});
+  }();
+  const double seconds = watch.lap();
+  const std::pair<UnresolvedKind, const char*> kinds[] = {
+      {UnresolvedKind::Thin, "thin: no corner of the cell sees it"},
+      {UnresolvedKind::Grazing, "grazing: a bulge through a face"},
+      {UnresolvedKind::MultiCut, "multi-cut: several sheets"}};
+  std::cout << "unresolved features: " << counted(features.size(), "cell") << ", in "
+            << duration(seconds) << '\n';
+  for (const auto& [kind, meaning] : kinds) {
+    const auto some =
+        std::ranges::equal_range(features, kind, {}, &UnresolvedFeature<double>::kind);
+    std::cout << "  " << meaning << ": " << grouped(some.size()) << '\n';
+    for (const auto& feature : some | std::views::take(kFew)) {
+      std::cout << "    " << (feature.isSolid ? "solid" : "fluid") << ' '
+                << number(feature.depth, 3) << " cells deep at " << point(feature.point)
+                << "; level " << feature.level << " resolves it\n";
+    }
+  }
+}
+
 void run(const Options& options) {
   const int threads = options.surface.threads;
   const bool isShown = !options.surface.quiet;
@@ -139,9 +192,16 @@ void run(const Options& options) {
     fill(solid, mesh, fields.targets(), {.threads = threads, .progress = bar.callback()});
   }
   seconds.values = watch.lap();
+  if (options.keep) keepRegion(*options.keep, mesh, fields, isShown);
   writeVtu(options.output, mesh, fields.arrays(), {.threads = threads});
   seconds.file = watch.lap();
   if (isShown) report(options, mesh, seconds);
+  if (isShown && options.features) reportFeatures(solid, mesh, threads);
+  if (!options.picture.output.empty()) {
+    auto picture = options.picture;
+    picture.slice.mesh = &mesh;
+    writePicture(solid, options.surface, picture);
+  }
 }
 
 /// "DISTANCE:LEVEL"
@@ -214,10 +274,21 @@ void addAmr(CLI::App& program) {
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"distance", "normal", "patch", "class", "level"}))
       ->type_name("distance,normal,patch,class,level");
+  command
+      .add_option_function<std::string>(
+          "--keep", [=](const std::string& text) { options->keep = vectorOf("--keep", text); },
+          "A point in the fluid: cells that are not connected to it are covered, class 4")
+      ->type_name("X,Y,Z");
+  command.add_flag("--features", options->features,
+                   "List cells in which signs at corners do not tell all of the surface");
+  command.add_option("--picture", options->picture.output, "Draw the mesh in a plane as well")
+      ->type_name("FILE.png");
+  addPictureOptions(command, options->picture);
   command.footer(
       "Examples:\n"
       "  cutwater amr hull.stl --level 6 -o hull.vtu\n"
       "  cutwater amr hull.stl --level 9 --band 0.1:7 --band 0.5:5 -o hull.vtu\n"
+      "  cutwater amr hull.stl --level 6 --features --picture hull.png --axis z -o hull.vtu\n"
       "  cutwater amr part.stl --scale 0.001 --box -1,-1,-1,3,1,1 --roots 8 --level 5 --balance "
       "face --write distance,normal,patch,class,level -o part.vtu");
   command.callback([=] { run(*options); });
