@@ -66,11 +66,35 @@ void Image::fillRectangle(int x0, int y0, int x1, int y1, const Rgb& color) {
 }
 
 void Image::drawStrokes(std::span<const Stroke> strokes, double width, const Rgb& color) {
-  const auto bounds = pixelBounds(strokes, 0.5 * width + 1);
-  for (int y = std::max(bounds.y0, 0); y < std::min(bounds.y1, height_); ++y) {
-    for (int x = std::max(bounds.x0, 0); x < std::min(bounds.x1, width_); ++x) {
-      double distance = std::numeric_limits<double>::infinity();
-      for (const auto& s : strokes) distance = std::min(distance, distanceTo(s, x + 0.5, y + 0.5));
+  const auto inPicture = [&](std::span<const Stroke> some) {
+    auto bounds = pixelBounds(some, 0.5 * width + 1);
+    bounds.x0 = std::max(bounds.x0, 0);
+    bounds.y0 = std::max(bounds.y0, 0);
+    bounds.x1 = std::max(std::min(bounds.x1, width_), bounds.x0);
+    bounds.y1 = std::max(std::min(bounds.y1, height_), bounds.y0);
+    return bounds;
+  };
+  // The nearest stroke of each pixel; one is near only to pixels about it.
+  const auto all = inPicture(strokes);
+  const auto columns = static_cast<std::size_t>(all.x1 - all.x0);
+  std::vector<float> distances(columns * static_cast<std::size_t>(all.y1 - all.y0),
+                               std::numeric_limits<float>::infinity());
+  const auto distanceAt = [&](int x, int y) -> float& {
+    return distances[static_cast<std::size_t>(y - all.y0) * columns +
+                     static_cast<std::size_t>(x - all.x0)];
+  };
+  for (const auto& stroke : strokes) {
+    const auto near = inPicture(std::span(&stroke, 1));
+    for (int y = near.y0; y < near.y1; ++y) {
+      for (int x = near.x0; x < near.x1; ++x) {
+        auto& distance = distanceAt(x, y);
+        distance = std::min(distance, static_cast<float>(distanceTo(stroke, x + 0.5, y + 0.5)));
+      }
+    }
+  }
+  for (int y = all.y0; y < all.y1; ++y) {
+    for (int x = all.x0; x < all.x1; ++x) {
+      const double distance{distanceAt(x, y)};
       const double coverage = std::clamp(0.5 * width - distance + 0.5, 0.0, std::min(width, 1.0));
       if (coverage > 0) at(x, y) = blended(at(x, y), color, coverage);
     }
