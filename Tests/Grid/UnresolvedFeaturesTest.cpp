@@ -45,7 +45,7 @@ TYPED_TEST(UnresolvedFeaturesTest, ListEveryCellOfAPlateBetweenTheCorners) {
       EXPECT_EQ(feature.kind, UnresolvedKind::Thin);
       EXPECT_EQ(feature.isSolid, !isSlit);
       EXPECT_NEAR(feature.depth, 0.01, 1e-3);  // at the rim across a corner
-      EXPECT_EQ(feature.level, 11);  // 2^7 times finer
+      EXPECT_EQ(feature.level, 11);            // 2^7 times finer
       EXPECT_NEAR(feature.point.z, T(0.02) + thickness / 2, thickness);
     }
   }

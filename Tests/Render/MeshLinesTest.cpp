@@ -27,7 +27,7 @@ class MeshLinesTest : public ::testing::Test {
       if (box.lower.z >= height || box.upper.z < height) continue;
       for (int axis = 0; axis < 2; ++axis) {
         for (const T place : {box.lower[axis], box.upper[axis]}) {
-          auto& end = lines[{axis, place}][box.lower[1 - axis]];
+          auto& end = lines[{axis, place}].try_emplace(box.lower[1 - axis], T(-100)).first->second;
           end = std::max(end, box.upper[1 - axis]);
         }
       }
