@@ -10,6 +10,7 @@
 #include <random>
 
 #include "Support/Precisions.hpp"
+#include "Support/Soups.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -66,6 +67,38 @@ TYPED_TEST(FacetRulesTest, RefineEdges) {
   const auto coarse =
       this->meshOf(solid, {.cut = 1, .edges = typename Refinement<T>::Angle{91, 4}});
   EXPECT_TRUE(std::ranges::all_of(coarse.cells(), [](const auto& c) { return c.level <= 1; }));
+}
+
+TYPED_TEST(FacetRulesTest, SeeNoEdgeInATriangleWithoutArea) {
+  using T = TypeParam;
+  using Angle = typename Refinement<T>::Angle;
+  // A cube whose upper side is divided along a diagonal with a point in the middle of one half's
+  // side of it, and whose front has one in the middle of one face's side of an edge.
+  auto soup = cube();
+  for (auto& p : soup.points) p = {p.x - 0.51, p.y - 0.52, p.z - 0.53};
+  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+    soup.points.push_back(0.5 * (soup.points[a] + soup.points[b]));
+  };
+  PolygonSoup divided;
+  middle(4, 7);
+  middle(0, 1);
+  divided.points = soup.points;
+  divided.patchNames = soup.patchNames;
+  using Corners = std::vector<std::uint32_t>;
+  for (const auto& corners :
+       {Corners{0, 4, 6, 2}, Corners{1, 3, 7, 5}, Corners{2, 6, 7, 3}, Corners{0, 2, 3, 1},
+        Corners{4, 5, 7}, Corners{4, 8, 6}, Corners{8, 7, 6}, Corners{4, 7, 8},  //
+        Corners{9, 1, 5}, Corners{9, 5, 4}, Corners{9, 4, 0}, Corners{0, 1, 9}}) {
+    divided.addPolygon(corners);
+  }
+  const Solid<T> solid = MeshSDF<T>(divided);
+  ASSERT_EQ(solid.guarantee().outside, Quality::Exact);
+  const auto mesh = this->meshOf(solid, {.cut = 1, .edges = Angle{60, 4}});
+  const auto without = this->boxMesh(soup.points[0], soup.points[7]);
+  const auto expected = this->meshOf(without, {.cut = 1, .edges = Angle{60, 4}});
+  const auto levelOf = [](const OctreeCell& c) { return std::pair(c.level, c.index.i); };
+  EXPECT_TRUE(std::ranges::equal(mesh.cells(), expected.cells(), {}, levelOf, levelOf));
+  EXPECT_GT(mesh.cells().size(), 1000U);
 }
 
 TYPED_TEST(FacetRulesTest, RefineWhereNormalsTurn) {

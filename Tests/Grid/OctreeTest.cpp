@@ -118,6 +118,31 @@ TYPED_TEST(OctreeTest, LosesNoPartOfAPlateThatCornersDoNotSee) {
   EXPECT_EQ(seenByCorners, 0U);  // the control
 }
 
+TYPED_TEST(OctreeTest, FindsTheCellThatHoldsAPoint) {
+  using T = TypeParam;
+  const Octree<T> mesh(this->ball(), this->domain, {.cut = 5});
+  for (std::size_t n = 0; n < mesh.cells().size(); ++n) {
+    const auto box = mesh.box(mesh.cells()[n]);
+    EXPECT_EQ(mesh.find(box.lower), n);
+    // The last point before the upper corner.
+    auto last = box.upper;
+    for (int axis = 0; axis < 3; ++axis) {
+      last[axis] = std::nextafter(last[axis], -std::numeric_limits<T>::infinity());
+    }
+    EXPECT_EQ(mesh.find(last), n);
+  }
+  const auto whole = mesh.domain().box();
+  EXPECT_FALSE(mesh.find(whole.upper));
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const T wrong : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity(),
+                          std::numeric_limits<T>::max(), T(-1e6)}) {
+      auto point = whole.center();
+      point[axis] = wrong;
+      EXPECT_FALSE(mesh.find(point));
+    }
+  }
+}
+
 TYPED_TEST(OctreeTest, RefinesABandAroundTheSurface) {
   using T = TypeParam;
   const Vec3<T> center{T(0.1), 0, T(0.2)};

@@ -1,3 +1,4 @@
+#include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
@@ -130,7 +131,12 @@ TYPED_TEST(MeshFacetsTest, StopWhenToldTo) {
   const MeshSDF<T> mesh(tessellation::icosphere(1, 2));
   const Solid<T> both = Solid<T>(mesh) | translated(Solid<T>(mesh), {T(0.1), 0, 0});
   int shown = 0;
-  both.facetsIn({{-2, -2, -2}, {2, 2, 2}}, [&](const SurfaceFacet<T>&) { return ++shown < 7; });
+  const auto visit = [&](const SurfaceFacet<T>&) { return ++shown < 7; };
+  both.facetsIn({{-2, -2, -2}, {2, 2, 2}}, visit);
+  EXPECT_EQ(shown, 7);
+  shown = 0;
+  const DcelSDF<T> withoutTree(DcelMesh<T>(tessellation::icosphere(1, 2)));
+  withoutTree.facetsIn({{-2, -2, -2}, {2, 2, 2}}, visit);
   EXPECT_EQ(shown, 7);
 }
 

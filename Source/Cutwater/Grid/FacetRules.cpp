@@ -50,6 +50,16 @@ T DirectionSpread<T>::bound() const {
 }
 
 template <std::floating_point T>
+bool DirectionSpread<T>::mayFace(const Vec3<T>& direction, T cosine) const {
+  T least = 0;  // of the dot product, over the box of the directions
+  for (std::size_t i = 0; i < 3; ++i) {
+    const T along = direction[static_cast<int>(i)];
+    least += along * (along > 0 ? least_[i] : most_[i]);
+  }
+  return least < cosine;
+}
+
+template <std::floating_point T>
 FacetRules<T>::FacetRules(const SignedDistanceFunction<T>& solid, const Refinement<T>& rules)
     : solid_(solid), rules_(rules) {
   if (rules.curvature) mostTurn_ = 2 * std::sin(radians(rules.curvature->degrees) / 2);
@@ -67,15 +77,15 @@ bool FacetRules<T>::matter(int level) const {
 template <std::floating_point T>
 bool FacetRules<T>::ask(int level, const Box<T>& cell) {
   facets_.clear();
-  DirectionSpread<T> spread;
+  spread_ = {};
   bool isAsked = false;
   solid_.facetsIn(cell, [&](const Facet& facet) {
     if (facet.normal != Vec3<T>{}) {
-      spread.add(facet.normal);
+      spread_.add(facet.normal);
       facets_.push_back(facet);
     }
     isAsked = askOf(facet, level) ||
-              (rules_.curvature && level < rules_.curvature->level && spread.bound() > mostTurn_);
+              (rules_.curvature && level < rules_.curvature->level && spread_.bound() > mostTurn_);
     return !isAsked;
   });
   return isAsked || isNarrow(level, cell);
@@ -87,9 +97,15 @@ bool FacetRules<T>::askOf(const Facet& facet, int level) const {
     if (rule.patch == facet.owner.patch && level < rule.level) return true;
   }
   if (!rules_.edges || level >= rules_.edges->level) return false;
-  return std::ranges::any_of(facet.across, [&](const Vec3<T>& normal) {
-    return normal != Vec3<T>{} && dot(normal, facet.normal) < sharpest_;
-  });
+  const auto bends = [this](const Vec3<T>& a, const Vec3<T>& b) {
+    return a != Vec3<T>{} && b != Vec3<T>{} && dot(a, b) < sharpest_;
+  };
+  const auto& [first, second, third] = facet.across;
+  // What has no area has no normal, and is itself an edge between its neighbours.
+  if (facet.normal == Vec3<T>{}) {
+    return bends(first, second) || bends(second, third) || bends(third, first);
+  }
+  return bends(facet.normal, first) || bends(facet.normal, second) || bends(facet.normal, third);
 }
 
 template <std::floating_point T>
@@ -99,6 +115,8 @@ bool FacetRules<T>::isNarrow(int level, const Box<T>& cell) const {
     if (!rule || level >= rule->level || facets_.empty()) return false;
     bool isFound = false;
     solid_.facetsIn(cell.grown(rule->cells * width), [&](const Facet& other) {
+      // Without this each facet of the cell would be held against each one around it.
+      if (!spread_.mayFace(other.normal, kFacing + T(0x1p-10))) return true;
       isFound = std::ranges::any_of(
           facets_, [&](const Facet& own) { return face(own, other, side, T(0x1p-20) * width); });
       return !isFound;
@@ -108,11 +126,11 @@ bool FacetRules<T>::isNarrow(int level, const Box<T>& cell) const {
   return hasFacing(rules_.gaps, 1) || hasFacing(rules_.walls, -1);
 }
 
-/// Whether they face each other within 60 degrees: with their fronts if side is 1, their backs if
-/// it is -1; at least so far apart somewhere.
+/// Whether they face each other: with their fronts if side is 1, their backs if it is -1; at least
+/// so far apart somewhere.
 template <std::floating_point T>
 bool FacetRules<T>::face(const Facet& a, const Facet& b, T side, T least) {
-  if (!(dot(a.normal, b.normal) < T(-0.5))) return false;
+  if (!(dot(a.normal, b.normal) < kFacing)) return false;
   const auto isBefore = [&](const Facet& from, const Facet& of) {
     return std::ranges::any_of(from.corners, [&](const Vec3<T>& corner) {
       return side * dot(of.normal, corner - of.corners[0]) > least;

@@ -7,15 +7,19 @@
 namespace cutwater::detail {
 
 /// How far some unit vectors differ: an upper bound of the length between any two of them, at most
-/// a tenth too large, whatever their order.
+/// 13 % too large, whatever their order.
 template <std::floating_point T>
 class DirectionSpread {
  public:
   void add(const Vec3<T>& direction);
   [[nodiscard]] T bound() const;
+  /// Whether one of them may be at an angle to the direction of which this is the cosine, or a
+  /// wider one; not sure in spite of rounding.
+  [[nodiscard]] bool mayFace(const Vec3<T>& direction, T cosine) const;
 
  private:
-  /// Axes, diagonals of faces and of the cube: no direction is farther than 28 degrees from all.
+  /// Axes, x, y and z first, diagonals of faces and of the cube: no direction is farther than 28
+  /// degrees from all.
   static constexpr std::size_t kAxes = 13;
 
   std::array<T, kAxes> least_{};
@@ -37,6 +41,8 @@ class FacetRules {
 
  private:
   using Facet = SurfaceFacet<T>;
+  /// Cosine of the angle between normals of facets that face each other, within 60 degrees.
+  static constexpr T kFacing = T(-0.5);
 
   [[nodiscard]] bool askOf(const Facet& facet, int level) const;
   [[nodiscard]] bool isNarrow(int level, const Box<T>& cell) const;
@@ -44,9 +50,10 @@ class FacetRules {
 
   const SignedDistanceFunction<T>& solid_;
   const Refinement<T>& rules_;
-  T mostTurn_;                 // length between two normals
-  T sharpest_;                 // cosine of the angle between two normals
+  T mostTurn_ = 2;             // length between two normals
+  T sharpest_ = -1;            // cosine of the angle between two normals
   std::vector<Facet> facets_;  // of the cell
+  DirectionSpread<T> spread_;  // of their normals
 };
 
 extern template class DirectionSpread<float>;

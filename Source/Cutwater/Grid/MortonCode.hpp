@@ -10,7 +10,7 @@ namespace cutwater {
 /// a cell's eight children are 8 code ... 8 code + 7. (Morton 1966.)
 using MortonCode = std::uint64_t;
 
-/// Coordinates of fewer bits have a code.
+/// Coordinates of no more bits have a code.
 inline constexpr int kMortonBits = 21;
 
 namespace detail {

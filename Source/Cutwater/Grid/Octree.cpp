@@ -42,15 +42,21 @@ std::optional<std::size_t> Octree<T>::find(const Index3& index, int level) const
 
 template <std::floating_point T>
 std::optional<std::size_t> Octree<T>::find(const Vec3<T>& point) const {
+  if (!isFinite(point)) return {};
   const auto& level = levels_.back();
   const auto along = [&](T x, T origin) { return std::floor((x - origin) / level.spacing().x); };
   const Vec3<T> place{along(point.x, domain_.origin().x), along(point.y, domain_.origin().y),
                       along(point.z, domain_.origin().z)};
   constexpr T kMost = T(1 << kMortonBits);
-  if (!(maxComponent(abs(place)) < kMost)) return {};
-  return find({static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y),
-               static_cast<std::int32_t>(place.z)},
-              deepest());
+  if (!(maxComponent(abs(place)) <= kMost)) return {};
+  const Index3 index{static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y),
+                     static_cast<std::int32_t>(place.z)};
+  // The quotient is rounded, and so are the faces: it may be a cell off.
+  const auto box = level.cell(index);
+  const auto step = [&](int axis) {
+    return point[axis] < box.lower[axis] ? -1 : point[axis] >= box.upper[axis] ? 1 : 0;
+  };
+  return find({index.i + step(0), index.j + step(1), index.k + step(2)}, deepest());
 }
 
 template class Octree<float>;

@@ -59,9 +59,9 @@ class Octree {
   }
 
   /// Place in cells() of the cell that holds that cell of a level, or is the first one in it;
-  /// nothing outside of the domain.
+  /// nothing outside of the domain. `level` is from 0 to domain().deepest().
   [[nodiscard]] std::optional<std::size_t> find(const Index3& index, int level) const;
-  /// Of the cell that holds the point.
+  /// Of the cell that holds the point; of those that share it, the one on the upper side.
   [[nodiscard]] std::optional<std::size_t> find(const Vec3<T>& point) const;
 
  private:

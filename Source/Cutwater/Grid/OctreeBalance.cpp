@@ -58,7 +58,7 @@ OctreeCodes wantedAbove(const OctreeCodes& divided, Balance balance, const Index
     }
   }
   std::ranges::sort(wanted);
-  wanted.erase(std::ranges::unique(wanted).begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   return wanted;
 }
 

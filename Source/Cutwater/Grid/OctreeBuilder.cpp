@@ -90,7 +90,8 @@ std::vector<BoxHint> OctreeBuilder<T>::judge(int level, Cells& cells,
                   }
                   judge_.judge(level, boxes.first(some), own.first(some),
                                std::span(cells.verdicts).subspan(begin, some));
-                  if (!hints.empty()) std::ranges::copy(own.first(some), hints.begin() + begin);
+                  if (hints.empty()) continue;
+                  std::ranges::copy(own.first(some), std::span(hints).subspan(begin).begin());
                 }
               });
   return hints;

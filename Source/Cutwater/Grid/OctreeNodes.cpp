@@ -150,8 +150,8 @@ void OctreeNodes<T>::forCorners(std::size_t begin, std::size_t end, const Visit&
         return ((places_[n] | ~bits) + step) & bits;
       };
       const MortonCode code = moved(kFirst, x << 3 * shift) |
-                              moved(kFirst << 1U, y << (3 * shift + 1)) |
-                              moved(kFirst << 2U, z << (3 * shift + 2));
+                              moved(kFirst << 1U, y << 3 * shift << 1U) |
+                              moved(kFirst << 2U, z << 3 * shift << 2U);
       visit(n, corner,
             Place{.node = {sides[x].i, sides[y].j, sides[z].k},
                   .code = code,

@@ -42,10 +42,6 @@ void forCoarserNeighbours(const Octree<T>& mesh, const OctreeCell& cell, const V
   }
 }
 
-bool mayBeCut(const OctreeCell& cell) {
-  return cell.kind == BoxClass::Cut || cell.kind == BoxClass::Unknown;
-}
-
 template <std::floating_point T>
 double volumeOf(const Octree<T>& mesh, const OctreeCell& cell) {
   return std::pow(std::ldexp(double{mesh.domain().spacing()}, -cell.level), 3);
@@ -101,9 +97,9 @@ FluidRegions<T>::FluidRegions(const Octree<T>& mesh) : regionOf_(mesh.cells().si
   // Regions are numbered by size, so the least number is the largest.
   for (std::uint32_t n = 0; n < cells.size(); ++n) {
     forCoarserNeighbours(mesh, cells[n], [&](std::size_t other) {
-      if (mayBeCut(cells[n]) && cells[other].kind == BoxClass::Outside) {
+      if (mayBeCut(cells[n].kind) && cells[other].kind == BoxClass::Outside) {
         regionOf_[n] = std::min(regionOf_[n], regionOf_[other]);
-      } else if (mayBeCut(cells[other]) && cells[n].kind == BoxClass::Outside) {
+      } else if (mayBeCut(cells[other].kind) && cells[n].kind == BoxClass::Outside) {
         regionOf_[other] = std::min(regionOf_[other], regionOf_[n]);
       }
     });

@@ -74,9 +74,8 @@ void CellJudge<T>::judge(int level, std::span<const Box<T>> cells, std::span<Box
   for (std::size_t i = 0; i < cells.size(); ++i) {
     auto& [kind, isRefined] = verdicts[i];
     kind = kinds[i];
-    const bool mayBeCut = kind == BoxClass::Cut || kind == BoxClass::Unknown;
     isRefined =
-        mayBeCut && (level < refinement_.cut || (rulesMatter && rules.ask(level, cells[i])));
+        mayBeCut(kind) && (level < refinement_.cut || (rulesMatter && rules.ask(level, cells[i])));
   }
   if (const T reach = reachOf(level); reach >= 0) judgeNearness(reach, cells, hints, verdicts);
 }

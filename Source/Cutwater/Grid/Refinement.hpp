@@ -40,8 +40,8 @@ struct Refinement {
   std::vector<Band> bands{};
   /// Of cells that a patch meets, beyond `cut`.
   std::vector<Patch> patches{};
-  /// Of cells in which normals differ by more than the angle; of some that differ by nine tenths of
-  /// it.
+  /// Of cells in which normals differ by more than the angle; of some that differ by a seventh less
+  /// than it, or by a third less if it is near 180 degrees.
   std::optional<Angle> curvature{};
   /// Of cells that meet an edge at which the surface bends by more than the angle.
   std::optional<Angle> edges{};
@@ -57,6 +57,11 @@ struct Refinement {
   /// angle is not within (0, 180).
   void check() const;
 };
+
+/// Whether the surface meets a cell of this kind, certainly or possibly.
+[[nodiscard]] constexpr bool mayBeCut(BoxClass kind) {
+  return kind == BoxClass::Cut || kind == BoxClass::Unknown;
+}
 
 /// What is decided about a cell.
 struct CellVerdict {

@@ -61,8 +61,7 @@ auto UnresolvedCell<T>::find(bool isCut) -> std::optional<Finding> {
 
 template <std::floating_point T>
 bool UnresolvedCell<T>::mayMeet(const Box<T>& part) const {
-  const auto kind = solid_.classify(part);
-  return kind == BoxClass::Cut || kind == BoxClass::Unknown;
+  return mayBeCut(solid_.classify(part));
 }
 
 template <std::floating_point T>

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/MortonCode.hpp>
 #include <Cutwater/Grid/UnresolvedCell.hpp>
 
 #include <algorithm>
@@ -44,12 +45,11 @@ class Inspection {
     if (!found) return;
     const T size = mesh_.domain().level(cell.level).spacing().x;
     const T depth = found->depth / size;
-    const int deepest = mesh_.domain().deepest();
-    const int level =
-        depth > 0 ? cell.level + static_cast<int>(std::ceil(std::log2(std::max(1 / depth, T(1)))))
-                  : deepest;
+    // No depth at all is as good as one that no level resolves.
+    const T halvings = std::ceil(std::log2(std::clamp(1 / depth, T(1), T(1 << kMortonBits))));
+    const int level = cell.level + static_cast<int>(halvings);
     features.push_back({place, found->kind, found->isSolid, depth, found->point,
-                        std::clamp(level, int{cell.level}, deepest)});
+                        std::min(level, mesh_.domain().deepest())});
   }
 
   const SignedDistanceFunction<T>& solid_;
@@ -67,7 +67,7 @@ std::vector<UnresolvedFeature<T>> unresolvedFeatures(const SignedDistanceFunctio
   std::vector<std::size_t> places;
   for (std::size_t n = 0; n < mesh.cells().size(); ++n) {
     const auto kind = mesh.cells()[n].kind;
-    if (kind == BoxClass::Cut || kind == BoxClass::Unknown) places.push_back(n);
+    if (mayBeCut(kind)) places.push_back(n);
   }
   const Inspection<T> inspection(solid, mesh);
   const auto groups = (places.size() + kTogether - 1) / kTogether;

@@ -17,7 +17,8 @@ struct UnresolvedFeature {
   UnresolvedKind kind;
   bool isSolid;  ///< what corners do not see is solid, e.g. a thin plate; else fluid, e.g. a slit
   /// How far it reaches, across its thickness or into the cell, in sizes of the cell, as found from
-  /// samples: where it is deepest, or, of several sheets, where they are closest.
+  /// samples: where it is deepest; of several sheets, where an edge passes from one to the next
+  /// over the widest stretch, or, if none does, where they are closest.
   T depth;
   Vec3<T> point;  ///< of the surface, there
   /// On which it would be about a cell wide; at most the domain's finest.

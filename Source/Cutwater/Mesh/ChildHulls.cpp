@@ -24,9 +24,12 @@ struct Ball {
 
 double distanceTo(const Triangle<double>& t, const Vec3<double>& p) {
   if (p == t.a || p == t.b || p == t.c) return 0;
-  // To a point of the triangle: whatever the rounding of its weights, no triangle is nearer.
-  const auto w = closestBarycentric(p, t, triangleDistance(p, t).part);
-  return length(w.x * (p - t.a) + w.y * (p - t.b) + w.z * (p - t.c)) / (w.x + w.y + w.z);
+  // To a point of the triangle, whatever the rounding of weights, which of slivers is large: the
+  // triangle is no farther.
+  const auto w = max(closestBarycentric(p, t, triangleDistance(p, t).part), {});
+  const double sum = w.x + w.y + w.z;
+  if (!(sum > 0)) return length(p - t.a);
+  return length(w.x * (p - t.a) + w.y * (p - t.b) + w.z * (p - t.c)) / sum;
 }
 
 /// How thick the triangle has to be.

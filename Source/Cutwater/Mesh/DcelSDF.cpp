@@ -53,7 +53,9 @@ BoxOverlap DcelSDF<T>::overlapWith(const OrientedBox<double>& box, std::uint32_t
 
 template <std::floating_point T>
 void DcelSDF<T>::around(const OrientedBox<double>&, double, TriangleVisitor visit) const {
-  for (std::uint32_t id = 0; id < this->surface().triangles.size(); ++id) visit({&id, 1});
+  for (std::uint32_t id = 0; id < this->surface().triangles.size(); ++id) {
+    if (visit({&id, 1}) <= 0) return;
+  }
 }
 
 template <std::floating_point T>

@@ -7,8 +7,6 @@
 
 namespace cutwater {
 
-class QueryBox;
-
 /// What all mesh functions share: the answers that follow once the nearest triangle is known. How
 /// triangles are found is the subclass' business, and changes no bit.
 template <std::floating_point T>
@@ -45,7 +43,7 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] virtual BoxOverlap overlapWith(const OrientedBox<double>& box,
                                                std::uint32_t& place) const = 0;
   /// Shows at least all triangles that are no farther from the box than what visit(ids) returns,
-  /// and `limit` at first. Ids end at the first kNone.
+  /// and `limit` at first; none any more once that is 0. Ids end at the first kNone.
   virtual void around(const OrientedBox<double>& box, double limit,
                       TriangleVisitor visit) const = 0;
   // The winding number of a surface that is not closed: whether it exceeds 1/2 at the point, and
