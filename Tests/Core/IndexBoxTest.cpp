@@ -30,5 +30,16 @@ TEST(IndexBox, CountsAllThereAre) {
   EXPECT_EQ((IndexBox{{kLeast, 0, 0}, {kMost, 0, 0}}.count()), std::size_t{1} << 32U);
 }
 
+TEST(IndexBox, ContainsBothEnds) {
+  const IndexBox box{{-2, 0, 5}, {2, 0, 6}};
+  EXPECT_TRUE(box.contains({-2, 0, 5}));
+  EXPECT_TRUE(box.contains({2, 0, 6}));
+  for (const auto& index : {Index3{-3, 0, 5}, Index3{3, 0, 5}, Index3{0, -1, 5}, Index3{0, 1, 5},
+                            Index3{0, 0, 4}, Index3{0, 0, 7}}) {
+    EXPECT_FALSE(box.contains(index));
+  }
+  EXPECT_FALSE(IndexBox{}.contains({0, 0, 0}));
+}
+
 }  // namespace
 }  // namespace cutwater::test

@@ -66,8 +66,8 @@ class BoxDistances {
       : middle_(frame.toFrame(box.center)),
         half_{frame.scale * box.halfAxis[0], frame.scale * box.halfAxis[1],
               frame.scale * box.halfAxis[2]},
-        slack_(1.5 * frame.scale * box.slack + 0x1p-48 * (1 + sizeOf(middle_) + sizeOf(half_[0]) +
-                                                          sizeOf(half_[1]) + sizeOf(half_[2]))) {}
+        slack_(1.5 * frame.scale * box.slack + 0x1p-48 * (1 + oneNorm(middle_) + oneNorm(half_[0]) +
+                                                          oneNorm(half_[1]) + oneNorm(half_[2]))) {}
 
   CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
     const Vec3<double> center = node.toLocal(middle_);
@@ -84,10 +84,6 @@ class BoxDistances {
 
  private:
   CUTWATER_INLINE static double size(double x) { return x < 0 ? -x : x; }
-  CUTWATER_INLINE static double sizeOf(const Vec3<double>& v) {
-    const Vec3<double> a = abs(v);
-    return a.x + a.y + a.z;
-  }
   /// Rounded to float towards `direction` and on by more than an ulp. Boxes of the tree end at
   /// about 1, so far beyond it nothing needs to be told apart.
   CUTWATER_INLINE static float outward(double value, int direction) {

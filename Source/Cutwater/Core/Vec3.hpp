@@ -91,6 +91,11 @@ struct Vec3 {
     const T xy = a.x > a.y ? a.x : a.y;
     return xy > a.z ? xy : a.z;
   }
+  /// The sum of the components' sizes: at least the length.
+  CUTWATER_INLINE friend constexpr T oneNorm(Vec3 a) {
+    const Vec3 sizes = abs(a);
+    return sizes.x + sizes.y + sizes.z;
+  }
   CUTWATER_INLINE friend constexpr T lengthSquared(Vec3 a) { return dot(a, a); }
   CUTWATER_INLINE friend T length(Vec3 a) { return std::sqrt(dot(a, a)); }
   /// The unit vector along `a`; zero where `a` is zero.

@@ -25,11 +25,7 @@ std::size_t Octree<T>::count(BoxClass kind) const {
 
 template <std::floating_point T>
 std::optional<std::size_t> Octree<T>::find(const Index3& index, int level) const {
-  const auto& n = domain_.indices(level).hi;
-  if (index.i < 0 || index.j < 0 || index.k < 0 || index.i > n.i || index.j > n.j ||
-      index.k > n.k) {
-    return {};
-  }
+  if (!domain_.indices(level).contains(index)) return {};
   // Codes on a level that all cells have, of the first cell in each.
   const int finest = std::max(level, deepest());
   const auto placeOf = [&](const OctreeCell& cell) {

@@ -33,11 +33,6 @@ constexpr Neighbours aroundChild(int child, Balance balance) {
   return result;
 }
 
-bool contains(const IndexBox& box, const Index3& index) {
-  return box.lo.i <= index.i && index.i <= box.hi.i && box.lo.j <= index.j && index.j <= box.hi.j &&
-         box.lo.k <= index.k && index.k <= box.hi.k;
-}
-
 /// Cells a level above that must be divided because these are.
 OctreeCodes wantedAbove(const OctreeCodes& divided, Balance balance, const IndexBox& above) {
   std::array<Neighbours, 8> around{};
@@ -54,7 +49,7 @@ OctreeCodes wantedAbove(const OctreeCodes& divided, Balance balance, const Index
     for (; neighbours != 0; neighbours &= neighbours - 1) {
       const auto offset = offsetOf(std::countr_zero(neighbours));
       const Index3 index{center.i + offset.i, center.j + offset.j, center.k + offset.k};
-      if (contains(above, index)) wanted.push_back(mortonCode(index));
+      if (above.contains(index)) wanted.push_back(mortonCode(index));
     }
   }
   std::ranges::sort(wanted);

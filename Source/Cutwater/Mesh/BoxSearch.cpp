@@ -10,11 +10,6 @@ namespace cutwater {
 
 namespace {
 
-double sizeOf(const Vec3<double>& v) {
-  const Vec3<double> a = abs(v);
-  return a.x + a.y + a.z;
-}
-
 /// Those of the half axes, as far as they have some.
 std::array<Vec3<double>, 3> directionsOf(const OrientedBox<double>& box) {
   std::array<Vec3<double>, 3> result;
@@ -59,13 +54,13 @@ TreeBox::TreeBox(const OrientedBox<double>& box, const BvhFrame& frame)
   }
   // What QueryBox allows for, several times over, and the rounding of positions in the frame.
   // Its axes are orthonormal: the boxes differ by what these are not.
-  const double sizeOfAll = sizeOf(box.center) + sizeOf(x) + sizeOf(y) + sizeOf(z);
+  const double sizeOfAll = oneNorm(box.center) + oneNorm(x) + oneNorm(y) + oneNorm(z);
   const double margin = 16 * 0x1p-48 * (1 + sizeOfAll) + 8 * skew;
   const double scale = frame.scale;
   half = Vec3<float>(scale * (lengths + Vec3<double>{box.slack, box.slack, box.slack}));
   size = half.x + half.y + half.z;
   leastHalf = std::min({half.x, half.y, half.z});
-  const double inFrame = 0x1p-48 * (1 + sizeOf(center) + double{size});
+  const double inFrame = 0x1p-48 * (1 + oneNorm(center) + double{size});
   rounding = static_cast<float>(scale * margin + inFrame);
   depth = static_cast<float>(scale * (2 * margin + 2 * box.slack) + inFrame);
   // A box and its image with slack differ by twice the slack, and so do those of one within it.

@@ -107,11 +107,6 @@ class BoxVisit {
     return result;
   }
 
-  CUTWATER_INLINE static float sizeOf(const Vec3<float>& v) {
-    const Vec3<float> a = abs(v);
-    return a.x + a.y + a.z;
-  }
-
   /// The children whose boxes the box may meet: a bit for each.
   CUTWATER_INLINE std::uint32_t enter(const Node& node) const {
     const BvhLocalPoint local = node.toLocalFloat(box_.center);
@@ -140,7 +135,7 @@ class BoxVisit {
     if (box_.isAligned) return dot(abs(row), box_.half);
     const Vec3<float> along{dot(row, box_.halfAxes[0]), dot(row, box_.halfAxes[1]),
                             dot(row, box_.halfAxes[2])};
-    return sizeOf(along);
+    return oneNorm(along);
   }
 
   CUTWATER_INLINE BoxOverlap look(std::uint32_t leaf) const {
@@ -155,7 +150,7 @@ class BoxVisit {
   }
   CUTWATER_INLINE Verdict look(const TrianglePacket& packet, int lane) const {
     const Vec3<float> way(box_.center - Vec3<double>(packet.center));
-    const float error = kAxisError * 0x1p-24F * (sizeOf(way) + packet.radius + box_.size);
+    const float error = kAxisError * 0x1p-24F * (oneNorm(way) + packet.radius + box_.size);
     const float outside = error + box_.rounding;
     // There is no smaller box to be met where it is flat.
     const float inside = box_.leastHalf > error + box_.depth ? error + box_.depth : kFar;

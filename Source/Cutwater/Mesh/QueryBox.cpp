@@ -8,11 +8,6 @@ namespace cutwater {
 
 namespace {
 
-double sizeOf(const Vec3<double>& v) {
-  const Vec3<double> a = abs(v);
-  return a.x + a.y + a.z;
-}
-
 /// Orthonormal axes along the half axes, or any where these are too short to tell.
 std::array<Vec3<double>, 3> axesAlong(const std::array<Vec3<double>, 3>& halfAxes) {
   std::array<std::size_t, 3> order{0, 1, 2};  // the longest first: its direction is the surest
@@ -74,8 +69,8 @@ class Polygon {
 
 QueryBox::QueryBox(const OrientedBox<double>& box)
     : center_(box.center), axes_(axesAlong(box.halfAxis)) {
-  double size = sizeOf(center_);
-  for (const auto& half : box.halfAxis) size += sizeOf(half);
+  double size = oneNorm(center_);
+  for (const auto& half : box.halfAxis) size += oneNorm(half);
   // Differences, products and sums of coordinates up to about 1, and of the box's own.
   rounding_ = 0x1p-48 * (1 + size);
   for (int i = 0; i < 3; ++i) {
@@ -108,7 +103,7 @@ double QueryBox::separation(const Vec3<double>& axis, const Corners& triangle) c
   const double a = dot(axis, triangle[0]);
   const double b = dot(axis, triangle[1]);
   const double c = dot(axis, triangle[2]);
-  const double reach = dot(abs(axis), half_) + rounding_ * sizeOf(axis);
+  const double reach = dot(abs(axis), half_) + rounding_ * oneNorm(axis);
   return std::max(std::min({a, b, c}), -std::max({a, b, c})) - reach;
 }
 
