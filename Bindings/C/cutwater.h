@@ -43,7 +43,7 @@ void cw_free(cw_solid* solid);
 // as far as a check can tell; else they are inside where their winding number exceeds one half.
 
 /// Reads STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed; coordinates are multiplied by
-/// `scale` (0.001: a file in millimetres, a model in metres).
+/// `scale` > 0 (0.001: a file in millimetres, a model in metres).
 cw_status cw_read_surface(const char* path, double scale, int requireWatertight, cw_solid** result);
 
 /// A triangle mesh in the caller's arrays, which are copied. Points with equal coordinates are one.
@@ -58,14 +58,16 @@ typedef struct cw_mesh {
 } cw_mesh;
 cw_status cw_from_mesh(const cw_mesh* mesh, int requireWatertight, cw_solid** result);
 
+/// A ball of radius > 0.
 cw_status cw_sphere(const double center[3], double radius, cw_solid** result);
+/// An axis-aligned box with lower < upper in every coordinate; cw_rotated() turns it.
 cw_status cw_box(const double lower[3], const double upper[3], cw_solid** result);
 
 // Solids from solids.
 
-/// All points of any (of all) of `count` solids. Many in one call: they are searched through a
-/// tree.
+/// All points of any of `count` > 0 solids; of many in one call, which are searched by a tree.
 cw_status cw_union(const cw_solid* const* solids, int64_t count, cw_solid** result);
+/// All points that are in each of `count` > 0 solids.
 cw_status cw_intersection(const cw_solid* const* solids, int64_t count, cw_solid** result);
 /// All points of `from` that are not in `what`.
 cw_status cw_difference(const cw_solid* from, const cw_solid* what, cw_solid** result);
@@ -85,7 +87,7 @@ cw_status cw_signed_distances(const cw_solid* solid, const double* points, int64
 /// A point of the surface nearest to a query point.
 typedef struct cw_surface_point {
   double point[3];
-  double normal[3];  ///< unit, out of the solid; a mean over the faces at edges and vertices
+  double normal[3];  ///< unit, out of the solid; the pseudonormal at edges and vertices
   double distance;   ///< signed, of the query point
   double tolerance;  ///< no point of the surface is nearer than |query - point| - tolerance
   int32_t patch;     ///< see cw_patch_name(); -1: the query point is not finite

@@ -17,7 +17,7 @@ int main(void) {
   const double upper[3] = {2, 0.25, 0};
   const double points[6] = {3, 0, 0, 0, 0, 0.5};
   double distances[2];
-  cw_solid *ball, *keel, *body;
+  cw_solid *ball = NULL, *keel = NULL, *body = NULL;
   need(cw_sphere(center, 1, &ball)); /* a surface from a file: cw_read_surface() */
   need(cw_box(lower, upper, &keel));
   const cw_solid* parts[2] = {ball, keel};

@@ -122,7 +122,7 @@ static void patchesOfGrids(void) {
   double values[18];
   double spread[2 * 9 * 4];
   int32_t patches[18];
-  int i;
+  int i = 0;
   cw_solid* ball = unitBall();
   CHECK(cw_fill(ball, &grid, 0, values, NULL, 0) == CW_OK);
   CHECK(values[0] == 1 && values[4] == -1 && values[8] == 1 && values[9 + 6] == sqrt(1.25) - 1);
