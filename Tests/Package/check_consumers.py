@@ -62,6 +62,16 @@ def check_flags(build, compiler, include, own):
         raise Failure(f"flags leak to the consumer's link: {leaked} in {link}")
 
 
+def check_c(build, include):
+    """A C program: it sees the header's folder only, and gets its answers and errors."""
+    entries = json.loads((build / "compile_commands.json").read_text())
+    words = shlex.split(next(e for e in entries if e["file"].endswith("main.c"))["command"])
+    flags = " ".join(words[1:words.index("-o")])
+    if not re.fullmatch(rf"-(I|isystem ){re.escape(str(include))}", flags):
+        raise Failure(f"flags leak to the C consumer: {flags}")
+    run(build / "ConsumerC")
+
+
 def check_inline_arithmetic(build):
     """Arithmetic of ours that a user's file emits as a weak symbol, in its own flavour, could
     replace the library's: see Core/Inline.hpp. There must be none."""
@@ -77,12 +87,13 @@ def check_inline_arithmetic(build):
         raise Failure("mark as CUTWATER_INLINE, or move to a .cpp:\n  " + "\n  ".join(bad))
 
 
-def consumer(args, name, include, reference, flags="", *options):
+def consumer(args, name, includes, reference, flags="", *options):
     build = args.work / f"consumer-{name}"
     configure(args.source / "Tests/Package/Consumer", build, args.compiler,
               f"-DCMAKE_CXX_FLAGS={flags}", *options)
     run("cmake", "--build", build)
-    check_flags(build, args.compiler, include, flags)
+    check_flags(build, args.compiler, includes[0], flags)
+    check_c(build, includes[1])
     check_inline_arithmetic(build)
     printed = run(build / "Consumer")
     if printed != reference:
@@ -120,10 +131,10 @@ def check(args):
     reference = run(args.reference)
 
     def packaged(name, prefix, flags=""):
-        consumer(args, name, prefix / "include", reference, flags, f"-DCMAKE_PREFIX_PATH={prefix}")
+        consumer(args, name, [prefix / "include"] * 2, reference, flags, f"-DCMAKE_PREFIX_PATH={prefix}")
 
     def subproject(name, flags):
-        consumer(args, name, args.source / "Source", reference, flags,
+        consumer(args, name, [args.source / "Source", args.source / "Bindings/C"], reference, flags,
                  f"-DCUTWATER_SOURCE={args.source}")
 
     prefix = None

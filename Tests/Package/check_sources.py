@@ -7,7 +7,7 @@
   mirror        a test file per unit, and every unit and test file in its folder's list
   expectations  every test case expects something
   scripts       scripts are executable and pass shellcheck (the program given)
-  readme        the README's C++ is a marked region of a compiled example
+  readme        the README's C++ and C are marked regions of a compiled example
 """
 import pathlib
 import re
@@ -188,13 +188,15 @@ def check_scripts():
 
 
 def check_readme():
-    blocks = re.findall(r"```cpp\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+    blocks = re.findall(r"```c(?:pp)?\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+    region = re.compile(r"// \[README\n(.*?)\n *// README\]|/\* \[README \*/\n(.*?)\n */\* README\] \*/",
+                        re.DOTALL)
     regions = []
-    for file in sorted((ROOT / "Examples").rglob("*.cpp")):
-        regions += re.findall(r"// \[README\n(.*?)\n *// README\]", file.read_text(), re.DOTALL)
+    for file in sorted((ROOT / "Examples").rglob("*.c*")):
+        regions += [a or b for a, b in region.findall(file.read_text())]
     compiled = [textwrap.dedent(region).strip() for region in regions]
     if not blocks or not compiled:
-        return ["no C++ in the README, or no region marked // [README ... // README] in Examples"]
+        return ["no code in the README, or no region marked // [README ... // README] in Examples"]
     return [f"README.md: not from a compiled example:\n{block}"
             for block in blocks if block.strip() not in compiled]
 
