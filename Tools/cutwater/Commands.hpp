@@ -12,5 +12,6 @@ void addSample(CLI::App& program);
 void addSlice(CLI::App& program);
 void addConvert(CLI::App& program);
 void addMake(CLI::App& program);
+void addPrepare(CLI::App& program);
 
 }  // namespace cutwater::tool
