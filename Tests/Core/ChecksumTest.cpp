@@ -21,12 +21,22 @@ std::vector<std::byte> noise(std::size_t size) {
   return bytes;
 }
 
-/// What Python's xxhash 3 says.
+/// What the reference implementation, libxxhash 0.8, says.
 TEST(XxHash64, IsThatOfTheSpecification) {
   EXPECT_EQ(hashOf(""), 0xef46db3751d8e999U);
   EXPECT_EQ(hashOf("a"), 0xd24ec4f1a98c6e5bU);
   EXPECT_EQ(hashOf("abc"), 0x44bc2cf5ad770999U);
-@VECTORS@
+  const std::string_view text =
+      "It finds accidents, not forgeries: a change goes unnoticed w"
+      "ith a probability of 2^-64.";
+  EXPECT_EQ(hashOf(text.substr(0, 4)), 0x33597d9122996130U);
+  EXPECT_EQ(hashOf(text.substr(0, 7)), 0xb2f7aa750b361c91U);
+  EXPECT_EQ(hashOf(text.substr(0, 8)), 0xf73b07a486def9a9U);
+  EXPECT_EQ(hashOf(text.substr(0, 31)), 0x944b3487eb3e9df3U);
+  EXPECT_EQ(hashOf(text.substr(0, 32)), 0xfd39b15c4a5dab31U);
+  EXPECT_EQ(hashOf(text.substr(0, 33)), 0x1e24a8aa5d20cfabU);
+  EXPECT_EQ(hashOf(text.substr(0, 63)), 0xb9c829fe52c025f0U);
+  EXPECT_EQ(hashOf(text.substr(0, 87)), 0x2c554c1fb56b8b19U);
 }
 
 TEST(XxHash64, DoesNotDependOnAlignment) {

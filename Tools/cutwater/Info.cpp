@@ -93,7 +93,9 @@ void describeSurface(Page& page, const LoadedSurface& surface, const MeshReport&
 
 void describePatches(Page& page, const PolygonSoup& soup) {
   std::vector<std::size_t> polygons(soup.patchNames.size());
-  for (const auto id : soup.patches) ++polygons[id];
+  for (const auto id : soup.patches) {
+    if (id < polygons.size()) ++polygons[id];  // prepared by programs, patches may have no name
+  }
   page.section("Patches: " + grouped(polygons.size()));
   for (std::size_t i = 0; i < std::min(polygons.size(), kMostPatches); ++i) {
     page.line(rightAligned(grouped(i), 4) + "  " + soup.patchNames[i],

@@ -75,7 +75,9 @@ void addQuiet(CLI::App& command, bool& quiet) {
 
 void addSurfaceOptions(CLI::App& command, SurfaceOptions& options) {
   command
-      .add_option("FILE", options.file, "STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed, or what 'cutwater prepare' wrote")
+      .add_option("FILE", options.file,
+                  "STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed, or what 'cutwater "
+                  "prepare' wrote")
       ->required();
   command
       .add_option_function<std::string>(

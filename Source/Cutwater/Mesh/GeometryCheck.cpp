@@ -88,7 +88,7 @@ void checkLeaves(std::span<const std::uint32_t> slots, std::size_t triangles, in
 }
 
 template <std::floating_point T>
-void checkSurface(const TriangleSurface<T>& surface, std::size_t patchNames, int threads) {
+void checkSurface(const TriangleSurface<T>& surface, std::uint64_t patches, int threads) {
   const auto vertices = surface.positions.size();
   const auto triangles = static_cast<std::uint32_t>(surface.triangles.size());
   requireIntact(
@@ -108,8 +108,8 @@ void checkSurface(const TriangleSurface<T>& surface, std::size_t patchNames, int
   requireIntact(
       all(surface.polygons, threads, [&](std::uint32_t id) { return id < surface.patches.size(); }),
       "a triangle is part of no polygon");
-  requireIntact(all(surface.patches, threads, [&](std::uint32_t id) { return id < patchNames; }),
-                "a polygon's patch has no name");
+  requireIntact(all(surface.patches, threads, [&](std::uint32_t id) { return id < patches; }),
+                "a polygon's patch is none");
 }
 
 void checkWinding(const OpenWindingData::Sections& sections, const Block& block, int threads) {
@@ -172,10 +172,10 @@ void checkLayout(const MeshLayout<T>& layout) {
 }
 
 template <std::floating_point T>
-void checkArrays(const MeshLayout<T>& layout, const Block& block, int threads) {
+void checkArrays(const MeshLayout<T>& layout, const Block& block, std::uint64_t patches,
+                 int threads) {
   const auto names = block.array<char>(layout.patchNames);
   requireIntact(names.empty() || names.back() == '\0', "the last patch name has no end");
-  const auto patches = static_cast<std::size_t>(std::ranges::count(names, '\0'));
   checkSurface(layout.surface.view(block), patches, threads);
   const auto tree = layout.tree(block);
   checkTree(tree);
@@ -185,7 +185,7 @@ void checkArrays(const MeshLayout<T>& layout, const Block& block, int threads) {
 
 template void checkLayout(const MeshLayout<float>&);
 template void checkLayout(const MeshLayout<double>&);
-template void checkArrays(const MeshLayout<float>&, const Block&, int);
-template void checkArrays(const MeshLayout<double>&, const Block&, int);
+template void checkArrays(const MeshLayout<float>&, const Block&, std::uint64_t, int);
+template void checkArrays(const MeshLayout<double>&, const Block&, std::uint64_t, int);
 
 }  // namespace cutwater::detail

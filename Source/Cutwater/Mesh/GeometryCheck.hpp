@@ -20,6 +20,7 @@ void checkLayout(const MeshLayout<T>& layout);
 /// as not to read beyond arrays or go on for ever. What floating-point numbers say is not looked
 /// at, but for positions: damage to them is for the checksum to find.
 template <std::floating_point T>
-void checkArrays(const MeshLayout<T>& layout, const Block& block, int threads);
+void checkArrays(const MeshLayout<T>& layout, const Block& block, std::uint64_t patches,
+                 int threads);
 
 }  // namespace cutwater::detail

@@ -4,6 +4,7 @@
 #include <Cutwater/Mesh/GeometryHeader.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace cutwater {
@@ -30,10 +31,13 @@ std::optional<GeometryFileInfo> geometryFileInfo(const std::filesystem::path& pa
 
 template <std::floating_point T>
 std::vector<std::byte> MeshSDF<T>::header(std::uint64_t source) const {
+  const auto& patches = this->surface().patches;
+  const std::uint64_t highest = patches.empty() ? 0 : *std::ranges::max_element(patches);
   return detail::geometryHeader<T>({.layout = layout_,
                                     .options = options_,
                                     .signs = this->signReport(),
                                     .placement = this->placement(),
+                                    .patches = highest + 1,
                                     .source = source},
                                    block_.bytes());
 }

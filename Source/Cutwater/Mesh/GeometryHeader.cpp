@@ -119,6 +119,7 @@ void visitRecord(Words& words, MeshRecord<T>& record) {
   words(record.options.probes);
   visitSigns(words, record.signs);
   visitPlacement(words, record.placement);
+  words(record.patches);
 }
 
 template <std::floating_point T>
@@ -255,7 +256,7 @@ Geometry<T> readGeometry(const Block& bytes, const MeshViewOptions& options) {
   if (!options.verifyPayload) return result;
   requireIntact(checksum(result.block.bytes(), options.threads) == head.blockChecksum,
                 "the checksum of its arrays is another");
-  checkArrays(layout, result.block, options.threads);
+  checkArrays(layout, result.block, result.record.patches, options.threads);
   return result;
 }
 

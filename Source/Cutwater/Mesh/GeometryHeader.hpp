@@ -41,6 +41,7 @@ struct MeshRecord {
   MeshSDFOptions options;
   SignReport signs;
   RigidTransform<T> placement;
+  std::uint64_t patches = 0;  ///< ids of polygons' patches are below; there may be fewer names
   std::uint64_t source = 0;
 };
 

@@ -4,7 +4,6 @@
 #include <Cutwater/Mesh/DcelMesh.hpp>
 #include <Cutwater/Mesh/GeometryFile.hpp>
 #include <Cutwater/Mesh/MeshLayout.hpp>
-#include <Cutwater/Mesh/OpenWinding.hpp>
 #include <Cutwater/Mesh/TriangleSearch.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
 
