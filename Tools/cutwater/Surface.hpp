@@ -57,7 +57,7 @@ struct LoadedSurface {
   std::size_t pointsMerged = 0;
   double secondsToRead = 0;
   double secondsToWeld = 0;
-  std::optional<Prepared> prepared;  ///< the soup holds its triangles then
+  std::optional<Prepared> prepared = {};  ///< the soup holds its triangles then
 };
 
 /// @throws Error if the file cannot be read.
