@@ -39,32 +39,34 @@ class ForgedBytes : public EditableBytes {
   }
 };
 
+/// In the order of the header.
 enum ArrayOf : std::size_t {
-  kPositions,
-  kTriangles,
-  kNeighbours,
-  kSlivers,
-  kPseudonormals,
-  kPolygons,
-  kPatches,
-  kNodes,
-  kSlots,
-  kPackets,
-  kCapPositions,
-  kCapTriangles,
-  kCapNodes,
-  kCapSlots,
-  kMoments,
-  kWindingEdges,
-  kOpenEdges,
-  kInsideOut,
-  kPatchNames,
-  kArrays
+  Positions,
+  Triangles,
+  Neighbours,
+  Slivers,
+  Pseudonormals,
+  Polygons,
+  Patches,
+  Nodes,
+  Slots,
+  Packets,
+  CapPositions,
+  CapTriangles,
+  CapNodes,
+  CapSlots,
+  Moments,
+  WindingEdges,
+  OpenEdges,
+  InsideOut,
+  PatchNames
 };
 
 template <typename T>
 class GeometryCheckTest : public ::testing::Test {};
 TYPED_TEST_SUITE(GeometryCheckTest, Precisions);
+
+constexpr std::size_t kArrays = PatchNames + 1;
 
 /// What it says when `Number` stands there instead; the bytes are as before afterwards.
 template <typename T, typename Number>
@@ -82,7 +84,7 @@ TYPED_TEST(GeometryCheckTest, IndicesAreCheckedEvenWhereChecksumsAgree) {
   using T = TypeParam;
   ForgedBytes bytes(MeshSDF<T>(openBoxOfPatches()).toBytes().bytes());
   for (std::size_t array = 0; array < kArrays; ++array) {
-    ASSERT_TRUE(array == kInsideOut || bytes.count(array) > 0) << array;
+    ASSERT_TRUE(array == InsideOut || bytes.count(array) > 0) << array;
   }
   const auto count = [&](std::size_t array) {
     return static_cast<std::uint32_t>(bytes.count(array));
@@ -91,24 +93,24 @@ TYPED_TEST(GeometryCheckTest, IndicesAreCheckedEvenWhereChecksumsAgree) {
     EXPECT_EQ(refusalWith<T>(bytes, at, number),
               std::string("the geometry file is damaged: ") + why);
   };
-  for (const std::size_t i : {std::size_t{0}, bytes.count(kTriangles) - 1}) {
+  for (const std::size_t i : {std::size_t{0}, bytes.count(Triangles) - 1}) {
     for (std::size_t k = 0; k < 12; k += 4) {
-      expectRefused(bytes.place(kTriangles, i) + k, count(kPositions),
+      expectRefused(bytes.place(Triangles, i) + k, count(Positions),
                     "a triangle's corner is no vertex");
-      expectRefused(bytes.place(kTriangles, i) + k, kNone, "a triangle's corner is no vertex");
-      expectRefused(bytes.place(kNeighbours, i) + k, count(kTriangles),
+      expectRefused(bytes.place(Triangles, i) + k, kNone, "a triangle's corner is no vertex");
+      expectRefused(bytes.place(Neighbours, i) + k, count(Triangles),
                     "a triangle's neighbour is no triangle");
-      EXPECT_EQ(refusalWith<T>(bytes, bytes.place(kNeighbours, i) + k, kNone), "");
+      EXPECT_EQ(refusalWith<T>(bytes, bytes.place(Neighbours, i) + k, kNone), "");
     }
-    expectRefused(bytes.place(kPolygons, i), count(kPatches), "a triangle is part of no polygon");
+    expectRefused(bytes.place(Polygons, i), count(Patches), "a triangle is part of no polygon");
   }
-  expectRefused(bytes.place(kPatches, 5), 3U, "a polygon's patch is none");
-  expectRefused(bytes.place(kPatches, 5), kNone, "a polygon's patch is none");
-  expectRefused(bytes.place(kPatchNames, bytes.count(kPatchNames) - 1), 'x',
+  expectRefused(bytes.place(Patches, 5), 3U, "a polygon's patch is none");
+  expectRefused(bytes.place(Patches, 5), kNone, "a polygon's patch is none");
+  expectRefused(bytes.place(PatchNames, bytes.count(PatchNames) - 1), 'x',
                 "the last patch name has no end");
-  expectRefused(bytes.place(kPositions, 3), std::numeric_limits<T>::quiet_NaN(),
+  expectRefused(bytes.place(Positions, 3), std::numeric_limits<T>::quiet_NaN(),
                 "a position is farther from the origin than the header tells");
-  expectRefused(bytes.place(kPositions, 3), T(1e18),
+  expectRefused(bytes.place(Positions, 3), T(1e18),
                 "a position is farther from the origin than the header tells");
 }
 
@@ -118,7 +120,7 @@ TYPED_TEST(GeometryCheckTest, TreesAreCheckedEvenWhereChecksumsAgree) {
   constexpr const char* kNoLeaf = "the geometry file is damaged: a leaf holds what is no triangle";
   constexpr const char* kNotAll = "the geometry file is damaged: not every triangle is in one leaf";
   for (const auto& [nodes, slots, triangles] :
-       {std::array{kNodes, kSlots, kTriangles}, std::array{kCapNodes, kCapSlots, kCapTriangles}}) {
+       {std::array{Nodes, Slots, Triangles}, std::array{CapNodes, CapSlots, CapTriangles}}) {
     for (std::size_t n = 0; n < bytes.count(nodes); ++n) {
       const auto node = bytes.place(nodes, n);
       for (const std::size_t index : {432U, 436U}) {  // firstNode, firstLeaf
@@ -149,13 +151,13 @@ TYPED_TEST(GeometryCheckTest, TreesAreCheckedEvenWhereChecksumsAgree) {
 TYPED_TEST(GeometryCheckTest, WindingsAreCheckedEvenWhereChecksumsAgree) {
   using T = TypeParam;
   ForgedBytes bytes(MeshSDF<T>(openBoxOfPatches()).toBytes().bytes());
-  const auto vertices = static_cast<std::uint32_t>(bytes.count(kCapPositions));
-  const auto edges = static_cast<std::uint32_t>(bytes.count(kOpenEdges));
-  EXPECT_NE(refusalWith<T>(bytes, bytes.place(kCapTriangles), vertices), "");
-  EXPECT_NE(refusalWith<T>(bytes, bytes.place(kOpenEdges), vertices), "");
-  EXPECT_NE(refusalWith<T>(bytes, bytes.place(kOpenEdges) + 4, vertices), "");
-  EXPECT_NE(refusalWith<T>(bytes, bytes.place(kWindingEdges) + 4, edges + 1), "");
-  EXPECT_NE(refusalWith<T>(bytes, bytes.place(kCapPositions), HUGE_VAL), "");
+  const auto vertices = static_cast<std::uint32_t>(bytes.count(CapPositions));
+  const auto edges = static_cast<std::uint32_t>(bytes.count(OpenEdges));
+  EXPECT_NE(refusalWith<T>(bytes, bytes.place(CapTriangles), vertices), "");
+  EXPECT_NE(refusalWith<T>(bytes, bytes.place(OpenEdges), vertices), "");
+  EXPECT_NE(refusalWith<T>(bytes, bytes.place(OpenEdges) + 4, vertices), "");
+  EXPECT_NE(refusalWith<T>(bytes, bytes.place(WindingEdges) + 4, edges + 1), "");
+  EXPECT_NE(refusalWith<T>(bytes, bytes.place(CapPositions), HUGE_VAL), "");
 }
 
 TYPED_TEST(GeometryCheckTest, LeavesMustHoldSomething) {
@@ -163,15 +165,15 @@ TYPED_TEST(GeometryCheckTest, LeavesMustHoldSomething) {
   ForgedBytes bytes(MeshSDF<T>(tessellation::icosphere(1, 4)).toBytes().bytes());
   constexpr std::size_t kWidth = 16;
   const auto idAt = [&](std::size_t i) {
-    return bytes.template read<std::uint32_t>(bytes.place(kSlots, i));
+    return bytes.template read<std::uint32_t>(bytes.place(Slots, i));
   };
   // The ids of the first leaf go where others have room: every triangle still is in one leaf.
   std::size_t rest = kWidth;
   while (idAt(rest - 1) == kNone) --rest;
-  for (std::size_t i = kWidth + 1; i < bytes.count(kSlots) && rest > 0; ++i) {
+  for (std::size_t i = kWidth + 1; i < bytes.count(Slots) && rest > 0; ++i) {
     if (idAt(i) != kNone || idAt(i - 1) == kNone) continue;
-    bytes.write(bytes.place(kSlots, i), idAt(--rest));
-    bytes.write(bytes.place(kSlots, rest), kNone);
+    bytes.write(bytes.place(Slots, i), idAt(--rest));
+    bytes.write(bytes.place(Slots, rest), kNone);
   }
   ASSERT_EQ(rest, 0U);
   bytes.makeGood();
@@ -183,8 +185,8 @@ TYPED_TEST(GeometryCheckTest, ALaneIsANodeOrALeaf) {
   using T = TypeParam;
   ForgedBytes bytes(MeshSDF<T>(tessellation::icosphere(1, 4)).toBytes().bytes());
   int tried = 0;
-  for (std::size_t n = 0; n < bytes.count(kNodes); ++n) {
-    const auto at = bytes.place(kNodes, n) + 440;
+  for (std::size_t n = 0; n < bytes.count(Nodes); ++n) {
+    const auto at = bytes.place(Nodes, n) + 440;
     const auto nodes = bytes.template read<std::uint16_t>(at);
     const auto leaves = bytes.template read<std::uint16_t>(at + 2);
     if (nodes == 0 || leaves == 0 || ++tried > 3) continue;
@@ -267,8 +269,8 @@ TYPED_TEST(GeometryCheckTest, ForgedIndicesAreRefusedOrHarmless) {
   std::mt19937_64 engine(3);
   std::size_t refused = 0;
   for (int i = 0; i < scaled(400); ++i) {
-    constexpr std::array kIndices{kTriangles, kNeighbours, kSlivers,      kPolygons,
-                                  kPatches,   kSlots,      kCapTriangles, kCapSlots};
+    constexpr std::array kIndices{Triangles, Neighbours, Slivers,      Polygons,
+                                  Patches,   Slots,      CapTriangles, CapSlots};
     const auto array = kIndices[engine() % kIndices.size()];
     const auto numbers = bytes.count(array) * bytes.elementBytes(array) / 4;
     const auto at = bytes.place(array) + 4 * (engine() % numbers);

@@ -34,7 +34,8 @@ void expectComesBack(const MeshSDF<T>& mesh) {
   EXPECT_EQ(viewed.guarantee().continuous, mesh.guarantee().continuous);
   EXPECT_EQ(viewed.guarantee().outside, mesh.guarantee().outside);
   EXPECT_TRUE(sameBytes(viewed.toBytes(42), bytes));
-  expectSame(MeshSDF<T>::view(bytes.bytes(), {.verifyPayload = false}), mesh);
+  const auto trusted = MeshSDF<T>::view(bytes.bytes(), {.verifyPayload = false});
+  EXPECT_TRUE(sameBytes(trusted.toBytes(42), bytes));
 
   auto positions = std::vector<Vec3<T>>();
   for (const auto& p : mesh.soup().points) {

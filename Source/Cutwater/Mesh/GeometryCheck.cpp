@@ -27,6 +27,12 @@ bool all(std::span<const Record> records, int threads, Check check) {
   return result;
 }
 
+bool haveCorners(std::span<const Corners> triangles, std::size_t vertices, int threads) {
+  return all(triangles, threads, [&](const Corners& t) {
+    return std::max({t[0], t[1], t[2]}) < vertices;
+  });
+}
+
 bool isFrame(const BvhFrame& frame) {
   return isFinite(frame.center) && std::isfinite(frame.scale) && frame.scale > 0;
 }
@@ -94,15 +100,11 @@ void checkSurface(const TriangleSurface<T>& surface, std::uint64_t patches, int 
   requireIntact(
       all(surface.positions, threads, [&](const Vec3<T>& p) { return length(p) <= surface.size; }),
       "a position is farther from the origin than the header tells");
-  requireIntact(all(surface.triangles, threads,
-                    [&](const Corners& t) {
-                      return (t[0] < vertices) & (t[1] < vertices) & (t[2] < vertices);
-                    }),
+  requireIntact(haveCorners(surface.triangles, vertices, threads),
                 "a triangle's corner is no vertex");
   requireIntact(all(surface.neighbours, threads,
                     [&](const Corners& t) {  // kNone + 1 is 0
-                      return (t[0] + 1 <= triangles) & (t[1] + 1 <= triangles) &
-                             (t[2] + 1 <= triangles);
+                      return std::max({t[0] + 1, t[1] + 1, t[2] + 1}) <= triangles;
                     }),
                 "a triangle's neighbour is no triangle");
   requireIntact(
@@ -117,17 +119,14 @@ void checkWinding(const OpenWindingData::Sections& sections, const Block& block,
   requireIntact(all(block.array<Vec3<double>>(sections.positions), threads,
                     [](const Vec3<double>& p) { return isFinite(p); }),
                 "a cap's position is not finite");
-  requireIntact(all(block.array<Corners>(sections.triangles), threads,
-                    [&](const Corners& t) {
-                      return (t[0] < vertices) & (t[1] < vertices) & (t[2] < vertices);
-                    }),
+  requireIntact(haveCorners(block.array<Corners>(sections.triangles), vertices, threads),
                 "a cap's corner is no vertex");
   const auto tree = sections.tree(block);
   checkTree(tree);
   checkLeaves<WindingTree::kLeafWidth>(tree.slots(), sections.triangles.count, threads);
   const auto openEdges = block.array<OpenEdge>(sections.openEdges);
   requireIntact(all(openEdges, threads,
-                    [&](const OpenEdge& e) { return (e.lower < vertices) & (e.upper < vertices); }),
+                    [&](const OpenEdge& e) { return std::max(e.lower, e.upper) < vertices; }),
                 "an open edge's end is no vertex");
   const auto edges = block.array<WindingEdges>(sections.edges);
   const bool isSorted = std::ranges::is_sorted(edges, {}, &WindingEdges::first);
