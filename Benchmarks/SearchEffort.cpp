@@ -69,7 +69,7 @@ double CountedSearch::ask(const Vec3<double>& p, Effort& effort) const {
   const Openings before = effort.opened;
   auto best = mesh_.surface.nothing(p);
   counting::nearestOne(mesh_.search, TriangleArrays<double>(mesh_.surface), p, best,
-                       Counter(effort));
+                       TriangleSearch::kAnywhere, Counter(effort));
   const double distance = std::sqrt(best.distanceSquared);
   const auto least = necessary(mesh_.arrays.tree(), p, distance);
   if (effort.opened.nodes - before.nodes < least.nodes ||

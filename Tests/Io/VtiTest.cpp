@@ -2,67 +2,15 @@
 #include <Cutwater/Io/Vti.hpp>
 
 #include <array>
-#include <charconv>
-#include <cstring>
-#include <map>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "Support/ParsedVtk.hpp"
 #include "Support/TemporaryFolder.hpp"
 
 namespace cutwater::test {
 namespace {
-
-/// A reader of its own for the part of the format that is written, by the format's description:
-/// attributes are looked up in the text, arrays by their offsets behind the underscore.
-class ParsedVti {
- public:
-  explicit ParsedVti(std::string content) : content_(std::move(content)) {
-    const std::string mark = "<AppendedData encoding=\"raw\">\n_";
-    data_ = content_.find(mark);
-    EXPECT_NE(data_, std::string::npos);
-    header_ = content_.substr(0, data_);
-    data_ += mark.size();
-  }
-
-  [[nodiscard]] std::string attribute(const std::string& element, const std::string& name,
-                                      std::size_t from = 0) const {
-    const auto start = header_.find("<" + element + " ", from);
-    if (start == std::string::npos) return "";
-    const auto tag = header_.substr(start, header_.find('>', start) - start);
-    const auto at = tag.find(" " + name + "=\"");
-    if (at == std::string::npos) return "";
-    const auto begin = at + name.size() + 3;
-    return tag.substr(begin, tag.find('"', begin) - begin);
-  }
-
-  template <typename V>
-  [[nodiscard]] std::vector<V> array(const std::string& name, const std::string& type) const {
-    const auto at = header_.find("Name=\"" + name + "\"");
-    const auto start = header_.rfind("<DataArray", at);
-    EXPECT_EQ(attribute("DataArray", "type", start), type);
-    const auto text = attribute("DataArray", "offset", start);
-    std::size_t offset = 0;
-    std::from_chars(text.data(), text.data() + text.size(), offset);
-    std::uint64_t bytes = 0;
-    std::memcpy(&bytes, content_.data() + data_ + offset, sizeof(bytes));
-    std::vector<V> values(bytes / sizeof(V));
-    std::memcpy(values.data(), content_.data() + data_ + offset + sizeof(bytes), bytes);
-    end_ = data_ + offset + sizeof(bytes) + bytes;
-    return values;
-  }
-
-  /// What stands behind the array that was read last.
-  [[nodiscard]] std::string rest() const { return content_.substr(end_); }
-  [[nodiscard]] const std::string& header() const { return header_; }
-
- private:
-  std::string content_;
-  std::string header_;
-  std::size_t data_ = 0;
-  mutable std::size_t end_ = 0;
-};
 
 const IndexBox kBox{{-2, 0, 5}, {1, 2, 6}};  // 4 x 3 x 2
 
@@ -78,13 +26,13 @@ TEST(VtiTest, CellDataIsReadBackToTheBit) {
   std::vector<float> coarse(distance.begin(), distance.end());
   std::vector<std::uint32_t> ids(kBox.count(), kNone);
   ids[3] = 17;
-  const std::array<VtiArray, 3> arrays{VtiArray{"distance", std::span<const double>(distance)},
+  const std::array<VtkArray, 3> arrays{VtkArray{"distance", std::span<const double>(distance)},
                                        {"coarse", std::span<const float>(coarse)},
                                        {"a<b & \"c\"", std::span<const std::uint32_t>(ids)}};
   const Level<double> level({0.1, -2, 1e-3}, {0.25, 1e-7, 3});
   writeVti(folder / "a.vti", Patch<double>{level, kBox}, arrays);
 
-  const ParsedVti vti(contentOf(folder / "a.vti"));
+  const ParsedVtk vti(contentOf(folder / "a.vti"));
   EXPECT_EQ(vti.attribute("VTKFile", "type"), "ImageData");
   EXPECT_EQ(vti.attribute("VTKFile", "header_type"), "UInt64");
   EXPECT_EQ(vti.attribute("VTKFile", "byte_order"), "LittleEndian");
@@ -102,10 +50,10 @@ TEST(VtiTest, CellDataIsReadBackToTheBit) {
 TEST(VtiTest, NodesArePointData) {
   const TemporaryFolder folder;
   const auto values = ramp(1);
-  const std::array<VtiArray, 1> arrays{VtiArray{"d", std::span<const double>(values)}};
+  const std::array<VtkArray, 1> arrays{VtkArray{"d", std::span<const double>(values)}};
   const Level<float> level({0, 0, 0}, {1, 1, 1}, Centering::Node);
   writeVti(folder / "a.vti", Patch<float>{level, kBox}, arrays);
-  const ParsedVti vti(contentOf(folder / "a.vti"));
+  const ParsedVtk vti(contentOf(folder / "a.vti"));
   EXPECT_EQ(vti.attribute("ImageData", "WholeExtent"), "-2 1 0 2 5 6");
   EXPECT_EQ(vti.attribute("PointData", "Scalars"), "d");
   EXPECT_EQ(vti.header().find("<CellData "), std::string::npos);
@@ -117,10 +65,10 @@ TEST(VtiTest, RefusesWhatDoesNotFit) {
   const Level<double> level({0, 0, 0}, {1, 1, 1});
   const Patch<double> patch{level, kBox};
   const auto values = ramp(1);
-  const VtiArray good{"d", std::span<const double>(values)};
-  const VtiArray shorter{"s", std::span<const double>(values).first(5)};
-  const VtiArray nameless{"", std::span<const double>(values)};
-  const auto write = [&](const Patch<double>& where, std::vector<VtiArray> arrays) {
+  const VtkArray good{"d", std::span<const double>(values)};
+  const VtkArray shorter{"s", std::span<const double>(values).first(5)};
+  const VtkArray nameless{"", std::span<const double>(values)};
+  const auto write = [&](const Patch<double>& where, std::vector<VtkArray> arrays) {
     writeVti(folder / "a.vti", where, arrays);
   };
   EXPECT_THROW(write(patch, {}), Error);

@@ -30,6 +30,26 @@ class MeshBoxesTest : public ::testing::Test {
   static std::vector<PolygonSoup> surfaces() {
     return {cube(), thinPlate(), needle(), lPrism(), star(40)};
   }
+  /// And those that are open, or cut through themselves.
+  static std::vector<PolygonSoup> surfacesAndDamaged() {
+    auto result = surfaces();
+    auto lid = cube();
+    lid.offsets.pop_back();
+    lid.patches.pop_back();
+    lid.corners.resize(lid.offsets.back());
+    result.push_back(lid);
+    const auto shifted = [](const Vec3<double>& p) { return p + Vec3<double>{0.4, 0.3, 0.2}; };
+    result.push_back(together(cube(), withPoints(tetrahedron(), shifted)));
+    return result;
+  }
+  static std::array<Box<T>, 8> octants(const Box<T>& box) {
+    std::array<Box<T>, 8> result;
+    const auto middle = box.center();
+    for (int i = 0; i < 8; ++i) {
+      result[static_cast<std::size_t>(i)] = Box<T>{middle, middle}.extend(box.corner(i));
+    }
+    return result;
+  }
   static Box<T> around(const Box<T>& box) {
     const auto margin = T(0.2) * maxComponent(box.size());
     return box.grown(margin);
@@ -121,7 +141,7 @@ TYPED_TEST(MeshBoxesTest, DoNotLoseWhatNodesDoNotSee) {
 
 TYPED_TEST(MeshBoxesTest, AreTheSameWithHints) {
   using T = TypeParam;
-  for (const auto& soup : this->surfaces()) {
+  for (const auto& soup : this->surfacesAndDamaged()) {
     MeshSDF<T> mesh(soup);
     mesh.rotate(25, {1, 2, 3});
     int known = 0;
@@ -130,12 +150,45 @@ TYPED_TEST(MeshBoxesTest, AreTheSameWithHints) {
       ASSERT_EQ(kind, mesh.classify(box));
       known += hint.words[0] != 0 ? 1 : 0;
       if (level == 5) return;
-      const auto middle = box.center();
-      for (int i = 0; i < 8; ++i)
-        self(self, Box<T>{middle, middle}.extend(box.corner(i)), hint, level + 1);
+      for (const auto& octant : this->octants(box)) self(self, octant, hint, level + 1);
     };
     descend(descend, this->around(mesh.boundingBox()), {}, 0);
-    EXPECT_GT(known, 1000);
+    if (mesh.signReport().isClosed()) {
+      EXPECT_GT(known, 1000);
+    }
+  }
+}
+
+TYPED_TEST(MeshBoxesTest, AreTheSameTogether) {
+  using T = TypeParam;
+  for (const auto& soup : this->surfacesAndDamaged()) {
+    MeshSDF<T> mesh(soup);
+    for (const bool isMoved : {false, true}) {
+      if (isMoved) mesh.rotate(25, {1, 2, 3});
+      std::vector<Box<T>> boxes{this->around(mesh.boundingBox())};
+      std::vector<BoxHint> hints(1);
+      for (int level = 0; level < 6; ++level) {
+        std::vector<BoxClass> expected(boxes.size());
+        std::vector<BoxClass> found(boxes.size());
+        for (std::size_t i = 0; i < boxes.size(); ++i) expected[i] = mesh.classify(boxes[i]);
+        mesh.classify(std::span<const Box<T>>(boxes), std::span(found));
+        ASSERT_EQ(found, expected);
+        std::ranges::fill(found, BoxClass::Unknown);
+        mesh.classify(std::span<const Box<T>>(boxes), std::span(found), std::span(hints));
+        ASSERT_EQ(found, expected);
+        std::vector<Box<T>> next;
+        std::vector<BoxHint> above;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+          // Most of those that are decided stay behind; that they are is learned with the others.
+          if ((found[i] == BoxClass::Inside || found[i] == BoxClass::Outside) && i % 8 != 0)
+            continue;
+          for (const auto& octant : this->octants(boxes[i])) next.push_back(octant);
+          above.insert(above.end(), 8, hints[i]);
+        }
+        boxes = std::move(next);
+        hints = std::move(above);
+      }
+    }
   }
 }
 

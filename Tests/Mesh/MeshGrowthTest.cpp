@@ -9,6 +9,7 @@
 #include "Support/CpuTime.hpp"
 #include "Support/DamagedSoups.hpp"
 #include "Support/Random.hpp"
+#include "Support/Soups.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -57,24 +58,6 @@ void expectLinearQuery(const Mesh& mesh, const Vec3<double>& p) {
     least = std::min(least, cpuSeconds([&] { (void)mesh.signedDistance(p); }));
   }
   EXPECT_LT(least, enough) << p;
-}
-
-/// Both pyramids over an n-gon in the unit circle, of height 1: n triangles at each apex.
-PolygonSoup bipyramid(std::uint32_t n) {
-  PolygonSoup soup;
-  soup.patchNames = {"fans"};
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const double angle = 2 * std::numbers::pi * i / n;
-    soup.points.push_back({std::cos(angle), std::sin(angle), 0});
-  }
-  soup.points.push_back({0, 0, 1});
-  soup.points.push_back({0, 0, -1});
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const std::uint32_t next = (i + 1) % n;
-    soup.addPolygon(std::array{i, next, n});
-    soup.addPolygon(std::array{next, i, n + 1});
-  }
-  return soup;
 }
 
 /// The same triangles n times, with the same points or with others in the same places.

@@ -19,6 +19,7 @@ namespace {
 template <typename T>
 struct Searched : SearchableInBlock<T> {
   using SearchableInBlock<T>::surface;
+  using SearchableInBlock<T>::hulls;
   using SearchableInBlock<T>::search;
 
   explicit Searched(const PolygonSoup& soup) : SearchableInBlock<T>(soup) {
@@ -113,25 +114,6 @@ void expectAnswersInBlocks(const PolygonSoup& soup) {
       expectAnswersOfAll(mesh, block(place, std::ldexp(mesh.surface.size, -k)));
     }
   }
-}
-
-PolygonSoup randomTriangles(int count, double spread, double size) {
-  RandomPoints<double> random(1, /*seed=*/11);
-  PolygonSoup soup;
-  soup.patchNames = {"random"};
-  for (int i = 0; i < count; ++i) {
-    const auto at = spread * random.next();
-    const auto first = static_cast<std::uint32_t>(soup.points.size());
-    // Every other one a needle, and each seventh of a size of its own.
-    const double scale = std::ldexp(size, i % 7 == 0 ? -(i % 40) : 0);
-    const auto along = scale * random.next();
-    const auto across = (i % 2 == 0 ? 1e-9 * scale : scale) * random.next();
-    for (const auto& corner : {at, at + along, at + 0.4 * along + across}) {
-      soup.points.push_back(corner);
-    }
-    soup.addPolygon(std::array{first, first + 1, first + 2});
-  }
-  return soup;
 }
 
 template <typename T>
@@ -255,6 +237,49 @@ TYPED_TEST(TriangleSearchTest, OfSliversWhosePlanesAreNearerThanTheirEdges) {
   }
   expectAnswersOfAll(mesh, points);
   expectAnswersInBlocks<T>(soup);
+}
+
+/// A sector of a cone about z, or of a ring where `inner` is not 0, of n slivers up to `angle`.
+PolygonSoup fan(std::uint32_t n, double angle, double inner) {
+  PolygonSoup soup;
+  soup.patchNames = {"fan"};
+  for (std::uint32_t i = 0; i <= n; ++i) {
+    const double at = angle * i / n;
+    for (const double r : {inner, 1.0}) {
+      soup.points.push_back({r * std::cos(at), r * std::sin(at), 1 - r});
+    }
+  }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t at = 2 * i;
+    const std::uint32_t tip = inner == 0 ? 0 : at;
+    soup.addPolygon(std::array{tip, at + 1, at + 3});
+  }
+  return soup;
+}
+
+TYPED_TEST(TriangleSearchTest, OfFansOfSlivers) {
+  using T = TypeParam;
+  expectAnswersOfAll<T>(bipyramid(2000), scaled(20));
+  expectAnswersInBlocks<T>(bipyramid(300));
+  // Finer than single precision tells apart: a full circle of these would be 10^6 and more.
+  for (const double angle : {0.02, 1e-4}) {
+    for (const double inner : {0.0, 0.2}) {
+      const Searched<T> mesh(fan(3000, angle, inner));
+      EXPECT_FALSE(mesh.hulls.hulls.empty());
+      auto points = probes(mesh.surface, scaled(8));
+      RandomPoints<T> random(1, /*seed=*/7);
+      for (int i = 0; i < scaled(60); ++i) {  // off the middle of the fan
+        const auto p = random.next();
+        const T r = T(0.6) + T(0.3) * p.x;
+        const T at = static_cast<T>(angle) * T(0.5) * (1 + p.y);
+        const T away = T(0.5) * p.z;
+        const T along = r + away;
+        points.push_back(mesh.surface.scale *
+                         Vec3<T>{along * std::cos(at), along * std::sin(at), 1 - r + away});
+      }
+      expectAnswersOfAll(mesh, points);
+    }
+  }
 }
 
 TYPED_TEST(TriangleSearchTest, OfNoPointsAndOfFewerThanTakeTurns) {

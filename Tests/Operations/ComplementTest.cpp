@@ -1,3 +1,5 @@
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 
@@ -55,6 +57,14 @@ TYPED_TEST(ComplementTest, KeepsItsGuarantee) {
   EXPECT_EQ((~two).guarantee().inside, Quality::Exact);
   EXPECT_EQ((~two).guarantee().outside, Quality::LowerBound);
   expectGuarantee(~two, 2.5);
+}
+
+/// Meshes do not look for values beyond what is wanted, which a complement turns around.
+TYPED_TEST(ComplementTest, KeepsTheGuaranteeOfMeshes) {
+  using T = TypeParam;
+  const Solid<T> ring = MeshSDF<T>(tessellation::torus(0.6, 0.2, 16, 8));
+  const auto both = ring | translated(rotated(ring, T(90), 0), {T(0.6), 0, 0});
+  expectGuarantee(~named(both, "links"), 1.6, {.probes = 2000});
 }
 
 }  // namespace

@@ -85,5 +85,18 @@ TYPED_TEST(ElongationTest, HasAGradientWhereTheOperandHasNone) {
   EXPECT_NEAR(gradient.y, T(0), T(1e-3));
 }
 
+TYPED_TEST(ElongationTest, HasNoGradientInTheGapHoweverNearItsEnd) {
+  using T = TypeParam;
+  const auto slab = elongated(Cuboid<T>({-1, 1, -1}, {1, 2, 1}), {0, T(0.5), 0});
+  for (const T y : {T(0), T(0.25), T(0.4999), T(-0.4999)}) {
+    EXPECT_EQ(slab.gradient({T(0.25), y, T(-0.25)}), Vec3<T>{}) << y;
+  }
+  EXPECT_EQ(slab.gradient({T(0.25), T(0.5001), T(-0.25)}), (Vec3<T>{0, -1, 0}));
+  // Nor along it where the operand has none: differences reach beyond the gap.
+  const CappedTorus<T> arc(1, T(0.25), 45);
+  const auto gradient = elongated(arc, {0, T(0.5), 0}).gradient({-1, T(0.4999), 0});
+  EXPECT_EQ(gradient.y, T(0));
+}
+
 }  // namespace
 }  // namespace cutwater::test

@@ -2,21 +2,13 @@
 
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/Tessellation.hpp>
-#include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/Combination.hpp>
-#include <Cutwater/Shapes/Capsule.hpp>
-#include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
-#include <Cutwater/Shapes/Sphere.hpp>
 
-#include <set>
 #include <tuple>
 
-#include "Operations/PlainFold.hpp"
-#include "Support/Grid.hpp"
+#include "Operations/ManyOperands.hpp"
 #include "Support/Precisions.hpp"
-#include "Support/Random.hpp"
-#include "Support/SameClosestPoints.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -41,129 +33,23 @@ struct Shy final : SignedDistanceFunction<T> {
 template <typename T>
 class OperandTreeTest : public ::testing::Test {
  protected:
-  /// Counted from `begin` to `end`: balls, boxes and capsules, moved and not, some deep in others
-  /// and some twice.
-  static std::vector<Solid<T>> parts(int begin, int end, T size) {
-    std::vector<Solid<T>> result;
-    RandomPoints<T> random(1, /*seed=*/static_cast<unsigned>(begin + 1));
-    for (int i = begin; i < end; ++i) {
-      const Vec3<T> at = random.next();
-      const Vec3<T> half = size * (abs(random.next()) + Vec3<T>{T(0.1), T(0.1), T(0.1)});
-      switch (i % 5) {
-        case 0:
-          result.push_back(Sphere<T>(at, half.x));
-          break;
-        case 1:
-          result.push_back(Cuboid<T>(at - half, at + half));
-          break;
-        case 2:
-          result.push_back(Capsule<T>(at - half, at + half, half.y));
-          break;
-        case 3:
-          result.push_back(rotated(Cuboid<T>(at - half, at + half), T(7) * half.z / size, at));
-          break;
-        default:
-          result.push_back(result[result.size() / 2]);
-      }
-    }
-    return result;
-  }
-
   /// All kinds that a tree must not mix up, in an order without order.
   static std::vector<Solid<T>> everything() {
-    auto result = parts(0, 400, T(0.05));
+    auto result = parts<T>(0, 400, T(0.05));
     result.push_back(Plane<T>({0, 0, T(-0.8)}, {T(0.1), 0, 1}));
     result.push_back(MeshSDF<T>(tessellation::torus(0.5, 0.1, 24, 12)));
-    const auto more = parts(400, 900, T(0.03));
+    const auto more = parts<T>(400, 900, T(0.03));
     result.insert(result.end(), more.begin(), more.end());
     result.push_back(rotated(scaled(result[7] | result[8], T(-1.5)), T(33), {1, 2, 3}));
-    result.push_back(parts(900, 901, T(0.3))[0] - result[17]);  // outside a lower bound only
+    result.push_back(parts<T>(900, 901, T(0.3))[0] - result[17]);  // outside a lower bound only
     result.push_back(rounded(result[3], T(0.02)));
-    result.push_back(translated(unionOf(parts(901, 980, T(0.02))), {T(0.2), 0, 0}));
-    const auto rest = parts(980, 1040, T(0.04));
+    result.push_back(translated(unionOf(parts<T>(901, 980, T(0.02))), {T(0.2), 0, 0}));
+    const auto rest = parts<T>(980, 1040, T(0.04));
     result.insert(result.end(), rest.begin(), rest.end());
-    return result;
-  }
-
-  /// A block, and all that is taken away from it.
-  static std::vector<Solid<T>> block(const std::vector<Solid<T>>& holes) {
-    std::vector<Solid<T>> result;
-    for (const auto& hole : holes) result.push_back(~hole);
-    const auto middle = result.begin() + static_cast<std::ptrdiff_t>(result.size() / 2);
-    result.insert(middle, rotated(Cuboid<T>({-1, -1, -1}, {1, 1, 1}), T(10), 2));
     return result;
   }
 };
 TYPED_TEST_SUITE(OperandTreeTest, Precisions);
-
-template <typename T>
-void expectSamePoint(const Solid<T>& solid, const Solid<T>& plain, const Vec3<T>& p) {
-  SCOPED_TRACE(testing::Message() << "point " << p);
-  EXPECT_PRED2(sameBits<T>, solid.signedDistance(p), plain.signedDistance(p));
-  EXPECT_TRUE(isSame(solid.gradient(p), plain.gradient(p)));
-  EXPECT_EQ(solid.owner(p), plain.owner(p));
-  EXPECT_EQ(differingFields(solid.closestPoint(p), plain.closestPoint(p)), "");
-}
-
-template <typename T>
-BoxClass expectSameBox(const Solid<T>& solid, const Solid<T>& plain, const Box<T>& box) {
-  const auto bounds = solid.bounds(box);
-  const auto expected = plain.bounds(box);
-  EXPECT_PRED2(sameBits<T>, bounds.lower, expected.lower) << box.lower << box.upper;
-  EXPECT_PRED2(sameBits<T>, bounds.upper, expected.upper) << box.lower << box.upper;
-  EXPECT_EQ(solid.classify(box), plain.classify(box)) << box.lower << box.upper;
-  return solid.classify(box);
-}
-
-template <typename T>
-void expectSameCrossings(const Solid<T>& solid, const Solid<T>& plain, const Segment<T>& segment) {
-  const auto all = [&segment](const Solid<T>& asked) {
-    std::vector<T> result;
-    const auto count = asked.crossings(segment, [&](const Crossing<T>& c) {
-      const auto [object, patch, face] = c.owner;
-      result.insert(result.end(), {c.parameter, c.normal.x, c.normal.y, c.normal.z, T(c.entering),
-                                   static_cast<T>(object), static_cast<T>(patch), T(face)});
-      return true;
-    });
-    result.push_back(static_cast<T>(count.unresolved));
-    return result;
-  };
-  EXPECT_EQ(all(solid), all(plain)) << segment.start << segment.end;
-}
-
-template <typename T>
-void expectSameAsPlain(Solid<T> solid, const std::vector<Solid<T>>& operands, bool least) {
-  Solid<T> plain = PlainFold<T>(operands, least, solid.guarantee());
-  RandomPoints<T> random(T(1.3), /*seed=*/3);
-  for (int motion = 0; motion < 2; ++motion) {
-    std::vector<Vec3<T>> points;
-    for (int i = 0; i < 700; ++i) points.push_back(random.next());
-    for (const T far : {T(1e3), T(1e9), T(1e17), T(1e25), T(1e37)}) {
-      points.push_back(far * random.next());
-    }
-    points.push_back({std::numeric_limits<T>::quiet_NaN(), 0, 0});
-    std::vector<T> values(points.size());
-    solid.signedDistances(points, values);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      EXPECT_PRED2(sameBits<T>, values[i], plain.signedDistance(points[i])) << points[i];
-    }
-    for (std::size_t i = 0; i + 3 < points.size(); i += 3) expectSamePoint(solid, plain, points[i]);
-    std::set<BoxClass> classes;
-    for (int i = 0; i < 200; ++i) {
-      const auto at = random.next();
-      const T size = std::ldexp(T(1), -(i % 12));
-      classes.insert(expectSameBox(solid, plain, Box<T>{at, at + size * abs(random.next())}));
-    }
-    EXPECT_GE(classes.size(), 3U);  // few remain Unknown
-    expectSameBox(solid, plain, {{0, 0, 0}, {T(1e20), T(1e20), T(1e20)}});
-    expectSameBox(solid, plain, {{-9, -9, -9}, {9, 9, 9}});
-    for (int i = 0; i < 4; ++i) expectSameCrossings(solid, plain, {random.next(), random.next()});
-    for (auto* moved : {&solid, &plain}) {
-      moved->rotate(T(25), {1, 1, 0}, {T(0.1), 0, 0});
-      moved->translate({T(0.05), 0, 0});
-    }
-  }
-}
 
 TYPED_TEST(OperandTreeTest, UnionsAreThePlainFoldToTheBit) {
   using T = TypeParam;
@@ -173,9 +59,28 @@ TYPED_TEST(OperandTreeTest, UnionsAreThePlainFoldToTheBit) {
   expectSameAsPlain(all, operands, true);
 }
 
+/// Of which each is asked only for values up to the best so far.
+TYPED_TEST(OperandTreeTest, UnionsOfMeshesAreThePlainFoldToTheBit) {
+  using T = TypeParam;
+  const Solid<T> ring = MeshSDF<T>(tessellation::torus(0.2, 0.08, 16, 8));
+  const Solid<T> ball = MeshSDF<T>(tessellation::icosphere(0.15, 2));
+  RandomPoints<T> random(1);
+  std::vector<Solid<T>> meshes;
+  for (int i = 0; i < 120; ++i) {
+    const auto axis = random.next();
+    auto mesh = rotated(i % 2 == 0 ? ring : ball, 180 * random.next().x, axis);
+    if (i % 3 == 0) mesh = scaled(mesh, T(-0.7));
+    if (i % 5 == 0) mesh = mirrored(named(mesh, "mesh"), axis);
+    meshes.push_back(translated(mesh, random.next()));
+  }
+  expectSameAsPlain(unionOf(meshes), meshes, true);
+  const auto remains = block(meshes);
+  expectSameAsPlain(intersectionOf(remains), remains, false);
+}
+
 TYPED_TEST(OperandTreeTest, OperandsThatAreNoDistancesAreNotLost) {
   using T = TypeParam;
-  auto operands = this->parts(0, 300, T(0.15));
+  auto operands = parts<T>(0, 300, T(0.15));
   const Vec3<T> at{T(0.9), T(0.9), T(0.9)};
   operands.insert(operands.begin() + 77, Shy<T>(at));
   const auto all = unionOf(operands);
@@ -189,7 +94,7 @@ TYPED_TEST(OperandTreeTest, SoAreSmallerOnesAndThoseWithoutExceptions) {
   using T = TypeParam;
   for (const int count : {15, 16, 17, 60}) {
     SCOPED_TRACE(count);
-    const auto operands = this->parts(0, count, T(0.3));
+    const auto operands = parts<T>(0, count, T(0.3));
     expectSameAsPlain(unionOf(operands), operands, true);
   }
 }
@@ -244,11 +149,11 @@ TYPED_TEST(OperandTreeTest, OfEqualCoarseValuesTheFirstDecides) {
 TYPED_TEST(OperandTreeTest, ChainsAreThePlainFoldAtEveryLength) {
   using T = TypeParam;
   // Operands come one by one, and now and then several, one of which the tree cannot hold.
-  std::vector<Solid<T>> operands = this->parts(0, 14, T(0.1));
+  std::vector<Solid<T>> operands = parts<T>(0, 14, T(0.1));
   Solid<T> chain = unionOf(operands);
   RandomPoints<T> random(T(1.3), /*seed=*/3);
   for (int step = 0; step < 60; ++step) {
-    auto more = this->parts(20 * step, 20 * step + (step % 12 == 7 ? 20 : 1), T(0.1));
+    auto more = parts<T>(20 * step, 20 * step + (step % 12 == 7 ? 20 : 1), T(0.1));
     if (step % 10 == 3) more[0] = Shy<T>(random.next());
     for (const auto& one : more) operands.push_back(one);
     chain = chain | unionOf(more);
@@ -264,26 +169,12 @@ TYPED_TEST(OperandTreeTest, ChainsAreThePlainFoldAtEveryLength) {
 
 TYPED_TEST(OperandTreeTest, DifferencesAreThePlainFoldToTheBit) {
   using T = TypeParam;
-  for (const auto& holes : {this->parts(0, 400, T(0.03)), this->parts(0, 40, T(0.1))}) {
-    auto operands = this->block(holes);
+  for (const auto& holes : {parts<T>(0, 400, T(0.03)), parts<T>(0, 40, T(0.1))}) {
+    auto operands = block(holes);
     operands.push_back(translated(~holes[5], {T(0.3), T(0.1), 0}));
     expectSameAsPlain(intersectionOf(operands), operands, false);
   }
 }
-
-/// Counts how often it is asked. Values are those of a small ball.
-template <typename T>
-struct Counted final : SignedDistanceFunction<T> {
-  Counted(const Vec3<T>& at, int& asked) : ball(at, T(0.01)), calls(&asked) {}
-  T localSignedDistance(const Vec3<T>& p) const override {
-    ++*calls;
-    return ball.signedDistance(p);
-  }
-  Guarantee<T> localGuarantee() const override { return ball.guarantee(); }
-  Box<T> localBoundingBox() const override { return ball.boundingBox(); }
-  Sphere<T> ball;
-  int* calls;
-};
 
 TYPED_TEST(OperandTreeTest, AsksFewOperands) {
   using T = TypeParam;
@@ -314,7 +205,7 @@ TYPED_TEST(OperandTreeTest, AsksNobodyTwice) {
   using T = TypeParam;
   int calls = 0;
   std::vector<Solid<T>> holes{Counted<T>({0, 0, 0}, calls)};  // no complement: always asked
-  for (const auto& part : this->parts(0, 100, T(0.01))) holes.push_back(~part);
+  for (const auto& part : parts<T>(0, 100, T(0.01))) holes.push_back(~part);
   const auto block = intersectionOf(holes);
   EXPECT_LT(block.signedDistance({T(0.005), 0, 0}), T(0));
   EXPECT_EQ(calls, 1);

@@ -32,33 +32,58 @@ class RandomTreesTest : public ::testing::Test {
     return std::isfinite(reach) && reach > 0.5 ? std::min(extent, reach / 4) : 0;
   }
 
-  static bool expectTree(unsigned seed, int depth) {
+  struct Checked {
+    GuaranteeCounts counts;
+    bool hasSurface = false;
+  };
+
+  static Checked expectTree(unsigned seed, int depth) {
     // One in four of numbers that a person would choose: faces are aligned, distances equal.
     const auto solid = RandomTrees<T>(seed, seed % 4 == 3 ? 0.125 : 0).tree(depth);
     const double extent = extentOf(solid);
-    if (extent == 0) return false;
+    if (extent == 0) return {};
     const SurfaceSamples<T> samples(solid, extent, 12, 1);
     GuaranteeOptions options{.probes = 250, .lines = 16, .seed = seed};
     options.hasSurface = samples.points().size() > 50;
     const bool hadFailure = ::testing::Test::HasFailure();
-    expectGuarantee(solid, extent, options);
+    const auto counts = expectGuarantee(solid, extent, options);
     if (!hadFailure && ::testing::Test::HasFailure()) {
       ADD_FAILURE() << "tree of seed " << seed << " and depth " << depth << ", extent " << extent
                     << ":\n"
                     << solid.describe();
     }
-    return options.hasSurface;
+    return {counts, options.hasSurface};
   }
 
-  static void expectTrees(int depth, int count) {
-    const int all = scaled(count);
+  /// A quarter, for each depth, of 10^4 pairs of points and 10^3 boxes for a precision; and of 100
+  /// times as many where Scripts/test --all scales trees and points by ten.
+  static void expectTrees(int depth) {
+    const std::int64_t pairs = scaled(scaled(2500));
+    const std::int64_t boxes = scaled(scaled(250));
+    GuaranteeCounts counts;
+    int all = 0;
     int checked = 0;
-    for (int i = 0; i < all && !::testing::Test::HasFailure(); ++i) {
-      checked += expectTree(static_cast<unsigned>(1000 * depth + i), depth) ? 1 : 0;
+    const int most = scaled(25);
+    while ((counts.pairs < pairs || counts.boxes < boxes) && all < most &&
+           !::testing::Test::HasFailure()) {
+      const auto tree = expectTree(static_cast<unsigned>(10000 * depth + all), depth);
+      counts += tree.counts;
+      checked += tree.hasSurface ? 1 : 0;
+      ++all;
     }
-    if (!::testing::Test::HasFailure()) {
-      EXPECT_GE(2 * checked, all) << "hardly any has a surface";
-    }
+    ::testing::Test::RecordProperty("counts", text(counts, all));
+    if (::testing::Test::HasFailure()) return;
+    EXPECT_GE(counts.pairs, pairs) << text(counts, all);
+    EXPECT_GE(counts.boxes, boxes) << text(counts, all);
+    EXPECT_GE(2 * counts.distances, pairs) << text(counts, all);
+    EXPECT_GE(2 * checked, all) << "hardly any has a surface";
+  }
+
+  static std::string text(const GuaranteeCounts& counts, int trees) {
+    std::ostringstream result;
+    result << trees << " trees, " << counts.pairs << " pairs, " << counts.distances
+           << " distances, " << counts.boxes << " boxes";
+    return result.str();
   }
 
   /// Calls check(tree, other tree) for some of each depth; a failing one is told.
@@ -94,16 +119,31 @@ class RandomTreesTest : public ::testing::Test {
 TYPED_TEST_SUITE(RandomTreesTest, Precisions);
 
 TYPED_TEST(RandomTreesTest, OfOneOperatorKeepTheirGuarantee) {
-  this->expectTrees(1, 12);
+  this->expectTrees(1);
 }
 TYPED_TEST(RandomTreesTest, OfTwoLevelsKeepTheirGuarantee) {
-  this->expectTrees(2, 12);
+  this->expectTrees(2);
 }
 TYPED_TEST(RandomTreesTest, OfThreeLevelsKeepTheirGuarantee) {
-  this->expectTrees(3, 8);
+  this->expectTrees(3);
 }
 TYPED_TEST(RandomTreesTest, OfFourLevelsKeepTheirGuarantee) {
-  this->expectTrees(4, 6);
+  this->expectTrees(4);
+}
+
+/// So that a union of many such is asked through a tree; that values keep to it is checked above.
+TYPED_TEST(RandomTreesTest, MostBoundedOnesKnowABoxThatBoundsTheirValues) {
+  using T = TypeParam;
+  int bounded = 0;
+  int known = 0;
+  this->forTrees(100, [&](const Solid<T>& a, const Solid<T>&) {
+    const auto box = a.boundingBox();
+    if (a.guarantee().outside != Quality::LowerBound || box.empty() || !isFinite(box)) return;
+    ++bounded;
+    known += isFinite(a.clearanceBox()) ? 1 : 0;
+  });
+  EXPECT_GT(bounded, 20);
+  EXPECT_GT(10 * known, 7 * bounded) << known << " of " << bounded;
 }
 
 TYPED_TEST(RandomTreesTest, IdentitiesHoldToTheBit) {

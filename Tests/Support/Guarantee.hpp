@@ -2,6 +2,7 @@
 
 #include <Cutwater/Sdf/Solid.hpp>
 
+#include <cstdint>
 #include <functional>
 
 namespace cutwater::test {
@@ -25,23 +26,41 @@ struct GuaranteeOptions {
   unsigned seed = 1;
 };
 
+/// How much a check has looked at.
+struct GuaranteeCounts {
+  std::int64_t pairs = 0;      ///< of points, whose values were compared by the Lipschitz constant
+  std::int64_t distances = 0;  ///< points whose values were compared with the surface's samples
+  std::int64_t boxes = 0;
+
+  GuaranteeCounts& operator+=(const GuaranteeCounts& more) {
+    pairs += more.pairs;
+    distances += more.distances;
+    boxes += more.boxes;
+    return *this;
+  }
+};
+
 template <std::floating_point T>
-void checkGuarantee(const Solid<T>& solid, double extent, const GuaranteeOptions& options);
+GuaranteeCounts checkGuarantee(const Solid<T>& solid, double extent,
+                               const GuaranteeOptions& options);
 
 /// Checks, at random points of [-extent, extent]^3, all that a signed distance function promises:
 /// sign, Lipschitz constant, exactness or bound against surface points that are found by the sign
 /// alone, bounds and classes of boxes, gradient, closest points, crossings, batches, points and
 /// boxes that are not finite, and motions.
 template <SolidLike S>
-void expectGuarantee(const S& shape, double extent, const GuaranteeOptions& options = {}) {
-  checkGuarantee<typename S::Scalar>(shape, extent, options);
+GuaranteeCounts expectGuarantee(const S& shape, double extent,
+                                const GuaranteeOptions& options = {}) {
+  return checkGuarantee<typename S::Scalar>(shape, extent, options);
 }
 
 /// Checks that values in float keep to their rounding bound against the same function in double, at
 /// points up to 10^6 sizes away.
 void expectRounding(const Solid<float>& single, const Solid<double>& twice, double extent);
 
-extern template void checkGuarantee(const Solid<float>&, double, const GuaranteeOptions&);
-extern template void checkGuarantee(const Solid<double>&, double, const GuaranteeOptions&);
+extern template GuaranteeCounts checkGuarantee(const Solid<float>&, double,
+                                               const GuaranteeOptions&);
+extern template GuaranteeCounts checkGuarantee(const Solid<double>&, double,
+                                               const GuaranteeOptions&);
 
 }  // namespace cutwater::test

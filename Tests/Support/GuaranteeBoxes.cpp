@@ -19,6 +19,7 @@ void GuaranteeCheck<T>::checkBoxes() {
     if (i % 4 == 0) half = Vec3<T>(Vec3<double>{size, size, size});
     const Box<T> box{center - half, center + half};
     checkOneBox(box, bounds, classes);
+    ++counts_.boxes;
     if (i % 4 == 0 && onSurface && isExact && static_cast<T>(size) > 50 * error(center)) {
       cut.expect(solid_.classify(box) == BoxClass::Cut, "at", center, "half", size);
     }
@@ -125,6 +126,26 @@ void GuaranteeCheck<T>::checkBoundingBox() {
       const auto p = solid.placement().toWorld(solid_.placement().toLocal(Vec3<T>(sample)));
       tally.expect(box.grown(error(p)).contains(p), "leaves out", p, box.lower, box.upper);
     }
+    checkClearance(solid);
+  }
+}
+
+template <std::floating_point T>
+void GuaranteeCheck<T>::checkClearance(const Solid<T>& solid) {
+  Tally tally("no less than the distance to the clearance box");
+  const Box<T> box = solid.clearanceBox();
+  if (promise_.outside == Quality::Exact && promise_.domain == Box<T>::everywhere()) {
+    tally.expect(box == solid.boundingBox(), "that of exact distances is the bounding box");
+  }
+  if (box == Box<T>::everywhere()) return;
+  const auto promise = solid.guarantee();
+  for (int i = 0; i < options_.probes / 2; ++i) {
+    const auto p = randomPoint(i % 2 == 0 ? 2 * extent_ : 20 * extent_);
+    const Vec3<double> gaps(max(max(box.lower - p, p - box.upper), Vec3<T>{}));
+    if (gaps == Vec3<double>{}) continue;
+    const T value = solid.signedDistance(p);
+    tally.expect(double{value} >= length(gaps) - double{promise.error(length(p))}, "at", p, "value",
+                 value, "but the box", box.lower, box.upper, "is away", length(gaps));
   }
 }
 
@@ -132,5 +153,7 @@ template void GuaranteeCheck<float>::checkBoxes();
 template void GuaranteeCheck<double>::checkBoxes();
 template void GuaranteeCheck<float>::checkBoundingBox();
 template void GuaranteeCheck<double>::checkBoundingBox();
+template void GuaranteeCheck<float>::checkClearance(const Solid<float>&);
+template void GuaranteeCheck<double>::checkClearance(const Solid<double>&);
 
 }  // namespace cutwater::test

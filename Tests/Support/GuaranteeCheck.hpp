@@ -46,6 +46,7 @@ class GuaranteeCheck {
   GuaranteeCheck(const Solid<T>& solid, double extent, const GuaranteeOptions& options);
 
   void run();
+  [[nodiscard]] const GuaranteeCounts& counts() const { return counts_; }
 
  private:
   // Values: GuaranteeValues.cpp
@@ -54,6 +55,7 @@ class GuaranteeCheck {
   void checkDistances();
   /// The sign changes at the closest point that the solid tells, which is no farther than this.
   [[nodiscard]] bool hasSurfaceAt(const Vec3<T>& p, double distance) const;
+  void checkWithin();
   void checkBatches();
   void checkNonFinite();
   void checkMotions();
@@ -64,6 +66,7 @@ class GuaranteeCheck {
   /// Proves by values and the Lipschitz constant alone that the box holds no surface, if it can.
   [[nodiscard]] bool isCertainlyFree(const Box<T>& box, int depth) const;
   void checkBoundingBox();
+  void checkClearance(const Solid<T>& solid);
   // Surface: GuaranteeSurface.cpp
   void checkGradient();
   void checkClosestPoints();
@@ -88,6 +91,7 @@ class GuaranteeCheck {
   Solid<T> solid_;
   double extent_;
   GuaranteeOptions options_;
+  GuaranteeCounts counts_;
   Guarantee<T> promise_;
   std::mt19937 engine_;
   SurfaceSamples<T> samples_;

@@ -1,24 +1,15 @@
-#include <array>
-#include <charconv>
-#include <cstdlib>
-#include <cstring>
+#include <Cutwater/Operations/Algebra.hpp>
+
 #include <numbers>
-#include <string_view>
 #include <vector>
 
 #include "Support/GuaranteeCheck.hpp"
 #include "Support/SameClosestPoints.hpp"
+#include "Support/Scale.hpp"
 
 namespace cutwater::test {
 
 namespace {
-
-int scaleOfTests() {
-  const char* text = std::getenv("CUTWATER_TEST_SCALE");
-  int scale = 1;
-  if (text != nullptr) std::from_chars(text, text + std::strlen(text), scale);
-  return std::max(scale, 1);
-}
 
 /// v turned about the unit axis u: Rodrigues' formula, independent of the library's matrices.
 Vec3<double> turned(const Vec3<double>& v, const Vec3<double>& u, double degrees) {
@@ -38,7 +29,7 @@ GuaranteeCheck<T>::GuaranteeCheck(const Solid<T>& solid, double extent,
       promise_(solid.guarantee()),
       engine_(options.seed),
       samples_(solid_, extent, options.lines, options.seed) {
-  options_.probes *= scaleOfTests();
+  options_.probes = scaled(options_.probes);
 }
 
 template <std::floating_point T>
@@ -58,6 +49,7 @@ void GuaranteeCheck<T>::run() {
   checkSign();
   checkLipschitz();
   if (!samples_.points().empty()) checkDistances();
+  checkWithin();
   checkBatches();
   checkNonFinite();
   checkMotions();
@@ -93,6 +85,7 @@ void GuaranteeCheck<T>::checkLipschitz() {
     tally.expect(change <= *promise_.lipschitz * length(p - q) + error(p) + error(q), "between", p,
                  "and", q, "change", change, "distance", length(p - q));
   }
+  counts_.pairs += tally.all();
 }
 
 template <std::floating_point T>
@@ -134,8 +127,31 @@ void GuaranteeCheck<T>::checkDistances() {
                         (distance <= enough || hasSurfaceAt(p, std::abs(value))),
                     "at", p, "value", value, "but", distance);
   }
+  counts_.distances += under.all();
   if (promise_.inside == Quality::Exact && promise_.outside == Quality::Exact) {
     EXPECT_GT(over.all(), options_.probes / 20) << "choose a larger extent";
+  }
+}
+
+template <std::floating_point T>
+void GuaranteeCheck<T>::checkWithin() {
+  Tally tally("value within an interval");
+  constexpr T kInf = std::numeric_limits<T>::infinity();
+  const auto moved = translated(Solid<T>(scaled(named(solid_, "x"), T(-1.5))), {0, 1, 0});
+  for (int i = 0; i < options_.probes / 2; ++i) {
+    const auto& solid = i % 4 == 3 ? moved : solid_;
+    const auto p = probe();
+    const T value = solid.signedDistance(p);
+    // From far beside the value to an end at it.
+    const T reach = static_cast<T>(extent_ * std::pow(10.0, uniform(-9, 0.5)));
+    const T end = i % 3 == 0 ? value : value + static_cast<T>(uniform(-1, 1)) * reach;
+    const T lower = i % 2 == 0 ? -kInf : end;
+    const T upper = i % 2 == 0 ? end : end + std::abs(reach);
+    const T answer = solid.signedDistanceWithin(p, {lower, upper});
+    const bool isRight = value < lower   ? answer < lower
+                         : value > upper ? answer > upper
+                                         : isSame(answer, value);
+    tally.expect(isRight, "at", p, "value", value, "in", lower, upper, "is", answer);
   }
 }
 
@@ -205,8 +221,11 @@ void GuaranteeCheck<T>::checkMotions() {
 }
 
 template <std::floating_point T>
-void checkGuarantee(const Solid<T>& solid, double extent, const GuaranteeOptions& options) {
-  GuaranteeCheck<T>(solid, extent, options).run();
+GuaranteeCounts checkGuarantee(const Solid<T>& solid, double extent,
+                               const GuaranteeOptions& options) {
+  GuaranteeCheck<T> check(solid, extent, options);
+  check.run();
+  return check.counts();
 }
 
 void expectRounding(const Solid<float>& single, const Solid<double>& twice, double extent) {
@@ -214,7 +233,7 @@ void expectRounding(const Solid<float>& single, const Solid<double>& twice, doub
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   const auto promise = single.guarantee();
-  for (int i = 0; i < 20000 * scaleOfTests(); ++i) {
+  for (int i = 0; i < scaled(20000); ++i) {
     const double size = extent * std::pow(10.0, 4.5 + 4.5 * coordinate(engine)) * 1e-3;
     Vec3<double> direction;
     for (int axis = 0; axis < 3; ++axis) direction[axis] = coordinate(engine);
@@ -231,7 +250,7 @@ void expectRounding(const Solid<float>& single, const Solid<double>& twice, doub
 
 template class GuaranteeCheck<float>;
 template class GuaranteeCheck<double>;
-template void checkGuarantee(const Solid<float>&, double, const GuaranteeOptions&);
-template void checkGuarantee(const Solid<double>&, double, const GuaranteeOptions&);
+template GuaranteeCounts checkGuarantee(const Solid<float>&, double, const GuaranteeOptions&);
+template GuaranteeCounts checkGuarantee(const Solid<double>&, double, const GuaranteeOptions&);
 
 }  // namespace cutwater::test

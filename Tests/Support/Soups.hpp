@@ -3,8 +3,13 @@
 #include <Cutwater/Mesh/PolygonSoup.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <initializer_list>
+#include <numbers>
 #include <vector>
+
+#include "Support/Random.hpp"
 
 namespace cutwater::test {
 
@@ -56,6 +61,24 @@ inline PolygonSoup prism(const std::vector<std::pair<double, double>>& outline, 
   return soup;
 }
 
+/// Both pyramids over an n-gon in the unit circle, of height 1: n triangles at each apex.
+inline PolygonSoup bipyramid(std::uint32_t n) {
+  PolygonSoup soup;
+  soup.patchNames = {"fans"};
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    soup.points.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  soup.points.push_back({0, 0, 1});
+  soup.points.push_back({0, 0, -1});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t next = (i + 1) % n;
+    soup.addPolygon(std::array{i, next, n});
+    soup.addPolygon(std::array{next, i, n + 1});
+  }
+  return soup;
+}
+
 /// An L of arms 2 and thickness 1: area 3, one concave corner at (1, 1).
 inline PolygonSoup lPrism(double height = 1) {
   return prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, height);
@@ -104,6 +127,27 @@ inline PolygonSoup star(std::uint32_t n) {
     polygons[n].push_back(n - i);
   }
   return makeSoup(std::move(points), polygons);
+}
+
+/// Triangles that have nothing to do with each other, about `size` large; needles among them, and
+/// some that are far smaller.
+inline PolygonSoup randomTriangles(int count, double spread, double size) {
+  RandomPoints<double> random(1, /*seed=*/11);
+  PolygonSoup soup;
+  soup.patchNames = {"random"};
+  for (int i = 0; i < count; ++i) {
+    const auto at = spread * random.next();
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    // Every other one a needle, and each seventh of a size of its own.
+    const double scale = std::ldexp(size, i % 7 == 0 ? -(i % 40) : 0);
+    const auto along = scale * random.next();
+    const auto across = (i % 2 == 0 ? 1e-9 * scale : scale) * random.next();
+    for (const auto& corner : {at, at + along, at + 0.4 * along + across}) {
+      soup.points.push_back(corner);
+    }
+    soup.addPolygon(std::array{first, first + 1, first + 2});
+  }
+  return soup;
 }
 
 }  // namespace cutwater::test

@@ -30,10 +30,12 @@ struct SearchableInBlock : SurfaceInBlock<T> {
       : SurfaceInBlock<T>(soup),
         arrays(buildTriangleTree(surface.positions, surface.triangles)),
         packets(packTriangles(surface.positions, surface.triangles, arrays.tree())),
-        search(arrays.tree(), packets) {}
+        hulls(buildHulls(surface.positions, surface.triangles, arrays.tree())),
+        search(arrays.tree(), packets, hulls.hulls, hulls.ofNode) {}
 
   TriangleTreeArrays arrays;
   std::vector<TrianglePacket> packets;
+  HullArrays hulls;
   TriangleSearch search;
 };
 

@@ -8,10 +8,15 @@ import sys
 import tempfile
 import unittest
 
-from readers import Png, Vti, bounds, read_off
+try:
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+except ImportError:
+    vtkXMLUnstructuredGridReader = None  # what it would show is shown by our own reader, too
+
+from readers import Png, Vti, Vtu, bounds, read_off
 
 PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
-SUBCOMMANDS = ["info", "sample", "slice", "convert", "prepare", "make"]
+SUBCOMMANDS = ["info", "sample", "amr", "slice", "convert", "prepare", "make"]
 OPEN_BOX = ("OFF\n8 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
             "4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")
 
@@ -20,6 +25,11 @@ def box_distance(p, half):
     """Signed distance from a box about the origin."""
     q = [abs(c) - h for c, h in zip(p, half)]
     return math.hypot(*(max(c, 0) for c in q)) + min(max(q), 0)
+
+
+def number(value):
+    """As the command writes it."""
+    return f"{value:g}"
 
 
 class CommandTest(unittest.TestCase):
@@ -86,6 +96,14 @@ class Usage(CommandTest):
             with self.subTest(option=option, value=value):
                 self.assertIn(option, self.fails(2, "slice", "a.stl", "-o", "a.png", option, value))
         self.fails(2, "sample", "a.stl", "-o", "a.vti", "--cells", "9", "--spacing", "1")
+        for option, value in [("--level", "-1"), ("--level", "x"), ("--band", "1"), ("--band", "1:"),
+                              ("--band", ":1"), ("--band", "1:-1"), ("--band=-1:2", ""), ("--band", "1:2:3"),
+                              ("--roots", "0"), ("--roots", "2x2x2"), ("--balance", "vertex"), ("--write", "colour")]:
+            with self.subTest(option=option, value=value):
+                level = [] if option == "--level" else ["--level", "1"]
+                given = [option, value] if value else [option]
+                self.assertIn(option.split("=")[0], self.fails(2, "amr", "a.stl", "-o", "a.vtu", *level, *given))
+        self.assertIn("--level", self.fails(2, "amr", "a.stl", "-o", "a.vtu"))
 
 
 class Make(CommandTest):
@@ -303,6 +321,105 @@ class Sample(CommandTest):
         self.assertEqual(self.succeeds("sample", "box.off", "-o", "out.vti", "--quiet"), "")
 
 
+class Amr(CommandTest):
+    AROUND = ("--box", "-2,-2,-2,2,2,2", "--roots", "4")
+
+    def meshed(self, *options):
+        self.succeeds("amr", *options, "box.off", "-o", "out.vtu", "--quiet")
+        return Vtu(self.folder / "out.vtu")
+
+    def setUp(self):
+        super().setUp()
+        self.box(size="2.1,2.1,2.1")  # its sides are between those of the cells
+
+    def test_cells_fill_the_box_and_know_where_they_are(self):
+        mesh = self.meshed(*self.AROUND, "--level", "3", "--write", "distance,normal,patch,class,level")
+        self.assertEqual(list(mesh.arrays), ["distance", "normal", "patch", "class", "level"])
+        self.assertEqual(sum(math.prod(h - l for l, h in zip(*box)) for box in mesh.boxes), 64)
+        self.assertEqual(set(mesh.arrays["patch"]), {0})
+        half = 1.05
+        for n, (low, high) in enumerate(mesh.boxes):
+            center = [(l + h) / 2 for l, h in zip(low, high)]
+            level = mesh.arrays["level"][n]
+            self.assertEqual(high[0] - low[0], 2.0 ** -level)
+            self.assertAlmostEqual(mesh.arrays["distance"][n], box_distance(center, (half,) * 3), delta=1e-14)
+            self.assertAlmostEqual(math.hypot(*mesh.arrays["normal"][n]), 1)
+            if all(-half < l and h < half for l, h in zip(low, high)):
+                kind = 0
+            elif any(h < -half or l > half for l, h in zip(low, high)):
+                kind = 1
+            else:
+                kind = 2
+                self.assertEqual(level, 3)
+            self.assertEqual(mesh.arrays["class"][n], kind)
+        self.assertEqual(mesh.arrays["class"].count(2), 18 ** 3 - 16 ** 3)  # the outermost of -9/8 .. 9/8
+
+    def test_bands(self):
+        mesh = self.meshed(*self.AROUND, "--level", "3", "--band", "0.2:4", "--band", "0.5:2")
+        self.assertEqual(list(mesh.arrays), ["distance", "class", "level"])
+        for n, (low, high) in enumerate(mesh.boxes):
+            distance, reach = abs(mesh.arrays["distance"][n]), math.dist(low, high) / 2
+            if mesh.arrays["level"][n] < 4:
+                self.assertGreater(distance, 0.2)
+            if mesh.arrays["level"][n] < 2:
+                self.assertGreater(distance, 0.5)
+            if mesh.arrays["level"][n] == 4:
+                self.assertLess(distance, 0.2 + 4 * reach)  # its parent is near, or it is next to such
+
+    def test_balance(self):
+        turned = (*self.AROUND, "--rotate", "30,1,2,3", "--level", "4")
+        counts = [len(self.meshed(*turned, "--balance", name).boxes) for name in ["none", "face", "edge", "corner"]]
+        self.assertEqual(counts, sorted(set(counts)))
+        self.assertEqual(len(self.meshed(*turned).boxes), counts[3])
+
+    @unittest.skipIf(vtkXMLUnstructuredGridReader is None, "python3-vtk9 is not installed")
+    def test_vtk_reads_it(self):
+        mesh = self.meshed(*self.AROUND, "--level", "3", "--write", "distance,normal,patch,class,level")
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(self.folder / "out.vtu"))
+        reader.Update()
+        grid = reader.GetOutput()
+        self.assertEqual((reader.GetErrorCode(), grid.GetNumberOfCells()), (0, len(mesh.boxes)))
+        for n, (low, high) in enumerate(mesh.boxes):
+            x0, x1, y0, y1, z0, z1 = grid.GetCell(n).GetBounds()
+            self.assertEqual(((x0, y0, z0), (x1, y1, z1)), (low, high))
+        for name, values in mesh.arrays.items():
+            array = grid.GetCellData().GetArray(name)
+            read = [array.GetTuple(n) for n in range(len(mesh.boxes))]
+            self.assertEqual(read, [v if isinstance(v, tuple) else (v,) for v in values])
+
+    def test_the_box_follows_the_surface(self):
+        mesh = self.meshed("--margin", "0.95", "--roots", "5", "--level", "0")
+        self.assertEqual(len(mesh.boxes), 125)
+        self.assertEqual(bounds([p for box in mesh.boxes for p in box]), (-2, -2, -2, 2, 2, 2))
+        self.assertEqual(len(self.meshed("--level", "0").boxes), 16 ** 3)
+
+    def test_the_same_bytes_for_any_number_of_threads(self):
+        contents = set()
+        for threads in [1, 2, 3]:
+            self.meshed("--roots", "8", "--level", "3", "--threads", threads, "--write", "distance,normal,patch,class,level")
+            contents.add((self.folder / "out.vtu").read_bytes())
+        self.assertEqual(len(contents), 1)
+
+    def test_says_what_it_did(self):
+        text = self.succeeds("amr", "box.off", "-o", "out.vtu", *self.AROUND, "--level", "3")
+        mesh = Vtu(self.folder / "out.vtu")
+        self.assertIn(f"{len(mesh.boxes):,} cells".replace(",", " "), text)
+        self.assertIn("roots: 4 x 4 x 4, from (-2, -2, -2) to (2, 2, 2)", text)
+        for level in range(4):
+            count = f"{mesh.arrays['level'].count(level):,}".replace(",", " ")
+            self.assertRegex(text, rf"level +{level}: +{count} cells of {number(2.0 ** -level)}\n")
+        self.assertIn("cut: 1 736, unknown: 0 cells", text)
+        self.assertRegex(text, r"cells per second")
+        self.assertEqual(self.succeeds("amr", "box.off", "-o", "out.vtu", "--level", "1", "--quiet"), "")
+
+    def test_refusals(self):
+        self.assertIn("level", self.fails(1, "amr", "box.off", "-o", "a.vtu", "--level", "20"))
+        self.assertIn("no/such/a.vtu", self.fails(1, "amr", "box.off", "-o", "no/such/a.vtu", "--level", "1"))
+        self.assertIn("missing.stl", self.fails(1, "amr", "missing.stl", "-o", "a.vtu", "--level", "1"))
+        self.assertEqual([f.name for f in self.folder.iterdir()], ["box.off"])
+
+
 class Slice(CommandTest):
     def test_shows_inside_and_outside(self):
         self.box()
@@ -370,6 +487,18 @@ class Prepare(CommandTest):
             pictures.add(tuple(picture.pixel(x, y) for x in range(200) for y in range(200, 400)))
         self.assertEqual(len(pictures), 1)
 
+    def test_meshes_are_those_of_the_surface(self):
+        self.prepared()
+        for options in [(), ("--rotate", "30,z"), ("--signs", "winding")]:
+            meshes, pictures = set(), set()
+            for surface in ["two.obj", "two.cutwater"]:
+                self.succeeds("amr", surface, "-o", "a.vtu", "--roots", "4", "--level", "3", "--keep=-0.1,0.1,0.1",
+                              "--write", "distance,normal,patch,class,level", "--picture", "a.png", "--title", "two",
+                              "--size", "400x300", "--quiet", *options)
+                meshes.add((self.folder / "a.vtu").read_bytes())
+                pictures.add((self.folder / "a.png").read_bytes())
+            self.assertEqual((len(meshes), len(pictures)), (1, 1), options)
+
     def test_triangles_can_be_taken_out(self):
         self.prepared("--translate", "1,2,3")
         self.succeeds("convert", "two.cutwater", "out.off", "--translate=-1,-2,-3")
@@ -421,7 +550,7 @@ class Prepare(CommandTest):
         (self.folder / "flipped.cutwater").write_bytes(content)
         (self.folder / "cut.cutwater").write_bytes(content[:1500])
         for command in [("info",), ("sample", "-o", "a.vti"), ("slice", "-o", "a.png"), ("convert", "a.stl"),
-                        ("prepare", "-o", "a.cutwater")]:
+                        ("amr", "-o", "a.vtu", "--level", "1"), ("prepare", "-o", "a.cutwater")]:
             for file in ["flipped.cutwater", "cut.cutwater"]:
                 why = self.fails(1, command[0], file, *command[1:])
                 self.assertIn(f"{file}: the geometry file is damaged: ", why)

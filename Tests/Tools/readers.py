@@ -1,4 +1,4 @@
-"""Reads what the command writes, by the formats' descriptions: OFF, VTK images, PNG."""
+"""Reads what the command writes, by the formats' descriptions: OFF, VTK images and grids, PNG."""
 import re
 import struct
 import zlib
@@ -26,26 +26,56 @@ def bounds(points):
     return tuple(round(c, 9) + 0.0 for c in corners)
 
 
-class Vti:
-    """A VTK image: extent of points, origin, spacing, arrays by name; positions of values."""
+class VtkXml:
+    """A VTK file of XML and raw bytes: attributes by name, arrays by name, vectors as tuples."""
+
+    LETTERS = {"Float64": "d", "Float32": "f", "UInt32": "I", "Int32": "i", "Int64": "q", "UInt8": "B"}
 
     def __init__(self, path):
         content = path.read_bytes()
         mark = b'<AppendedData encoding="raw">\n_'
         start = content.index(mark)
-        header, data = content[:start].decode(), content[start + len(mark):]
-        numbers = lambda name, kind: [kind(w) for w in re.search(f' {name}="([^"]*)"', header)[1].split()]
-        self.extent = numbers("WholeExtent", int)
-        self.origin = numbers("Origin", float)
-        self.spacing = numbers("Spacing", float)
-        self.cells = "<CellData " in header
+        self.header, data = content[:start].decode(), content[start + len(mark):]
         self.arrays = {}
-        for kind, name, offset in re.findall(
-                r'<DataArray type="(\w+)" Name="([^"]*)" format="appended" offset="(\d+)"', header):
-            offset = int(offset)
+        for kind, name, components, offset in re.findall(
+                r'<DataArray type="(\w+)" Name="([^"]*)" NumberOfComponents="(\d)" format="appended" '
+                r'offset="(\d+)"', self.header):
+            offset, components, letter = int(offset), int(components), self.LETTERS[kind]
             size, = struct.unpack_from("<Q", data, offset)
-            letter, width = {"Float64": ("d", 8), "Float32": ("f", 4), "UInt32": ("I", 4)}[kind]
-            self.arrays[name] = struct.unpack_from(f"<{size // width}{letter}", data, offset + 8)
+            values = struct.unpack_from(f"<{size // struct.calcsize(letter)}{letter}", data, offset + 8)
+            self.arrays[name] = values if components == 1 else list(zip(*[iter(values)] * components))
+
+    def numbers(self, name, kind):
+        return [kind(w) for w in re.search(f' {name}="([^"]*)"', self.header)[1].split()]
+
+
+class Vtu(VtkXml):
+    """A VTK unstructured grid of voxels: boxes of the cells, (lower, upper), arrays by name."""
+
+    def __init__(self, path):
+        super().__init__(path)
+        points, corners = self.arrays.pop("Points"), self.arrays.pop("connectivity")
+        assert self.numbers("NumberOfPoints", int) == [len(points)] == [len(set(points))]
+        assert self.arrays.pop("offsets") == tuple(range(8, len(corners) + 8, 8))
+        assert set(self.arrays.pop("types")) == {11}
+        self.boxes = []
+        for cell in zip(*[iter(corners)] * 8):
+            low, high = points[cell[0]], points[cell[7]]
+            for corner, node in enumerate(cell):
+                assert points[node] == tuple((high if corner >> a & 1 else low)[a] for a in range(3))
+            self.boxes.append((low, high))
+        assert self.numbers("NumberOfCells", int) == [len(self.boxes)]
+
+
+class Vti(VtkXml):
+    """A VTK image: extent of points, origin, spacing, arrays by name; positions of values."""
+
+    def __init__(self, path):
+        super().__init__(path)
+        self.extent = self.numbers("WholeExtent", int)
+        self.origin = self.numbers("Origin", float)
+        self.spacing = self.numbers("Spacing", float)
+        self.cells = "<CellData " in self.header
 
     def positions(self):
         """Centres of the cells, or the nodes, in the order of the values."""

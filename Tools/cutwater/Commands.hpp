@@ -9,6 +9,7 @@ namespace cutwater::tool {
 
 void addInfo(CLI::App& program);
 void addSample(CLI::App& program);
+void addAmr(CLI::App& program);
 void addSlice(CLI::App& program);
 void addConvert(CLI::App& program);
 void addMake(CLI::App& program);

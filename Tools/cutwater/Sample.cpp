@@ -43,14 +43,14 @@ class Fields {
   }
 
   [[nodiscard]] const FillTargets<double>& targets() const { return targets_; }
-  [[nodiscard]] std::span<const VtiArray> arrays() const { return arrays_; }
+  [[nodiscard]] std::span<const VtkArray> arrays() const { return arrays_; }
   [[nodiscard]] std::span<const double> distance() const { return distance_; }
 
  private:
   std::vector<double> distance_;
   std::vector<std::uint32_t> patch_;
   FillTargets<double> targets_;
-  std::vector<VtiArray> arrays_;
+  std::vector<VtkArray> arrays_;
 };
 
 void report(const Options& options, const Patch<double>& grid, const Fields& fields,
@@ -116,32 +116,6 @@ void addSizes(CLI::App& command, GridRequest& grid) {
       ->excludes(spacing);
 }
 
-void addPlace(CLI::App& command, GridRequest& grid) {
-  auto* box = command.add_option_function<std::string>(
-      "--box",
-      [&](const std::string& text) {
-        const auto v = numbers("--box", text, 6);
-        grid.box = Box<double>{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
-        const auto size = grid.box->size();
-        if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
-          refuse("--box", text, "the lower corner and then the upper one");
-        }
-      },
-      "The box to cover; without it: the surface's, with a margin");
-  box->type_name("X0,Y0,Z0,X1,Y1,Z1");
-  command
-      .add_option_function<std::string>(
-          "--margin",
-          [&](const std::string& text) {
-            grid.margin = numbers("--margin", text, 1).front();
-            if (*grid.margin < 0) refuse("--margin", text, "a number from 0");
-          },
-          "Room around the surface; without it: a tenth of its diagonal")
-      ->type_name("LENGTH")
-      ->excludes(box);
-  command.add_flag("--nodes", grid.nodes, "Values at the nodes of the cells, not at their centres");
-}
-
 }  // namespace
 
 void addSample(CLI::App& program) {
@@ -154,7 +128,9 @@ void addSample(CLI::App& program) {
       ->required()
       ->type_name("FILE.vti");
   addSizes(command, options->grid);
-  addPlace(command, options->grid);
+  addPlaceOptions(command, options->grid);
+  command.add_flag("--nodes", options->grid.nodes,
+                   "Values at the nodes of the cells, not at their centres");
   command
       .add_option_function<std::string>(
           "--band",

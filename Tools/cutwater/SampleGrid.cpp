@@ -2,8 +2,11 @@
 
 #include <Cutwater/Core/Error.hpp>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+
+#include "Arguments.hpp"
 
 namespace cutwater::tool {
 
@@ -62,6 +65,31 @@ Patch<double> gridAround(const Box<double>& surface, const GridRequest& request)
   const std::int32_t more = request.nodes ? 1 : 0;
   return {Level<double>(box.lower, spacing, request.nodes ? Centering::Node : Centering::Cell),
           IndexBox::ofSize(count[0] + more, count[1] + more, count[2] + more)};
+}
+
+void addPlaceOptions(CLI::App& command, GridRequest& grid) {
+  auto* box = command.add_option_function<std::string>(
+      "--box",
+      [&](const std::string& text) {
+        const auto v = numbers("--box", text, 6);
+        grid.box = Box<double>{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+        const auto size = grid.box->size();
+        if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
+          refuse("--box", text, "the lower corner and then the upper one");
+        }
+      },
+      "The box to cover; without it: the surface's, with a margin");
+  box->type_name("X0,Y0,Z0,X1,Y1,Z1");
+  command
+      .add_option_function<std::string>(
+          "--margin",
+          [&](const std::string& text) {
+            grid.margin = numbers("--margin", text, 1).front();
+            if (*grid.margin < 0) refuse("--margin", text, "a number from 0");
+          },
+          "Room around the surface; without it: a tenth of its diagonal")
+      ->type_name("LENGTH")
+      ->excludes(box);
 }
 
 }  // namespace cutwater::tool

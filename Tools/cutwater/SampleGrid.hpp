@@ -6,6 +6,10 @@
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace cutwater::tool {
 
 /// How the grid around a surface is asked for. At most one of cells, total and spacing.
@@ -24,5 +28,8 @@ struct GridRequest {
 /// whose size is given keep it: the box grows to whole cells, about its centre.
 /// @throws Error(Argument) if the surface has no extent, Error(Limit) if the grid is too large.
 [[nodiscard]] Patch<double> gridAround(const Box<double>& surface, const GridRequest& request);
+
+/// Adds --box and --margin. `grid` must live as long as the command.
+void addPlaceOptions(CLI::App& command, GridRequest& grid);
 
 }  // namespace cutwater::tool

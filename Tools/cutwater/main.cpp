@@ -25,7 +25,8 @@ int failed(std::string message, int status) {
 
 void describe(CLI::App& program) {
   program.name("cutwater");
-  program.description("Signed distance fields from surface meshes, for embedded-boundary CFD.");
+  program.description(
+      "Signed distance fields and AMR meshes from surface meshes, for embedded-boundary CFD.");
   program.set_version_flag("--version", "cutwater " CUTWATER_VERSION);
   program.set_help_all_flag("--help-all", "Help for all subcommands");
   program.require_subcommand(1);
@@ -33,6 +34,7 @@ void describe(CLI::App& program) {
       "Examples:\n"
       "  cutwater info hull.stl\n"
       "  cutwater sample hull.stl --cells 200 -o hull.vti\n"
+      "  cutwater amr hull.stl --level 6 -o hull.vtu\n"
       "  cutwater slice hull.stl --axis y -o hull.png\n"
       "\n"
       "'cutwater SUBCOMMAND --help' tells more.\n"
@@ -44,6 +46,7 @@ int run(int argc, const char* const* argv) {
   describe(program);
   cutwater::tool::addInfo(program);
   cutwater::tool::addSample(program);
+  cutwater::tool::addAmr(program);
   cutwater::tool::addSlice(program);
   cutwater::tool::addConvert(program);
   cutwater::tool::addPrepare(program);

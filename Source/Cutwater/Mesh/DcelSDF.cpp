@@ -4,6 +4,8 @@
 #include <Cutwater/Mesh/SoundnessCheck.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
+#include <algorithm>
+
 namespace cutwater {
 
 template <std::floating_point T>
@@ -39,11 +41,14 @@ void DcelSDF<T>::along(const Segment<double>&, TriangleVisitor visit) const {
 }
 
 template <std::floating_point T>
-void DcelSDF<T>::overlapping(const OrientedBox<double>&,
-                             FunctionRef<bool(std::span<const std::uint32_t>)> visit) const {
+BoxOverlap DcelSDF<T>::overlapWith(const OrientedBox<double>& box, std::uint32_t& /*place*/) const {
+  const QueryBox query(box);
+  auto result = BoxOverlap::None;
   for (std::uint32_t id = 0; id < this->surface().triangles.size(); ++id) {
-    if (!visit({&id, 1})) return;
+    result = std::max(result, query.overlapWith(this->surface().corners(id)));
+    if (result == BoxOverlap::Certain) break;
   }
+  return result;
 }
 
 template <std::floating_point T>

@@ -24,8 +24,8 @@ class DcelSDF final : public TriangleSurfaceSDF<T> {
  private:
   [[nodiscard]] typename TriangleSurface<T>::Nearest nearest(const Vec3<T>& p) const override;
   void along(const Segment<double>& segment, TriangleVisitor visit) const override;
-  void overlapping(const OrientedBox<double>& box,
-                   FunctionRef<bool(std::span<const std::uint32_t>)> visit) const override;
+  [[nodiscard]] BoxOverlap overlapWith(const OrientedBox<double>& box,
+                                       std::uint32_t& place) const override;
   void around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const override;
   // Never asked: the surface is closed.
   [[nodiscard]] bool isSurrounded(const Vec3<T>&) const override { return false; }

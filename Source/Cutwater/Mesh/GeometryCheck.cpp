@@ -160,14 +160,16 @@ void checkLayout(const MeshLayout<T>& layout) {
   requireIntact(0 < triangles && triangles < kNone && surface.positions.count < kNone &&
                     surface.patches.count < kNone && winding.triangles.count < kNone,
                 "it has no triangles, or too many");
-  requireIntact(surface.neighbours.count == triangles && surface.polygons.count == triangles &&
-                    surface.slivers.count == (triangles + 31) / 32 &&
-                    surface.pseudonormals.count == surface.positions.count &&
-                    layout.slots.count == TriangleTree::kLeafWidth * layout.packets.count &&
-                    winding.slots.count % WindingTree::kLeafWidth == 0 &&
-                    winding.moments.count == winding.nodes.count &&
-                    winding.edges.count == winding.nodes.count,
-                "arrays that belong together are not of one length");
+  requireIntact(
+      surface.neighbours.count == triangles && surface.polygons.count == triangles &&
+          surface.slivers.count == (triangles + 31) / 32 &&
+          surface.pseudonormals.count == surface.positions.count &&
+          layout.slots.count == TriangleTree::kLeafWidth * layout.packets.count &&
+          (layout.hullsOfNode.count == 0 || layout.hullsOfNode.count == layout.nodes.count) &&
+          winding.slots.count % WindingTree::kLeafWidth == 0 &&
+          winding.moments.count == winding.nodes.count &&
+          winding.edges.count == winding.nodes.count,
+      "arrays that belong together are not of one length");
 }
 
 template <std::floating_point T>
@@ -179,6 +181,9 @@ void checkArrays(const MeshLayout<T>& layout, const Block& block, std::uint64_t 
   const auto tree = layout.tree(block);
   checkTree(tree);
   checkLeaves<TriangleTree::kLeafWidth>(tree.slots(), layout.surface.triangles.count, threads);
+  requireIntact(all(block.array<std::uint32_t>(layout.hullsOfNode), threads,
+                    [&](std::uint32_t i) { return i == kNone || i < layout.hulls.count; }),
+                "a node's hulls are none");
   checkWinding(layout.winding, block, threads);
 }
 

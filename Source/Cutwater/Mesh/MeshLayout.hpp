@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Cutwater/Core/Block.hpp>
+#include <Cutwater/Mesh/ChildHulls.hpp>
 #include <Cutwater/Mesh/OpenWinding.hpp>
-#include <Cutwater/Mesh/TrianglePackets.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
 #include <type_traits>
@@ -18,6 +18,8 @@ struct MeshLayout {
   BvhFrame frame;
   int depth = 0;
   Section packets;
+  Section hulls;
+  Section hullsOfNode;                ///< see HullArrays
   OpenWindingData::Sections winding;  ///< empty for a closed surface
   double reach = 0;                   ///< see OpenWindingData::reach()
   Section insideOut;                  ///< see ShellOrientation
@@ -49,6 +51,8 @@ void visitArrays(MeshLayout<T>& layout, Visit visit) {
   visit(kNodes, layout.nodes);
   visit(kIndices, layout.slots);
   visit(std::type_identity<TrianglePacket>(), layout.packets);
+  visit(std::type_identity<ChildHulls>(), layout.hulls);
+  visit(kIndices, layout.hullsOfNode);
   visit(std::type_identity<Vec3<double>>(), winding.positions);
   visit(kTriples, winding.triangles);
   visit(kNodes, winding.nodes);

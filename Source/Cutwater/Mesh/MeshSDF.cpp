@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/BoxSearch.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/SelfIntersections.hpp>
@@ -78,6 +79,7 @@ template <std::floating_point T>
 void MeshSDF<T>::build(const TriangleSurfaceData<T>& data, const TriangleTreeArrays& tree,
                        std::span<const char> patchNames, FunctionRef<std::string()> defects) {
   const auto packets = packTriangles(data.positions(), data.triangles(), tree.tree());
+  const auto hulls = buildHulls(data.positions(), data.triangles(), tree.tree());
   const bool needsWinding =
       !data.openEdges().empty() && options_.signs != SignScheme::NearestFeature;
   const auto winding =
@@ -91,6 +93,8 @@ void MeshSDF<T>::build(const TriangleSurfaceData<T>& data, const TriangleTreeArr
   layout.frame = tree.frame;
   layout.depth = tree.depth;
   layout.packets = writer.add(packets);
+  layout.hulls = writer.add(hulls.hulls);
+  layout.hullsOfNode = writer.add(hulls.ofNode);
   layout.winding = winding.addTo(writer);
   layout.reach = winding.reach();
   layout.insideOut = writer.add(data.orientation().insideOut);
@@ -110,7 +114,9 @@ void MeshSDF<T>::takeBlock(Block block, const MeshLayout<T>& layout) {
   layout_ = layout;
   this->setSurface(layout.surface.view(block_), layout.reach);
   tree_ = layout.tree(block_);
-  search_ = TriangleSearch(tree_, block_.array<TrianglePacket>(layout.packets));
+  search_ = TriangleSearch(tree_, block_.array<TrianglePacket>(layout.packets),
+                           block_.array<ChildHulls>(layout.hulls),
+                           block_.array<std::uint32_t>(layout.hullsOfNode));
   winding_ = layout.winding.view(block_);
 }
 
@@ -145,8 +151,13 @@ void MeshSDF<T>::probeAmbiguity(std::size_t count, SignReport& signs) const {
 
 template <std::floating_point T>
 auto MeshSDF<T>::nearest(const Vec3<T>& p) const -> Nearest {
+  return nearestWithin(p, TriangleSearch::kAnywhere);
+}
+
+template <std::floating_point T>
+auto MeshSDF<T>::nearestWithin(const Vec3<T>& p, double reach) const -> Nearest {
   auto best = this->surface().nothing(p);
-  search_.nearest(this->surface(), p, best);
+  search_.nearest(this->surface(), p, best, reach);
   return best;
 }
 
@@ -162,9 +173,8 @@ void MeshSDF<T>::along(const Segment<double>& segment, TriangleVisitor visit) co
 }
 
 template <std::floating_point T>
-void MeshSDF<T>::overlapping(const OrientedBox<double>& box,
-                             FunctionRef<bool(std::span<const std::uint32_t>)> visit) const {
-  tree_.overlapping(box, visit);
+BoxOverlap MeshSDF<T>::overlapWith(const OrientedBox<double>& box, std::uint32_t& place) const {
+  return overlapOf(search_, this->surface(), box, place);
 }
 
 template <std::floating_point T>

@@ -88,10 +88,11 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   using Nearest = typename TriangleSurface<T>::Nearest;
 
   [[nodiscard]] Nearest nearest(const Vec3<T>& p) const override;
+  [[nodiscard]] Nearest nearestWithin(const Vec3<T>& p, double reach) const override;
   void nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const override;
   void along(const Segment<double>& segment, TriangleVisitor visit) const override;
-  void overlapping(const OrientedBox<double>& box,
-                   FunctionRef<bool(std::span<const std::uint32_t>)> visit) const override;
+  [[nodiscard]] BoxOverlap overlapWith(const OrientedBox<double>& box,
+                                       std::uint32_t& place) const override;
   void around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const override;
   [[nodiscard]] bool isSurrounded(const Vec3<T>& p) const override;
   [[nodiscard]] bool isDecided(const Box<double>& box) const override;

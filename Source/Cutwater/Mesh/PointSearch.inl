@@ -2,28 +2,14 @@
 
 // The nearest triangle of one point. Compiled once per instruction set.
 
-#include <Cutwater/Mesh/PacketDistance.inl>
+#include <Cutwater/Mesh/NodeReach.inl>
 #include <Cutwater/Mesh/TriangleCompetition.inl>
 
 namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-using Node = BvhNode<16>;
 constexpr double kFarthest = 0x1p58;
-
-// As plain arrays: the standard library's functions stay out.
-static_assert(sizeof(Node) == 448);
-CUTWATER_INLINE inline const float* lowerSide(const Node& node, int axis) {
-  return reinterpret_cast<const float*>(&node) + 16 * axis;
-}
-CUTWATER_INLINE inline const float* upperSide(const Node& node, int axis) {
-  return reinterpret_cast<const float*>(&node) + 16 * (3 + axis);
-}
-
-CUTWATER_INLINE inline const float* axisOf(const Node& node, int i) {
-  return &node.center.x + 3 * (1 + i);
-}
 
 /// A bit for each of 16 squared distances up to the limit.
 CUTWATER_INLINE inline std::uint32_t within(const float* squares, float limit) {
@@ -71,6 +57,7 @@ class Search {
     setLimit();
     depth_ = 0;
     isLeaf_ = false;
+    isCrowded_ = false;
     target_ = 0;
   }
 
@@ -93,6 +80,7 @@ class Search {
         const int lane = leastLane(level.keys, level.pending);
         level.pending &= ~(1U << lane);
         if (level.keys[lane] <= limit_) {
+          if (isCrowded_ && !reaches(*level.node, lane)) continue;
           setTarget(*level.node, lane);
           return true;
         }
@@ -150,6 +138,7 @@ class Search {
       if (id == kNone) break;
       note(id, squareRoot(found[lane]) - error);
     }
+    if (count_ > kCrowd && tree_.hullsOfNode != nullptr) narrow();
   }
 
   /// Evaluates the candidates in full.
@@ -205,7 +194,24 @@ class Search {
       store(keys + lane, sum);
       lanes |= bits(isAtMost(sum, limit)) << lane;
     }
-    return lanes & node.childMask();
+    lanes &= node.childMask();
+    if (const ChildHulls* const hulls = hullsOf(node); hulls != nullptr) {
+      lanes &= raiseToHulls(*hulls, node.toLocal(q_), limit_, keys);
+    }
+    return lanes;
+  }
+  CUTWATER_INLINE const ChildHulls* hullsOf(const Node& node) const {
+    if (tree_.hullsOfNode == nullptr) return nullptr;
+    const std::uint32_t index = tree_.hullsOfNode[&node - tree_.nodes];
+    return index == kNone ? nullptr : tree_.hulls + index;
+  }
+  /// Whether a child may hold one of the nearest triangles, without the rounding of single
+  /// precision.
+  [[gnu::noinline]] bool reaches(const Node& node, int lane) const {
+    const NodePoint p(node, q_, upper_ + slack_);
+    if (!p.reachesBox(lane)) return false;
+    const ChildHulls* const hulls = hullsOf(node);
+    return hulls == nullptr || p.reachesHull(*hulls, lane);
   }
   CUTWATER_INLINE void note(std::uint32_t id, float lower) {
     if (count_ == kMost) {
@@ -228,7 +234,8 @@ class Search {
     count_ = kept;
   }
 
-  /// Drops candidates that full precision shows to be beyond the nearest, and lets these bound it.
+  /// Drops candidates that full precision shows to be beyond the nearest, and lets these bound it;
+  /// from then on nodes and leaves are seen in double precision before they are opened.
   [[gnu::noinline]] void narrow() {
     drop();
     int places[kMost];
@@ -242,9 +249,11 @@ class Search {
       upper_ = upper;
       setLimit();
     }
+    isCrowded_ = true;
   }
 
   static constexpr int kMost = Competition<T>::kMost;
+  static constexpr int kCrowd = 12;  // more are narrowed at once where slivers abound
 
   const TriangleSearch& tree_;
   const TriangleArrays<T>& surface_;
@@ -258,20 +267,20 @@ class Search {
   int count_ = 0;       // candidates: those that may be the nearest, with lower bounds
   std::uint32_t ids_[kMost];
   float lowers_[kMost];
-  bool isLeaf_ = false;  // what to look at next
+  bool isCrowded_ = false;  // more are near than single precision tells apart
+  bool isLeaf_ = false;     // what to look at next
   std::uint32_t target_ = 0;
   int depth_ = 0;
   Level path_[TriangleTree::kMaxDepth];
 };
 
-constexpr double kAnywhere = 0x1p62;
-
 template <typename T, typename Observer = NoObserver>
 CUTWATER_INLINE inline void nearestOne(const TriangleSearch& tree, const TriangleArrays<T>& surface,
                                        const Vec3<T>& p, typename TriangleSurface<T>::Nearest& best,
+                                       double reach = TriangleSearch::kAnywhere,
                                        Observer observer = {}) {
   Search<T, Observer> search(tree, surface, observer);
-  search.start(p, best, kAnywhere);
+  search.start(p, best, reach);
   while (search.step()) {
     if (!tree.isSmall) search.prefetchSecond();
   }

@@ -98,6 +98,12 @@ auto QueryBox::toBox(const Corners& triangle) const -> Corners {
   return {toBox(triangle[0]), toBox(triangle[1]), toBox(triangle[2])};
 }
 
+BoxOverlap QueryBox::overlapWith(const Corners& triangle) const {
+  const auto corners = toBox(triangle);
+  if (isApart(corners)) return BoxOverlap::None;
+  return meets(corners) ? BoxOverlap::Certain : BoxOverlap::Possible;
+}
+
 double QueryBox::separation(const Vec3<double>& axis, const Corners& triangle) const {
   const double a = dot(axis, triangle[0]);
   const double b = dot(axis, triangle[1]);

@@ -3,9 +3,12 @@
 #include <Cutwater/Core/OrientedBox.hpp>
 
 #include <array>
-#include <span>
+#include <cstdint>
 
 namespace cutwater {
+
+/// Whether a box meets triangles: not at all, perhaps, or certainly.
+enum class BoxOverlap : std::uint8_t { None, Possible, Certain };
 
 /// A box that triangles are tested against, in double precision. All answers are certain, for the
 /// box with its slack and in spite of rounding; what is not is left open.
@@ -17,7 +20,9 @@ class QueryBox {
 
   explicit QueryBox(const OrientedBox<double>& box);
 
-  /// As seen from the box: from its centre, along its edges. All below is in this frame.
+  [[nodiscard]] BoxOverlap overlapWith(const Corners& triangle) const;
+
+  /// As seen from the box: from its centre, along its edges. Triangles below are in this frame.
   [[nodiscard]] Corners toBox(const Corners& triangle) const;
 
   /// The triangle has no point in common with the box. (Separating axes: Gottschalk, Lin and
@@ -29,6 +34,14 @@ class QueryBox {
   /// is `enough`.
   /// Less what rounding and the search for the direction of the gap leave, about a thousandth.
   [[nodiscard]] double gap(const Corners& triangle, double enough) const;
+
+  /// Orthonormal; along the half axes, as far as these have a direction.
+  [[nodiscard]] const Vec3<double>& axis(int i) const { return axes_[static_cast<std::size_t>(i)]; }
+  /// The half axes are along x, y and z.
+  [[nodiscard]] static bool isAligned(const OrientedBox<double>& box) {
+    const auto& [x, y, z] = box.halfAxis;
+    return x.y == 0 && x.z == 0 && y.x == 0 && y.z == 0 && z.x == 0 && z.y == 0;
+  }
 
  private:
   [[nodiscard]] Vec3<double> toBox(const Vec3<double>& p) const;

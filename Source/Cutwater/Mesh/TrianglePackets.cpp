@@ -25,8 +25,17 @@ void set(std::array<TrianglePacket::Lanes, 3>& to, std::size_t lane, const Vec3<
   }
 }
 
-/// Of triangles in the tree's frame.
-TrianglePacket packed(std::span<const Corners> triangles) {
+}  // namespace
+
+std::array<Vec3<double>, 3> TrianglePacket::corners(std::size_t lane) const {
+  const auto at = [lane](const std::array<Lanes, 3>& v) -> Vec3<double> {
+    return {v[0][lane], v[1][lane], v[2][lane]};
+  };
+  const Vec3<double> first = Vec3<double>(center) + at(a);
+  return {first, first + at(ab), first + at(ac)};
+}
+
+TrianglePacket packTriangles(std::span<const Corners> triangles) {
   Box<double> box;
   for (const auto& triangle : triangles) {
     for (const auto& corner : triangle) box.extend(corner);
@@ -47,8 +56,6 @@ TrianglePacket packed(std::span<const Corners> triangles) {
   packet.radius = static_cast<float>(radius * (1 + 0x1p-20));
   return packet;
 }
-
-}  // namespace
 
 template <std::floating_point T>
 TriangleTreeArrays buildTriangleTree(std::span<const Vec3<T>> positions,
@@ -87,7 +94,7 @@ std::vector<TrianglePacket> packTriangles(std::span<const Vec3<T>> positions,
         for (auto& corner : corners[count]) corner = tree.frame().toFrame(corner);
         ++count;
       }
-      packets[n] = packed(std::span(corners).first(count));
+      packets[n] = packTriangles(std::span(corners).first(count));
     }
   });
   return packets;

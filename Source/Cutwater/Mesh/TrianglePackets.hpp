@@ -24,6 +24,9 @@ struct alignas(64) TrianglePacket {
   Vec3<float> center;
   float radius = 0;                        ///< all corners are within it of the centre
   std::array<std::uint32_t, 12> unused{};  ///< to the end of the cache line: equal bytes
+
+  /// Of the triangle that the rounded numbers stand for.
+  [[nodiscard]] std::array<Vec3<double>, 3> corners(std::size_t lane) const;
 };
 
 /// The tree of a triangle mesh.
@@ -39,6 +42,9 @@ template <std::floating_point T>
 [[nodiscard]] TriangleTreeArrays refittedTriangleTree(
     const TriangleTree& tree, std::span<const Vec3<T>> positions,
     std::span<const std::array<std::uint32_t, 3>> triangles);
+
+/// At most as many as a packet has lanes.
+[[nodiscard]] TrianglePacket packTriangles(std::span<const std::array<Vec3<double>, 3>> triangles);
 
 /// One packet for each leaf of the tree.
 template <std::floating_point T>

@@ -7,7 +7,7 @@ namespace {
 
 template <std::floating_point T>
 using NearestTriangle = void(const TriangleSearch&, const TriangleArrays<T>&, const Vec3<T>&,
-                             typename TriangleSurface<T>::Nearest&);
+                             typename TriangleSurface<T>::Nearest&, double);
 template <std::floating_point T>
 using NearestTriangles = void(const TriangleSearch&, const TriangleArrays<T>&, const Vec3<T>*,
                               typename TriangleSurface<T>::Nearest*, std::size_t);
@@ -16,7 +16,7 @@ using NearestTriangles = void(const TriangleSearch&, const TriangleArrays<T>&, c
 
 #define CUTWATER_DECLARE_FOR(T)                                                          \
   void nearestTriangle(const TriangleSearch&, const TriangleArrays<T>&, const Vec3<T>&,  \
-                       TriangleSurface<T>::Nearest&);                                    \
+                       TriangleSurface<T>::Nearest&, double);                            \
   void nearestTriangles(const TriangleSearch&, const TriangleArrays<T>&, const Vec3<T>*, \
                         TriangleSurface<T>::Nearest*, std::size_t);
 #define CUTWATER_DECLARE(set)  \
@@ -44,18 +44,22 @@ constexpr std::size_t kSmall = std::size_t{1} << 20;
 
 }  // namespace
 
-TriangleSearch::TriangleSearch(const TriangleTree& tree, std::span<const TrianglePacket> leaves)
+TriangleSearch::TriangleSearch(const TriangleTree& tree, std::span<const TrianglePacket> leaves,
+                               std::span<const ChildHulls> childHulls,
+                               std::span<const std::uint32_t> ofNode)
     : nodes(tree.nodes().data()),
       slots(tree.slots().data()),
       packets(leaves.data()),
+      hulls(childHulls.data()),
+      hullsOfNode(ofNode.empty() ? nullptr : ofNode.data()),
       frame(tree.frame()),
       isSmall(leaves.size_bytes() <= kSmall) {}
 
 template <std::floating_point T>
 void TriangleSearch::nearest(const TriangleSurface<T>& surface, const Vec3<T>& p,
-                             typename TriangleSurface<T>::Nearest& best) const {
+                             typename TriangleSurface<T>::Nearest& best, double reach) const {
   static NearestTriangle<T>* const function = CUTWATER_BEST_OF(NearestTriangle<T>, nearestTriangle);
-  function(*this, TriangleArrays<T>(surface), p, best);
+  function(*this, TriangleArrays<T>(surface), p, best, reach);
 }
 
 template <std::floating_point T>
@@ -67,11 +71,11 @@ void TriangleSearch::nearest(const TriangleSurface<T>& surface, std::span<const 
 }
 
 template void TriangleSearch::nearest(const TriangleSurface<float>&, const Vec3<float>&,
-                                      TriangleSurface<float>::Nearest&) const;
+                                      TriangleSurface<float>::Nearest&, double) const;
 template void TriangleSearch::nearest(const TriangleSurface<float>&, std::span<const Vec3<float>>,
                                       std::span<TriangleSurface<float>::Nearest>) const;
 template void TriangleSearch::nearest(const TriangleSurface<double>&, const Vec3<double>&,
-                                      TriangleSurface<double>::Nearest&) const;
+                                      TriangleSurface<double>::Nearest&, double) const;
 template void TriangleSearch::nearest(const TriangleSurface<double>&, std::span<const Vec3<double>>,
                                       std::span<TriangleSurface<double>::Nearest>) const;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Mesh/TrianglePackets.hpp>
+#include <Cutwater/Mesh/ChildHulls.hpp>
 #include <Cutwater/Mesh/TriangleSurface.hpp>
 
 namespace cutwater {
@@ -33,17 +33,21 @@ struct TriangleSearch {
   const BvhNode<16>* nodes = nullptr;
   const std::uint32_t* slots = nullptr;
   const TrianglePacket* packets = nullptr;
+  const ChildHulls* hulls = nullptr;
+  const std::uint32_t* hullsOfNode = nullptr;  ///< null: there are none
   BvhFrame frame;
   bool isSmall = false;  ///< and stays in a processor's second cache
 
   TriangleSearch() = default;
-  TriangleSearch(const TriangleTree& tree, std::span<const TrianglePacket> leaves);
+  TriangleSearch(const TriangleTree& tree, std::span<const TrianglePacket> leaves,
+                 std::span<const ChildHulls> childHulls, std::span<const std::uint32_t> ofNode);
 
-  /// Lets all triangles compete that may be the nearest to `p`, or tie with it within rounding.
-  /// `best` is surface.nothing(p), or what is known already.
+  /// Lets all triangles compete that may be the nearest to `p`, or tie with it within rounding, if
+  /// that is within `reach`. `best` is surface.nothing(p), or what is known already.
   template <std::floating_point T>
   void nearest(const TriangleSurface<T>& surface, const Vec3<T>& p,
-               typename TriangleSurface<T>::Nearest& best) const;
+               typename TriangleSurface<T>::Nearest& best, double reach = kAnywhere) const;
+  static constexpr double kAnywhere = 0x1p62;
 
   /// The same for many points, each with its own `bests`. Neighbours in the span are best close to
   /// each other in space.

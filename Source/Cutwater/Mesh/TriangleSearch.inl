@@ -27,7 +27,7 @@ class Team {
       end_[i] = count * static_cast<std::size_t>(i + 1) / kSize;
       if (next_[i] == end_[i]) continue;
       active_[busy++] = i;
-      search_[i].start(points_[next_[i]], bests_[next_[i]], kAnywhere);
+      search_[i].start(points_[next_[i]], bests_[next_[i]], TriangleSearch::kAnywhere);
     }
     while (busy > 0) {
       for (int n = 0; n < busy;) {
@@ -113,15 +113,15 @@ CUTWATER_INLINE inline void nearestOfMany(const TriangleSearch& tree,
 
 }  // namespace
 
-#define CUTWATER_DEFINE(T)                                                            \
-  void nearestTriangle(const TriangleSearch& tree, const TriangleArrays<T>& surface,  \
-                       const Vec3<T>& p, TriangleSurface<T>::Nearest& best) {         \
-    nearestOne(tree, surface, p, best);                                               \
-  }                                                                                   \
-  void nearestTriangles(const TriangleSearch& tree, const TriangleArrays<T>& surface, \
-                        const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,    \
-                        std::size_t count) {                                          \
-    nearestOfMany(tree, surface, points, bests, count);                               \
+#define CUTWATER_DEFINE(T)                                                                  \
+  void nearestTriangle(const TriangleSearch& tree, const TriangleArrays<T>& surface,        \
+                       const Vec3<T>& p, TriangleSurface<T>::Nearest& best, double reach) { \
+    nearestOne(tree, surface, p, best, reach);                                              \
+  }                                                                                         \
+  void nearestTriangles(const TriangleSearch& tree, const TriangleArrays<T>& surface,       \
+                        const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,          \
+                        std::size_t count) {                                                \
+    nearestOfMany(tree, surface, points, bests, count);                                     \
   }
 CUTWATER_DEFINE(float)
 CUTWATER_DEFINE(double)

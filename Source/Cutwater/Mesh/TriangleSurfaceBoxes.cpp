@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Scratch.hpp>
 #include <Cutwater/Mesh/QueryBox.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
@@ -8,6 +9,14 @@
 // What a mesh answers about boxes.
 
 namespace cutwater {
+
+namespace {
+
+// Words of a hint: the class, plus one, of all boxes within; where their triangles are.
+constexpr std::size_t kKnown = 0;
+constexpr std::size_t kPlace = 1;
+
+}  // namespace
 
 template <std::floating_point T>
 auto TriangleSurfaceSDF<T>::scaled(const OrientedBox<T>& box) const
@@ -20,24 +29,12 @@ auto TriangleSurfaceSDF<T>::scaled(const OrientedBox<T>& box) const
     result.halfAxis[i] = scale * Vec3<double>(box.halfAxis[i]);
   }
   result.slack = scale * double{box.slack};
-  if (!(maxComponent(abs(result.center)) + result.radius() < kTooLarge)) return {};
-  return result;
-}
-
-template <std::floating_point T>
-auto TriangleSurfaceSDF<T>::overlapWith(const OrientedBox<double>& box) const -> Overlap {
-  const QueryBox query(box);
-  auto result = Overlap::None;
-  overlapping(box, [&](std::span<const std::uint32_t> ids) {
-    for (const auto id : ids) {
-      if (id == kNone) break;
-      const auto corners = query.toBox(surface_.corners(id));
-      if (query.isApart(corners)) continue;
-      result = query.meets(corners) ? Overlap::Certain : Overlap::Possible;
-      if (result == Overlap::Certain) return false;
-    }
-    return true;
-  });
+  const double far = maxComponent(abs(result.center));
+  // Cheaper than the radius, which is less.
+  double size = result.slack;
+  for (const auto& half : result.halfAxis) size += 2 * maxComponent(abs(half));
+  if (far + size < kTooLarge) return result;
+  if (!(far + result.radius() < kTooLarge)) return {};
   return result;
 }
 
@@ -86,36 +83,87 @@ Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHin
 }
 
 template <std::floating_point T>
-BoxClass TriangleSurfaceSDF<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
-  if (hint != nullptr && hint->words[0] != 0) return static_cast<BoxClass>(hint->words[0] - 1);
+std::optional<BoxClass> TriangleSurfaceSDF<T>::classUnlessClear(const OrientedBox<T>& box,
+                                                                BoxHint* hint) const {
+  BoxHint none;
+  auto& words = (hint != nullptr ? hint : &none)->words;
+  if (words[kKnown] != 0) return static_cast<BoxClass>(words[kKnown] - 1);
   const auto q = scaled(box);
-  const auto overlap = q ? overlapWith(*q) : Overlap::Possible;
-  if (overlap == Overlap::Certain && signs_.isSound()) return BoxClass::Cut;
-  if (overlap != Overlap::None || !isJumpFree(q->bounds())) {
-    return SignedDistanceFunction<T>::localClassify(box, hint);
-  }
-  const Vec3<T> p = scaled(box.center);
-  const auto nearest = this->nearest(p);
+  const auto overlap = q ? overlapWith(*q, words[kPlace]) : BoxOverlap::Possible;
+  if (overlap == BoxOverlap::Certain && signs_.isSound()) return BoxClass::Cut;
+  if (overlap == BoxOverlap::None && isJumpFree(q->bounds())) return {};
+  return SignedDistanceFunction<T>::localClassify(box, hint);
+}
+
+template <std::floating_point T>
+BoxClass TriangleSurfaceSDF<T>::classOfClear(const OrientedBox<T>& box, const Vec3<T>& p,
+                                             const Nearest& nearest, BoxHint* hint) const {
   const auto found = side(p, nearest) < 0 ? BoxClass::Inside : BoxClass::Outside;
+  if (hint == nullptr || !signs_.isClosed()) return found;
   // Of boxes within this one the same is found if there is room even for their rounding.
+  const auto q = scaled(box);
   const double room = std::sqrt(double{nearest.distanceSquared}) - 8 * double{nearest.error};
   const double rounding = 4 * q->slack + 0x1p-40 * (1 + maxComponent(abs(q->center)));
-  if (hint != nullptr && signs_.isClosed() && room > 1.01 * q->radius() + rounding) {
-    hint->words[0] = static_cast<std::uint32_t>(found) + 1;
+  if (room > 1.01 * q->radius() + rounding) {
+    hint->words[kKnown] = static_cast<std::uint32_t>(found) + 1;
   }
   return found;
+}
+
+template <std::floating_point T>
+BoxClass TriangleSurfaceSDF<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
+  if (const auto known = classUnlessClear(box, hint)) return *known;
+  const Vec3<T> p = scaled(box.center);
+  return classOfClear(box, p, nearest(p), hint);
+}
+
+template <std::floating_point T>
+void TriangleSurfaceSDF<T>::localClasses(std::span<const OrientedBox<T>> boxes,
+                                         std::span<BoxClass> classes,
+                                         std::span<BoxHint> hints) const {
+  const auto hint = [&](std::size_t i) { return hints.empty() ? nullptr : &hints[i]; };
+  // What no triangle meets, to be asked for a sign together.
+  Scratch<std::size_t, kBatch> clear;
+  Scratch<Vec3<T>, kBatch> p;
+  Scratch<Nearest, kBatch> nearest;
+  for (std::size_t begin = 0; begin < boxes.size(); begin += kBatch) {
+    const auto end = std::min(begin + kBatch, boxes.size());
+    std::size_t count = 0;
+    for (auto i = begin; i < end; ++i) {
+      if (const auto known = classUnlessClear(boxes[i], hint(i))) {
+        classes[i] = *known;
+      } else {
+        clear[count] = i;
+        p[count++] = scaled(boxes[i].center);
+      }
+    }
+    this->nearest(p.first(count), nearest.first(count));
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto i = clear[k];
+      classes[i] = classOfClear(boxes[i], p[k], nearest[k], hint(i));
+    }
+  }
 }
 
 // The rest of the class is instantiated where it is defined.
 #define CUTWATER_DEFINE(T)                                                                        \
   template auto TriangleSurfaceSDF<T>::scaled(const OrientedBox<T>&)                              \
       const->std::optional<OrientedBox<double>>;                                                  \
-  template auto TriangleSurfaceSDF<T>::overlapWith(const OrientedBox<double>&) const->Overlap;    \
   template double TriangleSurfaceSDF<T>::gapTo(const OrientedBox<double>&, double) const;         \
   template Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>&, BoxHint*) const; \
+  template std::optional<BoxClass> TriangleSurfaceSDF<T>::classUnlessClear(const OrientedBox<T>&, \
+                                                                           BoxHint*) const;       \
+  template BoxClass TriangleSurfaceSDF<T>::classOfClear(const OrientedBox<T>&, const Vec3<T>&,    \
+                                                        const Nearest&, BoxHint*) const;          \
   template BoxClass TriangleSurfaceSDF<T>::localClassify(const OrientedBox<T>&, BoxHint*) const;
 CUTWATER_DEFINE(float)
 CUTWATER_DEFINE(double)
 #undef CUTWATER_DEFINE
+template void TriangleSurfaceSDF<float>::localClasses(std::span<const OrientedBox<float>>,
+                                                      std::span<BoxClass>,
+                                                      std::span<BoxHint>) const;
+template void TriangleSurfaceSDF<double>::localClasses(std::span<const OrientedBox<double>>,
+                                                       std::span<BoxClass>,
+                                                       std::span<BoxHint>) const;
 
 }  // namespace cutwater

@@ -94,6 +94,27 @@ T TriangleSurfaceSDF<T>::localSignedDistance(const Vec3<T>& point) const {
 }
 
 template <std::floating_point T>
+bool TriangleSurfaceSDF<T>::leavesBox(const Vec3<T>& point, T radius) const {
+  const Vec3<T> gap = max(box_.lower - point, point - box_.upper);
+  return maxComponent(gap) + radius > 4 * surface_.error(surface_.scale * point) / surface_.scale;
+}
+
+template <std::floating_point T>
+T TriangleSurfaceSDF<T>::localSignedDistanceWithin(const Vec3<T>& point,
+                                                   const Interval<T>& wanted) const {
+  constexpr T kInf = std::numeric_limits<T>::infinity();
+  const T radius = std::max(wanted.upper, T(0));
+  const Vec3<T> p = scaled(point);
+  if (!(radius < kInf) || !signs_.isClosed() || maxComponent(abs(p)) >= kFarthest<T> ||
+      !leavesBox(point, radius)) {
+    return localSignedDistance(point);
+  }
+  const T reach = surface_.scale * radius + 4 * surface_.error(p);
+  const auto found = nearestWithin(p, double{reach});
+  return found.distanceSquared <= reach * reach ? valueAt(point, p, found) : kInf;
+}
+
+template <std::floating_point T>
 void TriangleSurfaceSDF<T>::nearest(std::span<const Vec3<T>> points,
                                     std::span<Nearest> nearest) const {
   for (std::size_t i = 0; i < points.size(); ++i) nearest[i] = this->nearest(points[i]);

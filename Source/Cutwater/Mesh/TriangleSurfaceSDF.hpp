@@ -1,10 +1,13 @@
 #pragma once
 
+#include <Cutwater/Mesh/QueryBox.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
 #include <Cutwater/Mesh/SurfaceLocation.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 namespace cutwater {
+
+class QueryBox;
 
 /// What all mesh functions share: the answers that follow once the nearest triangle is known. How
 /// triangles are found is the subclass' business, and changes no bit.
@@ -28,17 +31,21 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
 
   /// The triangle nearest to `p`, of equals the one with the lowest id, and whatever ties with it.
   [[nodiscard]] virtual Nearest nearest(const Vec3<T>& p) const = 0;
+  /// The same if its distance is at most `reach`; if not, any triangle or none.
+  [[nodiscard]] virtual Nearest nearestWithin(const Vec3<T>& p, double /*reach*/) const {
+    return nearest(p);
+  }
   /// The same for each of at most kBatch points.
   virtual void nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const;
   static constexpr std::size_t kBatch = 256;
   /// See TrianglesAlong.
   virtual void along(const Segment<double>& segment, TriangleVisitor visit) const = 0;
-  /// Shows at least all triangles that the box meets, until visit(ids) answers false. Ids end at
-  /// the first kNone.
-  virtual void overlapping(const OrientedBox<double>& box,
-                           FunctionRef<bool(std::span<const std::uint32_t>)> visit) const = 0;
+  /// What QueryBox tells about the triangles, the most certain of it. `place`: what is known of
+  /// where triangles are that boxes within this one meet; 0 at first.
+  [[nodiscard]] virtual BoxOverlap overlapWith(const OrientedBox<double>& box,
+                                               std::uint32_t& place) const = 0;
   /// Shows at least all triangles that are no farther from the box than what visit(ids) returns,
-  /// and `limit` at first.
+  /// and `limit` at first. Ids end at the first kNone.
   virtual void around(const OrientedBox<double>& box, double limit,
                       TriangleVisitor visit) const = 0;
   // The winding number of a surface that is not closed: whether it exceeds 1/2 at the point, and
@@ -64,6 +71,11 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
 
  private:
   [[nodiscard]] T localSignedDistance(const Vec3<T>& point) const final;
+  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& point,
+                                            const Interval<T>& wanted) const final;
+  /// Whether a ball about the point leaves the mesh's box, both in the mesh's own units: if it
+  /// holds no triangle of a closed surface, the point is outside.
+  [[nodiscard]] bool leavesBox(const Vec3<T>& point, T radius) const;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const final;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& point) const final;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& point) const final;
@@ -73,8 +85,15 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const final;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
+  bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const final;
+  [[nodiscard]] SurfaceFacet<T> facet(std::uint32_t id, const QueryBox& box) const;
+  void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
+                    std::span<BoxHint> hints) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
+  [[nodiscard]] Box<T> localClearanceBox() const final {
+    return signs_.isClosed() ? box_ : Box<T>::everywhere();  // no triangle is beyond it
+  }
   [[nodiscard]] std::string localName() const final;
   // `point` and, in the surface's units, `p` are the same.
   [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest) const;
@@ -86,8 +105,11 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
 
   /// In scaled units; nothing if it is too large or too far for these to resolve it.
   [[nodiscard]] std::optional<OrientedBox<double>> scaled(const OrientedBox<T>& box) const;
-  enum class Overlap : std::uint8_t { None, Possible, Certain };
-  [[nodiscard]] Overlap overlapWith(const OrientedBox<double>& box) const;
+  /// The class of a box, unless no triangle meets it, and no jump: then it is that of its centre.
+  [[nodiscard]] std::optional<BoxClass> classUnlessClear(const OrientedBox<T>& box,
+                                                         BoxHint* hint) const;
+  [[nodiscard]] BoxClass classOfClear(const OrientedBox<T>& box, const Vec3<T>& p,
+                                      const Nearest& nearest, BoxHint* hint) const;
   /// How far the triangles are from the box at least; known to be within `limit`.
   [[nodiscard]] double gapTo(const OrientedBox<double>& box, double limit) const;
   /// Whether the sign certainly changes nowhere in the box, in scaled units, but at triangles.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Operations/DerivedGuarantee.hpp>
 #include <Cutwater/Operations/OperandPatches.hpp>
 
 #include <array>
@@ -18,6 +19,10 @@ class BinaryOperation : public SignedDistanceFunction<T> {
   [[nodiscard]] const Solid<T>& first() const { return operands_[0]; }
   [[nodiscard]] const Solid<T>& second() const { return operands_[1]; }
   [[nodiscard]] const Solid<T>& operand(std::size_t i) const { return operands_[i]; }
+  /// Beyond it both values are at least the distance to it.
+  [[nodiscard]] Box<T> clearanceOfBoth() const {
+    return detail::clearanceBoxOf<T>(operands_, /*least=*/true);
+  }
   [[nodiscard]] SurfaceOwner counted(SurfaceOwner owner, std::size_t operand) const {
     return patches_.counted(owner, operand);
   }

@@ -27,6 +27,7 @@ class Blend final : public BinaryOperation<T> {
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
+  [[nodiscard]] Box<T> localClearanceBox() const override { return this->clearanceOfBoth(); }
 
   T t_;
 };

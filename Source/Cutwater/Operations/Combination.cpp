@@ -47,27 +47,36 @@ Combination<T>::Combination(const char* name, Decides decides, std::vector<Solid
   }
   if (!least) guarantee_ = detail::swapped(guarantee_);
   if (boundingBox_.empty()) boundingBox_ = {};
+  clearanceBox_ = detail::clearanceBoxOf<T>(operands_, least);
   tree_ = detail::OperandTree<T>(bounds, beginning != nullptr ? &beginning->tree_ : nullptr);
 }
 
 template <std::floating_point T>
-auto Combination<T>::decide(const Vec3<T>& p) const -> Decision {
-  Decision least{kNone, std::numeric_limits<T>::infinity()};
+auto Combination<T>::decide(const Vec3<T>& p, Interval<T> wanted) const -> Decision {
+  constexpr T kInf = std::numeric_limits<T>::infinity();
+  Decision least{kNone, kInf};
+  const bool isAllWanted = wanted.upper == kInf;
+  // Values that are beyond the least so far only have to be known to be.
   const auto ask = [&](std::size_t i) {
-    const T value = side() * operands_[i].signedDistance(p);
+    const T value = sidedValue(i, p, wanted);
     if (value < least.value || (value == least.value && i < least.operand)) least = {i, value};
-    return least.value;
+    wanted.upper = std::min(wanted.upper, least.value);
+    return wanted.upper;
   };
-  const auto askFirst = [&] { least = {0, side() * operands_[0].signedDistance(p)}; };
+  const auto askFirst = [&] {
+    least = {0, sidedValue(0, p, wanted)};
+    wanted.upper = std::min(wanted.upper, least.value);
+  };
   if (tree_.helpsAt(p)) {
     if (tree_.asksFirst()) askFirst();
     for (const auto i : tree_.alwaysButFirst()) ask(i);
-    tree_.forLeastAt(p, least.value, ask);
+    tree_.forLeastAt(p, wanted.upper, ask);
   } else {
     askFirst();
     for (std::size_t i = 1; i < operands_.size(); ++i) ask(i);
   }
-  if (least.operand == kNone) askFirst();  // all broke their promise of a number
+  // All broke their promise of a number, or are beyond what is wanted.
+  if (least.operand == kNone && isAllWanted) askFirst();
   return {least.operand, side() * least.value};
 }
 
@@ -77,11 +86,17 @@ T Combination<T>::localSignedDistance(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+T Combination<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
+  return decide(p, decides_ == Decides::Least ? wanted : -wanted).value;
+}
+
+template <std::floating_point T>
 T Combination<T>::decidingValue(const Vec3<T>& p, T ofAlwaysAsked) const {
   if (!tree_.helpsAt(p)) return decide(p).value;
   T least = side() * ofAlwaysAsked;
   tree_.forLeastAt(p, least, [&](std::size_t i) {
-    return least = std::min(least, side() * operands_[i].signedDistance(p));
+    const Interval<T> nearer{-std::numeric_limits<T>::infinity(), least};
+    return least = std::min(least, sidedValue(i, p, nearer));
   });
   return std::isinf(least) ? decide(p).value : side() * least;
 }
@@ -218,6 +233,20 @@ Interval<T> Combination<T>::localBounds(const OrientedBox<T>& box, BoxHint*) con
   };
   forEachNear(box, std::numeric_limits<double>::infinity(), ask);
   return {found->lower + T(0), found->upper + T(0)};  // of zeros, -0 is not the less
+}
+
+template <std::floating_point T>
+bool Combination<T>::localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const {
+  bool areAll = true;
+  bool goesOn = true;
+  forEachNear(box, 0, [&](std::size_t i) {
+    areAll &= this->facetsOf(operands_[i], box, [&](SurfaceFacet<T> facet) {
+      facet.owner = patches_.counted(facet.owner, i);
+      return goesOn = visit(facet);
+    });
+    return goesOn ? 0.0 : kStopTraversal;
+  });
+  return areAll;
 }
 
 template <std::floating_point T>

@@ -16,10 +16,10 @@ namespace cutwater {
 /// that lies within another operand, and so not on the surface, is replaced by a projection along
 /// the gradient.
 ///
-/// A query costs one per operand if there are few. Of many, those with a finite bounding box and
-/// exact distances outside are found by a tree over their boxes, and most are not asked; so are, in
-/// an intersection, the complements of such, which differences take away. Answers are the same, to
-/// the bit: see OperandTree.
+/// A query costs one per operand if there are few. Of many, those with a finite clearanceBox() are
+/// found by a tree over their boxes, and most are not asked; so are, in an intersection, the
+/// complements of such, which differences take away. Answers are the same, to the bit: see
+/// OperandTree.
 ///
 /// A least value is exact outside and a lower bound inside, a greatest the other way round, as far
 /// as the operands are.
@@ -39,6 +39,8 @@ class Combination : public SignedDistanceFunction<T> {
 
  private:
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const final;
+  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& p,
+                                            const Interval<T>& wanted) const final;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const final;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const final;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const final;
@@ -47,8 +49,10 @@ class Combination : public SignedDistanceFunction<T> {
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const final;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
+  bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const final;
   [[nodiscard]] Guarantee<T> localGuarantee() const final { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const final { return boundingBox_; }
+  [[nodiscard]] Box<T> localClearanceBox() const final { return clearanceBox_; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const final;
   [[nodiscard]] std::string localName() const final {
     return decides_ == Decides::Least ? "Union" : "Intersection";
@@ -63,7 +67,17 @@ class Combination : public SignedDistanceFunction<T> {
     std::size_t operand;
     T value;
   };
-  [[nodiscard]] Decision decide(const Vec3<T>& p) const;
+  [[nodiscard]] Decision decide(const Vec3<T>& p) const {
+    return decide(p, Interval<T>::everything());
+  }
+  /// `wanted` as for localSignedDistanceWithin(), of the values times side().
+  [[nodiscard]] Decision decide(const Vec3<T>& p, Interval<T> wanted) const;
+  /// The operand's value times side(), if that is wanted.
+  [[nodiscard]] T sidedValue(std::size_t operand, const Vec3<T>& p,
+                             const Interval<T>& wanted) const {
+    const auto ofOperand = decides_ == Decides::Least ? wanted : -wanted;
+    return side() * operands_[operand].signedDistanceWithin(p, ofOperand);
+  }
   /// The deciding value, if that of the operands that are always asked is known.
   [[nodiscard]] T decidingValue(const Vec3<T>& p, T ofAlwaysAsked) const;
   /// Whether an operand whose value is to be the least may be negative in all of the box.
@@ -82,6 +96,7 @@ class Combination : public SignedDistanceFunction<T> {
   detail::OperandPatches<T> patches_;
   Guarantee<T> guarantee_;
   Box<T> boundingBox_;
+  Box<T> clearanceBox_;
   detail::OperandTree<T> tree_;
 };
 

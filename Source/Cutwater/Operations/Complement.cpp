@@ -8,6 +8,11 @@ T Complement<T>::localSignedDistance(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+T Complement<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
+  return -operand().signedDistanceWithin(p, -wanted);
+}
+
+template <std::floating_point T>
 void Complement<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                          std::span<T> distances) const {
   this->operandValues(points, distances);
@@ -56,6 +61,15 @@ CrossingCount Complement<T>::localCrossings(const Segment<T>& segment,
 template <std::floating_point T>
 Interval<T> Complement<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) const {
   return -this->boundsOf(operand(), box, hint);
+}
+
+template <std::floating_point T>
+bool Complement<T>::localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const {
+  return this->facetsOf(operand(), box, [&](SurfaceFacet<T> facet) {
+    facet.normal = -facet.normal;
+    for (auto& normal : facet.across) normal = -normal;
+    return visit(facet);
+  });
 }
 
 template <std::floating_point T>

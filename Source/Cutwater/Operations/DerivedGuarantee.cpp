@@ -23,9 +23,25 @@ Guarantee<T> swapped(Guarantee<T> g) {
   return g;
 }
 
+template <std::floating_point T>
+Box<T> clearanceBoxOf(std::span<const Solid<T>> operands, bool least) {
+  Box<T> result = operands[0].clearanceBox();
+  for (const auto& operand : operands.subspan(1)) {
+    const auto box = operand.clearanceBox();
+    if (least) {
+      result.extend(box);
+    } else if (box.diagonal() < result.diagonal()) {
+      result = box;
+    }
+  }
+  return result;
+}
+
 template Guarantee<float> common(const Guarantee<float>&, const Guarantee<float>&);
 template Guarantee<double> common(const Guarantee<double>&, const Guarantee<double>&);
 template Guarantee<float> swapped(Guarantee<float>);
 template Guarantee<double> swapped(Guarantee<double>);
+template Box<float> clearanceBoxOf(std::span<const Solid<float>>, bool);
+template Box<double> clearanceBoxOf(std::span<const Solid<double>>, bool);
 
 }  // namespace cutwater::detail

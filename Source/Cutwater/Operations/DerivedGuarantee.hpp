@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Cutwater/Core/Interval.hpp>
-#include <Cutwater/Sdf/Guarantee.hpp>
+#include <Cutwater/Sdf/Solid.hpp>
+
+#include <span>
 
 /// Rules by which a composite's guarantee follows from those of its operands.
 namespace cutwater::detail {
@@ -20,6 +22,11 @@ template <std::floating_point T>
 [[nodiscard]] Quality qualityBy(const std::optional<T>& lipschitz) {
   return lipschitz && *lipschitz <= 1 ? Quality::LowerBound : Quality::SignOnly;
 }
+
+/// Of the least of functions with these as operands: all of their boxes. The greatest is at least
+/// any one of them: the smallest box.
+template <std::floating_point T>
+[[nodiscard]] Box<T> clearanceBoxOf(std::span<const Solid<T>> operands, bool least);
 
 /// What two enclosures of the same values say together.
 template <std::floating_point T>

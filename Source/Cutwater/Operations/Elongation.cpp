@@ -35,10 +35,12 @@ Vec3<T> Elongation<T>::pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) con
 
 template <std::floating_point T>
 Vec3<T> Elongation<T>::localGradient(const Vec3<T>& p) const {
-  const auto gradient = PointMap<T>::localGradient(p);
   // The gap shows the operand's plane of symmetry, where it may have no gradient; across the gap
-  // values do not change, so here there is one.
-  return gradient == Vec3<T>{} ? SignedDistanceFunction<T>::localGradient(p) : gradient;
+  // values do not change, so here there is one. Differences may reach beyond the gap: of them, too,
+  // only what is along it counts.
+  const auto ofOperand = this->operand().gradient(mapped(p));
+  return pulledBack(
+      p, ofOperand == Vec3<T>{} ? SignedDistanceFunction<T>::localGradient(p) : ofOperand);
 }
 
 template <std::floating_point T>
@@ -65,6 +67,15 @@ Box<T> Elongation<T>::localBoundingBox() const {
   auto promise = localGuarantee();
   promise.size += length(half_);
   return promise.grown(result);
+}
+
+template <std::floating_point T>
+Box<T> Elongation<T>::localClearanceBox() const {
+  // Along each axis the image of a point beyond is as far beyond the operand's box, or farther.
+  const auto box = this->operand().clearanceBox();
+  auto promise = localGuarantee();
+  promise.size += length(half_);
+  return promise.grown({box.lower - half_, box.upper + half_});
 }
 
 template class Elongation<float>;

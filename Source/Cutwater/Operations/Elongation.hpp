@@ -24,6 +24,7 @@ class Elongation final : public PointMap<T> {
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
+  [[nodiscard]] Box<T> localClearanceBox() const override;
 
   Vec3<T> half_;
 };

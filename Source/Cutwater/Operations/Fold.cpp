@@ -97,6 +97,12 @@ Box<T> Fold<T>::localBoundingBox() const {
   return localGuarantee().grown(kept.extend(plane_.map()(kept)));
 }
 
+template <std::floating_point T>
+Box<T> Fold<T>::localClearanceBox() const {
+  const auto box = this->operand().clearanceBox();
+  return localGuarantee().grown(Box<T>(box).extend(plane_.map()(box)));
+}
+
 template class Fold<float>;
 template class Fold<double>;
 

@@ -27,6 +27,7 @@ class Fold final : public PointMap<T> {
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
+  [[nodiscard]] Box<T> localClearanceBox() const override;
 
   /// Which side all of a box is on, rounding considered: 1 the one that is kept, -1 the other, 0
   /// unknown.

@@ -15,6 +15,11 @@ T Labelled<T>::localSignedDistance(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+T Labelled<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
+  return this->operand().signedDistanceWithin(p, wanted);
+}
+
+template <std::floating_point T>
 void Labelled<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                        std::span<T> distances) const {
   this->operandValues(points, distances);
@@ -50,6 +55,11 @@ CrossingCount Labelled<T>::localCrossings(const Segment<T>& segment,
 template <std::floating_point T>
 Interval<T> Labelled<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) const {
   return this->boundsOf(this->operand(), box, hint);
+}
+
+template <std::floating_point T>
+bool Labelled<T>::localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const {
+  return this->facetsOf(this->operand(), box, visit);
 }
 
 template <std::floating_point T>

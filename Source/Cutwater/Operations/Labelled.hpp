@@ -16,6 +16,8 @@ class Labelled final : public UnaryOperation<T> {
  private:
   [[nodiscard]] std::string localName() const override { return "Named \"" + name_ + "\""; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& p,
+                                            const Interval<T>& wanted) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
@@ -25,8 +27,10 @@ class Labelled final : public UnaryOperation<T> {
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return this->operand().guarantee(); }
   [[nodiscard]] Box<T> localBoundingBox() const override { return this->operand().boundingBox(); }
+  [[nodiscard]] Box<T> localClearanceBox() const override { return this->operand().clearanceBox(); }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
 
   std::string name_;

@@ -123,6 +123,11 @@ Box<T> Mirror<T>::localBoundingBox() const {
   return localGuarantee().grown(plane_.map()(operand().boundingBox()));
 }
 
+template <std::floating_point T>
+Box<T> Mirror<T>::localClearanceBox() const {
+  return localGuarantee().grown(plane_.map()(operand().clearanceBox()));
+}
+
 template class Mirror<float>;
 template class Mirror<double>;
 

@@ -66,6 +66,7 @@ class Mirror final : public PointMap<T> {
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
+  [[nodiscard]] Box<T> localClearanceBox() const override;
 
   detail::MirrorPlane<T> plane_;
 };

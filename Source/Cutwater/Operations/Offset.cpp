@@ -64,6 +64,13 @@ Box<T> Offset<T>::localBoundingBox() const {
   return moved.empty() ? Box<T>{} : moved;
 }
 
+template <std::floating_point T>
+Box<T> Offset<T>::localClearanceBox() const {
+  // Shrinking only adds to the values.
+  const auto box = this->operand().clearanceBox();
+  return distance_ >= 0 ? localGuarantee().grown(box.grown(distance_)) : box;
+}
+
 template class Offset<float>;
 template class Offset<double>;
 

@@ -32,6 +32,7 @@ class Offset final : public UnaryOperation<T> {
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
+  [[nodiscard]] Box<T> localClearanceBox() const override;
 
   T distance_;
 };

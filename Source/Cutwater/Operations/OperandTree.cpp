@@ -18,11 +18,11 @@ constexpr std::size_t kFewest = 16;
 
 template <std::floating_point T>
 OperandBound<T> boundOf(const Solid<T>& operand, bool isNegated) {
-  if (!isNegated) return {operand.guarantee(), operand.boundingBox()};
+  if (!isNegated) return {operand.guarantee(), operand.clearanceBox()};
   // The negative of a complement is positive outside of the solid within.
   const auto* const rest = operand.template as<Complement<T>>();
   return {swapped(operand.guarantee()),
-          rest != nullptr ? operand.placement().toWorld(rest->operand().boundingBox())
+          rest != nullptr ? operand.placement().toWorld(rest->operand().clearanceBox())
                           : Box<T>::everywhere()};
 }
 
@@ -30,8 +30,8 @@ template <std::floating_point T>
 bool OperandTree<T>::isBounded(const OperandBound<T>& operand) {
   const auto& promise = operand.guarantee;
   const auto& box = operand.box;
-  return promise.outside == Quality::Exact && promise.lipschitz && *promise.lipschitz <= 1 &&
-         promise.continuous && promise.domain == Box<T>::everywhere() && promise.size < kFarthest &&
+  return promise.lipschitz && *promise.lipschitz <= 1 && promise.continuous &&
+         promise.domain == Box<T>::everywhere() && promise.size < kFarthest &&
          promise.ulps < 1 / std::numeric_limits<T>::epsilon() && !box.empty() &&
          maxComponent(max(abs(box.lower), abs(box.upper))) < kFarthest;
 }

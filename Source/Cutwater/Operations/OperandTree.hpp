@@ -11,7 +11,7 @@ namespace cutwater::detail {
 template <std::floating_point T>
 struct OperandBound {
   Guarantee<T> guarantee;
-  Box<T> box;  ///< encloses where it is not positive
+  Box<T> box;  ///< beyond it a value is at least the distance to it: see clearanceBox()
 };
 
 /// Of the operand's own function or of its negative.
@@ -21,9 +21,9 @@ template <std::floating_point T>
 /// Finds the functions that may have the least value at a point, or matter to it in a box, by a
 /// tree over their boxes.
 ///
-/// In the tree are functions whose values outside are exact distances: there a value is at least
-/// the distance to the box. All others, e.g. lower bounds, planes and whatever is infinite, are
-/// always to be asked; so are all if there are few.
+/// In the tree are functions whose values are at least the distance to a box, as exact distances
+/// are and the lower bounds of most operators, too. All others, e.g. affine images, planes and
+/// whatever is infinite, are always to be asked; so are all if there are few.
 ///
 /// What is left out could not have changed the result by a single bit. For boxes that holds if
 /// bounds() and classify() of the functions are no worse than the defaults of

@@ -9,6 +9,11 @@ T PointMap<T>::localSignedDistance(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+T PointMap<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
+  return this->operandValueWithin(mapped(p), factor(), wanted);
+}
+
+template <std::floating_point T>
 void PointMap<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                        std::span<T> distances) const {
   this->forImages(

@@ -23,6 +23,8 @@ class PointMap : public UnaryOperation<T> {
   [[nodiscard]] virtual T factor() const { return 1; }
 
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& p,
+                                            const Interval<T>& wanted) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;

@@ -245,6 +245,12 @@ Box<T> Repetition<T>::localBoundingBox() const {
   return guarantee_.grown(result);
 }
 
+template <std::floating_point T>
+Box<T> Repetition<T>::localClearanceBox() const {
+  // Values less than the distance to a copy's bounding box are not taken.
+  return box_.empty() ? Box<T>::everywhere() : localBoundingBox();
+}
+
 template class Repetition<float>;
 template class Repetition<double>;
 

@@ -45,6 +45,7 @@ class Repetition final : public UnaryOperation<T> {
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const override;
+  [[nodiscard]] Box<T> localClearanceBox() const override;
 
   /// The copy that decides, by the multiples of the period.
   struct Decision {

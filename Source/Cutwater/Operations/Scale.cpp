@@ -17,6 +17,11 @@ T Scale<T>::localSignedDistance(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+T Scale<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
+  return this->operandValueWithin(p / factor_, std::abs(factor_), wanted);
+}
+
+template <std::floating_point T>
 void Scale<T>::localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const {
   const auto shrink = [this](const Vec3<T>& p) { return p / factor_; };
   this->forImages(points, shrink, [&](std::span<const Vec3<T>> here, std::size_t first) {
@@ -118,12 +123,21 @@ Guarantee<T> Scale<T>::localGuarantee() const {
 }
 
 template <std::floating_point T>
-Box<T> Scale<T>::localBoundingBox() const {
-  const auto box = this->operand().boundingBox();
+Box<T> Scale<T>::image(const Box<T>& box) const {
   if (box.empty()) return box;
   const auto a = factor_ * box.lower;
   const auto b = factor_ * box.upper;
   return localGuarantee().grown({min(a, b), max(a, b)});
+}
+
+template <std::floating_point T>
+Box<T> Scale<T>::localBoundingBox() const {
+  return image(this->operand().boundingBox());
+}
+
+template <std::floating_point T>
+Box<T> Scale<T>::localClearanceBox() const {
+  return image(this->operand().clearanceBox());
 }
 
 template class Scale<float>;

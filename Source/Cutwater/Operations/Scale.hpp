@@ -21,6 +21,8 @@ class Scale final : public UnaryOperation<T> {
     return "Scaled by " + detail::toText(double{factor_});
   }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& p,
+                                            const Interval<T>& wanted) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
@@ -32,8 +34,10 @@ class Scale final : public UnaryOperation<T> {
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
+  [[nodiscard]] Box<T> localClearanceBox() const override;
 
   [[nodiscard]] Vec3<T> mirrored(const Vec3<T>& direction) const;
+  [[nodiscard]] Box<T> image(const Box<T>& box) const;
   [[nodiscard]] OrientedBox<T> shrunk(const OrientedBox<T>& box) const;
   /// What the operand found for `p`, at this one's size.
   [[nodiscard]] SurfacePoint<T> grown(SurfacePoint<T> found, const Vec3<T>& p) const;

@@ -64,6 +64,12 @@ Box<T> Shell<T>::localBoundingBox() const {
   return Offset<T>(this->operand(), halfThickness_).boundingBox();
 }
 
+template <std::floating_point T>
+Box<T> Shell<T>::localClearanceBox() const {
+  // |g| - t is at least g - t.
+  return Offset<T>(this->operand(), halfThickness_).clearanceBox();
+}
+
 template class Shell<float>;
 template class Shell<double>;
 

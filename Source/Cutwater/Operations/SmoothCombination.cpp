@@ -62,7 +62,7 @@ SmoothCombination<T>::SmoothCombination(Result result, std::vector<Solid<T>> ope
   require(smoothing.reach > 0 && std::isfinite(smoothing.reach),
           "smooth combination: need 0 < reach < infinity", Named{"reach", smoothing.reach});
   deriveGuarantee();
-  deriveBoundingBox();
+  deriveBoxes();
   std::vector<detail::OperandBound<T>> bounds;
   for (const auto& operand : operands_) {
     bounds.push_back(detail::boundOf(operand, result == Result::Intersection));
@@ -84,7 +84,8 @@ void SmoothCombination<T>::deriveGuarantee() {
 }
 
 template <std::floating_point T>
-void SmoothCombination<T>::deriveBoundingBox() {
+void SmoothCombination<T>::deriveBoxes() {
+  clearanceBox_ = detail::clearanceBoxOf<T>(operands_, result_ == Result::Union);
   if (result_ == Result::Intersection) {  // no larger than the plain one
     boundingBox_ = operands_[0].boundingBox();
     for (const auto& operand : operands_) {
@@ -95,6 +96,7 @@ void SmoothCombination<T>::deriveBoundingBox() {
     for (const auto& operand : operands_) {
       boundingBox_.extend(Offset<T>(operand, most).boundingBox());
     }
+    clearanceBox_ = guarantee_.grown(clearanceBox_.grown(most));
   }
   if (boundingBox_.empty()) boundingBox_ = {};
 }

@@ -36,6 +36,7 @@ class SmoothCombination final : public SignedDistanceFunction<T> {
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const override { return boundingBox_; }
+  [[nodiscard]] Box<T> localClearanceBox() const override { return clearanceBox_; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
   [[nodiscard]] std::string localName() const override {
     return result_ == Result::Union ? "Smooth union" : "Smooth intersection";
@@ -45,7 +46,7 @@ class SmoothCombination final : public SignedDistanceFunction<T> {
   }
 
   void deriveGuarantee();
-  void deriveBoundingBox();
+  void deriveBoxes();
 
   /// -1 turns an intersection into a union of complements; exact.
   [[nodiscard]] T side() const { return result_ == Result::Union ? T(1) : T(-1); }
@@ -72,6 +73,7 @@ class SmoothCombination final : public SignedDistanceFunction<T> {
   detail::OperandPatches<T> patches_;
   Guarantee<T> guarantee_;
   Box<T> boundingBox_;
+  Box<T> clearanceBox_;
   detail::OperandTree<T> tree_;
 };
 

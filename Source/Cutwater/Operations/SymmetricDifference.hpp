@@ -25,6 +25,7 @@ class SymmetricDifference final : public BinaryOperation<T> {
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
+  [[nodiscard]] Box<T> localClearanceBox() const override { return this->clearanceOfBoth(); }
 
   /// Of the two values, the one nearer to zero, whose surface is the nearest.
   struct Nearest {

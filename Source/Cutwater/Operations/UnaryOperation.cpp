@@ -1,6 +1,21 @@
 #include <Cutwater/Operations/UnaryOperation.hpp>
 
+#include <cmath>
+
 namespace cutwater {
+
+template <std::floating_point T>
+T UnaryOperation<T>::operandValueWithin(const Vec3<T>& q, T factor,
+                                        const Interval<T>& wanted) const {
+  // Quotient and product are rounded; the product may underflow.
+  const auto outward = [](T end) {
+    return 4 * std::numeric_limits<T>::epsilon() * std::abs(end) + std::numeric_limits<T>::min();
+  };
+  const T lower = wanted.lower / factor;
+  const T upper = wanted.upper / factor;
+  return factor *
+         operand_.signedDistanceWithin(q, {lower - outward(lower), upper + outward(upper)});
+}
 
 template <std::floating_point T>
 std::vector<std::string> UnaryOperation<T>::localPatchNames() const {

@@ -15,6 +15,8 @@ class UnaryOperation : public SignedDistanceFunction<T> {
 
   [[nodiscard]] const Solid<T>& operand() const { return operand_; }
 
+  /// factor g(q), if that is wanted: see localSignedDistanceWithin().
+  [[nodiscard]] T operandValueWithin(const Vec3<T>& q, T factor, const Interval<T>& wanted) const;
   /// The operand's answers for many points of its own frame, from within a parallel region.
   void operandValues(std::span<const Vec3<T>> points, std::span<T> distances) const {
     operand_.signedDistances(points, distances, {.threads = 1});

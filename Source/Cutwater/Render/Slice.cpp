@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Render/MeshLines.hpp>
 #include <Cutwater/Render/Slice.hpp>
 #include <Cutwater/Render/SliceField.hpp>
 #include <Cutwater/Render/SliceFrame.hpp>
@@ -19,6 +20,7 @@ using detail::SliceLayout;
 constexpr double kLinesOutside = 16;  // about as many, or a little fewer
 constexpr double kLinesInside = 8;
 constexpr double kMostLines = 1000;
+constexpr Rgb kMeshInk{40, 44, 52};
 
 template <std::floating_point T>
 SliceWindow<T> boundsInPlane(const Box<T>& box, const SlicePlane<T>& plane) {
@@ -152,6 +154,10 @@ Image renderSlice(const SignedDistanceFunction<T>& solid, const SlicePlane<T>& p
   const auto spacing =
       lineSpacing(field.least(), field.greatest(), static_cast<double>(options.isolineSpacing));
   field.draw(image, spacing, layout.scale());
+  if (options.mesh != nullptr) {
+    image.drawStrokes(detail::meshLines(*options.mesh, plane, window, area),
+                      std::max(layout.scale(), 1.0), kMeshInk);
+  }
   const auto inUnits = [&](const std::string& name) {
     return options.unit.empty() ? name : name + " [" + options.unit + "]";
   };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Render/Image.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
@@ -42,7 +43,9 @@ struct SliceOptions {
   std::string title = {};
   std::string unit = {};  ///< of lengths, e.g. "m"
   T isolineSpacing = 0;   ///< distance between iso-distance lines; 0: a round number that suits
-  int threads = 0;        ///< see ParallelOptions
+  /// Whose cells are outlined where the plane cuts them; or null.
+  const Octree<T>* mesh = nullptr;
+  int threads = 0;  ///< see ParallelOptions
   Progress progress = {};
 };
 

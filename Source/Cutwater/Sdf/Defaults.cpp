@@ -277,6 +277,18 @@ Interval<T> boundsWithin(const Interval<T>& range, T atCenter, const OrientedBox
 }
 
 template <std::floating_point T>
+Interval<T> distanceRange(const Interval<T>& values, const Guarantee<T>& guarantee) {
+  constexpr T kInf = std::numeric_limits<T>::infinity();
+  // The least of what values mean on the sides that there may be.
+  auto quality = Quality::Exact;
+  if (values.lower < 0) quality = std::min(quality, guarantee.inside);
+  if (values.upper >= 0) quality = std::min(quality, guarantee.outside);
+  if (quality == Quality::SignOnly) return {0, kInf};
+  return {std::max({T(0), values.lower, -values.upper}),
+          quality == Quality::Exact ? std::max(-values.lower, values.upper) : kInf};
+}
+
+template <std::floating_point T>
 Guarantee<T> placed(Guarantee<T> local, const RigidTransform<T>& placement) {
   if (placement.isIdentity()) return local;
   // transformPoint() moves the point by up to one rounding of the offset's size, a rotation by up
@@ -316,6 +328,8 @@ template Interval<float> boundsWithin(const Interval<float>&, float, const Orien
                                       const Guarantee<float>&);
 template Interval<double> boundsWithin(const Interval<double>&, double, const OrientedBox<double>&,
                                        const Guarantee<double>&);
+template Interval<float> distanceRange(const Interval<float>&, const Guarantee<float>&);
+template Interval<double> distanceRange(const Interval<double>&, const Guarantee<double>&);
 template Guarantee<float> placed(Guarantee<float>, const RigidTransform<float>&);
 template Guarantee<double> placed(Guarantee<double>, const RigidTransform<double>&);
 

@@ -57,6 +57,11 @@ template <std::floating_point T>
 Interval<T> boundsWithin(const Interval<T>& range, T atCenter, const OrientedBox<T>& box,
                          const Guarantee<T>& guarantee);
 
+/// Encloses the distance to the surface wherever the value is in the range, within the guarantee's
+/// domain: see SignedDistanceFunction::distanceBounds().
+template <std::floating_point T>
+Interval<T> distanceRange(const Interval<T>& values, const Guarantee<T>& guarantee);
+
 /// The guarantee of a moved function.
 template <std::floating_point T>
 Guarantee<T> placed(Guarantee<T> local, const RigidTransform<T>& placement);

@@ -147,23 +147,44 @@ Interval<T> SignedDistanceFunction<T>::bounds(const Box<T>& box, BoxHint* hint) 
 
 template <std::floating_point T>
 Interval<T> SignedDistanceFunction<T>::distanceBounds(const Box<T>& box, BoxHint* hint) const {
-  constexpr T kInf = std::numeric_limits<T>::infinity();
   const auto range = bounds(box, hint);
   const auto promise = guarantee();
-  if (!promise.domain.contains(box.lower) || !promise.domain.contains(box.upper)) return {0, kInf};
-  // The least of what values mean on the sides that the box may have points on.
-  auto quality = Quality::Exact;
-  if (range.lower < 0) quality = std::min(quality, promise.inside);
-  if (range.upper >= 0) quality = std::min(quality, promise.outside);
-  if (quality == Quality::SignOnly) return {0, kInf};
-  return {std::max({T(0), range.lower, -range.upper}),
-          quality == Quality::Exact ? std::max(-range.lower, range.upper) : kInf};
+  if (!promise.domain.contains(box.lower) || !promise.domain.contains(box.upper)) {
+    return {0, std::numeric_limits<T>::infinity()};
+  }
+  return detail::distanceRange(range, promise);
 }
 
 template <std::floating_point T>
 BoxClass SignedDistanceFunction<T>::classify(const Box<T>& box, BoxHint* hint) const {
   if (box.empty() || !isFinite(box)) return BoxClass::Unknown;
   return localClassify(toLocal(OrientedBox<T>::of(box)), hint);
+}
+
+template <std::floating_point T>
+bool SignedDistanceFunction<T>::facetsIn(const Box<T>& box, FacetVisitor<T> visit) const {
+  if (box.empty() || !isFinite(box)) return true;
+  return facetsOf(*this, OrientedBox<T>::of(box), visit);
+}
+
+template <std::floating_point T>
+bool SignedDistanceFunction<T>::facetsOf(const SignedDistanceFunction& operand,
+                                         const OrientedBox<T>& box, FacetVisitor<T> visit) {
+  const auto& placement = operand.placement_;
+  if (placement.isIdentity()) return operand.localFacetsIn(box, visit);
+  return operand.localFacetsIn(operand.toLocal(box), [&](SurfaceFacet<T> facet) {
+    for (auto& corner : facet.corners) corner = placement.toWorld(corner);
+    for (auto& normal : facet.across) normal = placement.directionToWorld(normal);
+    facet.normal = placement.directionToWorld(facet.normal);
+    return visit(facet);
+  });
+}
+
+template <std::floating_point T>
+bool SignedDistanceFunction<T>::localFacetsIn(const OrientedBox<T>& box,
+                                              FacetVisitor<T> visit) const {
+  detail::sampleFacets<T>([this](const Vec3<T>& p) { return localClosestPoint(p); }, box, visit);
+  return false;
 }
 
 template <std::floating_point T>
@@ -174,6 +195,11 @@ Guarantee<T> SignedDistanceFunction<T>::guarantee() const {
 template <std::floating_point T>
 Box<T> SignedDistanceFunction<T>::boundingBox() const {
   return placement_.toWorld(localBoundingBox());
+}
+
+template <std::floating_point T>
+Box<T> SignedDistanceFunction<T>::clearanceBox() const {
+  return placement_.toWorld(localClearanceBox());
 }
 
 template <std::floating_point T>
@@ -251,6 +277,14 @@ BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, Box
 
   if (!box.isWithin(localGuarantee().domain)) return BoxClass::Unknown;
   return holdsNearestPoint(box) || holdsBothSides(box) ? BoxClass::Cut : BoxClass::Unknown;
+}
+
+template <std::floating_point T>
+Box<T> SignedDistanceFunction<T>::localClearanceBox() const {
+  const auto promise = localGuarantee();
+  const bool isExact = promise.outside == Quality::Exact && promise.domain == Box<T>::everywhere();
+  const auto box = localBoundingBox();
+  return isExact && !box.empty() ? box : Box<T>::everywhere();
 }
 
 /// The ball around the centre that reaches the nearest surface point fits into the box.

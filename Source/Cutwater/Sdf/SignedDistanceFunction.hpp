@@ -6,7 +6,7 @@
 #include <Cutwater/Core/Segment.hpp>
 #include <Cutwater/Sdf/BoxQuery.hpp>
 #include <Cutwater/Sdf/Guarantee.hpp>
-#include <Cutwater/Sdf/SurfacePoint.hpp>
+#include <Cutwater/Sdf/SurfaceFacet.hpp>
 
 #include <span>
 #include <string>
@@ -70,11 +70,28 @@ class SignedDistanceFunction {
   /// Where the box lies; Inside, Outside and Cut are certain.
   [[nodiscard]] BoxClass classify(const Box<T>& box, BoxHint* hint = nullptr) const;
 
+  /// The same for many boxes, in parallel; the same as one by one. Neighbours in the span are best
+  /// close to each other in space. Hints, if there are any, are one for each box.
+  /// @throws Error if the spans differ in size.
+  void classify(std::span<const Box<T>> boxes, std::span<BoxClass> classes,
+                std::span<BoxHint> hints = {}, const ParallelOptions& options = {}) const;
+
+  /// Shows the surface that meets the box, until visit(facet) answers false: where it is made of
+  /// flat pieces, all of them that do, and perhaps some that do not or that lie within another
+  /// operand; otherwise samples of it. Nothing of a box that is empty or not finite. Returns
+  /// whether all pieces were shown, and no mere samples.
+  bool facetsIn(const Box<T>& box, FacetVisitor<T> visit) const;
+
   /// What a value means, in world coordinates.
   [[nodiscard]] Guarantee<T> guarantee() const;
 
   /// Encloses the solid {value <= 0}; may be infinite or empty.
   [[nodiscard]] Box<T> boundingBox() const;
+
+  /// A box beyond which a value is at least the distance to the box, up to rounding; infinite if
+  /// none is known. Where values outside are exact distances it is boundingBox(); that of mere
+  /// lower bounds may be larger: the whole block's for what is left of a block.
+  [[nodiscard]] Box<T> clearanceBox() const;
 
   /// Names of the patches that closestPoint() and crossings() tell by their index.
   [[nodiscard]] std::vector<std::string> patchNames() const { return localPatchNames(); }
@@ -116,6 +133,14 @@ class SignedDistanceFunction {
   // All below have defaults that follow from localSignedDistance() and localGuarantee(). They are
   // called in the shape's own frame, and answer in it.
 
+  /// The value, to the bit, if that is within `wanted`; if not, any number beyond the same end of
+  /// it. To be overridden where that takes less than the value itself: of many operands, most only
+  /// have to be known to be farther than the nearest one.
+  [[nodiscard]] virtual T localSignedDistanceWithin(const Vec3<T>& point,
+                                                    const Interval<T>& /*wanted*/) const {
+    return localSignedDistance(point);
+  }
+
   /// Values for a few hundred points at most; runs inside a parallel region.
   virtual void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const;
   [[nodiscard]] virtual Vec3<T> localGradient(const Vec3<T>& point) const;
@@ -131,9 +156,15 @@ class SignedDistanceFunction {
   /// alone where a box is far from an operand.
   [[nodiscard]] virtual Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const;
   [[nodiscard]] virtual BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const;
+  virtual bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const;
+  /// Classes of a few hundred boxes at most, with no hints or one for each; runs inside a parallel
+  /// region.
+  virtual void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
+                            std::span<BoxHint> hints) const;
   /// Promises nothing but the sign unless overridden.
   [[nodiscard]] virtual Guarantee<T> localGuarantee() const { return {}; }
   [[nodiscard]] virtual Box<T> localBoundingBox() const { return Box<T>::everywhere(); }
+  [[nodiscard]] virtual Box<T> localClearanceBox() const;
   [[nodiscard]] virtual std::vector<std::string> localPatchNames() const { return {"surface"}; }
 
   /// For describe(): what it is called, with what parameters, and what it is made of.
@@ -149,6 +180,9 @@ class SignedDistanceFunction {
                                         const OrientedBox<T>& box, BoxHint* hint = nullptr) {
     return operand.localClassify(operand.toLocal(box), hint);
   }
+
+  static bool facetsOf(const SignedDistanceFunction& operand, const OrientedBox<T>& box,
+                       FacetVisitor<T> visit);
 
   // How the default of localClassify() is certain that a box within the domain is cut.
   [[nodiscard]] bool holdsNearestPoint(const OrientedBox<T>& box) const;

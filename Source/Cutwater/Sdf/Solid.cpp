@@ -14,8 +14,19 @@ Solid<T>::Solid(std::unique_ptr<SignedDistanceFunction<T>> shape) {
 }
 
 template <std::floating_point T>
+T Solid<T>::signedDistanceWithin(const Vec3<T>& point, const Interval<T>& wanted) const {
+  if (!isFinite(point)) return std::numeric_limits<T>::quiet_NaN();
+  return root_->localSignedDistanceWithin(this->transformPoint(point), wanted) + T(0);
+}
+
+template <std::floating_point T>
 T Solid<T>::localSignedDistance(const Vec3<T>& p) const {
   return root_->localSignedDistance(p);
+}
+
+template <std::floating_point T>
+T Solid<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
+  return root_->localSignedDistanceWithin(p, wanted);
 }
 
 template <std::floating_point T>
@@ -55,8 +66,24 @@ Interval<T> Solid<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) cons
 }
 
 template <std::floating_point T>
+bool Solid<T>::localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const {
+  return root_->localFacetsIn(box, visit);
+}
+
+template <std::floating_point T>
 BoxClass Solid<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   return root_->localClassify(box, hint);
+}
+
+template <std::floating_point T>
+Box<T> Solid<T>::localClearanceBox() const {
+  return root_->localClearanceBox();
+}
+
+template <std::floating_point T>
+void Solid<T>::localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
+                            std::span<BoxHint> hints) const {
+  root_->localClasses(boxes, classes, hints);
 }
 
 template <std::floating_point T>

@@ -25,6 +25,10 @@ class Solid final : public SignedDistanceFunction<T> {
   /// @throws Error if there is no shape.
   explicit Solid(std::unique_ptr<SignedDistanceFunction<T>> shape);
 
+  /// signedDistance(), to the bit, if that is within `wanted`; if not, any number beyond the same
+  /// end of it, which may take less to find.
+  [[nodiscard]] T signedDistanceWithin(const Vec3<T>& point, const Interval<T>& wanted) const;
+
   /// The shape inside, if it is one of this kind, without the Solid's placement; else nullptr.
   template <std::derived_from<SignedDistanceFunction<T>> Shape>
   [[nodiscard]] const Shape* as() const {
@@ -33,6 +37,8 @@ class Solid final : public SignedDistanceFunction<T> {
 
  private:
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& p,
+                                            const Interval<T>& wanted) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
@@ -42,8 +48,12 @@ class Solid final : public SignedDistanceFunction<T> {
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override;
+  void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
+                    std::span<BoxHint> hints) const override;
   [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
   [[nodiscard]] Box<T> localBoundingBox() const override { return boundingBox_; }
+  [[nodiscard]] Box<T> localClearanceBox() const override;
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
   [[nodiscard]] std::string localName() const override { return root_->localName(); }
   void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const override {

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Cutwater/Core/GridView.hpp>
+#include <Cutwater/Core/Level.hpp>
+#include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+namespace cutwater {
+
+/// Arrays about the edges along one axis; those without data are left out. The edge at a node's
+/// index leads from it to the next node on the axis: there is one edge less than nodes.
+template <std::floating_point T>
+struct EdgeCrossingTargets {
+  /// How many times the surface is crossed: odd exactly if the values at the nodes differ in sign.
+  GridView<std::uint32_t> count = {};
+  /// The axis' coordinate of the first and the last crossing, between those of the nodes; NaN where
+  /// there is none. The same where there is one.
+  GridView<T> first = {};
+  GridView<T> last = {};
+  /// Their patches, see patchNames(); kNone where there is none.
+  GridView<std::uint32_t> firstPatch = {};
+  GridView<std::uint32_t> lastPatch = {};
+};
+
+struct EdgeCrossingOptions {
+  /// At most this many threads; 0: as many as there are. See ParallelOptions.
+  int threads = 0;
+  Progress progress = {};
+};
+
+struct EdgeCrossingReport {
+  std::size_t crossed = 0;  ///< edges with at least one crossing
+  /// Edges that come so close to the surface that an even number of further crossings could not be
+  /// excluded: see CrossingCount.
+  std::size_t unresolved = 0;
+};
+
+/// Crossings of all edges between neighbouring nodes of a patch with the surface, as
+/// SignedDistanceFunction::crossings() tells them for each edge. `targets`: of edges along x, y and
+/// z. An edge's values depend on the edge alone, not on the patch or the number of threads. Blocks
+/// of edges that classify() proves free of surface are settled in one go, so that the price is that
+/// of the edges near the surface. Serial inside an active parallel region.
+/// @throws Error if the patch's level is not one of nodes, or `threads` is negative.
+template <std::floating_point T>
+EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
+                                 const std::array<EdgeCrossingTargets<T>, 3>& targets,
+                                 const EdgeCrossingOptions& options = {});
+
+extern template EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<float>&,
+                                                 const Patch<float>&,
+                                                 const std::array<EdgeCrossingTargets<float>, 3>&,
+                                                 const EdgeCrossingOptions&);
+extern template EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<double>&,
+                                                 const Patch<double>&,
+                                                 const std::array<EdgeCrossingTargets<double>, 3>&,
+                                                 const EdgeCrossingOptions&);
+
+}  // namespace cutwater

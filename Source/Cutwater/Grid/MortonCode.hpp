@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Cutwater/Core/IndexBox.hpp>
+
+#include <cstdint>
+
+namespace cutwater {
+
+/// A cell of an octree's level as one number: bits of its coordinates in turns, x lowest. Those of
+/// a cell's eight children are 8 code ... 8 code + 7. (Morton 1966.)
+using MortonCode = std::uint64_t;
+
+/// Coordinates of fewer bits have a code.
+inline constexpr int kMortonBits = 21;
+
+namespace detail {
+
+/// Bits of x, each followed by two zeros.
+constexpr std::uint64_t spread(std::uint64_t x) {
+  x = (x | x << 32U) & 0x001f00000000ffffU;
+  x = (x | x << 16U) & 0x001f0000ff0000ffU;
+  x = (x | x << 8U) & 0x100f00f00f00f00fU;
+  x = (x | x << 4U) & 0x10c30c30c30c30c3U;
+  return (x | x << 2U) & 0x1249249249249249U;
+}
+/// The inverse; other bits are ignored.
+constexpr std::uint64_t gathered(std::uint64_t x) {
+  x &= 0x1249249249249249U;
+  x = (x | x >> 2U) & 0x10c30c30c30c30c3U;
+  x = (x | x >> 4U) & 0x100f00f00f00f00fU;
+  x = (x | x >> 8U) & 0x001f0000ff0000ffU;
+  x = (x | x >> 16U) & 0x001f00000000ffffU;
+  return (x | x >> 32U) & 0x1fffffU;
+}
+
+}  // namespace detail
+
+/// Coordinates are in [0, 2^kMortonBits).
+constexpr MortonCode mortonCode(const Index3& index) {
+  return detail::spread(static_cast<std::uint64_t>(index.i)) |
+         detail::spread(static_cast<std::uint64_t>(index.j)) << 1U |
+         detail::spread(static_cast<std::uint64_t>(index.k)) << 2U;
+}
+constexpr Index3 indexOf(MortonCode code) {
+  return {static_cast<std::int32_t>(detail::gathered(code)),
+          static_cast<std::int32_t>(detail::gathered(code >> 1U)),
+          static_cast<std::int32_t>(detail::gathered(code >> 2U))};
+}
+
+}  // namespace cutwater

@@ -1,0 +1,144 @@
+#include <Cutwater/Core/Scratch.hpp>
+#include <Cutwater/Grid/OctreeBuilder.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cutwater::detail {
+
+template <std::floating_point T>
+std::vector<OctreeCell> OctreeBuilder<T>::run(int deepest) {
+  deepest_ = deepest;
+  divide();
+  balanceOctree(domain_, options_.balance, divided_);
+  std::vector<Leaf> leaves;
+  Cells cells = std::move(found_.front());
+  for (int level = 0;; ++level) {
+    collect(leaves, level, cells);
+    if (level == deepest_) break;
+    cells = cellsOf(level + 1);
+  }
+  std::vector<OctreeCell> result(leaves.size());
+  std::ranges::transform(leaves, result.begin(), &Leaf::cell);
+  return result;
+}
+
+template <std::floating_point T>
+auto OctreeBuilder<T>::roots() const -> Cells {
+  const auto& n = domain_.roots();
+  Cells cells;
+  for (std::int32_t k = 0; k < n.k; ++k) {
+    for (std::int32_t j = 0; j < n.j; ++j) {
+      for (std::int32_t i = 0; i < n.i; ++i) cells.codes.push_back(mortonCode({i, j, k}));
+    }
+  }
+  std::ranges::sort(cells.codes);
+  cells.verdicts.resize(cells.codes.size());
+  return cells;
+}
+
+template <std::floating_point T>
+void OctreeBuilder<T>::divide() {
+  found_.push_back(roots());
+  std::vector<BoxHint> hints;  // of the parents
+  for (int level = 0;; ++level) {
+    auto& [codes, verdicts] = found_.back();
+    hints = judge(level, found_.back(), hints, progressOf(level));
+    if (level == deepest_) return;
+    Cells next;
+    auto& divided = divided_.emplace_back();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+      if (!verdicts[i].isRefined) continue;
+      divided.push_back(codes[i]);
+      hints[kept++] = hints[i];
+      for (MortonCode child = 0; child < 8; ++child) next.codes.push_back(8 * codes[i] + child);
+    }
+    hints.resize(kept);
+    next.verdicts.resize(next.codes.size());
+    found_.push_back(std::move(next));
+  }
+}
+
+template <std::floating_point T>
+Progress OctreeBuilder<T>::progressOf(int level) const {
+  if (!options_.progress) return {};
+  // Each level has some times the cells of the one before: as if twice as many.
+  const double width = std::ldexp(1.0, std::max(level, 1) - 1 - deepest_);
+  const double first = level == 0 ? 0 : width;
+  return [=, this](double fraction) { options_.progress(first + fraction * width); };
+}
+
+template <std::floating_point T>
+std::vector<BoxHint> OctreeBuilder<T>::judge(int level, Cells& cells,
+                                             std::span<const BoxHint> parents,
+                                             const Progress& progress) const {
+  // Cells of the finest level have no children to tell.
+  const auto count = cells.codes.size();
+  std::vector<BoxHint> hints(level < deepest_ ? count : 0);
+  const auto grid = domain_.level(level);
+  parallelFor(count,
+              {.threads = options_.threads, .grain = CellJudge<T>::kMost, .progress = progress},
+              [&](std::size_t begin, std::size_t end) {
+                for (; begin < end; begin += CellJudge<T>::kMost) {
+                  const auto some = std::min(CellJudge<T>::kMost, end - begin);
+                  Scratch<Box<T>, CellJudge<T>::kMost> boxes;
+                  Scratch<BoxHint, CellJudge<T>::kMost> own;
+                  for (std::size_t i = 0; i < some; ++i) {
+                    boxes[i] = grid.cell(indexOf(cells.codes[begin + i]));
+                    own[i] = parents.empty() ? BoxHint{} : parents[(begin + i) / 8];
+                  }
+                  judge_.judge(level, boxes.first(some), own.first(some),
+                               std::span(cells.verdicts).subspan(begin, some));
+                  if (!hints.empty()) std::ranges::copy(own.first(some), hints.begin() + begin);
+                }
+              });
+  return hints;
+}
+
+template <std::floating_point T>
+auto OctreeBuilder<T>::cellsOf(int level) const -> Cells {
+  const auto& known = found_[static_cast<std::size_t>(level)];
+  Cells cells;
+  Cells more;  // that the rules did not ask for
+  std::vector<std::size_t> places;
+  std::size_t next = 0;  // of those known
+  for (const auto parent : divided_[static_cast<std::size_t>(level) - 1]) {
+    const bool isKnown = next < known.codes.size() && known.codes[next] == 8 * parent;
+    for (MortonCode child = 0; child < 8; ++child) {
+      if (!isKnown) {
+        places.push_back(cells.codes.size());
+        more.codes.push_back(8 * parent + child);
+      }
+      cells.codes.push_back(8 * parent + child);
+      cells.verdicts.push_back(isKnown ? known.verdicts[next++] : CellVerdict{});
+    }
+  }
+  more.verdicts.resize(more.codes.size());
+  static_cast<void>(judge(level, more, {}, {}));
+  for (std::size_t i = 0; i < places.size(); ++i) cells.verdicts[places[i]] = more.verdicts[i];
+  return cells;
+}
+
+template <std::floating_point T>
+void OctreeBuilder<T>::collect(std::vector<Leaf>& leaves, int level, const Cells& cells) const {
+  static const OctreeCodes kNoCodes;
+  const auto& divided = level < deepest_ ? divided_[static_cast<std::size_t>(level)] : kNoCodes;
+  const auto before = static_cast<std::ptrdiff_t>(leaves.size());
+  auto next = divided.begin();
+  for (std::size_t i = 0; i < cells.codes.size(); ++i) {
+    const auto code = cells.codes[i];
+    if (next != divided.end() && *next == code) {
+      ++next;
+      continue;
+    }
+    leaves.push_back({code << 3 * (deepest_ - level),
+                      {indexOf(code), static_cast<std::uint8_t>(level), cells.verdicts[i].kind}});
+  }
+  std::ranges::inplace_merge(leaves, leaves.begin() + before, {}, &Leaf::place);
+}
+
+template class OctreeBuilder<float>;
+template class OctreeBuilder<double>;
+
+}  // namespace cutwater::detail

@@ -1,0 +1,68 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/Scratch.hpp>
+#include <Cutwater/Grid/OctreeFill.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+namespace {
+
+/// A batch's scratch fits the L1 cache.
+constexpr std::size_t kBatch = 256;
+
+template <typename Value>
+void checkLength(const char* message, std::span<Value> array, std::size_t cells) {
+  require(array.empty() || array.size() == cells, message, Named{"values", array.size()},
+          Named{"cells", cells});
+}
+
+/// Of a batch of cells from `first` on.
+template <std::floating_point T>
+void fillBatch(const SignedDistanceFunction<T>& solid, std::span<const Vec3<T>> centers,
+               const OctreeTargets<T>& targets, std::size_t first) {
+  if (targets.normal.empty() && targets.patch.empty()) {
+    solid.signedDistances(centers, targets.distance.subspan(first, centers.size()), {.threads = 1});
+    return;
+  }
+  Scratch<SurfacePoint<T>, kBatch> scratch;
+  const auto hits = scratch.first(centers.size());
+  solid.closestPoints(centers, hits, {.threads = 1});
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!targets.distance.empty()) targets.distance[first + i] = hits[i].distance;
+    if (!targets.normal.empty()) targets.normal[first + i] = hits[i].normal;
+    if (!targets.patch.empty()) targets.patch[first + i] = hits[i].owner.patch;
+  }
+}
+
+}  // namespace
+
+template <std::floating_point T>
+void fill(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,
+          const OctreeTargets<T>& targets, const OctreeFillOptions& options) {
+  const auto cells = mesh.cells();
+  checkLength("fill: need one distance per cell", targets.distance, cells.size());
+  checkLength("fill: need one normal per cell", targets.normal, cells.size());
+  checkLength("fill: need one patch per cell", targets.patch, cells.size());
+  require(options.threads >= 0, "fill: need threads >= 0", Named{"threads", options.threads});
+  if (targets.distance.empty() && targets.normal.empty() && targets.patch.empty()) return;
+  parallelFor(cells.size(),
+              {.threads = options.threads, .grain = 4 * kBatch, .progress = options.progress},
+              [&](std::size_t begin, std::size_t end) {
+                Scratch<Vec3<T>, kBatch> scratch;
+                for (; begin < end; begin += kBatch) {
+                  const auto centers = scratch.first(std::min(kBatch, end - begin));
+                  for (std::size_t i = 0; i < centers.size(); ++i) {
+                    centers[i] = mesh.center(cells[begin + i]);
+                  }
+                  fillBatch<T>(solid, centers, targets, begin);
+                }
+              });
+}
+
+template void fill(const SignedDistanceFunction<float>&, const Octree<float>&,
+                   const OctreeTargets<float>&, const OctreeFillOptions&);
+template void fill(const SignedDistanceFunction<double>&, const Octree<double>&,
+                   const OctreeTargets<double>&, const OctreeFillOptions&);
+
+}  // namespace cutwater

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Cutwater/Grid/Octree.hpp>
+
+namespace cutwater {
+
+/// The arrays that one pass over an octree mesh fills, one value per cell in the order of cells();
+/// empty ones are left out.
+template <std::floating_point T>
+struct OctreeTargets {
+  std::span<T> distance = {};  ///< signedDistance() at the centre, to the bit
+  /// Of the surface point that is the closest to the centre: its normal, unit and out of the solid,
+  /// and its patch, see patchNames().
+  std::span<Vec3<T>> normal = {};
+  std::span<std::uint32_t> patch = {};
+};
+
+struct OctreeFillOptions {
+  /// At most this many threads; 0: as many as there are. See ParallelOptions.
+  int threads = 0;
+  Progress progress = {};
+};
+
+/// Evaluates the solid at the centre of every cell, in batches of neighbours; each value has the
+/// bits of closestPoint() there. Serial inside an active parallel region.
+/// @throws Error if an array is neither empty nor as long as cells(), or `threads` is negative.
+template <std::floating_point T>
+void fill(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,
+          const OctreeTargets<T>& targets, const OctreeFillOptions& options = {});
+
+extern template void fill(const SignedDistanceFunction<float>&, const Octree<float>&,
+                          const OctreeTargets<float>&, const OctreeFillOptions&);
+extern template void fill(const SignedDistanceFunction<double>&, const Octree<double>&,
+                          const OctreeTargets<double>&, const OctreeFillOptions&);
+
+}  // namespace cutwater

@@ -1,0 +1,174 @@
+#include <Cutwater/Grid/OctreeNodes.hpp>
+
+#include <algorithm>
+#include <mutex>
+
+namespace cutwater {
+
+namespace {
+
+/// Cells that are looked at in one go.
+constexpr std::size_t kGrain = std::size_t{1} << 14U;
+
+/// A node has one index more along each axis than there are cells, too many for a Morton code:
+/// blocks of 2^18 nodes row by row, at most nine along each axis, and codes within a block.
+constexpr int kBlockBits = 18;
+constexpr std::int32_t kInBlock = (1 << kBlockBits) - 1;
+constexpr std::uint64_t kBlocks = (std::uint64_t{1} << (kMortonBits - kBlockBits)) + 1;
+
+std::uint64_t keyOf(const Index3& node) {
+  const auto block = [](std::int32_t i) { return static_cast<std::uint64_t>(i >> kBlockBits); };
+  const auto number = block(node.i) + kBlocks * (block(node.j) + kBlocks * block(node.k));
+  return number << 3 * kBlockBits |
+         mortonCode({node.i & kInBlock, node.j & kInBlock, node.k & kInBlock});
+}
+
+Index3 nodeOf(std::uint64_t key) {
+  const auto number = key >> 3 * kBlockBits;
+  const auto first = [](std::uint64_t block) {
+    return static_cast<std::int32_t>(block << kBlockBits);
+  };
+  const auto inBlock = indexOf(key & ((std::uint64_t{1} << 3 * kBlockBits) - 1));
+  return {first(number % kBlocks) + inBlock.i, first(number / kBlocks % kBlocks) + inBlock.j,
+          first(number / (kBlocks * kBlocks)) + inBlock.k};
+}
+
+/// Place of the first value that is not less, as std::lower_bound(), which is likely near `near`:
+/// that is approached by ever longer steps. (Bentley and Yao 1976, "An almost optimal algorithm for
+/// unbounded searching".)
+std::size_t seek(std::span<const std::uint64_t> sorted, std::uint64_t value, std::size_t near) {
+  const auto size = sorted.size();
+  std::size_t low = std::min(near, size);
+  std::size_t high = low;
+  if (high < size && sorted[high] < value) {
+    for (std::size_t step = 1; high < size && sorted[high] < value; step *= 2) {
+      low = high + 1;
+      high += step;
+    }
+  } else {
+    for (std::size_t step = 1; low > 0 && sorted[low - 1] >= value; step *= 2) {
+      high = low - 1;
+      low -= std::min(low, step);
+    }
+  }
+  const auto first = sorted.begin() + static_cast<std::ptrdiff_t>(low);
+  const auto last = sorted.begin() + static_cast<std::ptrdiff_t>(std::min(high, size));
+  return static_cast<std::size_t>(std::lower_bound(first, last, value) - sorted.begin());
+}
+
+void sortUnique(std::vector<std::uint64_t>& values) {
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+Index3 lowerCorner(const OctreeCell& cell, int deepest) {
+  const int shift = deepest - cell.level;
+  return {cell.index.i << shift, cell.index.j << shift, cell.index.k << shift};
+}
+
+/// Where each corner is looked for next: the same corner of the next cell is mostly near.
+std::array<std::size_t, 8> allAt(std::size_t place) {
+  std::array<std::size_t, 8> places{};
+  places.fill(place);
+  return places;
+}
+
+}  // namespace
+
+template <std::floating_point T>
+OctreeNodes<T>::OctreeNodes(const Octree<T>& mesh, const ParallelOptions& options)
+    : mesh_(mesh),
+      level_(mesh.domain().origin(), mesh.domain().level(mesh.deepest()).spacing(),
+             Centering::Node),
+      places_(mesh.cells().size()) {
+  const auto& last = mesh.domain().indices(mesh.deepest()).hi;
+  size_ = {last.i + 1, last.j + 1, last.k + 1};
+  std::ranges::transform(mesh.cells(), places_.begin(), [&](const OctreeCell& cell) {
+    return mortonCode(lowerCorner(cell, mesh.deepest()));
+  });
+  std::mutex mutex;
+  parallelFor(places_.size(),
+              {.threads = options.threads, .grain = kGrain, .progress = options.progress},
+              [&](std::size_t begin, std::size_t end) {
+                std::vector<std::uint64_t> found;
+                auto near = allAt(begin);
+                forCorners(begin, end, [&](auto, std::size_t corner, const Place& place) {
+                  if (place.isInParent || cellFrom(place, near[corner]) != kNoCell) return;
+                  found.push_back(keyOf(place.node));
+                });
+                sortUnique(found);
+                const std::lock_guard lock(mutex);
+                others_.insert(others_.end(), found.begin(), found.end());
+              });
+  sortUnique(others_);
+  others_.shrink_to_fit();
+}
+
+template <std::floating_point T>
+Index3 OctreeNodes<T>::index(std::size_t node) const {
+  const auto cells = mesh_.cells();
+  return node < cells.size() ? lowerCorner(cells[node], mesh_.deepest())
+                             : nodeOf(others_[node - cells.size()]);
+}
+
+template <std::floating_point T>
+void OctreeNodes<T>::corners(std::size_t firstCell, std::span<Corners> result) const {
+  auto near = allAt(firstCell);
+  auto nearOther = allAt(0);
+  for (std::size_t n = 0; n < result.size(); ++n) result[n][0] = firstCell + n;
+  forCorners(firstCell, firstCell + result.size(),
+             [&](std::size_t n, std::size_t corner, const Place& place) {
+               auto& node = result[n - firstCell][corner];
+               node = cellFrom(place, near[corner]);
+               if (node != kNoCell) return;
+               nearOther[corner] = seek(others_, keyOf(place.node), nearOther[corner]);
+               node = places_.size() + nearOther[corner];
+             });
+}
+
+template <std::floating_point T>
+template <typename Visit>
+void OctreeNodes<T>::forCorners(std::size_t begin, std::size_t end, const Visit& visit) const {
+  // Every third bit of a code is one coordinate's.
+  constexpr MortonCode kFirst = 0x1249249249249249U;
+  for (auto n = begin; n < end; ++n) {
+    const auto& cell = mesh_.cells()[n];
+    const int shift = mesh_.deepest() - cell.level;
+    const auto child = static_cast<std::size_t>(places_[n] >> 3 * shift & 7U);  // of its parent
+    std::array<Index3, 2> sides{lowerCorner(cell, mesh_.deepest()), {}};
+    const std::int32_t width = 1 << shift;
+    sides[1] = {sides[0].i + width, sides[0].j + width, sides[0].k + width};
+    const std::size_t beyond = (sides[1].i == size_.i ? 1U : 0U) |
+                               (sides[1].j == size_.j ? 2U : 0U) |
+                               (sides[1].k == size_.k ? 4U : 0U);
+    for (std::size_t corner = 1; corner < 8; ++corner) {
+      const auto x = corner & 1U;
+      const auto y = corner >> 1U & 1U;
+      const auto z = corner >> 2U;
+      // Adds the width to a coordinate's bits; ones between them carry over.
+      const auto moved = [&](MortonCode bits, MortonCode step) {
+        return ((places_[n] | ~bits) + step) & bits;
+      };
+      const MortonCode code = moved(kFirst, x << 3 * shift) |
+                              moved(kFirst << 1U, y << (3 * shift + 1)) |
+                              moved(kFirst << 2U, z << (3 * shift + 2));
+      visit(n, corner,
+            Place{.node = {sides[x].i, sides[y].j, sides[z].k},
+                  .code = code,
+                  .isBeyond = (corner & beyond) != 0,
+                  .isInParent = cell.level > 0 && (corner & child) == 0});
+    }
+  }
+}
+
+template <std::floating_point T>
+std::size_t OctreeNodes<T>::cellFrom(const Place& place, std::size_t& near) const {
+  if (place.isBeyond) return kNoCell;
+  near = seek(places_, place.code, near);
+  return near < places_.size() && places_[near] == place.code ? near : kNoCell;
+}
+
+template class OctreeNodes<float>;
+template class OctreeNodes<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Cutwater/Grid/MortonCode.hpp>
+#include <Cutwater/Grid/Octree.hpp>
+
+#include <array>
+
+namespace cutwater {
+
+/// The nodes of an octree mesh: its cells' corners, each numbered once. Where a coarser neighbour
+/// has no corner (hanging nodes), they are nodes as well.
+///
+/// The numbers below that of cells() are the cells' lower corners, in the order of the cells; then
+/// come those that no cell begins at. Takes 8 bytes for each cell and each of the latter.
+template <std::floating_point T>
+class OctreeNodes {
+ public:
+  /// Of a cell, in the order of Box::corner().
+  using Corners = std::array<std::uint64_t, 8>;
+
+  /// The mesh must outlive it.
+  explicit OctreeNodes(const Octree<T>& mesh, const ParallelOptions& options = {});
+
+  [[nodiscard]] std::size_t count() const { return places_.size() + others_.size(); }
+  /// Index among the nodes of the finest level, mesh.deepest().
+  [[nodiscard]] Index3 index(std::size_t node) const;
+  /// That of the index: for all levels the same, to the bit.
+  [[nodiscard]] Vec3<T> position(std::size_t node) const { return level_.position(index(node)); }
+
+  /// Nodes of as many cells as the span has room for, from `firstCell` on. Cells in their order
+  /// cost much less together than one by one.
+  void corners(std::size_t firstCell, std::span<Corners> result) const;
+
+ private:
+  /// Where a corner of a cell is.
+  struct Place {
+    Index3 node;
+    MortonCode code = 0;      ///< unless it is past the last cell on an axis
+    bool isBeyond = false;    ///< it is
+    bool isInParent = false;  ///< a cell of the same parent begins there
+  };
+
+  /// Calls visit(cell, corner, its place) for the corners of cells but their lower ones.
+  template <typename Visit>
+  void forCorners(std::size_t begin, std::size_t end, const Visit& visit) const;
+  /// The cell that begins there, or kNoCell; looks from `near` on, and leaves it where that was.
+  [[nodiscard]] std::size_t cellFrom(const Place& place, std::size_t& near) const;
+
+  static constexpr auto kNoCell = static_cast<std::size_t>(-1);
+
+  const Octree<T>& mesh_;
+  Level<T> level_;
+  Index3 size_;                        // cells of the finest level along each axis
+  std::vector<MortonCode> places_;     // cells' lower corners, ascending
+  std::vector<std::uint64_t> others_;  // keys of other nodes, ascending
+};
+
+extern template class OctreeNodes<float>;
+extern template class OctreeNodes<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,144 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/OctreeRegions.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace cutwater {
+
+namespace {
+
+/// Sets that grow together (Tarjan 1975), each known by its first member.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+  [[nodiscard]] std::uint32_t find(std::uint32_t member) {
+    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
+    return member;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Calls visit(neighbour) for those across a cell's faces that are no finer than it: of two
+/// neighbours one sees the other, or both do.
+template <std::floating_point T, typename Visit>
+void forCoarserNeighbours(const Octree<T>& mesh, const OctreeCell& cell, const Visit& visit) {
+  for (int face = 0; face < 6; ++face) {
+    const int step = face % 2 == 0 ? -1 : 1;
+    auto index = cell.index;
+    (face < 2 ? index.i : face < 4 ? index.j : index.k) += step;
+    const auto found = mesh.find(index, cell.level);
+    if (found && mesh.cells()[*found].level <= cell.level) visit(*found);
+  }
+}
+
+bool mayBeCut(const OctreeCell& cell) {
+  return cell.kind == BoxClass::Cut || cell.kind == BoxClass::Unknown;
+}
+
+template <std::floating_point T>
+double volumeOf(const Octree<T>& mesh, const OctreeCell& cell) {
+  return std::pow(std::ldexp(double{mesh.domain().spacing()}, -cell.level), 3);
+}
+
+}  // namespace
+
+template <std::floating_point T>
+FluidRegions<T>::FluidRegions(const Octree<T>& mesh) : regionOf_(mesh.cells().size(), kNone) {
+  const auto cells = mesh.cells();
+  require(cells.size() < kNone, "FluidRegions: need fewer than 2^32 - 1 cells",
+          Named{"cells", cells.size()});
+  DisjointSets sets(cells.size());
+  for (std::uint32_t n = 0; n < cells.size(); ++n) {
+    if (cells[n].kind != BoxClass::Outside) continue;
+    forCoarserNeighbours(mesh, cells[n], [&](std::size_t other) {
+      if (cells[other].kind == BoxClass::Outside) {
+        sets.join(n, static_cast<std::uint32_t>(other));
+      }
+    });
+  }
+
+  struct Found {
+    FluidRegion<T> region;
+    std::uint32_t first;
+    int level;  // of the largest cell
+  };
+  std::vector<Found> found;
+  std::vector<std::uint32_t> numbers(cells.size(), kNone);  // by the set's first cell
+  for (std::uint32_t n = 0; n < cells.size(); ++n) {
+    if (cells[n].kind != BoxClass::Outside) continue;
+    auto& number = numbers[sets.find(n)];
+    if (number == kNone) {
+      number = static_cast<std::uint32_t>(found.size());
+      found.push_back({{}, n, cells[n].level + 1});
+    }
+    auto& [region, first, level] = found[number];
+    ++region.cells;
+    region.volume += volumeOf(mesh, cells[n]);
+    if (cells[n].level < level) {
+      level = cells[n].level;
+      region.point = mesh.center(cells[n]);
+    }
+  }
+  std::ranges::stable_sort(found, std::greater<>{}, [](const Found& f) { return f.region.volume; });
+  for (std::uint32_t number = 0; number < found.size(); ++number) {
+    numbers[found[number].first] = number;
+    regions_.push_back(found[number].region);
+  }
+  for (std::uint32_t n = 0; n < cells.size(); ++n) {
+    if (cells[n].kind == BoxClass::Outside) regionOf_[n] = numbers[sets.find(n)];
+  }
+  // Regions are numbered by size, so the least number is the largest.
+  for (std::uint32_t n = 0; n < cells.size(); ++n) {
+    forCoarserNeighbours(mesh, cells[n], [&](std::size_t other) {
+      if (mayBeCut(cells[n]) && cells[other].kind == BoxClass::Outside) {
+        regionOf_[n] = std::min(regionOf_[n], regionOf_[other]);
+      } else if (mayBeCut(cells[other]) && cells[n].kind == BoxClass::Outside) {
+        regionOf_[other] = std::min(regionOf_[other], regionOf_[n]);
+      }
+    });
+  }
+}
+
+template <std::floating_point T>
+std::vector<std::size_t> FluidRegions<T>::unreached(const Octree<T>& mesh,
+                                                    const Vec3<T>& point) const {
+  const auto at = mesh.find(point);
+  require(at.has_value(), "unreached: need a point within the mesh", Named{"point", point});
+  const auto region = regionOf_[*at];
+  require(region != kNone, "unreached: need a point in the fluid", Named{"point", point});
+  std::vector<std::size_t> result;
+  for (std::size_t n = 0; n < mesh.cells().size(); ++n) {
+    if (mesh.cells()[n].kind != BoxClass::Inside && regionOf_[n] != region) result.push_back(n);
+  }
+  return result;
+}
+
+template <std::floating_point T>
+Interval<double> solidVolume(const Octree<T>& mesh) {
+  Interval<double> volume{0, 0};
+  for (const auto& cell : mesh.cells()) {
+    if (cell.kind == BoxClass::Outside) continue;
+    const double own = volumeOf(mesh, cell);
+    volume.upper += own;
+    if (cell.kind == BoxClass::Inside) volume.lower += own;
+  }
+  return volume;
+}
+
+template class FluidRegions<float>;
+template class FluidRegions<double>;
+template Interval<double> solidVolume(const Octree<float>&);
+template Interval<double> solidVolume(const Octree<double>&);
+
+}  // namespace cutwater

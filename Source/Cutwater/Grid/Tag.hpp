@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Cutwater/Core/GridView.hpp>
+#include <Cutwater/Core/Level.hpp>
+#include <Cutwater/Grid/Refinement.hpp>
+
+namespace cutwater {
+
+struct TagOptions {
+  /// At most this many threads; 0: as many as there are. See ParallelOptions.
+  int threads = 0;
+  Progress progress = {};
+};
+
+/// Marks the cells of a patch that are to be refined with 1, the others with 0; `level` is the
+/// number of the patch's level in the hierarchy. What it says of a cell depends on the cell alone,
+/// not on the patch it is asked in, and is what Octree decides. Serial inside an active parallel
+/// region.
+/// @throws Error as Refinement::check(), or if the level is negative or `threads` is.
+template <std::floating_point T>
+void tag(const Refinement<T>& refinement, const SignedDistanceFunction<T>& solid,
+         const Patch<T>& patch, int level, const GridView<std::uint8_t>& tags,
+         const TagOptions& options = {});
+
+extern template void tag(const Refinement<float>&, const SignedDistanceFunction<float>&,
+                         const Patch<float>&, int, const GridView<std::uint8_t>&,
+                         const TagOptions&);
+extern template void tag(const Refinement<double>&, const SignedDistanceFunction<double>&,
+                         const Patch<double>&, int, const GridView<std::uint8_t>&,
+                         const TagOptions&);
+
+}  // namespace cutwater

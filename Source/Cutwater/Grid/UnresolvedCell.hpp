@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Cutwater/Grid/UnresolvedFeatures.hpp>
+
+#include <array>
+
+namespace cutwater::detail {
+
+/// The surface in one cell against the signs at its corners.
+template <std::floating_point T>
+class UnresolvedCell {
+ public:
+  UnresolvedCell(const SignedDistanceFunction<T>& solid, const Box<T>& box,
+                 const std::array<T, 8>& corners);
+
+  struct Finding {
+    UnresolvedKind kind = UnresolvedKind::Thin;
+    bool isSolid = false;
+    T depth = 0;  ///< as a length
+    Vec3<T> point = {};
+  };
+  /// Nothing if corners tell it all. `isCut`: some surface is certainly in the cell.
+  [[nodiscard]] std::optional<Finding> find(bool isCut);
+
+ private:
+  static constexpr std::size_t kMostPoints = 64;
+
+  [[nodiscard]] bool isInside(int corner) const { return (inside_ >> corner & 1U) != 0; }
+  [[nodiscard]] bool mayMeet(const Box<T>& part) const;
+  /// Crossings of the edge from a corner along an axis; the first few are noted, and what it
+  /// passes through between two of them.
+  std::size_t crossed(int corner, int axis);
+  [[nodiscard]] UnresolvedKind hiddenKind();
+  [[nodiscard]] bool isMultiCut(bool& isSolid);
+  /// Notes points of the surface in the cell, from samples.
+  void samplePoints();
+  void note(const Vec3<T>& point, const Vec3<T>& normal);
+  /// A stretch of an edge between two crossings: as thick as twice the distance in its middle.
+  void noteStretch(const Segment<T>& edge, T first, T second);
+  /// Of the solid or the fluid behind a noted point: along the normal, to the other side or out of
+  /// the cell.
+  [[nodiscard]] T depthAt(std::size_t point, bool isSolid) const;
+
+  const SignedDistanceFunction<T>& solid_;
+  Box<T> box_;
+  unsigned inside_ = 0;  // a bit for each corner
+  T thickest_ = 0;       // of the stretches
+  Vec3<T> thickestAt_;
+  std::size_t count_ = 0;
+  std::array<Vec3<T>, kMostPoints> points_;
+  std::array<Vec3<T>, kMostPoints> normals_;
+};
+
+extern template class UnresolvedCell<float>;
+extern template class UnresolvedCell<double>;
+
+}  // namespace cutwater::detail

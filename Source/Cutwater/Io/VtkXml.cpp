@@ -1,0 +1,146 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/OutputFile.hpp>
+#include <Cutwater/Io/VtkXml.hpp>
+
+#include <bit>
+
+namespace cutwater::detail {
+
+namespace {
+
+template <typename Value>
+struct Components {
+  using Number = Value;
+  static constexpr int kCount = 1;
+};
+template <typename T>
+struct Components<Vec3<T>> {
+  using Number = T;
+  static constexpr int kCount = 3;
+};
+
+std::span<const std::byte> bytesOf(const VtkArray& array) {
+  return std::visit([](const auto& values) { return std::as_bytes(values); }, array.values);
+}
+
+std::size_t lengthOf(const VtkArray& array) {
+  return std::visit([](const auto& values) { return values.size(); }, array.values);
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '&') {
+      result += "&amp;";
+    } else if (c == '<') {
+      result += "&lt;";
+    } else if (c == '"') {
+      result += "&quot;";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+VtkXml::VtkXml(std::string_view dataSet, Attributes attributes) : dataSet_(dataSet) {
+  const std::string order =
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
+  text_ = "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + dataSet_ +
+          "\" version=\"1.0\" byte_order=\"" + order + "\" header_type=\"UInt64\">\n";
+  open(dataSet, attributes);
+}
+
+void VtkXml::tag(std::string_view element, Attributes attributes, std::string_view end) {
+  text_.append(2 * depth_, ' ').append("<").append(element);
+  for (const auto& [name, value] : attributes) {
+    text_.append(" ").append(name).append("=\"").append(escaped(value)).append("\"");
+  }
+  text_.append(end).append("\n");
+}
+
+void VtkXml::open(std::string_view element, Attributes attributes) {
+  tag(element, attributes, ">");
+  ++depth_;
+}
+
+void VtkXml::close(std::string_view element) {
+  --depth_;
+  text_.append(2 * depth_, ' ').append("</").append(element).append(">\n");
+}
+
+void VtkXml::empty(std::string_view element) {
+  tag(element, {}, "/>");
+}
+
+void VtkXml::array(std::string_view name, std::string_view type, int components,
+                   std::uint64_t bytes) {
+  tag("DataArray",
+      {{"type", std::string(type)},
+       {"Name", std::string(name)},
+       {"NumberOfComponents", toText(static_cast<long long>(components))},
+       {"format", "appended"},
+       {"offset", toText(static_cast<long long>(offset_))}},
+      "/>");
+  offset_ += sizeof(std::uint64_t) + bytes;
+}
+
+void VtkXml::arrays(std::string_view element, std::span<const VtkArray> arrays) {
+  const auto& first = arrays.front();
+  const bool isVector = std::visit(
+      [](const auto& values) {
+        return Components<std::remove_cvref_t<decltype(values[0])>>::kCount > 1;
+      },
+      first.values);
+  open(element, {{isVector ? "Vectors" : "Scalars", first.name}});
+  for (const auto& array : arrays) {
+    std::visit(
+        [&](const auto& values) {
+          using Value = Components<std::remove_cvref_t<decltype(values[0])>>;
+          this->array(array.name, vtkType<typename Value::Number>(), Value::kCount,
+                      values.size_bytes());
+        },
+        array.values);
+  }
+  close(element);
+}
+
+std::string VtkXml::finished() {
+  close(dataSet_);
+  return text_ + "  <AppendedData encoding=\"raw\">\n_";
+}
+
+void checkVtkArrays(const std::string& caller, std::span<const VtkArray> arrays,
+                    std::size_t count) {
+  const auto refuse = [&](const std::string& why) {
+    throw Error(ErrorKind::Argument, caller + ": " + why);
+  };
+  if (arrays.empty()) refuse("need at least one array");
+  for (std::size_t a = 0; a < arrays.size(); ++a) {
+    const auto& name = arrays[a].name;
+    if (name.empty()) refuse("every array needs a name");
+    if (const auto length = lengthOf(arrays[a]); length != count) {
+      refuse("array '" + name + "' needs " + toText(static_cast<long long>(count)) +
+             " values (values = " + toText(static_cast<long long>(length)) + ")");
+    }
+    for (std::size_t b = 0; b < a; ++b) {
+      if (name == arrays[b].name) refuse("two arrays named '" + name + "'");
+    }
+  }
+}
+
+void writeVtkSize(OutputFile& file, std::uint64_t bytes) {
+  file.write(std::as_bytes(std::span(&bytes, 1)));
+}
+
+void writeVtkArrays(OutputFile& file, std::span<const VtkArray> arrays) {
+  for (const auto& array : arrays) {
+    const auto bytes = bytesOf(array);
+    writeVtkSize(file, bytes.size());
+    file.write(bytes);
+  }
+}
+
+}  // namespace cutwater::detail

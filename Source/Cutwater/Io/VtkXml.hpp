@@ -1,0 +1,85 @@
+#pragma once
+
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+namespace cutwater {
+
+class OutputFile;
+
+/// A named array of a VTK file: a number or a vector for each cell or node.
+struct VtkArray {
+  std::string name;
+  std::variant<std::span<const float>, std::span<const double>, std::span<const std::uint32_t>,
+               std::span<const std::uint8_t>, std::span<const Vec3<float>>,
+               std::span<const Vec3<double>>>
+      values;
+};
+
+namespace detail {
+
+/// VTK's name of a type of numbers: "Float64".
+template <typename Number>
+constexpr std::string_view vtkType() {
+  if constexpr (std::is_floating_point_v<Number>) {
+    return sizeof(Number) == 4 ? "Float32" : "Float64";
+  } else if constexpr (std::is_signed_v<Number>) {
+    return sizeof(Number) == 4 ? "Int32" : "Int64";
+  } else {
+    static_assert(sizeof(Number) == 1 || sizeof(Number) == 4);
+    return sizeof(Number) == 1 ? "UInt8" : "UInt32";
+  }
+}
+
+/// What stands before the numbers of a VTK file, element by element: XML that tells where each
+/// array is among the bytes behind it.
+///
+/// Format: "VTK File Formats", section XML, https://docs.vtk.org; appended data with
+/// encoding="raw": behind an underscore, each array's bytes follow their number as a UInt64.
+class VtkXml {
+ public:
+  using Attributes = std::initializer_list<std::pair<std::string_view, std::string>>;
+
+  /// `dataSet`: "ImageData".
+  explicit VtkXml(std::string_view dataSet, Attributes attributes = {});
+
+  void open(std::string_view element, Attributes attributes = {});
+  void close(std::string_view element);
+  void empty(std::string_view element);
+
+  /// Arrays must be written in the order in which they are told here.
+  void array(std::string_view name, std::string_view type, int components, std::uint64_t bytes);
+  /// An element of arrays, of which the first is the one shown first.
+  void arrays(std::string_view element, std::span<const VtkArray> arrays);
+
+  /// All of it, up to the first array's bytes.
+  [[nodiscard]] std::string finished();
+  /// What stands behind the last array.
+  static constexpr std::string_view kEnd = "\n  </AppendedData>\n</VTKFile>\n";
+
+ private:
+  void tag(std::string_view element, Attributes attributes, std::string_view end);
+
+  std::string dataSet_;
+  std::string text_;
+  std::size_t depth_ = 1;
+  std::uint64_t offset_ = 0;
+};
+
+/// @throws Error(Argument), beginning with `caller`, unless there are arrays, all of `count`
+/// values, and their names are neither empty nor twice the same.
+void checkVtkArrays(const std::string& caller, std::span<const VtkArray> arrays, std::size_t count);
+
+/// The number of bytes; the bytes follow.
+void writeVtkSize(OutputFile& file, std::uint64_t bytes);
+void writeVtkArrays(OutputFile& file, std::span<const VtkArray> arrays);
+
+}  // namespace detail
+}  // namespace cutwater

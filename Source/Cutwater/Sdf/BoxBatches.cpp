@@ -1,0 +1,70 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/Scratch.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+#include <algorithm>
+
+// Many boxes at a time.
+
+namespace cutwater {
+
+namespace {
+
+/// Boxes reach the shapes in pieces of this many, whose local copies fit the L1 cache.
+constexpr std::size_t kBatch = 256;
+
+}  // namespace
+
+template <std::floating_point T>
+void SignedDistanceFunction<T>::classify(std::span<const Box<T>> boxes, std::span<BoxClass> classes,
+                                         std::span<BoxHint> hints,
+                                         const ParallelOptions& given) const {
+  require(boxes.size() == classes.size(), "classify: need one class per box",
+          Named{"boxes", boxes.size()}, Named{"classes", classes.size()});
+  require(hints.empty() || hints.size() == boxes.size(), "classify: need one hint per box, or none",
+          Named{"boxes", boxes.size()}, Named{"hints", hints.size()});
+  auto options = given;
+  options.grain = std::max(options.grain, kBatch) / kBatch * kBatch;
+  parallelFor(boxes.size(), options, [&](std::size_t begin, std::size_t end) {
+    Scratch<OrientedBox<T>, kBatch> local;
+    for (auto first = begin; first < end; first += kBatch) {
+      const auto count = std::min(kBatch, end - first);
+      const auto some = boxes.subspan(first, count);
+      const auto found = classes.subspan(first, count);
+      const auto known = hints.empty() ? hints : hints.subspan(first, count);
+      if (std::ranges::all_of(some,
+                              [](const Box<T>& box) { return !box.empty() && isFinite(box); })) {
+        for (std::size_t i = 0; i < count; ++i) local[i] = toLocal(OrientedBox<T>::of(some[i]));
+        localClasses(local.first(count), found, known);
+      } else {
+        for (std::size_t i = 0; i < count; ++i) {
+          found[i] = classify(some[i], known.empty() ? nullptr : &known[i]);
+        }
+      }
+    }
+  });
+}
+
+template <std::floating_point T>
+void SignedDistanceFunction<T>::localClasses(std::span<const OrientedBox<T>> boxes,
+                                             std::span<BoxClass> classes,
+                                             std::span<BoxHint> hints) const {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    classes[i] = localClassify(boxes[i], hints.empty() ? nullptr : &hints[i]);
+  }
+}
+
+template void SignedDistanceFunction<float>::classify(std::span<const Box<float>>,
+                                                      std::span<BoxClass>, std::span<BoxHint>,
+                                                      const ParallelOptions&) const;
+template void SignedDistanceFunction<float>::localClasses(std::span<const OrientedBox<float>>,
+                                                          std::span<BoxClass>,
+                                                          std::span<BoxHint>) const;
+template void SignedDistanceFunction<double>::classify(std::span<const Box<double>>,
+                                                       std::span<BoxClass>, std::span<BoxHint>,
+                                                       const ParallelOptions&) const;
+template void SignedDistanceFunction<double>::localClasses(std::span<const OrientedBox<double>>,
+                                                           std::span<BoxClass>,
+                                                           std::span<BoxHint>) const;
+
+}  // namespace cutwater

@@ -1,0 +1,162 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/UnresolvedFeatures.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
+
+#include <set>
+
+#include "Support/Precisions.hpp"
+#include "Support/Soups.hpp"
+
+namespace cutwater::test {
+namespace {
+
+template <typename T>
+class UnresolvedFeaturesTest : public ::testing::Test {
+ protected:
+  using Features = std::vector<UnresolvedFeature<T>>;
+
+  [[nodiscard]] Features featuresOf(const Solid<T>& solid, int level) const {
+    const Refinement<T> rules{.cut = level};
+    return unresolvedFeatures(solid, Octree<T>(solid, domain, rules));
+  }
+  /// The cell of level 2 at (1, 1, 1) of the roots' ... is [0, 0.25]^3.
+  const OctreeDomain<T> domain{{-1, -1, -1}, 1, {2, 2, 2}};
+};
+TYPED_TEST_SUITE(UnresolvedFeaturesTest, Precisions);
+
+TYPED_TEST(UnresolvedFeaturesTest, ListEveryCellOfAPlateBetweenTheCorners) {
+  using T = TypeParam;
+  // A hundredth of a cell of level 4, which are 1/16 wide.
+  const T thickness = T(0.01) / 16;
+  const Solid<T> plate =
+      Cuboid<T>({T(-0.8), T(-0.8), T(0.02)}, {T(0.8), T(0.8), T(0.02) + thickness});
+  for (const bool isSlit : {false, true}) {
+    const Solid<T> solid = isSlit ? ~plate : plate;
+    const Octree<T> mesh(solid, this->domain, {.cut = 4});
+    const auto features = unresolvedFeatures(solid, mesh);
+    std::size_t met = 0;
+    for (const auto& cell : mesh.cells()) met += mesh.box(cell).overlaps(plate.boundingBox());
+    EXPECT_EQ(features.size(), met);
+    EXPECT_GT(met, 500U);
+    for (const auto& feature : features) {
+      EXPECT_EQ(feature.kind, UnresolvedKind::Thin);
+      EXPECT_EQ(feature.isSolid, !isSlit);
+      EXPECT_NEAR(feature.depth, 0.01, 1e-3);  // at the rim across a corner
+      EXPECT_EQ(feature.level, 11);  // 2^7 times finer
+      EXPECT_NEAR(feature.point.z, T(0.02) + thickness / 2, thickness);
+    }
+  }
+}
+
+TYPED_TEST(UnresolvedFeaturesTest, TellABulgeFromAPlate) {
+  using T = TypeParam;
+  // The ball's cap reaches 0.03 into the cells above z = 0, around the middle of one's face.
+  const auto features = this->featuresOf(Sphere<T>({T(0.125), T(0.125), T(-0.07)}, T(0.1)), 2);
+  ASSERT_EQ(features.size(), 2U);
+  EXPECT_EQ(features[1].kind, UnresolvedKind::Grazing);
+  EXPECT_TRUE(features[1].isSolid);
+  EXPECT_NEAR(features[1].depth, 0.03 / 0.25, 0.01);
+  EXPECT_EQ(features[1].level, 2 + 4);
+  // Most of it is below: no corner there sees it either.
+  EXPECT_EQ(features[0].kind, UnresolvedKind::Grazing);
+  EXPECT_GT(features[0].depth, 0.5);
+}
+
+TYPED_TEST(UnresolvedFeaturesTest, FindWhatLiesWithinACell) {
+  using T = TypeParam;
+  const auto features = this->featuresOf(Sphere<T>({T(0.11), T(0.13), T(0.12)}, T(0.01)), 2);
+  ASSERT_EQ(features.size(), 1U);
+  EXPECT_EQ(features[0].kind, UnresolvedKind::Thin);
+  EXPECT_TRUE(features[0].isSolid);
+  EXPECT_NEAR(features[0].depth, 0.02 / 0.25, 0.002);
+}
+
+TYPED_TEST(UnresolvedFeaturesTest, FindSeveralSheetsInACell) {
+  using T = TypeParam;
+  // Two walls with a narrow slit between: corners of cells are on both sides below the walls' end.
+  const Solid<T> walls = Cuboid<T>({T(-0.6), T(-0.6), T(-0.6)}, {T(0.1), T(0.6), T(0.1)}) |
+                         Cuboid<T>({T(0.11), T(-0.6), T(-0.6)}, {T(0.6), T(0.6), T(0.1)});
+  const auto features = this->featuresOf(walls, 2);
+  std::size_t multiCut = 0;
+  for (const auto& feature : features) {
+    EXPECT_FALSE(feature.isSolid);
+    EXPECT_NEAR(feature.point.x, 0.105, 0.0051);
+    multiCut += feature.kind == UnresolvedKind::MultiCut ? 1 : 0;
+    EXPECT_NEAR(feature.depth, 0.01 / 0.25, 0.001);
+  }
+  EXPECT_GE(multiCut, 4U);
+  EXPECT_GT(features.size(), multiCut);
+}
+
+TYPED_TEST(UnresolvedFeaturesTest, HaveNothingToSayOfWhatIsSmooth) {
+  using T = TypeParam;
+  EXPECT_TRUE(this->featuresOf(Cuboid<T>({T(-0.6), T(-0.6), T(-0.6)}, {T(0.6), T(0.6), T(0.6)}), 3)
+                  .empty());
+}
+
+TYPED_TEST(UnresolvedFeaturesTest, AreCompleteAgainstSamplesOfACell) {
+  using T = TypeParam;
+  Solid<T> solid = MeshSDF<T>(star(40));
+  const auto size = solid.boundingBox().size();
+  solid = scaled(solid, T(1.5) / maxComponent(size));
+  solid.translate(T(-1) * solid.boundingBox().center());
+  solid.rotate(20, {1, 2, 3});
+  const Octree<T> mesh(solid, this->domain, {.cut = 4});
+  const auto features = unresolvedFeatures(solid, mesh);
+  std::set<std::size_t> listed;
+  for (const auto& feature : features) listed.insert(feature.cell);
+  EXPECT_EQ(listed.size(), features.size());
+  std::size_t found = 0;
+  for (std::size_t n = 0; n < mesh.cells().size(); ++n) {
+    const auto box = mesh.box(mesh.cells()[n]);
+    if (mesh.cells()[n].level < 4) continue;
+    const auto isInside = [&](const Vec3<T>& p) { return solid.signedDistance(p) < 0; };
+    bool isLost = false;
+    int corners = 0;
+    for (int i = 0; i < 8; ++i) corners += isInside(box.corner(i)) ? 1 : 0;
+    for (int i = 0; i < 8; ++i) {
+      for (int axis = 0; axis < 3; ++axis) {
+        if ((i >> axis & 1) != 0) continue;
+        int changes = 0;
+        bool last = isInside(box.corner(i));
+        for (int part = 1; part <= 24; ++part) {
+          auto p = box.corner(i);
+          p[axis] = box.lower[axis] + (box.upper[axis] - box.lower[axis]) * T(part) / 24;
+          if (part == 24) p = box.corner(i | 1 << axis);
+          const bool here = isInside(p);
+          changes += here != last ? 1 : 0;
+          last = here;
+        }
+        isLost = isLost || changes > 1;
+      }
+    }
+    if (corners == 0 || corners == 8) {
+      isLost = isLost || isInside(box.center()) != (corners == 8);
+    }
+    if (isLost) {
+      EXPECT_TRUE(listed.contains(n));
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 20U);
+}
+
+TYPED_TEST(UnresolvedFeaturesTest, AreTheSameForAnyNumberOfThreads) {
+  using T = TypeParam;
+  const Solid<T> solid = Cuboid<T>({T(-0.8), T(-0.8), T(0.02)}, {T(0.8), T(0.8), T(0.03)});
+  const Octree<T> mesh(solid, this->domain, {.cut = 4});
+  const auto one = unresolvedFeatures(solid, mesh, {.threads = 1});
+  const auto many = unresolvedFeatures(solid, mesh, {.threads = 3});
+  ASSERT_EQ(one.size(), many.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    EXPECT_EQ(one[i].cell, many[i].cell);
+    EXPECT_EQ(one[i].depth, many[i].depth);
+  }
+  EXPECT_THROW((void)unresolvedFeatures(solid, mesh, {.threads = -1}), Error);
+}
+
+}  // namespace
+}  // namespace cutwater::test

@@ -1,0 +1,91 @@
+#include "Picture.hpp"
+
+#include <Cutwater/Io/Png.hpp>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "Arguments.hpp"
+#include "Format.hpp"
+#include "ProgressBar.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+void addWindow(CLI::App& command, PictureOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--window",
+          [&](const std::string& text) {
+            const auto v = numbers("--window", text, 4);
+            if (!(v[0] < v[2] && v[1] < v[3])) {
+              refuse("--window", text, "the lower corner and then the upper one");
+            }
+            options.slice.window = SliceWindow<double>{{v[0], v[1]}, {v[2], v[3]}};
+          },
+          "Show this rectangle of the plane, by its corners in the plane's two coordinates; "
+          "without it: the whole surface")
+      ->type_name("A0,B0,A1,B1");
+}
+
+void addSize(CLI::App& command, PictureOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--size",
+          [&](const std::string& text) {
+            const auto size = sizes("--size", text);
+            if (size.size() != 2 || size[0] < 320 || size[1] < 240 || size[0] > Image::kMaxSize ||
+                size[1] > Image::kMaxSize) {
+              refuse("--size", text, "WIDTHxHEIGHT from 320x240 to 32768x32768");
+            }
+            options.slice.width = size[0];
+            options.slice.height = size[1];
+          },
+          "Pixels; without it: 1600x1000")
+      ->type_name("WxH");
+}
+
+}  // namespace
+
+void addPictureOptions(CLI::App& command, PictureOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--axis", [&](const std::string& text) { options.axis = axisOf("--axis", text); },
+          "The plane's normal: x, y or z; without it: y")
+      ->type_name("AXIS");
+  command
+      .add_option_function<std::string>(
+          "--at", [&](const std::string& text) { options.at = numbers("--at", text, 1).front(); },
+          "Where on that axis; without it: the middle of the surface")
+      ->type_name("VALUE");
+  addWindow(command, options);
+  addSize(command, options);
+  command.add_option("--title", options.slice.title, "What stands above");
+  command.add_option("--unit", options.slice.unit, "Unit of lengths, for the labels: m");
+}
+
+void writePicture(const SignedDistanceFunction<double>& solid, const SurfaceOptions& surface,
+                  PictureOptions options) {
+  auto& slice = options.slice;
+  const double at = options.at.value_or(solid.boundingBox().center()[options.axis]);
+  const auto axis = "xyz"[options.axis];
+  if (slice.title.empty()) {
+    slice.title = fileName(surface) + ", " + axis + " = " + number(at, 4) +
+                  (slice.unit.empty() ? "" : " " + slice.unit);
+  }
+  Stopwatch watch;
+  {
+    ProgressBar bar("drawing", !surface.quiet);
+    slice.threads = surface.threads;
+    slice.progress = bar.callback();
+    writePng(options.output,
+             renderSlice(solid, SlicePlane<double>::across(options.axis, at), slice));
+  }
+  if (surface.quiet) return;
+  std::cout << "wrote " << options.output << ": " << slice.width << " x " << slice.height
+            << " pixels of the plane " << axis << " = " << number(at) << ", in "
+            << duration(watch.lap()) << '\n';
+}
+
+}  // namespace cutwater::tool

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Cutwater/Render/Slice.hpp>
+
+#include <optional>
+#include <string>
+
+#include "Surface.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace cutwater::tool {
+
+/// A picture of a plane through the surface.
+struct PictureOptions {
+  std::string output;
+  int axis = 1;              ///< the plane's normal
+  std::optional<double> at;  ///< on it; without it: the middle of the surface
+  SliceOptions<double> slice;
+};
+
+void addPictureOptions(CLI::App& command, PictureOptions& options);
+
+/// Draws and writes it, and tells so unless all is quiet.
+void writePicture(const SignedDistanceFunction<double>& solid, const SurfaceOptions& surface,
+                  PictureOptions options);
+
+}  // namespace cutwater::tool
