@@ -81,5 +81,30 @@ TEST(Block, KeepsItsMemoryWhileACopyLives) {
   EXPECT_TRUE(watch.expired());
 }
 
+TEST(Block, SharesItsMemoryWithItsParts) {
+  const std::vector<std::uint32_t> ids{1, 2, 3, 4};
+  const auto end = [&] {
+    BlockWriter writer;
+    writer.add(ids);
+    return writer.finish().from(4).first(8);  // the whole block is gone
+  }();
+  ASSERT_EQ(end.bytes().size(), 8U);
+  const auto found = end.array<std::uint32_t>({.offset = 0, .count = 2});
+  EXPECT_EQ(found[0], 2U);
+  EXPECT_EQ(found[1], 3U);
+}
+
+TEST(Block, CopiesBytesToWhereArraysCanStand) {
+  std::vector<std::byte> bytes(1000);
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(i);
+  for (const std::size_t shift : {0U, 1U, 63U, 1000U}) {
+    const auto part = std::span<const std::byte>(bytes).subspan(shift);
+    const auto copy = alignedCopy(part);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(copy.bytes().data()) % BlockWriter::kAlignment, 0U);
+    EXPECT_NE(copy.bytes().data(), part.data());
+    EXPECT_TRUE(std::ranges::equal(copy.bytes(), part));
+  }
+}
+
 }  // namespace
 }  // namespace cutwater::test

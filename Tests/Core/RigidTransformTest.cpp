@@ -138,5 +138,33 @@ TYPED_TEST(RigidTransformTest, RefusesImpossibleMotions) {
   EXPECT_TRUE(t.isIdentity());
 }
 
+TYPED_TEST(RigidTransformTest, ComesBackFromItsAxesAndOffset) {
+  using T = TypeParam;
+  RigidTransform<T> t;
+  for (int i = 0; i < 1000; ++i) {
+    const RigidTransform<T> again({t.axis(0), t.axis(1), t.axis(2)}, t.offset());
+    EXPECT_EQ(again, t);
+    EXPECT_EQ(again.isRotated(), t.isRotated());
+    t.rotate(T(0.37) * static_cast<T>(i), {T(1), T(i % 3), T(-2)}, {1, 0, T(0.5)});
+    t.translate({T(0.1), T(-0.2), 7});
+  }
+}
+
+TYPED_TEST(RigidTransformTest, RefusesAxesThatAreNoRotation) {
+  using T = TypeParam;
+  const Vec3<T> x{1, 0, 0};
+  const Vec3<T> y{0, 1, 0};
+  const Vec3<T> z{0, 0, 1};
+  constexpr T kNaN = std::numeric_limits<T>::quiet_NaN();
+  EXPECT_NO_THROW(RigidTransform<T>({y, z, x}, {1, 2, 3}));
+  EXPECT_THROW(RigidTransform<T>({y, x, z}, {}), Error);  // left-handed
+  EXPECT_THROW(RigidTransform<T>({x, y, -z}, {}), Error);
+  EXPECT_THROW(RigidTransform<T>({x, y, y}, {}), Error);
+  EXPECT_THROW(RigidTransform<T>({x, y, T(1.001) * z}, {}), Error);
+  EXPECT_THROW(RigidTransform<T>({x, y, {0, T(0.001), 1}}, {}), Error);
+  EXPECT_THROW(RigidTransform<T>({x, y, {0, 0, kNaN}}, {}), Error);
+  EXPECT_THROW(RigidTransform<T>({x, y, z}, {0, kNaN, 0}), Error);
+}
+
 }  // namespace
 }  // namespace cutwater::test

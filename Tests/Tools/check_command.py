@@ -16,7 +16,7 @@ except ImportError:
 from readers import Png, Vti, Vtu, bounds, read_off
 
 PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
-SUBCOMMANDS = ["info", "sample", "amr", "slice", "convert", "make"]
+SUBCOMMANDS = ["info", "sample", "amr", "slice", "convert", "prepare", "make"]
 OPEN_BOX = ("OFF\n8 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
             "4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")
 
@@ -460,6 +460,101 @@ class Convert(CommandTest):
         self.box()
         self.succeeds("convert", "box.off", "text.stl", "--ascii", "--quiet")
         self.assertTrue((self.folder / "text.stl").read_text().startswith("solid"))
+
+
+class Prepare(CommandTest):
+    def prepared(self, *options, surface="two.obj"):
+        (self.folder / "two.obj").write_text(
+            "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\ng base\nf 1 3 2\ng sides\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+        return self.succeeds("prepare", surface, "-o", "two.cutwater", *options)
+
+    def sampled(self, surface, *options):
+        self.succeeds("sample", surface, "-o", "out.vti", "--cells", "9", "--write", "distance,patch", "--quiet",
+                      *options)
+        return (self.folder / "out.vti").read_bytes()
+
+    def test_other_commands_answer_as_from_the_surface(self):
+        text = self.prepared()
+        self.assertRegex(text, r"\Awrote two.cutwater: 4 triangles in double precision, [\d.]+ kB\n"
+                               r"built in .*, written in .*, opened and verified in .*\n\Z")
+        for options in [(), ("--signs", "winding"), ("--scale", "2"), ("--rotate", "30,z"), ("--translate", "1,2,3"),
+                        ("--require-watertight",)]:
+            self.assertEqual(self.sampled("two.cutwater", *options), self.sampled("two.obj", *options), options)
+        pictures = set()
+        for surface in ["two.obj", "two.cutwater"]:
+            self.succeeds("slice", surface, "-o", "a.png", "--axis", "z", "--at", "1", "--window=-1,-1,5,5")
+            picture = Png(self.folder / "a.png")
+            pictures.add(tuple(picture.pixel(x, y) for x in range(200) for y in range(200, 400)))
+        self.assertEqual(len(pictures), 1)
+
+    def test_meshes_are_those_of_the_surface(self):
+        self.prepared()
+        for options in [(), ("--rotate", "30,z"), ("--signs", "winding")]:
+            meshes, pictures = set(), set()
+            for surface in ["two.obj", "two.cutwater"]:
+                self.succeeds("amr", surface, "-o", "a.vtu", "--roots", "4", "--level", "3", "--keep=-0.1,0.1,0.1",
+                              "--write", "distance,normal,patch,class,level", "--picture", "a.png", "--title", "two",
+                              "--size", "400x300", "--quiet", *options)
+                meshes.add((self.folder / "a.vtu").read_bytes())
+                pictures.add((self.folder / "a.png").read_bytes())
+            self.assertEqual((len(meshes), len(pictures)), (1, 1), options)
+
+    def test_triangles_can_be_taken_out(self):
+        self.prepared("--translate", "1,2,3")
+        self.succeeds("convert", "two.cutwater", "out.off", "--translate=-1,-2,-3")
+        points, faces = read_off(self.folder / "out.off")
+        self.assertEqual(bounds(points), (0, 0, 0, 4, 4, 4))
+        self.assertEqual(len(faces), 4)
+
+    def test_info_tells_of_it(self):
+        self.prepared()
+        text = self.succeeds("info", "two.cutwater")
+        self.assertRegex(text, r"format +prepared, double precision\n")
+        self.assertRegex(text, r"File\n(.*\n)+  signs +nearest feature: closed(.*\n)+\nSurface")
+        self.assertRegex(text, r"made from +a file of XXH64 [0-9a-f]{16}\n")
+        self.assertRegex(text, r"Patches: 2\n +0  base +1 polygon\n +1  sides +3 polygons\n")
+
+    def test_single_precision(self):
+        self.assertIn("in single precision", self.prepared("--float"))
+        self.assertIn("prepared, single precision", self.succeeds("info", "two.cutwater"))
+        self.assertEqual(self.sampled("two.cutwater"), self.sampled("two.obj"))
+        small = (self.folder / "two.cutwater").stat().st_size
+        self.prepared()
+        self.assertGreater((self.folder / "two.cutwater").stat().st_size, small)
+
+    def test_the_same_bytes_whatever_the_threads_and_the_processor(self):
+        self.succeeds("make", "torus", "--parts", 60, "-o", "t.stl")
+        contents = set()
+        for name, values in [("OMP_NUM_THREADS", "123"),
+                             ("CUTWATER_INSTRUCTION_SET", ["portable", "baseline"])]:
+            for value in values:
+                done = subprocess.run([PROGRAM, "prepare", "t.stl", "-o", "t.cutwater"], cwd=self.folder, check=True,
+                                      env={**os.environ, name: value}, capture_output=True)
+                self.assertEqual(done.stderr, b"")
+                contents.add((self.folder / "t.cutwater").read_bytes())
+        self.assertEqual(len(contents), 1)
+
+    def test_signs_are_kept(self):
+        (self.folder / "open.off").write_text(OPEN_BOX)
+        self.succeeds("prepare", "open.off", "-o", "open.cutwater", "--signs", "nearest")
+        nearest = self.sampled("open.off", "--signs", "nearest")
+        self.assertNotEqual(nearest, self.sampled("open.off"))
+        self.assertEqual(nearest, self.sampled("open.cutwater"))
+        self.assertIn("open.cutwater", self.fails(1, "slice", "open.cutwater", "-o", "a.png", "--require-watertight"))
+        self.assertIn("open.off", self.fails(1, "prepare", "open.off", "-o", "a.cutwater", "--require-watertight"))
+
+    def test_damaged_files(self):
+        self.prepared()
+        content = bytearray((self.folder / "two.cutwater").read_bytes())
+        content[len(content) // 2] ^= 4
+        (self.folder / "flipped.cutwater").write_bytes(content)
+        (self.folder / "cut.cutwater").write_bytes(content[:1500])
+        for command in [("info",), ("sample", "-o", "a.vti"), ("slice", "-o", "a.png"), ("convert", "a.stl"),
+                        ("amr", "-o", "a.vtu", "--level", "1"), ("prepare", "-o", "a.cutwater")]:
+            for file in ["flipped.cutwater", "cut.cutwater"]:
+                why = self.fails(1, command[0], file, *command[1:])
+                self.assertIn(f"{file}: the geometry file is damaged: ", why)
+        self.assertFalse([f.name for f in self.folder.iterdir() if f.name.startswith("a.")])
 
 
 class Refusals(CommandTest):

@@ -13,5 +13,6 @@ void addAmr(CLI::App& program);
 void addSlice(CLI::App& program);
 void addConvert(CLI::App& program);
 void addMake(CLI::App& program);
+void addPrepare(CLI::App& program);
 
 }  // namespace cutwater::tool

@@ -54,6 +54,14 @@ std::string counted(std::size_t count, const std::string& noun) {
   return grouped(count) + " " + noun + (count == 1 ? "" : plural);
 }
 
+std::string hexadecimal(std::uint64_t value) {
+  constexpr std::size_t kDigits = 16;
+  std::array<char, kDigits> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + kDigits, value, 16).ptr;
+  const auto count = static_cast<std::size_t>(end - digits.data());
+  return std::string(kDigits - count, '0').append(digits.data(), count);
+}
+
 std::string leftAligned(std::string_view text, std::size_t width) {
   return std::string(text) + std::string(width > text.size() ? width - text.size() : 0, ' ');
 }

@@ -3,6 +3,7 @@
 #include <Cutwater/Core/Vec3.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,8 @@ namespace cutwater::tool {
 [[nodiscard]] std::string duration(double seconds);
 /// The count and its noun: "1 hole", "2 holes", "3 patches"
 [[nodiscard]] std::string counted(std::size_t count, const std::string& noun);
+/// "00c0ffee00c0ffee"
+[[nodiscard]] std::string hexadecimal(std::uint64_t value);
 /// Filled up with blanks to `width`.
 [[nodiscard]] std::string leftAligned(std::string_view text, std::size_t width);
 [[nodiscard]] std::string rightAligned(std::string_view text, std::size_t width);

@@ -39,17 +39,23 @@ class Page {
   std::string text_;
 };
 
-std::string formatOf(const ReadReport& report) {
+std::string formatOf(const LoadedSurface& surface) {
+  if (surface.prepared) {
+    const bool isSingle = surface.prepared->info.bytesPerNumber == sizeof(float);
+    return std::string("prepared, ") + (isSingle ? "single" : "double") + " precision";
+  }
+  const auto& report = surface.report;
   constexpr const char* kNames[] = {"STL", "OBJ", "PLY", "OFF", "VTK"};
   std::string text = report.binary ? "binary " : "ASCII ";
   text += kNames[static_cast<std::size_t>(report.format)];
   return text + (report.compressed ? ", gzip-compressed" : "");
 }
 
-void describeFile(Page& page, const SurfaceOptions& options, const ReadReport& report) {
+void describeFile(Page& page, const SurfaceOptions& options, const LoadedSurface& surface) {
+  const auto& report = surface.report;
   page.section("File");
   page.line("name", options.file);
-  page.line("format", formatOf(report));
+  page.line("format", formatOf(surface));
   std::error_code ignored;
   const auto onDisk = std::filesystem::file_size(options.file, ignored);
   page.line("size",
@@ -58,6 +64,11 @@ void describeFile(Page& page, const SurfaceOptions& options, const ReadReport& r
   if (options.scale != 1) page.line("scaled by", number(options.scale));
   if (!options.placement.isIdentity()) page.line("moved", "as told by the options");
   for (const auto& note : report.notes) page.line("note", note);
+  if (!surface.prepared) return;
+  page.line("signs", surface.prepared->signs);
+  if (const auto hash = surface.prepared->info.source; hash != 0) {
+    page.line("made from", "a file of XXH64 " + hexadecimal(hash));
+  }
 }
 
 void describeSurface(Page& page, const LoadedSurface& surface, const MeshReport& report) {
@@ -82,7 +93,9 @@ void describeSurface(Page& page, const LoadedSurface& surface, const MeshReport&
 
 void describePatches(Page& page, const PolygonSoup& soup) {
   std::vector<std::size_t> polygons(soup.patchNames.size());
-  for (const auto id : soup.patches) ++polygons[id];
+  for (const auto id : soup.patches) {
+    if (id < polygons.size()) ++polygons[id];  // prepared by programs, patches may have no name
+  }
   page.section("Patches: " + grouped(polygons.size()));
   for (std::size_t i = 0; i < std::min(polygons.size(), kMostPatches); ++i) {
     page.line(rightAligned(grouped(i), 4) + "  " + soup.patchNames[i],
@@ -181,7 +194,7 @@ void run(const InfoOptions& options) {
   const auto selfIntersections = findSelfIntersections(mesh);
   const double secondsToSearch = watch.lap();
   Page page;
-  describeFile(page, options, surface.report);
+  describeFile(page, options, surface);
   describeSurface(page, surface, report);
   describePatches(page, surface.soup);
   describeCheck(page, report, selfIntersections);

@@ -1,12 +1,15 @@
 #include "Surface.hpp"
 
+#include <Cutwater/Core/Checksum.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/Triangulation.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <map>
 
 #include "Arguments.hpp"
@@ -32,6 +35,38 @@ void rotate(RigidTransform<double>& placement, const std::string& text) {
   placement.rotate(values[0], Vec3<double>{values[1], values[2], values[3]});
 }
 
+/// The triangles of a prepared file, moved as if they had been read from the file it was made from.
+template <std::floating_point T>
+LoadedSurface loadPrepared(const SurfaceOptions& options, const GeometryFileInfo& info) {
+  Stopwatch watch;
+  const auto solid = MeshSDF<T>::open(options.file);
+  LoadedSurface surface{.soup = solid.soup(), .report = {}};
+  for (auto& p : surface.soup.points) {
+    const Vec3<double> placed(solid.placement().toWorld(static_cast<Vec3<T>>(p)));
+    p = options.placement.toWorld(options.scale * placed);
+  }
+  surface.report.bytes = std::filesystem::file_size(options.file);
+  surface.report.pointsInFile = surface.soup.points.size();
+  surface.report.polygonsInFile = surface.soup.polygonCount();
+  surface.prepared = Prepared{.info = info, .signs = solid.signReport().summary()};
+  surface.secondsToRead = watch.lap();
+  return surface;
+}
+
+/// The solid in a prepared file, if it can be used as it is: unless it is to be scaled or moved, is
+/// to have other signs, or is of the other precision.
+template <std::floating_point T>
+std::optional<MeshSDF<T>> ready(const SurfaceOptions& options) {
+  const auto info = geometryFileInfo(options.file);
+  if (!info || info->bytesPerNumber == (sizeof(T) == 4 ? 8 : 4)) return {};
+  auto solid = MeshSDF<T>::open(options.file, {.threads = options.threads});
+  const bool isWanted = options.scale == 1 && options.placement.isIdentity() &&
+                        options.solid.signs == SignScheme::Automatic &&
+                        (!options.solid.requireWatertight || solid.signReport().isSound());
+  if (!isWanted) return {};
+  return solid;
+}
+
 }  // namespace
 
 void addQuiet(CLI::App& command, bool& quiet) {
@@ -40,7 +75,9 @@ void addQuiet(CLI::App& command, bool& quiet) {
 
 void addSurfaceOptions(CLI::App& command, SurfaceOptions& options) {
   command
-      .add_option("FILE", options.file, "STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed")
+      .add_option("FILE", options.file,
+                  "STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed, or what 'cutwater "
+                  "prepare' wrote")
       ->required();
   command
       .add_option_function<std::string>(
@@ -87,6 +124,10 @@ void addSignOptions(CLI::App& command, SurfaceOptions& options) {
 }
 
 LoadedSurface load(const SurfaceOptions& options) {
+  if (const auto info = geometryFileInfo(options.file)) {
+    return info->bytesPerNumber == sizeof(float) ? loadPrepared<float>(options, *info)
+                                                 : loadPrepared<double>(options, *info);
+  }
   Stopwatch watch;
   auto [soup, report] = readSurface(
       options.file, {.scale = options.scale, .placement = options.placement, .weld = false});
@@ -97,17 +138,31 @@ LoadedSurface load(const SurfaceOptions& options) {
   return surface;
 }
 
-MeshSDF<double> loadSolid(const SurfaceOptions& options) {
+template <std::floating_point T>
+MeshSDF<T> loadSolid(const SurfaceOptions& options) {
+  auto solid = ready<T>(options);
   try {
-    MeshSDF<double> solid(load(options).soup, options.solid);
-    if (!options.quiet && !solid.signReport().isSound()) {
-      std::cout << "signs: " << solid.signReport().summary() << '\n';
-    }
-    return solid;
+    if (!solid) solid.emplace(load(options).soup, options.solid);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::Topology) throw;
     throw Error(ErrorKind::Topology, options.file + ": " + error.what());
   }
+  if (!options.quiet && !solid->signReport().isSound()) {
+    std::cout << "signs: " << solid->signReport().summary() << '\n';
+  }
+  return *std::move(solid);
+}
+
+template MeshSDF<float> loadSolid(const SurfaceOptions&);
+template MeshSDF<double> loadSolid(const SurfaceOptions&);
+
+std::uint64_t sourceHash(const SurfaceOptions& options) {
+  if (const auto info = geometryFileInfo(options.file)) return info->source;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(options.file, ignored)) return 0;
+  std::ifstream file(options.file, std::ios::binary);
+  const std::string content(std::istreambuf_iterator<char>(file), {});
+  return xxHash64(std::as_bytes(std::span(content)));
 }
 
 std::size_t write(const std::string& file, const PolygonSoup& soup, const WriteOptions& options) {

@@ -5,6 +5,7 @@
 #include <Cutwater/Mesh/WriteSurface.hpp>
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -43,6 +44,12 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// What is known of a file that `cutwater prepare` wrote.
+struct Prepared {
+  GeometryFileInfo info;
+  std::string signs;
+};
+
 /// A surface as read, with what reading and welding took.
 struct LoadedSurface {
   PolygonSoup soup;
@@ -50,6 +57,7 @@ struct LoadedSurface {
   std::size_t pointsMerged = 0;
   double secondsToRead = 0;
   double secondsToWeld = 0;
+  std::optional<Prepared> prepared = {};  ///< the soup holds its triangles then
 };
 
 /// @throws Error if the file cannot be read.
@@ -58,7 +66,12 @@ struct LoadedSurface {
 /// The surface of the file as a signed distance function. Says what its signs rest on, unless that
 /// is sound or nothing is to be said.
 /// @throws Error if the file cannot be read or has no faces.
-[[nodiscard]] MeshSDF<double> loadSolid(const SurfaceOptions& options);
+template <std::floating_point T = double>
+[[nodiscard]] MeshSDF<T> loadSolid(const SurfaceOptions& options);
+
+/// XXH64 of the surface's file, or of the file that a prepared one was made from; 0 if it cannot be
+/// read twice.
+[[nodiscard]] std::uint64_t sourceHash(const SurfaceOptions& options);
 
 /// Writes the surface in the format that the file's extension tells. STL holds triangles only: for
 /// it, polygons are cut. Returns how many polygons were written.

@@ -49,6 +49,7 @@ int run(int argc, const char* const* argv) {
   cutwater::tool::addAmr(program);
   cutwater::tool::addSlice(program);
   cutwater::tool::addConvert(program);
+  cutwater::tool::addPrepare(program);
   cutwater::tool::addMake(program);
   try {
     program.parse(argc, argv);

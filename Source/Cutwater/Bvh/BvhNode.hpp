@@ -35,6 +35,7 @@ struct alignas(64) BvhNode {
   std::uint32_t firstLeaf = 0;
   std::uint16_t nodeMask = 0;  // bit k: child k is a node
   std::uint16_t leafMask = 0;
+  std::uint32_t unused = 0;  // to the end of the cache line, for K = 16: equal nodes, equal bytes
 
   [[nodiscard]] CUTWATER_INLINE bool isLeaf(int lane) const { return (leafMask >> lane & 1) != 0; }
   [[nodiscard]] CUTWATER_INLINE std::uint32_t nodeIndex(int lane) const {

@@ -52,4 +52,10 @@ Block BlockWriter::finish() const {
   return {memory, {start, static_cast<std::size_t>(size_)}};
 }
 
+Block alignedCopy(std::span<const std::byte> bytes) {
+  BlockWriter writer;
+  writer.add(bytes);
+  return writer.finish().first(bytes.size());
+}
+
 }  // namespace cutwater

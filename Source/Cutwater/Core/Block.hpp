@@ -30,6 +30,10 @@ class Block {
     return {reinterpret_cast<const Record*>(bytes_.data() + section.offset), section.count};
   }
   [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
+  /// All but so many bytes at the beginning; shares the memory.
+  [[nodiscard]] Block from(std::size_t offset) const { return {owner_, bytes_.subspan(offset)}; }
+  /// The first so many bytes.
+  [[nodiscard]] Block first(std::size_t count) const { return {owner_, bytes_.first(count)}; }
 
  private:
   std::shared_ptr<const void> owner_;
@@ -65,5 +69,9 @@ class BlockWriter {
   std::vector<Piece> pieces_;
   std::uint64_t size_ = 0;
 };
+
+/// These bytes in memory of their own, which begins at a multiple of BlockWriter::kAlignment and,
+/// where there are many, consists of large pages if the system has them.
+[[nodiscard]] Block alignedCopy(std::span<const std::byte> bytes);
 
 }  // namespace cutwater

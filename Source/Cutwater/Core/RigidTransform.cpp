@@ -67,6 +67,21 @@ std::array<Vec3<To>, 3> cast(const std::array<Vec3<From>, 3>& m) {
 }  // namespace
 
 template <std::floating_point T>
+RigidTransform<T>::RigidTransform(const std::array<Vec3<T>, 3>& axes, const Vec3<T>& offset)
+    : column_(axes), offset_(offset), rotated_(column_ != kUnrotated) {
+  constexpr T kTolerance = 16 * std::numeric_limits<T>::epsilon();
+  const auto is = [](T value, T wanted) { return std::abs(value - wanted) <= kTolerance; };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& next = axes[(i + 1) % 3];
+    require(is(lengthSquared(axes[i]), 1) && is(dot(axes[i], next), 0) &&
+                is(dot(cross(axes[i], next), axes[(i + 2) % 3]), 1),
+            "RigidTransform: need right-handed, orthonormal axes", Named{"axis", axes[i]},
+            Named{"next", next});
+  }
+  require(isFinite(offset), "RigidTransform: need a finite offset", Named{"offset", offset});
+}
+
+template <std::floating_point T>
 void RigidTransform<T>::translate(const Vec3<T>& offset) {
   require(isFinite(offset), "translate: need a finite offset", Named{"offset", offset});
   offset_ += offset;
@@ -101,7 +116,7 @@ void RigidTransform<T>::applyRotation(const Matrix& columns) {
   for (auto& column : product) column = times(turn, column);
   column_ = cast<T>(orthonormalized(product));
   offset_ = Vec3<T>(times(turn, Vec3<double>(offset_)));
-  rotated_ = column_ != Matrix{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  rotated_ = column_ != kUnrotated;
 }
 
 template <std::floating_point T>

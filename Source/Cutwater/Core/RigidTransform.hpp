@@ -19,6 +19,10 @@ template <std::floating_point T>
 class RigidTransform {
  public:
   RigidTransform() = default;
+  /// From what axis() and offset() tell, to the bit.
+  /// @throws Error(Argument) unless the axes are right-handed and orthonormal but for rounding
+  /// (16 eps), and the offset is finite.
+  RigidTransform(const std::array<Vec3<T>, 3>& axes, const Vec3<T>& offset);
 
   void translate(const Vec3<T>& offset);
   /// About the coordinate axis 0, 1 or 2 through the world's origin.
@@ -51,10 +55,11 @@ class RigidTransform {
 
  private:
   using Matrix = std::array<Vec3<T>, 3>;
+  static constexpr Matrix kUnrotated{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
   void applyRotation(const Matrix& columns);
 
-  Matrix column_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Matrix column_ = kUnrotated;
   Vec3<T> offset_;
   bool rotated_ = false;
 };

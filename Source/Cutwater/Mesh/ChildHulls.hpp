@@ -18,6 +18,8 @@ struct alignas(64) ChildHulls {
   TrianglePacket triangles;  ///< by lane
   TrianglePacket::Lanes thickness;
 };
+static_assert(sizeof(ChildHulls) == sizeof(TrianglePacket) + sizeof(TrianglePacket::Lanes),
+              "no byte of it is left undefined");
 
 /// The hulls of a tree's nodes. Most trees have none.
 struct HullArrays {

@@ -24,9 +24,11 @@ std::string joined(std::span<const std::string> names) {
 template <std::floating_point T>
 PolygonSoup trianglesOf(const TriangleSurface<T>& surface, std::span<const Vec3<T>> positions) {
   PolygonSoup soup;
-  soup.patchNames = {"surface"};
+  soup.points.reserve(positions.size());
   for (const auto& p : positions) soup.points.emplace_back(p);
-  for (const auto& triangle : surface.triangles) soup.addPolygon(triangle);
+  for (std::uint32_t id = 0; id < surface.triangles.size(); ++id) {
+    soup.addPolygon(surface.triangles[id], surface.owner(id).patch);
+  }
   return soup;
 }
 
@@ -65,8 +67,10 @@ MeshSDF<T> MeshSDF<T>::refitted(std::span<const Vec3<T>> positions) const {
   MeshSDF result;
   result.options_ = options_;
   result.setPlacement(this->placement());
-  const TriangleSurfaceData<T> data(surface, this->signReport(), insideOut_, positions);
-  result.build(data, refittedTriangleTree(tree_, data.positions(), data.triangles()), patchNames_,
+  const auto insideOut = block_.array<std::uint32_t>(layout_.insideOut);
+  const TriangleSurfaceData<T> data(surface, this->signReport(), insideOut, positions);
+  result.build(data, refittedTriangleTree(tree_, data.positions(), data.triangles()),
+               block_.array<char>(layout_.patchNames),
                [&] { return check(DcelMesh<T>(trianglesOf(surface, positions))).summary(); });
   return result;
 }
@@ -82,31 +86,38 @@ void MeshSDF<T>::build(const TriangleSurfaceData<T>& data, const TriangleTreeArr
       needsWinding ? OpenWindingData(data.positions(), data.openEdges()) : OpenWindingData();
 
   BlockWriter writer;
-  const auto sections = data.addTo(writer);
-  const auto nodes = writer.add(tree.nodes);
-  const auto slots = writer.add(tree.slots);
-  const auto leaves = writer.add(packets);
-  const auto childHulls = writer.add(hulls.hulls);
-  const auto hullsOfNode = writer.add(hulls.ofNode);
-  const auto windingSections = winding.addTo(writer);
-  const auto insideOut = writer.add(data.orientation().insideOut);
-  const auto nameBytes = writer.add(patchNames);
-  block_ = writer.finish();
+  MeshLayout<T> layout;  // sections in the order of visitArrays()
+  layout.surface = data.addTo(writer);
+  layout.nodes = writer.add(tree.nodes);
+  layout.slots = writer.add(tree.slots);
+  layout.frame = tree.frame;
+  layout.depth = tree.depth;
+  layout.packets = writer.add(packets);
+  layout.hulls = writer.add(hulls.hulls);
+  layout.hullsOfNode = writer.add(hulls.ofNode);
+  layout.winding = winding.addTo(writer);
+  layout.reach = winding.reach();
+  layout.insideOut = writer.add(data.orientation().insideOut);
+  layout.patchNames = writer.add(patchNames);
+  takeBlock(writer.finish(), layout);
 
-  this->setSurface(sections.view(block_), winding.reach());
-  tree_ = TriangleTree(tree.frame, block_.array<BvhNode<TriangleTree::kArity>>(nodes),
-                       block_.array<std::uint32_t>(slots), tree.depth);
-  search_ = TriangleSearch(tree_, block_.array<TrianglePacket>(leaves),
-                           block_.array<ChildHulls>(childHulls),
-                           block_.array<std::uint32_t>(hullsOfNode));
-  winding_ = windingSections.view(block_);
-  insideOut_ = block_.array<std::uint32_t>(insideOut);
-  patchNames_ = block_.array<char>(nameBytes);
   checkSurface(data, needsWinding);
   if (options_.requireWatertight && !this->signReport().isSound()) {
     throw Error(ErrorKind::Topology, "the surface does not bound a solid: " +
                                          this->signReport().summary() + "; " + defects());
   }
+}
+
+template <std::floating_point T>
+void MeshSDF<T>::takeBlock(Block block, const MeshLayout<T>& layout) {
+  block_ = std::move(block);
+  layout_ = layout;
+  this->setSurface(layout.surface.view(block_), layout.reach);
+  tree_ = layout.tree(block_);
+  search_ = TriangleSearch(tree_, block_.array<TrianglePacket>(layout.packets),
+                           block_.array<ChildHulls>(layout.hulls),
+                           block_.array<std::uint32_t>(layout.hullsOfNode));
+  winding_ = layout.winding.view(block_);
 }
 
 template <std::floating_point T>
@@ -187,10 +198,22 @@ bool MeshSDF<T>::isDecided(const Box<double>& box) const {
 template <std::floating_point T>
 std::vector<std::string> MeshSDF<T>::localPatchNames() const {
   std::vector<std::string> names;
-  for (auto rest = patchNames_; !rest.empty(); rest = rest.subspan(names.back().size() + 1)) {
+  for (auto rest = block_.array<char>(layout_.patchNames); !rest.empty();
+       rest = rest.subspan(names.back().size() + 1)) {
     names.emplace_back(rest.data());
   }
   return names;
+}
+
+template <std::floating_point T>
+PolygonSoup MeshSDF<T>::soup() const {
+  const auto& surface = this->surface();
+  std::vector<Vec3<T>> positions;
+  positions.reserve(surface.positions.size());
+  for (const auto& p : surface.positions) positions.push_back(p / surface.scale);
+  auto soup = trianglesOf<T>(surface, positions);
+  soup.patchNames = localPatchNames();
+  return soup;
 }
 
 template class MeshSDF<float>;

@@ -2,14 +2,12 @@
 
 #include <Cutwater/Core/Block.hpp>
 #include <Cutwater/Mesh/DcelMesh.hpp>
-#include <Cutwater/Mesh/OpenWinding.hpp>
+#include <Cutwater/Mesh/GeometryFile.hpp>
+#include <Cutwater/Mesh/MeshLayout.hpp>
 #include <Cutwater/Mesh/TriangleSearch.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
 
 namespace cutwater {
-
-template <std::floating_point T>
-class TriangleSurfaceData;
 
 /// A surface mesh as a signed distance function over a LinearBVH.
 ///
@@ -47,6 +45,42 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   /// squares as a double; Error(Topology) as the constructor.
   [[nodiscard]] MeshSDF refitted(std::span<const Vec3<T>> positions) const;
 
+  /// The mesh as bytes that view() takes, placement, options and sign report included: what
+  /// GeometryFile.hpp describes. They begin at a multiple of 64.
+  ///
+  /// `source` is kept with them: any mark of what the mesh was made from, such as the xxHash64() of
+  /// a file, by which to tell later whether it still is the same; geometryFileInfo() tells it.
+  [[nodiscard]] Block toBytes(std::uint64_t source = 0) const;
+
+  /// The mesh that these bytes came from, without a copy: its answers are the same bits, whoever
+  /// makes them and whatever for. The bytes may be anywhere that begins at a multiple of 64: a
+  /// broadcast's buffer, a window that MPI processes share, a mapped file. They must stay as they
+  /// are as long as this mesh and its copies live; refitted() makes a mesh that needs them no
+  /// longer.
+  /// @throws Error(File) for bytes of another format, version, precision or byte order, for those
+  /// that are damaged, cut or followed by others; Error(Argument) if they begin elsewhere:
+  /// alignedCopy() moves them.
+  [[nodiscard]] static MeshSDF view(std::span<const std::byte> bytes,
+                                    const MeshViewOptions& options = {});
+  /// The same; the mesh and its copies keep the block's memory alive.
+  [[nodiscard]] static MeshSDF view(const Block& bytes, const MeshViewOptions& options = {});
+
+  /// Maps a file that save() or `cutwater prepare` wrote: processes on one node share its memory,
+  /// and pages are read as they are needed. A file that is replaced by save() stays what it was for
+  /// those that have mapped it; one that somebody else cuts or overwrites in place ends them by a
+  /// signal or misleads them. view(alignedCopy(...)) does not depend on the file any longer.
+  /// @throws Error(File) as view(), and for files that cannot be read.
+  [[nodiscard]] static MeshSDF open(const std::filesystem::path& path,
+                                    const MeshViewOptions& options = {});
+
+  /// Writes toBytes() to a file that stands under its name only once it is complete.
+  /// @throws Error(File) if it cannot be written.
+  void save(const std::filesystem::path& path, std::uint64_t source = 0) const;
+
+  /// The triangles with their patches, before the placement. Faces of more corners stay cut, and
+  /// what was turned stays so.
+  [[nodiscard]] PolygonSoup soup() const;
+
   /// Bytes of the block that queries use.
   [[nodiscard]] std::size_t memoryBytes() const { return block_.bytes().size(); }
 
@@ -68,16 +102,17 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   /// `defects` says more about a surface that is refused.
   void build(const TriangleSurfaceData<T>& data, const TriangleTreeArrays& tree,
              std::span<const char> patchNames, FunctionRef<std::string()> defects);
+  void takeBlock(Block block, const MeshLayout<T>& layout);
+  [[nodiscard]] std::vector<std::byte> header(std::uint64_t source) const;
   void checkSurface(const TriangleSurfaceData<T>& data, bool needsWinding);
   void probeAmbiguity(std::size_t count, SignReport& signs) const;
 
   MeshSDFOptions options_;
   Block block_;
+  MeshLayout<T> layout_;
   TriangleTree tree_;
   TriangleSearch search_;
-  OpenWinding winding_;                       // of a surface that is not closed
-  std::span<const std::uint32_t> insideOut_;  // see ShellOrientation
-  std::span<const char> patchNames_;          // each ended by a zero
+  OpenWinding winding_;  // of a surface that is not closed
 };
 
 extern template class MeshSDF<float>;

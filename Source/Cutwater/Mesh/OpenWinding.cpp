@@ -101,8 +101,7 @@ OpenWinding OpenWindingData::Sections::view(const Block& block) const {
   OpenWinding result;
   result.triangles_.positions = block.array<Vec3<double>>(positions);
   result.triangles_.triangles = block.array<std::array<std::uint32_t, 3>>(triangles);
-  result.tree_ = WindingTree(frame, block.array<BvhNode<WindingTree::kArity>>(nodes),
-                             block.array<std::uint32_t>(slots), depth);
+  result.tree_ = tree(block);
   result.caps_ =
       WindingNumber<double>(result.triangles_.positions, result.triangles_.triangles, result.tree_,
                             block.array<WindingMoments>(moments), block.array<WindingEdges>(edges),

@@ -66,6 +66,10 @@ class OpenWindingData {
     BvhFrame frame;
     int depth = 0;
 
+    [[nodiscard]] WindingTree tree(const Block& block) const {
+      return {frame, block.array<BvhNode<WindingTree::kArity>>(nodes),
+              block.array<std::uint32_t>(slots), depth};
+    }
     [[nodiscard]] OpenWinding view(const Block& block) const;
   };
   [[nodiscard]] Sections addTo(BlockWriter& writer) const;

@@ -22,7 +22,8 @@ struct alignas(64) TrianglePacket {
   std::array<Lanes, 3> ac;
   std::array<Lanes, 3> normal;  ///< of unit length; 0 without area
   Vec3<float> center;
-  float radius = 0;  ///< all corners are within it of the centre
+  float radius = 0;                        ///< all corners are within it of the centre
+  std::array<std::uint32_t, 12> unused{};  ///< to the end of the cache line: equal bytes
 
   /// Of the triangle that the rounded numbers stand for.
   [[nodiscard]] std::array<Vec3<double>, 3> corners(std::size_t lane) const;

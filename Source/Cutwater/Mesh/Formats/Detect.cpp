@@ -47,7 +47,8 @@ struct Foreign {
   const char* name;
 };
 
-constexpr std::array<Foreign, 10> kForeign = {{
+constexpr std::array<Foreign, 11> kForeign = {{
+    {"\x89\x43utwat", "a prepared geometry file (for MeshSDF::open)"},
     {"PK\x03\x04", "a zip archive"},
     {"\xfd\x37zXZ", "an xz archive"},
     {"BZh", "a bzip2 archive"},

@@ -1,0 +1,70 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "Commands.hpp"
+#include "Format.hpp"
+#include "Surface.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+struct Options {
+  SurfaceOptions surface;
+  std::string output;
+  bool inFloat = false;
+};
+
+template <std::floating_point T>
+void prepare(const Options& options, const MeshSDF<T>& solid, double seconds) {
+  Stopwatch watch;
+  solid.save(options.output, sourceHash(options.surface));
+  const double secondsToWrite = watch.lap();
+  static_cast<void>(MeshSDF<T>::open(options.output));
+  const double secondsToOpen = watch.lap();
+  if (options.surface.quiet) return;
+  std::cout << "wrote " << options.output << ": " << counted(solid.triangleCount(), "triangle")
+            << " in " << (sizeof(T) == 4 ? "single" : "double") << " precision, "
+            << bytes(std::filesystem::file_size(options.output)) << '\n'
+            << "built in " << duration(seconds) << ", written in " << duration(secondsToWrite)
+            << ", opened and verified in " << duration(secondsToOpen) << '\n';
+}
+
+void run(const Options& options) {
+  Stopwatch watch;
+  if (options.inFloat) {
+    const auto solid = loadSolid<float>(options.surface);
+    prepare(options, solid, watch.lap());
+  } else {
+    const auto solid = loadSolid<double>(options.surface);
+    prepare(options, solid, watch.lap());
+  }
+}
+
+}  // namespace
+
+void addPrepare(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  auto& command = *program.add_subcommand(
+      "prepare", "Build a surface's tree and signs once, as a file that is ready to be used");
+  addSurfaceOptions(command, options->surface);
+  addSignOptions(command, options->surface);
+  command.add_option("-o,--output", options->output, "The geometry file to write")
+      ->required()
+      ->type_name("FILE.cutwater");
+  command.add_flag("--float", options->inFloat,
+                   "In single precision, for codes that compute in it; other commands build anew "
+                   "from its triangles");
+  command.footer(
+      "Examples:\n"
+      "  cutwater prepare hull.stl -o hull.cutwater\n"
+      "  cutwater prepare part.stl --scale 0.001 --signs winding -o part.cutwater\n"
+      "\n"
+      "Every command that reads a surface takes such a file, too; MeshSDF::open() maps it.\n"
+      "Told to move it or to decide signs otherwise, they build it anew from its triangles.");
+  command.callback([=] { run(*options); });
+}
+
+}  // namespace cutwater::tool
