@@ -24,24 +24,8 @@ BlockFill<T>::BlockFill(const SignedDistanceFunction<T>& solid, const Patch<T>& 
             .order = {{double{patch.level.spacing().x}, double{patch.level.spacing().y},
                        double{patch.level.spacing().z}},
                       {patch.indices.length(0), patch.indices.length(1), patch.indices.length(2)},
-                      limit < std::numeric_limits<T>::infinity() ? kBandTileBits : kFullTileBits}} {
-}
-
-template <std::floating_point T>
-std::array<std::size_t, 3> BlockFill<T>::tiles() const {
-  std::array<std::size_t, 3> tiles{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t edge = tileShape()[axis];
-    tiles[axis] = (task_.patch.indices.length(static_cast<int>(axis)) + edge - 1) / edge;
-  }
-  return tiles;
-}
-
-template <std::floating_point T>
-std::size_t BlockFill<T>::tileCount() const {
-  const auto [nx, ny, nz] = tiles();
-  return nx * ny * nz;
-}
+                      limit < std::numeric_limits<T>::infinity() ? kBandTileBits : kFullTileBits}},
+      tiles_(patch.indices, task_.order.shape(task_.order.bits())) {}
 
 template <std::floating_point T>
 std::size_t BlockFill<T>::grain() const {
@@ -49,24 +33,9 @@ std::size_t BlockFill<T>::grain() const {
 }
 
 template <std::floating_point T>
-GridBlock BlockFill<T>::tile(std::size_t number) const {
-  const auto counts = tiles();
-  GridBlock block;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t edge = tileShape()[axis];
-    const auto length = task_.patch.indices.length(static_cast<int>(axis));
-    const auto first = number % counts[axis] * edge;
-    number /= counts[axis];
-    block.first[axis] = static_cast<std::uint32_t>(first);
-    block.size[axis] = static_cast<std::uint32_t>(std::min(edge, length - first));
-  }
-  return block;
-}
-
-template <std::floating_point T>
 void BlockFill<T>::fillTiles(std::size_t begin, std::size_t end) const {
   TileFill<T> tileFill(task_);
-  for (auto number = begin; number < end; ++number) tileFill.fill(tile(number));
+  for (auto number = begin; number < end; ++number) tileFill.fill(tiles_.block(number));
   tileFill.finish();
 }
 

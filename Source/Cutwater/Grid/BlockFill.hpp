@@ -14,18 +14,15 @@ class BlockFill {
   BlockFill(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
             const FillTargets<T>& targets, T limit);
 
-  [[nodiscard]] std::size_t tileCount() const;
+  [[nodiscard]] std::size_t tileCount() const { return tiles_.count(); }
   /// So many tiles at least should be filled in one go: enough for full batches.
   [[nodiscard]] std::size_t grain() const;
   /// Fills the tiles numbered [begin, end); threads may fill different tiles at the same time.
   void fillTiles(std::size_t begin, std::size_t end) const;
 
  private:
-  [[nodiscard]] const Offset& tileShape() const { return task_.order.shape(task_.order.bits()); }
-  [[nodiscard]] std::array<std::size_t, 3> tiles() const;  // along each axis
-  [[nodiscard]] GridBlock tile(std::size_t number) const;
-
   FillTask<T> task_;
+  PatchBlocks tiles_;
 };
 
 extern template class BlockFill<float>;

@@ -2,7 +2,7 @@
 
 #include <Cutwater/Core/IndexBox.hpp>
 #include <Cutwater/Grid/Fill.hpp>
-#include <Cutwater/Grid/TileOrder.hpp>
+#include <Cutwater/Grid/PatchBlocks.hpp>
 
 namespace cutwater::detail {
 
@@ -18,12 +18,6 @@ struct FillTask {
   Guarantee<T> promise = solid.guarantee();
 
   [[nodiscard]] bool hasBand() const { return limit < std::numeric_limits<T>::infinity(); }
-};
-
-/// Neighbouring indices of a patch.
-struct GridBlock {
-  Offset first{};
-  Offset size{};
 };
 
 }  // namespace cutwater::detail

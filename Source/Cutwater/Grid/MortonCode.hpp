@@ -2,7 +2,9 @@
 
 #include <Cutwater/Core/IndexBox.hpp>
 
+#include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace cutwater {
 
@@ -31,6 +33,12 @@ constexpr std::uint64_t gathered(std::uint64_t x) {
   x = (x | x >> 8U) & 0x001f0000ff0000ffU;
   x = (x | x >> 16U) & 0x001f00000000ffffU;
   return (x | x >> 32U) & 0x1fffffU;
+}
+
+/// Each value once, in order.
+inline void sortUnique(std::vector<std::uint64_t>& values) {
+  std::ranges::sort(values);
+  values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 }  // namespace detail

@@ -52,8 +52,7 @@ OctreeCodes wantedAbove(const OctreeCodes& divided, Balance balance, const Index
       if (above.contains(index)) wanted.push_back(mortonCode(index));
     }
   }
-  std::ranges::sort(wanted);
-  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  sortUnique(wanted);
   return wanted;
 }
 

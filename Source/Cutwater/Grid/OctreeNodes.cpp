@@ -56,11 +56,6 @@ std::size_t seek(std::span<const std::uint64_t> sorted, std::uint64_t value, std
   return static_cast<std::size_t>(std::lower_bound(first, last, value) - sorted.begin());
 }
 
-void sortUnique(std::vector<std::uint64_t>& values) {
-  std::ranges::sort(values);
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
 Index3 lowerCorner(const OctreeCell& cell, int deepest) {
   const int shift = deepest - cell.level;
   return {cell.index.i << shift, cell.index.j << shift, cell.index.k << shift};
@@ -96,11 +91,11 @@ OctreeNodes<T>::OctreeNodes(const Octree<T>& mesh, const ParallelOptions& option
                   if (place.isInParent || cellFrom(place, near[corner]) != kNoCell) return;
                   found.push_back(keyOf(place.node));
                 });
-                sortUnique(found);
+                detail::sortUnique(found);
                 const std::lock_guard lock(mutex);
                 others_.insert(others_.end(), found.begin(), found.end());
               });
-  sortUnique(others_);
+  detail::sortUnique(others_);
   others_.shrink_to_fit();
 }
 

@@ -1,17 +1,17 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Scratch.hpp>
+#include <Cutwater/Grid/PatchBlocks.hpp>
 #include <Cutwater/Grid/Tag.hpp>
 
 #include <algorithm>
-#include <array>
 
 namespace cutwater {
 
 namespace {
 
 /// Neighbouring cells of a patch that are judged together.
-constexpr std::array<std::size_t, 3> kBlock{8, 8, 4};
-constexpr std::size_t kBlockCells = kBlock[0] * kBlock[1] * kBlock[2];
+constexpr detail::Offset kBlock{8, 8, 4};
+constexpr std::size_t kBlockCells = std::size_t{kBlock[0]} * kBlock[1] * kBlock[2];
 
 template <std::floating_point T>
 class Tagging {
@@ -20,27 +20,21 @@ class Tagging {
 
   Tagging(const SignedDistanceFunction<T>& solid, const CellJudge<T>& judge, const Patch<T>& patch,
           int level, const GridView<std::uint8_t>& tags)
-      : solid_(solid), judge_(judge), patch_(patch), level_(level), tags_(tags) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      lengths_[axis] = patch.indices.length(static_cast<int>(axis));
-      blocks_[axis] = (lengths_[axis] + kBlock[axis] - 1) / kBlock[axis];
-    }
-  }
+      : solid_(solid),
+        judge_(judge),
+        patch_(patch),
+        level_(level),
+        tags_(tags),
+        blocks_(patch.indices, kBlock) {}
 
-  [[nodiscard]] std::size_t blockCount() const { return blocks_[0] * blocks_[1] * blocks_[2]; }
+  [[nodiscard]] std::size_t blockCount() const { return blocks_.count(); }
 
   void tagBlock(std::size_t number) const {
-    std::array<std::size_t, 3> first{};
-    std::array<std::size_t, 3> end{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      first[axis] = number % blocks_[axis] * kBlock[axis];
-      number /= blocks_[axis];
-      end[axis] = std::min(first[axis] + kBlock[axis], lengths_[axis]);
-    }
+    const auto block = blocks_.block(number);
     Scratch<Box<T>, kBlockCells> cells;
     Box<T> around;
     std::size_t count = 0;
-    forEach(first, end, [&](std::size_t i, std::size_t j, std::size_t k) {
+    forEach(block, [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
       cells[count] = patch_.level.cell(indexAt(i, j, k));
       around.extend(cells[count++]);
     });
@@ -52,25 +46,25 @@ class Tagging {
     std::ranges::fill(hints.first(count), hint);
     judge_.judge(level_, cells.first(count), hints.first(count), verdicts.first(count));
     count = 0;
-    forEach(first, end, [&](std::size_t i, std::size_t j, std::size_t k) {
+    forEach(block, [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
       tags_.at(i, j, k) = verdicts[count++].isRefined ? 1 : 0;
     });
   }
 
  private:
   template <typename Visit>
-  static void forEach(const std::array<std::size_t, 3>& first,
-                      const std::array<std::size_t, 3>& end, const Visit& visit) {
-    for (auto k = first[2]; k < end[2]; ++k) {
-      for (auto j = first[1]; j < end[1]; ++j) {
-        for (auto i = first[0]; i < end[0]; ++i) visit(i, j, k);
+  static void forEach(const detail::GridBlock& block, const Visit& visit) {
+    const auto& [first, size] = block;
+    for (auto k = first[2]; k < first[2] + size[2]; ++k) {
+      for (auto j = first[1]; j < first[1] + size[1]; ++j) {
+        for (auto i = first[0]; i < first[0] + size[0]; ++i) visit(i, j, k);
       }
     }
   }
-  [[nodiscard]] Index3 indexAt(std::size_t i, std::size_t j, std::size_t k) const {
+  [[nodiscard]] Index3 indexAt(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
     const auto& lo = patch_.indices.lo;
-    const auto sum = [](std::int32_t a, std::size_t b) {
-      return static_cast<std::int32_t>(a + static_cast<std::int64_t>(b));
+    const auto sum = [](std::int32_t a, std::uint32_t b) {
+      return static_cast<std::int32_t>(std::int64_t{a} + b);
     };
     return {sum(lo.i, i), sum(lo.j, j), sum(lo.k, k)};
   }
@@ -80,8 +74,7 @@ class Tagging {
   const Patch<T>& patch_;
   int level_;
   const GridView<std::uint8_t>& tags_;
-  std::array<std::size_t, 3> lengths_{};
-  std::array<std::size_t, 3> blocks_{};
+  detail::PatchBlocks blocks_;
 };
 
 }  // namespace
