@@ -86,6 +86,13 @@ TEST(DealIITest, HessianOfASphereIsThatOfTheDistance) {
   expectHessian<2>(DealIIFunction<2>(within(kBall), options), {0.1, 0.2}, 1);
 }
 
+TEST(DealIITest, WithoutAStepTheHessianIsDealIIs) {
+  auto hessian = DealIIFunction<3>(around(kBall)).hessian({0.1, 0.2, 0.3});
+  for (unsigned int i = 0; i < 3; ++i) {
+    for (unsigned int j = 0; j < 3; ++j) EXPECT_EQ(hessian[i][j], 0);
+  }
+}
+
 TEST(DealIITest, FunctionIn2DIsThatOfThePlane) {
   const DealIIFunction<2> function(around(kBall), {.z = 0.6});
   EXPECT_EQ(function.value({0.1, 0.2}), -kBall.signedDistance({0.1, 0.2, 0.6}));
@@ -161,7 +168,8 @@ TEST(DealIITest, CellsIn2DAreClassifiedInThePlane) {
   classifier.reclassify(mesh);
   const double radius = std::sqrt(0.09 - (0.6 - 0.5031) * (0.6 - 0.5031));
   for (const auto& cell : mesh.active_cell_iterators()) {
-    const auto& [lower, upper] = cell->bounding_box().get_boundary_points();
+    const auto square = cell->bounding_box();
+    const auto& [lower, upper] = square.get_boundary_points();
     const auto [least, most] =
         distances(box<3>({lower[0], lower[1], 0.5031}, {upper[0], upper[1], 0.5031}));
     const auto expected = most < radius    ? Location::outside
