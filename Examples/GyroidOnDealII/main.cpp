@@ -2,6 +2,7 @@
 #include <Cutwater/Adapters/DealII.hpp>
 #include <Cutwater/Sdf/FunctionSDF.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -15,12 +16,15 @@ using dealii::NonMatching::LocationToLevelSet;
 
 namespace {
 
+/// Without it, the mesh would have the gyroid's symmetries.
+constexpr Vec3<double> kShift{0.011, 0.023, 0.017};
+
 /// The sheet |g| < 0.1 around a gyroid of two periods in the unit cube. Each component of g's
 /// gradient is at most the wave number, so that sqrt(3) of these are a Lipschitz constant.
 Solid<double> gyroidSheet() {
   constexpr double kWave = 4 * std::numbers::pi;
   const auto sheet = [](const Vec3<double>& p) {
-    const auto q = kWave * p;
+    const auto q = kWave * (p - kShift);
     const double g = std::sin(q.x) * std::cos(q.y) + std::sin(q.y) * std::cos(q.z) +
                      std::sin(q.z) * std::cos(q.x);
     return std::abs(g) - 0.1;
@@ -30,28 +34,19 @@ Solid<double> gyroidSheet() {
   return FunctionSDF<double, decltype(sheet)>(sheet, promise);
 }
 
-/// How many cells deal.II's own classifier says the sheet meets.
-std::size_t seenByMeshClassifier(const dealii::Triangulation<3>& mesh,
-                                 const dealii::Function<3>& levelSet) {
-  const dealii::FE_Q<3> element(1);
-  dealii::NonMatching::MeshClassifier<3> classifier(mesh, levelSet, element);
-  classifier.reclassify();
-  std::size_t count = 0;
-  for (const auto& cell : mesh.active_cell_iterators()) {
-    if (classifier.location_to_level_set(cell) == LocationToLevelSet::intersected) ++count;
-  }
-  return count;
-}
-
 struct Volumes {
   double fluid = 0;        // of cells that are all fluid
   double intersected = 0;  // of cells that are neither all fluid nor all body
   double sampled = 0;      // of the fluid in these, from 5 x 5 x 5 points of each
   std::size_t cells = 0;   // that are intersected
+  std::size_t missed = 0;  // with points of both signs, and not seen by MeshClassifier
 };
 
 Volumes volumes(const dealii::Triangulation<3>& mesh, const DealIIClassifier<3>& classifier,
                 const dealii::Function<3>& levelSet) {
+  const dealii::FE_Q<3> element(1);
+  dealii::NonMatching::MeshClassifier<3> meshClassifier(mesh, levelSet, element);
+  meshClassifier.reclassify();
   const dealii::QIterated<3> samples(dealii::QMidpoint<1>(), 5);
   std::vector<dealii::Point<3>> points(samples.size());
   std::vector<double> values(samples.size());
@@ -65,9 +60,12 @@ Volumes volumes(const dealii::Triangulation<3>& mesh, const DealIIClassifier<3>&
     const auto box = cell->bounding_box();
     for (unsigned int i = 0; i < points.size(); ++i) points[i] = box.unit_to_real(samples.point(i));
     levelSet.value_list(points, values);
-    for (unsigned int i = 0; i < values.size(); ++i) {
-      if (values[i] < 0) sum.sampled += samples.weight(i) * cell->measure();
-    }
+    const auto inFluid = std::ranges::count_if(values, [](double value) { return value < 0; });
+    const double share = static_cast<double>(inFluid) / static_cast<double>(values.size());
+    sum.sampled += share * cell->measure();
+    const bool isSeen =
+        meshClassifier.location_to_level_set(cell) == LocationToLevelSet::intersected;
+    if (0 < share && share < 1 && !isSeen) ++sum.missed;
   }
   return sum;
 }
@@ -75,7 +73,8 @@ Volumes volumes(const dealii::Triangulation<3>& mesh, const DealIIClassifier<3>&
 }  // namespace
 
 int main() {
-  const FluidDomain<double> domain(gyroidSheet(), FluidSide::Outside, {0.125, 0, 0});
+  const FluidDomain<double> domain(gyroidSheet(), FluidSide::Outside,
+                                   kShift + Vec3<double>{0.125, 0, 0});
   const DealIIFunction<3> levelSet(domain);
   DealIIClassifier<3> classifier(domain);
 
@@ -87,14 +86,13 @@ int main() {
   for (int level = 4;; ++level) {
     classifier.reclassify(mesh);
     sum = volumes(mesh, classifier, levelSet);
-    const auto seen = seenByMeshClassifier(mesh, levelSet);
     std::printf(
-        "level %d: %zu of %u cells may be cut (MeshClassifier sees %zu); fluid %.4f, "
-        "certainly in %.4f .. %.4f\n",
-        level, sum.cells, mesh.n_active_cells(), seen, sum.fluid + sum.sampled, sum.fluid,
-        sum.fluid + sum.intersected);
+        "level %d: %zu of %u cells may be cut; fluid %.4f, certainly in %.4f .. %.4f; "
+        "MeshClassifier misses %zu\n",
+        level, sum.cells, mesh.n_active_cells(), sum.fluid + sum.sampled, sum.fluid,
+        sum.fluid + sum.intersected, sum.missed);
     isSound =
-        isSound && seen < sum.cells && sum.fluid <= 0.9356 && 0.9356 <= sum.fluid + sum.intersected;
+        isSound && sum.missed > 0 && sum.fluid <= 0.9356 && 0.9356 <= sum.fluid + sum.intersected;
     if (level == 6) break;
     for (const auto& cell : mesh.active_cell_iterators()) {
       if (classifier.location(cell) == LocationToLevelSet::intersected) cell->set_refine_flag();
