@@ -24,6 +24,10 @@ using amrex::IntVect;
 constexpr bool kIsDouble = std::is_same_v<Real, double>;
 constexpr auto kCpu = amrex::RunOn::Cpu;
 
+std::size_t offset(int i) {
+  return static_cast<std::size_t>(i);
+}
+
 /// The unit cube in n x n x n cells.
 amrex::Geometry unitCube(int n) {
   return {Box(IntVect(0), IntVect(n - 1)), {0, 0, 0}, {1, 1, 1}};
@@ -262,7 +266,8 @@ TEST(AmrexTest, TagsAreThoseOfTag) {
     tagCells(rules, solid, tags, geometry, level);
     std::size_t set = 0;
     forEach(whole, [&](const Index3& cell) {
-      const auto mark = marks[static_cast<std::size_t>(cell.i + 32 * (cell.j + 32 * cell.k))];
+      const auto mark = GridView<std::uint8_t>::contiguous(marks.data(), whole)
+                            .at(offset(cell.i), offset(cell.j), offset(cell.k));
       const auto found = tags.fabs()[cell.i < 16 ? 0 : 1].array()(cell.i, cell.j, cell.k);
       const auto other = cell == Index3{0, 31, 31} ? amrex::TagBox::BUF : amrex::TagBox::CLEAR;
       EXPECT_EQ(found, mark == 1 ? amrex::TagBox::SET : other);

@@ -49,23 +49,23 @@ TEST(DocsTest, GeometryShopOfAmrex) {
   EXPECT_GT(amrex::EB2::lastBuild.irregularEdges, 100U);
 }
 
-/// As a code's own class derives from amrex::AmrCore.
-class Solver {
+class Solver : public amrex::AmrCore {
  public:
+  using amrex::AmrCore::AmrCore;
+
   // [DOCS
   // Of your class derived from amrex::AmrCore.
-  void ErrorEst(int level, amrex::TagBoxArray& tags, amrex::Real /*time*/, int /*ghosts*/) {
+  void ErrorEst(int level, amrex::TagBoxArray& tags, amrex::Real /*time*/, int /*n*/) override {
     tagCells({.cut = 3, .bands = {{.distance = 0.05, .level = 2}}}, body, tags, Geom(level), level);
   }
   // DOCS]
 
-  static amrex::Geometry Geom(int level) { return geometryOf(8 << level); }
   Solid<double> body = kBody;
 };
 
 TEST(DocsTest, TagsOfAmrex) {
-  Solver solver;
-  amrex::TagBoxArray tags({Solver::Geom(1).Domain()}, 0);
+  Solver solver(geometryOf(8));
+  amrex::TagBoxArray tags({solver.Geom(1).Domain()}, 0);
   solver.ErrorEst(1, tags, 0, 0);
   EXPECT_EQ(tags.fabs()[0].array()(3, 8, 8), amrex::TagBox::SET);
   EXPECT_EQ(tags.fabs()[0].array()(0, 0, 0), amrex::TagBox::CLEAR);

@@ -164,7 +164,7 @@ TYPED_TEST(NodeLevelSetTest, InterceptsOfAMeshAreItsCrossings) {
     edgeCrossings(torus, {this->level(), nodes}, targets);
     int odd = 0;
     forEach({{0, 0, 0}, {30, 30, 30}}, [&](const Index3& node) {
-      const auto at = static_cast<std::size_t>(node.i + 32 * (node.j + 32 * node.k));
+      const auto at = static_cast<std::size_t>(std::int64_t{node.i} + 32 * (node.j + 32 * node.k));
       const auto edge = this->edgeAt(domain, node, axis);
       EXPECT_EQ(edge.isCut(), count[at] % 2 == 1);
       if (!edge.isCut()) return;

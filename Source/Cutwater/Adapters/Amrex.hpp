@@ -109,10 +109,11 @@ class AmrexShop {
   using TypeArrays = amrex::Array<TypeArray, AMREX_SPACEDIM>;
   using NodeArray = amrex::Array4<amrex::Real const>;
 
-  // What getBoxType() answers. The names are AMReX's.
+  // What getBoxType() answers. The names are AMReX's. NOLINTBEGIN(readability-identifier-naming)
   static constexpr int allregular = -1;
   static constexpr int mixedcells = 0;
   static constexpr int allcovered = 1;
+  // NOLINTEND(readability-identifier-naming)
 
   explicit AmrexShop(FluidDomain<amrex::Real> domain, amrex::Real z = 0)
       : domain_(std::move(domain)), z_(z) {}

@@ -1,8 +1,8 @@
 #pragma once
 
-// The part of deal.II 9.4 that Cutwater's adapter and its tests use, in deal.II's names and with its
-// meaning, so that they can be compiled and run without deal.II. A triangulation is a cube, divided
-// evenly.
+// The part of deal.II 9.4 that Cutwater's adapter and its tests use, in deal.II's names and with
+// its meaning, so that they can be compiled and run without deal.II. A triangulation is a cube,
+// divided evenly.
 
 #include <array>
 #include <cstddef>
