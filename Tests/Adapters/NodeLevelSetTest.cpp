@@ -4,6 +4,7 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
@@ -191,6 +192,21 @@ TYPED_TEST(NodeLevelSetTest, OfSeveralCrossingsTakesTheFluidsFirst) {
   EXPECT_NEAR(
       NodeLevelSet<T>(before, this->level()).intercept(this->edgeAt(before, {16, 14, 17}, 0)), 0.08,
       1e-6);
+}
+
+// The surface is less than a unit in the last place before a node, which is where it is found.
+TYPED_TEST(NodeLevelSetTest, InterceptsStayBetweenTheNodes) {
+  using T = TypeParam;
+  const T node = this->level().position({20, 14, 17}).x;
+  const auto before = std::nextafter(node, T(0));
+  const auto function = [=](const Vec3<T>& p) { return (p.x - node) + (node - before) / 8; };
+  const auto domain =
+      FluidDomain<T>(FunctionSDF<T, decltype(function)>(
+                         function, Guarantee<T>{.lipschitz = T(1), .continuous = true}),
+                     FluidSide::Outside, {1, 0, 0});
+  const auto edge = this->edgeAt(domain, {19, 14, 17}, 0);
+  ASSERT_TRUE(edge.isCut() && edge.atNext != 0);
+  EXPECT_EQ(NodeLevelSet<T>(domain, this->level()).intercept(edge), before);
 }
 
 TYPED_TEST(NodeLevelSetTest, ANodeWithZeroIsTheBodysAndHasTheIntercept) {
