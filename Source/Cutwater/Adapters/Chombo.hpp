@@ -71,11 +71,8 @@ class ChomboIF final : public BaseIF {
  private:
   template <typename Point>
   [[nodiscard]] Vec3<Real> pointOf(const Point& p) const {
-#if CH_SPACEDIM == 3
-    return {p[0], p[1], p[2]};
-#else
+    if constexpr (CH_SPACEDIM == 3) return {p[0], p[1], p[2]};
     return {p[0], p[1], z_};
-#endif
   }
 
   FluidDomain<Real> domain_;
