@@ -17,7 +17,7 @@ MAY_INCLUDE = {
     "Grid": "Core Sdf",
     "Render": "Core Sdf Grid",
     "Io": "Core Sdf Mesh Grid Render",
-    "Adapters": "Core Sdf Mesh Grid Io",
+    "Adapters": "Core Sdf Grid",
 }
 
 # GPL code is for Source/Repair and Source/P4est, which are targets of their own; streams depend on
@@ -26,6 +26,9 @@ FORBIDDEN = re.compile(r"CGAL/|p4est|p8est|gmp|mpfr|iostream|sstream")
 # Other people's headers cost users compile time and tie them to versions: only in .cpp files.
 PRIVATE = re.compile(r"Eigen/|omp\.h|zlib\.h|png\.h|experimental/|immintrin\.h|CLI/")
 OPTIONAL_HEADERS = {"Core/Eigen.hpp"}  # for users of that library only
+# Host codes are known to one header each, which nothing else of ours includes.
+HOST = re.compile(r"AMReX|BaseIF|deal\.II/|Cutwater/Adapters/(Amrex|Chombo|DealII)\.hpp")
+HOST_HEADERS = {"Adapters/Amrex.hpp", "Adapters/Chombo.hpp", "Adapters/DealII.hpp"}
 
 
 def complaints(root):
@@ -36,9 +39,11 @@ def complaints(root):
                 yield f"this list: {layer} stands above {other}"
     for file in sorted([*root.rglob("*.?pp"), *root.rglob("*.inl")]):
         name = file.relative_to(root)
-        if len(name.parts) == 1:
-            continue  # the header that includes all others
         layer = name.parts[0]
+        if len(name.parts) == 1:  # the header that includes all others
+            if HOST.search(file.read_text()):
+                yield f"{name}: adapters' headers for hosts are for these hosts' code only"
+            continue
         if layer not in MAY_INCLUDE:
             yield f"{name}: {layer} is no layer; see DESIGN"
             continue
@@ -50,6 +55,8 @@ def complaints(root):
                 yield f"{name}: {layer} must not include {inside[1]}"
             elif FORBIDDEN.match(path):
                 yield f"{name}: the library does not use <{path}>"
+            elif HOST.match(path) and str(name) not in HOST_HEADERS:
+                yield f"{name}: only an adapter's header for a host includes <{path}>"
             elif name.suffix == ".hpp" and PRIVATE.match(path) and str(name) not in OPTIONAL_HEADERS:
                 yield f"{name}: include <{path}> in a .cpp only"
 

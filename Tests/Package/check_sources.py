@@ -7,7 +7,7 @@
   mirror        a test file per unit, and every unit and test file in its folder's list
   expectations  every test case expects something
   scripts       scripts are executable and pass shellcheck (the program given)
-  readme        the README's C++ and C are marked regions of a compiled example
+  readme        C++ and C in the README and in Docs are marked regions of what is compiled
 """
 import pathlib
 import re
@@ -188,17 +188,19 @@ def check_scripts():
 
 
 def check_readme():
-    blocks = re.findall(r"```c(?:pp)?\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
-    region = re.compile(r"// \[README\n(.*?)\n *// README\]|/\* \[README \*/\n(.*?)\n */\* README\] \*/",
-                        re.DOTALL)
-    regions = []
-    for file in sorted((ROOT / "Examples").rglob("*.c*")):
-        regions += [a or b for a, b in region.findall(file.read_text())]
-    compiled = [textwrap.dedent(region).strip() for region in regions]
-    if not blocks or not compiled:
+    block = re.compile(r"```c(?:pp)?\n(.*?)```", re.DOTALL)
+    region = re.compile(r"// \[README\n(.*?)\n *// README\]|/\* \[README \*/\n(.*?)\n */\* README\] \*/|"
+                        r"// \[DOCS\n(.*?)\n *// DOCS\]", re.DOTALL)
+    compiled = set()
+    for file in [*(ROOT / "Examples").rglob("*.c*"), *(ROOT / "Tests").rglob("*.cpp")]:
+        for texts in region.findall(file.read_text()):
+            compiled.add(textwrap.dedent(next(filter(None, texts))).strip())
+    pages = [ROOT / "README.md", *sorted((ROOT / "Docs").glob("*.md"))]
+    blocks = [(page, text) for page in pages for text in block.findall(page.read_text())]
+    if not compiled or not any(page.name == "README.md" for page, _ in blocks):
         return ["no code in the README, or no region marked // [README ... // README] in Examples"]
-    return [f"README.md: not from a compiled example:\n{block}"
-            for block in blocks if block.strip() not in compiled]
+    return [f"{name(page)}: not from what is compiled:\n{text}"
+            for page, text in blocks if text.strip() not in compiled]
 
 
 def main():
