@@ -38,6 +38,8 @@ auto UnresolvedCell<T>::find(bool isCut) -> std::optional<Finding> {
   if (result.kind == UnresolvedKind::MultiCut && thickest_ > 0) {
     result.depth = thickest_;
     result.point = thickestAt_;
+    // An edge may pass through walls and slits in turns, whatever its ends are.
+    result.isSolid = isThickestSolid_;
     return result;
   }
   samplePoints();
@@ -71,10 +73,11 @@ void UnresolvedCell<T>::walkEdges() {
 template <std::floating_point T>
 void UnresolvedCell<T>::noteStretch(const Segment<T>& edge, T first, T second) {
   const auto middle = edge.at((first + second) / 2);
-  const T thickness = 2 * std::abs(solid_.signedDistance(middle));
-  if (!(thickness > thickest_)) return;
-  thickest_ = thickness;
+  const T distance = solid_.signedDistance(middle);
+  if (!(2 * std::abs(distance) > thickest_)) return;
+  thickest_ = 2 * std::abs(distance);
   thickestAt_ = middle;
+  isThickestSolid_ = distance < 0;
 }
 
 template <std::floating_point T>

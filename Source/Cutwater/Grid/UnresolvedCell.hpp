@@ -43,6 +43,7 @@ class UnresolvedCell {
   CellSigns signs_;
   T thickest_ = 0;  // of the stretches
   Vec3<T> thickestAt_;
+  bool isThickestSolid_ = false;
   std::size_t count_ = 0;
   std::array<Vec3<T>, kMostPoints> points_;
   std::array<Vec3<T>, kMostPoints> normals_;
