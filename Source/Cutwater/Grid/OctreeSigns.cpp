@@ -87,7 +87,7 @@ template <std::floating_point T>
 void OctreeSigns<T>::askEdges(int level, const ParallelOptions& options) {
   markEdges(level, options);
   forBatches(placesOf(edges_), options,
-             [&](std::span<const std::size_t> edges) { count(level, edges); });
+             [&](std::span<const std::size_t> edges) { ask(level, edges); });
 }
 
 template <std::floating_point T>
@@ -126,7 +126,7 @@ Segment<T> OctreeSigns<T>::edge(std::size_t number, int level) const {
 }
 
 template <std::floating_point T>
-void OctreeSigns<T>::count(int level, std::span<const std::size_t> edges) {
+void OctreeSigns<T>::ask(int level, std::span<const std::size_t> edges) {
   Scratch<Box<T>, kBatch> boxes;
   Scratch<BoxClass, kBatch> classes;
   Scratch<std::size_t, kBatch> open;
@@ -144,10 +144,22 @@ void OctreeSigns<T>::count(int level, std::span<const std::size_t> edges) {
   for (const auto number : edges) {
     auto& mark = edges_[number];
     if (mark.load(std::memory_order_relaxed) == kFree) continue;
-    Mark crossings = 0;
-    solid_.crossings(edge(number, level), [&](const Crossing<T>&) { return ++crossings < 2; });
-    mark.store(crossings, std::memory_order_relaxed);
+    mark.store(crossingsOf(edge(number, level)), std::memory_order_relaxed);
   }
+}
+
+template <std::floating_point T>
+auto OctreeSigns<T>::crossingsOf(const Segment<T>& edge) const -> Mark {
+  Crossing<T> last;
+  std::size_t seen = 0;
+  bool isMore = false;
+  solid_.crossings(edge, [&](const Crossing<T>& crossing) {
+    isMore = seen > 0 && stretchBetween(solid_, edge, last, crossing);
+    last = crossing;
+    ++seen;
+    return !isMore;
+  });
+  return isMore ? 2 : seen % 2;
 }
 
 template <std::floating_point T>

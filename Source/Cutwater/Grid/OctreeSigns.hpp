@@ -28,10 +28,32 @@ inline constexpr std::array<CellEdge, 12> kCellEdges{{{0, 0},
                                                       {2, 2},
                                                       {3, 2}}};
 
+/// What an edge passes through between two crossings.
+template <std::floating_point T>
+struct EdgeStretch {
+  Vec3<T> middle;
+  T distance;  ///< the value there, not 0
+};
+
+/// Nothing if the middle is not on the side that the first crossing leads to: where the edge but
+/// touches the surface, or runs along it, crossings are of one place, up to rounding.
+template <std::floating_point T>
+[[nodiscard]] std::optional<EdgeStretch<T>> stretchBetween(const SignedDistanceFunction<T>& solid,
+                                                           const Segment<T>& edge,
+                                                           const Crossing<T>& first,
+                                                           const Crossing<T>& second) {
+  const auto middle = edge.at((first.parameter + second.parameter) / 2);
+  const T distance = solid.signedDistance(middle);
+  if (distance == 0 || (distance < 0) != first.entering) return {};
+  return EdgeStretch<T>{middle, distance};
+}
+
 /// What corners and edges of a cell tell of the surface.
 struct CellSigns {
-  unsigned inside = 0;                       ///< a bit for each corner with a negative value
-  std::array<std::uint8_t, 12> crossings{};  ///< of kCellEdges: none, one, or 2 for more
+  unsigned inside = 0;  ///< a bit for each corner with a negative value
+  /// Of kCellEdges: 0 if there is none, 1 if its ends are on different sides, 2 if it also passes
+  /// through something between crossings.
+  std::array<std::uint8_t, 12> crossings{};
 
   [[nodiscard]] bool isInside(int corner) const { return (inside >> corner & 1U) != 0; }
 };
@@ -58,7 +80,7 @@ class OctreeSigns {
   static constexpr std::size_t kMost = 64;
 
  private:
-  /// What is to be done about an edge; later the number of crossings, see CellSigns.
+  /// What is to be done about an edge; later what CellSigns tells.
   using Mark = std::uint8_t;
   static constexpr Mark kFree = 0;
   static constexpr Mark kToClassify = 1;  ///< its ends are on one side
@@ -70,8 +92,10 @@ class OctreeSigns {
                 const Visit& visit) const;
   void evaluate(const ParallelOptions& options);
   void markEdges(int level, const ParallelOptions& options);
-  /// Counts crossings of some edges by their numbers.
-  void count(int level, std::span<const std::size_t> edges);
+  /// Some edges by their numbers.
+  void ask(int level, std::span<const std::size_t> edges);
+  /// See CellSigns.
+  [[nodiscard]] Mark crossingsOf(const Segment<T>& edge) const;
   [[nodiscard]] Segment<T> edge(std::size_t number, int level) const;
   [[nodiscard]] bool isInside(std::size_t node) const { return values_[node] < 0; }
   /// Of the edge that begins at a node.

@@ -35,11 +35,11 @@ auto UnresolvedCell<T>::find(bool isCut) -> std::optional<Finding> {
     result.kind = UnresolvedKind::MultiCut;
   }
   walkEdges();
-  if (result.kind == UnresolvedKind::MultiCut && thickest_ > 0) {
-    result.depth = thickest_;
-    result.point = thickestAt_;
+  if (result.kind == UnresolvedKind::MultiCut && thickest_.distance != 0) {
+    result.depth = 2 * std::abs(thickest_.distance);
+    result.point = thickest_.middle;
     // An edge may pass through walls and slits in turns, whatever its ends are.
-    result.isSolid = isThickestSolid_;
+    result.isSolid = thickest_.distance < 0;
     return result;
   }
   samplePoints();
@@ -60,24 +60,17 @@ void UnresolvedCell<T>::walkEdges() {
   for (std::size_t e = 0; e < kCellEdges.size(); ++e) {
     if (signs_.crossings[e] == 0) continue;
     const Segment<T> edge{box_.corner(kCellEdges[e].from), box_.corner(kCellEdges[e].to())};
-    std::optional<T> last;
+    std::optional<Crossing<T>> last;
     solid_.crossings(edge, [&](const Crossing<T>& crossing) {
       note(crossing.point, crossing.normal);
-      if (last) noteStretch(edge, *last, crossing.parameter);
-      last = crossing.parameter;
+      const auto stretch = last ? stretchBetween(solid_, edge, *last, crossing) : std::nullopt;
+      if (stretch && std::abs(stretch->distance) > std::abs(thickest_.distance)) {
+        thickest_ = *stretch;
+      }
+      last = crossing;
       return true;
     });
   }
-}
-
-template <std::floating_point T>
-void UnresolvedCell<T>::noteStretch(const Segment<T>& edge, T first, T second) {
-  const auto middle = edge.at((first + second) / 2);
-  const T distance = solid_.signedDistance(middle);
-  if (!(2 * std::abs(distance) > thickest_)) return;
-  thickest_ = 2 * std::abs(distance);
-  thickestAt_ = middle;
-  isThickestSolid_ = distance < 0;
 }
 
 template <std::floating_point T>
@@ -157,7 +150,9 @@ T UnresolvedCell<T>::depthAt(std::size_t point, bool isSolid) const {
                      depth = skipped + crossing.parameter * (reach - skipped);
                      return false;
                    });
-  return depth;
+  // Where it but touches the cell's faces, there is nothing behind the point.
+  const T within = solid_.signedDistance(from + depth / 2 * direction);
+  return within != 0 && (within < 0) == isSolid ? depth : 0;
 }
 
 template class UnresolvedCell<float>;

@@ -32,8 +32,6 @@ class UnresolvedCell {
   /// Notes points of the surface in the cell, from samples.
   void samplePoints();
   void note(const Vec3<T>& point, const Vec3<T>& normal);
-  /// A stretch of an edge between two crossings: as thick as twice the distance in its middle.
-  void noteStretch(const Segment<T>& edge, T first, T second);
   /// Of the solid or the fluid behind a noted point: along the normal, to the other side or out of
   /// the cell.
   [[nodiscard]] T depthAt(std::size_t point, bool isSolid) const;
@@ -41,9 +39,7 @@ class UnresolvedCell {
   const SignedDistanceFunction<T>& solid_;
   Box<T> box_;
   CellSigns signs_;
-  T thickest_ = 0;  // of the stretches
-  Vec3<T> thickestAt_;
-  bool isThickestSolid_ = false;
+  EdgeStretch<T> thickest_{};  // twice as thick as its distance
   std::size_t count_ = 0;
   std::array<Vec3<T>, kMostPoints> points_;
   std::array<Vec3<T>, kMostPoints> normals_;
