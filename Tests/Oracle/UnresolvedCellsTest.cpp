@@ -12,6 +12,7 @@
 
 #include "Oracle/CgalOracle.hpp"
 #include "Oracle/Nasties.hpp"
+#include "Support/Clipping.hpp"
 #include "Support/Precisions.hpp"
 
 namespace cutwater::test {
@@ -23,26 +24,6 @@ using Kinds = std::map<std::size_t, UnresolvedKind>;
 
 ExactPoint exactly(const Vec3<double>& p) {
   return {Rational(p.x), Rational(p.y), Rational(p.z)};
-}
-
-/// What of a convex polygon has a coordinate of at least (sign 1) or at most (-1) some value.
-/// (Sutherland and Hodgman 1974.)
-std::vector<ExactPoint> clipped(const std::vector<ExactPoint>& polygon, std::size_t axis,
-                                const Rational& value, int sign) {
-  std::vector<ExactPoint> kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const auto& here = polygon[i];
-    const auto& next = polygon[(i + 1) % polygon.size()];
-    const Rational a = sign * (here[axis] - value);
-    const Rational b = sign * (next[axis] - value);
-    if (a >= 0) kept.push_back(here);
-    if ((a > 0 && b < 0) || (a < 0 && b > 0)) {
-      auto& cut = kept.emplace_back();
-      for (std::size_t k = 0; k < 3; ++k) cut[k] = here[k] + a / (a - b) * (next[k] - here[k]);
-      cut[axis] = value;
-    }
-  }
-  return kept;
 }
 
 /// The triangles of a surface and the sides of points, by definition.
