@@ -13,7 +13,7 @@ class CellFields {
  public:
   CellFields(const Octree<double>& mesh, const std::vector<std::string>& names);
 
-  /// What class, level and all other names are.
+  /// All that can be asked for.
   static const std::vector<std::string>& names();
 
   /// Values at the cells' centres.
