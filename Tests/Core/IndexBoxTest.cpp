@@ -41,5 +41,12 @@ TEST(IndexBox, ContainsBothEnds) {
   EXPECT_FALSE(IndexBox{}.contains({0, 0, 0}));
 }
 
+TEST(IndexBox, CountsStepsFromItsLowerEnd) {
+  constexpr auto kLeast = std::numeric_limits<std::int32_t>::min();
+  const IndexBox box{{-2, kLeast, 5}, {2, 0, 6}};
+  EXPECT_EQ(box.at(0, 0, 0), box.lo);
+  EXPECT_EQ(box.at(3, std::uint32_t{1} << 31U, 1), (Index3{1, 0, 6}));
+}
+
 }  // namespace
 }  // namespace cutwater::test

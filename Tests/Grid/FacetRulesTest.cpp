@@ -169,6 +169,69 @@ TYPED_TEST(FacetRulesTest, RefineGapsOrWalls) {
       [](const OctreeCell& c) { return std::pair(c.level, c.index.i); }));
 }
 
+TYPED_TEST(FacetRulesTest, JudgeCellsByThemselvesAsTogether) {
+  using T = TypeParam;
+  using Width = typename Refinement<T>::Width;
+  using Facet = SurfaceFacet<T>;
+  // A turned slab in a shell: gaps and walls of many widths; and a sphere, of which samples are
+  // seen.
+  const auto slab = rotated(this->boxMesh({-0.6, -0.5, -0.05}, {0.6, 0.5, 0.05}), T(30), {1, 2, 3});
+  const auto inner = Solid<T>(MeshSDF<T>(tessellation::icosphere(0.75, 2)));
+  const auto outer = Solid<T>(MeshSDF<T>(tessellation::icosphere(0.9, 2)));
+  const auto isFacing = [](const Facet& a, const Facet& b, T least) {
+    const auto isBehind = [&](const Facet& from, const Facet& of) {
+      return std::ranges::any_of(from.corners, [&](const Vec3<T>& corner) {
+        return dot(of.normal, corner - of.corners[0]) < -least;
+      });
+    };
+    return dot(a.normal, b.normal) < T(-0.5) && isBehind(a, b) && isBehind(b, a);
+  };
+  const Refinement<T> rules{.walls = Width{T(1.5), 9}};
+  for (const auto& solid : {(outer - inner) | slab, slab | Sphere<T>({0, 0, T(0.5)}, T(0.3))}) {
+    const CellJudge<T> judge(solid, rules);
+    constexpr int kLevel = 3;
+    const auto level = this->domain.level(kLevel);
+    std::vector<Box<T>> cells;
+    for (std::int32_t n = 0; n < 32 * 32 * 32; n += 3) {
+      cells.push_back(level.cell({n % 32, n / 32 % 32, n / 1024}));
+    }
+    std::vector<CellVerdict> together(cells.size());
+    std::size_t refined = 0;
+    std::size_t kept = 0;
+    for (std::size_t begin = 0; begin < cells.size(); begin += 200) {
+      const auto count = std::min<std::size_t>(200, cells.size() - begin);
+      std::vector<BoxHint> hints(count);
+      judge.judge(kLevel, std::span(cells).subspan(begin, count), hints,
+                  std::span(together).subspan(begin, count));
+    }
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+      BoxHint hint;
+      CellVerdict alone;
+      judge.judge(kLevel, std::span(cells).subspan(n, 1), std::span(&hint, 1),
+                  std::span(&alone, 1));
+      EXPECT_EQ(together[n].isRefined, alone.isRefined) << n;
+      if (!mayBeCut(alone.kind)) continue;
+      const T width = maxComponent(cells[n].size());
+      std::vector<Facet> own;
+      solid.facetsIn(cells[n], [&](const Facet& facet) {
+        own.push_back(facet);
+        return true;
+      });
+      bool expected = false;
+      solid.facetsIn(cells[n].grown(T(1.5) * width), [&](const Facet& other) {
+        for (const auto& facet : own) {
+          expected = expected || isFacing(facet, other, T(0x1p-20) * width);
+        }
+        return true;
+      });
+      EXPECT_EQ(alone.isRefined, expected) << n;
+      ++(expected ? refined : kept);
+    }
+    EXPECT_GT(refined, 100U);
+    EXPECT_GT(kept, 50U);
+  }
+}
+
 TYPED_TEST(FacetRulesTest, RefinePatches) {
   const auto left = named(this->boxMesh({-0.7, -0.7, -0.7}, {-0.2, 0.7, 0.7}), "left");
   const auto right = named(this->boxMesh({0.2, -0.7, -0.7}, {0.7, 0.7, 0.7}), "right");

@@ -90,6 +90,12 @@ TYPED_TEST(OctreeNodesTest, AreTheSameInAnyOrderAndForAnyNumberOfThreads) {
     EXPECT_EQ(corners, all[n]);
   }
   for (std::size_t n = 0; n < one.count(); ++n) ASSERT_EQ(one.index(n), many.index(n));
+
+  std::vector<std::size_t> some;
+  for (std::size_t n = 5; n < size; n += 1 + n % 41) some.push_back(n);
+  std::vector<typename OctreeNodes<T>::Corners> theirs(some.size());
+  one.corners(some, theirs);
+  for (std::size_t i = 0; i < some.size(); ++i) EXPECT_EQ(theirs[i], all[some[i]]);
 }
 
 }  // namespace

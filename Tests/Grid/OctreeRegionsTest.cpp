@@ -81,24 +81,34 @@ TYPED_TEST(OctreeRegionsTest, RefusePointsThatAreNotInTheFluid) {
 TYPED_TEST(OctreeRegionsTest, EncloseTheVolumeEverMoreClosely) {
   using T = TypeParam;
   constexpr double kPi = std::numbers::pi;
-  const std::pair<Solid<T>, double> cases[] = {
-      {Sphere<T>({T(0.1), 0, 0}, T(0.7)), 4 * kPi / 3 * 0.343},
-      {Cuboid<T>({T(-0.7), T(-0.6), T(-0.5)}, {T(0.6), T(0.7), T(0.8)}), 1.3 * 1.3 * 1.3},
-      {Torus<T>(T(0.7), T(0.25)), 2 * kPi * kPi * 0.7 * 0.0625}};
-  for (const auto& [solid, volume] : cases) {
+  struct Case {
+    Solid<T> solid;
+    double volume;
+    double projections;  ///< of the surface along x, y and z, front and back
+  };
+  const Case cases[] = {{Sphere<T>({T(0.1), 0, 0}, T(0.7)), 4 * kPi / 3 * 0.343, 6 * kPi * 0.49},
+                        {Cuboid<T>({T(-0.69), T(-0.6), T(-0.5)}, {T(0.6), T(0.7), T(0.8)}),
+                         1.29 * 1.3 * 1.3, 2 * (1.3 * 1.3 + 2 * 1.29 * 1.3)},
+                        {Torus<T>(T(0.7), T(0.25)), 2 * kPi * kPi * 0.7 * 0.0625, 0}};
+  for (const auto& [solid, volume, projections] : cases) {
     double last = 0;
-    for (int level = 2; level <= 5; ++level) {
+    for (int level = 2; level <= 7; ++level) {
       const auto found = solidVolume(this->meshOf(solid, level));
       EXPECT_LE(found.lower, volume);
       EXPECT_GE(found.upper, volume);
       const double width = found.upper - found.lower;
-      // Of a surface of area A: about 1.5 A times the width of a cell.
-      if (level > 2) {
-        EXPECT_LT(width, 0.56 * last);
+      const double cell = 0.61 * std::ldexp(1.0, -level);
+      // The volume of cells that a surface meets is its projections times their width, but for the
+      // few with its rim: half of it on each further level.
+      if (projections > 0 && level > 4) {
+        EXPECT_NEAR(width / (projections * cell), 1, 0.1);
+      }
+      if (level > 3) {
+        EXPECT_NEAR(last / width, 2, level > 5 ? 0.1 : 0.25);
       }
       last = width;
     }
-    EXPECT_LT(last, 0.3 * volume);
+    EXPECT_LT(last, 0.08 * volume);
   }
 }
 

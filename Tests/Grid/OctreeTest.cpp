@@ -85,9 +85,8 @@ TYPED_TEST(OctreeTest, DividesWhatMayBeCutAndNothingElseUnlessBalanced) {
   const Octree<T> mesh(solid, this->domain, {.cut = 4}, {.balance = Balance::None});
   std::size_t cut = 0;
   for (const auto& cell : mesh.cells()) {
-    const bool mayBeCut = cell.kind == BoxClass::Cut || cell.kind == BoxClass::Unknown;
-    cut += mayBeCut ? 1 : 0;
-    EXPECT_TRUE(!mayBeCut || cell.level == 4);
+    cut += mayBeCut(cell.kind) ? 1 : 0;
+    EXPECT_TRUE(!mayBeCut(cell.kind) || cell.level == 4);
     if (cell.level == 0) continue;
     const Index3 parent{cell.index.i / 2, cell.index.j / 2, cell.index.k / 2};
     const auto around = solid.classify(this->domain.level(cell.level - 1).cell(parent));

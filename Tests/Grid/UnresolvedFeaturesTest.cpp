@@ -91,6 +91,27 @@ TYPED_TEST(UnresolvedFeaturesTest, FindSeveralSheetsInACell) {
   EXPECT_GT(features.size(), multiCut);
 }
 
+TYPED_TEST(UnresolvedFeaturesTest, TellWhetherTheWidestStretchIsSolid) {
+  using T = TypeParam;
+  // Edges along x of the cells from x = 0 to 0.25 begin in a block and end in the fluid; between
+  // are a slit and a wall, one of them wider than the other.
+  for (const bool isWallWider : {false, true}) {
+    const T wall = isWallWider ? T(0.05) : T(0.13);
+    const Solid<T> solid = Cuboid<T>({T(-0.6), T(-0.6), T(-0.6)}, {T(0.03), T(0.6), T(0.6)}) |
+                           Cuboid<T>({wall, T(-0.6), T(-0.6)}, {T(0.15), T(0.6), T(0.6)});
+    for (const bool isTurned : {false, true}) {
+      const auto features = this->featuresOf(isTurned ? ~solid : solid, 2);
+      EXPECT_EQ(features.size(), 36U);  // from -0.75 to 0.75 along y and z
+      for (const auto& feature : features) {
+        EXPECT_EQ(feature.kind, UnresolvedKind::MultiCut);
+        EXPECT_EQ(feature.isSolid, isWallWider != isTurned);
+        EXPECT_NEAR(feature.depth, 0.1 / 0.25, 1e-5);
+        EXPECT_NEAR(feature.point.x, isWallWider ? 0.1 : 0.08, 1e-5);
+      }
+    }
+  }
+}
+
 TYPED_TEST(UnresolvedFeaturesTest, HaveNothingToSayOfWhatIsSmooth) {
   using T = TypeParam;
   EXPECT_TRUE(this->featuresOf(Cuboid<T>({T(-0.6), T(-0.6), T(-0.6)}, {T(0.6), T(0.6), T(0.6)}), 3)

@@ -26,8 +26,10 @@ TEST(VtiTest, CellDataIsReadBackToTheBit) {
   std::vector<float> coarse(distance.begin(), distance.end());
   std::vector<std::uint32_t> ids(kBox.count(), kNone);
   ids[3] = 17;
-  const std::array<VtkArray, 3> arrays{VtkArray{"distance", std::span<const double>(distance)},
+  std::vector<std::uint64_t> masks(kBox.count(), std::uint64_t{1} << 63U);
+  const std::array<VtkArray, 4> arrays{VtkArray{"distance", std::span<const double>(distance)},
                                        {"coarse", std::span<const float>(coarse)},
+                                       {"masks", std::span<const std::uint64_t>(masks)},
                                        {"a<b & \"c\"", std::span<const std::uint32_t>(ids)}};
   const Level<double> level({0.1, -2, 1e-3}, {0.25, 1e-7, 3});
   writeVti(folder / "a.vti", Patch<double>{level, kBox}, arrays);
@@ -43,6 +45,7 @@ TEST(VtiTest, CellDataIsReadBackToTheBit) {
   EXPECT_EQ(vti.attribute("CellData", "Scalars"), "distance");
   EXPECT_EQ(vti.array<double>("distance", "Float64"), distance);
   EXPECT_EQ(vti.array<float>("coarse", "Float32"), coarse);
+  EXPECT_EQ(vti.array<std::uint64_t>("masks", "UInt64"), masks);
   EXPECT_EQ(vti.array<std::uint32_t>("a&lt;b &amp; &quot;c&quot;", "UInt32"), ids);
   EXPECT_EQ(vti.rest(), "\n  </AppendedData>\n</VTKFile>\n");
 }

@@ -98,6 +98,9 @@ class Usage(CommandTest):
         self.fails(2, "sample", "a.stl", "-o", "a.vti", "--cells", "9", "--spacing", "1")
         for option, value in [("--level", "-1"), ("--level", "x"), ("--band", "1"), ("--band", "1:"),
                               ("--band", ":1"), ("--band", "1:-1"), ("--band=-1:2", ""), ("--band", "1:2:3"),
+                              ("--patch", "hull"), ("--patch", ":3"), ("--patch", "hull:x"), ("--curvature", "20"),
+                              ("--curvature", "0:3"), ("--edges", "180:3"), ("--edges", "x:3"), ("--gaps", "3"),
+                              ("--gaps", "0:3"), ("--walls=-1:3", ""), ("--walls", "3:100"),
                               ("--roots", "0"), ("--roots", "2x2x2"), ("--balance", "vertex"), ("--write", "colour")]:
             with self.subTest(option=option, value=value):
                 level = [] if option == "--level" else ["--level", "1"]
@@ -365,6 +368,55 @@ class Amr(CommandTest):
                 self.assertGreater(distance, 0.5)
             if mesh.arrays["level"][n] == 4:
                 self.assertLess(distance, 0.2 + 4 * reach)  # its parent is near, or it is next to such
+
+    def two_patches(self):
+        """A tetrahedron whose faces in the planes x, y, z = 0.01 are the patch base; the other is sides."""
+        (self.folder / "two.obj").write_text(
+            "v 0.01 0.01 0.01\nv 4.01 0.01 0.01\nv 0.01 4.01 0.01\nv 0.01 0.01 4.01\n"
+            "g base\nf 1 3 2\nf 1 2 4\nf 1 4 3\ng sides\nf 2 3 4\n")
+        return ("amr", "two.obj", "-o", "out.vtu", "--box", "-1,-1,-1,7,7,7", "--roots", "8", "--balance", "none")
+
+    def test_patches(self):
+        self.succeeds(*self.two_patches(), "--level", "1", "--patch", "base:3", "--write", "level,patches", "--quiet")
+        mesh = Vtu(self.folder / "out.vtu")
+        counts = [0] * 4
+        for (low, high), level, patches in zip(mesh.boxes, mesh.arrays["level"], mesh.arrays["patches"]):
+            expected = 0
+            for axis in range(3):
+                others = [max(low[a], 0.01) for a in range(3) if a != axis]
+                if (low[axis] <= 0.01 <= high[axis] and min(high) >= 0.01 and sum(others) <= 4.02):
+                    expected = 1
+            if min(high) >= 0.01 and sum(max(l, 0.01) for l in low) <= 4.03 <= sum(high):
+                expected |= 2
+            self.assertEqual(patches, expected)
+            self.assertEqual(level, 3 if patches & 1 else level)
+            self.assertLessEqual(level, 1 if patches == 2 and low[0] >= 1 and low[1] >= 1 and low[2] >= 1 else 3)
+            counts[expected] += 1
+        self.assertGreater(min(counts), 10)
+        self.assertIn("no patch is called 'hull'; there are: base, sides",
+                      self.fails(1, *self.two_patches(), "--level", "1", "--patch", "hull:3"))
+
+    def test_rules_about_the_surface_in_a_cell(self):
+        self.box("plate.off", "2.1,2.1,0.1")
+
+        def levels(surface, *options):
+            self.succeeds("amr", surface, "-o", "out.vtu", *self.AROUND, "--level", "2", "--balance", "none",
+                          *options, "--quiet")
+            mesh = Vtu(self.folder / "out.vtu")
+            return list(zip(mesh.boxes, mesh.arrays["level"]))
+
+        plain = levels("box.off")
+        edges = levels("box.off", "--edges", "80:4")
+        self.assertEqual(edges, levels("box.off", "--curvature", "80:4"))  # all that its normals do
+        self.assertEqual(plain, levels("box.off", "--edges", "100:4"))
+        for (low, high), level in edges:
+            sides = sum(min(abs(l), abs(h)) <= 1.05 <= max(abs(l), abs(h)) for l, h in zip(low, high))
+            outside = any(l > 1.05 or h < -1.05 for l, h in zip(low, high))
+            self.assertEqual(level == 4 and not outside, sides >= 2 and not outside)
+        # Sides are at -0.05 and 0.05: from [1/32, 2/32], three cells reach to -2/32, from [3/64, 4/64] to 0.
+        walls = levels("plate.off", "--walls", "3:8")
+        self.assertEqual(max(level for _, level in walls), 6)
+        self.assertEqual(levels("plate.off", "--gaps", "3:8"), levels("plate.off"))
 
     def test_balance(self):
         turned = (*self.AROUND, "--rotate", "30,1,2,3", "--level", "4")

@@ -29,7 +29,7 @@ def bounds(points):
 class VtkXml:
     """A VTK file of XML and raw bytes: attributes by name, arrays by name, vectors as tuples."""
 
-    LETTERS = {"Float64": "d", "Float32": "f", "UInt32": "I", "Int32": "i", "Int64": "q", "UInt8": "B"}
+    LETTERS = {"Float64": "d", "Float32": "f", "UInt32": "I", "UInt64": "Q", "Int32": "i", "Int64": "q", "UInt8": "B"}
 
     def __init__(self, path):
         content = path.read_bytes()

@@ -1,5 +1,4 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/OctreeFill.hpp>
 #include <Cutwater/Grid/OctreeRegions.hpp>
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
 #include <Cutwater/Io/Vtu.hpp>
@@ -13,10 +12,12 @@
 #include <system_error>
 
 #include "Arguments.hpp"
+#include "CellFields.hpp"
 #include "Commands.hpp"
 #include "Format.hpp"
 #include "Picture.hpp"
 #include "ProgressBar.hpp"
+#include "RefinementOptions.hpp"
 #include "SampleGrid.hpp"
 #include "Surface.hpp"
 
@@ -29,13 +30,11 @@ const std::map<std::string, Balance> kBalances{{"none", Balance::None},
                                                {"edge", Balance::Edge},
                                                {"corner", Balance::Corner}};
 
-constexpr std::uint8_t kCovered = 4;  // after those of BoxClass
-
 struct Options {
   SurfaceOptions surface;
   std::string output;
   GridRequest roots;
-  Refinement<double> refinement;
+  RefinementOptions refinement;
   Balance balance = Balance::Corner;
   std::vector<std::string> write{"distance", "class", "level"};
   bool features = false;
@@ -48,49 +47,6 @@ struct Seconds {
   double mesh = 0;
   double values = 0;
   double file = 0;
-};
-
-/// The arrays that were asked for, one value per cell.
-class Fields {
- public:
-  Fields(const Octree<double>& mesh, const std::vector<std::string>& names) {
-    const auto count = mesh.cells().size();
-    for (const auto& name : names) {
-      if (name == "distance") add(name, distance_, count);
-      if (name == "normal") add(name, normal_, count);
-      if (name == "patch") add(name, patch_, count);
-      if (name == "class") add(name, class_, count);
-      if (name == "level") add(name, level_, count);
-    }
-    const auto cells = mesh.cells();
-    for (std::size_t n = 0; n < class_.size(); ++n) {
-      class_[n] = static_cast<std::uint8_t>(cells[n].kind);
-    }
-    for (std::size_t n = 0; n < level_.size(); ++n) level_[n] = cells[n].level;
-  }
-
-  /// Cells that are to be covered have a class of their own.
-  void cover(std::span<const std::size_t> cells) {
-    if (class_.empty()) return;
-    for (const auto n : cells) class_[n] = kCovered;
-  }
-  [[nodiscard]] OctreeTargets<double> targets() { return {distance_, normal_, patch_}; }
-  [[nodiscard]] std::span<const VtkArray> arrays() const { return arrays_; }
-
- private:
-  template <typename Value>
-  void add(const std::string& name, std::vector<Value>& values, std::size_t count) {
-    if (!values.empty()) return;  // named twice
-    values.resize(count);
-    arrays_.push_back({name, std::span<const Value>(values)});
-  }
-
-  std::vector<double> distance_;
-  std::vector<Vec3<double>> normal_;
-  std::vector<std::uint32_t> patch_;
-  std::vector<std::uint8_t> class_;
-  std::vector<std::uint8_t> level_;
-  std::vector<VtkArray> arrays_;
 };
 
 OctreeDomain<double> domainAround(const Box<double>& surface, const GridRequest& request) {
@@ -132,7 +88,7 @@ void report(const Options& options, const Octree<double>& mesh, const Seconds& s
 }
 
 /// Covers what the point's region of fluid does not reach.
-void keepRegion(const Vec3<double>& keep, const Octree<double>& mesh, Fields& fields,
+void keepRegion(const Vec3<double>& keep, const Octree<double>& mesh, CellFields& fields,
                 bool isShown) {
   const FluidRegions<double> fluid(mesh);
   const auto cells = fluid.unreached(mesh, keep);
@@ -178,19 +134,21 @@ void run(const Options& options) {
   Stopwatch watch;
   const auto solid = loadSolid(options.surface);
   const auto domain = domainAround(solid.boundingBox(), options.roots);
+  const auto rules = rulesFor(options.refinement, solid.patchNames());
   seconds.surface = watch.lap();
   const auto mesh = [&] {
     ProgressBar bar("meshing", isShown);
     return Octree<double>(
-        solid, domain, options.refinement,
+        solid, domain, rules,
         {.balance = options.balance, .threads = threads, .progress = bar.callback()});
   }();
   seconds.mesh = watch.lap();
-  Fields fields(mesh, options.write);
+  CellFields fields(mesh, options.write);
   {
     ProgressBar bar("evaluating", isShown);
     fill(solid, mesh, fields.targets(), {.threads = threads, .progress = bar.callback()});
   }
+  if (fields.hasPatches()) fields.setPatches(cellPatches(solid, mesh, {.threads = threads}));
   seconds.values = watch.lap();
   if (options.keep) keepRegion(*options.keep, mesh, fields, isShown);
   writeVtu(options.output, mesh, fields.arrays(), {.threads = threads});
@@ -204,36 +162,8 @@ void run(const Options& options) {
   }
 }
 
-/// "DISTANCE:LEVEL"
-Refinement<double>::Band bandOf(const std::string& text) {
-  const auto colon = text.find(':');
-  const auto level = text.substr(colon == std::string::npos ? text.size() : colon + 1);
-  if (level.empty() || level.find_first_not_of("0123456789") != std::string::npos ||
-      level.size() > 2) {
-    refuse("--band", text, "a distance and a level: 0.5:4");
-  }
-  const double distance = numbers("--band", text.substr(0, colon), 1).front();
-  if (distance < 0) refuse("--band", text, "a distance from 0");
-  return {distance, std::stoi(level)};
-}
-
-void addRefinement(CLI::App& command, Options& options) {
-  command
-      .add_option("--level", options.refinement.cut,
-                  "Refine what the surface meets to this level: so many halvings of the roots")
-      ->required()
-      ->check(CLI::Range(0, 20))
-      ->type_name("N");
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--band",
-          [&](const std::vector<std::string>& texts) {
-            for (const auto& text : texts) options.refinement.bands.push_back(bandOf(text));
-          },
-          "Refine what is within this distance of the surface, in its units, to that level; may be "
-          "repeated")
-      ->allow_extra_args(false)
-      ->type_name("DISTANCE:LEVEL");
+void addMeshOptions(CLI::App& command, Options& options) {
+  addRefinementOptions(command, options.refinement);
   command
       .add_option_function<std::string>(
           "--roots",
@@ -264,16 +194,18 @@ void addAmr(CLI::App& program) {
   command.add_option("-o,--output", options->output, "The mesh to write")
       ->required()
       ->type_name("FILE.vtu");
-  addRefinement(command, *options);
+  addMeshOptions(command, *options);
   command
-      .add_option("--write", options->write,
-                  "Values of each cell, at its centre: class is 0 inside, 1 outside, 2 cut, 3 "
-                  "unknown; normal and patch are those of the closest surface point; without it: "
-                  "distance,class,level")
+      .add_option(
+          "--write", options->write,
+          "Values of each cell, at its centre: class is 0 inside, 1 outside, 2 cut, 3 "
+          "unknown; normal and patch are those of the closest surface point; patches are all "
+          "that meet the cell, bit n of the number for patch n of the first 64; without it: "
+          "distance,class,level")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"distance", "normal", "patch", "class", "level"}))
-      ->type_name("distance,normal,patch,class,level");
+      ->check(CLI::IsMember(CellFields::names()))
+      ->type_name("distance,normal,patch,patches,class,level");
   command
       .add_option_function<std::string>(
           "--keep", [=](const std::string& text) { options->keep = vectorOf("--keep", text); },
@@ -288,6 +220,7 @@ void addAmr(CLI::App& program) {
       "Examples:\n"
       "  cutwater amr hull.stl --level 6 -o hull.vtu\n"
       "  cutwater amr hull.stl --level 9 --band 0.1:7 --band 0.5:5 -o hull.vtu\n"
+      "  cutwater amr ship.stl --level 6 --patch propeller:9 --edges 40:8 --gaps 4:9 -o ship.vtu\n"
       "  cutwater amr hull.stl --level 6 --features --picture hull.png --axis z -o hull.vtu\n"
       "  cutwater amr part.stl --scale 0.001 --box -1,-1,-1,3,1,1 --roots 8 --level 5 --balance "
       "face --write distance,normal,patch,class,level -o part.vtu");

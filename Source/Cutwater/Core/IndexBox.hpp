@@ -38,6 +38,14 @@ struct IndexBox {
            lo.k <= index.k && index.k <= hi.k;
   }
 
+  /// The index so many steps from `lo` along each axis, which is one of an int32's range.
+  [[nodiscard]] constexpr Index3 at(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+    const auto along = [](std::int32_t first, std::uint32_t steps) {
+      return static_cast<std::int32_t>(std::int64_t{first} + steps);
+    };
+    return {along(lo.i, i), along(lo.j, j), along(lo.k, k)};
+  }
+
   bool operator==(const IndexBox&) const = default;
 };
 

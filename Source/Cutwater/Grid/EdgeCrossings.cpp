@@ -74,8 +74,9 @@ class EdgeWalk {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (first[axis] > upper_[axis] || first[axis] + width <= lower_[axis]) return;
     }
-    if (isFree({position(first), position({first[0] + width, first[1] + width, first[2] + width})},
-               hint)) {
+    const Box<T> box{position(first),
+                     position({first[0] + width, first[1] + width, first[2] + width})};
+    if (!mayBeCut(solid_.classify(box, &hint))) {
       writeFree(first, width);
     } else if (bits == 0) {
       for (std::size_t axis = 0; axis < 3; ++axis) walkEdge(first, axis);
@@ -87,11 +88,6 @@ class EdgeWalk {
              bits - 1, hint);
       }
     }
-  }
-
-  [[nodiscard]] bool isFree(const Box<T>& box, BoxHint& hint) const {
-    const auto kind = solid_.classify(box, &hint);
-    return kind == BoxClass::Inside || kind == BoxClass::Outside;
   }
 
   void writeFree(const Wide& first, std::int64_t width) {

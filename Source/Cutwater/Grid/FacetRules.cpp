@@ -50,16 +50,6 @@ T DirectionSpread<T>::bound() const {
 }
 
 template <std::floating_point T>
-bool DirectionSpread<T>::mayFace(const Vec3<T>& direction, T cosine) const {
-  T least = 0;  // of the dot product, over the box of the directions
-  for (std::size_t i = 0; i < 3; ++i) {
-    const T along = direction[static_cast<int>(i)];
-    least += along * (along > 0 ? least_[i] : most_[i]);
-  }
-  return least < cosine;
-}
-
-template <std::floating_point T>
 FacetRules<T>::FacetRules(const SignedDistanceFunction<T>& solid, const Refinement<T>& rules)
     : solid_(solid), rules_(rules) {
   if (rules.curvature) mostTurn_ = 2 * std::sin(radians(rules.curvature->degrees) / 2);
@@ -75,20 +65,36 @@ bool FacetRules<T>::matter(int level) const {
 }
 
 template <std::floating_point T>
-bool FacetRules<T>::ask(int level, const Box<T>& cell) {
-  facets_.clear();
+void FacetRules<T>::ask(int level, std::span<const Box<T>> cells, std::span<CellVerdict> verdicts) {
+  const T reach = reachOf(level);
+  surroundings_ = {};
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!isOpen(verdicts[i])) continue;
+    auto& isRefined = verdicts[i].isRefined;
+    isRefined = askWithin(level, cells[i]);
+    if (isRefined || reach < 0 || own_.empty()) continue;
+    own_.build();
+    lookAround(reach, cells.subspan(i), verdicts.subspan(i));
+    isRefined = isNarrow(rules_.gaps, Facing::Fronts, level, cells[i]) ||
+                isNarrow(rules_.walls, Facing::Backs, level, cells[i]);
+  }
+}
+
+template <std::floating_point T>
+bool FacetRules<T>::askWithin(int level, const Box<T>& cell) {
+  own_.clear();
   spread_ = {};
   bool isAsked = false;
   solid_.facetsIn(cell, [&](const Facet& facet) {
     if (facet.normal != Vec3<T>{}) {
       spread_.add(facet.normal);
-      facets_.push_back(facet);
+      own_.add(facet);
     }
     isAsked = askOf(facet, level) ||
               (rules_.curvature && level < rules_.curvature->level && spread_.bound() > mostTurn_);
     return !isAsked;
   });
-  return isAsked || isNarrow(level, cell);
+  return isAsked;
 }
 
 template <std::floating_point T>
@@ -109,34 +115,71 @@ bool FacetRules<T>::askOf(const Facet& facet, int level) const {
 }
 
 template <std::floating_point T>
-bool FacetRules<T>::isNarrow(int level, const Box<T>& cell) const {
-  const T width = maxComponent(cell.size());
-  const auto hasFacing = [&](const std::optional<typename Refinement<T>::Width>& rule, T side) {
-    if (!rule || level >= rule->level || facets_.empty()) return false;
-    bool isFound = false;
-    solid_.facetsIn(cell.grown(rule->cells * width), [&](const Facet& other) {
-      // Without this each facet of the cell would be held against each one around it.
-      if (!spread_.mayFace(other.normal, kFacing + T(0x1p-10))) return true;
-      isFound = std::ranges::any_of(
-          facets_, [&](const Facet& own) { return face(own, other, side, T(0x1p-20) * width); });
-      return !isFound;
-    });
-    return isFound;
-  };
-  return hasFacing(rules_.gaps, 1) || hasFacing(rules_.walls, -1);
+T FacetRules<T>::reachOf(int level) const {
+  T reach = -1;
+  for (const auto& rule : {rules_.gaps, rules_.walls}) {
+    if (rule && level < rule->level) reach = std::max(reach, rule->cells);
+  }
+  return reach;
 }
 
-/// Whether they face each other: with their fronts if side is 1, their backs if it is -1; at least
-/// so far apart somewhere.
 template <std::floating_point T>
-bool FacetRules<T>::face(const Facet& a, const Facet& b, T side, T least) {
-  if (!(dot(a.normal, b.normal) < kFacing)) return false;
-  const auto isBefore = [&](const Facet& from, const Facet& of) {
-    return std::ranges::any_of(from.corners, [&](const Vec3<T>& corner) {
-      return side * dot(of.normal, corner - of.corners[0]) > least;
-    });
-  };
-  return isBefore(a, b) && isBefore(b, a);
+void FacetRules<T>::lookAround(T reach, std::span<const Box<T>> cells,
+                               std::span<const CellVerdict> verdicts) {
+  const T width = maxComponent(cells[0].size());
+  const auto regionOf = [&](const Box<T>& cell) { return cell.grown((reach + kMargin) * width); };
+  const auto first = regionOf(cells[0]);
+  if (surroundings_.contains(first.lower) && surroundings_.contains(first.upper)) return;
+  surroundings_ = first;
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    if (!isOpen(verdicts[i])) continue;
+    auto larger = surroundings_;
+    larger.extend(regionOf(cells[i]));
+    if (maxComponent(larger.size()) > (2 * (reach + kMargin) + kTogether) * width) break;
+    surroundings_ = larger;
+  }
+  // What facetsIn() adds to a cell's region by rounding is in this one, too.
+  around_.clear();
+  isAllAround_ = solid_.facetsIn(surroundings_.grown(kMargin * width), [&](const Facet& facet) {
+    if (facet.normal != Vec3<T>{}) around_.add(facet);
+    return true;
+  });
+  around_.build();
+}
+
+template <std::floating_point T>
+bool FacetRules<T>::isNarrow(const Width& rule, Facing facing, int level, const Box<T>& cell) {
+  if (!rule || level >= rule->level) return false;
+  const T width = maxComponent(cell.size());
+  const T least = T(0x1p-20) * width;
+  const auto region = cell.grown(rule->cells * width);
+  if (!isAllAround_) return seesFacing(region, facing, least);  // samples depend on the box
+  const auto outer = region.grown(kMargin * width);
+  const auto inner = region.grown(-kMargin * width);
+  bool isClose = false;
+  const bool isCertain = own_.isFaced(
+      around_, facing, least, [&](const Box<T>& box) { return box.overlaps(outer); },
+      [&](const Facet& facet) {
+        isClose = true;
+        return std::ranges::any_of(facet.corners, [&](const auto& p) { return inner.contains(p); });
+      });
+  return isCertain || (isClose && seesFacing(region, facing, least));
+}
+
+template <std::floating_point T>
+bool FacetRules<T>::seesFacing(const Box<T>& region, Facing facing, T least) {
+  bool isFound = false;
+  solid_.facetsIn(region, [&](const Facet& facet) {
+    if (facet.normal == Vec3<T>{}) return true;
+    other_.clear();
+    other_.add(facet);
+    other_.build();
+    isFound = own_.isFaced(
+        other_, facing, least, [](const Box<T>&) { return true; },
+        [](const Facet&) { return true; });
+    return !isFound;
+  });
+  return isFound;
 }
 
 template class DirectionSpread<float>;

@@ -87,10 +87,12 @@ OctreeNodes<T>::OctreeNodes(const Octree<T>& mesh, const ParallelOptions& option
               [&](std::size_t begin, std::size_t end) {
                 std::vector<std::uint64_t> found;
                 auto near = allAt(begin);
-                forCorners(begin, end, [&](auto, std::size_t corner, const Place& place) {
-                  if (place.isInParent || cellFrom(place, near[corner]) != kNoCell) return;
-                  found.push_back(keyOf(place.node));
-                });
+                for (auto n = begin; n < end; ++n) {
+                  forCorners(n, [&](std::size_t corner, const Place& place) {
+                    if (place.isInParent || cellFrom(place, near[corner]) != kNoCell) return;
+                    found.push_back(keyOf(place.node));
+                  });
+                }
                 detail::sortUnique(found);
                 const std::lock_guard lock(mutex);
                 others_.insert(others_.end(), found.begin(), found.end());
@@ -108,51 +110,63 @@ Index3 OctreeNodes<T>::index(std::size_t node) const {
 
 template <std::floating_point T>
 void OctreeNodes<T>::corners(std::size_t firstCell, std::span<Corners> result) const {
-  auto near = allAt(firstCell);
+  corners(
+      result.size(), [=](std::size_t n) { return firstCell + n; }, result);
+}
+
+template <std::floating_point T>
+void OctreeNodes<T>::corners(std::span<const std::size_t> cells, std::span<Corners> result) const {
+  corners(
+      cells.size(), [=](std::size_t n) { return cells[n]; }, result);
+}
+
+template <std::floating_point T>
+template <typename CellAt>
+void OctreeNodes<T>::corners(std::size_t count, const CellAt& cellAt,
+                             std::span<Corners> result) const {
+  if (count == 0) return;
+  auto near = allAt(cellAt(0));
   auto nearOther = allAt(0);
-  for (std::size_t n = 0; n < result.size(); ++n) result[n][0] = firstCell + n;
-  forCorners(firstCell, firstCell + result.size(),
-             [&](std::size_t n, std::size_t corner, const Place& place) {
-               auto& node = result[n - firstCell][corner];
-               node = cellFrom(place, near[corner]);
-               if (node != kNoCell) return;
-               nearOther[corner] = seek(others_, keyOf(place.node), nearOther[corner]);
-               node = places_.size() + nearOther[corner];
-             });
+  for (std::size_t n = 0; n < count; ++n) {
+    result[n][0] = cellAt(n);
+    forCorners(cellAt(n), [&](std::size_t corner, const Place& place) {
+      auto& node = result[n][corner];
+      node = cellFrom(place, near[corner]);
+      if (node != kNoCell) return;
+      nearOther[corner] = seek(others_, keyOf(place.node), nearOther[corner]);
+      node = places_.size() + nearOther[corner];
+    });
+  }
 }
 
 template <std::floating_point T>
 template <typename Visit>
-void OctreeNodes<T>::forCorners(std::size_t begin, std::size_t end, const Visit& visit) const {
+void OctreeNodes<T>::forCorners(std::size_t n, const Visit& visit) const {
   // Every third bit of a code is one coordinate's.
   constexpr MortonCode kFirst = 0x1249249249249249U;
-  for (auto n = begin; n < end; ++n) {
-    const auto& cell = mesh_.cells()[n];
-    const int shift = mesh_.deepest() - cell.level;
-    const auto child = static_cast<std::size_t>(places_[n] >> 3 * shift & 7U);  // of its parent
-    std::array<Index3, 2> sides{lowerCorner(cell, mesh_.deepest()), {}};
-    const std::int32_t width = 1 << shift;
-    sides[1] = {sides[0].i + width, sides[0].j + width, sides[0].k + width};
-    const std::size_t beyond = (sides[1].i == size_.i ? 1U : 0U) |
-                               (sides[1].j == size_.j ? 2U : 0U) |
-                               (sides[1].k == size_.k ? 4U : 0U);
-    for (std::size_t corner = 1; corner < 8; ++corner) {
-      const auto x = corner & 1U;
-      const auto y = corner >> 1U & 1U;
-      const auto z = corner >> 2U;
-      // Adds the width to a coordinate's bits; ones between them carry over.
-      const auto moved = [&](MortonCode bits, MortonCode step) {
-        return ((places_[n] | ~bits) + step) & bits;
-      };
-      const MortonCode code = moved(kFirst, x << 3 * shift) |
-                              moved(kFirst << 1U, y << 3 * shift << 1U) |
-                              moved(kFirst << 2U, z << 3 * shift << 2U);
-      visit(n, corner,
-            Place{.node = {sides[x].i, sides[y].j, sides[z].k},
-                  .code = code,
-                  .isBeyond = (corner & beyond) != 0,
-                  .isInParent = cell.level > 0 && (corner & child) == 0});
-    }
+  const auto& cell = mesh_.cells()[n];
+  const int shift = mesh_.deepest() - cell.level;
+  const auto child = static_cast<std::size_t>(places_[n] >> 3 * shift & 7U);  // of its parent
+  std::array<Index3, 2> sides{lowerCorner(cell, mesh_.deepest()), {}};
+  const std::int32_t width = 1 << shift;
+  sides[1] = {sides[0].i + width, sides[0].j + width, sides[0].k + width};
+  const std::size_t beyond = (sides[1].i == size_.i ? 1U : 0U) | (sides[1].j == size_.j ? 2U : 0U) |
+                             (sides[1].k == size_.k ? 4U : 0U);
+  for (std::size_t corner = 1; corner < 8; ++corner) {
+    const auto x = corner & 1U;
+    const auto y = corner >> 1U & 1U;
+    const auto z = corner >> 2U;
+    // Adds the width to a coordinate's bits; ones between them carry over.
+    const auto moved = [&](MortonCode bits, MortonCode step) {
+      return ((places_[n] | ~bits) + step) & bits;
+    };
+    const MortonCode code = moved(kFirst, x << 3 * shift) |
+                            moved(kFirst << 1U, y << 3 * shift << 1U) |
+                            moved(kFirst << 2U, z << 3 * shift << 2U);
+    visit(corner, Place{.node = {sides[x].i, sides[y].j, sides[z].k},
+                        .code = code,
+                        .isBeyond = (corner & beyond) != 0,
+                        .isInParent = cell.level > 0 && (corner & child) == 0});
   }
 }
 

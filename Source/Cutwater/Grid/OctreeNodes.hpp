@@ -25,11 +25,14 @@ class OctreeNodes {
   /// Index among the nodes of the finest level, mesh.deepest().
   [[nodiscard]] Index3 index(std::size_t node) const;
   /// That of the index: for all levels the same, to the bit.
-  [[nodiscard]] Vec3<T> position(std::size_t node) const { return level_.position(index(node)); }
+  [[nodiscard]] Vec3<T> position(std::size_t node) const { return position(index(node)); }
+  [[nodiscard]] Vec3<T> position(const Index3& index) const { return level_.position(index); }
 
   /// Nodes of as many cells as the span has room for, from `firstCell` on. Cells in their order
   /// cost much less together than one by one.
   void corners(std::size_t firstCell, std::span<Corners> result) const;
+  /// Of these cells, best in their order.
+  void corners(std::span<const std::size_t> cells, std::span<Corners> result) const;
 
  private:
   /// Where a corner of a cell is.
@@ -40,9 +43,12 @@ class OctreeNodes {
     bool isInParent = false;  ///< a cell of the same parent begins there
   };
 
-  /// Calls visit(cell, corner, its place) for the corners of cells but their lower ones.
+  /// Calls visit(corner, its place) for the corners of a cell but its lower one.
   template <typename Visit>
-  void forCorners(std::size_t begin, std::size_t end, const Visit& visit) const;
+  void forCorners(std::size_t cell, const Visit& visit) const;
+  /// Nodes of count > 0 cells: cellAt(0), cellAt(1), ...
+  template <typename CellAt>
+  void corners(std::size_t count, const CellAt& cellAt, std::span<Corners> result) const;
   /// The cell that begins there, or kNoCell; looks from `near` on, and leaves it where that was.
   [[nodiscard]] std::size_t cellFrom(const Place& place, std::size_t& near) const;
 

@@ -7,7 +7,7 @@
 
 namespace cutwater {
 
-namespace {
+namespace detail {
 
 /// Sets that grow together (Tarjan 1975), each known by its first member.
 class DisjointSets {
@@ -28,6 +28,10 @@ class DisjointSets {
  private:
   std::vector<std::uint32_t> parent_;
 };
+
+}  // namespace detail
+
+namespace {
 
 /// Calls visit(neighbour) for those across a cell's faces that are no finer than it: of two
 /// neighbours one sees the other, or both do.
@@ -54,21 +58,41 @@ FluidRegions<T>::FluidRegions(const Octree<T>& mesh) : regionOf_(mesh.cells().si
   const auto cells = mesh.cells();
   require(cells.size() < kNone, "FluidRegions: need fewer than 2^32 - 1 cells",
           Named{"cells", cells.size()});
-  DisjointSets sets(cells.size());
+  const auto contacts = contactsOf(mesh);
+  detail::DisjointSets sets(cells.size());
+  for (const auto& [cell, other] : contacts) {
+    if (cells[cell].kind == cells[other].kind) sets.join(cell, other);
+  }
+  numberRegions(mesh, sets);
+  assignCutCells(mesh, contacts);
+}
+
+template <std::floating_point T>
+auto FluidRegions<T>::contactsOf(const Octree<T>& mesh) -> std::vector<Contact> {
+  const auto cells = mesh.cells();
+  const auto isFluid = [&](std::size_t n) { return cells[n].kind != BoxClass::Inside; };
+  const auto isOutside = [&](std::size_t n) { return cells[n].kind == BoxClass::Outside; };
+  std::vector<Contact> contacts;
   for (std::uint32_t n = 0; n < cells.size(); ++n) {
-    if (cells[n].kind != BoxClass::Outside) continue;
+    if (!isFluid(n)) continue;
     forCoarserNeighbours(mesh, cells[n], [&](std::size_t other) {
-      if (cells[other].kind == BoxClass::Outside) {
-        sets.join(n, static_cast<std::uint32_t>(other));
-      }
+      if (!isFluid(other) || !(isOutside(n) || isOutside(other))) return;
+      // Of two cells of one level, each sees the other.
+      if (cells[other].level == cells[n].level && other < n) return;
+      contacts.push_back({n, static_cast<std::uint32_t>(other)});
     });
   }
+  return contacts;
+}
 
+template <std::floating_point T>
+void FluidRegions<T>::numberRegions(const Octree<T>& mesh, detail::DisjointSets& sets) {
   struct Found {
     FluidRegion<T> region;
     std::uint32_t first;
     int level;  // of the largest cell
   };
+  const auto cells = mesh.cells();
   std::vector<Found> found;
   std::vector<std::uint32_t> numbers(cells.size(), kNone);  // by the set's first cell
   for (std::uint32_t n = 0; n < cells.size(); ++n) {
@@ -94,15 +118,18 @@ FluidRegions<T>::FluidRegions(const Octree<T>& mesh) : regionOf_(mesh.cells().si
   for (std::uint32_t n = 0; n < cells.size(); ++n) {
     if (cells[n].kind == BoxClass::Outside) regionOf_[n] = numbers[sets.find(n)];
   }
+}
+
+template <std::floating_point T>
+void FluidRegions<T>::assignCutCells(const Octree<T>& mesh, std::span<const Contact> contacts) {
+  const auto cells = mesh.cells();
   // Regions are numbered by size, so the least number is the largest.
-  for (std::uint32_t n = 0; n < cells.size(); ++n) {
-    forCoarserNeighbours(mesh, cells[n], [&](std::size_t other) {
-      if (mayBeCut(cells[n].kind) && cells[other].kind == BoxClass::Outside) {
-        regionOf_[n] = std::min(regionOf_[n], regionOf_[other]);
-      } else if (mayBeCut(cells[other].kind) && cells[n].kind == BoxClass::Outside) {
-        regionOf_[other] = std::min(regionOf_[other], regionOf_[n]);
-      }
-    });
+  const auto assign = [&](std::uint32_t n, std::uint32_t from) {
+    if (mayBeCut(cells[n].kind)) regionOf_[n] = std::min(regionOf_[n], regionOf_[from]);
+  };
+  for (const auto& [cell, other] : contacts) {
+    assign(cells[cell].kind == BoxClass::Outside ? other : cell,
+           cells[cell].kind == BoxClass::Outside ? cell : other);
   }
 }
 

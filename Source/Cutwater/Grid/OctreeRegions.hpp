@@ -5,6 +5,10 @@
 
 namespace cutwater {
 
+namespace detail {
+class DisjointSets;
+}  // namespace detail
+
 /// A part of the fluid that Outside cells form across their faces.
 template <std::floating_point T>
 struct FluidRegion {
@@ -33,6 +37,18 @@ class FluidRegions {
                                                    const Vec3<T>& point) const;
 
  private:
+  /// Cells across a face, one Outside; the second is no finer than the first.
+  struct Contact {
+    std::uint32_t cell;
+    std::uint32_t other;
+  };
+  /// All of which both cells may be of the fluid.
+  [[nodiscard]] static std::vector<Contact> contactsOf(const Octree<T>& mesh);
+  /// Outside cells of the same set are of one region.
+  void numberRegions(const Octree<T>& mesh, detail::DisjointSets& sets);
+  /// Of cells that are cut, once those of the others are known.
+  void assignCutCells(const Octree<T>& mesh, std::span<const Contact> contacts);
+
   std::vector<FluidRegion<T>> regions_;
   std::vector<std::uint32_t> regionOf_;
 };

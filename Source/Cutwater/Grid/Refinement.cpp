@@ -68,15 +68,14 @@ template <std::floating_point T>
 void CellJudge<T>::judge(int level, std::span<const Box<T>> cells, std::span<BoxHint> hints,
                          std::span<CellVerdict> verdicts) const {
   detail::FacetRules<T> rules(solid_, refinement_);
-  const bool rulesMatter = rules.matter(level);
   Scratch<BoxClass, kMost> kinds;
   solid_.classify(cells, kinds.first(cells.size()), hints, {.threads = 1});
   for (std::size_t i = 0; i < cells.size(); ++i) {
     auto& [kind, isRefined] = verdicts[i];
     kind = kinds[i];
-    isRefined =
-        mayBeCut(kind) && (level < refinement_.cut || (rulesMatter && rules.ask(level, cells[i])));
+    isRefined = mayBeCut(kind) && level < refinement_.cut;
   }
+  if (rules.matter(level)) rules.ask(level, cells, verdicts.first(cells.size()));
   if (const T reach = reachOf(level); reach >= 0) judgeNearness(reach, cells, hints, verdicts);
 }
 

@@ -58,11 +58,6 @@ struct Refinement {
   void check() const;
 };
 
-/// Whether the surface meets a cell of this kind, certainly or possibly.
-[[nodiscard]] constexpr bool mayBeCut(BoxClass kind) {
-  return kind == BoxClass::Cut || kind == BoxClass::Unknown;
-}
-
 /// What is decided about a cell.
 struct CellVerdict {
   BoxClass kind = BoxClass::Unknown;

@@ -35,7 +35,7 @@ class Tagging {
     Box<T> around;
     std::size_t count = 0;
     forEach(block, [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-      cells[count] = patch_.level.cell(indexAt(i, j, k));
+      cells[count] = patch_.level.cell(patch_.indices.at(i, j, k));
       around.extend(cells[count++]);
     });
     // What is found out about all of them helps with each.
@@ -60,13 +60,6 @@ class Tagging {
         for (auto i = first[0]; i < first[0] + size[0]; ++i) visit(i, j, k);
       }
     }
-  }
-  [[nodiscard]] Index3 indexAt(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
-    const auto& lo = patch_.indices.lo;
-    const auto sum = [](std::int32_t a, std::uint32_t b) {
-      return static_cast<std::int32_t>(std::int64_t{a} + b);
-    };
-    return {sum(lo.i, i), sum(lo.j, j), sum(lo.k, k)};
   }
 
   const SignedDistanceFunction<T>& solid_;

@@ -40,10 +40,6 @@ void TileFill<T>::fill(const GridBlock& tile) {
 
 template <std::floating_point T>
 void TileFill<T>::placePositions() {
-  const auto& lo = task_.patch.indices.lo;
-  const auto along = [](std::int32_t first, std::uint32_t n) {
-    return static_cast<std::int32_t>(std::int64_t{first} + n);
-  };
   const auto& [first, size] = tile_;
   const auto longest = std::max({size[0], size[1], size[2]});
   for (std::uint32_t n = 0; n < longest; ++n) {
@@ -51,8 +47,8 @@ void TileFill<T>::placePositions() {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       offset[axis] = first[axis] + std::min(n, size[axis] - 1);
     }
-    positions_[n] = task_.patch.level.position(
-        {along(lo.i, offset[0]), along(lo.j, offset[1]), along(lo.k, offset[2])});
+    const auto index = task_.patch.indices.at(offset[0], offset[1], offset[2]);
+    positions_[n] = task_.patch.level.position(index);
   }
 }
 

@@ -25,25 +25,21 @@ bool areConnected(unsigned corners) {
 }  // namespace
 
 template <std::floating_point T>
-UnresolvedCell<T>::UnresolvedCell(const SignedDistanceFunction<T>& solid, const Box<T>& box,
-                                  const std::array<T, 8>& corners)
-    : solid_(solid), box_(box) {
-  for (std::size_t i = 0; i < 8; ++i) inside_ |= (corners[i] < 0 ? 1U : 0U) << i;
-}
-
-template <std::floating_point T>
 auto UnresolvedCell<T>::find(bool isCut) -> std::optional<Finding> {
-  const bool isHidden = inside_ == 0 || inside_ == 0xffU;
-  Finding result{.isSolid = inside_ == 0};
+  const bool isHidden = signs_.inside == 0 || signs_.inside == 0xffU;
+  Finding result{.isSolid = signs_.inside == 0};
   if (isHidden) {
     result.kind = hiddenKind();
   } else {
     if (!isMultiCut(result.isSolid)) return {};
     result.kind = UnresolvedKind::MultiCut;
   }
-  if (result.kind == UnresolvedKind::MultiCut && thickest_ > 0) {
-    result.depth = thickest_;
-    result.point = thickestAt_;
+  walkEdges();
+  if (result.kind == UnresolvedKind::MultiCut && thickest_.distance != 0) {
+    result.depth = 2 * std::abs(thickest_.distance);
+    result.point = thickest_.middle;
+    // An edge may pass through walls and slits in turns, whatever its ends are.
+    result.isSolid = thickest_.distance < 0;
     return result;
   }
   samplePoints();
@@ -60,43 +56,28 @@ auto UnresolvedCell<T>::find(bool isCut) -> std::optional<Finding> {
 }
 
 template <std::floating_point T>
-bool UnresolvedCell<T>::mayMeet(const Box<T>& part) const {
-  return mayBeCut(solid_.classify(part));
-}
-
-template <std::floating_point T>
-std::size_t UnresolvedCell<T>::crossed(int corner, int axis) {
-  const int other = corner | 1 << axis;
-  const Segment<T> edge{box_.corner(corner), box_.corner(other)};
-  if (isInside(corner) == isInside(other) && !mayMeet({edge.start, edge.end})) return 0;
-  std::optional<T> last;
-  const auto visit = [&](const Crossing<T>& crossing) {
-    note(crossing.point, crossing.normal);
-    if (last) noteStretch(edge, *last, crossing.parameter);
-    last = crossing.parameter;
-    return true;
-  };
-  return solid_.crossings(edge, visit).found;
-}
-
-template <std::floating_point T>
-void UnresolvedCell<T>::noteStretch(const Segment<T>& edge, T first, T second) {
-  const auto middle = edge.at((first + second) / 2);
-  const T thickness = 2 * std::abs(solid_.signedDistance(middle));
-  if (!(thickness > thickest_)) return;
-  thickest_ = thickness;
-  thickestAt_ = middle;
-}
-
-template <std::floating_point T>
-UnresolvedKind UnresolvedCell<T>::hiddenKind() {
-  std::size_t crossings = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int corner = 0; corner < 8; ++corner) {
-      if ((corner >> axis & 1) == 0) crossings += crossed(corner, axis);
-    }
+void UnresolvedCell<T>::walkEdges() {
+  for (std::size_t e = 0; e < kCellEdges.size(); ++e) {
+    if (signs_.crossings[e] == 0) continue;
+    const Segment<T> edge{box_.corner(kCellEdges[e].from), box_.corner(kCellEdges[e].to())};
+    std::optional<Crossing<T>> last;
+    solid_.crossings(edge, [&](const Crossing<T>& crossing) {
+      note(crossing.point, crossing.normal);
+      const auto stretch = last ? stretchBetween(solid_, edge, *last, crossing) : std::nullopt;
+      if (stretch && std::abs(stretch->distance) > std::abs(thickest_.distance)) {
+        thickest_ = *stretch;
+      }
+      last = crossing;
+      return true;
+    });
   }
-  if (crossings > 0) return UnresolvedKind::Thin;
+}
+
+template <std::floating_point T>
+UnresolvedKind UnresolvedCell<T>::hiddenKind() const {
+  if (std::ranges::any_of(signs_.crossings, [](auto n) { return n > 0; })) {
+    return UnresolvedKind::Thin;
+  }
   for (int axis = 0; axis < 3; ++axis) {
     for (const T side : {box_.lower[axis], box_.upper[axis]}) {
       auto face = box_;
@@ -108,18 +89,15 @@ UnresolvedKind UnresolvedCell<T>::hiddenKind() {
 }
 
 template <std::floating_point T>
-bool UnresolvedCell<T>::isMultiCut(bool& isSolid) {
+bool UnresolvedCell<T>::isMultiCut(bool& isSolid) const {
   // Of a connected solid the fluid is on two sides: it is a wall.
-  isSolid = !areConnected(~inside_ & 0xffU);
-  bool found = isSolid || !areConnected(inside_);
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int corner = 0; corner < 8; ++corner) {
-      if ((corner >> axis & 1) != 0 || crossed(corner, axis) < 2) continue;
-      if (!found) isSolid = !isInside(corner);
-      found = true;
-    }
-  }
-  return found;
+  isSolid = !areConnected(~signs_.inside & 0xffU);
+  if (isSolid || !areConnected(signs_.inside)) return true;
+  const auto twice = std::ranges::find_if(signs_.crossings, [](auto n) { return n > 1; });
+  if (twice == signs_.crossings.end()) return false;
+  const auto place = static_cast<std::size_t>(twice - signs_.crossings.begin());
+  isSolid = !signs_.isInside(kCellEdges[place].from);
+  return true;
 }
 
 template <std::floating_point T>
@@ -172,7 +150,9 @@ T UnresolvedCell<T>::depthAt(std::size_t point, bool isSolid) const {
                      depth = skipped + crossing.parameter * (reach - skipped);
                      return false;
                    });
-  return depth;
+  // Where it but touches the cell's faces, there is nothing behind the point.
+  const T within = solid_.signedDistance(from + depth / 2 * direction);
+  return within != 0 && (within < 0) == isSolid ? depth : 0;
 }
 
 template class UnresolvedCell<float>;

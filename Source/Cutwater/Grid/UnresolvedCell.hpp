@@ -1,8 +1,7 @@
 #pragma once
 
+#include <Cutwater/Grid/OctreeSigns.hpp>
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
-
-#include <array>
 
 namespace cutwater::detail {
 
@@ -10,8 +9,8 @@ namespace cutwater::detail {
 template <std::floating_point T>
 class UnresolvedCell {
  public:
-  UnresolvedCell(const SignedDistanceFunction<T>& solid, const Box<T>& box,
-                 const std::array<T, 8>& corners);
+  UnresolvedCell(const SignedDistanceFunction<T>& solid, const Box<T>& box, const CellSigns& signs)
+      : solid_(solid), box_(box), signs_(signs) {}
 
   struct Finding {
     UnresolvedKind kind = UnresolvedKind::Thin;
@@ -25,27 +24,22 @@ class UnresolvedCell {
  private:
   static constexpr std::size_t kMostPoints = 64;
 
-  [[nodiscard]] bool isInside(int corner) const { return (inside_ >> corner & 1U) != 0; }
-  [[nodiscard]] bool mayMeet(const Box<T>& part) const;
-  /// Crossings of the edge from a corner along an axis; the first few are noted, and what it
-  /// passes through between two of them.
-  std::size_t crossed(int corner, int axis);
-  [[nodiscard]] UnresolvedKind hiddenKind();
-  [[nodiscard]] bool isMultiCut(bool& isSolid);
+  [[nodiscard]] bool mayMeet(const Box<T>& part) const { return mayBeCut(solid_.classify(part)); }
+  [[nodiscard]] UnresolvedKind hiddenKind() const;
+  [[nodiscard]] bool isMultiCut(bool& isSolid) const;
+  /// Notes the first crossings of the edges, and what these pass through between two of them.
+  void walkEdges();
   /// Notes points of the surface in the cell, from samples.
   void samplePoints();
   void note(const Vec3<T>& point, const Vec3<T>& normal);
-  /// A stretch of an edge between two crossings: as thick as twice the distance in its middle.
-  void noteStretch(const Segment<T>& edge, T first, T second);
   /// Of the solid or the fluid behind a noted point: along the normal, to the other side or out of
   /// the cell.
   [[nodiscard]] T depthAt(std::size_t point, bool isSolid) const;
 
   const SignedDistanceFunction<T>& solid_;
   Box<T> box_;
-  unsigned inside_ = 0;  // a bit for each corner
-  T thickest_ = 0;       // of the stretches
-  Vec3<T> thickestAt_;
+  CellSigns signs_;
+  EdgeStretch<T> thickest_{};  // twice as thick as its distance
   std::size_t count_ = 0;
   std::array<Vec3<T>, kMostPoints> points_;
   std::array<Vec3<T>, kMostPoints> normals_;

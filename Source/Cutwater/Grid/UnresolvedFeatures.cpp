@@ -1,5 +1,4 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/MortonCode.hpp>
 #include <Cutwater/Grid/UnresolvedCell.hpp>
 
 #include <algorithm>
@@ -9,38 +8,65 @@ namespace cutwater {
 
 namespace {
 
-constexpr std::size_t kTogether = 32;  // cells
-
 /// Asks about cells of a mesh by their places.
 template <std::floating_point T>
 class Inspection {
  public:
   using Features = std::vector<UnresolvedFeature<T>>;
 
-  Inspection(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh)
-      : solid_(solid), mesh_(mesh) {}
+  Inspection(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,
+             const UnresolvedOptions& options)
+      : solid_(solid), mesh_(mesh), options_(options), signs_(solid, mesh, part(0, kCorners)) {}
 
-  void inspect(std::span<const std::size_t> places, Features& features) const {
-    std::array<Vec3<T>, 8 * kTogether> points;
-    std::array<T, 8 * kTogether> values;
-    for (std::size_t n = 0; n < places.size(); ++n) {
-      const auto box = mesh_.box(mesh_.cells()[places[n]]);
-      for (int i = 0; i < 8; ++i) points[8 * n + static_cast<std::size_t>(i)] = box.corner(i);
+  [[nodiscard]] Features run() {
+    std::size_t all = 0;
+    for (int level = 0; level <= mesh_.deepest(); ++level) all += signs_.cells(level).size();
+    Features features;
+    std::size_t done = 0;
+    for (int level = 0; level <= mesh_.deepest(); ++level) {
+      const auto count = signs_.cells(level).size();
+      if (count == 0) continue;
+      const auto share = [&](std::size_t n) {
+        return (1 - kCorners) * static_cast<double>(n) / static_cast<double>(all);
+      };
+      signs_.askEdges(level, part(kCorners + share(done), share(count)));
+      inspect(signs_.cells(level), features);
+      done += count;
     }
-    const auto count = 8 * places.size();
-    solid_.signedDistances(std::span<const Vec3<T>>(points).first(count),
-                           std::span(values).first(count), {.threads = 1});
-    for (std::size_t n = 0; n < places.size(); ++n) {
-      std::array<T, 8> corners;
-      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(8 * n), 8, corners.begin());
-      inspect(places[n], corners, features);
-    }
+    return features;
   }
 
  private:
-  void inspect(std::size_t place, const std::array<T, 8>& corners, Features& features) const {
+  static constexpr auto kTogether = detail::OctreeSigns<T>::kMost;
+  /// Share of the corners in the time it takes; most else are the edges.
+  static constexpr double kCorners = 0.4;
+
+  /// Of all work, as far as progress is concerned.
+  [[nodiscard]] ParallelOptions part(double first, double width) const {
+    ParallelOptions options{.threads = options_.threads};
+    if (!options_.progress) return options;
+    options.progress = [=, this](double fraction) { options_.progress(first + fraction * width); };
+    return options;
+  }
+
+  void inspect(std::span<const std::size_t> places, Features& features) const {
+    const auto groups = (places.size() + kTogether - 1) / kTogether;
+    std::vector<Features> found(groups);
+    parallelFor(groups, {.threads = options_.threads}, [&](std::size_t begin, std::size_t end) {
+      for (; begin < end; ++begin) {
+        const auto first = begin * kTogether;
+        const auto some = places.subspan(first, std::min(kTogether, places.size() - first));
+        std::array<detail::CellSigns, kTogether> signs;
+        signs_.signs(some, signs);
+        for (std::size_t n = 0; n < some.size(); ++n) inspect(some[n], signs[n], found[begin]);
+      }
+    });
+    for (const auto& some : found) features.insert(features.end(), some.begin(), some.end());
+  }
+
+  void inspect(std::size_t place, const detail::CellSigns& signs, Features& features) const {
     const auto& cell = mesh_.cells()[place];
-    detail::UnresolvedCell<T> surface(solid_, mesh_.box(cell), corners);
+    detail::UnresolvedCell<T> surface(solid_, mesh_.box(cell), signs);
     const auto found = surface.find(cell.kind == BoxClass::Cut);
     if (!found) return;
     const T size = mesh_.domain().level(cell.level).spacing().x;
@@ -54,6 +80,8 @@ class Inspection {
 
   const SignedDistanceFunction<T>& solid_;
   const Octree<T>& mesh_;
+  const UnresolvedOptions& options_;
+  detail::OctreeSigns<T> signs_;
 };
 
 }  // namespace
@@ -64,28 +92,13 @@ std::vector<UnresolvedFeature<T>> unresolvedFeatures(const SignedDistanceFunctio
                                                      const UnresolvedOptions& options) {
   require(options.threads >= 0, "unresolvedFeatures: need threads >= 0",
           Named{"threads", options.threads});
-  std::vector<std::size_t> places;
-  for (std::size_t n = 0; n < mesh.cells().size(); ++n) {
-    const auto kind = mesh.cells()[n].kind;
-    if (mayBeCut(kind)) places.push_back(n);
-  }
-  const Inspection<T> inspection(solid, mesh);
-  const auto groups = (places.size() + kTogether - 1) / kTogether;
-  std::vector<std::vector<UnresolvedFeature<T>>> found(groups);
-  parallelFor(groups, {.threads = options.threads, .progress = options.progress},
-              [&](std::size_t begin, std::size_t end) {
-                for (; begin < end; ++begin) {
-                  const auto first = begin * kTogether;
-                  const auto count = std::min(kTogether, places.size() - first);
-                  inspection.inspect(std::span(places).subspan(first, count), found[begin]);
-                }
-              });
-  std::vector<UnresolvedFeature<T>> all;
-  for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
-  std::ranges::stable_sort(all, [](const auto& a, const auto& b) {
-    return a.kind != b.kind ? a.kind < b.kind : a.depth > b.depth;
+  auto features = Inspection<T>(solid, mesh, options).run();
+  std::ranges::sort(features, [](const auto& a, const auto& b) {
+    return a.kind != b.kind     ? a.kind < b.kind
+           : a.depth != b.depth ? a.depth > b.depth
+                                : a.cell < b.cell;
   });
-  return all;
+  return features;
 }
 
 template std::vector<UnresolvedFeature<float>> unresolvedFeatures(

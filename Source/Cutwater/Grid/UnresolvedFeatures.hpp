@@ -36,9 +36,10 @@ struct UnresolvedOptions {
 /// depth.
 ///
 /// Complete as far as classify() and crossings() are certain: a cell is listed if it is Cut with
-/// all corners on one side; or if an edge is crossed more than once, or corners of one side are not
-/// connected along the edges. Cells that are not certainly cut are listed if a part of positive
-/// depth is found in them.
+/// all corners on one side; or if an edge is crossed more than once and something is between, or
+/// corners of one side are not connected along the edges. Cells that are not certainly cut, which
+/// the surface but touches, are listed if a part of positive depth is found in them: that of a
+/// solid whose faces are those of cells, as corners on the surface count as outside.
 template <std::floating_point T>
 [[nodiscard]] std::vector<UnresolvedFeature<T>> unresolvedFeatures(
     const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,

@@ -18,8 +18,8 @@ class OutputFile;
 struct VtkArray {
   std::string name;
   std::variant<std::span<const float>, std::span<const double>, std::span<const std::uint32_t>,
-               std::span<const std::uint8_t>, std::span<const Vec3<float>>,
-               std::span<const Vec3<double>>>
+               std::span<const std::uint64_t>, std::span<const std::uint8_t>,
+               std::span<const Vec3<float>>, std::span<const Vec3<double>>>
       values;
 };
 
@@ -33,8 +33,8 @@ constexpr std::string_view vtkType() {
   } else if constexpr (std::is_signed_v<Number>) {
     return sizeof(Number) == 4 ? "Int32" : "Int64";
   } else {
-    static_assert(sizeof(Number) == 1 || sizeof(Number) == 4);
-    return sizeof(Number) == 1 ? "UInt8" : "UInt32";
+    static_assert(sizeof(Number) == 1 || sizeof(Number) >= 4);
+    return sizeof(Number) == 1 ? "UInt8" : sizeof(Number) == 4 ? "UInt32" : "UInt64";
   }
 }
 

@@ -16,6 +16,11 @@ enum class BoxClass : std::uint8_t {
   Unknown,  ///< neither proven: refine, or treat as Cut
 };
 
+/// Whether the surface meets a box of this kind, certainly or possibly.
+[[nodiscard]] constexpr bool mayBeCut(BoxClass kind) {
+  return kind == BoxClass::Cut || kind == BoxClass::Unknown;
+}
+
 /// What a box query has learned about a box, for queries about boxes within it. Start with a
 /// default-constructed one. Holds indices only: it can be copied as bytes, and is valid on every
 /// process that has the same geometry. Answers are the same with and without it.
