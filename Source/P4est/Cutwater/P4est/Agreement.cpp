@@ -1,0 +1,49 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/P4est/Agreement.hpp>
+
+#include <array>
+#include <exception>
+#include <new>
+#include <optional>
+#include <string>
+
+namespace cutwater {
+
+namespace {
+
+std::optional<Error> errorOf(FunctionRef<void()> work) {
+  try {
+    work();
+    return {};
+  } catch (const Error& error) {
+    return error;
+  } catch (const std::bad_alloc&) {
+    return Error(ErrorKind::Limit, "out of memory");
+  } catch (const std::exception& error) {
+    return Error(ErrorKind::Argument, error.what());
+  }
+}
+
+}  // namespace
+
+void agreed(MPI_Comm comm, FunctionRef<void()> work) {
+  const auto error = errorOf(work);
+  int rank = 0;
+  int size = 0;
+  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_size(comm, &size);
+  const int own = error ? rank : size;
+  int first = 0;
+  MPI_Allreduce(&own, &first, 1, MPI_INT, MPI_MIN, comm);
+  if (first == size) return;
+  std::string text = rank == first ? error->what() : "";
+  std::array<int, 2> kindAndLength{};
+  if (rank == first)
+    kindAndLength = {static_cast<int>(error->kind()), static_cast<int>(text.size())};
+  MPI_Bcast(kindAndLength.data(), 2, MPI_INT, first, comm);
+  text.resize(static_cast<std::size_t>(kindAndLength[1]));
+  MPI_Bcast(text.data(), kindAndLength[1], MPI_CHAR, first, comm);
+  throw Error(static_cast<ErrorKind>(kindAndLength[0]), text);
+}
+
+}  // namespace cutwater
