@@ -1,5 +1,4 @@
-#include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/OctreeFill.hpp>
+#include <Cutwater/Grid/OctreeChecksum.hpp>
 #include <Cutwater/Grid/OctreeRegions.hpp>
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
 #include <Cutwater/Io/Vtu.hpp>
@@ -8,7 +7,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <ranges>
 #include <system_error>
@@ -16,29 +14,20 @@
 #include "Arguments.hpp"
 #include "Commands.hpp"
 #include "Format.hpp"
+#include "MeshFields.hpp"
+#include "MeshOptions.hpp"
 #include "Picture.hpp"
 #include "ProgressBar.hpp"
-#include "SampleGrid.hpp"
 #include "Surface.hpp"
 
 namespace cutwater::tool {
 
 namespace {
 
-const std::map<std::string, Balance> kBalances{{"none", Balance::None},
-                                               {"face", Balance::Face},
-                                               {"edge", Balance::Edge},
-                                               {"corner", Balance::Corner}};
-
-constexpr std::uint8_t kCovered = 4;  // after those of BoxClass
-
 struct Options {
   SurfaceOptions surface;
   std::string output;
-  GridRequest roots;
-  Refinement<double> refinement;
-  Balance balance = Balance::Corner;
-  std::vector<std::string> write{"distance", "class", "level"};
+  MeshOptions mesh;
   bool features = false;
   std::optional<Vec3<double>> keep;
   PictureOptions picture;
@@ -51,80 +40,15 @@ struct Seconds {
   double file = 0;
 };
 
-/// The arrays that were asked for, one value per cell.
-class Fields {
- public:
-  Fields(const Octree<double>& mesh, const std::vector<std::string>& names) {
-    const auto count = mesh.cells().size();
-    for (const auto& name : names) {
-      if (name == "distance") add(name, distance_, count);
-      if (name == "normal") add(name, normal_, count);
-      if (name == "patch") add(name, patch_, count);
-      if (name == "class") add(name, class_, count);
-      if (name == "level") add(name, level_, count);
-    }
-    const auto cells = mesh.cells();
-    for (std::size_t n = 0; n < class_.size(); ++n) {
-      class_[n] = static_cast<std::uint8_t>(cells[n].kind);
-    }
-    for (std::size_t n = 0; n < level_.size(); ++n) level_[n] = cells[n].level;
-  }
-
-  /// Cells that are to be covered have a class of their own.
-  void cover(std::span<const std::size_t> cells) {
-    if (class_.empty()) return;
-    for (const auto n : cells) class_[n] = kCovered;
-  }
-  [[nodiscard]] OctreeTargets<double> targets() { return {distance_, normal_, patch_}; }
-  [[nodiscard]] std::span<const VtkArray> arrays() const { return arrays_; }
-
- private:
-  template <typename Value>
-  void add(const std::string& name, std::vector<Value>& values, std::size_t count) {
-    if (!values.empty()) return;  // named twice
-    values.resize(count);
-    arrays_.push_back({name, std::span<const Value>(values)});
-  }
-
-  std::vector<double> distance_;
-  std::vector<Vec3<double>> normal_;
-  std::vector<std::uint32_t> patch_;
-  std::vector<std::uint8_t> class_;
-  std::vector<std::uint8_t> level_;
-  std::vector<VtkArray> arrays_;
-};
-
-OctreeDomain<double> domainAround(const Box<double>& surface, const GridRequest& request) {
-  const auto roots = gridAround(surface, request);
-  const auto& n = roots.indices.hi;
-  return {roots.level.origin(), roots.level.spacing().x, {n.i + 1, n.j + 1, n.k + 1}};
-}
-
-void reportCells(const Octree<double>& mesh) {
-  std::vector<std::size_t> counts(static_cast<std::size_t>(mesh.deepest()) + 1);
-  for (const auto& cell : mesh.cells()) ++counts[cell.level];
-  for (std::size_t level = 0; level < counts.size(); ++level) {
-    const double width = mesh.domain().level(static_cast<int>(level)).spacing().x;
-    std::cout << "level " << rightAligned(grouped(level), 2) << ": "
-              << rightAligned(grouped(counts[level]), 13) << " cells of " << number(width) << '\n';
-  }
-  std::cout << "inside: " << grouped(mesh.count(BoxClass::Inside))
-            << ", outside: " << grouped(mesh.count(BoxClass::Outside))
-            << ", cut: " << grouped(mesh.count(BoxClass::Cut))
-            << ", unknown: " << grouped(mesh.count(BoxClass::Unknown)) << " cells\n";
-}
-
-void report(const Options& options, const Octree<double>& mesh, const Seconds& seconds) {
+void report(const Options& options, const Octree<double>& mesh, std::uint64_t sum,
+            const Seconds& seconds) {
   const auto count = mesh.cells().size();
-  const auto& n = mesh.domain().roots();
   std::error_code ignored;  // of a pipe
   const auto size = std::filesystem::file_size(options.output, ignored);
   std::cout << "wrote " << options.output << ": " << counted(count, "cell")
             << (ignored ? "" : ", " + bytes(size)) << '\n';
-  std::cout << "roots: " << n.i << " x " << n.j << " x " << n.k << ", from "
-            << point(mesh.domain().box().lower) << " to " << point(mesh.domain().box().upper)
-            << '\n';
-  reportCells(mesh);
+  report(CellCounts(mesh), mesh.domain());
+  std::cout << "checksum: cells and values " << hexadecimal(sum) << '\n';
   const double each = static_cast<double>(count) / (seconds.mesh + seconds.values);
   std::cout << "surface " << duration(seconds.surface) << ", mesh " << duration(seconds.mesh)
             << ", values " << duration(seconds.values) << ", file " << duration(seconds.file)
@@ -133,7 +57,7 @@ void report(const Options& options, const Octree<double>& mesh, const Seconds& s
 }
 
 /// Covers what the point's region of fluid does not reach.
-void keepRegion(const Vec3<double>& keep, const Octree<double>& mesh, Fields& fields,
+void keepRegion(const Vec3<double>& keep, const Octree<double>& mesh, MeshFields& fields,
                 bool isShown) {
   const FluidRegions<double> fluid(mesh);
   const auto cells = fluid.unreached(mesh, keep);
@@ -177,25 +101,26 @@ void run(const Options& options) {
   Seconds seconds;
   Stopwatch watch;
   const auto solid = loadSolid(options.surface);
-  const auto domain = domainAround(solid.boundingBox(), options.roots);
+  const auto domain = domainAround(solid.boundingBox(), options.mesh.roots);
   seconds.surface = watch.lap();
   const auto mesh = [&] {
     ProgressBar bar("meshing", isShown);
     return Octree<double>(
-        solid, domain, options.refinement,
-        {.balance = options.balance, .threads = threads, .progress = bar.callback()});
+        solid, domain, options.mesh.refinement,
+        {.balance = options.mesh.balance, .threads = threads, .progress = bar.callback()});
   }();
   seconds.mesh = watch.lap();
-  Fields fields(mesh, options.write);
+  MeshFields fields(mesh, options.mesh.write);
   {
     ProgressBar bar("evaluating", isShown);
     fill(solid, mesh, fields.targets(), {.threads = threads, .progress = bar.callback()});
   }
   seconds.values = watch.lap();
+  const auto sum = checksum(mesh, fields.targets(), threads);
   if (options.keep) keepRegion(*options.keep, mesh, fields, isShown);
   writeVtu(options.output, mesh, fields.arrays(), {.threads = threads});
   seconds.file = watch.lap();
-  if (isShown) report(options, mesh, seconds);
+  if (isShown) report(options, mesh, sum, seconds);
   if (isShown && options.features) reportFeatures(solid, mesh, threads);
   if (!options.picture.output.empty()) {
     auto picture = options.picture;
@@ -204,59 +129,10 @@ void run(const Options& options) {
   }
 }
 
-/// "DISTANCE:LEVEL"
-Refinement<double>::Band bandOf(const std::string& text) {
-  const auto colon = text.find(':');
-  const auto level = text.substr(colon == std::string::npos ? text.size() : colon + 1);
-  if (level.empty() || level.find_first_not_of("0123456789") != std::string::npos ||
-      level.size() > 2) {
-    refuse("--band", text, "a distance and a level: 0.5:4");
-  }
-  const double distance = numbers("--band", text.substr(0, colon), 1).front();
-  if (distance < 0) refuse("--band", text, "a distance from 0");
-  return {distance, std::stoi(level)};
-}
-
-void addRefinement(CLI::App& command, Options& options) {
-  command
-      .add_option("--level", options.refinement.cut,
-                  "Refine what the surface meets to this level: so many halvings of the roots")
-      ->required()
-      ->check(CLI::Range(0, 20))
-      ->type_name("N");
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--band",
-          [&](const std::vector<std::string>& texts) {
-            for (const auto& text : texts) options.refinement.bands.push_back(bandOf(text));
-          },
-          "Refine what is within this distance of the surface, in its units, to that level; may be "
-          "repeated")
-      ->allow_extra_args(false)
-      ->type_name("DISTANCE:LEVEL");
-  command
-      .add_option_function<std::string>(
-          "--roots",
-          [&](const std::string& text) {
-            options.roots.cells = sizes("--roots", text);
-            if (options.roots.cells.size() != 1) refuse("--roots", text, "one number");
-          },
-          "Cubes of level 0, N along the longest side; without it: 16")
-      ->type_name("N");
-  addPlaceOptions(command, options.roots);
-  command
-      .add_option("--balance", options.balance,
-                  "Neighbours that differ by one level at most: across what; without it: corner")
-      ->transform(CLI::CheckedTransformer(kBalances))
-      ->type_name("none|face|edge|corner")
-      ->option_text("none|face|edge|corner");
-}
-
 }  // namespace
 
 void addAmr(CLI::App& program) {
   const auto options = std::make_shared<Options>();
-  options->roots.cells = {16};
   auto& command = *program.add_subcommand(
       "amr", "Build an octree mesh around the surface, as a VTK grid that ParaView opens");
   addSurfaceOptions(command, options->surface);
@@ -264,16 +140,7 @@ void addAmr(CLI::App& program) {
   command.add_option("-o,--output", options->output, "The mesh to write")
       ->required()
       ->type_name("FILE.vtu");
-  addRefinement(command, *options);
-  command
-      .add_option("--write", options->write,
-                  "Values of each cell, at its centre: class is 0 inside, 1 outside, 2 cut, 3 "
-                  "unknown; normal and patch are those of the closest surface point; without it: "
-                  "distance,class,level")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember({"distance", "normal", "patch", "class", "level"}))
-      ->type_name("distance,normal,patch,class,level");
+  addMeshOptions(command, options->mesh);
   command
       .add_option_function<std::string>(
           "--keep", [=](const std::string& text) { options->keep = vectorOf("--keep", text); },
