@@ -2,10 +2,12 @@
 #include <Cutwater/P4est/Agreement.hpp>
 
 #include <array>
+#include <chrono>
 #include <exception>
 #include <new>
 #include <optional>
 #include <string>
+#include <thread>
 
 namespace cutwater {
 
@@ -24,6 +26,17 @@ std::optional<Error> errorOf(FunctionRef<void()> work) {
   }
 }
 
+/// Leaves the core to others if it takes long, such as rank 0's threads, which read a surface while
+/// the other ranks wait: MPI's own waiting does not.
+void waitFor(MPI_Request request) {
+  constexpr int kTries = 1000;
+  int isDone = 0;
+  for (int tries = 0; isDone == 0; ++tries) {
+    if (tries > kTries) std::this_thread::sleep_for(std::chrono::microseconds(500));
+    MPI_Test(&request, &isDone, MPI_STATUS_IGNORE);
+  }
+}
+
 }  // namespace
 
 void agreed(MPI_Comm comm, FunctionRef<void()> work) {
@@ -34,7 +47,9 @@ void agreed(MPI_Comm comm, FunctionRef<void()> work) {
   MPI_Comm_size(comm, &size);
   const int own = error ? rank : size;
   int first = 0;
-  MPI_Allreduce(&own, &first, 1, MPI_INT, MPI_MIN, comm);
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Iallreduce(&own, &first, 1, MPI_INT, MPI_MIN, comm, &request);
+  waitFor(request);
   if (first == size) return;
   std::string text = rank == first ? error->what() : "";
   std::array<int, 2> kindAndLength{};
