@@ -1,3 +1,4 @@
+// Private: not installed, for it includes p8est.h.
 #pragma once
 
 #include <Cutwater/P4est/DistributedOctree.hpp>
