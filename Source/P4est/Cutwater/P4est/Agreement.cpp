@@ -26,15 +26,20 @@ std::optional<Error> errorOf(FunctionRef<void()> work) {
   }
 }
 
-/// Leaves the core to others if it takes long, such as rank 0's threads, which read a surface while
-/// the other ranks wait: MPI's own waiting does not.
-void waitFor(MPI_Request request) {
+/// The least of all ranks' numbers. Leaves the core to others if it takes long, such as rank 0's
+/// threads, which read a surface while the other ranks wait: MPI's own waiting does not.
+int leastOf(int own, MPI_Comm comm) {
   constexpr int kTries = 1000;
+  int least = 0;
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Iallreduce(&own, &least, 1, MPI_INT, MPI_MIN, comm, &request);
   int isDone = 0;
   for (int tries = 0; isDone == 0; ++tries) {
     if (tries > kTries) std::this_thread::sleep_for(std::chrono::microseconds(500));
     MPI_Test(&request, &isDone, MPI_STATUS_IGNORE);
   }
+  MPI_Wait(&request, MPI_STATUS_IGNORE);
+  return least;
 }
 
 }  // namespace
@@ -45,11 +50,7 @@ void agreed(MPI_Comm comm, FunctionRef<void()> work) {
   int size = 0;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &size);
-  const int own = error ? rank : size;
-  int first = 0;
-  MPI_Request request = MPI_REQUEST_NULL;
-  MPI_Iallreduce(&own, &first, 1, MPI_INT, MPI_MIN, comm, &request);
-  waitFor(request);
+  const int first = leastOf(error ? rank : size, comm);
   if (first == size) return;
   std::string text = rank == first ? error->what() : "";
   std::array<int, 2> kindAndLength{};

@@ -120,7 +120,8 @@ template <std::floating_point T>
 Index3 ForestBuilder<T>::rootOf(p4est_topidx_t tree) const {
   // A brick's vertices are at whole numbers; the first of a tree is its lower corner.
   const auto& brick = *forest_->connectivity;
-  const double* lower = brick.vertices + 3 * brick.tree_to_vertex[P8EST_CHILDREN * tree];
+  const std::ptrdiff_t vertex = brick.tree_to_vertex[std::ptrdiff_t{P8EST_CHILDREN} * tree];
+  const double* lower = brick.vertices + 3 * vertex;
   return {static_cast<std::int32_t>(lower[0]), static_cast<std::int32_t>(lower[1]),
           static_cast<std::int32_t>(lower[2])};
 }
@@ -130,7 +131,7 @@ void ForestBuilder<T>::judgeNew(int deepest) {
   std::vector<Quadrants> found(static_cast<std::size_t>(deepest) + 1);
   forQuadrants([&](p8est_quadrant_t& quadrant, const Index3& root) {
     if (dataOf(quadrant).isJudged) return;
-    auto& [list, codes] = found[static_cast<std::size_t>(quadrant.level)];
+    auto& [list, codes] = found[static_cast<unsigned char>(quadrant.level)];
     list.push_back(&quadrant);
     codes.push_back(mortonCode(indexIn(root, quadrant)));
   });
