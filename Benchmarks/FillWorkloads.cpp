@@ -49,7 +49,7 @@ class FillWorkload : public Workload {
   Round run(const std::string& contestant, int threads) override {
     prepare();
     if (contestant == kOurs) {
-      return {.seconds = timeOf([&] { fillTiles(threads); }),
+      return {.seconds = secondsOf([&] { fillTiles(threads); }),
               .queries = static_cast<double>(cells_.size()),
               .share = static_cast<double>(filled_) / static_cast<double>(tiles_.count())};
     }
@@ -95,7 +95,7 @@ class FillWorkload : public Workload {
     const auto seconds = arena_.settings().fillSeconds;
     double spent = 0;
     for (; filled_ < tiles_.count() && spent < 0.1 * seconds; ++filled_) {
-      spent += timeOf([&] { fillBox(tiles_[filled_], 1); });
+      spent += secondsOf([&] { fillBox(tiles_[filled_], 1); });
     }
     const double fits = 1.5 * seconds / spent * static_cast<double>(filled_);
     filled_ = static_cast<std::size_t>(std::min(fits, static_cast<double>(tiles_.count())));
@@ -152,7 +152,7 @@ class FillWorkload : public Workload {
                          arena_.settings().seconds);
     }
     const auto queries = static_cast<double>(count);
-    return {.seconds = timeOf([&] { ask(count, threads); }),
+    return {.seconds = secondsOf([&] { ask(count, threads); }),
             .queries = queries,
             .share = queries / static_cast<double>(cells_.size())};
   }
@@ -161,7 +161,7 @@ class FillWorkload : public Workload {
     auto& built = peerBands_[kind.name];
     built.reset();
     const double seconds =
-        timeOf([&] { built = kind.build(arena_.soup(), level_, band_, threads); });
+        secondsOf([&] { built = kind.build(arena_.soup(), level_, band_, threads); });
     const double all = static_cast<double>(tiles_.count()) / static_cast<double>(filled_);
     return {.seconds = seconds, .queries = all * static_cast<double>(cells_.size())};
   }

@@ -25,7 +25,7 @@ class PointWorkload : public Workload {
       count = affordable([&](std::size_t n) { ask(contestant, n, 1); }, points_.size(),
                          arena_.settings().seconds);
     }
-    return {.seconds = timeOf([&] { ask(contestant, count, threads); }),
+    return {.seconds = secondsOf([&] { ask(contestant, count, threads); }),
             .queries = static_cast<double>(count),
             .share = static_cast<double>(count) / static_cast<double>(points_.size())};
   }

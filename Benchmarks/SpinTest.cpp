@@ -1,10 +1,11 @@
 #include "SpinTest.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <thread>
 #include <vector>
+
+#include "Seconds.hpp"
 
 namespace cutwater::benchmarks {
 
@@ -19,12 +20,12 @@ void spin() {
 }
 
 double secondsFor(int threads) {
-  const auto start = std::chrono::steady_clock::now();
-  std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back(spin);
-  spin();
-  for (auto& other : others) other.join();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return secondsOf([&] {
+    std::vector<std::thread> others;
+    for (int i = 1; i < threads; ++i) others.emplace_back(spin);
+    spin();
+    for (auto& other : others) other.join();
+  });
 }
 
 }  // namespace

@@ -9,27 +9,17 @@
 #include <Cutwater/Shapes/Sphere.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <optional>
 #include <stdexcept>
 
+#include "Seconds.hpp"
 #include "Support/Random.hpp"
 
 namespace cutwater::benchmarks {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Runs `work` and tells how many seconds it took.
-template <typename Work>
-double secondsOf(const Work& work) {
-  const auto start = Clock::now();
-  work();
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::vector<Vec3<double>> pointsIn(double extent, int count) {
   test::RandomPoints<double> random(extent, 7);

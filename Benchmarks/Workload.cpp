@@ -3,7 +3,6 @@
 #include <Cutwater/Mesh/ReadSurface.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <omp.h>
 
 #include "Meshes.hpp"
@@ -22,13 +21,13 @@ class Build final : public Workload {
       const int most = availableThreads();
       omp_set_num_threads(threads);
       std::optional<MeshSDF<double>> built;
-      round.seconds = timeOf([&] { built.emplace(arena_.soup()); });
+      round.seconds = secondsOf([&] { built.emplace(arena_.soup()); });
       omp_set_num_threads(most);
     }
     for (const auto& kind : peers()) {
       if (kind.name != contestant) continue;
       std::unique_ptr<Peer> built;
-      round.seconds = timeOf([&] { built = kind.build(arena_.soup(), threads); });
+      round.seconds = secondsOf([&] { built = kind.build(arena_.soup(), threads); });
     }
     return round;
   }
@@ -41,7 +40,7 @@ class Read final : public Workload {
   Round run(const std::string&, int) override {
     const auto file = surfaceFile(arena_.name(), arena_.settings().data);
     std::optional<SurfaceFile> read;
-    const double seconds = timeOf([&] { read = readSurface(file); });
+    const double seconds = secondsOf([&] { read = readSurface(file); });
     return {.seconds = seconds, .queries = static_cast<double>(read->soup.polygonCount())};
   }
 };
@@ -57,16 +56,10 @@ std::vector<std::string> oursAnd(bool bands) {
 
 }  // namespace
 
-double timeOf(FunctionRef<void()> work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 std::size_t affordable(FunctionRef<void(std::size_t)> ask, std::size_t available, double seconds) {
   const auto trial = std::min<std::size_t>(available, 500);
   ask(1);  // builds what is not built yet
-  const double took = timeOf([&] { ask(trial); });
+  const double took = secondsOf([&] { ask(trial); });
   const double fits = seconds / took * static_cast<double>(trial);
   return static_cast<std::size_t>(
       std::clamp(fits, static_cast<double>(trial), static_cast<double>(available)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Arena.hpp"
+#include "Seconds.hpp"
 
 namespace cutwater::benchmarks {
 
@@ -45,9 +46,6 @@ std::unique_ptr<Workload> makeBand(Arena& arena);
 // Once per surface; queries are triangles.
 std::unique_ptr<Workload> makeBuild(Arena& arena);
 std::unique_ptr<Workload> makeRead(Arena& arena);
-
-/// Seconds that it takes.
-[[nodiscard]] double timeOf(FunctionRef<void()> work);
 
 /// How many of the available queries take about so many seconds, by asking a few.
 [[nodiscard]] std::size_t affordable(FunctionRef<void(std::size_t count)> ask,

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <ranges>
 #include <system_error>
 
 #include "Arguments.hpp"
@@ -70,7 +69,8 @@ void keepRegion(const Vec3<double>& keep, const Octree<double>& mesh, MeshFields
 /// Of each kind the first few.
 void reportFeatures(const SignedDistanceFunction<double>& solid, const Octree<double>& mesh,
                     int threads) {
-  constexpr std::size_t kFew = 5;
+  using Feature = UnresolvedFeature<double>;
+  constexpr int kFew = 5;
   Stopwatch watch;
   const auto features = [&] {
     ProgressBar bar("looking for what is lost", true);
@@ -84,13 +84,13 @@ void reportFeatures(const SignedDistanceFunction<double>& solid, const Octree<do
   std::cout << "unresolved features: " << counted(features.size(), "cell") << ", in "
             << duration(seconds) << '\n';
   for (const auto& [kind, meaning] : kinds) {
-    const auto some =
-        std::ranges::equal_range(features, kind, {}, &UnresolvedFeature<double>::kind);
-    std::cout << "  " << meaning << ": " << grouped(some.size()) << '\n';
-    for (const auto& feature : some | std::views::take(kFew)) {
-      std::cout << "    " << (feature.isSolid ? "solid" : "fluid") << ' '
-                << number(feature.depth, 3) << " cells deep at " << point(feature.point)
-                << "; level " << feature.level << " resolves it\n";
+    const auto first = std::ranges::lower_bound(features, kind, {}, &Feature::kind);
+    const auto last = std::ranges::upper_bound(features, kind, {}, &Feature::kind);
+    std::cout << "  " << meaning << ": " << grouped(static_cast<std::size_t>(last - first)) << '\n';
+    for (auto feature = first; feature != last && feature - first < kFew; ++feature) {
+      std::cout << "    " << (feature->isSolid ? "solid" : "fluid") << ' '
+                << number(feature->depth, 3) << " cells deep at " << point(feature->point)
+                << "; level " << feature->level << " resolves it\n";
     }
   }
 }
