@@ -17,7 +17,7 @@ class OctreeNodesTest : public ::testing::Test {
   using Place = std::tuple<int, int, int>;
 
   /// All corners of all cells, each once, on the finest level.
-  static std::set<Place> placesOf(const Octree<T>& mesh) {
+  static std::set<Place> placesOf(const OctreeCells<T>& mesh) {
     std::set<Place> places;
     for (const auto& [index, level, kind] : mesh.cells()) {
       const int shift = mesh.deepest() - level;
@@ -29,7 +29,7 @@ class OctreeNodesTest : public ::testing::Test {
     return places;
   }
 
-  static void expectNodes(const Octree<T>& mesh) {
+  static void expectNodes(const OctreeCells<T>& mesh) {
     const OctreeNodes<T> nodes(mesh);
     std::set<Place> numbered;
     for (std::size_t n = 0; n < nodes.count(); ++n) {
@@ -57,6 +57,20 @@ TYPED_TEST(OctreeNodesTest, AreAllCornersOnce) {
   for (const auto balance : {Balance::None, Balance::Face, Balance::Corner}) {
     this->expectNodes(ballAndPlateMesh<T>(4, balance));
   }
+}
+
+TYPED_TEST(OctreeNodesTest, OfAnyStretchOfAMesh) {
+  using T = TypeParam;
+  const auto mesh = ballAndPlateMesh<T>(3);
+  const auto expectNodesOf = [&](std::size_t first, std::size_t count) {
+    const auto some = mesh.cells().subspan(first, count);
+    this->expectNodes(OctreeCells<T>(mesh.domain(), 3, {some.begin(), some.end()}));
+  };
+  expectNodesOf(0, 0);
+  for (std::size_t first = 0; first < 1500; first += 83) {
+    for (const std::size_t count : {1U, 3U, 8U, 250U}) expectNodesOf(first, count);
+  }
+  expectNodesOf(mesh.cells().size() - 100, 100);
 }
 
 TYPED_TEST(OctreeNodesTest, OfAMeshWithoutLevels) {

@@ -9,6 +9,7 @@ repository may show in the consumer's commands. The variants:
   fastproject   add_subdirectory by a project with -O3 -march=native -ffast-math
   shared        find_package on a shared library
   plain         find_package on a library built with no optional dependency
+  p4est         find_package on the installed build with its component P4est, by an MPI program
 """
 import argparse
 import json
@@ -105,10 +106,11 @@ def consumer(args, name, includes, reference, flags="", *options):
     print(f"{name}: {len(printed.splitlines())} lines, the same to the bit", flush=True)
 
 
-def install(args, build, name):
+def install(args, build, name, *components):
     """Installs a build and moves the result: a package must not know where it was installed."""
     first, prefix = args.work / f"installed-{name}", args.work / f"moved-{name}"
-    run("cmake", "--install", build, "--prefix", first, "--component", "Cutwater")
+    for component in ("Cutwater", *components):
+        run("cmake", "--install", build, "--prefix", first, "--component", component)
     first.rename(prefix)
     for file in prefix.rglob("*.cmake"):
         for place in (args.source, args.build, first):
@@ -123,6 +125,15 @@ def build_library(args, name, *options):
               *LIBRARY_ONLY, *options)
     run("cmake", "--build", build)
     return install(args, build, name)
+
+
+def check_p4est(args):
+    prefix = install(args, args.build, "p4est", "CutwaterP4est")
+    build = args.work / "consumer-p4est"
+    configure(args.source / "Tests/Package/Consumer", build, args.compiler,
+              f"-DCMAKE_PREFIX_PATH={prefix}", "-DCUTWATER_WITH_P4EST=ON")
+    run("cmake", "--build", build, "--target", "ConsumerP4est")
+    print(f"p4est: {run(build / 'ConsumerP4est').strip()}", flush=True)
 
 
 def check(args):
@@ -153,6 +164,8 @@ def check(args):
             packaged(variant, build_library(args, variant, "-DBUILD_SHARED_LIBS=ON"))
         elif variant == "plain":
             packaged(variant, build_library(args, variant, *NO_DEPENDENCIES))
+        elif variant == "p4est":
+            check_p4est(args)
         else:
             raise Failure(f"no variant {variant}")
 

@@ -1,4 +1,4 @@
-"""Fails if a file under Source/Cutwater includes what its layer must not know."""
+"""Fails if a file of the library, or of Source/P4est, includes what its layer must not know."""
 import pathlib
 import re
 import sys
@@ -18,26 +18,29 @@ MAY_INCLUDE = {
     "Render": "Core Sdf Grid",
     "Io": "Core Sdf Mesh Grid Render",
     "Adapters": "Core Sdf Grid",
+    "P4est": "Core Sdf Mesh Grid Io",
 }
 
 # GPL code is for Source/Repair and Source/P4est, which are targets of their own; streams depend on
 # the locale.
 FORBIDDEN = re.compile(r"CGAL/|p4est|p8est|gmp|mpfr|iostream|sstream")
 # Other people's headers cost users compile time and tie them to versions: only in .cpp files.
-PRIVATE = re.compile(r"Eigen/|omp\.h|zlib\.h|png\.h|experimental/|immintrin\.h|CLI/")
+PRIVATE = re.compile(r"Eigen/|omp\.h|zlib\.h|png\.h|experimental/|immintrin\.h|CLI/|p8est")
 OPTIONAL_HEADERS = {"Core/Eigen.hpp"}  # for users of that library only
 # Host codes are known to one header each, which nothing else of ours includes.
 HOST = re.compile(r"AMReX|BaseIF|deal\.II/|Cutwater/Adapters/(Amrex|Chombo|DealII)\.hpp")
 HOST_HEADERS = {"Adapters/Amrex.hpp", "Adapters/Chombo.hpp", "Adapters/DealII.hpp"}
+PRIVATE_HEADERS = {"P4est/ForestBuilder.hpp"}  # not installed
 
 
-def complaints(root):
+def complaints(source):
     layers = list(MAY_INCLUDE)
     for layer, allowed in MAY_INCLUDE.items():
         for other in allowed.split():
             if layers.index(other) >= layers.index(layer):
                 yield f"this list: {layer} stands above {other}"
-    for file in sorted([*root.rglob("*.?pp"), *root.rglob("*.inl")]):
+    for root, file in ((root, file) for root in (source / "Cutwater", source / "P4est/Cutwater")
+                       for file in sorted([*root.rglob("*.?pp"), *root.rglob("*.inl")])):
         name = file.relative_to(root)
         layer = name.parts[0]
         if len(name.parts) == 1:  # the header that includes all others
@@ -53,14 +56,15 @@ def complaints(root):
                 yield f'{name}: include <Cutwater/...> and not "{path}"'
             elif inside and inside[1] not in {layer, *MAY_INCLUDE[layer].split()}:
                 yield f"{name}: {layer} must not include {inside[1]}"
-            elif FORBIDDEN.match(path):
+            elif FORBIDDEN.match(path) and layer != "P4est":
                 yield f"{name}: the library does not use <{path}>"
             elif HOST.match(path) and str(name) not in HOST_HEADERS:
                 yield f"{name}: only an adapter's header for a host includes <{path}>"
-            elif name.suffix == ".hpp" and PRIVATE.match(path) and str(name) not in OPTIONAL_HEADERS:
+            elif name.suffix == ".hpp" and PRIVATE.match(path) and \
+                    str(name) not in OPTIONAL_HEADERS | PRIVATE_HEADERS:
                 yield f"{name}: include <{path}> in a .cpp only"
 
 
-found = list(complaints(pathlib.Path(sys.argv[1]) / "Source/Cutwater"))
+found = list(complaints(pathlib.Path(sys.argv[1]) / "Source"))
 print("\n".join(found) or "layers ok")
 sys.exit(bool(found))

@@ -19,6 +19,7 @@ ROOT = pathlib.Path(sys.argv[1]).resolve()
 PROGRAM = sys.argv[3] if len(sys.argv) > 3 else ""
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE
 FOLDERS = ["Source", "Tests", "Tools", "Examples", "Bindings", "Benchmarks", "Scripts", "Docs", ".ci"]
+LIBRARIES = [ROOT / "Source/Cutwater", ROOT / "Source/P4est/Cutwater"]
 SOURCES = {".hpp", ".cpp", ".inl", ".h", ".c"}
 
 
@@ -87,7 +88,7 @@ def check_manners():
                         r"\bstd::[io]?stringstream\b")
     found = []
     for file in sources():
-        if (ROOT / "Source/Cutwater") not in file.parents:
+        if not {*LIBRARIES} & {*file.parents}:
             continue
         for number, line in enumerate(file.read_text().splitlines(), 1):
             code = re.sub(r"//.*", "", line)
@@ -109,20 +110,21 @@ def check_mirror():
     elsewhere = tested_elsewhere()
     found = [f"tested-elsewhere.txt: {unit}: there is no Tests/{test}"
              for unit, test in elsewhere.items() if not (ROOT / "Tests" / test).exists()]
-    library = ROOT / "Source/Cutwater"
     units = {file.relative_to(library).with_suffix("").as_posix(): file
-             for suffix in (".hpp", ".cpp") for file in sorted(library.rglob(f"*{suffix}"))}
+             for library in LIBRARIES for suffix in (".hpp", ".cpp")
+             for file in sorted(library.rglob(f"*{suffix}"))}
     for unit, file in sorted(units.items()):
         layer, _, inner = unit.partition("/")
         if not inner or "/" in inner and file.suffix == ".hpp":
             continue  # the header of all headers, or a private one that only declares
         private = re.search(r"^// Private", file.read_text(), re.MULTILINE)
-        if not private and not {inner, f"{inner}.cpp"} & listed(library / layer):
-            found.append(f"Source/Cutwater/{unit} is not listed in {layer}/CMakeLists.txt")
+        lists = file.parents[2] if layer == "P4est" else file.parents[inner.count("/")]
+        if not private and not {inner, f"{inner}.cpp"} & listed(lists):
+            found.append(f"{name(file)} is not listed in {name(lists)}/CMakeLists.txt")
         stem = inner.rpartition("/")[2]
         tested = any((ROOT / f"Tests/{layer}/{test}Test.cpp").exists() for test in (inner, stem))
         if not tested and unit not in elsewhere:
-            found.append(f"Source/Cutwater/{unit} has no Tests/{layer}/{stem}Test.cpp")
+            found.append(f"{name(file)} has no Tests/{layer}/{stem}Test.cpp")
         if tested and unit in elsewhere:
             found.append(f"tested-elsewhere.txt: {unit} has a test now: strike it out")
     found += [f"tested-elsewhere.txt: {unit} is gone: strike it out"

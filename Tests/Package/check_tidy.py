@@ -47,7 +47,9 @@ def units(source, build):
     alone = build / "Tests/Package/HeadersAlone"
     for file in files:
         if alone in file.parents:
-            header = source / "Source" / file.relative_to(alone).with_suffix("")
+            header = file.relative_to(alone).with_suffix("")
+            header = next(folder / header for folder in (source / "Source", source / "Source/P4est")
+                          if (folder / header).exists())
             beside = header.with_suffix(".cpp")
             result[header] = beside if beside in files else file
     return result

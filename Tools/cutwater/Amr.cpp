@@ -1,4 +1,4 @@
-#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/OctreeChecksum.hpp>
 #include <Cutwater/Grid/OctreeRegions.hpp>
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
 #include <Cutwater/Io/Vtu.hpp>
@@ -7,36 +7,26 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <system_error>
 
 #include "Arguments.hpp"
-#include "CellFields.hpp"
 #include "Commands.hpp"
 #include "Format.hpp"
+#include "MeshFields.hpp"
+#include "MeshOptions.hpp"
 #include "Picture.hpp"
 #include "ProgressBar.hpp"
-#include "RefinementOptions.hpp"
-#include "SampleGrid.hpp"
 #include "Surface.hpp"
 
 namespace cutwater::tool {
 
 namespace {
 
-const std::map<std::string, Balance> kBalances{{"none", Balance::None},
-                                               {"face", Balance::Face},
-                                               {"edge", Balance::Edge},
-                                               {"corner", Balance::Corner}};
-
 struct Options {
   SurfaceOptions surface;
   std::string output;
-  GridRequest roots;
-  RefinementOptions refinement;
-  Balance balance = Balance::Corner;
-  std::vector<std::string> write{"distance", "class", "level"};
+  MeshOptions mesh;
   bool features = false;
   std::optional<Vec3<double>> keep;
   PictureOptions picture;
@@ -49,37 +39,15 @@ struct Seconds {
   double file = 0;
 };
 
-OctreeDomain<double> domainAround(const Box<double>& surface, const GridRequest& request) {
-  const auto roots = gridAround(surface, request);
-  const auto& n = roots.indices.hi;
-  return {roots.level.origin(), roots.level.spacing().x, {n.i + 1, n.j + 1, n.k + 1}};
-}
-
-void reportCells(const Octree<double>& mesh) {
-  std::vector<std::size_t> counts(static_cast<std::size_t>(mesh.deepest()) + 1);
-  for (const auto& cell : mesh.cells()) ++counts[cell.level];
-  for (std::size_t level = 0; level < counts.size(); ++level) {
-    const double width = mesh.domain().level(static_cast<int>(level)).spacing().x;
-    std::cout << "level " << rightAligned(grouped(level), 2) << ": "
-              << rightAligned(grouped(counts[level]), 13) << " cells of " << number(width) << '\n';
-  }
-  std::cout << "inside: " << grouped(mesh.count(BoxClass::Inside))
-            << ", outside: " << grouped(mesh.count(BoxClass::Outside))
-            << ", cut: " << grouped(mesh.count(BoxClass::Cut))
-            << ", unknown: " << grouped(mesh.count(BoxClass::Unknown)) << " cells\n";
-}
-
-void report(const Options& options, const Octree<double>& mesh, const Seconds& seconds) {
+void report(const Options& options, const Octree<double>& mesh, std::uint64_t sum,
+            const Seconds& seconds) {
   const auto count = mesh.cells().size();
-  const auto& n = mesh.domain().roots();
   std::error_code ignored;  // of a pipe
   const auto size = std::filesystem::file_size(options.output, ignored);
   std::cout << "wrote " << options.output << ": " << counted(count, "cell")
             << (ignored ? "" : ", " + bytes(size)) << '\n';
-  std::cout << "roots: " << n.i << " x " << n.j << " x " << n.k << ", from "
-            << point(mesh.domain().box().lower) << " to " << point(mesh.domain().box().upper)
-            << '\n';
-  reportCells(mesh);
+  report(CellCounts(mesh), mesh.domain());
+  std::cout << "checksum: cells and values " << hexadecimal(sum) << '\n';
   const double each = static_cast<double>(count) / (seconds.mesh + seconds.values);
   std::cout << "surface " << duration(seconds.surface) << ", mesh " << duration(seconds.mesh)
             << ", values " << duration(seconds.values) << ", file " << duration(seconds.file)
@@ -88,7 +56,7 @@ void report(const Options& options, const Octree<double>& mesh, const Seconds& s
 }
 
 /// Covers what the point's region of fluid does not reach.
-void keepRegion(const Vec3<double>& keep, const Octree<double>& mesh, CellFields& fields,
+void keepRegion(const Vec3<double>& keep, const Octree<double>& mesh, MeshFields& fields,
                 bool isShown) {
   const FluidRegions<double> fluid(mesh);
   const auto cells = fluid.unreached(mesh, keep);
@@ -133,27 +101,28 @@ void run(const Options& options) {
   Seconds seconds;
   Stopwatch watch;
   const auto solid = loadSolid(options.surface);
-  const auto domain = domainAround(solid.boundingBox(), options.roots);
-  const auto rules = rulesFor(options.refinement, solid.patchNames());
+  const auto domain = domainAround(solid.boundingBox(), options.mesh.roots);
+  const auto rules = rulesFor(options.mesh.refinement, solid.patchNames());
   seconds.surface = watch.lap();
   const auto mesh = [&] {
     ProgressBar bar("meshing", isShown);
     return Octree<double>(
         solid, domain, rules,
-        {.balance = options.balance, .threads = threads, .progress = bar.callback()});
+        {.balance = options.mesh.balance, .threads = threads, .progress = bar.callback()});
   }();
   seconds.mesh = watch.lap();
-  CellFields fields(mesh, options.write);
+  MeshFields fields(mesh, options.mesh.write);
   {
     ProgressBar bar("evaluating", isShown);
     fill(solid, mesh, fields.targets(), {.threads = threads, .progress = bar.callback()});
   }
   if (fields.hasPatches()) fields.setPatches(cellPatches(solid, mesh, {.threads = threads}));
   seconds.values = watch.lap();
+  const auto sum = checksum(mesh, fields.targets(), threads);
   if (options.keep) keepRegion(*options.keep, mesh, fields, isShown);
   writeVtu(options.output, mesh, fields.arrays(), {.threads = threads});
   seconds.file = watch.lap();
-  if (isShown) report(options, mesh, seconds);
+  if (isShown) report(options, mesh, sum, seconds);
   if (isShown && options.features) reportFeatures(solid, mesh, threads);
   if (!options.picture.output.empty()) {
     auto picture = options.picture;
@@ -162,31 +131,10 @@ void run(const Options& options) {
   }
 }
 
-void addMeshOptions(CLI::App& command, Options& options) {
-  addRefinementOptions(command, options.refinement);
-  command
-      .add_option_function<std::string>(
-          "--roots",
-          [&](const std::string& text) {
-            options.roots.cells = sizes("--roots", text);
-            if (options.roots.cells.size() != 1) refuse("--roots", text, "one number");
-          },
-          "Cubes of level 0, N along the longest side; without it: 16")
-      ->type_name("N");
-  addPlaceOptions(command, options.roots);
-  command
-      .add_option("--balance", options.balance,
-                  "Neighbours that differ by one level at most: across what; without it: corner")
-      ->transform(CLI::CheckedTransformer(kBalances))
-      ->type_name("none|face|edge|corner")
-      ->option_text("none|face|edge|corner");
-}
-
 }  // namespace
 
 void addAmr(CLI::App& program) {
   const auto options = std::make_shared<Options>();
-  options->roots.cells = {16};
   auto& command = *program.add_subcommand(
       "amr", "Build an octree mesh around the surface, as a VTK grid that ParaView opens");
   addSurfaceOptions(command, options->surface);
@@ -194,18 +142,7 @@ void addAmr(CLI::App& program) {
   command.add_option("-o,--output", options->output, "The mesh to write")
       ->required()
       ->type_name("FILE.vtu");
-  addMeshOptions(command, *options);
-  command
-      .add_option(
-          "--write", options->write,
-          "Values of each cell, at its centre: class is 0 inside, 1 outside, 2 cut, 3 "
-          "unknown; normal and patch are those of the closest surface point; patches are all "
-          "that meet the cell, bit n of the number for patch n of the first 64; without it: "
-          "distance,class,level")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember(CellFields::names()))
-      ->type_name("distance,normal,patch,patches,class,level");
+  addMeshOptions(command, options->mesh);
   command
       .add_option_function<std::string>(
           "--keep", [=](const std::string& text) { options->keep = vectorOf("--keep", text); },

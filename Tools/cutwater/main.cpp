@@ -1,27 +1,16 @@
-#include <Cutwater/Core/Error.hpp>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 #include <new>
 #include <string>
 
 #include "Commands.hpp"
+#include "Failure.hpp"
 
 namespace {
 
-// Also told by --help.
-constexpr int kFailed = 1;
-constexpr int kUsage = 2;
-
-/// One line, whatever a file's name may hold.
-int failed(std::string message, int status) {
-  std::replace_if(
-      message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; },
-      ' ');
-  std::cerr << "cutwater: error: " << message << '\n';
-  return status;
-}
+using cutwater::tool::failed;
+using cutwater::tool::kFailed;
+using cutwater::tool::kUsage;
 
 void describe(CLI::App& program) {
   program.name("cutwater");
@@ -55,10 +44,10 @@ int run(int argc, const char* const* argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version: to stdout
-    return failed(error.what(), kUsage);
+    return failed("cutwater", error.what(), kUsage);
   }
   std::cout.flush();
-  return std::cout ? 0 : failed("cannot write to standard output", kFailed);
+  return std::cout ? 0 : failed("cutwater", "cannot write to standard output", kFailed);
 }
 
 }  // namespace
@@ -67,8 +56,8 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
-    return failed("out of memory", kFailed);
+    return failed("cutwater", "out of memory", kFailed);
   } catch (const std::exception& error) {
-    return failed(error.what(), kFailed);
+    return failed("cutwater", error.what(), kFailed);
   }
 }

@@ -35,7 +35,7 @@ void addRow(const SignedDistanceFunction<T>& solid, const Box<T>& box, Rows& row
 }
 
 template <std::floating_point T>
-Rows rowsOf(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,
+Rows rowsOf(const SignedDistanceFunction<T>& solid, const OctreeCells<T>& mesh,
             std::span<const OctreeCell> cells) {
   Rows rows;
   rows.lengths.reserve(cells.size());
@@ -52,7 +52,7 @@ Rows rowsOf(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,
 }  // namespace
 
 template <std::floating_point T>
-CellPatches cellPatches(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,
+CellPatches cellPatches(const SignedDistanceFunction<T>& solid, const OctreeCells<T>& mesh,
                         const CellPatchesOptions& options) {
   require(options.threads >= 0, "cellPatches: need threads >= 0",
           Named{"threads", options.threads});
@@ -78,9 +78,9 @@ CellPatches cellPatches(const SignedDistanceFunction<T>& solid, const Octree<T>&
   return result;
 }
 
-template CellPatches cellPatches(const SignedDistanceFunction<float>&, const Octree<float>&,
+template CellPatches cellPatches(const SignedDistanceFunction<float>&, const OctreeCells<float>&,
                                  const CellPatchesOptions&);
-template CellPatches cellPatches(const SignedDistanceFunction<double>&, const Octree<double>&,
+template CellPatches cellPatches(const SignedDistanceFunction<double>&, const OctreeCells<double>&,
                                  const CellPatchesOptions&);
 
 }  // namespace cutwater

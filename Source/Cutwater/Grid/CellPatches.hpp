@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Grid/Octree.hpp>
+#include <Cutwater/Grid/OctreeCells.hpp>
 
 namespace cutwater {
 
@@ -31,12 +31,13 @@ struct CellPatchesOptions {
 /// named as well. Of other solids, patches that 27 samples of a cell find.
 /// @throws Error if `threads` is negative.
 template <std::floating_point T>
-[[nodiscard]] CellPatches cellPatches(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,
+[[nodiscard]] CellPatches cellPatches(const SignedDistanceFunction<T>& solid,
+                                      const OctreeCells<T>& mesh,
                                       const CellPatchesOptions& options = {});
 
-extern template CellPatches cellPatches(const SignedDistanceFunction<float>&, const Octree<float>&,
-                                        const CellPatchesOptions&);
+extern template CellPatches cellPatches(const SignedDistanceFunction<float>&,
+                                        const OctreeCells<float>&, const CellPatchesOptions&);
 extern template CellPatches cellPatches(const SignedDistanceFunction<double>&,
-                                        const Octree<double>&, const CellPatchesOptions&);
+                                        const OctreeCells<double>&, const CellPatchesOptions&);
 
 }  // namespace cutwater

@@ -6,43 +6,44 @@
 
 namespace cutwater {
 
+namespace {
+
 template <std::floating_point T>
-Octree<T>::Octree(const SignedDistanceFunction<T>& solid, const OctreeDomain<T>& domain,
-                  const Refinement<T>& refinement, const OctreeOptions& options)
-    : domain_(domain) {
+OctreeCells<T> builtCells(const SignedDistanceFunction<T>& solid, const OctreeDomain<T>& domain,
+                          const Refinement<T>& refinement, const OctreeOptions& options) {
   const CellJudge<T> judge(solid, refinement);
   const int deepest = refinement.deepest();
   require(deepest <= domain.deepest(), "Octree: need fewer levels for so many roots",
           Named{"level", deepest}, Named{"finest possible", domain.deepest()});
-  for (int level = 0; level <= deepest; ++level) levels_.push_back(domain.level(level));
-  cells_ = detail::OctreeBuilder<T>(judge, domain, options).run(deepest);
+  return {domain, deepest, detail::OctreeBuilder<T>(judge, domain, options).run(deepest)};
 }
 
+}  // namespace
+
 template <std::floating_point T>
-std::size_t Octree<T>::count(BoxClass kind) const {
-  return static_cast<std::size_t>(std::ranges::count(cells_, kind, &OctreeCell::kind));
-}
+Octree<T>::Octree(const SignedDistanceFunction<T>& solid, const OctreeDomain<T>& domain,
+                  const Refinement<T>& refinement, const OctreeOptions& options)
+    : OctreeCells<T>(builtCells(solid, domain, refinement, options)) {}
 
 template <std::floating_point T>
 std::optional<std::size_t> Octree<T>::find(const Index3& index, int level) const {
-  if (!domain_.indices(level).contains(index)) return {};
+  if (!this->domain().indices(level).contains(index)) return {};
   // Codes on a level that all cells have, of the first cell in each.
-  const int finest = std::max(level, deepest());
-  const auto placeOf = [&](const OctreeCell& cell) {
-    return mortonCode(cell.index) << 3 * (finest - cell.level);
-  };
+  const int finest = std::max(level, this->deepest());
+  const auto placeOf = [=](const OctreeCell& cell) { return detail::placeOf(cell, finest); };
   const auto place = mortonCode(index) << 3 * (finest - level);
-  const auto after = std::ranges::upper_bound(cells_, place, {}, placeOf);
-  return static_cast<std::size_t>(after - cells_.begin()) - 1;
+  const auto cells = this->cells();
+  const auto after = std::ranges::upper_bound(cells, place, {}, placeOf);
+  return static_cast<std::size_t>(after - cells.begin()) - 1;
 }
 
 template <std::floating_point T>
 std::optional<std::size_t> Octree<T>::find(const Vec3<T>& point) const {
   if (!isFinite(point)) return {};
-  const auto& level = levels_.back();
-  const auto along = [&](T x, T origin) { return std::floor((x - origin) / level.spacing().x); };
-  const Vec3<T> place{along(point.x, domain_.origin().x), along(point.y, domain_.origin().y),
-                      along(point.z, domain_.origin().z)};
+  const auto level = this->domain().level(this->deepest());
+  const auto& origin = this->domain().origin();
+  const auto along = [&](T x, T first) { return std::floor((x - first) / level.spacing().x); };
+  const Vec3<T> place{along(point.x, origin.x), along(point.y, origin.y), along(point.z, origin.z)};
   constexpr T kMost = T(1 << kMortonBits);
   if (!(maxComponent(abs(place)) <= kMost)) return {};
   const Index3 index{static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y),
@@ -52,7 +53,7 @@ std::optional<std::size_t> Octree<T>::find(const Vec3<T>& point) const {
   const auto step = [&](int axis) {
     return point[axis] < box.lower[axis] ? -1 : point[axis] >= box.upper[axis] ? 1 : 0;
   };
-  return find({index.i + step(0), index.j + step(1), index.k + step(2)}, deepest());
+  return find({index.i + step(0), index.j + step(1), index.k + step(2)}, this->deepest());
 }
 
 template class Octree<float>;

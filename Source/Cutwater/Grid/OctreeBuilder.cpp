@@ -1,4 +1,3 @@
-#include <Cutwater/Core/Scratch.hpp>
 #include <Cutwater/Grid/OctreeBuilder.hpp>
 
 #include <algorithm>
@@ -74,26 +73,21 @@ std::vector<BoxHint> OctreeBuilder<T>::judge(int level, Cells& cells,
                                              std::span<const BoxHint> parents,
                                              const Progress& progress) const {
   // Cells of the finest level have no children to tell.
-  const auto count = cells.codes.size();
-  std::vector<BoxHint> hints(level < deepest_ ? count : 0);
-  const auto grid = domain_.level(level);
-  parallelFor(count,
-              {.threads = options_.threads, .grain = CellJudge<T>::kMost, .progress = progress},
-              [&](std::size_t begin, std::size_t end) {
-                for (; begin < end; begin += CellJudge<T>::kMost) {
-                  const auto some = std::min(CellJudge<T>::kMost, end - begin);
-                  Scratch<Box<T>, CellJudge<T>::kMost> boxes;
-                  Scratch<BoxHint, CellJudge<T>::kMost> own;
-                  for (std::size_t i = 0; i < some; ++i) {
-                    boxes[i] = grid.cell(indexOf(cells.codes[begin + i]));
-                    own[i] = parents.empty() ? BoxHint{} : parents[(begin + i) / 8];
-                  }
-                  judge_.judge(level, boxes.first(some), own.first(some),
-                               std::span(cells.verdicts).subspan(begin, some));
-                  if (hints.empty()) continue;
-                  std::ranges::copy(own.first(some), std::span(hints).subspan(begin).begin());
-                }
-              });
+  std::vector<BoxHint> hints(level < deepest_ ? cells.codes.size() : 0);
+  const auto before = [&](std::size_t first, std::span<BoxHint> some) {
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      some[i] = parents.empty() ? BoxHint{} : parents[(first + i) / 8];
+    }
+  };
+  const auto after = [&](std::size_t first, std::span<const BoxHint> some) {
+    if (!hints.empty()) std::ranges::copy(some, std::span(hints).subspan(first).begin());
+  };
+  judge_.judge({.level = level,
+                .grid = domain_.level(level),
+                .codes = cells.codes,
+                .hintsBefore = before,
+                .hintsAfter = after},
+               cells.verdicts, {.threads = options_.threads, .progress = progress});
   return hints;
 }
 

@@ -38,14 +38,19 @@ void fillBatch(const SignedDistanceFunction<T>& solid, std::span<const Vec3<T>> 
 }  // namespace
 
 template <std::floating_point T>
-void fill(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,
+void OctreeTargets<T>::check(std::size_t cells) const {
+  checkLength("OctreeTargets: need one distance per cell", distance, cells);
+  checkLength("OctreeTargets: need one normal per cell", normal, cells);
+  checkLength("OctreeTargets: need one patch per cell", patch, cells);
+}
+
+template <std::floating_point T>
+void fill(const SignedDistanceFunction<T>& solid, const OctreeCells<T>& mesh,
           const OctreeTargets<T>& targets, const OctreeFillOptions& options) {
   const auto cells = mesh.cells();
-  checkLength("fill: need one distance per cell", targets.distance, cells.size());
-  checkLength("fill: need one normal per cell", targets.normal, cells.size());
-  checkLength("fill: need one patch per cell", targets.patch, cells.size());
+  targets.check(cells.size());
   require(options.threads >= 0, "fill: need threads >= 0", Named{"threads", options.threads});
-  if (targets.distance.empty() && targets.normal.empty() && targets.patch.empty()) return;
+  if (targets.isEmpty()) return;
   parallelFor(cells.size(),
               {.threads = options.threads, .grain = 4 * kBatch, .progress = options.progress},
               [&](std::size_t begin, std::size_t end) {
@@ -60,9 +65,11 @@ void fill(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,
               });
 }
 
-template void fill(const SignedDistanceFunction<float>&, const Octree<float>&,
+template struct OctreeTargets<float>;
+template struct OctreeTargets<double>;
+template void fill(const SignedDistanceFunction<float>&, const OctreeCells<float>&,
                    const OctreeTargets<float>&, const OctreeFillOptions&);
-template void fill(const SignedDistanceFunction<double>&, const Octree<double>&,
+template void fill(const SignedDistanceFunction<double>&, const OctreeCells<double>&,
                    const OctreeTargets<double>&, const OctreeFillOptions&);
 
 }  // namespace cutwater

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Cutwater/Grid/Octree.hpp>
+#include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/Grid/OctreeCells.hpp>
 
 namespace cutwater {
 
@@ -13,6 +14,10 @@ struct OctreeTargets {
   /// and its patch, see patchNames().
   std::span<Vec3<T>> normal = {};
   std::span<std::uint32_t> patch = {};
+
+  [[nodiscard]] bool isEmpty() const { return distance.empty() && normal.empty() && patch.empty(); }
+  /// @throws Error if an array is neither empty nor of so many values.
+  void check(std::size_t cells) const;
 };
 
 struct OctreeFillOptions {
@@ -25,12 +30,14 @@ struct OctreeFillOptions {
 /// bits of closestPoint() there. Serial inside an active parallel region.
 /// @throws Error if an array is neither empty nor as long as cells(), or `threads` is negative.
 template <std::floating_point T>
-void fill(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,
+void fill(const SignedDistanceFunction<T>& solid, const OctreeCells<T>& mesh,
           const OctreeTargets<T>& targets, const OctreeFillOptions& options = {});
 
-extern template void fill(const SignedDistanceFunction<float>&, const Octree<float>&,
+extern template struct OctreeTargets<float>;
+extern template struct OctreeTargets<double>;
+extern template void fill(const SignedDistanceFunction<float>&, const OctreeCells<float>&,
                           const OctreeTargets<float>&, const OctreeFillOptions&);
-extern template void fill(const SignedDistanceFunction<double>&, const Octree<double>&,
+extern template void fill(const SignedDistanceFunction<double>&, const OctreeCells<double>&,
                           const OctreeTargets<double>&, const OctreeFillOptions&);
 
 }  // namespace cutwater

@@ -71,7 +71,7 @@ std::array<std::size_t, 8> allAt(std::size_t place) {
 }  // namespace
 
 template <std::floating_point T>
-OctreeNodes<T>::OctreeNodes(const Octree<T>& mesh, const ParallelOptions& options)
+OctreeNodes<T>::OctreeNodes(const OctreeCells<T>& mesh, const ParallelOptions& options)
     : mesh_(mesh),
       level_(mesh.domain().origin(), mesh.domain().level(mesh.deepest()).spacing(),
              Centering::Node),
@@ -79,7 +79,7 @@ OctreeNodes<T>::OctreeNodes(const Octree<T>& mesh, const ParallelOptions& option
   const auto& last = mesh.domain().indices(mesh.deepest()).hi;
   size_ = {last.i + 1, last.j + 1, last.k + 1};
   std::ranges::transform(mesh.cells(), places_.begin(), [&](const OctreeCell& cell) {
-    return mortonCode(lowerCorner(cell, mesh.deepest()));
+    return detail::placeOf(cell, mesh.deepest());
   });
   std::mutex mutex;
   parallelFor(places_.size(),
@@ -163,10 +163,11 @@ void OctreeNodes<T>::forCorners(std::size_t n, const Visit& visit) const {
     const MortonCode code = moved(kFirst, x << 3 * shift) |
                             moved(kFirst << 1U, y << 3 * shift << 1U) |
                             moved(kFirst << 2U, z << 3 * shift << 2U);
-    visit(corner, Place{.node = {sides[x].i, sides[y].j, sides[z].k},
-                        .code = code,
-                        .isBeyond = (corner & beyond) != 0,
-                        .isInParent = cell.level > 0 && (corner & child) == 0});
+    visit(corner,
+          Place{.node = {sides[x].i, sides[y].j, sides[z].k},
+                .code = code,
+                .isBeyond = (corner & beyond) != 0,
+                .isInParent = cell.level > 0 && (corner & child) == 0 && code <= places_.back()});
   }
 }
 

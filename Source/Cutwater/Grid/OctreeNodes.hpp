@@ -1,14 +1,15 @@
 #pragma once
 
-#include <Cutwater/Grid/MortonCode.hpp>
-#include <Cutwater/Grid/Octree.hpp>
+#include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/Grid/OctreeCells.hpp>
 
 #include <array>
 
 namespace cutwater {
 
 /// The nodes of an octree mesh: its cells' corners, each numbered once. Where a coarser neighbour
-/// has no corner (hanging nodes), they are nodes as well.
+/// has no corner (hanging nodes), they are nodes as well. A stretch of a mesh (one rank's cells)
+/// has those of its own cells.
 ///
 /// The numbers below that of cells() are the cells' lower corners, in the order of the cells; then
 /// come those that no cell begins at. Takes 8 bytes for each cell and each of the latter.
@@ -18,8 +19,8 @@ class OctreeNodes {
   /// Of a cell, in the order of Box::corner().
   using Corners = std::array<std::uint64_t, 8>;
 
-  /// The mesh must outlive it.
-  explicit OctreeNodes(const Octree<T>& mesh, const ParallelOptions& options = {});
+  /// The mesh must outlive it. Between its first cell and its last, none may be missing.
+  explicit OctreeNodes(const OctreeCells<T>& mesh, const ParallelOptions& options = {});
 
   [[nodiscard]] std::size_t count() const { return places_.size() + others_.size(); }
   /// Index among the nodes of the finest level, mesh.deepest().
@@ -54,7 +55,7 @@ class OctreeNodes {
 
   static constexpr auto kNoCell = static_cast<std::size_t>(-1);
 
-  const Octree<T>& mesh_;
+  const OctreeCells<T>& mesh_;
   Level<T> level_;
   Index3 size_;                        // cells of the finest level along each axis
   std::vector<MortonCode> places_;     // cells' lower corners, ascending

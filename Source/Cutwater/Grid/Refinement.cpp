@@ -80,6 +80,27 @@ void CellJudge<T>::judge(int level, std::span<const Box<T>> cells, std::span<Box
 }
 
 template <std::floating_point T>
+void CellJudge<T>::judge(const Cells& cells, std::span<CellVerdict> verdicts,
+                         const ParallelOptions& options) const {
+  parallelFor(cells.codes.size(),
+              {.threads = options.threads, .grain = kMost, .progress = options.progress},
+              [&](std::size_t begin, std::size_t end) {
+                for (; begin < end; begin += kMost) {
+                  Scratch<Box<T>, kMost> boxes;
+                  Scratch<BoxHint, kMost> scratch;
+                  const auto hints = scratch.first(std::min(kMost, end - begin));
+                  cells.hintsBefore(begin, hints);
+                  for (std::size_t i = 0; i < hints.size(); ++i) {
+                    boxes[i] = cells.grid.cell(indexOf(cells.codes[begin + i]));
+                  }
+                  judge(cells.level, boxes.first(hints.size()), hints,
+                        verdicts.subspan(begin, hints.size()));
+                  cells.hintsAfter(begin, hints);
+                }
+              });
+}
+
+template <std::floating_point T>
 void CellJudge<T>::judgeNearness(T reach, std::span<const Box<T>> cells, std::span<BoxHint> hints,
                                  std::span<CellVerdict> verdicts) const {
   Scratch<Vec3<T>, kMost> centers;

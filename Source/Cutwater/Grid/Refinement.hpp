@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Cutwater/Core/Level.hpp>
+#include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/Grid/MortonCode.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 #include <optional>
@@ -77,6 +80,20 @@ class CellJudge {
   void judge(int level, std::span<const Box<T>> cells, std::span<BoxHint> hints,
              std::span<CellVerdict> verdicts) const;
   static constexpr std::size_t kMost = 256;
+
+  /// Cells of one level, and where hints come from and go: to be told for the cells from `first`
+  /// on, and told of them. Those before are of boxes around the cells.
+  struct Cells {
+    int level = 0;
+    Level<T> grid;
+    std::span<const MortonCode> codes;
+    FunctionRef<void(std::size_t first, std::span<BoxHint>)> hintsBefore;
+    FunctionRef<void(std::size_t first, std::span<const BoxHint>)> hintsAfter;
+  };
+  /// Of any number of cells, in parallel; see parallelFor(). Hints are asked for and told by
+  /// several threads, for stretches that have no cell in common.
+  void judge(const Cells& cells, std::span<CellVerdict> verdicts,
+             const ParallelOptions& options) const;
 
  private:
   /// How near to the surface cells of the level are refined; negative if they are not.

@@ -23,8 +23,27 @@ std::span<const std::byte> bytesOf(const VtkArray& array) {
   return std::visit([](const auto& values) { return std::as_bytes(values); }, array.values);
 }
 
+/// VTK's name of an array's numbers, and how many belong together.
+struct Numbers {
+  std::string_view type;
+  int components;
+};
+
+Numbers numbersOf(const VtkArray& array) {
+  return std::visit(
+      [](const auto& values) {
+        using Value = Components<std::remove_cvref_t<decltype(values[0])>>;
+        return Numbers{vtkType<typename Value::Number>(), Value::kCount};
+      },
+      array.values);
+}
+
 std::size_t lengthOf(const VtkArray& array) {
   return std::visit([](const auto& values) { return values.size(); }, array.values);
+}
+
+[[noreturn]] void refuse(const std::string& caller, const std::string& why) {
+  throw Error(ErrorKind::Argument, caller + ": " + why);
 }
 
 std::string escaped(std::string_view text) {
@@ -71,8 +90,8 @@ void VtkXml::close(std::string_view element) {
   text_.append(2 * depth_, ' ').append("</").append(element).append(">\n");
 }
 
-void VtkXml::empty(std::string_view element) {
-  tag(element, {}, "/>");
+void VtkXml::empty(std::string_view element, Attributes attributes) {
+  tag(element, attributes, "/>");
 }
 
 void VtkXml::array(std::string_view name, std::string_view type, int components,
@@ -87,24 +106,37 @@ void VtkXml::array(std::string_view name, std::string_view type, int components,
   offset_ += sizeof(std::uint64_t) + bytes;
 }
 
+void VtkXml::openArrays(std::string_view element, const VtkArray& first) {
+  open(element, {{numbersOf(first).components > 1 ? "Vectors" : "Scalars", first.name}});
+}
+
 void VtkXml::arrays(std::string_view element, std::span<const VtkArray> arrays) {
-  const auto& first = arrays.front();
-  const bool isVector = std::visit(
-      [](const auto& values) {
-        return Components<std::remove_cvref_t<decltype(values[0])>>::kCount > 1;
-      },
-      first.values);
-  open(element, {{isVector ? "Vectors" : "Scalars", first.name}});
+  openArrays(element, arrays.front());
   for (const auto& array : arrays) {
-    std::visit(
-        [&](const auto& values) {
-          using Value = Components<std::remove_cvref_t<decltype(values[0])>>;
-          this->array(array.name, vtkType<typename Value::Number>(), Value::kCount,
-                      values.size_bytes());
-        },
-        array.values);
+    const auto [type, components] = numbersOf(array);
+    this->array(array.name, type, components, bytesOf(array).size());
   }
   close(element);
+}
+
+void VtkXml::declaration(std::string_view name, std::string_view type, int components) {
+  empty("PDataArray", {{"type", std::string(type)},
+                       {"Name", std::string(name)},
+                       {"NumberOfComponents", toText(static_cast<long long>(components))}});
+}
+
+void VtkXml::declarations(std::string_view element, std::span<const VtkArray> arrays) {
+  openArrays(element, arrays.front());
+  for (const auto& array : arrays) {
+    const auto [type, components] = numbersOf(array);
+    declaration(array.name, type, components);
+  }
+  close(element);
+}
+
+std::string VtkXml::finishedAlone() {
+  close(dataSet_);
+  return text_ + "</VTKFile>\n";
 }
 
 std::string VtkXml::finished() {
@@ -112,22 +144,25 @@ std::string VtkXml::finished() {
   return text_ + "  <AppendedData encoding=\"raw\">\n_";
 }
 
-void checkVtkArrays(const std::string& caller, std::span<const VtkArray> arrays,
-                    std::size_t count) {
-  const auto refuse = [&](const std::string& why) {
-    throw Error(ErrorKind::Argument, caller + ": " + why);
-  };
-  if (arrays.empty()) refuse("need at least one array");
+void checkVtkNames(const std::string& caller, std::span<const VtkArray> arrays) {
+  if (arrays.empty()) refuse(caller, "need at least one array");
   for (std::size_t a = 0; a < arrays.size(); ++a) {
     const auto& name = arrays[a].name;
-    if (name.empty()) refuse("every array needs a name");
-    if (const auto length = lengthOf(arrays[a]); length != count) {
-      refuse("array '" + name + "' needs " + toText(static_cast<long long>(count)) +
-             " values (values = " + toText(static_cast<long long>(length)) + ")");
-    }
+    if (name.empty()) refuse(caller, "every array needs a name");
     for (std::size_t b = 0; b < a; ++b) {
-      if (name == arrays[b].name) refuse("two arrays named '" + name + "'");
+      if (name == arrays[b].name) refuse(caller, "two arrays named '" + name + "'");
     }
+  }
+}
+
+void checkVtkArrays(const std::string& caller, std::span<const VtkArray> arrays,
+                    std::size_t count) {
+  checkVtkNames(caller, arrays);
+  for (const auto& array : arrays) {
+    const auto length = lengthOf(array);
+    if (length == count) continue;
+    refuse(caller, "array '" + array.name + "' needs " + toText(static_cast<long long>(count)) +
+                       " values (values = " + toText(static_cast<long long>(length)) + ")");
   }
 }
 

@@ -52,19 +52,27 @@ class VtkXml {
 
   void open(std::string_view element, Attributes attributes = {});
   void close(std::string_view element);
-  void empty(std::string_view element);
+  void empty(std::string_view element, Attributes attributes = {});
 
   /// Arrays must be written in the order in which they are told here.
   void array(std::string_view name, std::string_view type, int components, std::uint64_t bytes);
   /// An element of arrays, of which the first is the one shown first.
   void arrays(std::string_view element, std::span<const VtkArray> arrays);
 
+  /// The same of arrays that are in other files: their types only.
+  void declarations(std::string_view element, std::span<const VtkArray> arrays);
+  void declaration(std::string_view name, std::string_view type, int components);
+
   /// All of it, up to the first array's bytes.
   [[nodiscard]] std::string finished();
+  /// All of a file without arrays of its own.
+  [[nodiscard]] std::string finishedAlone();
   /// What stands behind the last array.
   static constexpr std::string_view kEnd = "\n  </AppendedData>\n</VTKFile>\n";
 
  private:
+  /// Opens the element that says which array is shown first.
+  void openArrays(std::string_view element, const VtkArray& first);
   void tag(std::string_view element, Attributes attributes, std::string_view end);
 
   std::string dataSet_;
@@ -73,6 +81,9 @@ class VtkXml {
   std::uint64_t offset_ = 0;
 };
 
+/// @throws Error(Argument), beginning with `caller`, if there is no array, or names are empty or
+/// twice the same.
+void checkVtkNames(const std::string& caller, std::span<const VtkArray> arrays);
 /// @throws Error(Argument), beginning with `caller`, unless there are arrays, all of `count`
 /// values, and their names are neither empty nor twice the same.
 void checkVtkArrays(const std::string& caller, std::span<const VtkArray> arrays, std::size_t count);

@@ -21,7 +21,7 @@ constexpr std::size_t kCorners = 8;
 template <std::floating_point T, typename Index>
 class VtuWriter {
  public:
-  VtuWriter(const Octree<T>& mesh, const OctreeNodes<T>& nodes, int threads)
+  VtuWriter(const OctreeCells<T>& mesh, const OctreeNodes<T>& nodes, int threads)
       : mesh_(mesh), nodes_(nodes), threads_(threads) {}
 
   void write(OutputFile& file, std::span<const VtkArray> arrays) const {
@@ -90,7 +90,7 @@ class VtuWriter {
     }
   }
 
-  const Octree<T>& mesh_;
+  const OctreeCells<T>& mesh_;
   const OctreeNodes<T>& nodes_;
   int threads_;
 };
@@ -98,11 +98,10 @@ class VtuWriter {
 }  // namespace
 
 template <std::floating_point T>
-void writeVtu(const std::filesystem::path& path, const Octree<T>& mesh,
-              std::span<const VtkArray> arrays, const VtuOptions& options) {
+void detail::writeVtu(OutputFile& file, const OctreeCells<T>& mesh,
+                      std::span<const VtkArray> arrays, const VtuOptions& options) {
   require(options.threads >= 0, "writeVtu: need threads >= 0", Named{"threads", options.threads});
-  detail::checkVtkArrays("writeVtu", arrays, mesh.cells().size());
-  OutputFile file(path);
+  checkVtkArrays("writeVtu", arrays, mesh.cells().size());
   const OctreeNodes<T> nodes(mesh, {.threads = options.threads});
   constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();
   const bool isWide = options.wideIndices || kCorners * mesh.cells().size() > kMost;
@@ -111,12 +110,23 @@ void writeVtu(const std::filesystem::path& path, const Octree<T>& mesh,
   } else {
     VtuWriter<T, std::int32_t>(mesh, nodes, options.threads).write(file, arrays);
   }
+}
+
+template <std::floating_point T>
+void writeVtu(const std::filesystem::path& path, const OctreeCells<T>& mesh,
+              std::span<const VtkArray> arrays, const VtuOptions& options) {
+  OutputFile file(path);
+  detail::writeVtu(file, mesh, arrays, options);
   file.commit();
 }
 
-template void writeVtu(const std::filesystem::path&, const Octree<float>&,
+template void detail::writeVtu(OutputFile&, const OctreeCells<float>&, std::span<const VtkArray>,
+                               const VtuOptions&);
+template void detail::writeVtu(OutputFile&, const OctreeCells<double>&, std::span<const VtkArray>,
+                               const VtuOptions&);
+template void writeVtu(const std::filesystem::path&, const OctreeCells<float>&,
                        std::span<const VtkArray>, const VtuOptions&);
-template void writeVtu(const std::filesystem::path&, const Octree<double>&,
+template void writeVtu(const std::filesystem::path&, const OctreeCells<double>&,
                        std::span<const VtkArray>, const VtuOptions&);
 
 }  // namespace cutwater

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Cutwater/Grid/MortonCode.hpp>
+#include <Cutwater/Grid/OctreeDomain.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+#include <span>
+#include <vector>
+
+namespace cutwater {
+
+/// A cell of an octree mesh: a level's cell by its global index.
+struct OctreeCell {
+  Index3 index;
+  std::uint8_t level = 0;
+  BoxClass kind = BoxClass::Unknown;
+
+  bool operator==(const OctreeCell&) const = default;
+};
+
+/// Cells of an octree mesh in their order: all of them, or a stretch of them, such as one rank of
+/// many holds.
+template <std::floating_point T>
+class OctreeCells {
+ public:
+  /// `deepest`: the finest level that there may be cells of, in the whole mesh.
+  /// @throws Error unless cells are within the domain and no finer, stand in the order of their
+  /// Morton codes, and do not overlap.
+  OctreeCells(const OctreeDomain<T>& domain, int deepest, std::vector<OctreeCell> cells);
+
+  [[nodiscard]] const OctreeDomain<T>& domain() const { return domain_; }
+  /// In the order of their Morton codes: neighbours in space are mostly neighbours in the list.
+  [[nodiscard]] std::span<const OctreeCell> cells() const { return cells_; }
+  /// The finest level that there may be cells of.
+  [[nodiscard]] int deepest() const { return static_cast<int>(levels_.size()) - 1; }
+  /// How many cells there are of each kind.
+  [[nodiscard]] std::size_t count(BoxClass kind) const;
+
+  [[nodiscard]] Vec3<T> center(const OctreeCell& cell) const {
+    return levels_[cell.level].position(cell.index);
+  }
+  [[nodiscard]] Box<T> box(const OctreeCell& cell) const {
+    return levels_[cell.level].cell(cell.index);
+  }
+
+ private:
+  OctreeDomain<T> domain_;
+  std::vector<Level<T>> levels_;
+  std::vector<OctreeCell> cells_;
+};
+
+namespace detail {
+
+/// Code of the cell's first cell on a level that is as fine, or finer.
+constexpr MortonCode placeOf(const OctreeCell& cell, int level) {
+  return mortonCode(cell.index) << 3 * (level - cell.level);
+}
+
+}  // namespace detail
+
+extern template class OctreeCells<float>;
+extern template class OctreeCells<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Cutwater/Grid/OctreeFill.hpp>
+
+namespace cutwater {
+
+/// What a mesh and values in its cells come to: the sum, modulo 2^64, of each cell's XXH64 (see
+/// Checksum.hpp) over its level, index and kind and the bits of its values. It depends neither on
+/// the order of the cells nor on the threads, and those of stretches add up to that of the whole:
+/// the same mesh has the same sum however many ranks share it. Values are one for each cell, as in
+/// fill(); arrays that are empty are left out.
+/// @throws Error as fill().
+template <std::floating_point T>
+[[nodiscard]] std::uint64_t checksum(const OctreeCells<T>& mesh, const OctreeTargets<T>& values,
+                                     int threads = 0);
+
+extern template std::uint64_t checksum(const OctreeCells<float>&, const OctreeTargets<float>&, int);
+extern template std::uint64_t checksum(const OctreeCells<double>&, const OctreeTargets<double>&,
+                                       int);
+
+}  // namespace cutwater

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/Io/VtkXml.hpp>
+
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace cutwater {
+
+/// Writes the file that binds .vtu files, each a piece of one mesh, so that ParaView opens them
+/// together: a VTK parallel unstructured grid (.pvtu). `pieces` are names relative to its folder.
+/// Names and types of the arrays are those of every piece, in which points are of type T; values
+/// are not looked at. The file is replaced only once it is complete.
+/// @throws Error(File) naming the path if it cannot be written; Error(Argument) if there are no
+/// pieces, the list of arrays is empty, or names are empty or twice the same.
+template <std::floating_point T>
+void writePvtu(const std::filesystem::path& path, std::span<const std::string> pieces,
+               std::span<const VtkArray> arrays);
+
+extern template void writePvtu<float>(const std::filesystem::path&, std::span<const std::string>,
+                                      std::span<const VtkArray>);
+extern template void writePvtu<double>(const std::filesystem::path&, std::span<const std::string>,
+                                       std::span<const VtkArray>);
+
+}  // namespace cutwater

@@ -1,0 +1,64 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/P4est/Agreement.hpp>
+#include <Cutwater/P4est/ForestBuilder.hpp>
+
+namespace cutwater {
+
+namespace {
+
+template <std::floating_point T>
+void check(const OctreeDomain<T>& domain, int deepest, const DistributedOctreeOptions& options) {
+  constexpr std::int64_t kMostRoots = std::int64_t{1} << 24U;
+  const auto& n = domain.roots();
+  require(std::int64_t{n.i} * n.j * n.k <= kMostRoots, "DistributedOctree: need at most 2^24 roots",
+          Named{"along x", n.i}, Named{"along y", n.j}, Named{"along z", n.k});
+  const int finest = std::min(domain.deepest(), P8EST_QMAXLEVEL);
+  require(deepest <= finest, "DistributedOctree: need fewer levels", Named{"level", deepest},
+          Named{"finest possible", finest});
+  require(1 <= options.cutWeight && options.cutWeight <= 1000,
+          "DistributedOctree: need a weight from 1 to 1000", Named{"cutWeight", options.cutWeight});
+  require(options.threads >= 0, "DistributedOctree: need threads >= 0",
+          Named{"threads", options.threads});
+}
+
+}  // namespace
+
+template <std::floating_point T>
+DistributedOctree<T>::DistributedOctree(const SignedDistanceFunction<T>& solid,
+                                        const OctreeDomain<T>& domain,
+                                        const Refinement<T>& refinement, MPI_Comm comm,
+                                        const DistributedOctreeOptions& options)
+    : comm_(comm) {
+  std::optional<CellJudge<T>> judge;
+  const int deepest = refinement.deepest();
+  agreed(comm, [&] {
+    judge.emplace(solid, refinement);
+    check(domain, deepest, options);
+  });
+  detail::ForestBuilder<T> builder(*judge, domain, options);
+  forest_ = builder.run(comm, deepest);
+  agreed(comm, [&] { local_.emplace(domain, deepest, builder.takeCells()); });
+  forest_->user_pointer = nullptr;
+  firstNumber_ = static_cast<std::uint64_t>(forest_->global_first_quadrant[forest_->mpirank]);
+  cellCount_ = static_cast<std::uint64_t>(forest_->global_num_quadrants);
+}
+
+template <std::floating_point T>
+std::uint64_t DistributedOctree<T>::checksum(const OctreeTargets<T>& values) const {
+  std::uint64_t sum = 0;
+  agreed(comm_, [&] { sum = cutwater::checksum(local(), values); });
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, comm_);
+  return sum;
+}
+
+template <std::floating_point T>
+std::uint32_t DistributedOctree<T>::forestChecksum() const {
+  std::uint32_t result = p8est_checksum(forest_.get());  // on rank 0
+  MPI_Bcast(&result, 1, MPI_UINT32_T, 0, comm_);
+  return result;
+}
+
+template class DistributedOctree<float>;
+template class DistributedOctree<double>;
+
+}  // namespace cutwater

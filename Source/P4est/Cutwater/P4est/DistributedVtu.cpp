@@ -1,0 +1,47 @@
+#include <Cutwater/Core/OutputFile.hpp>
+#include <Cutwater/Io/Pvtu.hpp>
+#include <Cutwater/P4est/Agreement.hpp>
+#include <Cutwater/P4est/DistributedVtu.hpp>
+
+#include <optional>
+
+namespace cutwater {
+
+namespace {
+
+std::string pieceName(const std::filesystem::path& path, int rank, int size) {
+  const auto number = std::to_string(rank);
+  const auto digits = std::to_string(size - 1).size();
+  return path.stem().string() + "_" + std::string(digits - number.size(), '0') + number + ".vtu";
+}
+
+}  // namespace
+
+template <std::floating_point T>
+void writePvtu(const std::filesystem::path& path, const DistributedOctree<T>& mesh,
+               std::span<const VtkArray> arrays, const VtuOptions& options) {
+  const auto comm = mesh.communicator();
+  int rank = 0;
+  int size = 0;
+  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_size(comm, &size);
+  std::optional<OutputFile> file;
+  agreed(comm, [&] {
+    file.emplace(path.parent_path() / pieceName(path, rank, size));
+    detail::writeVtu(*file, mesh.local(), arrays, options);
+  });
+  agreed(comm, [&] { file->commit(); });
+  agreed(comm, [&] {
+    if (rank != 0) return;
+    std::vector<std::string> pieces;
+    for (int r = 0; r < size; ++r) pieces.push_back(pieceName(path, r, size));
+    writePvtu<T>(path, pieces, arrays);
+  });
+}
+
+template void writePvtu(const std::filesystem::path&, const DistributedOctree<float>&,
+                        std::span<const VtkArray>, const VtuOptions&);
+template void writePvtu(const std::filesystem::path&, const DistributedOctree<double>&,
+                        std::span<const VtkArray>, const VtuOptions&);
+
+}  // namespace cutwater

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Cutwater/Core/Block.hpp>
+
+#include <mpi.h>
+
+namespace cutwater::detail {
+
+/// Bytes of which each node has one copy, in a window that its ranks share. They begin at a
+/// multiple of BlockWriter::kAlignment.
+class NodeMemory {
+ public:
+  /// Collective: rank 0's bytes, sent once for every other copy; other ranks' are not looked at.
+  /// `ranksPerCopy`: at most so many of a node share one; 0: all of them.
+  /// @throws Error(Limit) on all ranks if a node has no room.
+  NodeMemory(MPI_Comm comm, std::span<const std::byte> bytes, int ranksPerCopy = 0);
+  /// Collective over the ranks that share a copy, unless an exception is on its way. Memory that a
+  /// rank's copies of block() still use stays for the rest of the process.
+  ~NodeMemory();
+  NodeMemory(const NodeMemory&) = delete;
+  NodeMemory& operator=(const NodeMemory&) = delete;
+  NodeMemory(NodeMemory&&) = delete;
+  NodeMemory& operator=(NodeMemory&&) = delete;
+
+  [[nodiscard]] Block block() const { return {users_, bytes_}; }
+  /// Whether this rank is the one that has written its copy.
+  [[nodiscard]] bool isWriter() const { return isWriter_; }
+  /// What the destructor does; for when an exception is on its way on all ranks.
+  void free();
+
+ private:
+  void allocate(std::uint64_t size);
+  void receive(std::span<const std::byte> bytes, MPI_Comm writers);
+
+  void split(MPI_Comm comm, int ranksPerCopy);
+
+  MPI_Comm sharers_ = MPI_COMM_NULL;
+  MPI_Win window_ = MPI_WIN_NULL;
+  bool isWriter_ = false;
+  int exceptions_;                     // on their way when it was made
+  std::shared_ptr<const void> users_;  // one for each copy of the block, and this
+  std::span<std::byte> bytes_;
+};
+
+}  // namespace cutwater::detail

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Cutwater/Core/FunctionRef.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Mesh/ReadSurface.hpp>
+#include <Cutwater/P4est/NodeMemory.hpp>
+
+#include <optional>
+
+namespace cutwater {
+
+struct SharedGeometryOptions {
+  ReadOptions read = {};      ///< of surfaces; geometry files are taken as they are
+  MeshSDFOptions solid = {};  ///< the same
+  /// At most so many ranks of a node look at one copy; 0: all of them. On nodes of several
+  /// memories, the ranks at each may be better off with one of their own.
+  int ranksPerCopy = 0;
+};
+
+/// A surface mesh that the ranks of an MPI program have in common: rank 0 reads and builds it, its
+/// bytes are sent once to every node, and the ranks of a node look at one copy of them, in a window
+/// of shared memory (MPI 3). Each rank's mesh gives the same bits as if it had built its own.
+///
+/// Constructor and destructor are collective. Copies of the mesh, and Solids made of it, may
+/// outlive this: then the node's memory stays until the process ends.
+template <std::floating_point T>
+class SharedGeometry {
+ public:
+  /// Of a surface or of a file by MeshSDF::save() or `cutwater prepare`, which rank 0 alone opens.
+  /// @throws Error, the same on all ranks: what readSurface() and MeshSDF throw on rank 0;
+  /// Error(Limit) if a node has no room for a copy.
+  SharedGeometry(const std::filesystem::path& path, MPI_Comm comm,
+                 const SharedGeometryOptions& options = {});
+  /// Of a mesh that rank 0 alone makes.
+  /// @throws Error, the same on all ranks: what `make` throws, and as above.
+  SharedGeometry(MPI_Comm comm, FunctionRef<MeshSDF<T>()> make, int ranksPerCopy = 0);
+
+  [[nodiscard]] const MeshSDF<T>& mesh() const { return *mesh_; }
+
+ private:
+  detail::NodeMemory memory_;
+  std::optional<MeshSDF<T>> mesh_;
+};
+
+extern template class SharedGeometry<float>;
+extern template class SharedGeometry<double>;
+
+}  // namespace cutwater

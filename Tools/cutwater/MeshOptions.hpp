@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Cutwater/Grid/Octree.hpp>
+
+#include "RefinementOptions.hpp"
+#include "SampleGrid.hpp"
+
+namespace cutwater::tool {
+
+/// How an octree mesh around a surface is asked for.
+struct MeshOptions {
+  GridRequest roots;
+  RefinementOptions refinement;
+  Balance balance = Balance::Corner;
+  std::vector<std::string> write{"distance", "class", "level"};
+};
+
+/// Adds the rules of refinement, --roots, --box, --margin, --balance and --write. `options` must
+/// live as long as the command.
+void addMeshOptions(CLI::App& command, MeshOptions& options);
+
+/// @throws Error as gridAround().
+[[nodiscard]] OctreeDomain<double> domainAround(const Box<double>& surface,
+                                                const GridRequest& request);
+
+}  // namespace cutwater::tool
