@@ -27,25 +27,28 @@ class Bisected {
 
   [[nodiscard]] double distance(const Vec3<double>& p) const {
     const std::array<Float128, 3> y{p.x, p.y, p.z};
-    Float128 low = -least_ * least_;  // of s in sum (e y / (e^2 + s))^2 = 1
+    // Of t in sum (e y / (e^2 - least^2 + t))^2 = 1: near 0 where the point is close to the plane
+    // of the long axes, and precise there.
+    Float128 low = 0;
     Float128 high = 0;
     for (std::size_t i = 0; i < 3; ++i) high += e_[i] * e_[i] * y[i] * y[i];
-    high = squareRoot(high) + 1;
+    high = squareRoot(high) + least_ * least_ + 1;
     for (int step = 0; step < 3000; ++step) {
       const Float128 middle = (low + high) / 2;
       if (middle == low || middle == high) break;
       (sum(y, middle) > 1 ? low : high) = middle;
     }
+    const Float128 s = high - least_ * least_;
     // What the sum lacks of 1 belongs to the shortest axis, on which the point is not.
-    const Float128 lacking = high > 0 ? Float128(0) : 1 - sum(y, high);
+    const Float128 lacking = s > 0 ? Float128(0) : 1 - sum(y, high);
     Float128 squared = lacking > 0 && isInPlane(y) ? lacking * least_ * least_ : Float128(0);
     for (std::size_t i = 0; i < 3; ++i) {
       if (y[i] == 0) continue;
-      const Float128 gap = y[i] * high / (e_[i] * e_[i] + high);
+      const Float128 gap = y[i] * s / pole(i, high);
       squared += gap * gap;
     }
     const Float128 distance = squareRoot(squared);
-    return static_cast<double>(high < 0 ? -distance : distance);
+    return static_cast<double>(s < 0 ? -distance : distance);
   }
 
  private:
@@ -55,11 +58,14 @@ class Bisected {
     }
     return true;
   }
-  [[nodiscard]] Float128 sum(const std::array<Float128, 3>& y, const Float128& s) const {
+  [[nodiscard]] Float128 pole(std::size_t i, const Float128& t) const {
+    return (e_[i] - least_) * (e_[i] + least_) + t;
+  }
+  [[nodiscard]] Float128 sum(const std::array<Float128, 3>& y, const Float128& t) const {
     Float128 total = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       if (y[i] == 0) continue;
-      const Float128 w = e_[i] * y[i] / (e_[i] * e_[i] + s);
+      const Float128 w = e_[i] * y[i] / pole(i, t);
       total += w * w;
     }
     return total;

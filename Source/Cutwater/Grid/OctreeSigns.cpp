@@ -35,7 +35,7 @@ void forBatches(std::span<const std::size_t> places, ParallelOptions options, co
 }  // namespace
 
 template <std::floating_point T>
-OctreeSigns<T>::OctreeSigns(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,
+OctreeSigns<T>::OctreeSigns(const SignedDistanceFunction<T>& solid, const OctreeCells<T>& mesh,
                             const ParallelOptions& options)
     : solid_(solid),
       mesh_(mesh),

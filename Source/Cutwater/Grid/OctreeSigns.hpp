@@ -64,7 +64,7 @@ template <std::floating_point T>
 class OctreeSigns {
  public:
   /// Values at all corners. Solid and mesh must outlive it.
-  OctreeSigns(const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,
+  OctreeSigns(const SignedDistanceFunction<T>& solid, const OctreeCells<T>& mesh,
               const ParallelOptions& options);
 
   /// Cells of a level that the surface may meet: their places in cells(), ascending.
@@ -104,7 +104,7 @@ class OctreeSigns {
   }
 
   const SignedDistanceFunction<T>& solid_;
-  const Octree<T>& mesh_;
+  const OctreeCells<T>& mesh_;
   OctreeNodes<T> nodes_;
   std::vector<std::vector<std::size_t>> cells_;  // of each level
   std::vector<T> values_;                        // of all nodes; 0 of those that are no corners

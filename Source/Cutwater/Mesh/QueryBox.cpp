@@ -152,7 +152,7 @@ double QueryBox::gap(const Corners& triangle, double enough) const {
 
   // Else an edge is nearest to a corner of the box; projections to the one and the other lead
   // there.
-  constexpr int kMostSteps = 8;
+  constexpr int kMostSteps = 16;
   const Triangle<double> t{a, b, c, isSliver(a, b, c)};
   Vec3<double> inBox;
   for (int step = 0; step < kMostSteps; ++step) {

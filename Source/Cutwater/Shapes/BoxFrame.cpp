@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Sdf/Defaults.hpp>
 #include <Cutwater/Shapes/BoxFrame.hpp>
 #include <Cutwater/Shapes/Direction.hpp>
 
@@ -93,6 +94,23 @@ Vec3<T> BoxFrame<T>::localGradient(const Vec3<T>& p) const {
     if (fromCenter[axis] < 0) outward[axis] = -outward[axis];
   }
   return normalized(outward);
+}
+
+template <std::floating_point T>
+SurfacePoint<T> BoxFrame<T>::localClosestPoint(const Vec3<T>& p) const {
+  const Vec3<T> fromCenter = p - box_.center();
+  auto [step, isInside, isUnique] = shortest(abs(fromCenter));
+  if (step == Vec3<T>{}) return SignedDistanceFunction<T>::localClosestPoint(p);
+  const T distance = length(step);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (fromCenter[axis] < 0) step[axis] = -step[axis];
+  }
+  SurfacePoint<T> result;
+  result.point = p + step;
+  result.normal = normalized(isInside ? step : -step);
+  result.distance = isInside ? -distance : distance;
+  detail::rate(result, p, localSignedDistance(result.point), localGuarantee());
+  return result;
 }
 
 template <std::floating_point T>
