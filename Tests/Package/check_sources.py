@@ -7,7 +7,7 @@
   mirror        a test file per unit, and every unit and test file in its folder's list
   expectations  every test case expects something
   scripts       scripts are executable and pass shellcheck (the program given)
-  readme        the README's C++ and C are marked regions of a compiled example
+  readme        C++ and C in the README and in Docs are marked regions of a compiled example
 """
 import pathlib
 import re
@@ -188,17 +188,21 @@ def check_scripts():
 
 
 def check_readme():
-    blocks = re.findall(r"```c(?:pp)?\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
-    region = re.compile(r"// \[README\n(.*?)\n *// README\]|/\* \[README \*/\n(.*?)\n */\* README\] \*/",
+    """Code in the README and in Docs stands in an example between // [README and // README], or
+    // [Docs and // Docs]."""
+    pages = [ROOT / "README.md", *sorted((ROOT / "Docs").glob("*.md"))]
+    blocks = [(page, block) for page in pages
+              for block in re.findall(r"```c(?:pp)?\n(.*?)```", page.read_text(), re.DOTALL)]
+    region = re.compile(r"// \[(README|Docs)\n(.*?)\n *// \1\]|/\* \[README \*/\n(.*?)\n */\* README\] \*/",
                         re.DOTALL)
     regions = []
     for file in sorted((ROOT / "Examples").rglob("*.c*")):
-        regions += [a or b for a, b in region.findall(file.read_text())]
+        regions += [a or b for _, a, b in region.findall(file.read_text())]
     compiled = [textwrap.dedent(region).strip() for region in regions]
-    if not blocks or not compiled:
+    if not any(page.name == "README.md" for page, _ in blocks) or not compiled:
         return ["no code in the README, or no region marked // [README ... // README] in Examples"]
-    return [f"README.md: not from a compiled example:\n{block}"
-            for block in blocks if block.strip() not in compiled]
+    return [f"{name(page)}: not from a compiled example:\n{block}"
+            for page, block in blocks if block.strip() not in compiled]
 
 
 def main():
