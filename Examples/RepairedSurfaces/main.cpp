@@ -45,10 +45,12 @@ PolygonSoup hill() {
   soup.patchNames = {"hill"};
   constexpr std::uint32_t kWidth = 21;
   for (std::uint32_t i = 0; i < kWidth * kWidth; ++i) {
-    const double x = 0.1 * (i % kWidth);
-    const double y = 0.1 * (i / kWidth);
+    const std::uint32_t column = i % kWidth;
+    const std::uint32_t row = i / kWidth;
+    const double x = 0.1 * column;
+    const double y = 0.1 * row;
     soup.points.push_back({x, y, 0.3 * std::sin(2 * x) * std::sin(2 * y)});
-    if (i % kWidth + 1 == kWidth || i / kWidth + 1 == kWidth) continue;
+    if (column + 1 == kWidth || row + 1 == kWidth) continue;
     soup.addPolygon(std::array{i, i + 1, i + kWidth + 1});
     soup.addPolygon(std::array{i, i + kWidth + 1, i + kWidth});
   }

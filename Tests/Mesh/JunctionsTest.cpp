@@ -35,6 +35,14 @@ TEST(Junctions, APointOnAnEdgeBecomesPartOfIt) {
   EXPECT_FALSE(splitJunctions(soup, 2e-6));
 }
 
+TEST(Junctions, TheToleranceIsADistanceToTheEdge) {
+  const double d = 1e-3;  // along each axis: the distance is the root of 2 times that
+  auto soup = makeSoup({{0, 0, 0}, {2, 2, 0}, {0, 2, 0}, {2, 0, 0}, {1 + d, 1 - d, 0}},
+                       {{0, 1, 2}, {0, 3, 4}, {4, 3, 1}});
+  EXPECT_FALSE(splitJunctions(soup, 1.4 * d));
+  EXPECT_NEAR(splitJunctions(soup, 1.5 * d).largest, std::sqrt(2.0) * d, 1e-15);
+}
+
 TEST(Junctions, SidesMeshedByThemselvesClose) {
   for (const bool triangles : {false, true}) {
     for (const double scale : {1.0, 1e-20, 1e20}) {
