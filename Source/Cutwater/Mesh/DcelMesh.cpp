@@ -1,4 +1,3 @@
-#include <Cutwater/Core/DoubleDouble.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/DcelMesh.hpp>
@@ -286,21 +285,18 @@ Vec3<T> DcelMesh<T>::pseudonormal(HalfEdgeId e) const {
 
 template <std::floating_point T>
 double DcelMesh<T>::totalArea() const {
-  DoubleDouble sum;
-  for (const auto& triangle : triangles_) sum += polygonArea(corners(triangle)).area;
-  return static_cast<double>(sum);
+  return measure().area;
 }
 
 template <std::floating_point T>
 double DcelMesh<T>::signedVolume() const {
-  // From the middle of the box, or the volumes of the tetrahedra would cancel far from the origin.
-  const Vec3<double> center(boundingBox().center());
-  DoubleDouble sum;
-  for (const auto& triangle : triangles_) {
-    const auto [a, b, c] = corners(triangle);
-    sum += dot(a - center, cross(b - a, c - a));
-  }
-  return static_cast<double>(sum) / 6;
+  return measure().volume;
+}
+
+template <std::floating_point T>
+SurfaceMeasure DcelMesh<T>::measure() const {
+  return measureTriangles(triangles_.size(), Vec3<double>(boundingBox().center()),
+                          [this](std::size_t i) { return corners(triangles_[i]); });
 }
 
 template class DcelMesh<float>;

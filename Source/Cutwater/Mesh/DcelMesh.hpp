@@ -4,6 +4,7 @@
 #include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/Mesh/MeshRanges.hpp>
 #include <Cutwater/Mesh/PolygonSoup.hpp>
+#include <Cutwater/Mesh/SurfaceMeasure.hpp>
 
 #include <array>
 #include <span>
@@ -124,6 +125,8 @@ class DcelMesh {
   /// By the divergence theorem: positive where faces are counter-clockwise seen from outside. Means
   /// something for closed meshes only. Linear time.
   [[nodiscard]] double signedVolume() const;
+  /// Both of them.
+  [[nodiscard]] SurfaceMeasure measure() const;
 
  private:
   template <typename V>

@@ -19,7 +19,7 @@ class IndexTable {
   template <typename HashOf, typename Equal>
   std::uint32_t findOrInsert(std::uint32_t candidate, HashOf hashOf, Equal equal) {
     if (4 * (size_ + 1) > 3 * slots_.size()) grow(hashOf);
-    std::uint32_t& slot = find(hashOf(candidate), equal);
+    std::uint32_t& slot = slots_[slotOf(hashOf(candidate), equal)];
     if (slot == kNone) {
       slot = candidate;
       ++size_;
@@ -27,13 +27,19 @@ class IndexTable {
     return slot;
   }
 
+  /// The index of the item with this hash that is `equal`; kNone if there is none.
+  template <typename Equal>
+  [[nodiscard]] std::uint32_t lookUp(std::uint64_t hash, Equal equal) const {
+    return slots_.empty() ? kNone : slots_[slotOf(hash, equal)];
+  }
+
  private:
   // A quarter of the slots is free: the walk ends.
   template <typename Equal>
-  std::uint32_t& find(std::uint64_t hash, Equal equal) {
+  [[nodiscard]] std::size_t slotOf(std::uint64_t hash, Equal equal) const {
     std::size_t i = hash & (slots_.size() - 1);
     while (slots_[i] != kNone && !equal(slots_[i])) i = (i + 1) & (slots_.size() - 1);
-    return slots_[i];
+    return i;
   }
 
   template <typename HashOf>
@@ -41,7 +47,8 @@ class IndexTable {
     std::vector<std::uint32_t> old(slots_.empty() ? 64 : 2 * slots_.size(), kNone);
     old.swap(slots_);
     for (const std::uint32_t item : old) {
-      if (item != kNone) find(hashOf(item), [](std::uint32_t) { return false; }) = item;
+      if (item == kNone) continue;
+      slots_[slotOf(hashOf(item), [](std::uint32_t) { return false; })] = item;
     }
   }
 

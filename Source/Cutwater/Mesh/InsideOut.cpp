@@ -29,19 +29,23 @@ struct Shell {
 /// that leads out of the mesh.
 class Containment {
  public:
-  explicit Containment(const AgreeingTriangles& mesh) : shellOf_(mesh.shells.shellOf) {
+  explicit Containment(const AgreeingTriangles& mesh)
+      : shellOf_(mesh.shells.shellOf), lowest_(mesh.shells.firstTriangles.size(), kNone) {
     const auto boxes = triangleBoxes<double>(mesh.positions, mesh.triangles);
     for (const auto& box : boxes) surface_.box.extend(box);
     surface_.positions = mesh.positions;
     surface_.triangles = mesh.triangles;
     tree_ = buildBvh<16, 4>(boxes);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      auto& lowest = lowest_[shellOf_[t]];
+      for (const auto vertex : mesh.triangles[t]) lowest = std::min(lowest, vertex);
+    }
   }
 
-  /// Visits the shells that contain the one with this triangle.
+  /// Visits the shells that contain the given one.
   template <typename Visit>
-  void visitAround(std::uint32_t inner, Visit&& visit) const {
-    const auto own = shellOf_[inner];
-    const auto exit = exitOf(surface_.box, surface_.positions[surface_.triangles[inner][0]]);
+  void visitAround(std::uint32_t own, Visit&& visit) const {
+    const auto exit = exitOf(surface_.box, surface_.positions[lowest_[own]]);
     const auto tree = tree_.tree();
     const auto along = [&](const Segment<double>& segment, TriangleVisitor visitor) {
       tree.along(segment, visitor);
@@ -62,14 +66,15 @@ class Containment {
 
  private:
   std::span<const std::uint32_t> shellOf_;
+  std::vector<std::uint32_t> lowest_;  // vertex of each shell, whichever way its faces are turned
   TriangleSurface<double> surface_;
   BvhArrays<16, 4> tree_;
 };
 
 class InsideOutSearch {
  public:
-  explicit InsideOutSearch(const AgreeingTriangles& mesh)
-      : mesh_(mesh), shells_(mesh.shells.firstTriangles.size()) {}
+  InsideOutSearch(const AgreeingTriangles& mesh, NestedShells nested)
+      : mesh_(mesh), nested_(nested), shells_(mesh.shells.firstTriangles.size()) {}
 
   std::vector<std::uint32_t> run() {
     noteRims();
@@ -149,21 +154,37 @@ class InsideOutSearch {
   }
 
   void turnShells() {
+    if (shells_.size() == 1 || nested_ == NestedShells::Solids) {
+      for (auto& shell : shells_) shell.turned = shell.volume < 0;
+    } else if (nested_ == NestedShells::Cavities) {
+      turnByDepth();
+    } else {
+      turnWithTheirCavities();
+    }
+  }
+
+  void turnByDepth() {
+    const Containment containment(mesh_);
+    for (std::uint32_t s = 0; s < shells_.size(); ++s) {
+      bool isCavity = false;
+      containment.visitAround(s, [&](std::uint32_t outer) {
+        if (shells_[outer].closed) isCavity = !isCavity;
+      });
+      shells_[s].turned = isCavity ? shells_[s].volume > 0 : shells_[s].volume < 0;
+    }
+  }
+
+  void turnWithTheirCavities() {
     std::vector<std::uint32_t> suspects;
     for (std::uint32_t s = 0; s < shells_.size(); ++s) {
       if (shells_[s].volume < 0) suspects.push_back(s);
     }
     if (suspects.empty()) return;
-    if (shells_.size() == 1) {
-      shells_[0].turned = true;
-      return;
-    }
     const Containment containment(mesh_);
-    const auto& first = mesh_.shells.firstTriangles;
     for (const auto s : suspects) {
       bool isCavity = false;
       containment.visitAround(
-          first[s], [&](std::uint32_t outer) { isCavity = isCavity || shells_[outer].closed; });
+          s, [&](std::uint32_t outer) { isCavity = isCavity || shells_[outer].closed; });
       shells_[s].turned = !isCavity;
     }
     const auto wasTurned = [](const Shell& shell) { return shell.turned; };
@@ -171,7 +192,7 @@ class InsideOutSearch {
     std::vector<std::uint32_t> within;
     for (std::uint32_t s = 0; s < shells_.size(); ++s) {
       if (shells_[s].turned) continue;
-      containment.visitAround(first[s], [&](std::uint32_t outer) {
+      containment.visitAround(s, [&](std::uint32_t outer) {
         if (shells_[outer].closed && shells_[outer].turned && !isListed(within, s)) {
           within.push_back(s);
         }
@@ -197,13 +218,14 @@ class InsideOutSearch {
   }
 
   const AgreeingTriangles& mesh_;
+  NestedShells nested_;
   std::vector<Shell> shells_;
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> insideOutShells(const AgreeingTriangles& surface) {
-  return InsideOutSearch(surface).run();
+std::vector<std::uint32_t> insideOutShells(const AgreeingTriangles& surface, NestedShells nested) {
+  return InsideOutSearch(surface, nested).run();
 }
 
 }  // namespace cutwater

@@ -6,6 +6,16 @@
 
 namespace cutwater {
 
+/// How shells within other closed shells are to be oriented.
+enum class NestedShells : std::uint8_t {
+  /// A shell that stands against the one around it is a cavity and stays one.
+  AsTheyAre,
+  /// By turns: the outermost are solids, what is within one shell is a cavity, within two a solid.
+  Cavities,
+  /// All face outward: parts of an assembly, whose union is meant.
+  Solids,
+};
+
 /// Triangles each of which agrees with those around which way to look, as far as they can.
 struct AgreeingTriangles {
   std::span<const Vec3<double>>
@@ -16,6 +26,7 @@ struct AgreeingTriangles {
 };
 
 /// The shells that stand inside out and are to be turned as a whole, ascending: see orientShells().
-[[nodiscard]] std::vector<std::uint32_t> insideOutShells(const AgreeingTriangles& surface);
+[[nodiscard]] std::vector<std::uint32_t> insideOutShells(
+    const AgreeingTriangles& surface, NestedShells nested = NestedShells::AsTheyAre);
 
 }  // namespace cutwater

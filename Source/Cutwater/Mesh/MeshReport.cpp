@@ -1,79 +1,14 @@
+#include <Cutwater/Mesh/CanonicalCycle.hpp>
+#include <Cutwater/Mesh/DisjointSets.hpp>
+#include <Cutwater/Mesh/IndexTable.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <numeric>
 
 namespace cutwater {
 namespace {
-
-/// Union-find with path halving; the least member stands for its set.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
-  }
-
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-  /// Right once all has been united: every set has exactly one.
-  [[nodiscard]] bool isRoot(std::uint32_t a) const { return parent_[a] == a; }
-
- private:
-  std::uint32_t find(std::uint32_t a) {
-    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
-    return a;
-  }
-
-  std::vector<std::uint32_t> parent_;
-};
-
-/// A cycle of distinct corners from its least one, towards the lesser of that one's neighbours: the
-/// same for every rotation and for both orientations.
-class CanonicalCycle {
- public:
-  explicit CanonicalCycle(std::span<const VertexId> corners)
-      : corners_(corners),
-        first_(static_cast<std::size_t>(std::ranges::min_element(corners) - corners.begin())) {
-    forward_ = at(1) < at(size() - 1);
-  }
-
-  [[nodiscard]] std::size_t size() const { return corners_.size(); }
-  [[nodiscard]] bool isForward() const { return forward_; }
-  /// Corner i of the cycle.
-  [[nodiscard]] VertexId operator[](std::size_t i) const {
-    return forward_ ? at(i) : at((size() - i) % size());
-  }
-  [[nodiscard]] std::size_t hash() const {
-    std::uint64_t h = size();
-    for (std::size_t i = 0; i < size(); ++i) {  // the mixer of SplitMix64, Steele et al. 2014
-      h += 0x9e3779b97f4a7c15U + index((*this)[i]);
-      h = (h ^ (h >> 30U)) * 0xbf58476d1ce4e5b9U;
-      h = (h ^ (h >> 27U)) * 0x94d049bb133111ebU;
-      h ^= h >> 31U;
-    }
-    return h;
-  }
-  [[nodiscard]] bool operator==(const CanonicalCycle& other) const {
-    if (size() != other.size()) return false;
-    for (std::size_t i = 0; i < size(); ++i) {
-      if ((*this)[i] != other[i]) return false;
-    }
-    return true;
-  }
-
- private:
-  [[nodiscard]] VertexId at(std::size_t i) const { return corners_[(first_ + i) % size()]; }
-
-  std::span<const VertexId> corners_;
-  std::size_t first_;
-  bool forward_ = true;
-};
 
 template <std::floating_point T>
 class Checker {
@@ -164,24 +99,20 @@ class Checker {
     });
   }
 
-  /// A hash table of faces with open addressing, at most half full.
   void findDuplicates() {
-    std::vector<FaceId> table(std::bit_ceil(2 * report_.faces + 1), kNoFace);
-    const std::size_t mask = table.size() - 1;
+    const auto cycleOf = [this](std::uint32_t face) {
+      return detail::CanonicalCycle(mesh_.vertices(FaceId{face}));
+    };
+    detail::IndexTable table;
     for (const FaceId face : mesh_.faces()) {
       if (!hasDistinctCorners_[index(face)]) continue;
-      const CanonicalCycle cycle(mesh_.vertices(face));
-      for (std::size_t slot = cycle.hash() & mask;; slot = (slot + 1) & mask) {
-        if (table[slot] == kNoFace) {
-          table[slot] = face;
-          break;
-        }
-        const CanonicalCycle earlier(mesh_.vertices(table[slot]));
-        if (!(cycle == earlier)) continue;
-        const bool same = cycle.isForward() == earlier.isForward();
-        (same ? report_.duplicateFaces : report_.oppositeFaces).add(face);
-        break;
-      }
+      const auto cycle = cycleOf(index(face));
+      const std::uint32_t earlier = table.findOrInsert(
+          index(face), [&](std::uint32_t i) { return cycleOf(i).hash(); },
+          [&](std::uint32_t i) { return cycleOf(i) == cycle; });
+      if (earlier == index(face)) continue;
+      const bool same = cycle.isForward() == cycleOf(earlier).isForward();
+      (same ? report_.duplicateFaces : report_.oppositeFaces).add(face);
     }
   }
 
@@ -192,14 +123,16 @@ class Checker {
     if (report_.isClosedOriented() && report_.isManifold() && !report_.repeatedCornerFaces) {
       report_.genus = signedCount(report_.components) - report_.eulerCharacteristic / 2;
     }
-    report_.area = mesh_.totalArea();
-    report_.volume = mesh_.signedVolume();
+    const auto [area, volume] = mesh_.measure();
+    report_.area = area;
+    report_.volume = volume;
   }
 
   const DcelMesh<T>& mesh_;
   MeshReport report_;
-  DisjointSets components_{mesh_.faces().size()};  ///< of faces
-  DisjointSets fans_{mesh_.halfEdges().size()};    ///< of corners: faces that turn about a vertex
+  detail::DisjointSets components_{mesh_.faces().size()};  ///< of faces
+  detail::DisjointSets fans_{
+      mesh_.halfEdges().size()};  ///< of corners: faces that turn about a vertex
   std::vector<bool> hasDistinctCorners_;
 };
 

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/ReportLine.hpp>
 
 #include <string_view>
 
@@ -7,6 +8,7 @@ namespace cutwater {
 namespace {
 
 using detail::counted;
+using detail::reportLine;
 
 std::string text(std::size_t count) {
   return detail::toText(static_cast<long long>(count));
@@ -42,13 +44,6 @@ void forAllDefects(const MeshReport& r, Visit visit) {
   visit(Kind{"face turned against its duplicate", "faces turned against their duplicates", "faces"},
         r.oppositeFaces);
   visit(Kind{"unused vertex", "unused vertices", "vertices"}, r.unusedVertices);
-}
-
-std::string line(std::string_view name, const std::string& value) {
-  constexpr std::size_t kColumn = 40;
-  std::string result(name);
-  result.append(result.size() < kColumn ? kColumn - result.size() : 1, ' ');
-  return result + value + "\n";
 }
 
 template <typename Place>
@@ -89,21 +84,21 @@ std::string MeshReport::summary() const {
 
 std::string MeshReport::table() const {
   std::string result;
-  result += line("vertices", text(vertices));
-  result += line("edges", text(edges));
-  result += line("faces", text(faces));
-  result += line("triangles", text(triangles));
-  result += line("components", text(components));
-  result += line("closed", yesOrNo(isClosed()));
-  result += line("oriented", yesOrNo(isOriented()));
-  result += line("manifold", yesOrNo(isManifold()));
-  result += line("inside out", yesOrNo(isInsideOut()));
-  result += line("Euler characteristic", detail::toText(eulerCharacteristic));
-  result += line("genus", genus ? detail::toText(*genus) : "-");
-  result += line("area", detail::toText(area));
-  result += line("volume", isClosed() ? detail::toText(volume) : "-");
+  result += reportLine("vertices", text(vertices));
+  result += reportLine("edges", text(edges));
+  result += reportLine("faces", text(faces));
+  result += reportLine("triangles", text(triangles));
+  result += reportLine("components", text(components));
+  result += reportLine("closed", yesOrNo(isClosed()));
+  result += reportLine("oriented", yesOrNo(isOriented()));
+  result += reportLine("manifold", yesOrNo(isManifold()));
+  result += reportLine("inside out", yesOrNo(isInsideOut()));
+  result += reportLine("Euler characteristic", detail::toText(eulerCharacteristic));
+  result += reportLine("genus", genus ? detail::toText(*genus) : "-");
+  result += reportLine("area", detail::toText(area));
+  result += reportLine("volume", isClosed() ? detail::toText(volume) : "-");
   forAllDefects(*this, [&](const Kind& kind, const auto& findings) {
-    result += line(kind.plural, withExamples(kind, findings));
+    result += reportLine(kind.plural, withExamples(kind, findings));
   });
   return result;
 }

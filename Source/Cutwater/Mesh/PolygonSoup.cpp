@@ -1,6 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Mesh/IndexTable.hpp>
-#include <Cutwater/Mesh/PolygonSoup.hpp>
+#include <Cutwater/Mesh/PointMerging.hpp>
 
 namespace cutwater {
 
@@ -42,29 +41,10 @@ void PolygonSoup::validate() const {
 }
 
 std::size_t weldExactly(PolygonSoup& soup) {
-  auto& points = soup.points;
-  const std::size_t before = points.size();
-  require(before < kNone, "weldExactly: more points than 32-bit indices can name",
-          Named{"points", before});
-  std::vector<std::uint32_t> newIndex(before);
-  detail::IndexTable table;
-  std::uint32_t kept = 0;
-  for (std::uint32_t i = 0; i < before; ++i) {
-    const bool finite = isFinite(points[i]);
-    const std::uint32_t first =
-        finite ? table.findOrInsert(
-                     i, [&](std::uint32_t j) { return detail::hashOf(points[j]); },
-                     [&](std::uint32_t j) { return points[j] == points[i]; })
-               : i;
-    newIndex[i] = first == i ? kept++ : newIndex[first];
-  }
-  // Nothing below allocates: a soup is welded, or it is as it was.
-  for (std::uint32_t i = 0, next = 0; i < before; ++i) {
-    if (newIndex[i] == next) points[next++] = points[i];
-  }
-  points.resize(kept);
-  for (auto& corner : soup.corners) corner = newIndex[corner];
-  return before - kept;
+  require(soup.points.size() < kNone, "weldExactly: more points than 32-bit indices can name",
+          Named{"points", soup.points.size()});
+  auto firsts = detail::firstEqualPoints(soup.points);
+  return detail::mergePoints(soup, firsts);
 }
 
 }  // namespace cutwater

@@ -20,24 +20,26 @@ class ShellSearch {
     pairHalfEdges();
   }
 
-  ShellOrientation run() {
+  ShellOrientation run(NestedShells nested) {
     if (someRunTheSameWay_) orientPieces();
     takeTriangles();
     const auto positions = normalizedPositions(mesh_.positions());
     auto shells = connectShells(triangles_, positions.size(), neighbours_);
     const auto openEdges = findOpenEdges(triangles_, positions.size(), neighbours_);
-    result_.insideOut = insideOutShells({.positions = positions,
-                                         .triangles = triangles_,
-                                         .shells = shells,
-                                         .openEdges = openEdges});
+    result_.insideOut = insideOutShells(
+        {.positions = positions, .triangles = triangles_, .shells = shells, .openEdges = openEdges},
+        nested);
+    if (result_.turnedFaces > 0) result_.disagreeing = turned_;
     if (result_.turnedFaces + result_.turnedShells() > 0) {
       const auto& whole = result_.insideOut;
-      for (std::size_t i = 0; i < turned_.size(); ++i) {
-        const bool withShell = std::ranges::binary_search(whole, shells.shellOf[i]);
-        turned_[i] = turned_[i] != withShell;
+      for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        if (t > 0 && faceOf_[t] == faceOf_[t - 1]) continue;
+        const bool withShell = std::ranges::binary_search(whole, shells.shellOf[t]);
+        turned_[faceOf_[t]] = turned_[faceOf_[t]] != withShell;
       }
       result_.turned = std::move(turned_);
     }
+    for (auto& first : shells.firstTriangles) first = faceOf_[first];
     result_.firstFaces = std::move(shells.firstTriangles);
     return std::move(result_);
   }
@@ -56,9 +58,12 @@ class ShellSearch {
     });
   }
 
-  /// Faces connected across edges with two faces agree which way to look, as far as they can.
+  /// Faces connected across edges with two faces agree which way to look, as far as they can. Of a
+  /// face's neighbours the lowest comes first, whichever way the face is turned: a piece that
+  /// cannot be oriented stays as it is the next time.
   void orientPieces() {
     std::vector<bool> seen(mesh_.faces().size());
+    std::vector<HalfEdgeId> edges;
     for (const FaceId seed : mesh_.faces()) {
       if (seen[at(seed)]) continue;
       seen[at(seed)] = true;
@@ -66,9 +71,9 @@ class ShellSearch {
       bool contradicts = false;
       for (std::size_t done = 0; done < piece.size(); ++done) {
         const FaceId face = piece[done];
-        for (const HalfEdgeId e : mesh_.halfEdges(face)) {
+        takePairedEdges(face, edges);
+        for (const HalfEdgeId e : edges) {
           const HalfEdgeId partner = partners_[index(e)];
-          if (partner == kNoHalfEdge) continue;
           const FaceId next = mesh_.face(partner);
           const bool sameWay = mesh_.origin(e) == mesh_.origin(partner);
           const bool wanted = turned_[at(face)] != sameWay;
@@ -86,6 +91,14 @@ class ShellSearch {
     }
   }
 
+  void takePairedEdges(FaceId face, std::vector<HalfEdgeId>& edges) const {
+    edges.clear();
+    for (const HalfEdgeId e : mesh_.halfEdges(face)) {
+      if (partners_[index(e)] != kNoHalfEdge) edges.push_back(e);
+    }
+    std::ranges::sort(edges, {}, [&](HalfEdgeId e) { return mesh_.face(partners_[index(e)]); });
+  }
+
   void letMajorityDecide(std::span<const FaceId> piece) {
     const auto isTurned = [&](FaceId face) { return bool{turned_[at(face)]}; };
     auto count = static_cast<std::size_t>(std::ranges::count_if(piece, isTurned));
@@ -96,16 +109,23 @@ class ShellSearch {
     result_.turnedFaces += count;
   }
 
-  /// The faces such that they agree; their neighbours only where that changes no face.
+  /// The faces' triangles such that they agree; their neighbours only where that changes no face,
+  /// and faces are triangles.
   void takeTriangles() {
     triangles_.reserve(mesh_.faces().size());
+    faceOf_.reserve(mesh_.faces().size());
+    bool allAreTriangles = true;
     for (const FaceId face : mesh_.faces()) {
-      const auto v = mesh_.vertices(face);
-      triangles_.push_back({index(v[0]), index(v[1]), index(v[2])});
-      if (turned_[at(face)]) std::swap(triangles_.back()[1], triangles_.back()[2]);
+      for (const auto& [a, b, c] : mesh_.triangles(face)) {
+        triangles_.push_back({index(a), index(b), index(c)});
+        if (turned_[at(face)]) std::swap(triangles_.back()[1], triangles_.back()[2]);
+        faceOf_.push_back(index(face));
+      }
+      allAreTriangles =
+          allAreTriangles && mesh_.vertices(face).size() == 3 && mesh_.triangles(face).size() == 1;
     }
-    if (someRunTheSameWay_) return;
-    neighbours_.reserve(mesh_.faces().size());
+    if (someRunTheSameWay_ || !allAreTriangles) return;
+    neighbours_.reserve(triangles_.size());
     for (const FaceId face : mesh_.faces()) {
       auto& own = neighbours_.emplace_back();
       std::size_t i = 0;
@@ -120,6 +140,7 @@ class ShellSearch {
   bool someRunTheSameWay_ = false;
   std::vector<bool> turned_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::vector<std::uint32_t> faceOf_;  // per triangle; ascending
   std::vector<std::array<std::uint32_t, 3>> neighbours_;
   ShellOrientation result_;
 };
@@ -127,11 +148,11 @@ class ShellSearch {
 }  // namespace
 
 template <std::floating_point T>
-ShellOrientation orientShells(const DcelMesh<T>& mesh) {
-  return ShellSearch<T>(mesh).run();
+ShellOrientation orientShells(const DcelMesh<T>& mesh, NestedShells nested) {
+  return ShellSearch<T>(mesh).run(nested);
 }
 
-template ShellOrientation orientShells(const DcelMesh<float>&);
-template ShellOrientation orientShells(const DcelMesh<double>&);
+template ShellOrientation orientShells(const DcelMesh<float>&, NestedShells);
+template ShellOrientation orientShells(const DcelMesh<double>&, NestedShells);
 
 }  // namespace cutwater

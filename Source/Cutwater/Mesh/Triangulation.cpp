@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/DistinctCorners.hpp>
 #include <Cutwater/Mesh/EarClipping.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/Triangulation.hpp>
@@ -9,41 +10,13 @@
 namespace cutwater {
 namespace {
 
-/// Leaves out repeats (a a) and spikes (a b a): edges of no extent, or passed to and fro.
-void takeDistinct(std::span<const std::uint32_t> polygon, std::vector<std::uint32_t>& corners) {
-  corners.clear();
-  const auto drop = [&] { corners.pop_back(); };
-  for (const std::uint32_t corner : polygon) {
-    const auto n = corners.size();
-    if (n >= 2 && corners[n - 2] == corner) {
-      drop();
-    } else if (n == 0 || corners[n - 1] != corner) {
-      corners.push_back(corner);
-    }
-  }
-  // The same where the end meets the beginning.
-  auto first = corners.begin();
-  while (corners.end() - first >= 2) {
-    if (*first == corners.back()) {
-      drop();
-    } else if (*first == *(corners.end() - 2)) {
-      drop();
-    } else if (*(first + 1) == corners.back()) {
-      ++first;
-    } else {
-      break;
-    }
-  }
-  corners.erase(corners.begin(), first);
-}
-
 /// One polygon at a time; keeps its scratch memory.
 class Triangulator {
  public:
   Triangulator(const PolygonSoup& soup, Triangulation& result) : soup_(soup), result_(result) {}
 
   void add(std::uint32_t polygon) {
-    takeDistinct(soup_.polygon(polygon), ids_);
+    detail::takeDistinct(soup_.polygon(polygon), ids_);
     if (ids_.size() < 3) {
       ++result_.polygonsDropped;
       return;

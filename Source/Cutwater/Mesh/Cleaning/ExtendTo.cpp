@@ -1,0 +1,246 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/Cleaning/ExtendTo.hpp>
+#include <Cutwater/Mesh/Cleaning/PlanarRegions.hpp>
+#include <Cutwater/Mesh/Cleaning/PlaneFrame.hpp>
+#include <Cutwater/Mesh/Cleaning/SoupEdits.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cutwater {
+namespace {
+
+using detail::Loop;
+
+void requireBeyond(const PolygonSoup& soup, int axis, double level) {
+  require(0 <= axis && axis < 3, "extendTo: the axis is 0, 1 or 2", Named{"axis", axis});
+  double lower = Box<double>::kMost;
+  double upper = -Box<double>::kMost;
+  for (const auto corner : soup.corners) {
+    lower = std::min(lower, soup.points[corner][axis]);
+    upper = std::max(upper, soup.points[corner][axis]);
+  }
+  require(std::isfinite(level) && (level < lower || level > upper),
+          "extendTo: the level must lie beyond the surface", Named{"level", level},
+          Named{"lowest", lower}, Named{"highest", upper});
+}
+
+std::vector<Loop> rimsOf(const PolygonSoup& soup) {
+  const auto edges = detail::openEdgesOf(soup);
+  if (edges.empty()) throw Error(ErrorKind::Topology, "extendTo: the surface has no rim");
+  for (const auto& edge : edges) {
+    if (std::abs(edge.multiplicity) == 1) continue;
+    throw Error(ErrorKind::Topology,
+                "extendTo: faces disagree about their orientation along an edge (" +
+                    detail::toText(Named{"from", soup.points[edge.lower]}) + ")");
+  }
+  return detail::loopsAround(edges);
+}
+
+/// The filled loops; refuses what cannot be filled.
+std::vector<std::array<std::uint32_t, 3>> filled(const PolygonSoup& soup,
+                                                 std::span<const Loop> loops, int axis) {
+  auto filling = detail::fillLoops(normalizedPositions<double>(soup.points), loops, axis);
+  const auto left = std::ranges::find(filling.left, true) - filling.left.begin();
+  if (static_cast<std::size_t>(left) < loops.size()) {
+    const auto& point = soup.points[loops[static_cast<std::size_t>(left)].front()];
+    throw Error(ErrorKind::Topology,
+                "extendTo: a rim meets itself or another, seen along the axis (" +
+                    detail::toText(Named{"rim", point}) + ")");
+  }
+  return std::move(filling.triangles);
+}
+
+/// A point below every point of the rims: there again, where several rims share it.
+class Walls {
+ public:
+  Walls(PolygonSoup& soup, int axis, double level)
+      : soup_(soup), axis_(axis), level_(level), foot_(soup.points.size(), kNone) {}
+
+  /// Adds the walls along a rim; returns the rim's image on the plane.
+  Loop add(const Loop& rim, std::uint32_t patch) {
+    Loop feet;
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      const auto from = rim[i];
+      const auto to = rim[(i + 1) % rim.size()];
+      feet.push_back(footOf(from));
+      soup_.addPolygon(std::array{from, to, footOf(to)}, patch);
+      soup_.addPolygon(std::array{from, footOf(to), footOf(from)}, patch);
+    }
+    return feet;
+  }
+
+ private:
+  std::uint32_t footOf(std::uint32_t point) {
+    if (foot_[point] == kNone) {
+      foot_[point] = static_cast<std::uint32_t>(soup_.points.size());
+      soup_.points.push_back(soup_.points[point]);
+      soup_.points.back()[axis_] = level_;
+    }
+    return foot_[point];
+  }
+
+  PolygonSoup& soup_;
+  int axis_;
+  double level_;
+  std::vector<std::uint32_t> foot_;
+};
+
+void addWallsAndBottom(PolygonSoup& soup, int axis, double level, const ExtendOptions& options,
+                       OpeningReport& report) {
+  requireBeyond(soup, axis, level);
+  const auto rims = rimsOf(soup);
+  const auto sides = detail::patchNamed(soup, options.sides);
+  Walls walls(soup, axis, level);
+  std::vector<Loop> feet;
+  for (const auto& rim : rims) {
+    report.closed.add(soup.points[rim.front()]);
+    report.rimEdges += rim.size();
+    feet.push_back(walls.add(rim, sides));
+  }
+  const auto bottom = detail::patchNamed(soup, options.bottom);
+  for (const auto& triangle : filled(soup, feet, axis)) soup.addPolygon(triangle, bottom);
+}
+
+/// Does the work on a copy, and reports what it comes to.
+template <typename Work>
+OpeningReport extended(PolygonSoup& soup, Work work) {
+  soup.validate();
+  PolygonSoup result = soup;
+  OpeningReport report;
+  report.before = measure(soup);
+  work(result, report);
+  report.facesAdded = result.polygonCount() - soup.polygonCount();
+  report.areaAdded = detail::areaFrom(result, soup.polygonCount());
+  report.after = measure(result);
+  if (report.after.volume < 0) {
+    for (std::size_t i = 0; i < result.polygonCount(); ++i) detail::turnPolygon(result, i);
+    report.after = measure(result);
+  }
+  result.validate();
+  soup = std::move(result);
+  return report;
+}
+
+/// A frame around the outer rim, along the sides of the box.
+class Apron {
+ public:
+  Apron(PolygonSoup& soup, const Box<double>& box, int axis)
+      : soup_(soup), box_(box), u_((axis + 1) % 3), v_((axis + 2) % 3), axis_(axis) {}
+
+  void add(const std::string& patchName) {
+    const auto rims = rimsOf(soup_);
+    const Loop& outer = outermost(rims);
+    for (const auto point : outer) requireWithin(soup_.points[point]);
+    const auto frame = frameAround(outer);
+    const auto patch = detail::patchNamed(soup_, patchName);
+    for (const auto& triangle : filled(soup_, std::array{frame, outer}, axis_)) {
+      soup_.addPolygon(triangle, patch);
+    }
+  }
+
+ private:
+  /// The rim that reaches farthest; that no other leaves it is for the filling of the bottom to
+  /// say.
+  [[nodiscard]] const Loop& outermost(std::span<const Loop> rims) const {
+    return *std::ranges::max_element(rims, {}, [&](const Loop& rim) {
+      double most = -Box<double>::kMost;
+      for (const auto point : rim) most = std::max(most, soup_.points[point][u_]);
+      return most;
+    });
+  }
+
+  void requireWithin(const Vec3<double>& p) const {
+    if (box_.lower[u_] < p[u_] && p[u_] < box_.upper[u_] && box_.lower[v_] < p[v_] &&
+        p[v_] < box_.upper[v_]) {
+      return;
+    }
+    throw Error(
+        ErrorKind::Topology,
+        "extendToBox: the rim reaches the sides of the box: use extendTo(), or a larger box (" +
+            detail::toText(Named{"rim", p}) + ")");
+  }
+
+  /// New points along the four sides, in the direction opposite to the rim's.
+  Loop frameAround(const Loop& rim) {
+    const Vec3<double> size = box_.upper - box_.lower;
+    const double step = meanEdge(rim);
+    const std::array<std::pair<int, double>, 4> sides{
+        {{u_, size[u_]}, {v_, size[v_]}, {u_, -size[u_]}, {v_, -size[v_]}}};
+    Vec3<double> corner = box_.lower;
+    Loop frame;
+    for (const auto& [along, extent] : sides) {
+      const auto count =
+          static_cast<int>(std::clamp(std::ceil(std::abs(extent) / step), 1.0, kMostPerSide));
+      for (int i = 0; i < count; ++i) {
+        Vec3<double> point = corner;
+        point[along] += extent * i / count;
+        frame.push_back(addPoint(point, rim));
+      }
+      corner[along] = extent > 0 ? box_.upper[along] : box_.lower[along];
+    }
+    if (isCounterClockwise(rim)) std::ranges::reverse(frame);
+    return frame;
+  }
+
+  std::uint32_t addPoint(Vec3<double> point, const Loop& rim) {
+    const auto nearest = *std::ranges::min_element(rim, {}, [&](std::uint32_t i) {
+      const Vec3<double> arm = soup_.points[i] - point;
+      return arm[u_] * arm[u_] + arm[v_] * arm[v_];
+    });
+    point[axis_] = soup_.points[nearest][axis_];
+    soup_.points.push_back(point);
+    return static_cast<std::uint32_t>(soup_.points.size() - 1);
+  }
+
+  /// Seen along the axis.
+  [[nodiscard]] double meanEdge(const Loop& rim) const {
+    double sum = 0;
+    auto from = rim.back();
+    for (const auto to : rim) {
+      const Vec3<double> edge = soup_.points[to] - soup_.points[from];
+      sum += std::hypot(edge[u_], edge[v_]);
+      from = to;
+    }
+    return sum / static_cast<double>(rim.size());
+  }
+
+  [[nodiscard]] bool isCounterClockwise(const Loop& rim) const {
+    std::vector<Vec3<double>> corners;
+    for (const auto point : rim) corners.push_back(soup_.points[point]);
+    return polygonArea(corners).normal[axis_] > 0;
+  }
+
+  static constexpr double kMostPerSide = 4096;
+
+  PolygonSoup& soup_;
+  const Box<double>& box_;
+  int u_;
+  int v_;
+  int axis_;
+};
+
+}  // namespace
+
+OpeningReport extendTo(PolygonSoup& soup, int axis, double level, const ExtendOptions& options) {
+  return extended(soup, [&](PolygonSoup& work, OpeningReport& report) {
+    addWallsAndBottom(work, axis, level, options, report);
+  });
+}
+
+OpeningReport extendToBox(PolygonSoup& soup, const Box<double>& box, int axis, BoxEnd end,
+                          const ExtendOptions& options) {
+  require(0 <= axis && axis < 3, "extendToBox: the axis is 0, 1 or 2", Named{"axis", axis});
+  require(isFinite(box) && !box.empty(), "extendToBox: need a finite box",
+          Named{"lower", box.lower}, Named{"upper", box.upper});
+  const double level = end == BoxEnd::Lower ? box.lower[axis] : box.upper[axis];
+  return extended(soup, [&](PolygonSoup& work, OpeningReport& report) {
+    requireBeyond(work, axis, level);
+    Apron(work, box, axis).add(options.apron);
+    addWallsAndBottom(work, axis, level, options, report);
+  });
+}
+
+}  // namespace cutwater

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Cutwater/Mesh/Cleaning/Openings.hpp>
+#include <Cutwater/Mesh/PolygonSoup.hpp>
+
+#include <string>
+
+namespace cutwater {
+
+struct ExtendOptions {
+  std::string sides = "sides";    ///< the patch of the walls below the rim
+  std::string bottom = "bottom";  ///< and of the flat end
+  std::string apron = "apron";    ///< and of what reaches out to the box: extendToBox() only
+};
+
+/// Makes a solid of a surface such as a terrain: its rims are carried on along an axis (0, 1, 2) to
+/// the plane where that coordinate is `level`, beyond the surface on either side, and closed there.
+///
+/// From every rim vertical walls lead to the plane, two triangles per edge; a hole in the surface
+/// becomes a shaft. The result is closed and oriented, with its faces outward: the solid lies
+/// between the surface and the plane. Points of the surface do not move.
+///
+/// @throws Error(Argument) unless the level lies beyond all points of faces, and for a soup that
+/// does not pass PolygonSoup::validate(); Error(Topology) if there is no rim, if faces disagree
+/// about their orientation (clean() first), or if rims meet when seen along the axis. The soup is
+/// then as it was.
+OpeningReport extendTo(PolygonSoup& soup, int axis, double level,
+                       const ExtendOptions& options = {});
+
+/// Which end of a box along an axis.
+enum class BoxEnd : std::uint8_t { Lower, Upper };
+
+/// The same for a surface that ends short of the sides of a domain: first an apron is laid from its
+/// outer rim to the four sides of the box along the axis, then all is carried on to the box's end.
+///
+/// The apron is as high at each point of the sides as the nearest point of the rim, at distances
+/// along the sides of about the rim's mean edge; seen along the axis it lies outside of the rim.
+/// A surface that reaches the sides or beyond needs no apron: use extendTo(), and the domain cuts
+/// off what is outside of it.
+///
+/// @throws as extendTo(), and Error(Topology) unless one rim is around all others and lies within
+/// the sides of the box.
+OpeningReport extendToBox(PolygonSoup& soup, const Box<double>& box, int axis,
+                          BoxEnd end = BoxEnd::Lower, const ExtendOptions& options = {});
+
+}  // namespace cutwater

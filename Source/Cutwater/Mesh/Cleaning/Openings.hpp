@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/SurfaceMeasure.hpp>
+
+#include <string>
+
+namespace cutwater {
+
+/// A plane through a point; the normal need not have unit length.
+struct SurfacePlane {
+  Vec3<double> point;
+  Vec3<double> normal;
+};
+
+/// What capOnPlane(), mirrorAt(), extendTo() or extendToBox() did.
+struct OpeningReport {
+  Findings<Vec3<double>> closed;  ///< openings: a point of the rim of each
+  /// Rims in the plane that are as they were, because they meet themselves or one another or go on
+  /// outside of the plane: a point of each.
+  Findings<Vec3<double>> left;
+  std::size_t rimEdges = 0;     ///< of the openings that are closed now
+  std::size_t pointsMoved = 0;  ///< onto the plane
+  double farthestMove = 0;      ///< a length
+  std::size_t facesRemoved = 0;
+  std::size_t facesAdded = 0;
+  double areaAdded = 0;  ///< of those
+  SurfaceMeasure before;
+  SurfaceMeasure after;
+
+  /// A line each, ended by '\n', of what there is to tell.
+  [[nodiscard]] std::string text() const;
+};
+
+}  // namespace cutwater

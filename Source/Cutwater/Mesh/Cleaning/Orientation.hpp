@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Cutwater/Mesh/Cleaning/CleanReport.hpp>
+#include <Cutwater/Mesh/Shells.hpp>
+
+namespace cutwater {
+
+struct OrientationCorrections {
+  Correction faces;              ///< turned to agree with those around
+  Correction shells;             ///< turned as a whole: the middle of the first face of each
+  std::size_t unorientable = 0;  ///< parts like a Moebius strip
+};
+
+/// Turns faces such that the surface faces outward, as orientShells() says; points, corners and
+/// their order within a face stay as they are, but for the direction.
+/// @throws Error(Argument) as DcelMesh does.
+OrientationCorrections orientFaces(PolygonSoup& soup,
+                                   NestedShells nested = NestedShells::AsTheyAre);
+
+}  // namespace cutwater

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/SurfaceMeasure.hpp>
+
+// Private: not installed.
+
+namespace cutwater::detail {
+
+/// With nine digits at most: to be read, not to be read back.
+[[nodiscard]] std::string shortText(double value);
+
+/// " (1, 0, 0) (0, 0.5, 1)"; with an ellipsis where there are more than the examples.
+[[nodiscard]] std::string placesText(const Findings<Vec3<double>>& places);
+
+/// ", area 6 -> 5, volume 1 -> 0.8", of each if it changed.
+[[nodiscard]] std::string changeText(const SurfaceMeasure& before, const SurfaceMeasure& after);
+
+}  // namespace cutwater::detail

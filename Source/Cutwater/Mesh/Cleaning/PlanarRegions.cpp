@@ -1,0 +1,150 @@
+#include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Mesh/Cleaning/HoleBridges.hpp>
+#include <Cutwater/Mesh/Cleaning/PlanarRegions.hpp>
+#include <Cutwater/Mesh/Cleaning/PlanarView.hpp>
+#include <Cutwater/Mesh/EarClipping.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace cutwater::detail {
+namespace {
+
+class Filler {
+ public:
+  Filler(std::span<const Vec3<double>> positions, std::span<const Loop> loops, int axis)
+      : view_(positions, axis), loops_(loops), around_(loops.size()), isHole_(loops.size()) {
+    result_.left.assign(loops.size(), false);
+  }
+
+  PlanarFilling run() {
+    findMeetings();
+    nest();
+    std::vector<std::vector<Loop>> holes(loops_.size());
+    for (const auto i : outermostFirst()) {
+      if (around_[i].empty() || result_.left[i]) continue;
+      const auto parent = parentOf(i);
+      isHole_[i] = !isHole_[parent] && orientation(i) != orientation(parent);
+      if (isHole_[i]) holes[parent].push_back(loops_[i]);
+    }
+    for (std::uint32_t i = 0; i < loops_.size(); ++i) {
+      if (!isHole_[i] && !result_.left[i]) fill(i, std::move(holes[i]));
+    }
+    leaveHoles();
+    return std::move(result_);
+  }
+
+ private:
+  struct Edge {
+    std::uint32_t from, to, loop;
+  };
+
+  /// Loops that meet themselves or others in more than a corner.
+  void findMeetings() {
+    std::vector<Edge> edges;
+    std::vector<Box<double>> boxes;
+    for (std::uint32_t loop = 0; loop < loops_.size(); ++loop) {
+      std::uint32_t from = loops_[loop].back();
+      for (const auto to : loops_[loop]) {
+        edges.push_back({from, to, loop});
+        boxes.push_back(Box<double>{}.extend(flat(from)).extend(flat(to)));
+        from = to;
+      }
+    }
+    if (edges.empty()) return;
+    const auto arrays = buildBvh<16, 4>(boxes);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      arrays.tree().overlapping(
+          OrientedBox<double>::of(boxes[i]), [&](std::span<const std::uint32_t> slots) {
+            for (const auto k : slots) {
+              if (k == kNone || k <= i || !boxes[k].overlaps(boxes[i])) continue;
+              if (!view_.meet(edges[i].from, edges[i].to, edges[k].from, edges[k].to)) continue;
+              result_.left[edges[i].loop] = result_.left[edges[k].loop] = true;
+            }
+            return true;
+          });
+    }
+  }
+
+  [[nodiscard]] Vec3<double> flat(std::uint32_t point) const {
+    return {view_.u(point), view_.v(point), 0};
+  }
+
+  /// Which loops are around which; what is within a loop that is left is left, too.
+  void nest() {
+    std::vector<Box<double>> boxes(loops_.size());
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
+      for (const auto point : loops_[i]) boxes[i].extend(flat(point));
+    }
+    for (std::uint32_t i = 0; i < loops_.size(); ++i) {
+      for (std::uint32_t k = 0; k < loops_.size(); ++k) {
+        if (k == i || !boxes[k].contains(boxes[i].lower) || !boxes[k].contains(boxes[i].upper)) {
+          continue;
+        }
+        const auto point = std::ranges::find_if(loops_[i], [&](std::uint32_t p) {
+          return std::ranges::find(loops_[k], p) == loops_[k].end();
+        });
+        if (point != loops_[i].end() && view_.isAround(loops_[k], *point)) around_[i].push_back(k);
+      }
+    }
+    const auto met = result_.left;
+    for (std::uint32_t i = 0; i < loops_.size(); ++i) {
+      for (const auto k : around_[i]) result_.left[i] = result_.left[i] || met[k];
+    }
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> outermostFirst() const {
+    std::vector<std::uint32_t> order(loops_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return around_[i].size(); });
+    return order;
+  }
+
+  /// The smallest loop around: the one that most others are around.
+  [[nodiscard]] std::uint32_t parentOf(std::uint32_t i) const {
+    return *std::ranges::max_element(around_[i], {},
+                                     [&](std::uint32_t k) { return around_[k].size(); });
+  }
+
+  [[nodiscard]] int orientation(std::uint32_t loop) const {
+    return view_.orientation(loops_[loop]);
+  }
+
+  void fill(std::uint32_t boundary, std::vector<Loop> holes) {
+    const Loop ring = joinHoles(view_, loops_[boundary], std::move(holes));
+    result_.left[boundary] = ring.empty();
+    if (ring.empty()) return;
+    std::vector<Vec3<double>> corners;
+    for (const auto point : ring) corners.push_back(view_.position(point));
+    Vec3<double> up;
+    up[view_.axis()] = orientation(boundary);
+    std::vector<PlaceTriangle> triangles;
+    clipEars(corners, up, triangles);
+    for (const auto& [a, b, c] : triangles) {
+      result_.triangles.push_back({ring[a], ring[b], ring[c]});
+    }
+  }
+
+  /// Holes share the fate of what they are in.
+  void leaveHoles() {
+    for (std::uint32_t i = 0; i < loops_.size(); ++i) {
+      if (isHole_[i]) result_.left[i] = result_.left[parentOf(i)];
+    }
+  }
+
+  PlanarView view_;
+  std::span<const Loop> loops_;
+  std::vector<std::vector<std::uint32_t>> around_;  // per loop: those around it
+  std::vector<bool> isHole_;
+  PlanarFilling result_;
+};
+
+}  // namespace
+
+PlanarFilling fillLoops(std::span<const Vec3<double>> positions, std::span<const Loop> loops,
+                        int axis) {
+  return Filler(positions, loops, axis).run();
+}
+
+}  // namespace cutwater::detail

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// Private: not installed.
+
+namespace cutwater::detail {
+
+using Loop = std::vector<std::uint32_t>;
+
+/// Triangles between loops of points in a plane.
+struct PlanarFilling {
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< each loop runs along their boundary
+  std::vector<bool> left;  ///< per loop: not filled, it meets itself or another, or is within such
+};
+
+/// Fills loops of points in a plane, seen along `axis`, which must not lie in the plane. A loop is
+/// the boundary of a region of its own, or, if the smallest loop around it is the boundary of one
+/// and runs the other way, a hole in that. Triangles face to the side from which their region's
+/// boundary runs counter-clockwise.
+///
+/// Decisions are exact; positions are about 1 in size. n log n to find what meets, the number of
+/// loops times n for their nesting, and what clipEars() takes, after holes were joined to the
+/// boundary around them, from right to left (Eberly, "Triangulation by ear clipping", 2002).
+[[nodiscard]] PlanarFilling fillLoops(std::span<const Vec3<double>> positions,
+                                      std::span<const Loop> loops, int axis);
+
+}  // namespace cutwater::detail

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/Cleaning/Openings.hpp>
+#include <Cutwater/Mesh/PolygonSoup.hpp>
+
+#include <cmath>
+
+// Private: not installed.
+
+namespace cutwater::detail {
+
+/// A plane with a unit normal, and how far from it counts as on it. Exact for normals along an
+/// axis.
+class PlaneFrame {
+ public:
+  /// @throws Error(Argument) unless the plane is finite, its normal not zero, 0 <= tolerance < inf.
+  PlaneFrame(const char* caller, const SurfacePlane& plane, double tolerance);
+
+  [[nodiscard]] double height(const Vec3<double>& p) const { return dot(p - point_, normal_); }
+  [[nodiscard]] bool contains(const Vec3<double>& p) const {
+    return std::abs(height(p)) <= tolerance_;
+  }
+  [[nodiscard]] double tolerance() const { return tolerance_; }
+  /// The nearest point of the plane, and the mirror image.
+  [[nodiscard]] Vec3<double> foot(const Vec3<double>& p) const;
+  [[nodiscard]] Vec3<double> image(const Vec3<double>& p) const;
+  /// The axis that the normal is nearest to.
+  [[nodiscard]] int axis() const;
+
+ private:
+  [[nodiscard]] bool isAlongAxis() const { return std::abs(normal_[axis()]) == 1; }
+
+  Vec3<double> point_;
+  Vec3<double> normal_;
+  double tolerance_;
+};
+
+/// The area of the polygons from `first` on.
+[[nodiscard]] double areaFrom(const PolygonSoup& soup, std::size_t first);
+
+}  // namespace cutwater::detail

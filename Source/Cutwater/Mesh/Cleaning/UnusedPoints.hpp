@@ -1,0 +1,10 @@
+#pragma once
+
+#include <Cutwater/Mesh/Cleaning/CleanReport.hpp>
+
+namespace cutwater {
+
+/// Removes the points that are no corner of any polygon; the others keep their order. Linear time.
+Correction removeUnusedPoints(PolygonSoup& soup);
+
+}  // namespace cutwater

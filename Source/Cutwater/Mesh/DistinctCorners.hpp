@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+// Private: not installed.
+
+namespace cutwater::detail {
+
+/// Leaves out repeats (a a) and spikes (a b a): edges of no extent, or passed to and fro.
+void takeDistinct(std::span<const std::uint32_t> polygon, std::vector<std::uint32_t>& corners);
+
+}  // namespace cutwater::detail

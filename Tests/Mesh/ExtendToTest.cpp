@@ -1,0 +1,151 @@
+#include <Cutwater/Mesh/Cleaning/ExtendTo.hpp>
+
+#include "CleanChecks.hpp"
+
+namespace cutwater::test {
+namespace {
+
+double heightAt(double x, double y) {
+  return 0.3 * std::sin(2 * x) + 0.2 * std::cos(3 * y) + 0.1 * x * y;
+}
+
+/// A hilly square [0, n h]^2 of triangles, which face up; `axis` is the vertical one.
+PolygonSoup terrain(int n, double h, int axis = 2) {
+  PolygonSoup soup;
+  soup.patchNames = {"ground"};
+  const auto width = static_cast<std::uint32_t>(n) + 1;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) {
+      Vec3<double> p;
+      p[(axis + 1) % 3] = h * i;
+      p[(axis + 2) % 3] = h * j;
+      p[axis] = heightAt(h * i, h * j);
+      soup.points.push_back(p);
+    }
+  }
+  for (std::uint32_t j = 0; j + 1 < width; ++j) {
+    for (std::uint32_t i = 0; i + 1 < width; ++i) {
+      const std::uint32_t a = j * width + i;
+      soup.addPolygon(std::array{a, a + 1, a + width + 1});
+      soup.addPolygon(std::array{a, a + width + 1, a + width});
+    }
+  }
+  return soup;
+}
+
+/// Of all triangles: their area seen along the axis times their mean height above the level.
+double prismVolume(const PolygonSoup& soup, int axis, double level) {
+  double sum = 0;
+  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
+    const auto c = soup.polygon(i);
+    const auto& p = soup.points;
+    sum +=
+        0.5 * cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]])[axis] * (middleOf(soup, i)[axis] - level);
+  }
+  return sum;
+}
+
+TEST(ExtendTo, TheGroundBelowATerrain) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto ground = terrain(12, 0.25, axis);
+    auto soup = ground;
+    const auto report = extendTo(soup, axis, -2);
+    EXPECT_EQ(report.closed.count, 1U);
+    EXPECT_EQ(report.rimEdges, 48U);
+    EXPECT_EQ(report.facesAdded, 2 * 48U + 46U);
+    const auto whole = reportOf(soup);
+    EXPECT_TRUE(whole.isClean()) << whole.summary();
+    EXPECT_NEAR(whole.volume, prismVolume(ground, axis, -2), 1e-12);
+    EXPECT_EQ(soup.patchNames, (std::vector<std::string>{"ground", "sides", "bottom"}));
+    EXPECT_TRUE(
+        std::ranges::equal(ground.corners, std::span(soup.corners).first(ground.corners.size())));
+  }
+}
+
+TEST(ExtendTo, TheAirAboveATerrainAndGroundThatFacesDown) {
+  const auto ground = terrain(12, 0.25);
+  auto air = ground;
+  extendTo(air, 2, 5, {.sides = "walls", .bottom = "sky"});
+  EXPECT_TRUE(reportOf(air).isClean());
+  EXPECT_NEAR(measure(air).volume, -prismVolume(ground, 2, 5), 1e-12);
+  auto down = insideOut(ground);
+  extendTo(down, 2, -2);
+  EXPECT_TRUE(reportOf(down).isClean());
+  EXPECT_NEAR(measure(down).volume, prismVolume(ground, 2, -2), 1e-12);
+}
+
+TEST(ExtendTo, AHoleBecomesAShaft) {
+  auto ground = terrain(12, 0.25);
+  ground = onlyFaces(ground, [&](std::size_t i) {
+    return length(middleOf(ground, i) - Vec3<double>{1.5, 1.5, 0}) > 0.7;
+  });
+  auto soup = ground;
+  EXPECT_EQ(extendTo(soup, 2, -1.5).closed.count, 2U);
+  const auto report = reportOf(soup);
+  EXPECT_TRUE(report.isClosedOriented() && report.volume > 0) << report.summary();
+  EXPECT_EQ(report.genus, 1);
+  EXPECT_NEAR(report.volume, prismVolume(ground, 2, -1.5), 1e-12);
+}
+
+TEST(ExtendTo, AnApronReachesTheSidesOfABox) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool facesDown : {false, true}) {
+      const auto ground = facesDown ? insideOut(terrain(12, 0.25, axis)) : terrain(12, 0.25, axis);
+      Box<double> box;
+      box.lower[axis] = -3;
+      box.upper[axis] = 4;
+      box.lower[(axis + 1) % 3] = -1;
+      box.upper[(axis + 1) % 3] = 5;
+      box.lower[(axis + 2) % 3] = -0.5;
+      box.upper[(axis + 2) % 3] = 3.5;
+      auto soup = ground;
+      extendToBox(soup, box, axis);
+      const auto report = reportOf(soup);
+      EXPECT_TRUE(report.isClean()) << report.summary();
+      EXPECT_EQ(report.genus, 0);
+      const auto reached = soup.boundingBox();
+      for (const int a : {(axis + 1) % 3, (axis + 2) % 3}) {
+        EXPECT_EQ(reached.lower[a], box.lower[a]);
+        EXPECT_EQ(reached.upper[a], box.upper[a]);
+      }
+      EXPECT_EQ(reached.lower[axis], -3);
+      const auto apron = std::ranges::find(soup.patchNames, "apron") - soup.patchNames.begin();
+      auto covered = onlyFaces(soup, [&](std::size_t i) { return soup.patches[i] == apron; });
+      EXPECT_NEAR(prismVolume(covered, axis, -3) + std::abs(prismVolume(ground, axis, -3)),
+                  report.volume, 1e-11);
+      EXPECT_EQ(soup.patchNames, (std::vector<std::string>{"ground", "apron", "sides", "bottom"}));
+      // No higher and no lower than the rim.
+      for (const auto& p : soup.points) EXPECT_LT(std::abs(p[axis]), 3.5);
+    }
+  }
+}
+
+TEST(ExtendTo, RefusesWhatIsNoTerrain) {
+  const auto refusal = [](PolygonSoup soup, auto call) {
+    const auto before = soup;
+    try {
+      call(soup);
+      ADD_FAILURE() << "not refused";
+    } catch (const Error& error) {
+      EXPECT_TRUE(sameSoup(soup, before));
+      return error.kind();
+    }
+    return ErrorKind::Limit;
+  };
+  const auto down = [](PolygonSoup& soup) { extendTo(soup, 2, -9); };
+  EXPECT_EQ(refusal(cube(), down), ErrorKind::Topology);
+  EXPECT_EQ(refusal(flipped(terrain(4, 1), 9), down), ErrorKind::Topology);
+  EXPECT_EQ(refusal(twistedBand(48, 0.3, 2), down), ErrorKind::Topology);
+  const auto ground = terrain(4, 1);
+  EXPECT_EQ(refusal(together(ground, moved(ground, {2, 2, 1})), down), ErrorKind::Topology);
+  EXPECT_EQ(refusal(ground, [](auto& soup) { extendTo(soup, 2, 0); }), ErrorKind::Argument);
+  EXPECT_EQ(refusal(ground, [](auto& soup) { extendTo(soup, 3, -9); }), ErrorKind::Argument);
+  EXPECT_EQ(refusal(ground, [](auto& soup) { extendTo(soup, 2, -HUGE_VAL); }), ErrorKind::Argument);
+  const Box<double> tight{{0, -1, -9}, {5, 5, 9}};
+  EXPECT_EQ(refusal(ground, [&](auto& soup) { extendToBox(soup, tight, 2); }), ErrorKind::Topology);
+  EXPECT_EQ(refusal(ground, [](auto& soup) { extendToBox(soup, Box<double>{}, 2); }),
+            ErrorKind::Argument);
+}
+
+}  // namespace
+}  // namespace cutwater::test
