@@ -83,7 +83,9 @@ TEST(Clean, AnySoupIsCleanedOnce) {
     EXPECT_FALSE(report.zeroAreaFaces || report.repeatedCornerFaces || report.duplicateFaces ||
                  report.unusedVertices)
         << report.summary();
-    if (options.opposite == OppositeFaces::Cancel) EXPECT_FALSE(report.oppositeFaces);
+    if (options.opposite == OppositeFaces::Cancel) {
+      EXPECT_FALSE(report.oppositeFaces);
+    }
     expectCleanTwiceAsOnce(soup, options);
   }
 }
