@@ -80,14 +80,6 @@ def layouts(name, text, **counts):
     return [good(f"{name}-{variant}", content, **counts) for variant, content in variants.items()]
 
 
-def cuts(name, content, first, answers, step=1):
-    """A file cut at every place from `first` on is refused with one of the answers, each a pair of
-    place and part: the last that begins at or before the cut."""
-    found = []
-    for size in range(first, len(content), step):
-        at, part = [answer for begin, *answer in answers if begin <= size][-1]
-        found.append(bad(f"{name}-cut-to-{size}", content[:size], at, part))
-    return found
 
 
 # A tetrahedron, as words and as numbers.

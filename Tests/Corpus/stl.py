@@ -1,6 +1,6 @@
 import struct
 
-from cases import FACES, NO_COORDINATES, NUMBERS, POINTS, bad, bad_word, bad_words, cuts, good, layouts
+from cases import FACES, NO_COORDINATES, NUMBERS, POINTS, bad, bad_word, bad_words, good, layouts
 
 
 def facet(corners, normal="0 0 1"):
@@ -76,6 +76,9 @@ def binary_cases():
                          ("lines", b"solid a\nfacet normal 0 0 1\nouter loop\n"),
                          ("color", b"COLOR=\xff\x00\x00\xff"), ("noise", bytes(range(128, 208)))]:
         yield good(f"stl-binary-header-{name}", binary(header))
+        if name == "lines":  # only what is wrong with it as text can be said
+            yield bad("stl-binary-header-lines-cut", binary(header)[:-1], "line 4", "NUL")
+            continue
         yield bad(f"stl-binary-header-{name}-cut", binary(header)[:-1], "byte 80", "cut off")
         yield bad(f"stl-binary-header-{name}-count-more", binary(header, 5), "byte 80", "promises 5")
         yield bad(f"stl-binary-header-{name}-count-less", binary(header, 3), "byte 80", "holds 4")

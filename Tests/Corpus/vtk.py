@@ -79,7 +79,7 @@ def refused():
             ("second-points", "POLYGONS", f"{POINT_ROWS}POLYGONS", "line 10", "a second"),
             ("one-point-more", "POINTS 4", "POINTS 5", "line 10", '"POLYGONS"'),
             ("one-point-less", "POINTS 4", "POINTS 3", "line 9", '"0"'),
-            ("one-cell-more", "4 16", "5 16", "line 10", "too few"),
+            ("one-cell-more", "4 16", "5 16", "line 10", "promises 5"),
             ("one-cell-less", "4 16", "3 16", "line 13", "fewer points"),
             ("too-few-numbers", "4 16", "4 15", "line 10", "too few"),
             ("too-many-numbers", "4 16", "4 17", "line 14", "fewer points"),
@@ -91,7 +91,7 @@ def refused():
         yield bad(f"vtk-{name}", OLD.replace(old, new), at, part)
     for name, old, new, at, part in [
             ("first", "0 3 6", "1 3 6", "line 12", "begin with 0"), ("descend", "0 3 6", "0 6 3", "line 12", "ascend"),
-            ("last", "9 12", "9 11", "line 13", "last offset"), ("equal", "0 3 6", "0 0 6", "line 14", "0 corners"),
+            ("last", "9 12", "9 11", "line 13", "last offset"), ("equal", "0 3 6", "0 0 6", "line 13", "0 corners"),
             ("narrow", "OFFSETS vtktypeint64", "OFFSETS char", "line 11", "array of indices"),
             ("real", "OFFSETS vtktypeint64", "OFFSETS double", "line 11", "array of indices"),
             ("missing", "OFFSETS vtktypeint64\n0 3 6 9 12\n", "", "line 11", '"OFFSETS"'),
@@ -105,7 +105,7 @@ def refused():
         whole = binary(version)
         at = whole.index(data) + len(data)
         points = whole.index(b" float\n") + 7
-        yield bad(f"vtk-binary-{version}-cut", whole[:-2], "", "promises")
+        yield bad(f"vtk-binary-{version}-cut", whole[:-2], "", "too early")
         yield bad(f"vtk-binary-{version}-cut-in-points", whole[:points + 20], "", "promises 4")
         yield bad(f"vtk-binary-{version}-nan", whole[:points + 12] + b"\x7f\xc0\0\0" + whole[points + 16:],
                   f"byte {points + 12}", "not finite")
