@@ -1,64 +1,8 @@
-#include <atomic>
-#include <cstdlib>
-#include <malloc.h>
-#include <new>
 #include <random>
 
 #include "SampleFiles.hpp"
+#include "Support/AllocationCount.hpp"
 #include "Support/CpuTime.hpp"
-
-// Every allocation of this program is counted, so that the readers' memory can be bounded.
-namespace {
-
-std::atomic<std::size_t> inUse{0};
-std::atomic<std::size_t> peak{0};
-
-void* counted(std::size_t size) {
-  void* memory = std::malloc(size);
-  if (memory == nullptr) throw std::bad_alloc();
-  const std::size_t now = inUse += malloc_usable_size(memory);
-  std::size_t before = peak;
-  while (before < now && !peak.compare_exchange_weak(before, now)) {
-  }
-  return memory;
-}
-
-void uncounted(void* memory) noexcept {
-  if (memory != nullptr) inUse -= malloc_usable_size(memory);
-  std::free(memory);
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return counted(size);
-}
-void* operator new[](std::size_t size) {
-  return counted(size);
-}
-// Sanitizers bring nothrow forms of their own, which the deletes here could not free.
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  try {
-    return counted(size);
-  } catch (...) {
-    return nullptr;
-  }
-}
-void* operator new[](std::size_t size, const std::nothrow_t& nothrow) noexcept {
-  return operator new(size, nothrow);
-}
-void operator delete(void* memory) noexcept {
-  uncounted(memory);
-}
-void operator delete[](void* memory) noexcept {
-  uncounted(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  uncounted(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-  uncounted(memory);
-}
 
 namespace cutwater::test {
 namespace {
@@ -68,8 +12,7 @@ namespace {
 std::size_t readAnyhow(const std::string& bytes, double mostPerByte = 16) {
   // What does not grow with the file: messages, first chunks, small tables.
   constexpr std::size_t kConstant = 300000;
-  const std::size_t before = inUse;
-  peak = before;
+  const AllocationCount count;
   std::size_t polygons = 0;
   try {
     const auto file = readText(bytes);
@@ -82,7 +25,7 @@ std::size_t readAnyhow(const std::string& bytes, double mostPerByte = 16) {
     EXPECT_TRUE(std::string(error.what()).starts_with("test: ")) << error.what();
   }
   const double allowed = mostPerByte * static_cast<double>(bytes.size());
-  EXPECT_LT(static_cast<double>(peak - before), allowed + kConstant) << bytes.substr(0, 200);
+  EXPECT_LT(static_cast<double>(count.peakBytes()), allowed + kConstant) << bytes.substr(0, 200);
   return polygons;
 }
 

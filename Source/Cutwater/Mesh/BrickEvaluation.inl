@@ -55,7 +55,7 @@ class BrickEvaluation {
     for (int i = 0; i < used_; ++i) {
       Nearest& best = points_.best(first_ + i);
       best.distanceSquared = nearest_[i];
-      best.triangle = ids_[static_cast<int>(winner_[i])];
+      best.triangle = count_ > 0 ? ids_[static_cast<int>(winner_[i])] : cutwater::kNone;
       tie_[i] = best.tie = best.tieAt(nearest_[i]);
     }
     findSides();

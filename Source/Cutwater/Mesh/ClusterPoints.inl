@@ -99,7 +99,8 @@ class ClusterPoints {
   }
   /// The point of a triangle that is nearest to `p`.
   CUTWATER_INLINE Vec3<double> closestTo(const Vec3<T>& p, std::uint32_t triangle) const {
-    return tree_.frame.toFrame(Vec3<double>(arrays_.closestPoint(triangle, p)));
+    const std::uint32_t id = triangle == kNone ? 0 : triangle;
+    return tree_.frame.toFrame(Vec3<double>(arrays_.closestPoint(id, p)));
   }
 
  private:

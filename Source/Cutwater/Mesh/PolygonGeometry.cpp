@@ -72,8 +72,10 @@ T normalizingScale(std::span<const Vec3<T>> positions) {
   T largest = 0;
   for (const auto& p : positions) largest = std::max(largest, maxComponent(abs(p)));
   if (!(largest > 0)) return 1;
-  constexpr int kMost = std::numeric_limits<T>::max_exponent / 2;
-  return std::ldexp(T(1), -std::clamp(std::ilogb(largest), -kMost, kMost));
+  // Up as far as squares of small numbers allow, down to the least scale that is a normal number.
+  constexpr int kMostUp = std::numeric_limits<T>::max_exponent / 2;
+  constexpr int kMostDown = std::numeric_limits<T>::max_exponent - 2;
+  return std::ldexp(T(1), -std::clamp(std::ilogb(largest), -kMostUp, kMostDown));
 }
 
 template <std::floating_point T>

@@ -54,6 +54,7 @@ Vec3<T> TriangleSurface<T>::pseudonormal(std::uint32_t id, TrianglePart part) co
 
 template <std::floating_point T>
 int TriangleSurface<T>::pseudonormalSide(const Vec3<T>& p, const Nearest& nearest) const {
+  if (nearest.triangle == kNone) return 1;
   const auto t = triangle(nearest.triangle);
   const auto part = triangleDistance(p, t).part;
   if (part == TrianglePart::Face) return sideOfPlane(p, t) < 0 ? -1 : 1;
@@ -70,6 +71,7 @@ int TriangleSurface<T>::pseudonormalSide(const Vec3<T>& p, const Nearest& neares
 
 template <std::floating_point T>
 SurfacePoint<T> TriangleSurface<T>::surfacePoint(const Vec3<T>& p, const Nearest& nearest) const {
+  if (nearest.triangle == kNone) return {};
   const auto t = triangle(nearest.triangle);
   const auto part = triangleDistance(p, t).part;
   const auto weights = closestBarycentric(p, t, part);

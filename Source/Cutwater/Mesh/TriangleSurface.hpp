@@ -19,6 +19,8 @@ struct TriangleSurface {
   /// The triangle nearest to a point, and what the search has seen on the way.
   struct Nearest {
     T distanceSquared = std::numeric_limits<T>::infinity();
+    /// kNone if none was near enough; or if a tree's boxes are not what they should be, which a
+    /// geometry file can make them whose checksums somebody has forged.
     std::uint32_t triangle = kNone;
     /// Bound on the rounding of distances to the point.
     T error = 0;
@@ -91,7 +93,9 @@ struct TriangleSurface {
             Vec3<double>(positions[v[2]])};
   }
 
+  /// Of no triangle: nothing known.
   [[nodiscard]] SurfaceOwner owner(std::uint32_t id) const {
+    if (id == kNone) return {};
     return {.object = 0, .patch = patches[polygons[id]], .face = polygons[id]};
   }
 

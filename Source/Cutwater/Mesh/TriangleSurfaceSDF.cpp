@@ -162,7 +162,7 @@ SurfacePoint<T> TriangleSurfaceSDF<T>::closestPointAt(const Vec3<T>& point, cons
   result.distance = valueAt(point, p, nearest);
   // Where shells overlap, the nearest triangle need not be part of the solid's surface; and the
   // sheet that closes a hole may be nearer than any.
-  result.exact = signs_.isSound();
+  result.exact = signs_.isSound() && nearest.triangle != kNone;
   if (!signs_.isClosed()) result.tolerance = std::numeric_limits<T>::infinity();
   return result;
 }

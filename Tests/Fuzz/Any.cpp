@@ -1,0 +1,6 @@
+#include "Fuzz.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  cutwater::test::readAny({data, size});
+  return 0;
+}
