@@ -27,6 +27,11 @@ namespace cutwater::test {
 namespace {
 
 const std::filesystem::path kCorpus = CUTWATER_CORPUS;
+#ifdef CUTWATER_HAS_ZLIB
+constexpr bool kReadsGzip = true;
+#else
+constexpr bool kReadsGzip = false;
+#endif
 constexpr std::uint64_t kMostBytes = std::uint64_t{8} << 20U;
 
 /// A line of the table: see make_corpus.py.
@@ -68,6 +73,7 @@ std::vector<Answer> answers() {
     const auto fields = split(line, '\t');
     EXPECT_EQ(fields.size(), 8U) << line;
     if (fields.size() != 8) break;
+    if (!kReadsGzip && fields[0].starts_with("gzip-")) continue;
     result.push_back({fields[0], fields[1], fields[2], fields[3], fields[4], toCount(fields[5]),
                       toCount(fields[6]), toCount(fields[7])});
   }
@@ -202,11 +208,13 @@ struct DecimalComma : std::numpunct<char> {
   std::string do_grouping() const override { return "\3"; }
 };
 
-/// The locale that make_corpus.py made, found by LOCPATH, which the build sets for this test.
+/// By the locale that make_corpus.py made.
 TEST(CorpusTest, LocalesWithDecimalCommasHaveNoEffect) {
-  ASSERT_NE(std::setlocale(LC_NUMERIC, "comma"), nullptr) << "no such locale in LOCPATH";
+  const auto locales = kCorpus / "locale";
+  if (!std::filesystem::exists(locales / "comma")) GTEST_SKIP() << "there was no localedef";
+  ASSERT_EQ(setenv("LOCPATH", locales.c_str(), 1), 0);
   const std::locale before = std::locale::global(std::locale(std::locale(), new DecimalComma));
-  std::setlocale(LC_NUMERIC, "comma");
+  ASSERT_NE(std::setlocale(LC_NUMERIC, "comma"), nullptr);
   ASSERT_EQ(std::string(std::localeconv()->decimal_point), ",");
   expectAnswers();
   std::locale::global(before);

@@ -200,6 +200,20 @@ TYPED_TEST(MeshSDFTest, RefusesWhatIsNotWatertightIfAskedToAndSaysWhy) {
   EXPECT_THROW(MeshSDF<T>(PolygonSoup{}), Error);
 }
 
+// In single precision squares of such lengths overflow; the surface is scaled before.
+TYPED_TEST(MeshSDFTest, AnswersForCoordinatesUpToTheLargestNumbers) {
+  using T = TypeParam;
+  for (const T size : {T(0x1p40), T(0x1p64), T(0x1p100), T(0x1p126)}) {
+    const auto length = static_cast<double>(size);
+    const MeshSDF<T> mesh(tessellation::box({0, 0, 0}, {length, length, length}));
+    EXPECT_EQ(mesh.signedDistance({size / 2, size / 2, size / 4}), -size / 4);
+    const auto hit = mesh.closestPoint({size / 2, size / 2, size * T(1.5)});
+    EXPECT_EQ(hit.distance, size / 2);
+    EXPECT_EQ(hit.point, (Vec3<T>{size / 2, size / 2, size}));
+    EXPECT_LT(hit.triangle, mesh.triangleCount());
+  }
+}
+
 TYPED_TEST(MeshSDFTest, IgnoresFacesWithRepeatedCorners) {
   using T = TypeParam;
   auto soup = tessellation::box({0, 0, 0}, {1, 1, 1});

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/DcelMesh.hpp>
 #include <Cutwater/Mesh/PolygonSoup.hpp>
 
 #include <array>
@@ -74,6 +75,24 @@ TEST(PolygonSoupTest, ValidatesSoupsMadeByHand) {
   soup.addPolygon(std::array{0U, 1U, 2U});
   soup.offsets = {0, ~std::uint64_t{0}, 6};
   EXPECT_THROW(soup.validate(), Error);
+}
+
+// Cut off to 32 bits, these would be in range.
+TEST(PolygonSoupTest, OffsetsCountInSixtyFourBits) {
+  constexpr std::uint64_t kMuch = std::uint64_t{1} << 32U;
+  PolygonSoup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  soup.corners = {0, 1, 2, 0, 1, 2};
+  soup.patches = {0, 0};
+  soup.patchNames = {"a"};
+  soup.offsets = {0, 3, 6};
+  EXPECT_NO_THROW(soup.validate());
+  for (const auto& offsets : std::vector<std::vector<std::uint64_t>>{
+           {0, 3, kMuch + 6}, {0, kMuch + 3, 6}, {kMuch, 3, 6}, {0, UINT64_MAX - 2, 6}}) {
+    soup.offsets = offsets;
+    EXPECT_THROW(soup.validate(), Error);
+    EXPECT_THROW(DcelMesh<double>{soup}, Error);
+  }
 }
 
 }  // namespace

@@ -193,6 +193,24 @@ TEST(ReaderRobustnessTest, CountsThatLieCostNothing) {
   }
 }
 
+/// A file of more faces than indices can name, without the disk space.
+TEST(ReaderRobustnessTest, FilesBeyondTheLimitAreRefusedUnread) {
+  const TemporaryFolder folder;
+  const auto path = folder / "huge.stl";
+  store(path, binaryStl(1, UINT32_MAX));
+  std::error_code tooLarge;
+  std::filesystem::resize_file(path, 84 + 50 * (std::uint64_t{1} << 32U), tooLarge);
+  if (tooLarge) GTEST_SKIP() << "no file of 200 GB with a hole here: " << tooLarge.message();
+  const AllocationCount count;
+  try {
+    static_cast<void>(readSurface(path));
+    ADD_FAILURE() << "it is read";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Limit) << error.what();
+  }
+  EXPECT_LT(count.peakBytes(), 100'000U);
+}
+
 // One line end per character, endless comments, a million empty statements: all of it linear.
 TEST(ReaderRobustnessTest, TimeIsLinear) {
   constexpr std::size_t kMany = 4000000;

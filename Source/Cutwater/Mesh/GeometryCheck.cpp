@@ -14,6 +14,10 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
+/// Of coordinates in scaled units, which begin below 4 (see normalizingScale()): exact predicates
+/// have room for sums and products of numbers that are as small, and do not overflow.
+constexpr double kFarthest = 8;
+
 /// Whether check(element) holds for all of them; looked at in parallel.
 template <typename Record, typename Check>
 bool all(std::span<const Record> records, int threads, Check check) {
@@ -117,8 +121,8 @@ void checkSurface(const TriangleSurface<T>& surface, std::uint64_t patches, int 
 void checkWinding(const OpenWindingData::Sections& sections, const Block& block, int threads) {
   const auto vertices = sections.positions.count;
   requireIntact(all(block.array<Vec3<double>>(sections.positions), threads,
-                    [](const Vec3<double>& p) { return isFinite(p); }),
-                "a cap's position is not finite");
+                    [](const Vec3<double>& p) { return length(p) <= kFarthest; }),
+                "a cap's position is farther from the origin than can be");
   requireIntact(haveCorners(block.array<Corners>(sections.triangles), vertices, threads),
                 "a cap's corner is no vertex");
   const auto tree = sections.tree(block);
@@ -148,9 +152,11 @@ void checkLayout(const MeshLayout<T>& layout) {
   int exponent = 0;
   requireIntact(std::isfinite(surface.scale) && std::frexp(surface.scale, &exponent) == T(0.5),
                 "its scale is no power of two");
-  requireIntact(std::isfinite(surface.size) && isFinite(surface.box) && !surface.box.empty() &&
-                    std::isfinite(layout.reach) && layout.reach >= 0,
-                "its extent is not finite");
+  const auto& box = surface.box;
+  requireIntact(surface.size <= kFarthest && !box.empty() && length(box.lower) <= kFarthest &&
+                    length(box.upper) <= kFarthest && std::isfinite(layout.reach) &&
+                    layout.reach >= 0,
+                "its extent is larger than can be");
   const auto frame = frameOf(surface.box);
   requireIntact(layout.frame.center == frame.center && layout.frame.scale == frame.scale &&
                     isFrame(winding.frame),

@@ -59,7 +59,8 @@ struct SurfaceFile {
 ///
 /// @throws Error(File) "path: line 7: ..." or "path: byte 84: ..." (in the decompressed data) for
 /// what is malformed or has no face, before anything large is allocated; Error(Limit) beyond
-/// maxBytes or 2^32 - 2 points or faces; Error(Argument) unless 0 < scale < infinity.
+/// maxBytes or 2^32 - 2 points or faces; Error(Argument) unless 0 < scale < infinity. Where memory
+/// runs out, std::bad_alloc, as everywhere in the library; nothing is left behind then.
 [[nodiscard]] SurfaceFile readSurface(const std::filesystem::path& path,
                                       const ReadOptions& options = {});
 
