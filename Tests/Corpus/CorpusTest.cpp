@@ -150,11 +150,12 @@ std::optional<Error> errorOf(const Answer& answer, std::span<const std::byte> by
   testing::internal::CaptureStderr();
   constexpr std::size_t kConstant = 400'000;  // messages, tables and first chunks
   const AllocationCount count;
-  std::uint64_t size = answer.kind == "Limit" ? kMostBytes : bytes.size();
+  std::uint64_t size = 0;
   try {
     size = readAs(answer, bytes);
   } catch (const Error& error) {
     found = error;
+    size = error.kind() == ErrorKind::Limit ? kMostBytes : bytes.size();
   }
   const std::size_t peak = count.peakBytes();
   const std::string complained = testing::internal::GetCapturedStderr();

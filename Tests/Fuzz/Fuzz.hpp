@@ -15,6 +15,7 @@
 // Anything else ends the process, by which libFuzzer and the replay know.
 
 /// libFuzzer's entry, one for each program.
+// NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace cutwater::test {

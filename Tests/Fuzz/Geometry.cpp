@@ -61,9 +61,9 @@ void viewOrRefuse(std::span<const std::byte> bytes, bool forged) {
 }  // namespace cutwater::test
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace cutwater;
-  const auto block = alignedCopy(std::as_bytes(std::span(data, size)));
-  static_cast<void>(geometryFileInfo(block.bytes()));
+  namespace test = cutwater::test;
+  const auto block = cutwater::alignedCopy(std::as_bytes(std::span(data, size)));
+  static_cast<void>(cutwater::geometryFileInfo(block.bytes()));
   test::viewOrRefuse<float>(block.bytes(), false);
   test::viewOrRefuse<double>(block.bytes(), false);
   // The copy is ours, and nobody looks at it meanwhile.
