@@ -3,6 +3,7 @@
 //
 //   cutwater_mesh_benchmark hull.stl.gz [finest level, 6 to 11]
 
+#include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Grid/OctreeFill.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/ReadSurface.hpp>
