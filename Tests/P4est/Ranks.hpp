@@ -4,8 +4,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <mpi.h>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,29 +54,20 @@ inline std::string fromRank0(std::string text) {
 }
 
 /// A folder that all ranks see; made and removed by rank 0.
-class SharedFolder {
+class SharedFolder : public Folder {
  public:
-  SharedFolder() {
-    if (ownRank() == 0) folder_.emplace();
-    path_ = fromRank0(folder_ ? (*folder_ / "").string() : "");
-  }
+  SharedFolder() : SharedFolder(ownRank() == 0 ? std::make_unique<TemporaryFolder>() : nullptr) {}
   ~SharedFolder() { MPI_Barrier(MPI_COMM_WORLD); }
   SharedFolder(const SharedFolder&) = delete;
   SharedFolder& operator=(const SharedFolder&) = delete;
   SharedFolder(SharedFolder&&) = delete;
   SharedFolder& operator=(SharedFolder&&) = delete;
 
-  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const {
-    return path_ / name;
-  }
-  [[nodiscard]] std::size_t fileCount() const {
-    const std::filesystem::directory_iterator files(path_);
-    return static_cast<std::size_t>(std::distance(begin(files), end(files)));
-  }
-
  private:
-  std::optional<TemporaryFolder> folder_;
-  std::filesystem::path path_;
+  explicit SharedFolder(std::unique_ptr<TemporaryFolder> own)
+      : Folder(fromRank0(own ? own->path().string() : "")), own_(std::move(own)) {}
+
+  std::unique_ptr<TemporaryFolder> own_;  // rank 0's
 };
 
 /// That the work throws on every rank, and the same everywhere. Returns the text.
