@@ -9,7 +9,8 @@ repository may show in the consumer's commands. The variants:
   fastproject   add_subdirectory by a project with -O3 -march=native -ffast-math
   shared        find_package on a shared library
   plain         find_package on a library built with no optional dependency
-  p4est         find_package on the installed build with its component P4est, by an MPI program
+  P4est         find_package on the installed build with this component, by an MPI program
+  Repair        the same with that component
 """
 import argparse
 import json
@@ -127,13 +128,15 @@ def build_library(args, name, *options):
     return install(args, build, name)
 
 
-def check_p4est(args):
-    prefix = install(args, args.build, "p4est", "CutwaterP4est")
-    build = args.work / "consumer-p4est"
+def check_part(args, part):
+    """A library of its own beside the main one."""
+    name = part.lower()
+    prefix = install(args, args.build, name, f"Cutwater{part}")
+    build = args.work / f"consumer-{name}"
     configure(args.source / "Tests/Package/Consumer", build, args.compiler,
-              f"-DCMAKE_PREFIX_PATH={prefix}", "-DCUTWATER_WITH_P4EST=ON")
-    run("cmake", "--build", build, "--target", "ConsumerP4est")
-    print(f"p4est: {run(build / 'ConsumerP4est').strip()}", flush=True)
+              f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCUTWATER_PART={part}")
+    run("cmake", "--build", build, "--target", "ConsumerOfPart")
+    print(f"{name}: {run(build / 'ConsumerOfPart').strip()}", flush=True)
 
 
 def check(args):
@@ -164,8 +167,8 @@ def check(args):
             packaged(variant, build_library(args, variant, "-DBUILD_SHARED_LIBS=ON"))
         elif variant == "plain":
             packaged(variant, build_library(args, variant, *NO_DEPENDENCIES))
-        elif variant == "p4est":
-            check_p4est(args)
+        elif variant in ("P4est", "Repair"):
+            check_part(args, variant)
         else:
             raise Failure(f"no variant {variant}")
 

@@ -1,4 +1,4 @@
-"""Fails if a file of the library, or of Source/P4est, includes what its layer must not know."""
+"""Fails if a file of the library, or of Source/Repair or Source/P4est, includes what its layer must not know."""
 import pathlib
 import re
 import sys
@@ -18,19 +18,21 @@ MAY_INCLUDE = {
     "Render": "Core Sdf Grid",
     "Io": "Core Sdf Mesh Grid Render",
     "Adapters": "Core Sdf Grid",
+    "Repair": "Core Bvh Mesh",
     "P4est": "Core Sdf Mesh Grid Io",
 }
+GPL = {"Repair", "P4est"}  # targets and folders of their own
 
-# GPL code is for Source/Repair and Source/P4est, which are targets of their own; streams depend on
-# the locale.
+# GPL code is for those; streams depend on the locale.
 FORBIDDEN = re.compile(r"CGAL/|p4est|p8est|gmp|mpfr|iostream|sstream")
 # Other people's headers cost users compile time and tie them to versions: only in .cpp files.
-PRIVATE = re.compile(r"Eigen/|omp\.h|zlib\.h|png\.h|experimental/|immintrin\.h|CLI/|p8est")
+PRIVATE = re.compile(r"Eigen/|omp\.h|zlib\.h|png\.h|experimental/|immintrin\.h|CLI/|p8est|CGAL/")
 OPTIONAL_HEADERS = {"Core/Eigen.hpp"}  # for users of that library only
 # Host codes are known to one header each, which nothing else of ours includes.
 HOST = re.compile(r"AMReX|BaseIF|deal\.II/|Cutwater/Adapters/(Amrex|Chombo|DealII)\.hpp")
 HOST_HEADERS = {"Adapters/Amrex.hpp", "Adapters/Chombo.hpp", "Adapters/DealII.hpp"}
-PRIVATE_HEADERS = {"P4est/ForestBuilder.hpp"}  # not installed
+# Not installed.
+PRIVATE_HEADERS = {"P4est/ForestBuilder.hpp", "Repair/CgalCall.hpp", "Repair/SurfaceMesh.hpp"}
 
 
 def complaints(source):
@@ -39,7 +41,7 @@ def complaints(source):
         for other in allowed.split():
             if layers.index(other) >= layers.index(layer):
                 yield f"this list: {layer} stands above {other}"
-    for root, file in ((root, file) for root in (source / "Cutwater", source / "P4est/Cutwater")
+    for root, file in ((root, file) for root in (source / "Cutwater", *(source / part / "Cutwater" for part in sorted(GPL)))
                        for file in sorted([*root.rglob("*.?pp"), *root.rglob("*.inl")])):
         name = file.relative_to(root)
         layer = name.parts[0]
@@ -56,7 +58,7 @@ def complaints(source):
                 yield f'{name}: include <Cutwater/...> and not "{path}"'
             elif inside and inside[1] not in {layer, *MAY_INCLUDE[layer].split()}:
                 yield f"{name}: {layer} must not include {inside[1]}"
-            elif FORBIDDEN.match(path) and layer != "P4est":
+            elif FORBIDDEN.match(path) and layer not in GPL:
                 yield f"{name}: the library does not use <{path}>"
             elif HOST.match(path) and str(name) not in HOST_HEADERS:
                 yield f"{name}: only an adapter's header for a host includes <{path}>"

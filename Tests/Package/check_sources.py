@@ -19,7 +19,8 @@ ROOT = pathlib.Path(sys.argv[1]).resolve()
 PROGRAM = sys.argv[3] if len(sys.argv) > 3 else ""
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE
 FOLDERS = ["Source", "Tests", "Tools", "Examples", "Bindings", "Benchmarks", "Scripts", "Docs", ".ci"]
-LIBRARIES = [ROOT / "Source/Cutwater", ROOT / "Source/P4est/Cutwater"]
+PARTS = ["P4est", "Repair"]  # libraries beside the main one, a folder each
+LIBRARIES = [ROOT / "Source/Cutwater", *(ROOT / f"Source/{part}/Cutwater" for part in PARTS)]
 SOURCES = {".hpp", ".cpp", ".inl", ".h", ".c"}
 
 
@@ -118,7 +119,7 @@ def check_mirror():
         if not inner or "/" in inner and file.suffix == ".hpp":
             continue  # the header of all headers, or a private one that only declares
         private = re.search(r"^// Private", file.read_text(), re.MULTILINE)
-        lists = file.parents[2] if layer == "P4est" else file.parents[inner.count("/")]
+        lists = file.parents[2] if layer in PARTS else file.parents[inner.count("/")]
         if not private and not {inner, f"{inner}.cpp"} & listed(lists):
             found.append(f"{name(file)} is not listed in {name(lists)}/CMakeLists.txt")
         stem = inner.rpartition("/")[2]

@@ -48,7 +48,8 @@ def units(source, build):
     for file in files:
         if alone in file.parents:
             header = file.relative_to(alone).with_suffix("")
-            header = next(folder / header for folder in (source / "Source", source / "Source/P4est")
+            header = next(folder / header for folder in
+                          (source / "Source" / part for part in ("", "P4est", "Repair"))
                           if (folder / header).exists())
             beside = header.with_suffix(".cpp")
             result[header] = beside if beside in files else file

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Cutwater/Mesh/PolygonSoup.hpp>
+#include <Cutwater/Repair/Deadline.hpp>
+
+// Private: not installed.
+
+namespace cutwater::detail {
+
+/// The alpha wrap of triangles; all are of patch 0. Needs coordinates about 1 in size.
+/// @throws Error(Limit) if the time is up, Error(Topology) where CGAL fails.
+[[nodiscard]] PolygonSoup alphaWrap(const PolygonSoup& triangles, double alpha, double offset,
+                                    const Deadline& deadline);
+
+}  // namespace cutwater::detail

@@ -1,0 +1,26 @@
+#include <Cutwater/Mesh/Cleaning/SoupEdits.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Repair/NearestPatches.hpp>
+
+#include <algorithm>
+
+namespace cutwater::detail {
+
+DistanceRange takeNearestPatches(PolygonSoup& soup, const PolygonSoup& original) {
+  // Signs do not matter here, so that nothing is to be looked at for them.
+  const MeshSDF<double> surface(original, {.signs = SignScheme::NearestFeature, .probes = 0});
+  soup.patchNames = original.patchNames;
+  parallelFor(soup.polygonCount(), {.grain = 1024}, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      soup.patches[i] = surface.closestPoint(middleOf(soup, i)).owner.patch;
+    }
+  });
+  std::vector<double> distances(soup.points.size());
+  surface.signedDistances(soup.points, distances);
+  for (auto& distance : distances) distance = std::abs(distance);
+  if (distances.empty()) return {};
+  const auto [least, greatest] = std::ranges::minmax(distances);
+  return {.least = least, .greatest = greatest};
+}
+
+}  // namespace cutwater::detail

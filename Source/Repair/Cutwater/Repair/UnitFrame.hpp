@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Cutwater/Mesh/PolygonSoup.hpp>
+
+#include <cmath>
+
+// Private: not installed.
+
+namespace cutwater::detail {
+
+/// The map to coordinates about 1 in size and back; scaling changes no digit.
+class UnitFrame {
+ public:
+  /// Of a box of some extent.
+  explicit UnitFrame(const Box<double>& box)
+      : center_(box.center()), size_(std::exp2(std::ceil(std::log2(box.diagonal())))) {}
+
+  [[nodiscard]] double size() const { return size_; }
+  void moveInside(PolygonSoup& soup) const {
+    for (auto& p : soup.points) p = (1 / size_) * (p - center_);
+  }
+  void moveOutside(PolygonSoup& soup) const {
+    for (auto& p : soup.points) p = center_ + size_ * p;
+  }
+
+ private:
+  Vec3<double> center_;
+  double size_;
+};
+
+}  // namespace cutwater::detail

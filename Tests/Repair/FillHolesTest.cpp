@@ -1,0 +1,137 @@
+#include <Cutwater/Repair/FillHoles.hpp>
+
+#include "RepairChecks.hpp"
+
+namespace cutwater::test {
+namespace {
+
+PolygonSoup ballWithout(FunctionRef<bool(const Vec3<double>&)> isHole, int subdivisions = 3) {
+  const auto ball = tessellation::icosphere(1, subdivisions);
+  return onlyFaces(ball, [&](std::size_t i) { return !isHole(middleOf(ball, i)); });
+}
+
+/// Without the part around an end of every axis.
+PolygonSoup ballWithSixHoles() {
+  return ballWithout([](const Vec3<double>& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > 0.95;
+  });
+}
+
+TEST(FillHoles, AMissingFaceComesBack) {
+  auto soup = onlyFaces(cube(), [](std::size_t i) { return i != 3; });
+  const auto report = fillHoles(soup);
+  EXPECT_EQ(report.filled.count, 1U);
+  EXPECT_EQ(report.facesAdded, 2U);
+  EXPECT_DOUBLE_EQ(report.areaAdded, 1);
+  EXPECT_DOUBLE_EQ(report.widestFilled, std::numbers::sqrt2);
+  EXPECT_DOUBLE_EQ(report.after.volume, 1);
+  EXPECT_EQ(report.crossings, 0U);
+  EXPECT_EQ(soup.patchNames, cube().patchNames);
+  expectSolid(soup);
+  EXPECT_NE(report.text().find("holes filled                            1; at (0, 1, 0)"),
+            std::string::npos)
+      << report.text();
+}
+
+TEST(FillHoles, SixHolesInABall) {
+  auto soup = ballWithSixHoles();
+  const auto ball = measure(tessellation::icosphere(1, 3));
+  const auto report = fillHoles(soup, {.patch = "filled"});
+  EXPECT_EQ(report.filled.count, 6U);
+  EXPECT_EQ(report.left(), 0U);
+  expectSolid(soup);
+  // Chords instead of caps of the height h = 1 - 0.95 at the most: pi h^2 (3 - h) / 3 each.
+  EXPECT_LT(report.after.volume, ball.volume);
+  EXPECT_GT(report.after.volume, ball.volume - 6 * std::numbers::pi * 0.1 * 0.1);
+  ASSERT_EQ(soup.patchNames.back(), "filled");
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(soup.patches, soup.patchNames.size() - 1)),
+            report.facesAdded);
+}
+
+TEST(FillHoles, LimitsAreKept) {
+  const auto soup = ballWithSixHoles();
+  const auto rim = fillHoles(*std::make_unique<PolygonSoup>(soup)).widestFilled;
+  auto same = soup;
+  EXPECT_EQ(fillHoles(same, {.mostEdges = 4}).tooLong.count, 6U);
+  EXPECT_EQ(fillHoles(same, {.widest = 0.9 * rim}).tooWide.count, 6U);
+  EXPECT_EQ(fillHoles(same, {.seconds = 1e-9}).late.count, 6U);
+  EXPECT_TRUE(sameSoup(same, soup));
+  EXPECT_EQ(fillHoles(same, {.widest = 1.1 * rim}).filled.count, 6U);
+}
+
+TEST(FillHoles, NewFacesHaveThePatchAround) {
+  auto soup = cube();
+  soup.patchNames = {"inlet", "wall"};
+  soup.patches = {0, 1, 1, 1, 1, 1};
+  auto open = onlyFaces(soup, [](std::size_t i) { return i != 4; });
+  fillHoles(open);
+  EXPECT_EQ(open.patches, (std::vector<std::uint32_t>{0, 1, 1, 1, 1, 1, 1}));
+}
+
+TEST(FillHoles, TwoFacesOfATetrahedronNeedTheOtherDiagonal) {
+  // The edge that the two left have in common would be there twice.
+  auto soup = onlyFaces(tetrahedron(), [](std::size_t i) { return i < 2; });
+  EXPECT_EQ(fillHoles(soup).filled.count, 1U);
+  expectSolid(soup);
+  EXPECT_NEAR(measure(soup).volume, 1.0 / 6, 1e-15);
+}
+
+TEST(FillHoles, RimsThatTouchAtAPointAreFilledEachForItself) {
+  const auto ball = tessellation::icosphere(1, 2);
+  const auto at = ball.polygon(0)[0];
+  // Two faces about a point that have no edge in common.
+  std::size_t other = 0;
+  for (std::size_t i = 1; i < ball.polygonCount(); ++i) {
+    const auto corners = ball.polygon(i);
+    if (std::ranges::count(corners, at) == 0) continue;
+    std::size_t shared = 0;
+    for (const auto c : corners) shared += std::ranges::count(ball.polygon(0), c) > 0 ? 1 : 0;
+    if (shared == 1) other = i;
+  }
+  auto soup = onlyFaces(ball, [&](std::size_t i) { return i != 0 && i != other; });
+  EXPECT_EQ(fillHoles(soup).filled.count, 2U);
+  expectSolid(soup);
+  EXPECT_DOUBLE_EQ(measure(soup).volume, measure(ball).volume);
+}
+
+TEST(FillHoles, ASurfaceThroughTheHoleIsReported) {
+  const auto bar = tessellation::box({-0.1, -0.1, -1}, {0.1, 0.1, 3});
+  const auto ball = ballWithout([](const Vec3<double>& p) { return p.z > 0.9; });
+  auto soup = together(ball, bar);
+  const auto report = fillHoles(soup);
+  EXPECT_EQ(report.filled.count, 1U);
+  const auto pairs = [](const PolygonSoup& faces) { return pairsIn(triangulated(faces)); };
+  EXPECT_EQ(report.crossings, pairs(soup) - pairs(together(ball, bar)));
+  EXPECT_GT(report.crossings, 3U);
+}
+
+TEST(FillHoles, NothingToDoChangesNothing) {
+  auto soup = cube();
+  const auto report = fillHoles(soup);
+  EXPECT_EQ(report.facesAdded, 0U);
+  EXPECT_EQ(report.before, report.after);
+  EXPECT_TRUE(sameSoup(soup, cube()));
+  PolygonSoup nothing;
+  EXPECT_EQ(fillHoles(nothing).filled.count, 0U);
+}
+
+TEST(FillHoles, PointsOfARimOnALineDoNotStopIt) {
+  // A slit: four points on one line, so that no triangle between them has an area.
+  auto soup = makeSoup({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5, 2, 0}, {1.5, -2, 0}},
+                       {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {0, 5, 3}});
+  const auto before = soup;
+  const auto report = fillHoles(soup, {.mostEdges = 4});
+  EXPECT_EQ(report.unfillable.count + report.filled.count, 2U) << report.text();
+}
+
+TEST(FillHoles, Refusals) {
+  auto soup = cube();
+  EXPECT_THROW(fillHoles(soup, {.widest = 0}), Error);
+  EXPECT_THROW(fillHoles(soup, {.seconds = 0}), Error);
+  EXPECT_THROW(fillHoles(soup, {.seconds = std::nan("")}), Error);
+  soup.corners[0] = 99;
+  EXPECT_THROW(fillHoles(soup), Error);
+}
+
+}  // namespace
+}  // namespace cutwater::test
