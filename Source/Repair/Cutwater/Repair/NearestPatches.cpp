@@ -10,13 +10,16 @@ DistanceRange takeNearestPatches(PolygonSoup& soup, const PolygonSoup& original)
   // Signs do not matter here, so that nothing is to be looked at for them.
   const MeshSDF<double> surface(original, {.signs = SignScheme::NearestFeature, .probes = 0});
   soup.patchNames = original.patchNames;
+  std::vector<double> distances(soup.polygonCount() + soup.points.size());
+  const std::span all(distances);
   parallelFor(soup.polygonCount(), {.grain = 1024}, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      soup.patches[i] = surface.closestPoint(middleOf(soup, i)).owner.patch;
+      const auto nearest = surface.closestPoint(middleOf(soup, i));
+      soup.patches[i] = nearest.owner.patch;
+      all[i] = nearest.distance;
     }
   });
-  std::vector<double> distances(soup.points.size());
-  surface.signedDistances(soup.points, distances);
+  surface.signedDistances(soup.points, all.subspan(soup.polygonCount()));
   for (auto& distance : distances) distance = std::abs(distance);
   if (distances.empty()) return {};
   const auto [least, greatest] = std::ranges::minmax(distances);

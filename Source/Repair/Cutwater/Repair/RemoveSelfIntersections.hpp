@@ -23,7 +23,7 @@ struct SelfIntersectionRepairReport {
   std::size_t pairsAfter = 0;  ///< of faces that meet in more than they share
   std::size_t facesBefore = 0;
   std::size_t facesAfter = 0;
-  /// The greatest distance of a point of the result from the surface before (a length).
+  /// The greatest distance of the result from the surface before, as WrapReport::farthest.
   double farthest = 0;
   SurfaceMeasure before;
   SurfaceMeasure after;

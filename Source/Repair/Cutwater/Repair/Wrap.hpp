@@ -24,8 +24,8 @@ struct WrapReport {
   std::size_t facesBefore = 0;
   std::size_t facesAfter = 0;
   double offset = 0;  ///< a length
-  /// The least and greatest distance of a point of the wrap from the surface; the latter is in the
-  /// middle of what was closed.
+  /// The least and greatest distance from the surface of the wrap's points and the middles of its
+  /// faces; the latter is in the middle of what was closed.
   double nearest = 0;
   double farthest = 0;
   SurfaceMeasure before;
