@@ -74,7 +74,7 @@ void cap(PolygonSoup& soup, double tolerance, Cure& cure) {
 
 void fill(PolygonSoup& soup, Cure& cure) {
   auto filled = soup;
-  const auto report = fillHoles(filled, {.widest = 0.1 * soup.boundingBox().diagonal()});
+  const auto report = fillHoles(filled, {.widest = 0.3 * soup.boundingBox().diagonal()});
   if (report.filled.count == 0 || !enclosesSomething(filled)) return;
   cure.holes = report.filled.count;
   soup = std::move(filled);
@@ -110,8 +110,8 @@ void closeIt(PolygonSoup& soup, Cure& cure) {
   if (!isClosed(soup)) cap(soup, kTolerance * diagonal, cure);
   if (!isClosed(soup)) fill(soup, cure);
   if (isClosed(soup) && enclosesSomething(soup)) return;
-  cure.gap = diagonal / 50;
-  wrap(soup, {.gap = cure.gap, .seconds = 120});
+  cure.gap = diagonal / 30;
+  wrap(soup, {.gap = cure.gap, .seconds = 600});
   cure.wrapped = true;
 }
 
