@@ -3,6 +3,7 @@
 #include <Cutwater/Mesh/Triangulation.hpp>
 #include <Cutwater/Shapes/Torus.hpp>
 
+#include <algorithm>
 #include <set>
 
 #include "Support/Clipping.hpp"
@@ -36,11 +37,12 @@ class CellPatchesTest : public ::testing::Test {
     }
     return patches;
   }
-  /// Every triangle has one of so many patches, without order.
+  /// Every triangle has one of so many patches (one or more), without order.
   static PolygonSoup coloured(PolygonSoup soup, std::uint32_t count) {
-    soup.patchNames.clear();
-    for (std::uint32_t n = 0; n < count; ++n) soup.patchNames.push_back("p" + std::to_string(n));
-    for (std::uint32_t i = 0; i < soup.patches.size(); ++i) soup.patches[i] = i * 7919 % count;
+    soup.patchNames = {"p0"};
+    for (std::uint32_t n = 1; n < count; ++n) soup.patchNames.push_back("p" + std::to_string(n));
+    for (std::uint32_t i = 0; i < soup.patches.size(); ++i)
+      soup.patches[i] = i * 7919 % std::max(count, 1U);
     return soup;
   }
 };

@@ -43,7 +43,8 @@ def units(source, build):
     """What to compile for each source file of ours: itself, or a stand-in for a header."""
     files = {pathlib.Path(entry["file"])
              for entry in json.loads((build / "compile_commands.json").read_text())}
-    result = {file: file for file in files if source in file.parents and build not in file.parents}
+    result = {file: file for file in files
+              if source in file.parents and build not in file.parents and file.suffix != ".f90"}
     alone = build / "Tests/Package/HeadersAlone"
     for file in files:
         if alone in file.parents:
