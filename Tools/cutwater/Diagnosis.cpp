@@ -15,6 +15,13 @@ namespace {
 
 constexpr std::size_t kMostPlaces = Findings<FaceId>::kExamples;
 
+/// Around the points that faces have.
+Box<double> usedBox(const PolygonSoup& soup) {
+  Box<double> box;
+  for (const auto corner : soup.corners) box.extend(soup.points[corner]);
+  return box;
+}
+
 /// What is known of one surface, defect by defect.
 class Judge {
  public:
@@ -39,12 +46,11 @@ class Judge {
           std::max<std::size_t>(report_.faces, 1));
       return;
     }
-    const auto size = soup_.boundingBox().size();
-    const int axis = size.x == 0 ? 0 : size.y == 0 ? 1 : size.z == 0 ? 2 : -1;
-    if (axis < 0) return;
-    add(Severity::Error, "flat", "flat surface",
-        std::string("all of it lies in the plane ") + "xyz"[axis] + " = " +
-            number(soup_.boundingBox().lower[axis]) +
+    const auto axis = flatAxis(soup_);
+    if (!axis || (report_.isClosed() && report_.volume != 0)) return;
+    add(Severity::Error, "flat", "faces in one plane",
+        std::string("all of the surface lies at ") + "xyz"[*axis] + " = " +
+            number(usedBox(soup_).center()[*axis]) +
             " and bounds nothing; it may be one patch of more",
         report_.faces);
   }
@@ -268,6 +274,17 @@ std::string verdict(const std::vector<Defect>& defects, const std::optional<Sign
              ? "does not bound a solid without question: repair it, or look at a slice of its "
                "signs first"
              : "can be used as it is: signs hold, with the warnings below";
+}
+
+std::optional<int> flatAxis(const PolygonSoup& soup) {
+  constexpr double kRounding = 1e-9;
+  const auto box = usedBox(soup);
+  if (box.empty()) return {};
+  const auto size = box.size();
+  for (const int axis : {0, 1, 2}) {
+    if (size[axis] <= kRounding * box.diagonal()) return axis;
+  }
+  return {};
 }
 
 const char* nameOf(Severity severity) {

@@ -59,6 +59,9 @@ struct Examination {
 [[nodiscard]] std::string verdict(const std::vector<Defect>& defects,
                                   const std::optional<SignReport>& signs);
 
+/// The axis along which the surface has no extent, but for rounding; if there is one.
+[[nodiscard]] std::optional<int> flatAxis(const PolygonSoup& soup);
+
 /// "error", "warning" or "note".
 [[nodiscard]] const char* nameOf(Severity severity);
 

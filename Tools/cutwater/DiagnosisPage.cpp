@@ -57,7 +57,8 @@ void describe(Page& page, const std::vector<Advice>& next) {
 std::vector<Advice> usesOf(const std::string& file) {
   return {{"cutwater sample " + file + " -o field.vti", "the signed distance on a grid"},
           {"cutwater amr " + file + " --level 6 -o mesh.vtu", "an octree mesh around it"},
-          {"cutwater slice " + file + " -o slice.png", "a picture of its signs in a plane"}};
+          {"cutwater slice " + file + " -o slice.png",
+           "a picture of its signs in a plane; where there are errors, look at it first"}};
 }
 
 }  // namespace cutwater::tool

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 
+#include "Diagnosis.hpp"
 #include "Format.hpp"
 
 namespace cutwater::tool {
@@ -42,19 +42,29 @@ std::string textOf(const AxisPlane& plane) {
   return std::string(1, "xyz"[plane.axis]) + "=" + exactly(plane.at);
 }
 
-std::vector<std::string> effectsOf(const CleanReport& report) {
-  std::vector<std::string> effects;
-  for (const auto& step : report.steps) {
-    const auto count = step.correction.places.count;
-    if (count == 0 || step.kind == CleanKind::UnorientableShells) continue;
-    effects.push_back(std::string(nameOf(step.kind)) + ": " + grouped(count));
+/// What a repair does, in words, and how often: "faces turned", 3.
+using Effects = std::vector<std::pair<std::string, std::size_t>>;
+
+void add(Effects& effects, const std::string& what, std::size_t count) {
+  if (count == 0) return;
+  const auto same = std::ranges::find(effects, what, &Effects::value_type::first);
+  if (same == effects.end()) {
+    effects.emplace_back(what, count);
+  } else {
+    same->second += count;
   }
-  return effects;
 }
 
-std::vector<std::string> effectsOf(const OpeningReport& report) {
-  if (report.closed) return {"openings closed: " + grouped(report.closed.count)};
-  return {"mirrored, joined along " + counted(report.rimEdges, "edge")};
+void addEffects(Effects& effects, const CleanReport& report) {
+  for (const auto& step : report.steps) {
+    if (step.kind == CleanKind::UnorientableShells) continue;
+    add(effects, nameOf(step.kind), step.correction.places.count);
+  }
+}
+
+void addEffects(Effects& effects, const OpeningReport& report) {
+  add(effects, "openings closed", report.closed.count);
+  if (!report.closed) add(effects, "edges joined with the mirror image", report.rimEdges);
 }
 
 /// A surface under treatment.
@@ -62,7 +72,7 @@ struct Trial {
   PolygonSoup soup;
   RepairOptions options;
   MeshReport report;
-  std::vector<std::string> effects;
+  Effects effects;
 
   /// Edges that make the surface open: those of one face, and others with faces in excess.
   [[nodiscard]] std::size_t gaps() const { return report.oddEdges + report.unbalancedEdges; }
@@ -74,8 +84,7 @@ std::optional<Trial> tried(const PolygonSoup& soup, const RepairOptions& options
   try {
     for (const auto& step : stepsOf(options)) {
       const auto report = step.run(trial.soup);
-      auto effects = std::visit([](const auto& r) { return effectsOf(r); }, report);
-      std::ranges::move(effects, std::back_inserter(trial.effects));
+      std::visit([&](const auto& r) { addEffects(trial.effects, r); }, report);
     }
   } catch (const Error&) {
     return {};
@@ -106,7 +115,7 @@ class Search {
     result_.openings = findRims(best_.soup);
     std::ranges::stable_sort(result_.openings, std::ranges::greater{},
                              [](const Rim& rim) { return rim.box.diagonal(); });
-    if (!result_.openings.empty()) closeOpenings(result_.openings);
+    if (!result_.openings.empty() && !flatAxis(best_.soup)) closeOpenings(result_.openings);
     if (result_.found.empty() && !best_.effects.empty()) suggest(best_);
     return std::move(result_);
   }
@@ -213,9 +222,27 @@ class Search {
       const auto& now = capped ? *capped : best_;
       if (now.options.openings.size() == kMostPlanes) break;
       auto trial = tried(soup_, with(now.options, "--cap", openings));
-      if (trial && trial->gaps() < now.gaps()) capped = std::move(trial);
+      if (!trial || trial->gaps() >= now.gaps()) continue;
+      if (!foldsBack(*trial, now)) capped = std::move(trial);
     }
-    if (capped) suggest(*capped);
+    if (capped && 2 * capped->gaps() <= best_.gaps()) suggest(*capped);
+  }
+
+  /// Whether caps are what is there already, seen from behind: the openings are those of sheets.
+  [[nodiscard]] static bool foldsBack(const Trial& capped, const Trial& before) {
+    if (capped.report.oppositeFaces.count > before.report.oppositeFaces.count) return true;
+    const DcelMesh<double> mesh(capped.soup);
+    const auto first = static_cast<std::uint32_t>(before.soup.polygonCount());
+    std::size_t rimEdges = 0;
+    std::size_t folds = 0;
+    for (std::uint32_t i = first; i < mesh.faces().size(); ++i) {
+      for (const FaceId beside : mesh.neighbours(FaceId{i})) {
+        if (beside == kNoFace || index(beside) >= first) continue;
+        ++rimEdges;
+        if (dot(mesh.normal(FaceId{i}), mesh.normal(beside)) < -0.999) ++folds;
+      }
+    }
+    return 2 * folds > rimEdges;
   }
 
   /// For a sheet that shows one side only along an axis, such as a terrain: a solid as deep again
@@ -250,8 +277,9 @@ class Search {
 
   void suggest(const Trial& trial) {
     Treatment treatment{.options = trial.options, .effect = {}, .isClosed = trial.gaps() == 0};
-    for (const auto& effect : trial.effects) {
-      treatment.effect += (treatment.effect.empty() ? "" : ", ") + effect;
+    for (const auto& [what, count] : trial.effects) {
+      if (!treatment.effect.empty()) treatment.effect += ", ";
+      treatment.effect += what + ": " + grouped(count);
     }
     const auto left = trial.report.boundaryEdges.count;
     treatment.effect += treatment.isClosed ? "; closed then"
