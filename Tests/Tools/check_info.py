@@ -1,6 +1,5 @@
 """Runs cutwater info on good and bad surfaces. Usage: check_info.py PROGRAM [group]"""
 import itertools
-import json
 import math
 import os
 import pathlib
@@ -17,7 +16,7 @@ class InfoTest(CommandTest):
         return re.search(rf"^  {name}  +(.*)$", text, re.MULTILINE)[1]
 
     def facts(self, *arguments):
-        return json.loads(self.succeeds("info", *arguments, "--json"))
+        return self.json("info", *arguments)
 
     def defects(self, *arguments):
         """By key; their order is looked at here."""
@@ -180,6 +179,14 @@ class Defects(InfoTest):
             faces += [(a, c, b), (b, c, d)]
         self.surface("strip.off", points, faces)
         self.expect_defect(self.defects("strip.off"), "unorientableShells", "error", 1)
+
+    def test_no_face_at_all(self):
+        self.surface("none.off", BOX_POINTS, [(0, 0, 1), (1, 2, 2)])
+        found = self.defects("none.off")
+        self.expect_defect(found, "noFaces", "error", 2)
+        self.assertEqual(self.facts("none.off")["signedDistance"], None)
+        self.assertEqual(self.facts("none.off")["next"], [])
+        self.assertIn("none.off: cleaning leaves no face", self.fails(1, "repair", "none.off", "-o", "out.off"))
 
     def test_a_sheet_in_a_plane(self):
         self.surface("inlet.off", BOX_POINTS, [BOX_FACES[5]])

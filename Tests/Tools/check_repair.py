@@ -1,5 +1,4 @@
 """Runs cutwater repair on surfaces broken by hand. Usage: check_repair.py PROGRAM [group]"""
-import json
 import re
 import unittest
 
@@ -14,8 +13,8 @@ class RepairTest(CommandTest):
 
     def repaired(self, file, *options, output="out.off"):
         """What it says, after it was compared with what is in the file it wrote."""
-        facts = json.loads(self.succeeds("repair", file, "-o", output, *options, "--json"))
-        read = json.loads(self.succeeds("info", output, "--json"))
+        facts = self.json("repair", file, "-o", output, *options)
+        read = self.json("info", output)
         for key in "polygons", "points", "area", "volume":
             self.assertEqual(facts["after"][key], read["surface"][key])
         self.assertEqual(facts["check"], read["check"])

@@ -1,4 +1,5 @@
 """What tests of the command have in common: it is run in a folder of its own, as scripts would."""
+import json
 import pathlib
 import subprocess
 import sys
@@ -16,6 +17,13 @@ def off(points, faces):
     lines = ["OFF", f"{len(points)} {len(faces)} 0", *(" ".join(map(repr, p)) for p in points),
              *(" ".join(map(str, (len(f), *f))) for f in faces)]
     return "\n".join(lines) + "\n"
+
+
+def keys_of(value):
+    """Of all objects in it, the innermost too."""
+    if isinstance(value, dict):
+        return set(value).union(*map(keys_of, value.values()))
+    return set().union(*map(keys_of, value)) if isinstance(value, list) else set()
 
 
 OPEN_BOX = off(BOX_POINTS, OPEN_BOX_FACES)
@@ -47,6 +55,14 @@ class CommandTest(unittest.TestCase):
     def box(self, name="box.off", size="2,2,2"):
         self.succeeds("make", "box", "--size", size, "-o", name)
         return name
+
+    def json(self, *arguments):
+        """What it says in JSON; the documentation has every key."""
+        facts = json.loads(self.succeeds(*arguments, "--json"))
+        keys = keys_of(facts) | {defect["key"] for defect in facts["defects"]}
+        page = (pathlib.Path(__file__).resolve().parents[2] / "Docs/diagnosis.md").read_text()
+        self.assertEqual([key for key in sorted(keys) if f"`{key}`" not in page], [])
+        return facts
 
     def surface(self, name, points, faces):
         (self.folder / name).write_text(off(points, faces))

@@ -73,6 +73,9 @@ RepairFacts repair(const Options& options) {
   const auto before = check(DcelMesh<double>(soup));
   const std::size_t points = soup.points.size();
   auto done = repaired(soup, steps);
+  if (soup.polygonCount() == 0) {
+    throw Error(ErrorKind::Topology, options.surface.file + ": cleaning leaves no face");
+  }
   soup = asWritten(options.output, std::move(soup), options.write);
   auto after = examine(soup);
   RepairFacts facts{.before = before,

@@ -1,6 +1,5 @@
 #include "Treatment.hpp"
 
-#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/Cleaning/Junctions.hpp>
 #include <Cutwater/Mesh/Cleaning/WeldWithin.hpp>
 
@@ -12,6 +11,7 @@
 
 #include "Diagnosis.hpp"
 #include "Format.hpp"
+#include "Trial.hpp"
 
 namespace cutwater::tool {
 
@@ -40,57 +40,6 @@ double roundedWithin(double value, double tolerance) {
 
 std::string textOf(const AxisPlane& plane) {
   return std::string(1, "xyz"[plane.axis]) + "=" + exactly(plane.at);
-}
-
-/// What a repair does, in words, and how often: "faces turned", 3.
-using Effects = std::vector<std::pair<std::string, std::size_t>>;
-
-void add(Effects& effects, const std::string& what, std::size_t count) {
-  if (count == 0) return;
-  const auto same = std::ranges::find(effects, what, &Effects::value_type::first);
-  if (same == effects.end()) {
-    effects.emplace_back(what, count);
-  } else {
-    same->second += count;
-  }
-}
-
-void addEffects(Effects& effects, const CleanReport& report) {
-  for (const auto& step : report.steps) {
-    if (step.kind == CleanKind::UnorientableShells) continue;
-    add(effects, nameOf(step.kind), step.correction.places.count);
-  }
-}
-
-void addEffects(Effects& effects, const OpeningReport& report) {
-  add(effects, "openings closed", report.closed.count);
-  if (!report.closed) add(effects, "edges joined with the mirror image", report.rimEdges);
-}
-
-/// A surface under treatment.
-struct Trial {
-  PolygonSoup soup;
-  RepairOptions options;
-  MeshReport report;
-  Effects effects;
-
-  /// Edges that make the surface open: those of one face, and others with faces in excess.
-  [[nodiscard]] std::size_t gaps() const { return report.oddEdges + report.unbalancedEdges; }
-};
-
-/// What becomes of a surface; nothing if a step refuses it.
-std::optional<Trial> tried(const PolygonSoup& soup, const RepairOptions& options) {
-  Trial trial{.soup = soup, .options = options, .report = {}, .effects = {}};
-  try {
-    for (const auto& step : stepsOf(options)) {
-      const auto report = step.run(trial.soup);
-      std::visit([&](const auto& r) { addEffects(trial.effects, r); }, report);
-    }
-  } catch (const Error&) {
-    return {};
-  }
-  trial.report = check(DcelMesh<double>(trial.soup));
-  return trial;
 }
 
 class Search {
@@ -276,6 +225,7 @@ class Search {
   }
 
   void suggest(const Trial& trial) {
+    if (trial.report.faces == 0) return;  // nothing would be left to write
     Treatment treatment{.options = trial.options, .effect = {}, .isClosed = trial.gaps() == 0};
     for (const auto& [what, count] : trial.effects) {
       if (!treatment.effect.empty()) treatment.effect += ", ";
