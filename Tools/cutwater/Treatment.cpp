@@ -94,7 +94,7 @@ class Search {
       numbers.insert(numbers.end(), rim.points.begin(), rim.points.end());
     }
     std::ranges::sort(numbers);
-    numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     std::vector<Vec3<double>> points;
     for (const auto i : numbers) points.push_back(best_.soup.points[i]);
     return points;
