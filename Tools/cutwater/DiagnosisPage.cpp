@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostPlaces = 3;
 
 std::string textOf(const DefectPlace& place) {
-  std::string text = point(place.point);
+  std::string text = point(place.point, kPlaceDigits);
   for (std::size_t i = 0; i < place.faces.size(); ++i) {
     text += i > 0 ? " and " : place.faces.size() > 1 ? " faces " : " face ";
     text += std::to_string(place.faces[i]);

@@ -5,6 +5,9 @@
 
 namespace cutwater::tool {
 
+/// To find places in the coordinates of a map, too, millions of metres from their origin.
+inline constexpr int kPlaceDigits = 8;
+
 /// A command, and what it is good for.
 struct Advice {
   std::string command;

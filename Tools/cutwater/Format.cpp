@@ -27,8 +27,8 @@ std::string exactly(double value) {
   return {buffer.data(), result.ptr};
 }
 
-std::string point(const Vec3<double>& p) {
-  return std::string("(") + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + ")";
+std::string point(const Vec3<double>& p, int digits) {
+  return "(" + number(p.x, digits) + ", " + number(p.y, digits) + ", " + number(p.z, digits) + ")";
 }
 
 std::string extent(const Vec3<double>& size) {

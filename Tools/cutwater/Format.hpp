@@ -17,7 +17,7 @@ namespace cutwater::tool {
 /// The shortest digits that read back as the same number.
 [[nodiscard]] std::string exactly(double value);
 /// "(1, 2.5, -3)"
-[[nodiscard]] std::string point(const Vec3<double>& p);
+[[nodiscard]] std::string point(const Vec3<double>& p, int digits = 6);
 /// "6.27 x 0.859 x 0.784"
 [[nodiscard]] std::string extent(const Vec3<double>& size);
 /// "14.1 MB", in powers of 1000

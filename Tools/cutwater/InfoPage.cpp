@@ -81,8 +81,9 @@ void describeOpenings(Page& page, const Treatments& treatments) {
     const auto& rim = openings[i];
     const auto plane = planeOf(rim, treatments);
     page.wrapped(rightAligned(counted(rim.points.size(), "edge"), 18) + "  ",
-                 (plane ? "in the plane " + *plane + ", " : "") + point(rim.box.lower) + " to " +
-                     point(rim.box.upper));
+                 (plane ? "in the plane " + *plane + ", " : "") +
+                     point(rim.box.lower, kPlaceDigits) + " to " +
+                     point(rim.box.upper, kPlaceDigits));
   }
   if (openings.size() > kMostOpenings) {
     page.plain("... and " + grouped(openings.size() - kMostOpenings) + " more");
