@@ -273,11 +273,14 @@ TEST(Triangulation, MeasuresHowFarFromFlatPolygonsAre) {
   PolygonSoup soup = cube();
   EXPECT_EQ(triangulate(soup).mostWarped, kNone);
   for (auto& p : soup.points) p *= 8;
-  soup.points[7].z += 4;
+  soup.points[7].z += 1e-7;
+  EXPECT_EQ(triangulate(soup).polygonsWarped, 0U);
+  soup.points[7].z = 12;
   const Triangulation result = triangulate(soup);
   // On top, heights 8, 8, 12, 8; the other two quads at the vertex stay planar. The Newell normal
   // is
   // (-1, -1, 4) / sqrt(18) and the distances from the mean's plane are 4 / sqrt(18).
+  EXPECT_EQ(result.polygonsWarped, 1U);
   EXPECT_EQ(result.mostWarped, 5U);
   EXPECT_NEAR(result.warp, 4 / std::sqrt(18.0), 1e-14);
   EXPECT_NEAR(result.relativeWarp, result.warp / std::sqrt(16 + 16 + 9), 1e-15);

@@ -1,11 +1,8 @@
 """Runs the command as people and scripts do. Usage: check_command.py PROGRAM [group]"""
 import math
 import os
-import pathlib
 import re
 import subprocess
-import sys
-import tempfile
 import unittest
 
 try:
@@ -13,12 +10,10 @@ try:
 except ImportError:
     vtkXMLUnstructuredGridReader = None  # what it would show is shown by our own reader, too
 
+from command import OPEN_BOX, PROGRAM, CommandTest
 from readers import Png, Vti, Vtu, bounds, read_off
 
-PROGRAM = str(pathlib.Path(sys.argv.pop(1)).resolve())
-SUBCOMMANDS = ["info", "sample", "amr", "slice", "convert", "prepare", "make"]
-OPEN_BOX = ("OFF\n8 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
-            "4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n")
+SUBCOMMANDS = ["info", "repair", "sample", "amr", "slice", "convert", "prepare", "make"]
 
 
 def box_distance(p, half):
@@ -30,34 +25,6 @@ def box_distance(p, half):
 def number(value):
     """As the command writes it."""
     return f"{value:g}"
-
-
-class CommandTest(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def run_it(self, *arguments):
-        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
-                              cwd=self.folder, timeout=100)
-
-    def succeeds(self, *arguments):
-        done = self.run_it(*arguments)
-        self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
-        return done.stdout
-
-    def fails(self, status, *arguments):
-        """Returns the one line that tells why."""
-        done = self.run_it(*arguments)
-        self.assertEqual(done.returncode, status, (arguments, done.stderr))
-        self.assertRegex(done.stderr, r"\Acutwater: error: [^\n]+\n\Z", arguments)
-        self.assertEqual(done.stdout, "")
-        return done.stderr
-
-    def box(self, name="box.off", size="2,2,2"):
-        self.succeeds("make", "box", "--size", size, "-o", name)
-        return name
 
 
 class Usage(CommandTest):
@@ -135,101 +102,6 @@ class Make(CommandTest):
         self.fails(1, "make", "ellipsoid", "--size", "1,0,1", "-o", "a.stl")
         self.fails(1, "make", "box", "-o", "a.xyz")
         self.assertEqual(list(self.folder.iterdir()), [])
-
-
-class Info(CommandTest):
-    def value(self, text, name):
-        return re.search(rf"^  {name}  +(.*)$", text, re.MULTILINE)[1]
-
-    def test_reports_a_closed_surface(self):
-        text = self.succeeds("info", self.box(size="2,3,4"))
-        self.assertEqual(self.value(text, "polygons"), "6, as 12 triangles")
-        self.assertEqual(self.value(text, "bounding box"), "(-1, -1.5, -2) to (1, 1.5, 2)")
-        self.assertEqual(self.value(text, "extent"), "2 x 3 x 4")
-        self.assertEqual(float(self.value(text, "area")), 52)
-        self.assertEqual(float(self.value(text, "volume")), 24)
-        self.assertEqual(self.value(text, "components"), "1")
-        self.assertEqual(self.value(text, "watertight"), "yes")
-        self.assertRegex(self.value(text, "memory"), r"\d+ bytes per triangle")
-        self.assertEqual(self.value(text, "self-intersections"), "none")
-        for name in ["read", "weld", "mesh and check", "build"]:
-            self.assertRegex(self.value(text, name), r"^[\d.]+ (us|ms|s)$")
-        self.assertIn("cutwater sample", text)
-
-    def test_groups_digits_and_counts_merged_points(self):
-        self.succeeds("make", "sphere", "--parts", 160, "-o", "s.stl")
-        text = self.succeeds("info", "s.stl")
-        self.assertEqual(self.value(text, "polygons"), "20 480, all triangles")
-        self.assertEqual(self.value(text, "points"),
-                         "10 242 (61 440 in the file, 51 198 merged with equal ones)")
-
-    def test_lists_patches(self):
-        (self.folder / "two.obj").write_text(
-            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng base\nf 1 3 2\ng sides\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
-        text = self.succeeds("info", "two.obj")
-        self.assertRegex(text, r"Patches: 2\n +0  base +1 polygon\n +1  sides +3 polygons\n")
-
-    def test_reports_an_open_surface_in_full(self):
-        (self.folder / "open.off").write_text(OPEN_BOX)
-        text = self.succeeds("info", "open.off")
-        self.assertEqual(self.value(text, "watertight"), "no")
-        self.assertEqual(float(self.value(text, "area")), 5)
-        self.assertIn("4 open edges", text)
-        self.assertRegex(text, r"open edges +4  \(vertices( [4-7]-[4-7]){4}\)")
-        self.assertNotIn("unused vertices", text)
-        self.assertRegex(self.value(text, "signs"), r"^winding number: 4 unbalanced edges; 1024 probes, \d+ ambiguous")
-        self.assertIn("the sign jumps", self.value(text, "distances"))
-
-    def test_says_that_a_surface_is_inside_out(self):
-        points, faces = read_off(self.folder / self.box())
-        lines = ["OFF", f"{len(points)} {len(faces)} 0", *(" ".join(map(str, p)) for p in points),
-                 *(f"{len(f)} " + " ".join(map(str, reversed(f))) for f in faces)]
-        (self.folder / "turned.off").write_text("\n".join(lines) + "\n")
-        text = self.succeeds("info", "turned.off")
-        self.assertEqual(float(self.value(text, "volume")), -8)
-        self.assertRegex(self.value(text, "orientation"), "inside out")
-
-
-    def test_counts_self_intersections(self):
-        points, faces = read_off(self.folder / self.box())
-        lines = ["OFF", f"{2 * len(points)} {2 * len(faces)} 0"]
-        for shift in 0, 1:  # a corner of each box within the other
-            lines += [" ".join(str(c + shift) for c in p) for p in points]
-        for first in 0, len(points):
-            lines += [f"{len(f)} " + " ".join(str(i + first) for i in f) for f in faces]
-        (self.folder / "two.off").write_text("\n".join(lines) + "\n")
-        text = self.succeeds("info", "two.off")
-        self.assertEqual(self.value(text, "watertight"), "yes")
-        self.assertRegex(self.value(text, "self-intersections"),
-                         r"^6 pairs of faces: \d+ and \d+, \d+ and \d+, \d+ and \d+, \.\.\.$")
-        self.assertRegex(self.value(text, "signs"), r"^winding number: closed, \d+ self-intersections; ")
-        self.assertIn("nearest face", self.value(text, "distances"))
-        timings = text[text.index("Timings"):]
-        self.assertRegex(self.value(timings, "self-intersections"), r"^[\d.]+ (us|ms|s)$")
-
-
-class Memory(CommandTest):
-    def expect_little(self, file):
-        text = self.succeeds("info", file, "--float")
-        for name, most in [("memory", 150), ("memory in float", 110)]:
-            line = re.search(rf"^  {name}  +(.*)$", text, re.MULTILINE)[1]
-            told = re.fullmatch(r"\S+ [kMG]B, (\d+) bytes per triangle; at most \S+ [kMG]B while it was "
-                                r"built, ([\d.]+) times that", line)
-            self.assertTrue(told, line)
-            self.assertGreater(int(told[1]), 60, line)  # corners, neighbours and packets alone
-            self.assertLessEqual(int(told[1]), most, line)
-            self.assertGreater(float(told[2]), 1.5, line)  # arrays are copied into one block
-            self.assertLessEqual(float(told[2]), 4, line)
-
-    def test_of_quads(self):
-        self.succeeds("make", "torus", "--parts", 200, "-o", "torus.off")
-        self.expect_little("torus.off")
-
-    def test_of_a_real_hull(self):
-        hull = os.environ.get("CUTWATER_HULL", "")
-        if not pathlib.Path(hull).is_file():
-            self.skipTest("openfoam-examples is not installed")
-        self.expect_little(hull)
 
 
 class Motions(CommandTest):

@@ -14,5 +14,6 @@ void addSlice(CLI::App& program);
 void addConvert(CLI::App& program);
 void addMake(CLI::App& program);
 void addPrepare(CLI::App& program);
+void addRepair(CLI::App& program);
 
 }  // namespace cutwater::tool

@@ -21,8 +21,14 @@ std::string number(double value, int digits) {
   return {buffer.data(), result.ptr};
 }
 
-std::string point(const Vec3<double>& p) {
-  return std::string("(") + number(p.x) + ", " + number(p.y) + ", " + number(p.z) + ")";
+std::string exactly(double value) {
+  std::array<char, 64> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value + 0.0);
+  return {buffer.data(), result.ptr};
+}
+
+std::string point(const Vec3<double>& p, int digits) {
+  return "(" + number(p.x, digits) + ", " + number(p.y, digits) + ", " + number(p.z, digits) + ")";
 }
 
 std::string extent(const Vec3<double>& size) {
@@ -60,6 +66,15 @@ std::string hexadecimal(std::uint64_t value) {
   const auto end = std::to_chars(digits.data(), digits.data() + kDigits, value, 16).ptr;
   const auto count = static_cast<std::size_t>(end - digits.data());
   return std::string(kDigits - count, '0').append(digits.data(), count);
+}
+
+std::string shellWord(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:%@";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
 }
 
 std::string leftAligned(std::string_view text, std::size_t width) {

@@ -14,8 +14,10 @@ namespace cutwater::tool {
 [[nodiscard]] std::string grouped(std::size_t count);
 /// Up to `digits` significant digits: "6.2731", "1.5e-05"
 [[nodiscard]] std::string number(double value, int digits = 6);
+/// The shortest digits that read back as the same number.
+[[nodiscard]] std::string exactly(double value);
 /// "(1, 2.5, -3)"
-[[nodiscard]] std::string point(const Vec3<double>& p);
+[[nodiscard]] std::string point(const Vec3<double>& p, int digits = 6);
 /// "6.27 x 0.859 x 0.784"
 [[nodiscard]] std::string extent(const Vec3<double>& size);
 /// "14.1 MB", in powers of 1000
@@ -26,6 +28,8 @@ namespace cutwater::tool {
 [[nodiscard]] std::string counted(std::size_t count, const std::string& noun);
 /// "00c0ffee00c0ffee"
 [[nodiscard]] std::string hexadecimal(std::uint64_t value);
+/// A word of a shell's command line: quoted where that is needed.
+[[nodiscard]] std::string shellWord(const std::string& text);
 /// Filled up with blanks to `width`.
 [[nodiscard]] std::string leftAligned(std::string_view text, std::size_t width);
 [[nodiscard]] std::string rightAligned(std::string_view text, std::size_t width);

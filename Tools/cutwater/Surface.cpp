@@ -67,6 +67,13 @@ std::optional<MeshSDF<T>> ready(const SurfaceOptions& options) {
   return solid;
 }
 
+bool isStl(const std::string& file) {
+  auto extension = std::filesystem::path(file).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension == ".stl";
+}
+
 }  // namespace
 
 void addQuiet(CLI::App& command, bool& quiet) {
@@ -82,7 +89,10 @@ void addSurfaceOptions(CLI::App& command, SurfaceOptions& options) {
   command
       .add_option_function<std::string>(
           "--scale",
-          [&](const std::string& text) { options.scale = positiveNumber("--scale", text); },
+          [&](const std::string& text) {
+            options.scale = positiveNumber("--scale", text);
+            options.motions += " --scale " + text;
+          },
           "Multiply the file's coordinates first; 0.001: millimetres to metres")
       ->type_name("FACTOR");
   // Called one by one as they are read, so that motions act in the order given.
@@ -91,13 +101,18 @@ void addSurfaceOptions(CLI::App& command, SurfaceOptions& options) {
           "--translate",
           [&](const std::string& text) {
             options.placement.translate(vectorOf("--translate", text));
+            options.motions += " --translate " + text;
           },
           "Then move the surface; may be repeated")
       ->type_name("X,Y,Z")
       ->trigger_on_parse();
   command
       .add_option_function<std::string>(
-          "--rotate", [&](const std::string& text) { rotate(options.placement, text); },
+          "--rotate",
+          [&](const std::string& text) {
+            rotate(options.placement, text);
+            options.motions += " --rotate " + text;
+          },
           "Turn the surface about an axis through the origin, in the order given with --translate; "
           "may be repeated")
       ->type_name("DEGREES,AXIS")
@@ -165,12 +180,18 @@ std::uint64_t sourceHash(const SurfaceOptions& options) {
   return xxHash64(std::as_bytes(std::span(content)));
 }
 
+PolygonSoup asWritten(const std::string& file, PolygonSoup soup, const WriteOptions& options) {
+  if (!isStl(file)) return soup;
+  if (!options.ascii) {
+    for (auto& p : soup.points) p = Vec3<double>(static_cast<Vec3<float>>(p));
+    weldExactly(soup);
+  }
+  return triangulated(soup);
+}
+
 std::size_t write(const std::string& file, const PolygonSoup& soup, const WriteOptions& options) {
-  auto extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   const bool triangles = soup.corners.size() == 3 * soup.polygonCount();
-  if (extension != ".stl" || triangles) {
+  if (!isStl(file) || triangles) {
     writeSurface(file, soup, options);
     return soup.polygonCount();
   }

@@ -20,6 +20,7 @@ struct SurfaceOptions {
   std::string file;
   double scale = 1;
   RigidTransform<double> placement;
+  std::string motions;  ///< --scale, --translate and --rotate as they were given
   int threads = 0;
   bool quiet = false;
   MeshSDFOptions solid;
@@ -72,6 +73,11 @@ template <std::floating_point T = double>
 /// XXH64 of the surface's file, or of the file that a prepared one was made from; 0 if it cannot be
 /// read twice.
 [[nodiscard]] std::uint64_t sourceHash(const SurfaceOptions& options);
+
+/// The surface as the file will hold it: binary STL has single precision. What is equal then is
+/// one.
+[[nodiscard]] PolygonSoup asWritten(const std::string& file, PolygonSoup soup,
+                                    const WriteOptions& options);
 
 /// Writes the surface in the format that the file's extension tells. STL holds triangles only: for
 /// it, polygons are cut. Returns how many polygons were written.

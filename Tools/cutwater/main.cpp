@@ -22,6 +22,7 @@ void describe(CLI::App& program) {
   program.footer(
       "Examples:\n"
       "  cutwater info hull.stl\n"
+      "  cutwater repair hull.stl --cap z=0.4 -o closed.stl\n"
       "  cutwater sample hull.stl --cells 200 -o hull.vti\n"
       "  cutwater amr hull.stl --level 6 -o hull.vtu\n"
       "  cutwater slice hull.stl --axis y -o hull.png\n"
@@ -34,6 +35,7 @@ int run(int argc, const char* const* argv) {
   CLI::App program;
   describe(program);
   cutwater::tool::addInfo(program);
+  cutwater::tool::addRepair(program);
   cutwater::tool::addSample(program);
   cutwater::tool::addAmr(program);
   cutwater::tool::addSlice(program);

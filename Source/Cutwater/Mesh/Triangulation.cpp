@@ -61,6 +61,8 @@ class Triangulator {
       warp = std::max(warp, std::abs(dot(normal, arm)));
       size = std::max(size, length(arm));
     }
+    constexpr double kFlat = 1e-6;  // see Triangulation::polygonsWarped
+    if (warp > kFlat * size) ++result_.polygonsWarped;
     if (!(warp > result_.relativeWarp * size)) return;
     result_.warp = warp / scale_;
     result_.relativeWarp = warp / size;

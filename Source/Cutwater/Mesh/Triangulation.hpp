@@ -23,6 +23,8 @@ struct Triangulation {
   double relativeWarp = 0;
   std::uint32_t mostWarped =
       kNone;  ///< the polygon of the largest relativeWarp; kNone if all are 0
+  /// Polygons of a relative warp above 1e-6: more than the digits that files are written with.
+  std::size_t polygonsWarped = 0;
 };
 
 /// Cuts polygons into triangles of the same corners and orientation, deterministically.

@@ -36,8 +36,6 @@ std::string changeText(const SurfaceMeasure& before, const SurfaceMeasure& after
 
 }  // namespace detail
 
-namespace {
-
 const char* nameOf(CleanKind kind) {
   switch (kind) {
     case CleanKind::EqualPoints:
@@ -63,8 +61,6 @@ const char* nameOf(CleanKind kind) {
   }
   return "";
 }
-
-}  // namespace
 
 bool CleanReport::changedNothing() const {
   return std::ranges::none_of(steps, [](const CleanStep& step) {

@@ -38,6 +38,9 @@ enum class CleanKind : std::uint8_t {
   UnorientableShells  ///< like a Moebius strip: not put right, only said
 };
 
+/// What was done, in the words of the report: "close points merged".
+[[nodiscard]] const char* nameOf(CleanKind kind);
+
 struct CleanStep {
   CleanKind kind{};
   Correction correction;

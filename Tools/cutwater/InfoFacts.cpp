@@ -1,0 +1,125 @@
+#include "InfoFacts.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include "Format.hpp"
+#include "HeapUse.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+/// Builds the solid; what it is made of is left to `take`.
+template <std::floating_point T, typename Take>
+MemoryUse build(const PolygonSoup& soup, const MeshSDFOptions& options, Take take) {
+  const HeapUse heap;
+  const MeshSDF<T> solid(soup, options);
+  take(solid);
+  const std::size_t triangles = solid.triangleCount();
+  return {.bytes = solid.memoryBytes(),
+          .bytesPerTriangle = (solid.memoryBytes() + triangles - 1) / triangles,
+          .peak = heap.peak()};
+}
+
+SolidFacts solidOf(const PolygonSoup& soup, const MeshSDFOptions& how, bool inFloat) {
+  SolidFacts facts;
+  Stopwatch watch;
+  facts.memory = build<double>(soup, how, [&](const MeshSDF<double>& solid) {
+    facts.seconds = watch.lap();
+    facts.signs = solid.signReport();
+    facts.guarantee = solid.guarantee();
+  });
+  if (inFloat) facts.memoryInFloat = build<float>(soup, how, [](const MeshSDF<float>&) {});
+  return facts;
+}
+
+/// Where a repaired surface would go: "hull-repaired.stl" for models/hull.stl.gz.
+std::string repairedName(const LoadedSurface& surface, const SurfaceOptions& options) {
+  constexpr const char* kExtensions[] = {".stl", ".obj", ".ply", ".off", ".ply"};
+  std::filesystem::path name = fileName(options);
+  if (name.extension() == ".gz") name = name.stem();
+  const auto stem = name.stem().string();
+  const auto format = static_cast<std::size_t>(surface.report.format);
+  return stem + "-repaired" + (surface.prepared ? ".ply" : kExtensions[format]);
+}
+
+std::vector<Advice> adviceFor(const InfoFacts& facts) {
+  const auto file = shellWord(facts.options.file) + facts.options.motions;
+  const auto output = shellWord(repairedName(facts.surface, facts.options));
+  std::vector<Advice> next;
+  for (const auto& treatment : facts.treatments.found) {
+    const std::string start = next.empty() ? "" : "or: ";
+    next.push_back({"cutwater repair " + file + " -o " + output + commandLine(treatment.options),
+                    start + treatment.effect});
+  }
+  if (facts.solid) std::ranges::move(usesOf(file), std::back_inserter(next));
+  return next;
+}
+
+}  // namespace
+
+InfoFacts gather(const InfoOptions& options) {
+  auto surface = load(options);
+  auto found = examine(surface.soup);
+  InfoFacts facts{.options = options,
+                  .surface = std::move(surface),
+                  .bytesOnDisk = {},
+                  .found = std::move(found),
+                  .solid = {},
+                  .defects = {},
+                  .treatments = {},
+                  .next = {}};
+  const auto& soup = facts.surface.soup;
+  std::error_code ignored;
+  const auto onDisk = std::filesystem::file_size(options.file, ignored);
+  if (!ignored) facts.bytesOnDisk = onDisk;
+  if (facts.found.report.triangles > 0) {
+    facts.solid =
+        solidOf(soup, {.findSelfIntersections = static_cast<bool>(facts.found.selfIntersections)},
+                options.inFloat);
+  }
+  facts.defects = findDefects(soup, facts.found, facts.signs());
+  Stopwatch watch;
+  if (!facts.defects.empty()) facts.treatments = findTreatments(soup);
+  facts.secondsToTreat = watch.lap();
+  facts.next = adviceFor(facts);
+  return facts;
+}
+
+std::string formatOf(const LoadedSurface& surface) {
+  if (surface.prepared) {
+    const bool isSingle = surface.prepared->info.bytesPerNumber == sizeof(float);
+    return std::string("prepared, ") + (isSingle ? "single" : "double") + " precision";
+  }
+  const auto& report = surface.report;
+  constexpr const char* kNames[] = {"STL", "OBJ", "PLY", "OFF", "VTK"};
+  std::string text = report.binary ? "binary " : "ASCII ";
+  text += kNames[static_cast<std::size_t>(report.format)];
+  return text + (report.compressed ? ", gzip-compressed" : "");
+}
+
+std::vector<std::size_t> polygonsPerPatch(const PolygonSoup& soup) {
+  std::vector<std::size_t> polygons(soup.patchNames.size());
+  for (const auto id : soup.patches) {
+    if (id < polygons.size()) ++polygons[id];  // prepared by programs, patches may have no name
+  }
+  return polygons;
+}
+
+std::string meaningOf(const Guarantee<double>& guarantee) {
+  if (guarantee.outside == Quality::Exact) return "exact on both sides of the surface";
+  if (guarantee.continuous) return "to the nearest face, be it part of the solid's surface or not";
+  return "to the nearest face; the sign jumps on the sheets that close holes";
+}
+
+std::optional<std::string> planeOf(const Rim& rim, const Treatments& treatments) {
+  const auto plane = cutwater::planeOf(rim, treatments.planeTolerance);
+  if (!plane) return {};
+  return std::string(1, "xyz"[plane->axis]) + " = " + number(plane->at);
+}
+
+}  // namespace cutwater::tool

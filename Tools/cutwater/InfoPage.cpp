@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <string_view>
+
+#include "DiagnosisPage.hpp"
+#include "Format.hpp"
+#include "InfoFacts.hpp"
+#include "Page.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+constexpr std::size_t kMostPatches = 40;  // listed
+constexpr std::size_t kMostOpenings = 8;
+
+void describeFile(Page& page, const InfoFacts& facts) {
+  const auto& surface = facts.surface;
+  const auto& report = surface.report;
+  page.section("File");
+  page.line("name", facts.options.file);
+  page.line("format", formatOf(surface));
+  page.line("size", bytes(report.bytes) + (report.compressed && facts.bytesOnDisk
+                                               ? ", " + bytes(*facts.bytesOnDisk) + " compressed"
+                                               : ""));
+  if (facts.options.scale != 1) page.line("scaled by", number(facts.options.scale));
+  if (!facts.options.placement.isIdentity()) page.line("moved", "as told by the options");
+  for (const auto& note : report.notes) page.line("note", note);
+  if (!surface.prepared) return;
+  page.line("signs", surface.prepared->signs);
+  if (const auto hash = surface.prepared->info.source; hash != 0) {
+    page.line("made from", "a file of XXH64 " + hexadecimal(hash));
+  }
+}
+
+void describeSurface(Page& page, const InfoFacts& facts) {
+  const auto& soup = facts.surface.soup;
+  const auto& report = facts.found.report;
+  page.section("Surface");
+  page.line("polygons",
+            grouped(soup.polygonCount()) + (report.triangles == soup.polygonCount()
+                                                ? ", all triangles"
+                                                : ", as " + counted(report.triangles, "triangle")));
+  page.line("points", grouped(soup.points.size()) + " (" +
+                          grouped(facts.surface.report.pointsInFile) + " in the file, " +
+                          grouped(facts.surface.pointsMerged) + " merged with equal ones)");
+  const auto box = soup.boundingBox();
+  if (!box.empty()) {
+    page.line("bounding box", point(box.lower) + " to " + point(box.upper));
+    page.line("extent", extent(box.size()));
+  }
+  page.line("area", number(report.area));
+  page.line("volume", report.isClosed() ? number(report.volume) : "none: not closed");
+  page.line("components", grouped(report.components));
+}
+
+void describePatches(Page& page, const PolygonSoup& soup) {
+  const auto polygons = polygonsPerPatch(soup);
+  page.section("Patches: " + grouped(polygons.size()));
+  for (std::size_t i = 0; i < std::min(polygons.size(), kMostPatches); ++i) {
+    page.line(rightAligned(grouped(i), 4) + "  " + soup.patchNames[i],
+              counted(polygons[i], "polygon"));
+  }
+  if (polygons.size() > kMostPatches) {
+    page.plain("... and " + grouped(polygons.size() - kMostPatches) + " more");
+  }
+}
+
+void describeCheck(Page& page, const InfoFacts& facts) {
+  page.section("Check");
+  page.line("watertight", facts.found.report.isClosedOriented() ? "yes" : "no");
+  page.line("in short", facts.found.report.summary());
+  page.line("self-intersections", facts.found.selfIntersections ? "yes, see below" : "none");
+  page.line("verdict", verdict(facts.defects, facts.signs()));
+}
+
+void describeOpenings(Page& page, const Treatments& treatments) {
+  const auto& openings = treatments.openings;
+  if (openings.empty()) return;
+  page.section("Openings: " + grouped(openings.size()) + ", the largest first");
+  for (std::size_t i = 0; i < std::min(openings.size(), kMostOpenings); ++i) {
+    const auto& rim = openings[i];
+    const auto plane = planeOf(rim, treatments);
+    page.wrapped(rightAligned(counted(rim.points.size(), "edge"), 18) + "  ",
+                 (plane ? "in the plane " + *plane + ", " : "") +
+                     point(rim.box.lower, kPlaceDigits) + " to " +
+                     point(rim.box.upper, kPlaceDigits));
+  }
+  if (openings.size() > kMostOpenings) {
+    page.plain("... and " + grouped(openings.size() - kMostOpenings) + " more");
+  }
+}
+
+std::string textOf(const MemoryUse& use) {
+  return bytes(use.bytes) + ", " + counted(use.bytesPerTriangle, "byte") +
+         " per triangle; at most " + bytes(use.peak) + " while it was built, " +
+         number(static_cast<double>(use.peak) / static_cast<double>(use.bytes), 3) + " times that";
+}
+
+void describeSolid(Page& page, const SolidFacts& solid) {
+  page.section("Signed distance");
+  page.line("signs", solid.signs.summary());
+  page.line("distances", meaningOf(solid.guarantee));
+  page.line("memory", textOf(solid.memory));
+  if (solid.memoryInFloat) page.line("memory in float", textOf(*solid.memoryInFloat));
+}
+
+void describeDetails(Page& page, const MeshReport& report) {
+  page.section("Details: faces are polygons, vertices are points, both counted from 0");
+  const auto table = report.table();
+  for (std::string_view rest = table; !rest.empty();) {
+    const auto line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(line.size() + 1);
+    if (!line.ends_with(" 0")) page.plain(std::string(line));  // defects that there are not
+  }
+}
+
+void describeTimings(Page& page, const InfoFacts& facts) {
+  page.section("Timings");
+  page.line("read", duration(facts.surface.secondsToRead));
+  page.line("weld", duration(facts.surface.secondsToWeld));
+  page.line("mesh and check", duration(facts.found.secondsToCheck));
+  page.line("self-intersections", duration(facts.found.secondsToSearch));
+  if (facts.solid) page.line("build", duration(facts.solid->seconds));
+  if (!facts.defects.empty()) page.line("try repairs", duration(facts.secondsToTreat));
+}
+
+}  // namespace
+
+std::string pageOf(const InfoFacts& facts) {
+  Page page;
+  describeFile(page, facts);
+  describeSurface(page, facts);
+  describePatches(page, facts.surface.soup);
+  describeCheck(page, facts);
+  describe(page, facts.defects);
+  describeOpenings(page, facts.treatments);
+  if (facts.solid) describeSolid(page, *facts.solid);
+  if (!facts.next.empty()) describe(page, facts.next);
+  if (!facts.found.report.isClean()) describeDetails(page, facts.found.report);
+  describeTimings(page, facts);
+  return page.text();
+}
+
+}  // namespace cutwater::tool

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "Format.hpp"
+
+namespace cutwater::tool {
+
+/// A report for people, section by section.
+class Page {
+ public:
+  void section(const std::string& title) { text_ += (text_.empty() ? "" : "\n") + title + "\n"; }
+  void line(const std::string& name, const std::string& value) {
+    plain(leftAligned(name, 18) + "  " + value);
+  }
+  void plain(const std::string& text) { text_ += "  " + text + "\n"; }
+  /// Broken between words, so that lines end before column 100; those after the first are indented.
+  void wrapped(const std::string& head, const std::string& words);
+  /// Lines that end with '\n', as the library's reports have them.
+  void lines(const std::string& text);
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+}  // namespace cutwater::tool

@@ -1,0 +1,197 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/SurfaceMeasure.hpp>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "Commands.hpp"
+#include "DiagnosisPage.hpp"
+#include "Format.hpp"
+#include "JsonView.hpp"
+#include "Page.hpp"
+#include "RepairSteps.hpp"
+#include "Surface.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+struct Options {
+  SurfaceOptions surface;
+  std::string output;
+  RepairOptions repair;
+  WriteOptions write;
+  bool requireWatertight = false;
+  bool json = false;
+};
+
+struct StepDone {
+  std::string name;
+  StepReport report;
+  double seconds = 0;
+};
+
+/// All that `cutwater repair` tells: the page and the JSON are views of it.
+struct RepairFacts {
+  MeshReport before;
+  std::size_t pointsBefore = 0;
+  std::vector<StepDone> steps;
+  PolygonSoup soup;  ///< as it is written
+  Examination after;
+  std::optional<SignReport> signs;
+  std::vector<Defect> defects;
+  std::vector<Advice> next;
+};
+
+std::vector<StepDone> repaired(PolygonSoup& soup, const std::vector<RepairStep>& steps) {
+  std::vector<StepDone> done;
+  Stopwatch watch;
+  for (const auto& step : steps) {
+    auto report = step.run(soup);
+    done.push_back({step.name, std::move(report), watch.lap()});
+  }
+  return done;
+}
+
+std::vector<Advice> adviceFor(const std::string& output, const std::vector<Defect>& defects) {
+  const auto file = shellWord(output);
+  std::vector<Advice> next;
+  if (!defects.empty()) {
+    next.push_back({"cutwater info " + file, "all about it, and which repair would help further"});
+  }
+  std::ranges::move(usesOf(file), std::back_inserter(next));
+  return next;
+}
+
+RepairFacts repair(const Options& options) {
+  const auto steps = stepsOf(options.repair);  // before any work: an option may be wrong
+  auto soup = load(options.surface).soup;
+  const auto before = check(DcelMesh<double>(soup));
+  const std::size_t points = soup.points.size();
+  auto done = repaired(soup, steps);
+  if (soup.polygonCount() == 0) {
+    throw Error(ErrorKind::Topology, options.surface.file + ": cleaning leaves no face");
+  }
+  soup = asWritten(options.output, std::move(soup), options.write);
+  auto after = examine(soup);
+  RepairFacts facts{.before = before,
+                    .pointsBefore = points,
+                    .steps = std::move(done),
+                    .soup = std::move(soup),
+                    .after = std::move(after),
+                    .signs = {},
+                    .defects = {},
+                    .next = {}};
+  if (facts.after.report.triangles > 0) {
+    const bool meets = static_cast<bool>(facts.after.selfIntersections);
+    facts.signs = MeshSDF<double>(facts.soup, {.findSelfIntersections = meets}).signReport();
+  }
+  facts.defects = findDefects(facts.soup, facts.after, facts.signs);
+  facts.next = adviceFor(options.output, facts.defects);
+  return facts;
+}
+
+std::string volumeOf(const MeshReport& report) {
+  return report.isClosed() ? number(report.volume) : "none: not closed";
+}
+
+std::string pageOf(const Options& options, const RepairFacts& facts) {
+  Page page;
+  for (const auto& step : facts.steps) {
+    page.section(step.name + ", in " + duration(step.seconds));
+    page.lines(text(step.report));
+  }
+  const auto& after = facts.after.report;
+  page.section("Changed");
+  page.line("area", number(facts.before.area) + " -> " + number(after.area));
+  page.line("volume", volumeOf(facts.before) + " -> " + volumeOf(after));
+  page.line("before", facts.before.summary());
+  page.line("after", after.summary());
+  page.section("Result");
+  page.line("wrote", options.output + ": " + counted(facts.soup.polygonCount(), "polygon") + ", " +
+                         counted(facts.soup.points.size(), "point") + ", " +
+                         counted(facts.soup.patchNames.size(), "patch"));
+  page.line("watertight", after.isClosedOriented() ? "yes" : "no");
+  if (facts.signs) page.line("signs", facts.signs->summary());
+  page.line("verdict", verdict(facts.defects, facts.signs));
+  describe(page, facts.defects);
+  describe(page, facts.next);
+  return page.text();
+}
+
+std::string jsonOf(const Options& options, const RepairFacts& facts) {
+  Json steps = Json::array();
+  for (const auto& step : facts.steps) {
+    Json json{{"name", step.name}, {"seconds", step.seconds}};
+    json.update(toJson(step.report));
+    steps.push_back(std::move(json));
+  }
+  const auto measured = [](const MeshReport& report, std::size_t points) {
+    Json json{{"polygons", report.faces}, {"points", points}, {"area", report.area}};
+    json["volume"] = report.isClosed() ? Json(report.volume) : Json(nullptr);
+    json["summary"] = report.summary();
+    return json;
+  };
+  Json json{{"input", options.surface.file},
+            {"output", options.output},
+            {"steps", std::move(steps)},
+            {"before", measured(facts.before, facts.pointsBefore)},
+            {"after", measured(facts.after.report, facts.soup.points.size())},
+            {"check", checkJson(facts.after, facts.defects, facts.signs)},
+            {"defects", toJson(facts.defects)}};
+  json["signs"] = facts.signs ? signsJson(*facts.signs) : Json(nullptr);
+  json["next"] = toJson(facts.next);
+  return dumped(json);
+}
+
+void run(const Options& options) {
+  const auto facts = repair(options);
+  if (options.requireWatertight && !isSound(facts.defects, facts.signs)) {
+    throw Error(ErrorKind::Topology, options.surface.file +
+                                         ": the repaired surface does not bound a solid: " +
+                                         facts.after.report.summary() +
+                                         (facts.signs ? "; " + facts.signs->summary() : ""));
+  }
+  write(options.output, facts.soup, options.write);
+  if (options.json) {
+    std::cout << jsonOf(options, facts);
+  } else if (!options.surface.quiet) {
+    std::cout << pageOf(options, facts);
+  }
+}
+
+}  // namespace
+
+void addRepair(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  auto& command = *program.add_subcommand(
+      "repair", "Clean a surface and close its openings, and say what was done and what is left");
+  addSurfaceOptions(command, options->surface);
+  command
+      .add_option("-o,--output", options->output,
+                  "The surface to write; its extension tells the format: stl, ply, obj, off")
+      ->required()
+      ->type_name("FILE");
+  addRepairOptions(command, options->repair);
+  command.add_flag("--ascii", options->write.ascii, "Text where the format has both (STL, PLY)");
+  command.add_flag("--require-watertight", options->requireWatertight,
+                   "Write nothing, and fail, unless the result bounds a solid");
+  command.add_flag("--json", options->json, "Say what was done in JSON, for programs");
+  command.footer(
+      "Examples:\n"
+      "  cutwater repair part.stl -o clean.stl\n"
+      "  cutwater repair half.stl --weld 1e-6 --mirror y=0 -o whole.stl\n"
+      "  cutwater repair duct.obj --cap x=0:inlet --cap x=2:outlet --tolerance 1e-5 -o duct.obj\n"
+      "  cutwater repair terrain.stl --extend z=-100 -o ground.stl\n"
+      "\n"
+      "Always: equal points are merged, degenerate and duplicate faces and unused points removed,\n"
+      "faces turned outward. 'cutwater info FILE' tells which options would help.\n"
+      "Exit status 0 also if defects are left: they are listed.");
+  command.callback([=] { run(*options); });
+}
+
+}  // namespace cutwater::tool

@@ -1,0 +1,254 @@
+#include "Treatment.hpp"
+
+#include <Cutwater/Mesh/Cleaning/Junctions.hpp>
+#include <Cutwater/Mesh/Cleaning/WeldWithin.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "Diagnosis.hpp"
+#include "Format.hpp"
+#include "Trial.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+/// Openings in a plane across an axis.
+struct PlanarOpenings {
+  AxisPlane plane;
+  Box<double> box;
+  std::size_t rims = 0;
+  std::size_t edges = 0;
+  double spread = 0;  ///< how far from the plane points of the rims are, at most
+};
+
+/// The number of fewest digits within `tolerance` of the value.
+double roundedWithin(double value, double tolerance) {
+  if (std::abs(value) <= tolerance) return 0;
+  for (int digits = 1; digits <= 17; ++digits) {
+    const auto text = number(value, digits);
+    double read = 0;
+    std::from_chars(text.data(), text.data() + text.size(), read);
+    if (std::abs(read - value) <= tolerance) return read;
+  }
+  return value;
+}
+
+std::string textOf(const AxisPlane& plane) {
+  return std::string(1, "xyz"[plane.axis]) + "=" + exactly(plane.at);
+}
+
+class Search {
+ public:
+  explicit Search(const PolygonSoup& soup)
+      : soup_(soup),
+        diagonal_(soup.boundingBox().diagonal()),
+        planar_(1e-4 * diagonal_),
+        best_(tried(soup, {}).value()) {}
+
+  Treatments run() {
+    closeGaps(&CleanOptions::weldWithin, [this](double tolerance) {
+      PolygonSoup rims;
+      rims.points = rimPoints();
+      return static_cast<bool>(weldWithin(rims, tolerance));
+    });
+    closeGaps(&CleanOptions::splitJunctionsWithin, [this](double tolerance) {
+      PolygonSoup copy = best_.soup;
+      return static_cast<bool>(splitJunctions(copy, tolerance));
+    });
+    result_.planeTolerance = planar_;
+    result_.openings = findRims(best_.soup);
+    std::ranges::stable_sort(result_.openings, std::ranges::greater{},
+                             [](const Rim& rim) { return rim.box.diagonal(); });
+    if (!result_.openings.empty() && !flatAxis(best_.soup)) closeOpenings(result_.openings);
+    if (result_.found.empty() && !best_.effects.empty()) suggest(best_);
+    return std::move(result_);
+  }
+
+ private:
+  /// Takes the least tolerance that leaves the fewest gaps, if that is at most half of them. What
+  /// `mayHelp` rules out is not tried.
+  template <typename MayHelp>
+  void closeGaps(std::optional<double> CleanOptions::*tolerance, MayHelp mayHelp) {
+    const Trial before = best_;
+    for (const double share : {1e-7, 1e-6, 1e-5, 1e-4}) {
+      if (best_.gaps() == 0 || diagonal_ == 0) return;
+      const double length = roundedWithin(share * diagonal_, 0.1 * share * diagonal_);
+      if (!mayHelp(length)) continue;
+      auto options = before.options;
+      options.clean.*tolerance = length;
+      auto trial = tried(soup_, options);
+      if (!trial || 2 * trial->gaps() > before.gaps() || trial->gaps() >= best_.gaps()) continue;
+      if (keepsItsShape(trial->report, before.report)) best_ = *std::move(trial);
+    }
+  }
+
+  /// Each once.
+  [[nodiscard]] std::vector<Vec3<double>> rimPoints() const {
+    std::vector<std::uint32_t> numbers;
+    for (const auto& rim : findRims(best_.soup)) {
+      numbers.insert(numbers.end(), rim.points.begin(), rim.points.end());
+    }
+    std::ranges::sort(numbers);
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    std::vector<Vec3<double>> points;
+    for (const auto i : numbers) points.push_back(best_.soup.points[i]);
+    return points;
+  }
+
+  /// Tolerances beyond the size of details would destroy them.
+  [[nodiscard]] static bool keepsItsShape(const MeshReport& after, const MeshReport& before) {
+    constexpr double kLost = 1e-3;
+    return std::abs(after.area - before.area) <= kLost * before.area;
+  }
+
+  void closeOpenings(const std::vector<Rim>& rims) {
+    const auto planes = planesOf(rims);
+    if (planes.empty()) {
+      if (rims.size() == 1) extend();
+      return;
+    }
+    cap(planes);
+    const auto& plane = planes.front();
+    if (plane.rims < rims.size() || !mayBeHalf(plane)) return;
+    const auto whole = tried(soup_, with(best_.options, "--mirror", plane));
+    if (whole && whole->gaps() == 0) suggest(*whole);
+  }
+
+  /// The planes of the rims, those of most edges first.
+  [[nodiscard]] std::vector<PlanarOpenings> planesOf(const std::vector<Rim>& rims) const {
+    std::vector<PlanarOpenings> planes;
+    for (const auto& rim : rims) {
+      const auto plane = planeOf(rim, planar_);
+      if (!plane) continue;
+      auto same = std::ranges::find_if(planes, [&](const PlanarOpenings& other) {
+        return other.plane.axis == plane->axis && std::abs(other.plane.at - plane->at) <= planar_;
+      });
+      if (same == planes.end()) same = planes.insert(planes.end(), {.plane = *plane, .box = {}});
+      ++same->rims;
+      same->box.extend(rim.box);
+      same->edges += rim.points.size();
+      for (const double side : {rim.box.lower[plane->axis], rim.box.upper[plane->axis]}) {
+        same->spread = std::max(same->spread, std::abs(side - same->plane.at));
+      }
+    }
+    std::ranges::stable_sort(planes, std::ranges::greater{}, &PlanarOpenings::edges);
+    return planes;
+  }
+
+  /// Whether the openings may be a half model's: in a plane at its end, and as long as it is.
+  [[nodiscard]] bool mayBeHalf(const PlanarOpenings& openings) const {
+    if (openings.spread > 1e-5 * diagonal_) return false;  // points would be moved onto the plane
+    const auto box = best_.soup.boundingBox();
+    const auto [axis, at] = openings.plane;
+    const double away = std::min(std::abs(at - box.lower[axis]), std::abs(at - box.upper[axis]));
+    const auto size = openings.box.size();
+    return away <= 2 * planar_ && 2 * maxComponent(size) >= maxComponent(box.size());
+  }
+
+  /// The options and one more for the plane; with a tolerance only where rims need one.
+  [[nodiscard]] static RepairOptions with(RepairOptions options, const char* option,
+                                          const PlanarOpenings& openings) {
+    auto plane = openings.plane;
+    if (openings.spread > 0) {
+      plane.at = roundedWithin(plane.at, openings.spread);
+      const double needed = openings.spread + std::abs(plane.at - openings.plane.at);
+      options.tolerance = std::max(options.tolerance, roundedWithin(1.5 * needed, 0.4 * needed));
+    }
+    options.openings.push_back({option, textOf(plane)});
+    return options;
+  }
+
+  /// Caps in as many planes as it takes, each if it closes something.
+  void cap(const std::vector<PlanarOpenings>& planes) {
+    constexpr std::size_t kMostPlanes = 6;
+    std::optional<Trial> capped;
+    for (const auto& openings : planes) {
+      const auto& now = capped ? *capped : best_;
+      if (now.options.openings.size() == kMostPlanes) break;
+      auto trial = tried(soup_, with(now.options, "--cap", openings));
+      if (!trial || trial->gaps() >= now.gaps()) continue;
+      if (!foldsBack(*trial, now)) capped = std::move(trial);
+    }
+    if (capped && 2 * capped->gaps() <= best_.gaps()) suggest(*capped);
+  }
+
+  /// Whether caps are what is there already, seen from behind: the openings are those of sheets.
+  [[nodiscard]] static bool foldsBack(const Trial& capped, const Trial& before) {
+    if (capped.report.oppositeFaces.count > before.report.oppositeFaces.count) return true;
+    const DcelMesh<double> mesh(capped.soup);
+    const auto first = static_cast<std::uint32_t>(before.soup.polygonCount());
+    std::size_t rimEdges = 0;
+    std::size_t folds = 0;
+    for (std::uint32_t i = first; i < mesh.faces().size(); ++i) {
+      for (const FaceId beside : mesh.neighbours(FaceId{i})) {
+        if (beside == kNoFace || index(beside) >= first) continue;
+        ++rimEdges;
+        if (dot(mesh.normal(FaceId{i}), mesh.normal(beside)) < -0.999) ++folds;
+      }
+    }
+    return 2 * folds > rimEdges;
+  }
+
+  /// For a sheet that shows one side only along an axis, such as a terrain: a solid as deep again
+  /// as it is high.
+  void extend() {
+    const auto axis = axisSeen();
+    if (!axis) return;
+    const auto box = best_.soup.boundingBox();
+    const double depth = std::max(box.size()[*axis], 0.05 * diagonal_);
+    const double level = roundedWithin(box.lower[*axis] - depth, 0.25 * depth);
+    auto options = best_.options;
+    options.openings.push_back({"--extend", textOf({*axis, level})});
+    const auto extended = tried(soup_, options);
+    if (extended && extended->gaps() == 0) suggest(*extended);
+  }
+
+  /// The axis, z first, along which all faces look to the same side.
+  [[nodiscard]] std::optional<int> axisSeen() const {
+    const DcelMesh<double> mesh(best_.soup);
+    for (const int axis : {2, 1, 0}) {
+      bool isUp = false;
+      bool isDown = false;
+      for (const FaceId face : mesh.faces()) {
+        const double n = mesh.normal(face)[axis];
+        isUp = isUp || n >= 0;
+        isDown = isDown || n <= 0;
+      }
+      if (isUp != isDown) return axis;
+    }
+    return {};
+  }
+
+  void suggest(const Trial& trial) {
+    if (trial.report.faces == 0) return;  // nothing would be left to write
+    Treatment treatment{.options = trial.options, .effect = {}, .isClosed = trial.gaps() == 0};
+    for (const auto& [what, count] : trial.effects) {
+      if (!treatment.effect.empty()) treatment.effect += ", ";
+      treatment.effect += what + ": " + grouped(count);
+    }
+    const auto left = trial.report.boundaryEdges.count;
+    treatment.effect += treatment.isClosed ? "; closed then"
+                        : left > 0         ? "; leaves " + counted(left, "open edge")
+                                           : "; leaves non-manifold edges that count as open";
+    result_.found.push_back(std::move(treatment));
+  }
+
+  const PolygonSoup& soup_;
+  double diagonal_;
+  double planar_;  // within which rims count as plane
+  Trial best_;
+  Treatments result_;
+};
+
+}  // namespace
+
+Treatments findTreatments(const PolygonSoup& soup) {
+  return Search(soup).run();
+}
+
+}  // namespace cutwater::tool

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Cutwater/Mesh/MeshReport.hpp>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "RepairSteps.hpp"
+
+namespace cutwater::tool {
+
+/// What a repair does, in words, and how often: "faces turned", 3.
+using Effects = std::vector<std::pair<std::string, std::size_t>>;
+
+/// A repair, tried on a copy of the surface.
+struct Trial {
+  PolygonSoup soup;
+  RepairOptions options;
+  MeshReport report;
+  Effects effects;
+
+  /// Edges that make the surface open: those of one face, and others with faces in excess.
+  [[nodiscard]] std::size_t gaps() const { return report.oddEdges + report.unbalancedEdges; }
+};
+
+/// What becomes of a surface; nothing if a step refuses it.
+[[nodiscard]] std::optional<Trial> tried(const PolygonSoup& soup, const RepairOptions& options);
+
+}  // namespace cutwater::tool
