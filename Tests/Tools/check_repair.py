@@ -162,6 +162,78 @@ class Openings(RepairTest):
         self.assertAlmostEqual(facts["after"]["volume"] + upper["after"]["volume"], 7 * 7 * 4, delta=1e-9)
 
 
+class Mending(RepairTest):
+    """What Cutwater::Repair does, where the program is built with it."""
+
+    def setUp(self):
+        super().setUp()
+        if "--wrap" not in self.succeeds("repair", "--help"):
+            self.skipTest("built without Cutwater::Repair")
+
+    def tilted(self):
+        """The open box with its rim in no plane across an axis."""
+        points = [(x, y, z + (0.2 * x + 0.1 * y if z == 1 else 0)) for x, y, z in BOX_POINTS]
+        return self.surface("tilted.off", points, OPEN_BOX_FACES)
+
+    def test_holes(self):
+        facts = self.repaired(self.tilted(), "--holes", "all")
+        self.assertTrue(facts["check"]["sound"])
+        self.assertAlmostEqual(facts["after"]["volume"], 1.15)
+        step = facts["steps"][1]
+        self.assertEqual((step["name"], step["holesFilled"], step["facesAdded"]), ("holes all", 1, 2))
+        self.assertEqual(step["crossings"], 0)
+
+    def test_holes_up_to_a_width(self):
+        facts = self.repaired(self.tilted(), "--holes", "0.5")
+        self.assertEqual((facts["steps"][1]["holesFilled"], facts["steps"][1]["tooWide"]), (0, 1))
+        self.assertFalse(facts["check"]["closed"])
+
+    def test_wrap(self):
+        facts = self.repaired("open.off", "--wrap", "2,0.01")
+        self.assertTrue(facts["check"]["sound"])
+        self.assertGreater(facts["after"]["volume"], 1)
+        self.assertLess(facts["after"]["volume"], 1.1)
+        self.assertEqual(facts["steps"][1]["offset"], 0.01)
+        page = self.succeeds("repair", "open.off", "-o", "out.stl", "--wrap", "2")
+        self.assertRegex(page, r"wrap 2, in [^\n]+\n +faces +5 -> \d+")
+
+    def test_intersections(self):
+        facts = self.repaired("open.off", "--cap", "z=1", "--intersections")
+        self.assertEqual(facts["steps"][2]["pairsBefore"], 0)
+        self.assertTrue(facts["check"]["sound"])
+
+    def test_refusals(self):
+        for wrong in "0", "-1", "1,0", "1,2,3", "x":
+            self.fails(2, "repair", "open.off", "-o", "out.off", "--wrap", wrong)
+        self.fails(2, "repair", "open.off", "-o", "out.off", "--holes", "0")
+        self.assertIn("take a larger gap",
+                      self.fails(1, "repair", "open.off", "-o", "out.off", "--wrap", "1e-5"))
+        self.assertIn("not done within",
+                      self.fails(1, "repair", "open.off", "-o", "out.off", "--wrap", "0.01",
+                                 "--budget", "0.001"))
+        self.assertFalse((self.folder / "out.off").exists())
+
+    def test_info_suggests_to_fill_a_hole(self):
+        self.succeeds("make", "sphere", "--parts", "12", "-o", "ball.off")
+        points, faces = read_off(self.folder / "ball.off")
+        volume = self.json("info", "ball.off")["surface"]["volume"]
+        hole = next(i for i, face in enumerate(faces) if len({points[c][2] for c in face}) == 3)
+        self.surface("leak.off", points, faces[:hole] + faces[hole + 1:])
+        command = self.json("info", "leak.off")["next"][0]["command"].split()
+        self.assertIn("--holes", command)
+        facts = self.repaired(*command[2:3], *command[5:])
+        self.assertTrue(facts["check"]["sound"])
+        self.assertAlmostEqual(facts["after"]["volume"], volume, places=6)
+
+    def test_info_suggests_a_wrap_where_nothing_else_helps(self):
+        # Two faces that meet at a point only look along all axes: no plane, no hole, no terrain.
+        points = [(0, 0, 0), (1, 0.1, 0.2), (0.2, 1, 0.3), (-1, 0.2, -0.1), (-0.1, -0.3, -1)]
+        self.surface("scraps.off", points, [(0, 1, 2), (0, 3, 4)])
+        command = self.json("info", "scraps.off")["next"][-4]["command"].split()
+        self.assertIn("--wrap", command)
+        self.assertTrue(self.repaired(command[2], *command[5:])["check"]["sound"])
+
+
 class Page(RepairTest):
     def test_tells_the_steps_and_the_result(self):
         text = self.succeeds("repair", "open.off", "-o", "out.off", "--cap", "z=1")

@@ -1,6 +1,7 @@
 #include "InfoFacts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <system_error>
@@ -47,6 +48,18 @@ std::string repairedName(const LoadedSurface& surface, const SurfaceOptions& opt
   return stem + "-repaired" + (surface.prepared ? ".ply" : kExtensions[format]);
 }
 
+/// Whether signs are a matter of opinion and no other repair would change that.
+bool needsWrap(const InfoFacts& facts) {
+  const auto isError = [](const Defect& defect) { return defect.severity == Severity::Error; };
+  return facts.solid && std::ranges::any_of(facts.defects, isError) &&
+         std::ranges::none_of(facts.treatments.found, &Treatment::isClosed);
+}
+
+double oneDigit(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)));
+  return std::round(value / unit) * unit;
+}
+
 std::vector<Advice> adviceFor(const InfoFacts& facts) {
   const auto file = shellWord(facts.options.file) + facts.options.motions;
   const auto output = shellWord(repairedName(facts.surface, facts.options));
@@ -55,6 +68,15 @@ std::vector<Advice> adviceFor(const InfoFacts& facts) {
     const std::string start = next.empty() ? "" : "or: ";
     next.push_back({"cutwater repair " + file + " -o " + output + commandLine(treatment.options),
                     start + treatment.effect});
+  }
+  if (canMend() && needsWrap(facts)) {
+    const double gap = facts.surface.soup.boundingBox().diagonal() / 30;
+    RepairOptions options;
+    options.mending.wrap = MendingOptions::Wrap{.gap = oneDigit(gap)};
+    next.push_back({"cutwater repair " + file + " -o " + output + commandLine(options),
+                    (next.empty() ? "" : "or: ") +
+                        std::string("a watertight surface around it, whatever it is; what is "
+                                    "narrower than the gap is closed, finer details are lost")});
   }
   if (facts.solid) std::ranges::move(usesOf(file), std::back_inserter(next));
   return next;

@@ -60,6 +60,31 @@ Json jsonOf(const OpeningReport& report) {
           {"before", toJson(report.before)},       {"after", toJson(report.after)}};
 }
 
+#ifdef CUTWATER_HAS_REPAIR
+Json jsonOf(const HoleReport& report) {
+  return {{"holesFilled", report.filled.count},    {"filledAt", placesJson(report.filled)},
+          {"tooManyEdges", report.tooLong.count},  {"tooWide", report.tooWide.count},
+          {"unfillable", report.unfillable.count}, {"late", report.late.count},
+          {"facesAdded", report.facesAdded},       {"areaAdded", report.areaAdded},
+          {"widestFilled", report.widestFilled},   {"crossings", report.crossings},
+          {"before", toJson(report.before)},       {"after", toJson(report.after)}};
+}
+
+Json jsonOf(const SelfIntersectionRepairReport& report) {
+  return {{"pairsBefore", report.pairsBefore}, {"pairsAfter", report.pairsAfter},
+          {"facesBefore", report.facesBefore}, {"facesAfter", report.facesAfter},
+          {"farthest", report.farthest},       {"before", toJson(report.before)},
+          {"after", toJson(report.after)}};
+}
+
+Json jsonOf(const WrapReport& report) {
+  return {{"facesBefore", report.facesBefore}, {"facesAfter", report.facesAfter},
+          {"offset", report.offset},           {"nearest", report.nearest},
+          {"farthest", report.farthest},       {"before", toJson(report.before)},
+          {"after", toJson(report.after)}};
+}
+#endif
+
 }  // namespace
 
 Json toJson(const Vec3<double>& v) {

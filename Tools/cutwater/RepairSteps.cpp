@@ -164,6 +164,7 @@ void addRepairOptions(CLI::App& command, RepairOptions& options) {
           "Points at most this far from the planes of --cap and --mirror count as on them; without "
           "it: 0")
       ->type_name("LENGTH");
+  addMendingOptions(command, options.mending);
 }
 
 std::string commandLine(const RepairOptions& options) {
@@ -180,7 +181,7 @@ std::string commandLine(const RepairOptions& options) {
     result += " " + opening.name + " " + shellWord(opening.value);
   }
   if (options.tolerance > 0) result += " --tolerance " + exactly(options.tolerance);
-  return result;
+  return result + commandLine(options.mending);
 }
 
 std::vector<RepairStep> stepsOf(const RepairOptions& options) {
@@ -192,6 +193,7 @@ std::vector<RepairStep> stepsOf(const RepairOptions& options) {
     steps.push_back(
         {option.name.substr(2) + " " + option.value, kind.step(option, options.tolerance)});
   }
+  addMendingSteps(options.mending, steps);
   return steps;
 }
 

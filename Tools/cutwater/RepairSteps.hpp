@@ -1,13 +1,11 @@
 #pragma once
 
 #include <Cutwater/Mesh/Cleaning/Clean.hpp>
-#include <Cutwater/Mesh/Cleaning/Openings.hpp>
-#include <Cutwater/Mesh/PolygonSoup.hpp>
 
-#include <functional>
 #include <string>
-#include <variant>
 #include <vector>
+
+#include "Mending.hpp"
 
 namespace CLI {
 class App;
@@ -26,6 +24,7 @@ struct RepairOptions {
   CleanOptions clean;
   double tolerance = 0;  ///< of the openings' planes, a length
   std::vector<OpeningOption> openings;
+  MendingOptions mending;
 };
 
 /// Adds the options to the command. `options` must live as long as it.
@@ -34,17 +33,8 @@ void addRepairOptions(CLI::App& command, RepairOptions& options);
 /// The options as they are written on a command line, each with a blank before it.
 [[nodiscard]] std::string commandLine(const RepairOptions& options);
 
-/// What a step found and did: the library's report of it.
-using StepReport = std::variant<CleanReport, OpeningReport>;
-
-/// Part of a repair.
-struct RepairStep {
-  std::string name;  ///< "clean", or the option that asked for it: "cap z=0:inlet"
-  std::function<StepReport(PolygonSoup&)> run;
-};
-
-/// The steps in their order: cleaning, then openings as they were given. A new kind of step is a
-/// function here, an option above and a report that StepReport knows.
+/// The steps in their order: cleaning, then openings as they were given, then what Cutwater::Repair
+/// does. A new kind of step is a function here, an option above and a report that StepReport knows.
 /// @throws CLI::ValidationError for the value of an option that cannot be read.
 [[nodiscard]] std::vector<RepairStep> stepsOf(const RepairOptions& options);
 

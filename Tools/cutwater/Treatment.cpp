@@ -65,6 +65,7 @@ class Search {
     std::ranges::stable_sort(result_.openings, std::ranges::greater{},
                              [](const Rim& rim) { return rim.box.diagonal(); });
     if (!result_.openings.empty() && !flatAxis(best_.soup)) closeOpenings(result_.openings);
+    fillHoles();
     if (result_.found.empty() && !best_.effects.empty()) suggest(best_);
     return std::move(result_);
   }
@@ -222,6 +223,19 @@ class Search {
       if (isUp != isDown) return axis;
     }
     return {};
+  }
+
+  /// What is still open after cleaning, or else after the first repair that was found.
+  void fillHoles() {
+    const bool isDone = !result_.found.empty() && result_.found.front().isClosed;
+    if (!canMend() || best_.gaps() == 0 || isDone || flatAxis(best_.soup)) return;
+    auto options = result_.found.empty() ? best_.options : result_.found.front().options;
+    const double widest = 0.3 * diagonal_;  // beyond, a flat patch is hardly what was meant
+    options.mending.widestHole = roundedWithin(widest, 0.1 * widest);
+    const auto filled = tried(soup_, options);
+    if (!filled || 2 * filled->gaps() > best_.gaps()) return;
+    result_.found.clear();
+    suggest(*filled);
   }
 
   void suggest(const Trial& trial) {

@@ -31,6 +31,18 @@ void addEffects(Effects& effects, const OpeningReport& report) {
   if (!report.closed) add(effects, "edges joined with the mirror image", report.rimEdges);
 }
 
+#ifdef CUTWATER_HAS_REPAIR
+void addEffects(Effects& effects, const HoleReport& report) {
+  add(effects, "holes filled", report.filled.count);
+}
+void addEffects(Effects& effects, const SelfIntersectionRepairReport& report) {
+  add(effects, "pairs of faces apart", report.pairsBefore - report.pairsAfter);
+}
+void addEffects(Effects& effects, const WrapReport& report) {
+  add(effects, "faces of the wrap", report.facesAfter);
+}
+#endif
+
 }  // namespace
 
 std::optional<Trial> tried(const PolygonSoup& soup, const RepairOptions& options) {

@@ -1,0 +1,99 @@
+#include "Mending.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "Arguments.hpp"
+#include "Format.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+double widthOf(const std::string& text) {
+  if (text == "all") return std::numeric_limits<double>::infinity();
+  return positiveNumber("--holes", text);
+}
+
+MendingOptions::Wrap wrapOf(const std::string& text) {
+  const auto values = numbers("--wrap", text);
+  const bool isGood =
+      (values.size() == 1 || values.size() == 2) &&
+      std::ranges::all_of(values, [](double v) { return v > 0 && std::isfinite(v); });
+  if (!isGood)
+    refuse("--wrap", text, "a gap, or a gap and an offset, both lengths: 0.1 or 0.1,0.002");
+  MendingOptions::Wrap wrap{.gap = values[0]};
+  if (values.size() == 2) wrap.offset = values[1];
+  return wrap;
+}
+
+std::string textOf(const MendingOptions::Wrap& wrap) {
+  return exactly(wrap.gap) + (wrap.offset ? "," + exactly(*wrap.offset) : "");
+}
+
+std::string textOfWidth(double widest) {
+  return std::isinf(widest) ? "all" : exactly(widest);
+}
+
+}  // namespace
+
+bool canMend() {
+  return true;
+}
+
+void addMendingOptions(CLI::App& command, MendingOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--holes", [&](const std::string& text) { options.widestHole = widthOf(text); },
+          "Then fill holes that are no wider than this, or all, with faces between the points of "
+          "their rims")
+      ->type_name("LENGTH|all");
+  command.add_flag("--intersections", options.selfIntersections,
+                   "Then mend places where the surface folds over or passes through itself a "
+                   "little; only where it is oriented and manifold");
+  command
+      .add_option_function<std::string>(
+          "--wrap", [&](const std::string& text) { options.wrap = wrapOf(text); },
+          "In the end put a watertight surface around it all, so far away; what a ball of the "
+          "diameter GAP does not pass is closed. Without OFFSET: a thirtieth of it")
+      ->type_name("GAP[,OFFSET]");
+  command
+      .add_option_function<std::string>(
+          "--budget",
+          [&](const std::string& text) { options.seconds = positiveNumber("--budget", text); },
+          "So much time for each of the three; holes and folds that are late stay, a late wrap is "
+          "an error [60]")
+      ->type_name("SECONDS");
+}
+
+std::string commandLine(const MendingOptions& options) {
+  std::string result;
+  if (options.widestHole) result += " --holes " + textOfWidth(*options.widestHole);
+  if (options.selfIntersections) result += " --intersections";
+  if (options.wrap) result += " --wrap " + textOf(*options.wrap);
+  if (options.seconds != MendingOptions().seconds)
+    result += " --budget " + exactly(options.seconds);
+  return result;
+}
+
+void addMendingSteps(const MendingOptions& options, std::vector<RepairStep>& steps) {
+  const double seconds = options.seconds;
+  if (const auto widest = options.widestHole) {
+    steps.push_back({"holes " + textOfWidth(*widest), [widest, seconds](PolygonSoup& soup) {
+                       return fillHoles(soup, {.widest = *widest, .seconds = seconds});
+                     }});
+  }
+  if (options.selfIntersections) {
+    steps.push_back({"intersections", [seconds](PolygonSoup& soup) {
+                       return removeSelfIntersections(soup, {.seconds = seconds});
+                     }});
+  }
+  if (const auto how = options.wrap) {
+    steps.push_back({"wrap " + textOf(*how), [how, seconds](PolygonSoup& soup) {
+                       return wrap(soup,
+                                   {.gap = how->gap, .offset = how->offset, .seconds = seconds});
+                     }});
+  }
+}
+
+}  // namespace cutwater::tool

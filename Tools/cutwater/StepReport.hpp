@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Cutwater/Mesh/Cleaning/CleanReport.hpp>
+#include <Cutwater/Mesh/Cleaning/Openings.hpp>
+#include <Cutwater/Mesh/PolygonSoup.hpp>
+#ifdef CUTWATER_HAS_REPAIR
+#include <Cutwater/Repair/FillHoles.hpp>
+#include <Cutwater/Repair/RemoveSelfIntersections.hpp>
+#include <Cutwater/Repair/Wrap.hpp>
+#endif
+
+#include <functional>
+#include <string>
+#include <variant>
+
+namespace cutwater::tool {
+
+/// What a step of a repair found and did: the library's report of it.
+#ifdef CUTWATER_HAS_REPAIR
+using StepReport =
+    std::variant<CleanReport, OpeningReport, HoleReport, SelfIntersectionRepairReport, WrapReport>;
+#else
+using StepReport = std::variant<CleanReport, OpeningReport>;
+#endif
+
+/// Part of a repair.
+struct RepairStep {
+  std::string name;  ///< "clean", or the option that asked for it: "cap z=0:inlet"
+  std::function<StepReport(PolygonSoup&)> run;
+};
+
+}  // namespace cutwater::tool
