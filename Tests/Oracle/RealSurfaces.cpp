@@ -8,11 +8,13 @@
 #include <Cutwater/Mesh/Triangulation.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "Oracle/CgalOracle.hpp"
@@ -96,7 +98,9 @@ bool tellOf(const std::string& name, PolygonSoup soup, const Stopwatch& watch) {
   return signs.wrong == 0 && signs.probes > 0 && solid.signReport().isClosed();
 }
 
-/// Files of curves have no faces, which is said and is no fault of the reader's.
+/// Two files of curves, without faces, and one with a face more than its header says.
+constexpr std::array<std::string_view, 3> kRefused{"curve.obj", "curve2.vtk", "prim.off"};
+
 bool tell(const std::filesystem::path& file) {
   const Stopwatch watch;
   const auto name = file.filename().string();
@@ -106,7 +110,7 @@ bool tell(const std::filesystem::path& file) {
     const std::string reason = error.what();
     const auto shown = reason.substr(reason.find(": ") + 2);
     std::printf("| %s | | refused: %s | | | | |\n", name.c_str(), shown.c_str());
-    return reason.ends_with("the file has no faces");
+    return std::ranges::count(kRefused, name) > 0;
   }
 }
 
