@@ -28,7 +28,7 @@ inline std::vector<CellStrut> explicitStruts(std::span<const CellStrut> ofCell, 
   for (int x = first; x <= last; ++x) {
     for (int y = first; y <= last; ++y) {
       for (int z = first; z <= last; ++z) {
-        const Vec3<double> place(std::array<double, 3>{1.0 * x, 1.0 * y, 1.0 * z});
+        const Vec3<double> place{1.0 * x, 1.0 * y, 1.0 * z};
         for (const auto& [a, b] : ofCell) struts.push_back({a + place, b + place});
       }
     }

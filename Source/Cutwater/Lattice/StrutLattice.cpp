@@ -50,18 +50,10 @@ Vec3<T> StrutLattice<T>::localGradient(const Vec3<T>& p) const {
 template <std::floating_point T>
 SurfacePoint<T> StrutLattice<T>::localClosestPoint(const Vec3<T>& p) const {
   const auto nearest = skeleton_.nearest(p);
-  SurfacePoint<T> found;
-  found.distance = value(nearest.distance);
-  found.normal = normalized(nearest.away);
-  found.point = p - found.distance * found.normal;
-  const T residual = localSignedDistance(found.point);
-  // On an axis there is no direction; beside it, the point may lie in another strut.
-  if (found.normal == Vec3<T>{} ||
-      !(std::abs(residual) <= guarantee_.error(length(p) + length(found.point)))) {
-    return SignedDistanceFunction<T>::localClosestPoint(p);
-  }
-  detail::rate(found, p, residual, guarantee_);
-  return found;
+  const auto found =
+      detail::steppedPoint<T>([this](const Vec3<T>& q) { return localSignedDistance(q); }, p,
+                              value(nearest.distance), normalized(nearest.away), guarantee_);
+  return found ? *found : SignedDistanceFunction<T>::localClosestPoint(p);
 }
 
 template <std::floating_point T>
