@@ -23,6 +23,9 @@ class Beam {
   /// That of the farthest point from the origin, or more: see Guarantee.
   [[nodiscard]] T size() const { return size_; }
 
+  [[nodiscard]] const detail::RotationAxis<T>& axis() const { return axis_; }
+  [[nodiscard]] const Profile& profile() const { return profile_; }
+
  protected:
   /// From a to b.
   Beam(const detail::RotationAxis<T>& axis, const Profile& profile, const Vec3<T>& a,

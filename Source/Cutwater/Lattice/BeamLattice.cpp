@@ -8,8 +8,8 @@ namespace cutwater {
 
 namespace detail {
 
-template <std::floating_point T, typename Kind>
-NearestBeam<T> BeamTree<T, Kind>::nearer(const NearestBeam<T>& other, const Vec3<T>& p) const {
+template <std::floating_point T, typename Tree>
+NearestBeam<T> BeamTree<T, Tree>::nearer(const NearestBeam<T>& other, const Vec3<T>& p) const {
   const auto found = tree_.nearest(p, std::min(other.value, std::numeric_limits<T>::max()));
   if (found.primitive == kNone) return other;
   const NearestBeam<T> own{ids_[found.primitive], found.distance + T(0)};
@@ -17,8 +17,8 @@ NearestBeam<T> BeamTree<T, Kind>::nearer(const NearestBeam<T>& other, const Vec3
   return own.value < other.value || isFirst ? own : other;
 }
 
-template <std::floating_point T, typename Kind>
-const Kind* BeamTree<T, Kind>::find(std::uint32_t beam) const {
+template <std::floating_point T, typename Tree>
+auto BeamTree<T, Tree>::find(std::uint32_t beam) const -> const Kind* {
   const auto place = std::ranges::lower_bound(ids_, beam);
   if (place == ids_.end() || *place != beam) return nullptr;
   return &tree_.primitives()[static_cast<std::size_t>(place - ids_.begin())];
@@ -28,8 +28,8 @@ const Kind* BeamTree<T, Kind>::find(std::uint32_t beam) const {
 
 template <std::floating_point T>
 struct BeamLattice<T>::Trees {
-  detail::BeamTree<T, ConeSphereBeam<T>> round;
-  detail::BeamTree<T, CappedBeam<T>> capped;
+  detail::BeamTree<T, detail::RoundBeamTree<T>> round;
+  detail::BeamTree<T, LinearBVH<T, CappedBeam<T>>> capped;
 
   template <typename Visit>
   void forKinds(Visit&& visit) const {
@@ -118,9 +118,27 @@ BeamLattice<T>::BeamLattice(const BeamGraph& graph) {
 
 template <std::floating_point T>
 NearestBeam<T> BeamLattice<T>::localNearest(const Vec3<T>& p) const {
-  NearestBeam<T> best;
+  return localNearest(p, std::numeric_limits<T>::infinity());
+}
+
+template <std::floating_point T>
+NearestBeam<T> BeamLattice<T>::localNearest(const Vec3<T>& p, T limit) const {
+  NearestBeam<T> best{.value = limit};
   trees_->forKinds([&](const auto& tree) { best = tree.nearer(best, p); });
-  return best;
+  return best.beam == kNone && std::isfinite(limit) ? localNearest(p) : best;
+}
+
+template <std::floating_point T>
+void BeamLattice<T>::localSignedDistances(std::span<const Vec3<T>> points,
+                                          std::span<T> distances) const {
+  T limit = std::numeric_limits<T>::infinity();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    distances[i] = localNearest(points[i], limit).value;
+    if (i + 1 == points.size()) break;
+    // On the way to the next point, which is often near, no value changes by more than the way.
+    limit = distances[i] + length(points[i + 1] - points[i]);
+    limit += 4 * guarantee_.error(length(points[i]) + length(points[i + 1]));
+  }
 }
 
 template <std::floating_point T>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Lattice/Beam.hpp>
+#include <Cutwater/Lattice/RoundBeamTree.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 #include <memory>
@@ -17,9 +17,12 @@ struct NearestBeam {
 namespace detail {
 
 /// Beams of one kind in a tree, with their indices among all.
-template <std::floating_point T, typename Kind>
+template <std::floating_point T, typename Tree>
 class BeamTree {
  public:
+  using Kind =
+      typename std::remove_cvref_t<decltype(std::declval<Tree>().primitives())>::value_type;
+
   BeamTree(std::vector<Kind> beams, std::vector<std::uint32_t> ids)
       : ids_(std::move(ids)), tree_(std::move(beams)) {}
 
@@ -31,7 +34,7 @@ class BeamTree {
 
  private:
   std::vector<std::uint32_t> ids_;  // ascending
-  LinearBVH<T, Kind> tree_;
+  Tree tree_;
 };
 
 }  // namespace detail
@@ -59,6 +62,7 @@ class BeamLattice final : public SignedDistanceFunction<T> {
 
   [[nodiscard]] std::string localName() const override { return "Beam lattice"; }
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
   [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
@@ -66,6 +70,8 @@ class BeamLattice final : public SignedDistanceFunction<T> {
   [[nodiscard]] Box<T> localBoundingBox() const override { return box_; }
 
   [[nodiscard]] NearestBeam<T> localNearest(const Vec3<T>& p) const;
+  /// The same, if the value is certainly not above `limit`, up to rounding.
+  [[nodiscard]] NearestBeam<T> localNearest(const Vec3<T>& p, T limit) const;
   [[nodiscard]] Vec3<T> gradientOf(std::uint32_t beam, const Vec3<T>& p) const;
 
   std::shared_ptr<const Trees> trees_;
