@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
-#include <Cutwater/Lattice/StrutLattice.hpp>
+#include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 #include <Cutwater/Shapes/ConeSphere.hpp>
 
@@ -125,6 +125,35 @@ TYPED_TEST(BeamLatticeTest, HasTheBitsOfThePlainLoop) {
         expectSameAsLoop(graph, Vec3<T>(node), lattice);
         expectSameAsLoop(graph, Vec3<T>(node + 1e-6 * Vec3<double>(p)), lattice);
       }
+    }
+  }
+}
+
+TYPED_TEST(BeamLatticeTest, BatchesOfNeighboursHaveTheSameBits) {
+  using T = TypeParam;
+  const BeamLattice<T> lattice(beamsOf(UnitCell::octet(), {{0.1, 0.1, 0.1}, {9, 9, 9}}, 0.01));
+  std::vector<Vec3<T>> points;
+  for (int i = 0; i < 4000; ++i) {  // lines through the array, far away now and then
+    const T x = static_cast<T>(i % 200) / 150;
+    points.push_back({x, static_cast<T>(i / 200) / 19, i % 50 == 0 ? T(-40) : T(0.45)});
+  }
+  std::vector<T> values(points.size());
+  lattice.signedDistances(points, values, {.threads = 2});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_PRED2(sameBits<T>, values[i], lattice.signedDistance(points[i])) << points[i];
+  }
+}
+
+TYPED_TEST(BeamLatticeTest, OfOneKindAloneAndFarAwayHasTheBitsOfThePlainLoop) {
+  using T = TypeParam;
+  for (const auto body : {BeamBody::ConeSphere, BeamBody::Frustum}) {
+    auto graph = randomGraph(600, 0.2, 0.05, 6);
+    for (auto& beam : graph.beams) beam.body = body;
+    graph.balls.clear();
+    const BeamLattice<T> lattice(graph);
+    RandomPoints<T> random(1, 12);
+    for (const T far : {T(1), T(1e3), T(1e6), T(1e9), T(1e15), T(1e18), T(1e30)}) {
+      for (int i = 0; i < 10; ++i) expectSameAsLoop(graph, far * random.next(), lattice);
     }
   }
 }

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Lattice/StrutLattice.hpp>
+#include <Cutwater/Lattice/CellArray.hpp>
+#include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
 #include "ExplicitLattice.hpp"

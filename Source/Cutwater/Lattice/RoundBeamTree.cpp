@@ -14,7 +14,7 @@ std::vector<Box<double>> boxesOf(std::span<const ConeSphereBeam<T>> beams) {
   boxes.reserve(beams.size());
   for (const auto& beam : beams) {
     const auto box = beam.boundingBox();
-    require(isFinite(box), "need a finite bounding box", Named{"beam", boxes.size()});
+    require(isFinite(box), "BeamLattice: need a finite bounding box", Named{"beam", boxes.size()});
     boxes.push_back({Vec3<double>(box.lower), Vec3<double>(box.upper)});
   }
   return boxes;

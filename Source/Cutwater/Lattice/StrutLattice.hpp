@@ -46,35 +46,6 @@ class StrutLattice : public SignedDistanceFunction<T> {
   Guarantee<T> guarantee_;
 };
 
-/// A lattice without end: unit cells of this size at all multiples of it.
-///
-/// The library chooses how: by folding, in a few nanoseconds, where the cell has mirrors (see
-/// CellFold), and equal sizes along the axes that they exchange; otherwise by a search of
-/// neighbouring cells.
-///
-/// @throws Error unless sizes are positive and ordinary, and 0 < radius < infinity.
-template <std::floating_point T>
-class PeriodicLattice final : public StrutLattice<T> {
- public:
-  PeriodicLattice(UnitCell cell, const Vec3<T>& size, T radius)
-      : StrutLattice<T>("PeriodicLattice", std::move(cell), {.period = size}, radius) {}
-};
-
-/// An array of unit cells, in a box from the origin: all struts whose middles lie in the closed
-/// box.
-///
-/// The same solid as explicit beams for each strut (see BeamGraph), whatever the number of cells:
-/// at its ends struts are round, not cut off. Endless along axes where the count is 0.
-///
-/// @throws Error unless sizes are positive and ordinary, and 0 < radius < infinity; of kind Limit
-/// beyond 2^20 cells along an axis.
-template <std::floating_point T>
-class CellArray final : public StrutLattice<T> {
- public:
-  CellArray(UnitCell cell, const Repeats<T>& cells, T radius)
-      : StrutLattice<T>("CellArray", std::move(cell), cells, radius) {}
-};
-
 extern template class StrutLattice<float>;
 extern template class StrutLattice<double>;
 
