@@ -137,11 +137,10 @@ FoldedCells<T>::FoldedCells(const UnitCell& cell, CellFold fold, const Vec3<T>& 
 
 template <std::floating_point T>
 inline auto FoldedCells<T>::leastInChamber(const Vec3<T>& p) const -> Found {
-  Found best{std::numeric_limits<T>::infinity(), {}, &struts_.front()};
+  Found best{std::numeric_limits<T>::infinity(), &struts_.front()};
   for (const auto& strut : struts_) {
-    const auto away = strut.axis.awayFrom(p);
-    const T squared = lengthSquared(away);
-    if (squared < best.squared) best = {squared, away, &strut};
+    const T squared = lengthSquared(strut.axis.awayFrom(p));
+    if (squared < best.squared) best = {squared, &strut};
   }
   return best;
 }
@@ -183,8 +182,9 @@ SkeletonPoint<T> FoldedCells<T>::nearest(const Vec3<T>& p) const {
   return withFold([&](auto fold) -> SkeletonPoint<T> {
     const auto inside = folded<fold()>(p, period_, perPeriod_);
     const auto found = leastInChamber(inside.point);
-    return {std::sqrt(found.squared), inside.unfolded(found.away), found.strut->strut,
-            times(inside.origin, period_) + inside.unfolded(found.strut->middle)};
+    const auto& [axis, strut, middle] = *found.strut;
+    return {std::sqrt(found.squared), inside.unfolded(axis.awayFrom(inside.point)), strut,
+            times(inside.origin, period_) + inside.unfolded(middle)};
   });
 }
 

@@ -26,7 +26,6 @@ class FoldedCells {
   };
   struct Found {
     T squared;
-    Vec3<T> away;  // in the chamber
     const Strut* strut;
   };
   /// Calls answer(fold) with the fold as a type.
