@@ -3,6 +3,7 @@
 //
 //   cutwater_lattice_benchmark
 
+#include <Cutwater/Lattice/Beam.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
 #include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Lattice/PeriodicLattice.hpp>

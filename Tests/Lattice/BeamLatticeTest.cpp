@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Lattice/Beam.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
 #include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Sdf/Solid.hpp>

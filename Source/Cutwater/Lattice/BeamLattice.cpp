@@ -1,12 +1,34 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
+#include <Cutwater/Lattice/RoundBeamTree.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
 
 #include <algorithm>
 
 namespace cutwater {
 
-namespace detail {
+namespace {
+
+/// Beams of one kind in a tree, with their indices among all.
+template <std::floating_point T, typename Tree>
+class BeamTree {
+ public:
+  using Kind =
+      typename std::remove_cvref_t<decltype(std::declval<Tree>().primitives())>::value_type;
+
+  BeamTree(std::vector<Kind> beams, std::vector<std::uint32_t> ids)
+      : ids_(std::move(ids)), tree_(std::move(beams)) {}
+
+  /// The better of the one told and the best in the tree.
+  [[nodiscard]] NearestBeam<T> nearer(const NearestBeam<T>& other, const Vec3<T>& p) const;
+  /// Null if the beam is not in this tree.
+  [[nodiscard]] const Kind* find(std::uint32_t beam) const;
+  [[nodiscard]] const std::vector<Kind>& beams() const { return tree_.primitives(); }
+
+ private:
+  std::vector<std::uint32_t> ids_;  // ascending
+  Tree tree_;
+};
 
 template <std::floating_point T, typename Tree>
 NearestBeam<T> BeamTree<T, Tree>::nearer(const NearestBeam<T>& other, const Vec3<T>& p) const {
@@ -24,12 +46,12 @@ auto BeamTree<T, Tree>::find(std::uint32_t beam) const -> const Kind* {
   return &tree_.primitives()[static_cast<std::size_t>(place - ids_.begin())];
 }
 
-}  // namespace detail
+}  // namespace
 
 template <std::floating_point T>
 struct BeamLattice<T>::Trees {
-  detail::BeamTree<T, detail::RoundBeamTree<T>> round;
-  detail::BeamTree<T, LinearBVH<T, CappedBeam<T>>> capped;
+  BeamTree<T, detail::RoundBeamTree<T>> round;
+  BeamTree<T, LinearBVH<T, CappedBeam<T>>> capped;
 
   template <typename Visit>
   void forKinds(Visit&& visit) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Lattice/RoundBeamTree.hpp>
+#include <Cutwater/Lattice/BeamGraph.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 #include <memory>
@@ -13,31 +13,6 @@ struct NearestBeam {
   std::uint32_t beam = kNone;  ///< index into the graph's beams, or beyond them into its balls
   T value = std::numeric_limits<T>::infinity();
 };
-
-namespace detail {
-
-/// Beams of one kind in a tree, with their indices among all.
-template <std::floating_point T, typename Tree>
-class BeamTree {
- public:
-  using Kind =
-      typename std::remove_cvref_t<decltype(std::declval<Tree>().primitives())>::value_type;
-
-  BeamTree(std::vector<Kind> beams, std::vector<std::uint32_t> ids)
-      : ids_(std::move(ids)), tree_(std::move(beams)) {}
-
-  /// The better of the one told and the best in the tree.
-  [[nodiscard]] NearestBeam<T> nearer(const NearestBeam<T>& other, const Vec3<T>& p) const;
-  /// Null if the beam is not in this tree.
-  [[nodiscard]] const Kind* find(std::uint32_t beam) const;
-  [[nodiscard]] const std::vector<Kind>& beams() const { return tree_.primitives(); }
-
- private:
-  std::vector<std::uint32_t> ids_;  // ascending
-  Tree tree_;
-};
-
-}  // namespace detail
 
 /// The union of the beams and balls of a graph, each with radii of its own: exact outside, and a
 /// lower bound inside, where beams overlap.
