@@ -12,13 +12,17 @@ namespace {
 using Nodes = std::vector<Vec3<double>>;
 using Struts = std::vector<CellStrut>;
 
-const Nodes kCorner{{0, 0, 0}};
-const Nodes kCenter{{0.5, 0.5, 0.5}};
-const Nodes kFaces{{0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}};
-const Nodes kCornerAndFaces{{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}};
+// Constants without initialisation at run time: cells may be globals of a user's program.
+constexpr Vec3<double> kMiddle{0.5, 0.5, 0.5};
+constexpr std::array<Vec3<double>, 1> kCorner{{{0, 0, 0}}};
+constexpr std::array<Vec3<double>, 1> kCenter{{kMiddle}};
+constexpr std::array<Vec3<double>, 3> kFaces{{{0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}}};
+constexpr std::array<Vec3<double>, 4> kCornerAndFaces{
+    {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}}};
 
 /// From each of these nodes to each of those, in whatever cell, that is as far or nearer.
-Struts joined(const Nodes& from, const Nodes& to, double farthest) {
+Struts joined(std::span<const Vec3<double>> from, std::span<const Vec3<double>> to,
+              double farthest) {
   Struts struts;
   for (const auto& a : from) {
     for (const auto& node : to) {
@@ -63,7 +67,7 @@ Nodes permuted(double x, double y, double z) {
     const double b = (signs & 2) != 0 ? -y : y;
     const double c = (signs & 4) != 0 ? -z : z;
     for (const auto& p : Nodes{{a, b, c}, {b, c, a}, {c, a, b}, {a, c, b}, {c, b, a}, {b, a, c}}) {
-      nodes.push_back(kCenter[0] + p);
+      nodes.push_back(kMiddle + p);
     }
   }
   return nodes;
@@ -82,7 +86,7 @@ Nodes foamNodes() {
       for (int axis = 0; axis < 3; ++axis) {
         if ((i >> axis & 1) != 0) p[axis] = -p[axis];
       }
-      if ((i & 8) != 0) p = Vec3<double>{p.y, p.x, p.z} + kCenter[0];
+      if ((i & 8) != 0) p = Vec3<double>{p.y, p.x, p.z} + kMiddle;
       for (int axis = 0; axis < 3; ++axis) p[axis] -= std::floor(p[axis]);
       nodes.push_back(p);
     }
