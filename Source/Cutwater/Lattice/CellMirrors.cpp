@@ -1,4 +1,3 @@
-#include <Cutwater/Core/Box.hpp>
 #include <Cutwater/Lattice/CellMirrors.hpp>
 
 #include <algorithm>
@@ -22,8 +21,10 @@ constexpr std::array<ChamberWall, 4> kSort{
 constexpr std::array<ChamberWall, 4> kFcc{
     {{{1, -1, 0}, 0}, {{0, 1, -1}, 0}, {{0, 1, 1}, 0}, {{-1, -1, 0}, -0.5}}};
 
-/// No chamber is outside of it.
-constexpr Box<double> kAllChambers{{0, 0, -0.5}, {0.5, 0.5, 0.5}};
+// Struts reach up to 1.5 from their middles, which are in [0, 1); chambers are in [-1/2, 1/2].
+// Farther copies do not meet them.
+constexpr int kFirst = -3;
+constexpr int kAcross = 6;
 
 /// Shorter pieces are the ends of struts that meet a wall.
 constexpr double kShortest = 1e-9;
@@ -69,22 +70,12 @@ std::span<const ChamberWall> wallsOf(CellFold fold) {
 std::vector<ChamberStrut> strutsInChamber(std::span<const CellStrut> struts, CellFold fold) {
   std::vector<ChamberStrut> found;
   for (std::uint32_t i = 0; i < struts.size(); ++i) {
-    const auto& [a, b] = struts[i];
-    // Copies whose box meets that of the chambers.
-    Vec3<double> first;
-    Vec3<double> last;
-    for (int axis = 0; axis < 3; ++axis) {
-      first[axis] = std::ceil(kAllChambers.lower[axis] - std::max(a[axis], b[axis]) - kShortest);
-      last[axis] = std::floor(kAllChambers.upper[axis] - std::min(a[axis], b[axis]) + kShortest);
-    }
-    for (double x = first.x; x <= last.x; ++x) {
-      for (double y = first.y; y <= last.y; ++y) {
-        for (double z = first.z; z <= last.z; ++z) {
-          const Vec3<double> place{x, y, z};
-          const CellStrut copy{a + place, b + place};
-          if (const auto part = clipped(copy, fold)) found.push_back({*part, i, copy.middle()});
-        }
-      }
+    for (int copy = 0; copy < kAcross * kAcross * kAcross; ++copy) {
+      const Vec3<double> place{1.0 * (copy % kAcross + kFirst),
+                               1.0 * (copy / kAcross % kAcross + kFirst),
+                               1.0 * (copy / kAcross / kAcross + kFirst)};
+      const CellStrut moved{struts[i].a + place, struts[i].b + place};
+      if (const auto part = clipped(moved, fold)) found.push_back({*part, i, moved.middle()});
     }
   }
   return found;

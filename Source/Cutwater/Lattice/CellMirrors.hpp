@@ -49,7 +49,8 @@ struct ChamberStrut {
   Vec3<double> middle;  ///< of the whole
 };
 
-/// All that lies in the chamber of copies of the struts in all cells. Not for CellFold::None.
+/// All that lies in the chamber of copies of the struts, which are those of a UnitCell, in all
+/// cells. Not for CellFold::None.
 [[nodiscard]] std::vector<ChamberStrut> strutsInChamber(std::span<const CellStrut> struts,
                                                         CellFold fold);
 
