@@ -68,9 +68,11 @@ TYPED_TEST(CellSkeletonTest, EveryFoldThatACellHasIsRight) {
   using T = TypeParam;
   using enum CellFold;
   this->forCells([&](const UnitCell& cell, std::span<const CellStrut> around) {
-    for (const auto& [fold, size] :
+    for (const auto& choice :
          {std::pair{Octant, Vec3<T>{1, T(1.5), 2}}, std::pair{SortXY, Vec3<T>{1, 1, T(0.5)}},
           std::pair{Sort, Vec3<T>{1, 1, 1}}, std::pair{Fcc, Vec3<T>{1, 1, 1}}}) {
+      const auto fold = choice.first;
+      const auto size = choice.second;
       if (!cell.has(fold)) continue;
       const FoldedCells<T> folded(cell, fold, size);
       this->forPoints(100, [&](const Vec3<T>& u) {

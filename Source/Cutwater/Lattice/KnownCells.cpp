@@ -27,7 +27,7 @@ Struts joined(std::span<const Vec3<double>> from, std::span<const Vec3<double>> 
   for (const auto& a : from) {
     for (const auto& node : to) {
       for (int i = 0; i < 27; ++i) {
-        const Vec3<double> place{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
+        const Vec3<double> place{1.0 * (i % 3 - 1), 1.0 * (i / 3 % 3 - 1), 1.0 * (i / 9 - 1)};
         const auto b = node + place;
         const double distance = length(b - a);
         if (distance > UnitCell::kSame && distance < farthest + UnitCell::kSame)

@@ -49,10 +49,11 @@ SkeletonPoint<T> SearchedCells<T>::nearest(const Vec3<T>& p) const {
   const auto isNear = [&](T gapSquared) {
     return gapSquared < least * (1 - 8 * std::numeric_limits<T>::epsilon());
   };
-  for (const auto& [tiles, struts] : groups_) {
+  for (const auto& group : groups_) {
+    const auto& tiles = group.tiles;
     tiles.outwards(p, isNear, [&](const Vec3<T>& cell) {
       const auto local = tiles.seenFrom(cell, p);
-      for (const auto& strut : struts) {
+      for (const auto& strut : group.struts) {
         const auto away = strut.axis.awayFrom(local);
         const T squared = lengthSquared(away);
         if (!(squared < least)) continue;

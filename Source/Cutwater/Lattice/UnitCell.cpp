@@ -102,7 +102,7 @@ std::vector<CellStrut> UnitCell::closedStruts() const {
     const auto middle = strut.middle();
     // Those in the lower faces are in the upper ones, too.
     for (int i = 0; i < 8; ++i) {
-      const Vec3<double> place(std::array<double, 3>{i % 2 * 1.0, i / 2 % 2 * 1.0, i / 4 * 1.0});
+      const Vec3<double> place{1.0 * (i & 1), 1.0 * (i >> 1 & 1), 1.0 * (i >> 2 & 1)};
       if (maxComponent(middle + place) <= 1 + kSame) {
         found.push_back({strut.a + place, strut.b + place});
       }
