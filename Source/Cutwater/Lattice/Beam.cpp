@@ -15,6 +15,12 @@ T Beam<T, Profile>::distance(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T, typename Profile>
+Vec3<T> Beam<T, Profile>::gradient(const Vec3<T>& p) const {
+  const auto split = axis_.split(p);
+  return axis_.revolved(split, profile_.gradient({length(split.radial), split.axial}));
+}
+
+template <std::floating_point T, typename Profile>
 Box<T> Beam<T, Profile>::boundingBox() const {
   return Guarantee<T>::exact(size_).grown(profile_.box(axis_));
 }
@@ -37,14 +43,28 @@ CappedConeBeam<T>::CappedConeBeam(const Vec3<T>& a, const Vec3<T>& b, T radiusA,
   detail::requireRadii("CappedConeBeam", radiusA, radiusB);
 }
 
+template <std::floating_point T>
+CappedBeam<T>::CappedBeam(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB,
+                          const std::array<BeamCap, 2>& caps)
+    : Beam<T, detail::CappedFrustumProfile<T>>({"CappedBeam", a, b - a},
+                                               {{a, b, radiusA, radiusB}, caps}, a, b) {
+  detail::requireRadii("CappedBeam", radiusA, radiusB);
+}
+
 template class Beam<float, detail::CapsuleProfile<float>>;
 template class Beam<double, detail::CapsuleProfile<double>>;
 template class Beam<float, detail::ConeSphereProfile<float>>;
 template class Beam<double, detail::ConeSphereProfile<double>>;
 template class Beam<float, detail::FrustumProfile<float>>;
 template class Beam<double, detail::FrustumProfile<double>>;
+template class Beam<float, detail::CappedFrustumProfile<float>>;
 template class CapsuleBeam<float>;
+template class CappedBeam<float>;
+template class LinearBVH<float, CappedBeam<float>>;
+template class Beam<double, detail::CappedFrustumProfile<double>>;
 template class CapsuleBeam<double>;
+template class CappedBeam<double>;
+template class LinearBVH<double, CappedBeam<double>>;
 template class ConeSphereBeam<float>;
 template class ConeSphereBeam<double>;
 template class CappedConeBeam<float>;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Bvh/LinearBVH.hpp>
+#include <Cutwater/Lattice/CappedFrustumProfile.hpp>
 #include <Cutwater/Shapes/CapsuleProfile.hpp>
 #include <Cutwater/Shapes/ConeSphereProfile.hpp>
 #include <Cutwater/Shapes/FrustumProfile.hpp>
@@ -15,8 +16,15 @@ class Beam {
  public:
   /// The bits of signedDistance() of the shape, without a placement. `p` is finite.
   [[nodiscard]] T distance(const Vec3<T>& p) const;
+  /// Of the distance; zero where there is none.
+  [[nodiscard]] Vec3<T> gradient(const Vec3<T>& p) const;
   /// That of the shape: tight, but for rounding, at the ends of round beams and around flat caps.
   [[nodiscard]] Box<T> boundingBox() const;
+  /// That of the farthest point from the origin, or more: see Guarantee.
+  [[nodiscard]] T size() const { return size_; }
+
+  [[nodiscard]] const detail::RotationAxis<T>& axis() const { return axis_; }
+  [[nodiscard]] const Profile& profile() const { return profile_; }
 
  protected:
   /// From a to b.
@@ -55,14 +63,30 @@ class CappedConeBeam : public Beam<T, detail::FrustumProfile<T>> {
   CappedConeBeam(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
 };
 
+/// A frustum with a cap at each end: see BeamCap. With flat ends, the surface of a CappedCone.
+template <std::floating_point T>
+class CappedBeam : public Beam<T, detail::CappedFrustumProfile<T>> {
+ public:
+  /// @throws Error unless the nodes are finite and differ, both radii are finite and not negative,
+  /// and one of them is positive.
+  CappedBeam(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB,
+             const std::array<BeamCap, 2>& caps);
+};
+
 extern template class Beam<float, detail::CapsuleProfile<float>>;
 extern template class Beam<double, detail::CapsuleProfile<double>>;
 extern template class Beam<float, detail::ConeSphereProfile<float>>;
 extern template class Beam<double, detail::ConeSphereProfile<double>>;
 extern template class Beam<float, detail::FrustumProfile<float>>;
 extern template class Beam<double, detail::FrustumProfile<double>>;
+extern template class Beam<float, detail::CappedFrustumProfile<float>>;
 extern template class CapsuleBeam<float>;
+extern template class CappedBeam<float>;
+extern template class LinearBVH<float, CappedBeam<float>>;
+extern template class Beam<double, detail::CappedFrustumProfile<double>>;
 extern template class CapsuleBeam<double>;
+extern template class CappedBeam<double>;
+extern template class LinearBVH<double, CappedBeam<double>>;
 extern template class ConeSphereBeam<float>;
 extern template class ConeSphereBeam<double>;
 extern template class CappedConeBeam<float>;

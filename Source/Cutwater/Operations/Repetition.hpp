@@ -1,18 +1,9 @@
 #pragma once
 
+#include <Cutwater/Operations/Tiles.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 
-#include <array>
-
 namespace cutwater {
-
-/// Copies of the operand at multiples of a period along each axis.
-template <std::floating_point T>
-struct Repeats {
-  Vec3<T> period;  ///< 0: not repeated along this axis
-  /// Copies along each axis, the operand itself first; 0: endless in both directions.
-  std::array<std::uint32_t, 3> count{};
-};
 
 /// The union of copies of the operand at multiples of a period.
 ///
@@ -54,27 +45,13 @@ class Repetition final : public UnaryOperation<T> {
   };
   void checkArguments() const;
   void deriveGuarantee();
-  [[nodiscard]] bool isRepeated(int axis) const { return repeats_.period[axis] > 0; }
-  /// Whether there is a copy of this index.
-  [[nodiscard]] bool isWithin(int axis, T index) const;
-  /// Where p is, seen from a copy.
-  [[nodiscard]] Vec3<T> seenFrom(const Vec3<T>& copy, const Vec3<T>& p) const;
-  /// From the operand's box, axis by axis; 0 within.
-  [[nodiscard]] Vec3<T> gaps(const Vec3<T>& local) const;
-  /// The copy whose box is centred nearest to p.
-  [[nodiscard]] Vec3<T> central(const Vec3<T>& p) const;
   /// Of the copy that sees the point at `local`, from the operand's value.
   [[nodiscard]] T valueFrom(const Vec3<T>& local, T value) const;
   /// The copy of least value, if that of the central one is known.
   [[nodiscard]] Decision decide(const Vec3<T>& p, const Decision& central) const;
   [[nodiscard]] Decision decide(const Vec3<T>& p) const;
-  /// Calls visit(index) from `start` on outwards, at first there, as long as it returns true in
-  /// that direction.
-  template <typename Visit>
-  void outwards(int axis, T start, Visit&& visit) const;
 
-  Repeats<T> repeats_;
-  Box<T> box_;  // the operand's
+  detail::Tiles<T> tiles_;  // of the operand's box
   Guarantee<T> guarantee_;
   T stretch_ = 1;  // no value is more than so many times the distance
   bool isClamped_ = false;

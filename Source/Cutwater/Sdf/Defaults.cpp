@@ -131,6 +131,22 @@ SurfacePoint<T> projectedPoint(const Field<T>& field, const Vec3<T>& p) {
 }
 
 template <std::floating_point T>
+std::optional<SurfacePoint<T>> steppedPoint(FunctionRef<T(const Vec3<T>&)> value, const Vec3<T>& p,
+                                            T atP, const Vec3<T>& gradient,
+                                            const Guarantee<T>& guarantee) {
+  if (gradient == Vec3<T>{}) return {};
+  SurfacePoint<T> found;
+  found.distance = atP;
+  found.normal = gradient;
+  found.point = p - atP * gradient;
+  const T residual = value(found.point);
+  const T allowed = guarantee.error(length(p) + length(found.point));
+  if (!(std::abs(residual) <= allowed)) return {};
+  rate(found, p, residual, guarantee);
+  return found;
+}
+
+template <std::floating_point T>
 void rate(SurfacePoint<T>& result, const Vec3<T>& p, T residual, const Guarantee<T>& guarantee) {
   if (guarantee.quality(result.distance) == Quality::SignOnly) return;
   // The surface is no nearer than |value|, and has a point this much farther.
@@ -315,6 +331,14 @@ Guarantee<T> placed(Guarantee<T> local, const RigidTransform<T>& placement) {
 
 template SurfacePoint<float> projectedPoint(const Field<float>&, const Vec3<float>&);
 template SurfacePoint<double> projectedPoint(const Field<double>&, const Vec3<double>&);
+template std::optional<SurfacePoint<float>> steppedPoint(FunctionRef<float(const Vec3<float>&)>,
+                                                         const Vec3<float>&, float,
+                                                         const Vec3<float>&,
+                                                         const Guarantee<float>&);
+template std::optional<SurfacePoint<double>> steppedPoint(FunctionRef<double(const Vec3<double>&)>,
+                                                          const Vec3<double>&, double,
+                                                          const Vec3<double>&,
+                                                          const Guarantee<double>&);
 template void rate(SurfacePoint<float>&, const Vec3<float>&, float, const Guarantee<float>&);
 template void rate(SurfacePoint<double>&, const Vec3<double>&, double, const Guarantee<double>&);
 template CrossingCount isolatedCrossings(const Field<float>&, const Segment<float>&,

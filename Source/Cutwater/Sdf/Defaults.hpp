@@ -33,6 +33,14 @@ Vec3<T> centredDifferences(FunctionRef<T(const Vec3<T>&)> value, const Vec3<T>& 
 template <std::floating_point T>
 SurfacePoint<T> projectedPoint(const Field<T>& field, const Vec3<T>& p);
 
+/// The surface point in one step of this value against this gradient, which is a unit vector or
+/// zero: for the least of several distances that are exact, each with its own gradient. None where
+/// that leads into another one, or there is no gradient.
+template <std::floating_point T>
+std::optional<SurfacePoint<T>> steppedPoint(FunctionRef<T(const Vec3<T>&)> value, const Vec3<T>& p,
+                                            T atP, const Vec3<T>& gradient,
+                                            const Guarantee<T>& guarantee);
+
 /// Fills in what is known about how near `result.point` is to the surface point nearest to `p`,
 /// where the function has the value result.distance; `residual` is the value at result.point.
 template <std::floating_point T>

@@ -9,12 +9,8 @@ T Axisymmetric<T>::localSignedDistance(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 Vec3<T> Axisymmetric<T>::localGradient(const Vec3<T>& p) const {
-  const auto [axial, radial] = axis_.split(p);
-  const T distance = length(radial);
-  const auto g = profileGradient({distance, axial});
-  if (g.radial == 0) return g.axial * axis();
-  if (!(distance > 0)) return {};  // equally steep in every direction away from the axis
-  return (g.radial / distance) * radial + g.axial * axis();
+  const auto split = axis_.split(p);
+  return axis_.revolved(split, profileGradient({length(split.radial), split.axial}));
 }
 
 template class Axisymmetric<float>;

@@ -54,6 +54,12 @@ Box<T> ConeSphereProfile<T>::box(const RotationAxis<T>& axis) const {
   return axis.ballBox(0, radiusA_).extend(axis.ballBox(length_, radiusB_));
 }
 
+template <std::floating_point T>
+auto ConeSphereProfile<T>::hull() const -> Hull {
+  if (!isBall_) return {0, length_, radiusA_, sine_, cosine_};
+  return {radiusA_ >= radiusB_ ? T(0) : length_, 0, largestRadius(), 0, 1};
+}
+
 template class ConeSphereProfile<float>;
 template class ConeSphereProfile<double>;
 

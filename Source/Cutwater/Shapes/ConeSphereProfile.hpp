@@ -19,6 +19,13 @@ class ConeSphereProfile {
   /// Around the body of revolution, as computed.
   [[nodiscard]] Box<T> box(const RotationAxis<T>& axis) const;
   [[nodiscard]] T largestRadius() const { return radiusA_ < radiusB_ ? radiusB_ : radiusA_; }
+  /// Of the hull as the distance has it: where one ball contains the other, that one alone.
+  struct Hull {
+    T start, height;      ///< along the axis
+    T radius, narrowing;  ///< at the start, and per height
+    T cosine;             ///< of the angle between the axis and the flank
+  };
+  [[nodiscard]] Hull hull() const;
 
  private:
   enum class Part { BallA, Cone, BallB };

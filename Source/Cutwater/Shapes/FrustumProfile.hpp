@@ -23,13 +23,19 @@ class FrustumProfile {
   [[nodiscard]] Box<T> box(const RotationAxis<T>& axis) const;
   [[nodiscard]] T largestRadius() const { return radiusA_ < radiusB_ ? radiusB_ : radiusA_; }
 
- private:
+  // Its sides, for what is put together from them.
+  [[nodiscard]] T height() const { return length_; }
+  [[nodiscard]] T radiusA() const { return radiusA_; }
+  [[nodiscard]] T radiusB() const { return radiusB_; }
+  /// Signed distance to the line that the flank lies in, and its gradient.
   [[nodiscard]] T flankDistance(const ProfilePoint<T>& p) const;
+  [[nodiscard]] const ProfilePoint<T>& flankNormal() const { return normal_; }
   [[nodiscard]] bool hasFootOnFlank(const ProfilePoint<T>& p) const;
   /// From the nearest point of the end disc at 0, or at `length`, to p.
   [[nodiscard]] ProfilePoint<T> fromDiscA(const ProfilePoint<T>& p) const;
   [[nodiscard]] ProfilePoint<T> fromDiscB(const ProfilePoint<T>& p) const;
 
+ private:
   T length_;
   T radiusA_;
   T radiusB_;

@@ -53,6 +53,14 @@ class RotationAxis {
     const auto [axial, radial] = split(p);
     return {length(radial), axial};
   }
+  /// The gradient at p, of a function that has this one in the half-plane; zero on the axis where
+  /// it is equally steep in every direction away from it.
+  [[nodiscard]] CUTWATER_INLINE Vec3<T> revolved(const Split& p, const ProfilePoint<T>& g) const {
+    if (g.radial == 0) return g.axial * direction_;
+    const T distance = length(p.radial);
+    if (!(distance > 0)) return {};
+    return (g.radial / distance) * p.radial + g.axial * direction_;
+  }
 
   /// Encloses the disc of this radius across the axis around its point at `axial`.
   [[nodiscard]] Box<T> discBox(T axial, T radius) const;

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Cutwater/Lattice/UnitCell.hpp>
+#include <Cutwater/Operations/Tiles.hpp>
+
+namespace cutwater {
+
+/// What a beam is between its two nodes.
+enum class BeamBody : std::uint8_t {
+  ConeSphere,  ///< the convex hull of a ball about each node; its caps do not matter
+  Frustum,     ///< a cone cut off flat at both nodes, to which caps are added
+};
+
+/// What is added to a frustum at one of its ends.
+enum class BeamCap : std::uint8_t {
+  Butt,        ///< nothing: flat
+  Hemisphere,  ///< the half of a ball of the end's radius that lies beyond the end
+  Sphere,      ///< all of that ball
+};
+
+/// Nodes, and straight beams that join them: what a BeamLattice is made from. One unit of length.
+struct BeamGraph {
+  struct Beam {
+    std::array<std::uint32_t, 2> nodes;
+    std::array<double, 2> radii;  ///< at each node
+    BeamBody body = BeamBody::ConeSphere;
+    std::array<BeamCap, 2> caps{BeamCap::Sphere, BeamCap::Sphere};
+  };
+  struct Ball {
+    std::uint32_t node;
+    double radius;
+  };
+
+  std::vector<Vec3<double>> nodes;
+  std::vector<Beam> beams;
+  std::vector<Ball> balls;
+};
+
+/// The beams of an array of cells, one for each strut, all of this radius: the same solid as
+/// CellArray, which needs no memory for it.
+/// @throws Error unless there are cells along each axis, and their sizes are positive and finite;
+/// of kind Limit beyond 2^31 beams.
+[[nodiscard]] BeamGraph beamsOf(const UnitCell& cell, const Repeats<double>& cells, double radius);
+
+}  // namespace cutwater

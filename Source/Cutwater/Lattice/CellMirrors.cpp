@@ -1,0 +1,84 @@
+#include <Cutwater/Lattice/CellMirrors.hpp>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace cutwater::detail {
+
+namespace {
+
+constexpr std::array<ChamberWall, 6> kOctant{{{{1, 0, 0}, 0},
+                                              {{0, 1, 0}, 0},
+                                              {{0, 0, 1}, 0},
+                                              {{-1, 0, 0}, -0.5},
+                                              {{0, -1, 0}, -0.5},
+                                              {{0, 0, -1}, -0.5}}};
+constexpr std::array<ChamberWall, 5> kSortXY{
+    {{{-1, 0, 0}, -0.5}, {{1, -1, 0}, 0}, {{0, 1, 0}, 0}, {{0, 0, 1}, 0}, {{0, 0, -1}, -0.5}}};
+constexpr std::array<ChamberWall, 4> kSort{
+    {{{-1, 0, 0}, -0.5}, {{1, -1, 0}, 0}, {{0, 1, -1}, 0}, {{0, 0, 1}, 0}}};
+constexpr std::array<ChamberWall, 4> kFcc{
+    {{{1, -1, 0}, 0}, {{0, 1, -1}, 0}, {{0, 1, 1}, 0}, {{-1, -1, 0}, -0.5}}};
+
+// Struts reach up to 1.5 from their middles, which are in [0, 1); chambers are in [-1/2, 1/2].
+// Farther copies do not meet them.
+constexpr int kFirst = -3;
+constexpr int kAcross = 6;
+
+/// Shorter pieces are the ends of struts that meet a wall.
+constexpr double kShortest = 1e-9;
+
+std::optional<CellStrut> clipped(const CellStrut& strut, CellFold fold) {
+  const auto along = strut.b - strut.a;
+  double first = 0;
+  double last = 1;
+  for (const auto& wall : wallsOf(fold)) {
+    const double from = wall.height(strut.a);
+    const double change = wall.height(strut.b) - from;
+    // Along a wall: on it within rounding, or beyond.
+    if (std::abs(change) < kShortest) {
+      if (from < -kShortest) return {};
+    } else if (change > 0) {
+      first = std::max(first, -from / change);
+    } else {
+      last = std::min(last, -from / change);
+    }
+  }
+  if ((last - first) * length(along) < kShortest) return {};
+  const auto at = [&](double t) { return t == 1 ? strut.b : strut.a + t * along; };
+  return CellStrut{at(first), at(last)};
+}
+
+}  // namespace
+
+std::span<const ChamberWall> wallsOf(CellFold fold) {
+  switch (fold) {
+    case CellFold::Octant:
+      return kOctant;
+    case CellFold::SortXY:
+      return kSortXY;
+    case CellFold::Sort:
+      return kSort;
+    case CellFold::Fcc:
+      return kFcc;
+    default:
+      return {};
+  }
+}
+
+std::vector<ChamberStrut> strutsInChamber(std::span<const CellStrut> struts, CellFold fold) {
+  std::vector<ChamberStrut> found;
+  for (std::uint32_t i = 0; i < struts.size(); ++i) {
+    for (int copy = 0; copy < kAcross * kAcross * kAcross; ++copy) {
+      const Vec3<double> place{1.0 * (copy % kAcross + kFirst),
+                               1.0 * (copy / kAcross % kAcross + kFirst),
+                               1.0 * (copy / kAcross / kAcross + kFirst)};
+      const CellStrut moved{struts[i].a + place, struts[i].b + place};
+      if (const auto part = clipped(moved, fold)) found.push_back({*part, i, moved.middle()});
+    }
+  }
+  return found;
+}
+
+}  // namespace cutwater::detail

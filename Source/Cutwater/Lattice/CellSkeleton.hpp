@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Cutwater/Lattice/FoldedCells.hpp>
+#include <Cutwater/Lattice/SearchedCells.hpp>
+
+#include <optional>
+
+namespace cutwater::detail {
+
+/// The skeleton of cells that fill space, or a box, along each axis: by folding where the cell has
+/// mirrors, else by a search of neighbouring cells. So is what folding finds beyond the ends of a
+/// finite array.
+template <std::floating_point T>
+class CellSkeleton {
+ public:
+  /// @throws Error unless periods are positive and finite, and ordinary in size.
+  CellSkeleton(const UnitCell& cell, const Repeats<T>& cells);
+
+  [[nodiscard]] T distance(const Vec3<T>& p) const;
+  void distances(std::span<const Vec3<T>> points, std::span<T> distances) const;
+  [[nodiscard]] SkeletonPoint<T> nearest(const Vec3<T>& p) const;
+
+  [[nodiscard]] Box<T> box() const { return searched_.box(); }
+  [[nodiscard]] const Repeats<T>& cells() const { return cells_; }
+  [[nodiscard]] bool isEndless() const { return cells_.count == std::array<std::uint32_t, 3>{}; }
+
+ private:
+  /// Whether a strut of the endless lattice is certainly part of the array.
+  [[nodiscard]] bool contains(const Vec3<T>& middle) const;
+  /// By how much middles of struts may be off and still tell what cell they are in, in cells.
+  [[nodiscard]] static T clearance(const UnitCell& cell);
+
+  Repeats<T> cells_;
+  SearchedCells<T> searched_;
+  std::optional<FoldedCells<T>> folded_;
+  T clearance_ = 0;
+};
+
+extern template class CellSkeleton<float>;
+extern template class CellSkeleton<double>;
+
+}  // namespace cutwater::detail

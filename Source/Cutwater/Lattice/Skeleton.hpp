@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+/// The point of a lattice's skeleton, the axes of its struts, that is nearest to a query point.
+template <std::floating_point T>
+struct SkeletonPoint {
+  T distance = std::numeric_limits<T>::infinity();  ///< of the query point from it
+  Vec3<T> away;                                     ///< from it to the query point
+  std::uint32_t strut = kNone;  ///< index into UnitCell::struts(), of the strut or its mirror image
+  Vec3<T> middle;               ///< of that strut
+};
+
+namespace detail {
+
+/// A strut's axis, made ready for distances.
+template <std::floating_point T>
+struct StrutAxis {
+  Vec3<T> start;
+  Vec3<T> along;  ///< to its end
+  T perSquare{};  ///< 1 / |along|^2
+
+  StrutAxis(const Vec3<double>& a, const Vec3<double>& b)
+      : start(a), along(b - a), perSquare(static_cast<T>(1 / lengthSquared(b - a))) {}
+
+  /// From the nearest point of the axis to p.
+  [[nodiscard]] CUTWATER_INLINE Vec3<T> awayFrom(const Vec3<T>& p) const {
+    const Vec3<T> d = p - start;
+    const T place = std::min(std::max(dot(d, along) * perSquare, T(0)), T(1));
+    return d - place * along;
+  }
+};
+
+/// Component by component.
+template <std::floating_point T>
+[[nodiscard]] CUTWATER_INLINE constexpr Vec3<T> times(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+}  // namespace detail
+
+}  // namespace cutwater

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Cutwater/Lattice/CellMirrors.hpp>
+
+#include <array>
+#include <string>
+
+namespace cutwater {
+
+/// A pattern of straight struts that repeats with period 1 along each axis, without a size or
+/// thickness of its own.
+///
+/// A strut belongs to the cell [0, 1)^3 that its middle lies in, and may reach beyond; one in a
+/// face or edge of the cell is shared with its neighbours, and is there once per period.
+///
+/// What mirrors the pattern has is found out: they decide how fast distances to the endless
+/// lattice are.
+class UnitCell {
+ public:
+  /// A pattern of one's own. Struts that are copies of others, turned round or moved by whole
+  /// periods, count once; those that overlap in part count twice in lengthPerCell().
+  /// @throws Error unless there is a strut and all have finite ends in [-1, 2]^3, that are more
+  /// than 1e-6 apart.
+  UnitCell(std::string name, std::span<const CellStrut> struts);
+  /// The same by nodes, and the two nodes of each strut.
+  /// @throws Error also if there is no such node.
+  UnitCell(std::string name, std::span<const Vec3<double>> nodes,
+           std::span<const std::array<std::uint32_t, 2>> struts);
+
+  // The usual ones. C are the corners of the cube, B its centre, F the centres of its faces.
+  static UnitCell simpleCubic();          ///< the edges
+  static UnitCell bcc();                  ///< C-B
+  static UnitCell fcc();                  ///< C-F, the diagonals of faces
+  static UnitCell bccz();                 ///< bcc, and edges along z
+  static UnitCell fccz();                 ///< fcc, and edges along z
+  static UnitCell cubicBcc();             ///< simpleCubic and bcc
+  static UnitCell fbcc();                 ///< fcc and bcc
+  static UnitCell cubicFcc();             ///< simpleCubic and fcc
+  static UnitCell octahedron();           ///< F-F
+  static UnitCell octet();                ///< fcc and octahedron: the octet truss
+  static UnitCell cuboctahedron();        ///< middles of edges, joined across faces
+  static UnitCell kelvin();               ///< edges of truncated octahedra
+  static UnitCell rhombicDodecahedron();  ///< edges of rhombic dodecahedra
+  static UnitCell truncatedCube();        ///< edges of truncated cubes
+  static UnitCell diamond();              ///< bonds of the diamond
+  /// Re-entrant honeycomb in 3D (auxetic): struts of this height along z at edges and centre of the
+  /// cell, joined obliquely. @throws Error unless 1/2 < height < 1.
+  static UnitCell reentrant(double height);
+  static UnitCell srs();           ///< the labyrinth of a gyroid; it has no mirrors
+  static UnitCell weairePhelan();  ///< edges of the foam of Weaire and Phelan
+  /// All of them, reentrant(0.7).
+  static std::vector<UnitCell> all();
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// Those that repeat: none is a copy of another.
+  [[nodiscard]] std::span<const CellStrut> struts() const { return struts_; }
+  /// All of the lattice whose middles lie in the closed cube [0, 1]^3.
+  [[nodiscard]] std::vector<CellStrut> closedStruts() const;
+  /// Of all struts(), in units of the cell.
+  [[nodiscard]] double lengthPerCell() const;
+
+  [[nodiscard]] bool has(CellFold fold) const;
+  /// The fold with the smallest chamber that the lattice has, if cells are stretched to this size.
+  [[nodiscard]] CellFold foldAt(const Vec3<double>& size) const;
+
+  /// Middles of struts within that of a face of the cell are taken to lie in it.
+  static constexpr double kSame = 1e-9;
+
+ private:
+  void add(const CellStrut& strut);
+  /// Whether a copy of it is in the list.
+  [[nodiscard]] bool contains(const CellStrut& strut) const;
+  void findMirrors();
+
+  std::string name_;
+  std::vector<CellStrut> struts_;
+  std::uint32_t folds_ = 0;  // a bit for each that it has
+};
+
+}  // namespace cutwater
