@@ -157,6 +157,8 @@ int main(int argc, char** argv) {
     return cutwater::test::run(argc, argv);
   } catch (const std::exception& error) {
     std::printf("%s\n", error.what());
-    return 1;
+  } catch (...) {
+    std::printf("something that is no exception of ours was thrown\n");
   }
+  return 1;
 }
