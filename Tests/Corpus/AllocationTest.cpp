@@ -3,6 +3,10 @@
 
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Fill.hpp>
+#include <Cutwater/Mesh/Cleaning/CapOnPlane.hpp>
+#include <Cutwater/Mesh/Cleaning/Clean.hpp>
+#include <Cutwater/Mesh/Cleaning/ExtendTo.hpp>
+#include <Cutwater/Mesh/Cleaning/MirrorAt.hpp>
 #include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
@@ -11,6 +15,7 @@
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -126,6 +131,45 @@ TEST(AllocationTest, MeshesFailCleanly) {
   }
   const auto sphere = tessellation::icosphere(1, 1);
   EXPECT_GT(expectCleanFailures([&] { DcelSDF<double>(DcelMesh<double>(sphere)); }), 10);
+}
+
+/// Half a sphere, its faces with points of their own; some twice, turned or without area.
+PolygonSoup wreckedBowl() {
+  auto soup = bowl(8);
+  for (std::size_t i = 0; i < 6; ++i) soup.addPolygon(soup.polygon(i));
+  soup = unwelded(flipped(flipped(soup, 3), 9));
+  const std::array<std::uint32_t, 3> needle{0, 1, 1};
+  soup.addPolygon(needle);
+  return soup;
+}
+
+TEST(AllocationTest, CleaningFailsCleanlyAndChangesNothing) {
+  const auto expectUnharmed = [](const PolygonSoup& soup, auto change) {
+    const auto work = [&] {
+      auto copy = soup;
+      try {
+        change(copy);
+      } catch (const std::bad_alloc&) {
+        EXPECT_TRUE(copy.points == soup.points && copy.corners == soup.corners &&
+                    copy.offsets == soup.offsets && copy.patches == soup.patches &&
+                    copy.patchNames == soup.patchNames);
+        throw;
+      }
+    };
+    EXPECT_GT(expectCleanFailures(work), 20);
+  };
+  const auto wreck = wreckedBowl();
+  expectUnharmed(wreck, [](PolygonSoup& soup) {
+    clean(soup, {.weldWithin = 1e-6, .splitJunctionsWithin = 1e-7});
+    EXPECT_GT(soup.polygonCount(), 0U);
+  });
+  auto open = wreck;
+  clean(open);
+  expectUnharmed(open, [](PolygonSoup& soup) {
+    EXPECT_EQ(capOnPlane(soup, {{0, 0, 0}, {0, 0, 1}}).closed.count, 1U);
+  });
+  expectUnharmed(open, [](PolygonSoup& soup) { mirrorAt(soup, {{0, 0, 0}, {0, 0, 1}}); });
+  expectUnharmed(open, [](PolygonSoup& soup) { extendTo(soup, 2, 1); });
 }
 
 TEST(AllocationTest, GeometryFilesFailCleanly) {

@@ -108,7 +108,8 @@ TEST(DegenerateFaces, AnySoupKeepsItsRims) {
     }
     for (int i = 0; i < 40; ++i) {
       std::vector<std::uint32_t> corners;
-      for (int k = 0; k < 3 + static_cast<int>(engine() % 3); ++k) corners.push_back(engine() % 27);
+      for (int k = 0; k < 3 + static_cast<int>(engine() % 3); ++k)
+        corners.push_back(static_cast<std::uint32_t>(engine() % 27));
       soup.addPolygon(corners);
     }
     // Rims by the grid's smallest steps: what a long edge passes, its parts pass as well.

@@ -18,7 +18,7 @@ struct ReadOptions {
   /// ...
   double scale = 1;
   /// ... and then moved.
-  RigidTransform<double> placement;
+  RigidTransform<double> placement = {};
   /// Merge points with equal coordinates. STL has no shared points without it.
   bool weld = true;
   /// Refuse files that decompress to more bytes than this.
