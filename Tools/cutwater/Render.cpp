@@ -118,10 +118,15 @@ void addLookOptions(CLI::App& command, Options& options) {
 }
 
 void run(Options options) {
-  const auto solid = loadSolid(options.surface);
+  auto solid = loadSolid(options.surface);
   auto& render = options.render;
-  const bool closed = solid.signReport().isClosed();
-  render.sheets = !closed && !options.solid;
+  render.sheets = !solid.signReport().isClosed() && !options.solid;
+  // Signs are not looked at then, and these are the quicker ones.
+  if (render.sheets && options.cuts.empty()) {
+    MeshSDF<double> quicker(solid.soup(), {.signs = SignScheme::NearestFeature});
+    quicker.setPlacement(solid.placement());
+    solid = std::move(quicker);
+  }
   render.axes = !options.noAxes;
   if (render.title.empty()) render.title = fileName(options.surface);
   for (const auto& cut : options.cuts) {

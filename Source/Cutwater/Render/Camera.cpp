@@ -112,6 +112,15 @@ Camera::Camera(const Eye& eye, const Frame& frame, double fieldOfView)
       centerX_(frame.centerX),
       centerY_(frame.centerY) {}
 
+Camera Camera::zoomed(const Frame& part, const Frame& frame) const {
+  auto camera = *this;
+  const double factor = std::max(part.width / frame.width, part.height / frame.height);
+  camera.pixel_ *= factor;
+  camera.centerX_ = frame.centerX + (centerX_ - part.centerX) / factor;
+  camera.centerY_ = frame.centerY + (centerY_ - part.centerY) / factor;
+  return camera;
+}
+
 Ray Camera::ray(double x, double y) const {
   const auto aside = pixel_ * (x - centerX_) * view_.right() + pixel_ * (centerY_ - y) * view_.up;
   if (perspective_) return {origin_, normalized(aside - view_.back)};

@@ -56,6 +56,9 @@ class Camera {
   Camera(const View& view, const Box<double>& box, const Frame& frame, double fieldOfView);
   Camera(const Eye& eye, const Frame& frame, double fieldOfView);
 
+  /// Turns to a part of the picture, in its pixels, and shows that as large as the frame allows.
+  [[nodiscard]] Camera zoomed(const Frame& part, const Frame& frame) const;
+
   [[nodiscard]] Ray ray(double x, double y) const;
   /// Where a ray begins to see: -infinity if the viewer is far away.
   [[nodiscard]] double nearest() const;
@@ -67,9 +70,9 @@ class Camera {
  private:
   View view_;
   bool perspective_;
-  Vec3<double> origin_;  // the eye, or the point in the middle of the picture
-  double pixel_;         // its size; in perspective, at a distance of 1
-  double centerX_, centerY_;
+  Vec3<double> origin_;       // the eye, or the point in the middle of the picture
+  double pixel_;              // its size; in perspective, at a distance of 1
+  double centerX_, centerY_;  // the pixel of the origin, or of what lies straight ahead of it
 };
 
 }  // namespace detail

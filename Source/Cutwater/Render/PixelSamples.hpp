@@ -11,10 +11,6 @@
 /// How render() works inside; for its parts only.
 namespace cutwater::detail {
 
-/// Finds what is seen at points of the picture, at most kMostRays of them, `spacing` pixels apart.
-using SampleTracer = FunctionRef<void(std::span<const PicturePoint> points, double spacing,
-                                      std::span<SurfaceSample> samples)>;
-
 /// Colour of what is seen at a point of the picture.
 using SampleShader = FunctionRef<Rgb(const SurfaceSample&, const PicturePoint&)>;
 
@@ -27,7 +23,6 @@ using SampleShader = FunctionRef<Rgb(const SurfaceSample&, const PicturePoint&)>
 class PixelSamples {
  public:
   static constexpr int kSide = 3;
-  static constexpr std::size_t kMostRays = 256;
 
   /// The area must lie in a picture. The same samples whatever the threads.
   PixelSamples(const Camera& camera, const PlotArea& area, SampleTracer trace,

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Render/PartInSight.hpp>
 #include <Cutwater/Render/PatchColors.hpp>
 #include <Cutwater/Render/PixelSamples.hpp>
 #include <Cutwater/Render/Render.hpp>
@@ -19,6 +20,7 @@ using detail::LegendEntry;
 using detail::PicturePoint;
 using detail::PixelSamples;
 using detail::RenderLayout;
+using detail::SphereTracer;
 using detail::SurfaceSample;
 
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
@@ -82,6 +84,13 @@ std::vector<LegendEntry> legendOf(const PixelSamples& samples, std::span<const s
   return entries;
 }
 
+template <std::floating_point T>
+auto calls(const SphereTracer<T>& tracer) {
+  return [&](std::span<const PicturePoint> points, double spacing, std::span<SurfaceSample> found) {
+    tracer.trace(points, spacing, found);
+  };
+}
+
 void drawSamples(Image& image, const PixelSamples& samples, const Camera& camera, double scale,
                  bool byPatch, const RenderOptions& options) {
   const detail::Shading shading(camera.view(), scale);
@@ -110,16 +119,17 @@ Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& option
                             {.title = !options.title.empty(),
                              .axes = options.axes,
                              .legend = hasLegend ? std::span(names) : std::span(names).first(0)});
-  const auto camera = cameraFor(options, rest, layout.frame());
-  const detail::SphereTracer<T> tracer(
-      solid, region, camera,
-      {.sheets = options.sheets, .occlusionRadius = kOcclusion * rest.diagonal()});
-  const PixelSamples samples(
-      camera, layout.area(),
-      [&](std::span<const PicturePoint> points, double spacing, std::span<SurfaceSample> found) {
-        tracer.trace(points, spacing, found);
-      },
-      {.threads = options.threads, .progress = options.progress});
+  auto camera = cameraFor(options, rest, layout.frame());
+  const detail::TraceOptions trace{.sheets = options.sheets,
+                                   .occlusionRadius = kOcclusion * rest.diagonal()};
+  if (!options.show && !options.eye) {
+    const SphereTracer<T> overview(solid, region, camera, {.sheets = options.sheets});
+    const auto part = partInSight(calls(overview), layout.frame(), {.threads = options.threads});
+    if (part) camera = camera.zoomed(*part, layout.frame());
+  }
+  const SphereTracer<T> tracer(solid, region, camera, trace);
+  const PixelSamples samples(camera, layout.area(), calls(tracer),
+                             {.threads = options.threads, .progress = options.progress});
 
   auto image = options.transparent ? Image::transparent(options.width, options.height)
                                    : Image(options.width, options.height);

@@ -17,6 +17,8 @@ constexpr double kNearEnoughByBound = 1.0 / 320;
 /// Sheets have no crossings to ask about: a ray along one sees it from this much farther with every
 /// so many steps, which bounds their number.
 constexpr int kStepsOfPatience = 1024;
+/// How far from a sheet another may lie to be the same, in pixels.
+constexpr double kSheetReach = 1e-3;
 /// Half the diagonal of a square, and a sixth more: of two steps past a point the nearer end is at
 /// most 1.16 times as far from it as the ray.
 constexpr double kReach = 0.5 * 1.42 * 1.17;
@@ -228,7 +230,31 @@ class SphereTracer<T>::Packet {
     const double further = dot(normal, Vec3<double>(nearest.point) - line.ray.at(along)) / speed;
     const double most = t_.camera_.pixelSize(along);
     if (std::abs(speed) > 0.02 && std::abs(further) < most) along += further;
-    show(i, std::clamp(along, line.range.begin, line.range.end), normal, nearest.owner.patch);
+    along = std::clamp(along, line.range.begin, line.range.end);
+    show(i, along, normal,
+         t_.options_.sheets ? sheetAt(line, along, nearest) : nearest.owner.patch);
+  }
+
+  /// Of sheets that lie on each other, nearest to the same points but for rounding: the patch of
+  /// one that looks at the viewer if there is one, and of such the first.
+  [[nodiscard]] std::uint32_t sheetAt(const Line& line, double along,
+                                      const SurfacePoint<T>& nearest) const {
+    const auto foot = at(line.ray.at(along));
+    const T reach = static_cast<T>(kSheetReach * t_.camera_.pixelSize(along));
+    const Vec3<T> toViewer = -Vec3<T>(line.ray.direction);
+    bool found = false;
+    bool faces = false;
+    auto patch = nearest.owner.patch;
+    t_.solid_.facetsIn(Box<T>{foot, foot}.grown(reach), [&](const SurfaceFacet<T>& facet) {
+      const bool isThere = std::abs(dot(facet.corners[0] - foot, facet.normal)) <= 2 * reach;
+      const bool looks = dot(facet.normal, toViewer) > 0;
+      if (!isThere || (faces && !looks)) return true;
+      patch = found && faces == looks ? std::min(patch, facet.owner.patch) : facet.owner.patch;
+      found = true;
+      faces = looks;
+      return true;
+    });
+    return patch;
   }
 
   void pass(std::uint32_t i, const SurfacePoint<T>& nearest, const Vec3<T>& p) {

@@ -23,7 +23,6 @@ struct TraceOptions {
 template <std::floating_point T>
 class SphereTracer {
  public:
-  static constexpr std::size_t kMostRays = 256;
   static constexpr int kMostSteps = 256;
 
   /// All must live as long as the tracer.

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/Core/Vec3.hpp>
 
 #include <limits>
+#include <span>
 
 /// How render() works inside; for its parts only.
 namespace cutwater::detail {
@@ -26,5 +28,11 @@ struct SurfaceSample {
   [[nodiscard]] bool isHit() const { return surface != kNone; }
   [[nodiscard]] bool isCut() const { return isHit() && (surface & kCutFace) != 0; }
 };
+
+/// Samples at points of the picture, best close to each other: at most so many. `spacing`: the
+/// distance between the picture's points in pixels.
+inline constexpr std::size_t kMostRays = 256;
+using SampleTracer = FunctionRef<void(std::span<const PicturePoint> points, double spacing,
+                                      std::span<SurfaceSample> samples)>;
 
 }  // namespace cutwater::detail
