@@ -123,42 +123,63 @@ void PixelSamples::refine(SampleTracer trace, const ParallelOptions& options) {
                   }
                 }
               });
-  std::vector<std::size_t> pixels;
   for (std::size_t tile = 0; tile < tileCount(area_); ++tile) {
     forTile(area_, tile, [&](int x, int y) {
       if (!isRefined(x, y)) return;
-      refined_[index(x, y)] = static_cast<std::uint32_t>(pixels.size());
-      pixels.push_back(index(x, y));
+      refined_[index(x, y)] = static_cast<std::uint32_t>(pixels_.size());
+      pixels_.push_back(index(x, y));
     });
   }
-  fine_.resize(pixels.size() * kSquare);
+  fine_.resize(pixels_.size() * kSquare);
   constexpr std::size_t kAtOnce = kMostRays / kSquare;
-  parallelFor((pixels.size() + kAtOnce - 1) / kAtOnce, options,
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) {
-                  const auto first = i * kAtOnce;
-                  const auto count = std::min(kAtOnce, pixels.size() - first);
-                  traceFinely(trace, std::span(pixels).subspan(first, count));
-                }
-              });
+  const auto packets = (pixels_.size() + kAtOnce - 1) / kAtOnce;
+  parallelFor(packets, options, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      traceFinely(trace, i * kAtOnce, std::min(kAtOnce, pixels_.size() - i * kAtOnce));
+    }
+  });
+  showWhatIsThin();
 }
 
-void PixelSamples::traceFinely(SampleTracer trace, std::span<const std::size_t> pixels) {
+std::pair<int, int> PixelSamples::fineCorner(std::size_t pixel) const {
+  const auto width = static_cast<std::size_t>(area_.width);
+  return {kSide * static_cast<int>(pixel % width), kSide * static_cast<int>(pixel / width)};
+}
+
+void PixelSamples::traceFinely(SampleTracer trace, std::size_t first, std::size_t count) {
   std::vector<PicturePoint> points;
-  for (const auto pixel : pixels) {
-    const auto width = static_cast<std::size_t>(area_.width);
-    const int x = kSide * static_cast<int>(pixel % width);
-    const int y = kSide * static_cast<int>(pixel / width);
+  for (const auto pixel : std::span(pixels_).subspan(first, count)) {
+    const auto [x, y] = fineCorner(pixel);
     for (int i = 0; i < kSquare; ++i) points.push_back(finePoint(x + i % kSide, y + i / kSide));
   }
-  const auto found =
-      std::span(fine_).subspan(std::size_t{refined_[pixels[0]]} * kSquare, points.size());
-  trace(points, 1.0 / kSide, found);
-  for (std::size_t first = 0; first < found.size(); first += kSquare) {
-    const auto pixel = found.subspan(first, kSquare);
-    if (std::any_of(pixel.begin(), pixel.end(), [](auto& s) { return s.isHit(); })) continue;
-    for (auto& sample : pixel) sample.surface = sample.passed;
+  trace(points, 1.0 / kSide, std::span(fine_).subspan(first * kSquare, points.size()));
+}
+
+/// Whether a sample nearly meets what the next one beyond does not meet, either.
+bool PixelSamples::hidesBetween(int x, int y) const {
+  const auto& sample = fineSample(x, y);
+  if (sample.passed == kNone) return false;
+  const auto& view = camera_.view();
+  const Vec3<double> beyond = -Vec3<double>(sample.normal);
+  const int column = x + static_cast<int>(std::lround(dot(beyond, view.right())));
+  const int row = y - static_cast<int>(std::lround(dot(beyond, view.up)));
+  return !contains(column / kSide, row / kSide) || column < 0 || row < 0 ||
+         !fineSample(column, row).isHit();
+}
+
+void PixelSamples::showWhatIsThin() {
+  std::vector<std::size_t> shown;  // decided before any is, as they are looked at by others
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const auto samples = std::span(fine_).subspan(i * kSquare, kSquare);
+    if (std::any_of(samples.begin(), samples.end(), [](auto& s) { return s.isHit(); })) continue;
+    const auto [x, y] = fineCorner(pixels_[i]);
+    for (int k = 0; k < kSquare; ++k) {
+      if (hidesBetween(x + k % kSide, y + k / kSide)) {
+        shown.push_back(i * kSquare + static_cast<std::size_t>(k));
+      }
+    }
   }
+  for (const auto i : shown) fine_[i].surface = fine_[i].passed;
 }
 
 bool PixelSamples::isNearRefined(int x, int y) const {

@@ -18,8 +18,9 @@ using SampleShader = FunctionRef<Rgb(const SurfaceSample&, const PicturePoint&)>
 /// differ: at silhouettes, steps in depth, creases and borders of patches, and where the solid
 /// comes close to a ray that misses it.
 ///
-/// Of a pixel with so many samples that all miss, those between which the solid passes see it: thin
-/// parts are not lost, and seem as wide as the samples are apart.
+/// Of a pixel with so many samples that all miss, those see what passes them that have no sample
+/// which hits it on its other side: thin parts are not lost, and seem as wide as the samples are
+/// apart; silhouettes do not grow.
 class PixelSamples {
  public:
   static constexpr int kSide = 3;
@@ -60,13 +61,18 @@ class PixelSamples {
   [[nodiscard]] bool differsFromNeighbours(int x, int y) const;
   void tracePixels(SampleTracer trace, const ParallelOptions& options);
   void refine(SampleTracer trace, const ParallelOptions& options);
-  void traceFinely(SampleTracer trace, std::span<const std::size_t> pixels);
+  /// Of pixels [first, first + count) of those that have more samples.
+  void traceFinely(SampleTracer trace, std::size_t first, std::size_t count);
+  [[nodiscard]] std::pair<int, int> fineCorner(std::size_t pixel) const;
+  void showWhatIsThin();
+  [[nodiscard]] bool hidesBetween(int x, int y) const;
   void drawPixel(Image& image, SampleShader shade, int x, int y, int reach) const;
 
   const Camera& camera_;
   PlotArea area_;
   std::vector<SurfaceSample> samples_;  // of the pixels' middles, row by row
   std::vector<std::uint32_t> refined_;  // of each pixel: which of those that have more
+  std::vector<std::size_t> pixels_;     // those, in the order of their samples
   std::vector<SurfaceSample> fine_;     // theirs, kSquare each
 };
 

@@ -124,7 +124,10 @@ Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& option
                                    .occlusionRadius = kOcclusion * rest.diagonal()};
   if (!options.show && !options.eye) {
     const SphereTracer<T> overview(solid, region, camera, {.sheets = options.sheets});
-    const auto part = partInSight(calls(overview), layout.frame(), {.threads = options.threads});
+    // Parts that these few rays cannot know of might be beyond the picture then.
+    const auto part = overview.knowsDistances() ? partInSight(calls(overview), layout.frame(),
+                                                              {.threads = options.threads})
+                                                : std::nullopt;
     if (part) camera = camera.zoomed(*part, layout.frame());
   }
   const SphereTracer<T> tracer(solid, region, camera, trace);

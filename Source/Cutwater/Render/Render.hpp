@@ -22,7 +22,7 @@ struct RenderOptions {
   /// Fills the picture, for a look at a detail. Without it: all that is shown.
   std::optional<Box<double>> show = {};
   /// Also what bounds no solid: sheets of a surface that is not closed. Values must be distances to
-  /// the surface but for their sign, as those of meshes are, and nothing is filled.
+  /// the surface but for their sign, as those of meshes are.
   bool sheets = false;
 
   /// Of all surfaces; without it each patch has a color of its own, if there are several.
@@ -42,11 +42,11 @@ struct RenderOptions {
 
 /// A picture of a solid by sphere tracing, the same whatever the threads.
 ///
-/// No ray steps through a part that the solid's guarantee excludes to be missed, however thin;
-/// parts that lie between the rays are found by how near these pass, if values are distances or
-/// bounds of them. Where only signs are known, or a ray grazes the surface for more than 256 steps,
-/// crossings() tells. Silhouettes are placed to a tenth of a pixel. Light is dimmed where the
-/// surface is near, by the values around: softly if they are distances.
+/// No ray steps through a part, however thin, as far as the solid's guarantee excludes that. A ray
+/// hits what is within 1/40 of a pixel; silhouettes have nine rays to a pixel; parts between these
+/// are found by how near they are, if values are distances or bounds of them. Where only signs are
+/// known, or a ray runs along the surface for more than 256 steps, crossings() tells. Light is
+/// dimmed where the surface is near, as far as the values around tell.
 /// @throws Error if the picture is smaller than 320 x 240 or larger than 2^26 pixels, an angle or a
 /// box is impossible, nothing is left to show, or the solid is unbounded and no region is given.
 template <std::floating_point T>

@@ -1,7 +1,6 @@
 #include <Cutwater/Render/SphereTracer.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -12,7 +11,7 @@ namespace {
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
 /// Of an exact distance; and of a mere bound, which may be less than the distance.
-constexpr double kNearEnough = 1.0 / 20;
+constexpr double kNearEnough = 1.0 / 40;
 constexpr double kNearEnoughByBound = 1.0 / 320;
 /// Sheets have no crossings to ask about: a ray along one sees it from this much farther with every
 /// so many steps, which bounds their number.
@@ -23,11 +22,6 @@ constexpr double kSheetReach = 1e-3;
 /// most 1.16 times as far from it as the ray.
 constexpr double kReach = 0.5 * 1.42 * 1.17;
 
-/// Distances in units of the occlusion's radius and what each counts: halves, as what is near hides
-/// more.
-constexpr std::array kTaps{1.0, 0.6, 0.35, 0.18, 0.08};
-constexpr std::array kTapWeights{0.30, 0.25, 0.20, 0.15, 0.10};
-
 }  // namespace
 
 template <std::floating_point T>
@@ -37,20 +31,9 @@ SphereTracer<T>::SphereTracer(const SignedDistanceFunction<T>& solid, const Kept
       region_(region),
       camera_(camera),
       options_(options),
-      guarantee_(solid.guarantee()) {
-  const bool exact = options.sheets || guarantee_.outside == Quality::Exact;
-  nearEnough_ = exact ? kNearEnough : kNearEnoughByBound;
-  const auto domain = guarantee_.domain;
-  const Box<T> box{Vec3<T>(region.box().lower), Vec3<T>(region.box().upper)};
-  if (options.sheets) {
-    stepFactor_ = 1;
-  } else if (domain.contains(box.lower) && domain.contains(box.upper)) {
-    if (guarantee_.outside != Quality::SignOnly) stepFactor_ = 1;
-    if (guarantee_.lipschitz && *guarantee_.lipschitz > 0) {
-      stepFactor_ = std::max(stepFactor_, 1 / static_cast<double>(*guarantee_.lipschitz));
-    }
-  }
-}
+      distance_(solid.guarantee(), region.box(), options.sheets),
+      occlusion_(solid, distance_, region, options.occlusionRadius),
+      nearEnough_(distance_.isExact() ? kNearEnough : kNearEnoughByBound) {}
 
 /// The rays of one call.
 template <std::floating_point T>
@@ -73,7 +56,7 @@ class SphereTracer<T>::Packet {
 
   void run() {
     stopAtCuts();
-    if (t_.stepFactor_ > 0) {
+    if (t_.distance_.isKnown()) {
       startTogether();
       march();
     }
@@ -107,12 +90,6 @@ class SphereTracer<T>::Packet {
                               std::span(values_).first(active_.size()), {.threads = 1});
   }
 
-  /// How far the surface is away for certain; not positive within rounding of it, or inside.
-  [[nodiscard]] double clear(T value, const Vec3<T>& p) const {
-    const double size{t_.options_.sheets ? std::abs(value) : value};
-    return t_.stepFactor_ * (size - static_cast<double>(t_.guarantee_.error(length(p))));
-  }
-
   /// Rays that come in through a cut within the solid see its face. What is within rounding of the
   /// surface shows the surface.
   void stopAtCuts() {
@@ -123,7 +100,7 @@ class SphereTracer<T>::Packet {
     evaluate();
     keepActive([&](std::size_t k, Line& line, std::uint32_t i) {
       const auto cut = line.range.cut;
-      if (cut == kNone || !(values_[k] < -t_.guarantee_.error(length(points_[k])))) return true;
+      if (cut == kNone || !t_.distance_.isInside(values_[k], points_[k])) return true;
       samples_[i].along = static_cast<float>(line.along);
       samples_[i].normal = Vec3<float>(t_.region_.normal(cut));
       samples_[i].surface = SurfaceSample::kCutFace + cut;
@@ -131,24 +108,26 @@ class SphereTracer<T>::Packet {
     });
   }
 
-  /// Steps of all rays alike: at equal distances along, they are all within some radius of one of
-  /// them.
+  /// Steps of all rays alike: at equal distances along, they are all within some radius of the one
+  /// that comes in first.
   void startTogether() {
     if (active_.size() < 2) return;
-    const auto& middle = lines_[active_[active_.size() / 2]];
-    double begin = kInf, end = kInf, apart = 0, diverging = 0;
+    const auto& first =
+        lines_[*std::min_element(active_.begin(), active_.end(), [&](auto a, auto b) {
+          return lines_[a].range.begin < lines_[b].range.begin;
+        })];
+    double end = kInf, apart = 0, diverging = 0;
     for (const auto i : active_) {
       const auto& line = lines_[i];
-      begin = std::min(begin, line.range.begin);
       end = std::min(end, line.range.end);
-      apart = std::max(apart, length(line.ray.origin - middle.ray.origin));
-      diverging = std::max(diverging, length(line.ray.direction - middle.ray.direction));
+      apart = std::max(apart, length(line.ray.origin - first.ray.origin));
+      diverging = std::max(diverging, length(line.ray.direction - first.ray.direction));
     }
-    double along = begin;
+    double along = first.range.begin;
     for (int step = 0; step < kMostSteps && along < end; ++step) {
-      const auto p = at(middle.ray.at(along));
+      const auto p = at(first.ray.at(along));
       const double radius = apart + diverging * along;
-      const double free = clear(t_.solid_.signedDistance(p), p) - radius;
+      const double free = t_.distance_(t_.solid_.signedDistance(p), p) - radius;
       if (!(free > 0.5 * radius)) break;
       along += free;
     }
@@ -164,7 +143,7 @@ class SphereTracer<T>::Packet {
       const double patience =
           t_.options_.sheets ? std::max(1.0, static_cast<double>(step) / kStepsOfPatience) : 1;
       keepActive([&](std::size_t k, Line& line, std::uint32_t i) {
-        const double free = clear(values_[k], points_[k]);
+        const double free = t_.distance_(values_[k], points_[k]);
         const double pixel = t_.camera_.pixelSize(line.along);
         if (free <= t_.nearEnough_ * patience * pixel) {
           arrived_.push_back(i);
@@ -232,21 +211,21 @@ class SphereTracer<T>::Packet {
     if (std::abs(speed) > 0.02 && std::abs(further) < most) along += further;
     along = std::clamp(along, line.range.begin, line.range.end);
     show(i, along, normal,
-         t_.options_.sheets ? sheetAt(line, along, nearest) : nearest.owner.patch);
+         t_.options_.sheets ? sheetAt(nearest, line.ray, along) : nearest.owner.patch);
   }
 
   /// Of sheets that lie on each other, nearest to the same points but for rounding: the patch of
   /// one that looks at the viewer if there is one, and of such the first.
-  [[nodiscard]] std::uint32_t sheetAt(const Line& line, double along,
-                                      const SurfacePoint<T>& nearest) const {
-    const auto foot = at(line.ray.at(along));
+  [[nodiscard]] std::uint32_t sheetAt(const SurfacePoint<T>& nearest, const Ray& ray,
+                                      double along) const {
+    const auto foot = nearest.point;
     const T reach = static_cast<T>(kSheetReach * t_.camera_.pixelSize(along));
-    const Vec3<T> toViewer = -Vec3<T>(line.ray.direction);
+    const Vec3<T> toViewer = -Vec3<T>(ray.direction);
     bool found = false;
     bool faces = false;
     auto patch = nearest.owner.patch;
     t_.solid_.facetsIn(Box<T>{foot, foot}.grown(reach), [&](const SurfaceFacet<T>& facet) {
-      const bool isThere = std::abs(dot(facet.corners[0] - foot, facet.normal)) <= 2 * reach;
+      const bool isThere = std::abs(dot(facet.corners[0] - foot, facet.normal)) <= reach;
       const bool looks = dot(facet.normal, toViewer) > 0;
       if (!isThere || (faces && !looks)) return true;
       patch = found && faces == looks ? std::min(patch, facet.owner.patch) : facet.owner.patch;
@@ -262,42 +241,23 @@ class SphereTracer<T>::Packet {
     const double gap{length(nearest.point - p)};
     const double reach = reach_ * t_.camera_.pixelSize(line.nearestAlong);
     if (!(gap < reach && t_.region_.clearance(Vec3<double>(nearest.point)) < reach)) return;
-    show(i, line.nearestAlong, Vec3<double>(nearest.normal), nearest.owner.patch);
-    samples_[i].passed = std::exchange(samples_[i].surface, kNone);
+    samples_[i].along = static_cast<float>(line.nearestAlong);
+    samples_[i].normal = Vec3<float>(normalized(p - nearest.point));
+    samples_[i].passed = nearest.owner.patch;
   }
 
-  /// A. Evans, "Fast approximations for global illumination on dynamic scenes", ACM SIGGRAPH 2006
-  /// courses: in the open, the distance to the surface grows as one leaves it; what it lacks tells
-  /// how much stands around.
   void lookAround() {
-    taps_.clear();
+    std::vector<typename Occlusion<T>::Foot> feet;
+    std::vector<std::uint32_t> owners;
     for (std::uint32_t i = 0; i < lines_.size(); ++i) {
       const auto& sample = samples_[i];
       if ((!sample.isHit() && sample.passed == kNone) || sample.isCut()) continue;
-      const auto foot = lines_[i].ray.at(static_cast<double>(sample.along));
-      for (const double tap : kTaps) {
-        const double height = tap * t_.options_.occlusionRadius;
-        taps_.push_back({i, at(foot + height * Vec3<double>(sample.normal))});
-      }
+      feet.push_back(
+          {lines_[i].ray.at(static_cast<double>(sample.along)), Vec3<double>(sample.normal)});
+      owners.push_back(i);
     }
-    points_.resize(taps_.size());
-    values_.resize(taps_.size());
-    std::transform(taps_.begin(), taps_.end(), points_.begin(),
-                   [](auto& tap) { return tap.point; });
-    t_.solid_.signedDistances(points_, values_, {.threads = 1});
-    for (std::size_t k = 0; k < taps_.size(); ++k) {
-      const auto part = k % kTaps.size();
-      const double lack = 1 - openness(k, kTaps[part] * t_.options_.occlusionRadius);
-      samples_[taps_[k].ray].open -= static_cast<float>(kTapWeights[part] * lack);
-    }
-  }
-
-  /// What part of the ball of this radius about a tap is free.
-  [[nodiscard]] double openness(std::size_t k, double radius) const {
-    const double removed = t_.region_.clearance(Vec3<double>(points_[k]));
-    double free = clear(values_[k], points_[k]);
-    if (t_.stepFactor_ == 0) free = values_[k] < 0 ? 0 : radius;  // only the sign is known
-    return std::clamp(std::max(free, removed) / radius, 0.0, 1.0);
+    const auto open = t_.occlusion_.openness(feet);
+    for (std::size_t k = 0; k < open.size(); ++k) samples_[owners[k]].open = open[k];
   }
 
   /// Asks keep(k, line, index) for the k-th active ray, and has only these stay active.
@@ -311,11 +271,6 @@ class SphereTracer<T>::Packet {
     active_.resize(kept);
   }
 
-  struct Tap {
-    std::uint32_t ray;
-    Vec3<T> point;
-  };
-
   const SphereTracer& t_;
   double reach_;  // in pixels
   std::span<SurfaceSample> samples_;
@@ -326,7 +281,6 @@ class SphereTracer<T>::Packet {
   std::vector<Vec3<T>> points_;
   std::vector<T> values_;
   std::vector<SurfacePoint<T>> nearest_;
-  std::vector<Tap> taps_;
 };
 
 template <std::floating_point T>

@@ -23,7 +23,9 @@ struct SurfaceSample {
   Vec3<float> normal;                                    ///< unit, towards the viewer
   float open = 1;                 ///< how much of the light from around comes here, 0 to 1
   std::uint32_t surface = kNone;  ///< what is seen: kNone, a patch, or a face of a cut
-  std::uint32_t passed = kNone;   ///< of a ray that sees nothing: the patch that it nearly meets
+  /// Of a ray that sees nothing: the patch that it nearly meets; the normal points from there to
+  /// it.
+  std::uint32_t passed = kNone;
 
   [[nodiscard]] bool isHit() const { return surface != kNone; }
   [[nodiscard]] bool isCut() const { return isHit() && (surface & kCutFace) != 0; }
