@@ -15,6 +15,7 @@ namespace cutwater {
 namespace {
 
 using detail::Camera;
+using detail::Frame;
 using detail::KeptRegion;
 using detail::LegendEntry;
 using detail::PicturePoint;
@@ -25,9 +26,12 @@ using detail::SurfaceSample;
 
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
 constexpr double kUsualFieldOfView = 30;
-constexpr double kRoom = 1e-3;       // around a bounding box, so that a flat one can be looked into
-constexpr double kOcclusion = 0.07;  // how far to look for it; both in diagonals of what is shown
-constexpr double kLineWidth = 0.7;   // pixels
+/// Around the solid, of the picture: rays that pass it by this much or less know that they do.
+constexpr double kRoom = 0.01;
+constexpr double kOcclusion = 0.07;   // how far to look for it, in diagonals of what is shown
+constexpr int kMostLooks = 3;         // to find what is in sight
+constexpr double kLargeEnough = 0.6;  // of the frame: a further look would find no better
+constexpr double kLineWidth = 0.7;    // pixels
 
 bool isProper(const Box<double>& box) {
   return isFinite(box) && !box.empty() && std::isfinite(box.diagonal()) && box.diagonal() > 0;
@@ -46,28 +50,41 @@ void check(const RenderOptions& options) {
   }
 }
 
-/// What is looked into: all of the solid, or what is in the region.
+/// What is looked into: all of the solid, with some room around, or what of that is in the region.
 template <std::floating_point T>
-Box<double> lookedInto(const SignedDistanceFunction<T>& solid, const RenderOptions& options) {
+Box<double> lookedInto(const SignedDistanceFunction<T>& solid, const RenderOptions& options,
+                       double room) {
   const auto bounds = solid.boundingBox();
   require(!bounds.empty(), "render: the solid is empty");
-  Box<double> box{Vec3<double>(bounds.lower), Vec3<double>(bounds.upper)};
+  // Infinite sides stay where they are.
+  auto box = Box<double>{Vec3<double>(bounds.lower), Vec3<double>(bounds.upper)}.grown(room);
   require(options.region || isFinite(box),
           "render: the solid is unbounded, so say which region to show");
-  // Infinite sides stay where they are.
-  box = box.grown(kRoom * (options.region ? options.region->diagonal() : box.diagonal()));
   if (options.region) box = box.intersection(*options.region);
   require(isProper(box), "render: nothing is left to show");
   return box;
 }
 
-Camera cameraFor(const RenderOptions& options, const Box<double>& rest,
-                 const detail::Frame& frame) {
+/// What the cuts leave of that.
+template <std::floating_point T>
+Box<double> whatIsLeft(const SignedDistanceFunction<T>& solid, const RenderOptions& options) {
+  const auto rest =
+      KeptRegion(lookedInto(solid, options, 0), options.cuts, options.region.has_value()).rest();
+  require(isProper(rest), "render: the cuts leave nothing to show");
+  return rest;
+}
+
+Camera cameraFor(const RenderOptions& options, const Box<double>& rest, const Frame& frame) {
   if (options.eye) {
     const double angle = options.fieldOfView > 0 ? options.fieldOfView : kUsualFieldOfView;
     return {*options.eye, frame, angle};
   }
   return {options.view, options.show.value_or(rest), frame, options.fieldOfView};
+}
+
+/// The size of a pixel at the far end of the box.
+double largestPixel(const Camera& camera, const Box<double>& box) {
+  return camera.pixelSize(length(box.center() - camera.ray(0, 0).origin) + box.diagonal());
 }
 
 /// The largest ones in sight first.
@@ -91,6 +108,22 @@ auto calls(const SphereTracer<T>& tracer) {
   };
 }
 
+/// The camera turned to what is in sight of the solid, which may be much less than its box.
+template <std::floating_point T>
+Camera aimed(Camera camera, const SignedDistanceFunction<T>& solid, const KeptRegion& region,
+             const Frame& frame, const RenderOptions& options) {
+  for (int look = 0; look < kMostLooks; ++look) {
+    const SphereTracer<T> tracer(solid, region, camera, {.sheets = options.sheets});
+    // Parts that these few rays cannot know of might be beyond the picture then.
+    if (!tracer.knowsDistances()) break;
+    const auto part = partInSight(calls(tracer), frame, {.threads = options.threads});
+    if (!part) break;
+    camera = camera.zoomed(*part, frame);
+    if (std::max(part->width / frame.width, part->height / frame.height) > kLargeEnough) break;
+  }
+  return camera;
+}
+
 void drawSamples(Image& image, const PixelSamples& samples, const Camera& camera, double scale,
                  bool byPatch, const RenderOptions& options) {
   const detail::Shading shading(camera.view(), scale);
@@ -108,10 +141,7 @@ void drawSamples(Image& image, const PixelSamples& samples, const Camera& camera
 template <std::floating_point T>
 Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& options) {
   check(options);
-  const KeptRegion region(lookedInto(solid, options), options.cuts, options.region.has_value());
-  const auto rest = region.rest();
-  require(isProper(rest), "render: the cuts leave nothing to show");
-
+  const auto rest = whatIsLeft(solid, options);
   const auto names = solid.patchNames();
   const bool byPatch = !options.color && names.size() > 1;
   const bool hasLegend = byPatch && options.legend;
@@ -119,18 +149,15 @@ Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& option
                             {.title = !options.title.empty(),
                              .axes = options.axes,
                              .legend = hasLegend ? std::span(names) : std::span(names).first(0)});
-  auto camera = cameraFor(options, rest, layout.frame());
-  const detail::TraceOptions trace{.sheets = options.sheets,
-                                   .occlusionRadius = kOcclusion * rest.diagonal()};
-  if (!options.show && !options.eye) {
-    const SphereTracer<T> overview(solid, region, camera, {.sheets = options.sheets});
-    // Parts that these few rays cannot know of might be beyond the picture then.
-    const auto part = overview.knowsDistances() ? partInSight(calls(overview), layout.frame(),
-                                                              {.threads = options.threads})
-                                                : std::nullopt;
-    if (part) camera = camera.zoomed(*part, layout.frame());
-  }
-  const SphereTracer<T> tracer(solid, region, camera, trace);
+  const auto frame = layout.frame();
+  auto camera = cameraFor(options, rest, frame);
+  const double room = kRoom * std::max(frame.width, frame.height) * largestPixel(camera, rest);
+  const KeptRegion region(lookedInto(solid, options, room), options.cuts,
+                          options.region.has_value());
+  if (!options.show && !options.eye) camera = aimed(camera, solid, region, frame, options);
+  const SphereTracer<T> tracer(
+      solid, region, camera,
+      {.sheets = options.sheets, .occlusionRadius = kOcclusion * rest.diagonal()});
   const PixelSamples samples(camera, layout.area(), calls(tracer),
                              {.threads = options.threads, .progress = options.progress});
 
