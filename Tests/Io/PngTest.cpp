@@ -43,6 +43,27 @@ TEST(PngTest, DecodesToTheSamePixels) {
   EXPECT_TRUE(std::equal(pixels.begin(), pixels.end(), image.pixels().begin()));
 }
 
+TEST(PngTest, KeepsOpacities) {
+  const TemporaryFolder folder;
+  auto image = Image::transparent(5, 4);
+  image.paint(1, 2, {200, 100, 50}, 1);
+  image.paint(3, 0, {10, 20, 30}, 0.2);
+  writePng(folder / "a.png", image);
+  png_image decoded{};
+  decoded.version = PNG_IMAGE_VERSION;
+  ASSERT_NE(png_image_begin_read_from_file(&decoded, (folder / "a.png").c_str()), 0);
+  decoded.format = PNG_FORMAT_RGBA;
+  std::vector<png_byte> bytes(std::size_t{4} * 5 * 4);
+  ASSERT_NE(png_image_finish_read(&decoded, nullptr, bytes.data(), 0, nullptr), 0);
+  for (std::size_t i = 0; i < 20; ++i) {
+    ASSERT_EQ(bytes[4 * i + 3], i == 11 ? 255 : i == 3 ? 51 : 0) << i;
+  }
+  EXPECT_EQ((std::vector<png_byte>{&bytes[44], &bytes[48]}),
+            (std::vector<png_byte>{200, 100, 50, 255}));
+  EXPECT_EQ((std::vector<png_byte>{&bytes[12], &bytes[16]}),
+            (std::vector<png_byte>{10, 20, 30, 51}));
+}
+
 TEST(PngTest, NamesThePathItCannotWrite) {
   const TemporaryFolder folder;
   const auto path = folder / "no/such/a.png";

@@ -67,5 +67,17 @@ TEST(ImageTest, RefusesImpossibleSizes) {
   EXPECT_THROW(Image(10, Image::kMaxSize + 1), Error);
 }
 
+TEST(ImageTest, WhatIsNotPaintedStaysTransparent) {
+  auto image = Image::transparent(4, 3);
+  image.paint(1, 1, {200, 0, 0}, 0.5);
+  image.paint(1, 1, {0, 200, 0}, 0.5);  // over it: two parts of this to one of that
+  EXPECT_EQ(image.at(1, 1), (Rgb{67, 133, 0}));
+  EXPECT_EQ(image.opacities()[5], 192);
+  image.fillRectangle(2, 0, 4, 1, {1, 2, 3});
+  EXPECT_EQ(image.opacities()[3], 255);
+  EXPECT_EQ(image.opacities()[0], 0);
+  EXPECT_TRUE(Image(4, 3).opacities().empty());
+}
+
 }  // namespace
 }  // namespace cutwater::test

@@ -13,7 +13,7 @@ except ImportError:
 from command import OPEN_BOX, PROGRAM, CommandTest
 from readers import Png, Vti, Vtu, bounds, read_off
 
-SUBCOMMANDS = ["info", "repair", "sample", "amr", "slice", "convert", "prepare", "make"]
+SUBCOMMANDS = ["info", "repair", "sample", "amr", "slice", "render", "convert", "prepare", "make"]
 
 
 def box_distance(p, half):
@@ -62,6 +62,11 @@ class Usage(CommandTest):
                               ("--window", "0,0,0,1")]:
             with self.subTest(option=option, value=value):
                 self.assertIn(option, self.fails(2, "slice", "a.stl", "-o", "a.png", option, value))
+        for option, value in [("--view", "up"), ("--view", "30,91"), ("--view", "1,2,3"), ("--size", "300x300"),
+                              ("--cut", "z"), ("--cut", "w=1"), ("--cut", "z=1:left"), ("--cut", "z="),
+                              ("--color", "mauve"), ("--show", "0,0,0,1,1,0"), ("--perspective", "180")]:
+            with self.subTest(option=option, value=value):
+                self.assertIn(option, self.fails(2, "render", "a.stl", "-o", "a.png", option, value))
         self.fails(2, "sample", "a.stl", "-o", "a.vti", "--cells", "9", "--spacing", "1")
         for option, value in [("--level", "-1"), ("--level", "x"), ("--band", "1"), ("--band", "1:"),
                               ("--band", ":1"), ("--band", "1:-1"), ("--band=-1:2", ""), ("--band", "1:2:3"),
@@ -369,6 +374,59 @@ class Slice(CommandTest):
         self.assertIn("y = 0", self.succeeds("slice", "box.off", "-o", "out.png"))
         self.assertEqual(self.succeeds("slice", "box.off", "-o", "a.png", "--quiet"), "")
         self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "out.png").read_bytes())
+
+
+class Render(CommandTest):
+    def drawn(self, *options, file="box.off"):
+        """Pixels of the solid, found by having no axes and no text on the picture."""
+        self.succeeds("render", file, "-o", "out.png", "--size", "400x300", "--no-axes", "--title", " ", *options)
+        image = Png(self.folder / "out.png")
+        self.assertEqual((image.width, image.height), (400, 300))
+        pixels = {(x, y): image.pixel(x, y) for y in range(300) for x in range(400)}
+        return {at: color for at, color in pixels.items() if color != (255, 255, 255)}
+
+    def extent(self, pixels):
+        return tuple(max(p[i] for p in pixels) - min(p[i] for p in pixels) + 1 for i in (0, 1))
+
+    def test_views_show_their_sides(self):
+        self.box(size="4,2,1")
+        for view, ratio in [("-y", 4), ("+z", 2), ("+x", 2), ("90,0", 4)]:
+            width, height = self.extent(self.drawn(f"--view={view}"))
+            self.assertAlmostEqual(width / height, ratio, delta=0.05 * ratio, msg=view)
+
+    def test_cuts_take_away_what_is_nearer(self):
+        self.box(size="4,2,1")
+        width, height = self.extent(self.drawn("--view=-y", "--cut", "x=1", "--cut", "z=0:upper"))
+        self.assertAlmostEqual(width / height, 3 / 0.5, delta=0.2)
+        # Seen from above, the plane's face is flat and yellowish; from below, keeping the rest, too.
+        for view in "+z", "-z":
+            pixels = self.drawn(f"--view={view}", "--cut", "z=0", "--color", "#4060ff").values()
+            yellow = sum(1 for r, g, b in pixels if r > b)
+            self.assertGreater(yellow, 0.9 * len(pixels))
+        pixels = self.drawn("--view=+z", "--cut", "z=0:upper", "--color", "#4060ff").values()
+        self.assertEqual(sum(1 for r, g, b in pixels if r > b + 40), 0)
+
+    def test_patches_have_colours(self):
+        (self.folder / "two.obj").write_text(
+            "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\ng base\nf 1 3 2\ng sides\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+        colors = {}
+        for view in "+x", "-z":
+            pixels = self.drawn(f"--view={view}", file="two.obj")
+            left = [color for (x, _), color in pixels.items() if x < 250]  # of the legend
+            colors[view] = max(set(left), key=left.count)
+        self.assertNotEqual(colors["+x"], colors["-z"])
+
+    def test_surfaces_that_are_not_closed_are_shown_in_full(self):
+        (self.folder / "sheet.off").write_text("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n")
+        self.assertIn("--solid", self.succeeds("render", "sheet.off", "-o", "a.png", "--size", "400x300"))
+        self.assertGreater(len(self.drawn("--view=+z", file="sheet.off")), 20000)
+        self.assertEqual(len(self.drawn("--view=+z", "--solid", file="sheet.off")), 0)
+
+    def test_says_what_it_wrote_and_how_long_it_took(self):
+        self.box()
+        text = self.succeeds("render", "box.off", "-o", "a.png", "--perspective", "40", "--unit", "m")
+        self.assertRegex(text, r"\Awrote a.png: 1600 x 1000 pixels, in [\d.]+ (ms|s)\n\Z")
+        self.assertEqual(self.succeeds("render", "box.off", "-o", "b.png", "--quiet", "--transparent"), "")
 
 
 class Convert(CommandTest):

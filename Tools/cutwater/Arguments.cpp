@@ -64,6 +64,16 @@ Vec3<double> vectorOf(const std::string& option, const std::string& text) {
   return {values[0], values[1], values[2]};
 }
 
+Box<double> boxOf(const std::string& option, const std::string& text) {
+  const auto v = numbers(option, text, 6);
+  const Box<double> box{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+  const auto size = box.size();
+  if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
+    refuse(option, text, "the lower corner and then the upper one");
+  }
+  return box;
+}
+
 std::vector<std::int32_t> sizes(const std::string& option, const std::string& text) {
   constexpr auto kMost = std::numeric_limits<std::int32_t>::max() - 1;  // a grid's nodes fit, too
   auto values = list<std::int32_t>(text, 'x', [](std::int32_t v) { return 1 <= v && v < kMost; });

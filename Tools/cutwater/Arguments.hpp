@@ -17,6 +17,8 @@ namespace cutwater::tool {
                                           std::size_t count);
 [[nodiscard]] double positiveNumber(const std::string& option, const std::string& text);
 [[nodiscard]] Vec3<double> vectorOf(const std::string& option, const std::string& text);
+/// Six numbers, the lower corner first: "0,0,0,1,2,3". Only one with a volume.
+[[nodiscard]] Box<double> boxOf(const std::string& option, const std::string& text);
 /// Positive integers with an 'x' between them: "640x480".
 [[nodiscard]] std::vector<std::int32_t> sizes(const std::string& option, const std::string& text);
 /// "x", "y" or "z" as 0, 1 or 2.

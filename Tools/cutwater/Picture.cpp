@@ -29,7 +29,9 @@ void addWindow(CLI::App& command, PictureOptions& options) {
       ->type_name("A0,B0,A1,B1");
 }
 
-void addSize(CLI::App& command, PictureOptions& options) {
+}  // namespace
+
+void addSizeOption(CLI::App& command, int& width, int& height) {
   command
       .add_option_function<std::string>(
           "--size",
@@ -39,14 +41,12 @@ void addSize(CLI::App& command, PictureOptions& options) {
                 size[1] > Image::kMaxSize) {
               refuse("--size", text, "WIDTHxHEIGHT from 320x240 to 32768x32768");
             }
-            options.slice.width = size[0];
-            options.slice.height = size[1];
+            width = size[0];
+            height = size[1];
           },
           "Pixels; without it: 1600x1000")
       ->type_name("WxH");
 }
-
-}  // namespace
 
 void addPictureOptions(CLI::App& command, PictureOptions& options) {
   command
@@ -60,7 +60,7 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
           "Where on that axis; without it: the middle of the surface")
       ->type_name("VALUE");
   addWindow(command, options);
-  addSize(command, options);
+  addSizeOption(command, options.slice.width, options.slice.height);
   command.add_option("--title", options.slice.title, "What stands above");
   command.add_option("--unit", options.slice.unit, "Unit of lengths, for the labels: m");
 }

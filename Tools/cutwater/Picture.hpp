@@ -21,6 +21,8 @@ struct PictureOptions {
   SliceOptions<double> slice;
 };
 
+/// Adds --size.
+void addSizeOption(CLI::App& command, int& width, int& height);
 void addPictureOptions(CLI::App& command, PictureOptions& options);
 
 /// Draws and writes it, and tells so unless all is quiet.

@@ -69,15 +69,7 @@ Patch<double> gridAround(const Box<double>& surface, const GridRequest& request)
 
 void addPlaceOptions(CLI::App& command, GridRequest& grid) {
   auto* box = command.add_option_function<std::string>(
-      "--box",
-      [&](const std::string& text) {
-        const auto v = numbers("--box", text, 6);
-        grid.box = Box<double>{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
-        const auto size = grid.box->size();
-        if (!(size.x > 0 && size.y > 0 && size.z > 0)) {
-          refuse("--box", text, "the lower corner and then the upper one");
-        }
-      },
+      "--box", [&](const std::string& text) { grid.box = boxOf("--box", text); },
       "The box to cover; without it: the surface's, with a margin");
   box->type_name("X0,Y0,Z0,X1,Y1,Z1");
   command

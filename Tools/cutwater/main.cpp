@@ -26,6 +26,7 @@ void describe(CLI::App& program) {
       "  cutwater sample hull.stl --cells 200 -o hull.vti\n"
       "  cutwater amr hull.stl --level 6 -o hull.vtu\n"
       "  cutwater slice hull.stl --axis y -o hull.png\n"
+      "  cutwater render hull.stl --view iso -o hull.png\n"
       "\n"
       "'cutwater SUBCOMMAND --help' tells more.\n"
       "Exit status: 0 done; 1 a file or a surface is not what it must be; 2 wrong usage.");
@@ -39,6 +40,7 @@ int run(int argc, const char* const* argv) {
   cutwater::tool::addSample(program);
   cutwater::tool::addAmr(program);
   cutwater::tool::addSlice(program);
+  cutwater::tool::addRender(program);
   cutwater::tool::addConvert(program);
   cutwater::tool::addPrepare(program);
   cutwater::tool::addMake(program);

@@ -59,9 +59,29 @@ Rgb blended(const Rgb& base, const Rgb& paint, double opacity) {
 Image::Image(int width, int height, const Rgb& background)
     : width_(width), height_(height), pixels_(checkedCount(width, height), background) {}
 
+Image Image::transparent(int width, int height) {
+  Image image(width, height);
+  image.opacities_.resize(image.pixels_.size());
+  return image;
+}
+
+void Image::paint(int x, int y, const Rgb& color, double coverage) {
+  auto& pixel = pixels_[index(x, y)];
+  if (opacities_.empty()) {
+    pixel = blended(pixel, color, coverage);
+    return;
+  }
+  // T. Porter and T. Duff, "Compositing digital images", SIGGRAPH 1984: over.
+  auto& opacity = opacities_[index(x, y)];
+  const double paint = std::clamp(coverage, 0.0, 1.0);
+  const double sum = paint + (1 - paint) * opacity / 255;
+  if (sum > 0) pixel = blended(pixel, color, paint / sum);
+  opacity = static_cast<std::uint8_t>(std::lround(255 * sum));
+}
+
 void Image::fillRectangle(int x0, int y0, int x1, int y1, const Rgb& color) {
   for (int y = std::max(y0, 0); y < std::min(y1, height_); ++y) {
-    for (int x = std::max(x0, 0); x < std::min(x1, width_); ++x) at(x, y) = color;
+    for (int x = std::max(x0, 0); x < std::min(x1, width_); ++x) paint(x, y, color, 1);
   }
 }
 
@@ -96,7 +116,7 @@ void Image::drawStrokes(std::span<const Stroke> strokes, double width, const Rgb
     for (int x = all.x0; x < all.x1; ++x) {
       const double distance{distanceAt(x, y)};
       const double coverage = std::clamp(0.5 * width - distance + 0.5, 0.0, std::min(width, 1.0));
-      if (coverage > 0) at(x, y) = blended(at(x, y), color, coverage);
+      if (coverage > 0) paint(x, y, color, coverage);
     }
   }
 }

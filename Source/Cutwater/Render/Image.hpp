@@ -36,14 +36,24 @@ class Image {
   /// @throws Error unless 1 <= width, height <= kMaxSize.
   Image(int width, int height, const Rgb& background = {255, 255, 255});
 
+  /// Where nothing is drawn, what is behind the picture shows. Its pixels have an opacity.
+  /// @throws Error as above.
+  [[nodiscard]] static Image transparent(int width, int height);
+
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   /// Row by row from the top.
   [[nodiscard]] std::span<const Rgb> pixels() const { return pixels_; }
 
-  /// The pixel must be in the picture.
+  /// From 0, transparent, to 255, row by row; empty if the picture is opaque everywhere.
+  [[nodiscard]] std::span<const std::uint8_t> opacities() const { return opacities_; }
+
+  /// The pixel must be in the picture. Its opacity does not depend on its colour.
   [[nodiscard]] const Rgb& at(int x, int y) const { return pixels_[index(x, y)]; }
   [[nodiscard]] Rgb& at(int x, int y) { return pixels_[index(x, y)]; }
+
+  /// Puts paint over the pixel, which must be in the picture; coverage from 0 to 1.
+  void paint(int x, int y, const Rgb& color, double coverage);
 
   /// Fills the pixels [x0, x1) x [y0, y1).
   void fillRectangle(int x0, int y0, int x1, int y1, const Rgb& color);
@@ -61,6 +71,7 @@ class Image {
   int width_;
   int height_;
   std::vector<Rgb> pixels_;
+  std::vector<std::uint8_t> opacities_;
 };
 
 }  // namespace cutwater

@@ -94,10 +94,7 @@ LineSpacing lineSpacing(double least, double greatest, double wanted) {
 }
 
 std::string noteAbout(const LineSpacing& spacing, const std::string& unit) {
-  const auto length = [&](double value) {
-    const auto text = ticksBetween(value, value, value).at(0).label;
-    return unit.empty() ? text : text + " " + unit;
-  };
+  const auto length = [&](double value) { return lengthLabel(value, unit); };
   if (spacing.inside == spacing.outside) return "lines every " + length(spacing.inside);
   return "lines every " + length(spacing.outside) + " outside, " + length(spacing.inside) +
          " inside";

@@ -1,20 +1,14 @@
 #pragma once
 
 #include <Cutwater/Core/Interval.hpp>
+#include <Cutwater/Render/PictureStyle.hpp>
 #include <Cutwater/Render/Slice.hpp>
-#include <Cutwater/Render/StrokeFont.hpp>
 
 #include <array>
 #include <string>
 
 /// How renderSlice() works inside; for its parts only.
 namespace cutwater::detail {
-
-/// The part of a picture that shows the plane: pixels [x0, x0 + width) x [y0, y0 + height).
-struct PlotArea {
-  int x0, y0;
-  int width, height;
-};
 
 /// Between lines of equal distance.
 struct LineSpacing {
@@ -27,14 +21,13 @@ Interval<double> axisRange(const SliceWindow<T>& window, std::size_t i) {
   return {static_cast<double>(window.lower[i]), static_cast<double>(window.upper[i])};
 }
 
-/// What stands around a plot. All lengths follow the size of the picture, so that a large one looks
-/// like a small one.
+/// What stands around a plot.
 class SliceLayout {
  public:
   SliceLayout(int width, int height);
 
   /// Thickness of lines and text relative to their usual one.
-  [[nodiscard]] double scale() const { return scale_; }
+  [[nodiscard]] double scale() const { return style_.scale(); }
   /// Where a plot may stand.
   [[nodiscard]] PlotArea room() const { return room_; }
 
@@ -51,13 +44,7 @@ class SliceLayout {
                  const std::string& note) const;
 
  private:
-  [[nodiscard]] int px(double length) const;
-  [[nodiscard]] TextStyle text(double capHeight, TextAnchor anchor) const;
-  [[nodiscard]] TextStyle upwardsText(double capHeight) const;
-  void drawLine(Image& image, const Stroke& line, double width) const;
-  void drawFrame(Image& image, const PlotArea& area) const;
-
-  double scale_;
+  PictureStyle style_;
   PlotArea room_;
 };
 

@@ -61,4 +61,9 @@ std::vector<Tick> ticksBetween(double lower, double upper, double step) {
   return ticks;
 }
 
+std::string lengthLabel(double length, const std::string& unit) {
+  const auto text = ticksBetween(length, length, length).at(0).label;
+  return unit.empty() ? text : text + " " + unit;
+}
+
 }  // namespace cutwater

@@ -19,4 +19,8 @@ struct Tick {
 /// @throws Error unless lower <= upper are finite, step > 0, and there are at most 10 000 of them.
 [[nodiscard]] std::vector<Tick> ticksBetween(double lower, double upper, double step);
 
+/// A round length as people write it: "0.25 m"; without a unit only the number.
+/// @throws Error unless it is finite and above 0.
+[[nodiscard]] std::string lengthLabel(double length, const std::string& unit);
+
 }  // namespace cutwater

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Cutwater/Sdf/Guarantee.hpp>
+
+/// How render() works inside; for its parts only.
+namespace cutwater::detail {
+
+/// How far the surface is away for certain, as a solid's guarantee has it: the value where that is
+/// a distance or a lower bound of one, the value over the Lipschitz constant where there is one.
+template <std::floating_point T>
+class CertainDistance {
+ public:
+  /// `box`: where it is asked for. `sheets`: values of both signs are distances.
+  CertainDistance(const Guarantee<T>& guarantee, const Box<double>& box, bool sheets);
+
+  /// Whether values tell anything but their sign.
+  [[nodiscard]] bool isKnown() const { return factor_ > 0; }
+  /// Whether it is the distance, up to rounding.
+  [[nodiscard]] bool isExact() const { return exact_; }
+  /// From a point with this value; not positive within rounding of the surface, or inside.
+  [[nodiscard]] double operator()(T value, const Vec3<T>& p) const {
+    const double size{sheets_ && value < 0 ? -value : value};
+    return factor_ * (size - static_cast<double>(guarantee_.error(length(p))));
+  }
+  /// Whether the point is inside by more than rounding.
+  [[nodiscard]] bool isInside(T value, const Vec3<T>& p) const {
+    return value < -guarantee_.error(length(p));
+  }
+
+ private:
+  Guarantee<T> guarantee_;
+  bool sheets_;
+  bool exact_;
+  double factor_ = 0;
+};
+
+extern template class CertainDistance<float>;
+extern template class CertainDistance<double>;
+
+}  // namespace cutwater::detail

@@ -1,0 +1,179 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Render/PartInSight.hpp>
+#include <Cutwater/Render/PatchColors.hpp>
+#include <Cutwater/Render/PixelSamples.hpp>
+#include <Cutwater/Render/Render.hpp>
+#include <Cutwater/Render/RenderLayout.hpp>
+#include <Cutwater/Render/Shading.hpp>
+#include <Cutwater/Render/SphereTracer.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cutwater {
+
+namespace {
+
+using detail::Camera;
+using detail::Frame;
+using detail::KeptRegion;
+using detail::LegendEntry;
+using detail::PicturePoint;
+using detail::PixelSamples;
+using detail::RenderLayout;
+using detail::SphereTracer;
+using detail::SurfaceSample;
+
+constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
+constexpr double kUsualFieldOfView = 30;
+/// Around the solid, of the picture: rays that pass it by this much or less know that they do.
+constexpr double kRoom = 0.01;
+constexpr double kOcclusion = 0.07;   // how far to look for it, in diagonals of what is shown
+constexpr int kMostLooks = 3;         // to find what is in sight
+constexpr double kLargeEnough = 0.6;  // of the frame: a further look would find no better
+constexpr double kLineWidth = 0.7;    // pixels
+
+bool isProper(const Box<double>& box) {
+  return isFinite(box) && !box.empty() && std::isfinite(box.diagonal()) && box.diagonal() > 0;
+}
+
+void check(const RenderOptions& options) {
+  require(options.width >= 320 && options.height >= 240 &&
+              std::int64_t{options.width} * options.height <= kMostPixels,
+          "render: need at least 320 x 240 and at most 2^26 pixels", Named{"width", options.width},
+          Named{"height", options.height});
+  require(options.fieldOfView >= 0 && options.fieldOfView <= 150,
+          "render: need a field of view from 0 to 150 degrees",
+          Named{"fieldOfView", options.fieldOfView});
+  for (const auto& box : {options.region, options.show}) {
+    require(!box || isProper(*box), "render: need a finite box that is not empty");
+  }
+}
+
+/// What is looked into: all of the solid, with some room around, or what of that is in the region.
+template <std::floating_point T>
+Box<double> lookedInto(const SignedDistanceFunction<T>& solid, const RenderOptions& options,
+                       double room) {
+  const auto bounds = solid.boundingBox();
+  require(!bounds.empty(), "render: the solid is empty");
+  // Infinite sides stay where they are.
+  auto box = Box<double>{Vec3<double>(bounds.lower), Vec3<double>(bounds.upper)}.grown(room);
+  require(options.region || isFinite(box),
+          "render: the solid is unbounded, so say which region to show");
+  if (options.region) box = box.intersection(*options.region);
+  require(isProper(box), "render: nothing is left to show");
+  return box;
+}
+
+/// What the cuts leave of that.
+template <std::floating_point T>
+Box<double> whatIsLeft(const SignedDistanceFunction<T>& solid, const RenderOptions& options) {
+  const auto rest =
+      KeptRegion(lookedInto(solid, options, 0), options.cuts, options.region.has_value()).rest();
+  require(isProper(rest), "render: the cuts leave nothing to show");
+  return rest;
+}
+
+Camera cameraFor(const RenderOptions& options, const Box<double>& rest, const Frame& frame) {
+  if (options.eye) {
+    const double angle = options.fieldOfView > 0 ? options.fieldOfView : kUsualFieldOfView;
+    return {*options.eye, frame, angle};
+  }
+  return {options.view, options.show.value_or(rest), frame, options.fieldOfView};
+}
+
+/// The size of a pixel at the far end of the box.
+double largestPixel(const Camera& camera, const Box<double>& box) {
+  return camera.pixelSize(length(box.center() - camera.ray(0, 0).origin) + box.diagonal());
+}
+
+/// The largest ones in sight first.
+std::vector<LegendEntry> legendOf(const PixelSamples& samples, std::span<const std::string> names) {
+  const auto pixels = samples.pixelsOfPatches(names.size());
+  std::vector<std::size_t> patches;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (pixels[i] > 0) patches.push_back(i);
+  }
+  std::stable_sort(patches.begin(), patches.end(),
+                   [&](std::size_t a, std::size_t b) { return pixels[a] > pixels[b]; });
+  std::vector<LegendEntry> entries;
+  for (const auto i : patches) entries.push_back({names[i], patchColor(i)});
+  return entries;
+}
+
+template <std::floating_point T>
+auto calls(const SphereTracer<T>& tracer) {
+  return [&](std::span<const PicturePoint> points, double spacing, std::span<SurfaceSample> found) {
+    tracer.trace(points, spacing, found);
+  };
+}
+
+/// The camera turned to what is in sight of the solid, which may be much less than its box.
+template <std::floating_point T>
+Camera aimed(Camera camera, const SignedDistanceFunction<T>& solid, const KeptRegion& region,
+             const Frame& frame, const RenderOptions& options) {
+  for (int look = 0; look < kMostLooks; ++look) {
+    const SphereTracer<T> tracer(solid, region, camera, {.sheets = options.sheets});
+    // Parts that these few rays cannot know of might be beyond the picture then.
+    if (!tracer.knowsDistances()) break;
+    const auto part = partInSight(calls(tracer), frame, {.threads = options.threads});
+    if (!part) break;
+    camera = camera.zoomed(*part, frame);
+    if (std::max(part->width / frame.width, part->height / frame.height) > kLargeEnough) break;
+  }
+  return camera;
+}
+
+void drawSamples(Image& image, const PixelSamples& samples, const Camera& camera, double scale,
+                 bool byPatch, const RenderOptions& options) {
+  const detail::Shading shading(camera.view(), scale);
+  const Rgb one = options.color.value_or(*colorNamed("steel"));
+  samples.draw(image,
+               [&](const SurfaceSample& sample, const PicturePoint& at) {
+                 if (sample.isCut()) return shading.cutFace(options.cutColor, at);
+                 return shading.surface(sample, byPatch ? patchColor(sample.surface) : one);
+               },
+               options.lines ? kLineWidth : 0, {.threads = options.threads, .progress = {}});
+}
+
+}  // namespace
+
+template <std::floating_point T>
+Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& options) {
+  check(options);
+  const auto rest = whatIsLeft(solid, options);
+  const auto names = solid.patchNames();
+  const bool byPatch = !options.color && names.size() > 1;
+  const bool hasLegend = byPatch && options.legend;
+  const RenderLayout layout(options.width, options.height,
+                            {.title = !options.title.empty(),
+                             .axes = options.axes,
+                             .legend = hasLegend ? std::span(names) : std::span(names).first(0)});
+  const auto frame = layout.frame();
+  auto camera = cameraFor(options, rest, frame);
+  const double room = kRoom * std::max(frame.width, frame.height) * largestPixel(camera, rest);
+  const KeptRegion region(lookedInto(solid, options, room), options.cuts,
+                          options.region.has_value());
+  if (!options.show && !options.eye) camera = aimed(camera, solid, region, frame, options);
+  const SphereTracer<T> tracer(
+      solid, region, camera,
+      {.sheets = options.sheets, .occlusionRadius = kOcclusion * rest.diagonal()});
+  const PixelSamples samples(camera, layout.area(), calls(tracer),
+                             {.threads = options.threads, .progress = options.progress});
+
+  auto image = options.transparent ? Image::transparent(options.width, options.height)
+                                   : Image(options.width, options.height);
+  drawSamples(image, samples, camera, layout.scale(), byPatch, options);
+  if (!options.title.empty()) layout.drawTitle(image, options.title);
+  if (hasLegend) layout.drawLegend(image, legendOf(samples, names));
+  if (options.axes) {
+    layout.drawAxes(image, camera.view());
+    if (camera.isOrthographic()) layout.drawScaleBar(image, camera.pixelSize(0), options.unit);
+  }
+  return image;
+}
+
+template Image render(const SignedDistanceFunction<float>&, const RenderOptions&);
+template Image render(const SignedDistanceFunction<double>&, const RenderOptions&);
+
+}  // namespace cutwater

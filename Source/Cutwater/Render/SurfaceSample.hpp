@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Cutwater/Core/FunctionRef.hpp>
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <limits>
+#include <span>
+
+/// How render() works inside; for its parts only.
+namespace cutwater::detail {
+
+/// A point of a picture, in its continuous pixel coordinates.
+struct PicturePoint {
+  double x, y;
+};
+
+/// What a ray sees.
+struct SurfaceSample {
+  /// Surfaces with this bit are faces of cut planes, others are patches.
+  static constexpr std::uint32_t kCutFace = 0x80000000U;
+
+  float along = std::numeric_limits<float>::infinity();  ///< distance along the ray
+  Vec3<float> normal;                                    ///< unit, towards the viewer
+  float open = 1;                 ///< how much of the light from around comes here, 0 to 1
+  std::uint32_t surface = kNone;  ///< what is seen: kNone, a patch, or a face of a cut
+  /// Of a ray that sees nothing: the patch that it nearly meets; the normal points from there to
+  /// it.
+  std::uint32_t passed = kNone;
+
+  [[nodiscard]] bool isHit() const { return surface != kNone; }
+  [[nodiscard]] bool isCut() const { return isHit() && (surface & kCutFace) != 0; }
+};
+
+/// Samples at points of the picture, best close to each other: at most so many. `spacing`: the
+/// distance between the picture's points in pixels.
+inline constexpr std::size_t kMostRays = 256;
+using SampleTracer = FunctionRef<void(std::span<const PicturePoint> points, double spacing,
+                                      std::span<SurfaceSample> samples)>;
+
+}  // namespace cutwater::detail

@@ -1,0 +1,240 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Mesh/Tessellation.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/PatchColors.hpp>
+#include <Cutwater/Render/Render.hpp>
+#include <Cutwater/Render/RenderLayout.hpp>
+#include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Shapes/Plane.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
+
+#include <numbers>
+
+#include "Support/Precisions.hpp"
+
+namespace cutwater::test {
+namespace {
+
+constexpr int kWidth = 480;
+constexpr int kHeight = 400;
+
+/// Nothing but the solid, before no background, to a known scale: a cube of side 2.4 fills it.
+RenderOptions bare(const View& view) {
+  RenderOptions options;
+  options.view = view;
+  options.show = Box<double>{{-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2}};
+  options.width = kWidth;
+  options.height = kHeight;
+  options.transparent = true;
+  options.lines = options.axes = options.legend = false;
+  return options;
+}
+
+/// Of such a picture along an axis.
+double pixelSize() {
+  const auto frame = detail::RenderLayout(kWidth, kHeight, {}).frame();
+  return 2.4 / std::min(frame.width, frame.height);
+}
+
+double covered(const Image& image) {
+  double sum = 0;
+  for (const auto opacity : image.opacities()) sum += opacity / 255.0;
+  return sum;
+}
+
+double coveredInRow(const Image& image, int y) {
+  double sum = 0;
+  for (int x = 0; x < image.width(); ++x) {
+    sum += image.opacities()[static_cast<std::size_t>(y * image.width() + x)] / 255.0;
+  }
+  return sum;
+}
+
+int difference(const Rgb& a, const Rgb& b) {
+  return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
+}
+
+template <typename T>
+class RenderTest : public ::testing::Test {};
+TYPED_TEST_SUITE(RenderTest, Precisions);
+
+TYPED_TEST(RenderTest, ABallIsADisc) {
+  const Sphere<TypeParam> ball({0, 0, 0}, 1);
+  for (const auto* name : {"+x", "-z"}) {
+    const auto image = render(ball, bare(View::named(name)));
+    const double radius = 1 / pixelSize();
+    EXPECT_NEAR(covered(image), std::numbers::pi * radius * radius, 2 * radius * 0.2) << name;
+    for (int y = 60; y < kHeight - 60; y += 7) {
+      const double height = y + 0.5 - 0.5 * kHeight;
+      const double chord = 2 * std::sqrt(radius * radius - height * height);
+      EXPECT_NEAR(coveredInRow(image, y), chord, 0.5) << y;
+    }
+  }
+}
+
+TYPED_TEST(RenderTest, ABoxAlongAnAxisIsARectangle) {
+  using T = TypeParam;
+  const Cuboid<T> box({T(-0.61), -1, T(-0.33)}, {T(0.72), 1, T(0.41)});
+  const auto image = render(box, bare(View::named("-y")));
+  const double width = 1.33 / pixelSize();
+  int rows = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    const double row = coveredInRow(image, y);
+    if (row < width - 1) continue;
+    ++rows;
+    EXPECT_NEAR(row, width, 0.35) << y;
+  }
+  EXPECT_NEAR(rows, 0.74 / pixelSize(), 1.01);
+  EXPECT_NEAR(covered(image), width * 0.74 / pixelSize(), 0.004 * covered(image));
+}
+
+TYPED_TEST(RenderTest, ACutHasTheAreaOfItsPlane) {
+  using T = TypeParam;
+  const Solid<T> hollow = Solid<T>(Sphere<T>({0, 0, 0}, 1)) - Sphere<T>({0, 0, 0}, T(0.6));
+  auto options = bare(View::named("+z"));
+  options.cuts = {CutPlane::across(2, 0.3)};
+  options.cutColor = {255, 0, 0};
+  options.color = Rgb{0, 0, 255};
+  const auto image = render(hollow, options);
+  double red = 0;
+  for (const auto& pixel : image.pixels()) {
+    if (pixel.red > 128 && pixel.blue < 100) red += 1;
+  }
+  const double area = std::numbers::pi * (1 - 0.36) / (pixelSize() * pixelSize());
+  EXPECT_NEAR(red, area, 0.005 * area);
+}
+
+TYPED_TEST(RenderTest, ThinPlatesSeenFromTheSideAreNotLost) {
+  using T = TypeParam;
+  constexpr T kHalf = T(5e-6);
+  for (const double z : {0.0, 0.1234, 0.31}) {
+    const T at = static_cast<T>(z);
+    const Cuboid<T> plate({-1, -1, at - kHalf}, {1, 1, at + kHalf});
+    for (const double tilt : {0.0, 0.05}) {
+      const auto image = render(plate, bare(View::from({tilt, -1, 0}, {0.03, 0, 1})));
+      const int x0 = static_cast<int>(0.5 * kWidth - 0.9 / pixelSize());
+      const int x1 = static_cast<int>(0.5 * kWidth + 0.9 / pixelSize());
+      for (int x = x0; x <= x1; ++x) {
+        double column = 0;
+        for (int y = 0; y < kHeight; ++y) {
+          column += image.opacities()[static_cast<std::size_t>(y * kWidth + x)] / 255.0;
+        }
+        ASSERT_GT(column, 0.1) << x << ' ' << z;
+        ASSERT_LT(column, 1.4) << x << ' ' << z;
+      }
+    }
+  }
+}
+
+TYPED_TEST(RenderTest, PatchesHaveTheirColoursAndALegend) {
+  using T = TypeParam;
+  const Solid<T> two = named(Solid<T>(Sphere<T>({T(-0.6), 0, 0}, T(0.5))), "port") |
+                       named(Solid<T>(Sphere<T>({T(0.6), 0, 0}, T(0.5))), "starboard");
+  auto options = bare(View::named("-y"));
+  const auto coloured = render(two, options);
+  const auto at = [&](const Image& image, double x) {
+    return image.at(static_cast<int>(0.5 * kWidth + x / pixelSize()), kHeight / 2);
+  };
+  EXPECT_LT(difference(at(coloured, -0.6), patchColor(0)), 60);
+  EXPECT_LT(difference(at(coloured, 0.6), patchColor(1)), 60);
+  EXPECT_GT(difference(at(coloured, -0.6), at(coloured, 0.6)), 60);
+  options.color = Rgb{120, 120, 120};
+  const auto grey = render(two, options);
+  EXPECT_EQ(at(grey, -0.6).red, at(grey, -0.6).blue);
+  EXPECT_LT(difference(at(grey, -0.6), at(grey, 0.6)), 3);
+
+  options.color.reset();
+  options.legend = true;
+  const auto image = render(two, options);
+  int swatches = 0;  // pixels of exactly these colours: nothing shaded has them
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = kWidth * 2 / 3; x < kWidth; ++x) {
+      if (image.at(x, y) == patchColor(0) || image.at(x, y) == patchColor(1)) ++swatches;
+    }
+  }
+  const int side = detail::PictureStyle(kWidth, kHeight).px(14);
+  EXPECT_NEAR(swatches, 2 * side * side, 8);
+}
+
+TYPED_TEST(RenderTest, AMeshLooksLikeItsSolid) {
+  using T = TypeParam;
+  const MeshSDF<T> mesh(tessellation::icosphere(1, 6));
+  const Sphere<T> ball({0, 0, 0}, 1);
+  auto options = bare(View::named("iso"));
+  options.transparent = false;
+  options.cuts = {CutPlane::across(2, 0.4)};
+  const auto a = render(mesh, options);
+  const auto b = render(ball, options);
+  double sum = 0;
+  int worst = 0;
+  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
+    const int off = difference(a.pixels()[i], b.pixels()[i]);
+    sum += off;
+    worst = std::max(worst, off);
+  }
+  EXPECT_LT(sum / static_cast<double>(a.pixels().size()), 0.6);
+  EXPECT_LT(worst, 250);  // of 765: at the silhouette, a few ninths of a pixel
+}
+
+TYPED_TEST(RenderTest, TheSameWhateverTheThreads) {
+  using T = TypeParam;
+  const MeshSDF<T> torus(tessellation::torus(0.8, 0.3, 24, 12));
+  RenderOptions options;
+  options.width = 400;
+  options.height = 320;
+  options.fieldOfView = 30;
+  options.title = "Torus";
+  options.cuts = {CutPlane::through({0, 0, 0}, {1, -1, 0.2})};
+  options.threads = 1;
+  const auto one = render(torus, options);
+  options.threads = 3;
+  const auto more = render(torus, options);
+  EXPECT_TRUE(std::equal(one.pixels().begin(), one.pixels().end(), more.pixels().begin()));
+}
+
+TYPED_TEST(RenderTest, FitsWhatIsInSight) {
+  using T = TypeParam;
+  // A ball in the corner of a box that a second, tiny one stretches, and that is cut away.
+  const Solid<T> solid = Sphere<T>({0, 0, 0}, 1) | Sphere<T>({9, 2, 5}, T(0.01));
+  auto options = bare(View::named("iso"));
+  options.show.reset();
+  options.cuts = {CutPlane::through({2, 0, 0}, {1, 1, 1})};
+  const auto frame = detail::RenderLayout(kWidth, kHeight, {}).frame();
+  EXPECT_NEAR(covered(render(solid, options)), std::numbers::pi / 4 * frame.height * frame.height,
+              0.08 * frame.height * frame.height);
+}
+
+TYPED_TEST(RenderTest, RegionsCutOffWhatIsUnbounded) {
+  using T = TypeParam;
+  const Plane<T> ground({0, 0, 0}, {0, 0, 1});
+  auto options = bare(View::named("-y"));
+  options.region = Box<double>{{-1, -1, -0.5}, {1, 1, 0.5}};
+  options.cutColor = {255, 0, 0};
+  const auto image = render(ground, options);
+  EXPECT_NEAR(covered(image), 2 * 0.5 / (pixelSize() * pixelSize()), 400);
+  EXPECT_GT(image.at(kWidth / 2, kHeight / 2 + 20).red, 180);
+}
+
+TYPED_TEST(RenderTest, Refusals) {
+  using T = TypeParam;
+  const Sphere<T> ball({0, 0, 0}, 1);
+  const auto refuses = [&](auto change) {
+    auto options = bare(View::named("iso"));
+    change(options);
+    EXPECT_THROW(static_cast<void>(render(ball, options)), Error);
+  };
+  refuses([](auto& o) { o.width = 319; });
+  refuses([](auto& o) { o.width = o.height = 30000; });
+  refuses([](auto& o) { o.fieldOfView = -1; });
+  refuses([](auto& o) { o.fieldOfView = NAN; });
+  refuses([](auto& o) { o.show = Box<double>{{0, 0, 0}, {0, 0, INFINITY}}; });
+  refuses([](auto& o) { o.region = Box<double>{{1, 1, 1}, {0, 0, 0}}; });
+  refuses([](auto& o) { o.region = Box<double>{{5, 5, 5}, {6, 6, 6}}; });
+  refuses([](auto& o) { o.cuts = {CutPlane::across(0, -3)}; });
+  EXPECT_THROW(static_cast<void>(render(Plane<T>({0, 0, 0}, {0, 0, 1}), bare(View::named("iso")))),
+               Error);
+}
+
+}  // namespace
+}  // namespace cutwater::test

@@ -1,0 +1,175 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Io/Png.hpp>
+#include <Cutwater/Render/PatchColors.hpp>
+#include <Cutwater/Render/Render.hpp>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "Arguments.hpp"
+#include "Commands.hpp"
+#include "Format.hpp"
+#include "Picture.hpp"
+#include "ProgressBar.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+struct Cut {
+  int axis;
+  double value;
+  std::optional<CutPlane::Keep> keep;  // without it: what is farther from the viewer
+};
+
+struct Options {
+  SurfaceOptions surface;
+  RenderOptions render;
+  std::vector<Cut> cuts;
+  std::string output;
+  bool solid = false;
+  bool noAxes = false;
+};
+
+/// "z=0.5", "z=0.5:upper".
+Cut cutOf(const std::string& text) {
+  const auto colon = text.find(':');
+  const auto side = colon == std::string::npos ? "" : text.substr(colon);
+  const bool isKnown = side.empty() || side == ":lower" || side == ":upper";
+  if (text.find('=') != 1 || !isKnown) {
+    refuse("--cut", text, "an axis, a value, and perhaps the side to keep: z=0.5 or y=0:upper");
+  }
+  Cut cut{axisOf("--cut", text.substr(0, 1)),
+          numbers("--cut", text.substr(0, colon).substr(2), 1).front(),
+          {}};
+  if (!side.empty()) cut.keep = side == ":upper" ? CutPlane::Keep::Upper : CutPlane::Keep::Lower;
+  return cut;
+}
+
+View viewOf(const std::string& text) {
+  constexpr const char* kNeed =
+      "+x, -x, +y, -y, +z, -z, iso, or AZIMUTH,ELEVATION in degrees: 30,20";
+  try {
+    if (text.find(',') == std::string::npos) return View::named(text);
+    const auto angles = numbers("--view", text, 2);
+    return View::fromAngles(angles[0], angles[1]);
+  } catch (const Error&) {
+    refuse("--view", text, kNeed);
+  }
+}
+
+std::optional<Rgb> colorOf(const std::string& text) {
+  if (text == "patches") return {};
+  const auto color = colorNamed(text);
+  if (!color) {
+    refuse("--color", text,
+           "patches, steel, white, grey, graphite, sand, copper, red, green, blue, or #RRGGBB");
+  }
+  return color;
+}
+
+void addCameraOptions(CLI::App& command, Options& options) {
+  auto& render = options.render;
+  command
+      .add_option_function<std::string>(
+          "--view", [&](const std::string& text) { render.view = viewOf(text); },
+          "Where the viewer is: +x, -x, +y, -y, +z, -z, iso, or degrees from +x towards +y and "
+          "above the xy plane; without it: iso")
+      ->type_name("VIEW");
+  command
+      .add_option("--perspective", render.fieldOfView,
+                  "Draw in perspective, the longer side of the picture as wide as this angle")
+      ->check(CLI::Range(0.1, 150.0))
+      ->type_name("DEGREES");
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--cut",
+          [&](const std::vector<std::string>& texts) {
+            for (const auto& text : texts) options.cuts.push_back(cutOf(text));
+          },
+          "Take away what is on one side of a plane; without a side to keep: what is nearer to "
+          "the viewer; may be repeated")
+      ->type_name("AXIS=VALUE[:lower|:upper]");
+  command
+      .add_option_function<std::string>(
+          "--show", [&](const std::string& text) { render.show = boxOf("--show", text); },
+          "Fill the picture with this box, by its corners; without it: with all of the surface")
+      ->type_name("X0,Y0,Z0,X1,Y1,Z1");
+  command.add_flag("--solid", options.solid,
+                   "Of a surface that is not closed, show only what bounds a solid, as the signs "
+                   "have it, and not every sheet");
+}
+
+void addLookOptions(CLI::App& command, Options& options) {
+  auto& render = options.render;
+  command
+      .add_option_function<std::string>(
+          "--color", [&](const std::string& text) { render.color = colorOf(text); },
+          "One colour: steel, white, grey, graphite, sand, copper, red, green, blue or #RRGGBB; "
+          "without it: by patches")
+      ->type_name("patches|NAME");
+  addSizeOption(command, render.width, render.height);
+  command.add_option("--title", render.title, "What stands above; without it: the file's name");
+  command.add_option("--unit", render.unit, "Unit of lengths, for the scale bar: m");
+  command.add_flag("--no-axes", options.noAxes, "Neither axes nor a scale bar");
+  command.add_flag("--transparent", render.transparent, "No background instead of a white one");
+}
+
+void run(Options options) {
+  auto solid = loadSolid(options.surface);
+  auto& render = options.render;
+  render.sheets = !solid.signReport().isClosed() && !options.solid;
+  // Signs are not looked at then, and these are the quicker ones.
+  if (render.sheets && options.cuts.empty()) {
+    MeshSDF<double> quicker(solid.soup(), {.signs = SignScheme::NearestFeature});
+    quicker.setPlacement(solid.placement());
+    solid = std::move(quicker);
+  }
+  render.axes = !options.noAxes;
+  if (render.title.empty()) render.title = fileName(options.surface);
+  for (const auto& cut : options.cuts) {
+    const auto farther =
+        render.view.back[cut.axis] < 0 ? CutPlane::Keep::Upper : CutPlane::Keep::Lower;
+    render.cuts.push_back(CutPlane::across(cut.axis, cut.value, cut.keep.value_or(farther)));
+  }
+  Stopwatch watch;
+  {
+    ProgressBar bar("drawing", !options.surface.quiet);
+    render.threads = options.surface.threads;
+    render.progress = bar.callback();
+    writePng(options.output, cutwater::render(solid, render));
+  }
+  if (options.surface.quiet) return;
+  std::cout << "wrote " << options.output << ": " << render.width << " x " << render.height
+            << " pixels, in " << duration(watch.lap()) << '\n';
+  if (render.sheets) {
+    std::cout << "the surface is not closed: all of it is shown; --solid shows what the signs make "
+                 "of it\n";
+  }
+}
+
+}  // namespace
+
+void addRender(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  auto& command = *program.add_subcommand(
+      "render", "Draw the surface as a PNG picture, shaded, with cuts and colours of patches");
+  addSurfaceOptions(command, options->surface);
+  addSignOptions(command, options->surface);
+  command.add_option("-o,--output", options->output, "The picture to write")
+      ->required()
+      ->type_name("FILE.png");
+  addCameraOptions(command, *options);
+  addLookOptions(command, *options);
+  command.footer(
+      "Examples:\n"
+      "  cutwater render hull.stl -o hull.png\n"
+      "  cutwater render hull.stl --cut z=0.244 --view=-60,25 --unit m --title Waterline -o "
+      "water.png\n"
+      "  cutwater render car.obj --view=-y --color patches --size 2400x1200 -o side.png");
+  command.callback([=] { run(*options); });
+}
+
+}  // namespace cutwater::tool
