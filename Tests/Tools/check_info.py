@@ -287,7 +287,8 @@ class Suggestions(InfoTest):
         # Two blades, in planes across axes: a cap would be the blade again.
         points = [(0, 0, 1), (0, 1, 1), (0, 1, 2), (0, 0, 2), (0, 0, 4), (1, 0, 4), (1, 0, 5), (0, 0, 5)]
         self.surface("blades.off", points, [(0, 1, 2, 3), (4, 5, 6, 7)])
-        self.assertEqual(self.repairs("blades.off"), [])
+        repairs = self.repairs("blades.off")
+        self.assertEqual([words for words in repairs if "--wrap" not in words], [])
 
     def test_small_openings_make_no_half_model(self):
         self.surface("vase.off", [(x, y, z) if z == 0 else (0.3 + 0.4 * x, 0.3 + 0.4 * y, z)

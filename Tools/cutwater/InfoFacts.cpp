@@ -48,10 +48,12 @@ std::string repairedName(const LoadedSurface& surface, const SurfaceOptions& opt
   return stem + "-repaired" + (surface.prepared ? ".ply" : kExtensions[format]);
 }
 
-/// Whether signs are a matter of opinion and no other repair would change that.
+/// Whether signs are a matter of opinion and no other repair would change that. What lies in one
+/// plane, such as an inlet, is left alone.
 bool needsWrap(const InfoFacts& facts) {
   const auto isError = [](const Defect& defect) { return defect.severity == Severity::Error; };
-  return facts.solid && std::ranges::any_of(facts.defects, isError) &&
+  return facts.solid && !flatAxis(facts.surface.soup) &&
+         std::ranges::any_of(facts.defects, isError) &&
          std::ranges::none_of(facts.treatments.found, &Treatment::isClosed);
 }
 
