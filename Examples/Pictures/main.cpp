@@ -17,7 +17,8 @@ Solid<double> flange(double z) {
   for (int i = 0; i < 8; ++i) {
     const double angle = (i + 0.5) * std::numbers::pi / 4;
     const Vec3<double> hole{1.3 * std::cos(angle), 1.3 * std::sin(angle), z};
-    disc = disc - Cylinder<double>(hole - Vec3<double>{0, 0, 1}, hole + Vec3<double>{0, 0, 1}, 0.12);
+    disc =
+        disc - Cylinder<double>(hole - Vec3<double>{0, 0, 1}, hole + Vec3<double>{0, 0, 1}, 0.12);
   }
   return disc;
 }

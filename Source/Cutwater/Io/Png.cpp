@@ -37,8 +37,7 @@ std::vector<std::byte> encoded(const std::filesystem::path& path, const Image& i
   const void* const pixels = opaque ? static_cast<const void*>(image.pixels().data()) : rgba.data();
   std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(description));
   png_alloc_size_t size = bytes.size();
-  if (png_image_write_to_memory(&description, bytes.data(), &size, 0, pixels, 0,
-                                nullptr) == 0) {
+  if (png_image_write_to_memory(&description, bytes.data(), &size, 0, pixels, 0, nullptr) == 0) {
     const std::string reason = description.message;
     png_image_free(&description);
     throw Error(ErrorKind::File, path.string() + ": cannot encode the picture: " + reason);
