@@ -157,6 +157,16 @@ TYPED_TEST(RenderTest, PatchesHaveTheirColoursAndALegend) {
   EXPECT_NEAR(swatches, 2 * side * side, 8);
 }
 
+TYPED_TEST(RenderTest, WhatIsCutAwayLeavesNoHalo) {
+  using T = TypeParam;
+  // Beyond the rim of the cut, just above its plane, the ball's side was close to the rays.
+  const Sphere<T> ball({0, 0, 0}, 1);
+  auto options = bare(View::named("+z"));
+  options.cuts = {CutPlane::across(2, -0.98)};
+  const double radius = std::sqrt(1 - 0.98 * 0.98) / pixelSize();
+  EXPECT_NEAR(covered(render(ball, options)), std::numbers::pi * radius * radius, 0.2 * radius);
+}
+
 TYPED_TEST(RenderTest, AMeshLooksLikeItsSolid) {
   using T = TypeParam;
   const MeshSDF<T> mesh(tessellation::icosphere(1, 6));

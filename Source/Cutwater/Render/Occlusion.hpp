@@ -25,7 +25,7 @@ class Occlusion {
     Vec3<double> normal;
   };
 
-  /// Looks as far as `radius`. All must live as long as this.
+  /// Looks as far as `radius`. Solid and region must live as long as this.
   Occlusion(const SignedDistanceFunction<T>& solid, const CertainDistance<T>& distance,
             const KeptRegion& region, double radius)
       : solid_(solid), distance_(distance), region_(region), radius_(radius) {}
@@ -38,7 +38,7 @@ class Occlusion {
   [[nodiscard]] double freePart(T value, const Vec3<T>& p, double height) const;
 
   const SignedDistanceFunction<T>& solid_;
-  const CertainDistance<T>& distance_;
+  CertainDistance<T> distance_;
   const KeptRegion& region_;
   double radius_;
 };

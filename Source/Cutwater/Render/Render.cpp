@@ -87,19 +87,43 @@ double largestPixel(const Camera& camera, const Box<double>& box) {
   return camera.pixelSize(length(box.center() - camera.ray(0, 0).origin) + box.diagonal());
 }
 
-/// The largest ones in sight first.
-std::vector<LegendEntry> legendOf(const PixelSamples& samples, std::span<const std::string> names) {
-  const auto pixels = samples.pixelsOfPatches(names.size());
-  std::vector<std::size_t> patches;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (pixels[i] > 0) patches.push_back(i);
+/// Colours of patches; those of one name have one.
+class PatchTable {
+ public:
+  explicit PatchTable(std::span<const std::string> names) {
+    for (const auto& name : names) {
+      const auto known = std::find(names_.begin(), names_.end(), name);
+      ranks_.push_back(static_cast<std::size_t>(known - names_.begin()));
+      if (known == names_.end()) names_.push_back(name);
+    }
   }
-  std::stable_sort(patches.begin(), patches.end(),
-                   [&](std::size_t a, std::size_t b) { return pixels[a] > pixels[b]; });
-  std::vector<LegendEntry> entries;
-  for (const auto i : patches) entries.push_back({names[i], patchColor(i)});
-  return entries;
-}
+
+  /// Each once.
+  [[nodiscard]] std::span<const std::string> names() const { return names_; }
+  [[nodiscard]] Rgb color(std::uint32_t patch) const {
+    return patchColor(patch < ranks_.size() ? ranks_[patch] : 0);
+  }
+
+  /// The largest ones in sight first.
+  [[nodiscard]] std::vector<LegendEntry> legend(const PixelSamples& samples) const {
+    std::vector<std::size_t> pixels(names_.size());
+    const auto ofPatches = samples.pixelsOfPatches(ranks_.size());
+    for (std::size_t i = 0; i < ranks_.size(); ++i) pixels[ranks_[i]] += ofPatches[i];
+    std::vector<std::size_t> inSight;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      if (pixels[i] > 0) inSight.push_back(i);
+    }
+    std::stable_sort(inSight.begin(), inSight.end(),
+                     [&](std::size_t a, std::size_t b) { return pixels[a] > pixels[b]; });
+    std::vector<LegendEntry> entries;
+    for (const auto i : inSight) entries.push_back({names_[i], patchColor(i)});
+    return entries;
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::size_t> ranks_;  // of each patch: which of the names it has
+};
 
 template <std::floating_point T>
 auto calls(const SphereTracer<T>& tracer) {
@@ -125,13 +149,14 @@ Camera aimed(Camera camera, const SignedDistanceFunction<T>& solid, const KeptRe
 }
 
 void drawSamples(Image& image, const PixelSamples& samples, const Camera& camera, double scale,
-                 bool byPatch, const RenderOptions& options) {
+                 const PatchTable* patches, const RenderOptions& options) {
   const detail::Shading shading(camera.view(), scale);
   const Rgb one = options.color.value_or(*colorNamed("steel"));
   samples.draw(image,
                [&](const SurfaceSample& sample, const PicturePoint& at) {
                  if (sample.isCut()) return shading.cutFace(options.cutColor, at);
-                 return shading.surface(sample, byPatch ? patchColor(sample.surface) : one);
+                 return shading.surface(sample,
+                                        patches != nullptr ? patches->color(sample.surface) : one);
                },
                options.lines ? kLineWidth : 0, {.threads = options.threads, .progress = {}});
 }
@@ -142,13 +167,14 @@ template <std::floating_point T>
 Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& options) {
   check(options);
   const auto rest = whatIsLeft(solid, options);
-  const auto names = solid.patchNames();
-  const bool byPatch = !options.color && names.size() > 1;
+  const PatchTable patches(solid.patchNames());
+  const bool byPatch = !options.color && patches.names().size() > 1;
   const bool hasLegend = byPatch && options.legend;
-  const RenderLayout layout(options.width, options.height,
-                            {.title = !options.title.empty(),
-                             .axes = options.axes,
-                             .legend = hasLegend ? std::span(names) : std::span(names).first(0)});
+  const RenderLayout layout(
+      options.width, options.height,
+      {.title = !options.title.empty(),
+       .axes = options.axes,
+       .legend = patches.names().first(hasLegend ? patches.names().size() : 0)});
   const auto frame = layout.frame();
   auto camera = cameraFor(options, rest, frame);
   const double room = kRoom * std::max(frame.width, frame.height) * largestPixel(camera, rest);
@@ -163,9 +189,9 @@ Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& option
 
   auto image = options.transparent ? Image::transparent(options.width, options.height)
                                    : Image(options.width, options.height);
-  drawSamples(image, samples, camera, layout.scale(), byPatch, options);
+  drawSamples(image, samples, camera, layout.scale(), byPatch ? &patches : nullptr, options);
   if (!options.title.empty()) layout.drawTitle(image, options.title);
-  if (hasLegend) layout.drawLegend(image, legendOf(samples, names));
+  if (hasLegend) layout.drawLegend(image, patches.legend(samples));
   if (options.axes) {
     layout.drawAxes(image, camera.view());
     if (camera.isOrthographic()) layout.drawScaleBar(image, camera.pixelSize(0), options.unit);

@@ -25,7 +25,8 @@ struct RenderOptions {
   /// the surface but for their sign, as those of meshes are.
   bool sheets = false;
 
-  /// Of all surfaces; without it each patch has a color of its own, if there are several.
+  /// Of all surfaces; without it each patch has a colour of its own, if there are several. Patches
+  /// of one name have one.
   std::optional<Rgb> color = {};
   Rgb cutColor{238, 214, 170};
   int width = 1600;          ///< of the picture, pixels

@@ -16,8 +16,8 @@ constexpr double kNearEnoughByBound = 1.0 / 320;
 /// Sheets have no crossings to ask about: a ray along one sees it from this much farther with every
 /// so many steps, which bounds their number.
 constexpr int kStepsOfPatience = 1024;
-/// How far from a sheet another may lie to be the same, in pixels.
-constexpr double kSheetReach = 1e-3;
+/// How far from a sheet another may lie to be the same, or a point beyond a cut, in pixels.
+constexpr double kSamePlace = 1e-3;
 /// Half the diagonal of a square, and a sixth more: of two steps past a point the nearer end is at
 /// most 1.16 times as far from it as the ray.
 constexpr double kReach = 0.5 * 1.42 * 1.17;
@@ -60,7 +60,7 @@ class SphereTracer<T>::Packet {
       startTogether();
       march();
     }
-    for (const auto i : active_) lookForCrossing(i);
+    for (const auto i : active_) meetsBetween(i, lines_[i].along, lines_[i].range.end);
     settle(arrived_, false);
     for (std::uint32_t i = 0; i < lines_.size(); ++i) {
       if (!samples_[i].isHit() && lines_[i].nearest < reach_) passing_.push_back(i);
@@ -91,7 +91,8 @@ class SphereTracer<T>::Packet {
   }
 
   /// Rays that come in through a cut within the solid see its face. What is within rounding of the
-  /// surface shows the surface.
+  /// surface shows the surface. Beside the rim of the face the surface that was cut away may be
+  /// near; it is not seen, and left behind by a step that does not pass what remains.
   void stopAtCuts() {
     if (std::none_of(active_.begin(), active_.end(),
                      [&](auto i) { return lines_[i].range.cut != kNone; })) {
@@ -100,7 +101,16 @@ class SphereTracer<T>::Packet {
     evaluate();
     keepActive([&](std::size_t k, Line& line, std::uint32_t i) {
       const auto cut = line.range.cut;
-      if (cut == kNone || !t_.distance_.isInside(values_[k], points_[k])) return true;
+      if (cut == kNone) return true;
+      if (!t_.distance_.isInside(values_[k], points_[k])) {
+        const double step = t_.nearEnough_ * t_.camera_.pixelSize(line.along);
+        const double free = t_.distance_(values_[k], points_[k]);
+        if (free <= 0 || free > step) return true;
+        const double next = std::min(line.along + step, line.range.end);
+        if (meetsBetween(i, line.along, next)) return false;
+        line.along = next;
+        return true;
+      }
       samples_[i].along = static_cast<float>(line.along);
       samples_[i].normal = Vec3<float>(t_.region_.normal(cut));
       samples_[i].surface = SurfaceSample::kCutFace + cut;
@@ -160,16 +170,16 @@ class SphereTracer<T>::Packet {
     if (t_.options_.sheets) active_.clear();
   }
 
-  void lookForCrossing(std::uint32_t i) {
-    const auto& line = lines_[i];
-    const double rest = line.range.end - line.along;
-    if (!(rest > 0)) return;
-    const Segment<T> segment{at(line.ray.at(line.along)), at(line.ray.at(line.range.end))};
-    t_.solid_.crossings(segment, [&](const Crossing<T>& crossing) {
-      const double along = line.along + rest * static_cast<double>(crossing.parameter);
+  /// Whether there is a crossing on a part of a ray: the sample is of the first then.
+  bool meetsBetween(std::uint32_t i, double from, double to) {
+    if (!(from < to)) return false;
+    const auto& ray = lines_[i].ray;
+    t_.solid_.crossings({at(ray.at(from)), at(ray.at(to))}, [&](const Crossing<T>& crossing) {
+      const double along = from + (to - from) * static_cast<double>(crossing.parameter);
       show(i, along, Vec3<double>(crossing.normal), crossing.owner.patch);
       return false;
     });
+    return samples_[i].isHit();
   }
 
   void show(std::uint32_t i, double along, Vec3<double> normal, std::uint32_t patch) {
@@ -219,7 +229,7 @@ class SphereTracer<T>::Packet {
   [[nodiscard]] std::uint32_t sheetAt(const SurfacePoint<T>& nearest, const Ray& ray,
                                       double along) const {
     const auto foot = nearest.point;
-    const T reach = static_cast<T>(kSheetReach * t_.camera_.pixelSize(along));
+    const T reach = static_cast<T>(kSamePlace * t_.camera_.pixelSize(along));
     const Vec3<T> toViewer = -Vec3<T>(ray.direction);
     bool found = false;
     bool faces = false;
@@ -239,8 +249,9 @@ class SphereTracer<T>::Packet {
   void pass(std::uint32_t i, const SurfacePoint<T>& nearest, const Vec3<T>& p) {
     const auto& line = lines_[i];
     const double gap{length(nearest.point - p)};
-    const double reach = reach_ * t_.camera_.pixelSize(line.nearestAlong);
-    if (!(gap < reach && t_.region_.clearance(Vec3<double>(nearest.point)) < reach)) return;
+    const double pixel = t_.camera_.pixelSize(line.nearestAlong);
+    const double removed = t_.region_.clearance(Vec3<double>(nearest.point));
+    if (!(gap < reach_ * pixel && removed < kSamePlace * pixel)) return;
     samples_[i].along = static_cast<float>(line.nearestAlong);
     samples_[i].normal = Vec3<float>(normalized(p - nearest.point));
     samples_[i].passed = nearest.owner.patch;

@@ -25,11 +25,9 @@ class SphereTracer {
  public:
   static constexpr int kMostSteps = 256;
 
-  /// All must live as long as the tracer, which stays where it is.
+  /// Solid, region and camera must live as long as the tracer.
   SphereTracer(const SignedDistanceFunction<T>& solid, const KeptRegion& region,
                const Camera& camera, const TraceOptions& options);
-  SphereTracer(const SphereTracer&) = delete;
-  SphereTracer& operator=(const SphereTracer&) = delete;
 
   /// For at most kMostRays points of the picture, best close to each other. Samples that see
   /// nothing tell whether the solid comes within about half of `spacing`, the distance between the
