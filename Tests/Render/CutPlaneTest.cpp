@@ -34,7 +34,8 @@ TEST(CutPlaneTest, RaysKeepWhatPointsSay) {
     const auto from = wide.next();
     const Ray ray{from, normalized(within.next() - from)};
     const auto range = region.clip(ray, 0);
-    for (double along = 0.003; along < 7; along += 0.01) {
+    for (int step = 0; step < 700; ++step) {
+      const double along = 0.01 * step + 0.003;
       const bool inside = range.begin < along && along < range.end;
       const double edge = std::min(std::abs(along - range.begin), std::abs(along - range.end));
       if (!range.empty() && edge < 1e-9) continue;

@@ -121,8 +121,8 @@ TEST(PixelSamplesTest, LinesStandAtStepsAndBorders) {
   // Two patches in one plane, then a step down, then nothing.
   const Traced traced([](const PicturePoint& p, double) {
     if (p.x < 20.5) return flat(0);
-    if (p.x < 30.5) return flat(1);
-    return p.x < 40.5 ? flat(1, 10) : SurfaceSample{};
+    if (p.x < 31) return flat(1);
+    return p.x < 41 ? flat(1, 10) : SurfaceSample{};
   });
   Image plain(64, 50, kWhite);
   Image lined(64, 50, kWhite);

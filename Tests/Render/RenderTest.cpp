@@ -43,10 +43,16 @@ double covered(const Image& image) {
   return sum;
 }
 
+double coverage(const Image& image, int x, int y) {
+  const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width()) +
+                     static_cast<std::size_t>(x);
+  return image.opacities()[index] / 255.0;
+}
+
 double coveredInRow(const Image& image, int y) {
   double sum = 0;
   for (int x = 0; x < image.width(); ++x) {
-    sum += image.opacities()[static_cast<std::size_t>(y * image.width() + x)] / 255.0;
+    sum += coverage(image, x, y);
   }
   return sum;
 }
@@ -118,7 +124,7 @@ TYPED_TEST(RenderTest, ThinPlatesSeenFromTheSideAreNotLost) {
       for (int x = x0; x <= x1; ++x) {
         double column = 0;
         for (int y = 0; y < kHeight; ++y) {
-          column += image.opacities()[static_cast<std::size_t>(y * kWidth + x)] / 255.0;
+          column += coverage(image, x, y);
         }
         ASSERT_GT(column, 0.1) << x << ' ' << z;
         ASSERT_LT(column, 1.4) << x << ' ' << z;

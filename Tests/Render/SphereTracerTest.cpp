@@ -85,7 +85,8 @@ std::size_t hitsByMarching(const Look& look, const SignedDistanceFunction<T>& so
   for (std::size_t i = 0; i < Look::kSide * Look::kSide; ++i) {
     const auto ray = look.ray(i);
     bool found = false;
-    for (double along = -1.5; along < 1.5 && !found; along += step) {
+    for (int n = 0; n * step < 3 && !found; ++n) {
+      const double along = n * step - 1.5;
       found = solid.signedDistance(Vec3<T>(ray.at(along))) < 0;
     }
     hits += found ? 1 : 0;
