@@ -30,7 +30,8 @@ class Look {
     for (int y = 0; y < kSide; ++y) {
       std::vector<detail::PicturePoint> row;
       for (int x = 0; x < kSide; ++x) row.push_back(middle(x, y));
-      tracer.trace(row, 1, std::span(samples).subspan(static_cast<std::size_t>(y * kSide), kSide));
+      const auto first = static_cast<std::size_t>(y) * kSide;
+      tracer.trace(row, 1, std::span(samples).subspan(first, kSide));
     }
     return samples;
   }
