@@ -4,6 +4,7 @@
 #include <Cutwater/Mesh/Cleaning/CapOnPlane.hpp>
 #include <Cutwater/Mesh/Cleaning/Clean.hpp>
 #include <Cutwater/Mesh/Cleaning/ExtendTo.hpp>
+#include <Cutwater/Mesh/Cleaning/Rims.hpp>
 #include <Cutwater/Mesh/Cleaning/SoupEdits.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Repair/FillHoles.hpp>
@@ -43,17 +44,12 @@ bool isTerrain(const PolygonSoup& soup) {
   return sides.size() == 1 && *sides.begin() != 0 && soup.boundingBox().size().z > 0;
 }
 
-/// The planes across an axis that whole rims lie in: axis and coordinate.
+/// The planes across an axis that whole rims lie in, each once: axis and coordinate.
 std::set<std::pair<int, double>> planesOfRims(const PolygonSoup& soup, double tolerance) {
   std::set<std::pair<int, double>> planes;
-  for (const auto& rim : detail::loopsAround(detail::openEdgesOf(soup))) {
-    Box<double> box;
-    for (const auto point : rim) box.extend(soup.points[point]);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (box.size()[axis] > tolerance) continue;
-      planes.insert({axis, tolerance * std::round(box.center()[axis] / tolerance)});
-      break;
-    }
+  for (const auto& rim : findRims(soup)) {
+    const auto plane = planeOf(rim, 0.5 * tolerance);
+    if (plane) planes.insert({plane->axis, tolerance * std::round(plane->at / tolerance)});
   }
   return planes;
 }

@@ -15,7 +15,7 @@ namespace cutwater {
 namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
-using Rim = std::vector<std::uint32_t>;
+using Loop = std::vector<std::uint32_t>;
 
 Edge edgeBetween(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
@@ -46,7 +46,7 @@ class HoleFiller {
 
  private:
   /// Returns where the rim belongs in the report.
-  Findings<Vec3<double>>& fill(const Rim& rim, double width, PolygonSoup& result,
+  Findings<Vec3<double>>& fill(const Loop& rim, double width, PolygonSoup& result,
                                HoleReport& report) {
     if (rim.size() > options_.mostEdges) return report.tooLong;
     if (width > options_.widest) return report.tooWide;
@@ -67,7 +67,7 @@ class HoleFiller {
 
   /// None at all if the time is up.
   [[nodiscard]] std::optional<std::vector<std::array<std::uint32_t, 3>>> trianglesIn(
-      const Rim& rim) const {
+      const Loop& rim) const {
     std::vector<Vec3<double>> points;
     std::vector<Vec3<double>> third;
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -106,7 +106,7 @@ class HoleFiller {
   }
 
   /// The surface's edges both ends of which are on rims.
-  void findEdgesBetween(std::span<const Rim> rims) {
+  void findEdgesBetween(std::span<const Loop> rims) {
     std::vector<bool> isOnRim(soup_.points.size());
     for (const auto& rim : rims) {
       for (const auto point : rim) isOnRim[point] = true;
@@ -121,13 +121,13 @@ class HoleFiller {
     }
   }
 
-  [[nodiscard]] double widthOf(const Rim& rim) const {
+  [[nodiscard]] double widthOf(const Loop& rim) const {
     Box<double> box;
     for (const auto point : rim) box.extend(soup_.points[point]);
     return box.diagonal();
   }
 
-  [[nodiscard]] std::uint32_t patchAlong(const Rim& rim) const {
+  [[nodiscard]] std::uint32_t patchAlong(const Loop& rim) const {
     std::map<std::uint32_t, std::size_t> faces;
     for (std::size_t i = 0; i < rim.size(); ++i) {
       ++faces[soup_.patches[beside_.at(edgeBetween(rim[i], rim[(i + 1) % rim.size()]))]];
