@@ -54,7 +54,7 @@ class CandidateList {
   }
 
   /// Writes which candidates may be the nearest to a point in the box; returns how many. At least
-  /// one.
+  /// one, unless there is none, or numbers of a forged file are no numbers.
   [[gnu::noinline]] int within(const ClusterBox& box, float slack, std::uint16_t* kept) const {
     alignas(64) float squared[kMost];
     alignas(64) float separation[kMost];
@@ -72,8 +72,9 @@ class CandidateList {
       store(offset[1] + i, off.offset.y);
       store(offset[2] + i, off.offset.z);
     }
+    if (count_ == 0) return 0;
     int best = 0;
-    for (const float value = leastOf(nearest); squared[best] != value;) ++best;
+    for (const float value = leastOf(nearest); squared[best] != value && best + 1 < count_;) ++best;
     const ClusterBounds bounds(box.half, {offset[0][best], offset[1][best], offset[2][best]},
                                kOffsetError * unit + slack);
     int found = 0;
