@@ -31,7 +31,7 @@ void expectSame(const BeamGraph& a, const BeamGraph& b) {
 class BeamTableTest : public ::testing::Test {
  protected:
   [[nodiscard]] BeamGraph read(const std::string& text,
-                               const ReadBeamsOptions& options = {}) const {
+                               const ReadTableOptions& options = {}) const {
     std::ofstream(file, std::ios::binary) << text;
     return readBeams(file, options);
   }

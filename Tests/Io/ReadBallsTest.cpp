@@ -14,7 +14,7 @@ namespace {
 class ReadBallsTest : public ::testing::Test {
  protected:
   [[nodiscard]] std::vector<Ball<double>> read(const std::string& text,
-                                               const ReadBallsOptions& options = {}) const {
+                                               const ReadTableOptions& options = {}) const {
     std::ofstream(file, std::ios::binary) << text;
     return readBalls(file, options);
   }

@@ -118,7 +118,7 @@ void check(const BeamGraph& graph) {
 
 }  // namespace
 
-BeamGraph readBeams(const std::filesystem::path& path, const ReadBeamsOptions& options) {
+BeamGraph readBeams(const std::filesystem::path& path, const ReadTableOptions& options) {
   require(options.scale > 0 && std::isfinite(options.scale), "readBeams: need 0 < scale < infinity",
           Named{"scale", options.scale});
   CsvRows rows(path, options.maxBytes);

@@ -26,7 +26,7 @@ Ball<double> ballOf(const detail::CsvRows& rows, double scale) {
 }  // namespace
 
 std::vector<Ball<double>> readBalls(const std::filesystem::path& path,
-                                    const ReadBallsOptions& options) {
+                                    const ReadTableOptions& options) {
   require(options.scale > 0 && std::isfinite(options.scale), "readBalls: need 0 < scale < infinity",
           Named{"scale", options.scale});
   detail::CsvRows rows(path, options.maxBytes);

@@ -1,18 +1,12 @@
 #pragma once
 
+#include <Cutwater/Io/ReadTableOptions.hpp>
 #include <Cutwater/Lattice/PackedBed.hpp>
 
 #include <filesystem>
 #include <vector>
 
 namespace cutwater {
-
-struct ReadBallsOptions {
-  /// Centres and radii are multiplied by this (0.001: a file in millimetres, a model in metres).
-  double scale = 1;
-  /// Refuse files that decompress to more bytes than this.
-  std::uint64_t maxBytes = std::uint64_t{16} << 30U;
-};
 
 /// Reads balls, for a PackedBed, from a table in text, compressed by gzip or not: a line per ball
 /// with its centre and radius, separated by commas.
@@ -26,6 +20,6 @@ struct ReadBallsOptions {
 /// a positive radius, or if there is no ball; Error(Limit) beyond maxBytes or 2^32 - 2 balls;
 /// Error(Argument) unless 0 < scale < infinity.
 [[nodiscard]] std::vector<Ball<double>> readBalls(const std::filesystem::path& path,
-                                                  const ReadBallsOptions& options = {});
+                                                  const ReadTableOptions& options = {});
 
 }  // namespace cutwater
