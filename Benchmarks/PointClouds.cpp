@@ -1,8 +1,10 @@
-// Points found by PointCloud and by nanoflann, and beds of balls; prints tables as Markdown.
+// Points found by PointCloud and by nanoflann, beds of balls, and bounds of a volume; prints tables
+// as Markdown.
 //
 //   cutwater_point_benchmark [most points]
 
 #include <Cutwater/Bvh/PointCloud.hpp>
+#include <Cutwater/Grid/SolidVolume.hpp>
 #include <Cutwater/Lattice/PackedBed.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
@@ -11,6 +13,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <malloc.h>
+#include <numbers>
 #include <stdexcept>
 
 #include "Seconds.hpp"
@@ -161,18 +165,36 @@ std::vector<Ball<double>> packedBalls(int n) {
   return balls;
 }
 
+std::size_t allocatedBytes() {
+  const auto heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
+/// Bytes that are kept of what is built.
+template <typename Build>
+std::size_t bytesOf(const Build& build) {
+  const auto before = allocatedBytes();
+  build();
+  return allocatedBytes() - before;
+}
+
 void printBeds(int most) {
   std::printf(
-      "\n| balls | union of Spheres ns | PackedBed ns | in a batch | ratio | built in s |\n"
-      "|---:|---:|---:|---:|---:|---:|\n");
+      "\n| balls | union of Spheres ns | PackedBed ns | in a batch | ratio | built in s | bytes a "
+      "ball | of the union |\n"
+      "|---:|---:|---:|---:|---:|---:|---:|---:|\n");
   for (const int n : {22, 46, 100}) {
     if (n * n * n > most) return;
     const auto balls = packedBalls(n);
-    std::vector<Solid<double>> spheres;
-    for (const auto& [center, radius] : balls) spheres.push_back(Sphere<double>(center, radius));
-    const auto whole = unionOf(spheres);
+    std::optional<Solid<double>> whole;
+    const auto unionBytes = bytesOf([&] {
+      std::vector<Solid<double>> spheres;
+      for (const auto& [center, radius] : balls) spheres.push_back(Sphere<double>(center, radius));
+      whole = unionOf(spheres);
+    });
     std::optional<PackedBed<double>> bed;
-    const double building = secondsOf([&] { bed.emplace(balls); });
+    double building = 0;
+    const auto bytes = bytesOf([&] { building = secondsOf([&] { bed.emplace(balls); }); });
     const auto queries = randomPoints(kQueries, false, 2);
     std::vector<double> theirs(queries.size());
     std::vector<double> ours(queries.size());
@@ -181,7 +203,7 @@ void printBeds(int most) {
     for (int round = 0; round < kRounds; ++round) {
       turns.ask(0, [&] {
         for (std::size_t i = 0; i < queries.size(); ++i)
-          theirs[i] = whole.signedDistance(queries[i]);
+          theirs[i] = whole->signedDistance(queries[i]);
       });
       turns.ask(1, [&] {
         for (std::size_t i = 0; i < queries.size(); ++i) ours[i] = bed->signedDistance(queries[i]);
@@ -189,8 +211,30 @@ void printBeds(int most) {
       turns.ask(2, [&] { bed->signedDistances(queries, together, {.threads = 1}); });
     }
     if (ours != theirs || together != ours) throw std::logic_error("the beds differ");
-    std::printf("| %zu | %.0f | %.0f | %.0f | %.2f | %.2f |\n", balls.size(), turns[0], turns[1],
-                turns[2], turns[0] / turns[1], building);
+    std::printf("| %zu | %.0f | %.0f | %.0f | %.2f | %.2f | %zu | %zu |\n", balls.size(), turns[0],
+                turns[1], turns[2], turns[0] / turns[1], building, bytes / balls.size(),
+                unionBytes / balls.size());
+    std::fflush(stdout);
+  }
+}
+
+void printVolumes() {
+  std::printf(
+      "\n| fraction | cells | s | volume - exact, from | to | estimate - exact |\n"
+      "|---:|---:|---:|---:|---:|---:|\n");
+  const Sphere<double> ball({0.1, 0, 0}, 0.7);
+  const Box<double> box{{-1.31, -1.22, -1.24}, {1.13, 1.27, 1.6}};
+  const double exact = 4 * std::numbers::pi / 3 * 0.343;
+  for (const double fraction : {0.1, 0.03, 0.01, 0.003, 0.001}) {
+    VolumeBounds found;
+    double best = Box<double>::kInf;
+    for (int round = 0; round < kRounds; ++round) {
+      best = std::min(best, secondsOf([&] {
+                        found = solidVolume(ball, box, {.fraction = fraction, .threads = 1});
+                      }));
+    }
+    std::printf("| %g | %zu | %.4f | %.5f | %.5f | %.7f |\n", fraction, found.cells, best,
+                found.volume.lower - exact, found.volume.upper - exact, found.estimate - exact);
     std::fflush(stdout);
   }
 }
@@ -203,6 +247,7 @@ int main(int count, char** arguments) try {
   const int most = count > 1 ? std::atoi(arguments[1]) : 1'000'000;
   cutwater::benchmarks::printClouds(most);
   cutwater::benchmarks::printBeds(most);
+  cutwater::benchmarks::printVolumes();
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "cutwater_point_benchmark: %s\n", error.what());

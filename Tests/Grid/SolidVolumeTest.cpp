@@ -230,6 +230,11 @@ TYPED_TEST(SolidVolumeTest, RefusesWhatHasNoAnswer) {
   refuses({});
   refuses(Box<T>::everywhere());
   refuses({{0, 0, 0}, {1, 1, 0}});
+  if constexpr (std::is_same_v<T, double>) {
+    refuses({{0, 0, 0}, {1e-81, 1, 1}});
+    refuses({{0, 0, 0}, {1, 1, 1e81}});
+    EXPECT_NO_THROW((void)solidVolume(ball, {{0, 0, 0}, {1e-79, 1e79, 1}}, {.cells = 10}));
+  }
   refuses(this->box, {.fraction = -1});
   refuses(this->box, {.fraction = std::nan("")});
   refuses(this->box, {.relative = -1});

@@ -68,6 +68,13 @@ TEST_F(BeamTableTest, ReadsNodesBeamsAndBalls) {
              expected);
 }
 
+TEST_F(BeamTableTest, SkipsLinesOfCommentsAlone) {
+  const auto graph = read("# a lattice\nnode, 0, 0, 0\n  # of\nnode, 1, 0, 0\nbeam, 0, 1, 1, 1\n#");
+  EXPECT_EQ(graph.nodes.size(), 2U);
+  EXPECT_EQ(graph.beams.size(), 1U);
+  EXPECT_EQ(refusal("node, 0, 0, 0 # here\n"), "line 1: expected a number, found \"0 # here\"");
+}
+
 TEST_F(BeamTableTest, ReadsBackWhatItWrote) {
   RandomPoints<double> random(1, 6);
   BeamGraph graph;

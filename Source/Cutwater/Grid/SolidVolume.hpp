@@ -11,7 +11,7 @@ struct VolumeOptions {
   double fraction = 0.01;
   /// It is known to within this fraction of itself.
   double relative = 0;
-  /// At most so many cells are classified. They take up to 15 bytes each.
+  /// At most so many cells are classified. They take less than 30 bytes each.
   std::size_t cells = 10'000'000;
   /// Whether there is to be an estimate, for a value and a gradient in each undecided cell.
   bool isEstimated = true;
@@ -45,7 +45,7 @@ struct VolumeBounds {
 ///
 /// The bounds close in on the volume with the width of the cells that the surface meets: to halve
 /// what is between takes about four times the cells. The same for any number of threads.
-/// @throws Error unless the box is finite and its volume from 10^-250 to 10^250, `fraction` and
+/// @throws Error unless the box is finite and its sides from 10^-80 to 10^80, `fraction` and
 /// `relative` are not negative, `cells` is positive and `threads` is not negative.
 template <std::floating_point T>
 [[nodiscard]] VolumeBounds solidVolume(const SignedDistanceFunction<T>& solid, const Box<T>& box,

@@ -26,9 +26,11 @@ VolumeSearch<T>::VolumeSearch(const SignedDistanceFunction<T>& solid, const Box<
     : solid_(solid), options_(options), grid_(box), boxVolume_(0) {
   require(!box.empty() && isFinite(box), "solidVolume: need a finite box",
           Named{"lower", box.lower}, Named{"upper", box.upper});
+  // No product of sides overflows, nor, of a cell's, underflows.
+  const Vec3<double> size = Vec3<double>(box.upper) - Vec3<double>(box.lower);
+  require(1e-80 <= std::min({size.x, size.y, size.z}) && maxComponent(size) <= 1e80,
+          "solidVolume: need sides from 1e-80 to 1e80", Named{"size", size});
   boxVolume_ = volumeOf(box);
-  require(1e-250 <= boxVolume_ && boxVolume_ <= 1e250, "solidVolume: need a box with a volume",
-          Named{"volume", boxVolume_});
   require(options.fraction >= 0 && options.relative >= 0, "solidVolume: need tolerances >= 0",
           Named{"fraction", options.fraction}, Named{"relative", options.relative});
   require(options.cells > 0, "solidVolume: need cells > 0", Named{"cells", options.cells});

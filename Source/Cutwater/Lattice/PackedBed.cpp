@@ -1,5 +1,6 @@
 #include <Cutwater/Bvh/LeafOrder.hpp>
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Lattice/NeighborLimits.hpp>
 #include <Cutwater/Lattice/PackedBed.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
 
@@ -83,14 +84,9 @@ T PackedBed<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 void PackedBed<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                         std::span<T> distances) const {
-  T limit = Box<T>::kInf;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    distances[i] = tree_->nearest(points[i], limit, guarantee_.error(length(points[i]))).value;
-    if (i + 1 == points.size()) break;
-    // On the way to the next point, which is often near, no value changes by more than the way.
-    limit = distances[i] + length(points[i + 1] - points[i]);
-    limit += 4 * guarantee_.error(length(points[i]) + length(points[i + 1]));
-  }
+  detail::valuesInTurn(points, distances, guarantee_, [this](const Vec3<T>& p, T limit) {
+    return tree_->nearest(p, limit, guarantee_.error(length(p))).value;
+  });
 }
 
 template <std::floating_point T>
