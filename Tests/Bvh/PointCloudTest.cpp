@@ -12,18 +12,10 @@
 namespace cutwater::test {
 namespace {
 
-template <typename T>
-struct Ranked {
-  T square;
-  std::uint32_t point;
-
-  auto operator<=>(const Ranked&) const = default;
-};
-
 /// All points, the nearest first.
 template <typename T>
 std::vector<Neighbor<T>> bruteForce(const std::vector<Vec3<T>>& points, const Vec3<T>& p) {
-  std::vector<Ranked<T>> ranked;
+  std::vector<std::pair<T, std::uint32_t>> ranked;
   for (const auto& q : points) {
     ranked.push_back({lengthSquared(p - q), static_cast<std::uint32_t>(ranked.size())});
   }

@@ -35,9 +35,10 @@ TYPED_TEST(HalvedBoxTest, HalvesTheLongestSidesFirst) {
 
 TYPED_TEST(HalvedBoxTest, CoversTheBoxToTheBit) {
   using T = TypeParam;
-  // Coordinates that halving rounds.
-  const Box<T> box{{T(-1.1), T(100.3), T(0.1)}, {T(0.7), T(100.4), T(1e-3) + T(0.1)}};
+  // Coordinates that halving rounds; in double precision, -0.33 + (0.87 + 0.33) < 0.87.
+  const Box<T> box{{T(-0.33), T(100.3), T(0.1)}, {T(0.87), T(100.4), T(1e-3) + T(0.1)}};
   detail::HalvedBox<T> grid(box);
+  EXPECT_EQ(grid.cell({}), box);
   std::vector<Index3> cells{{0, 0, 0}};
   while (cells.size() < 20'000) {
     std::vector<Index3> next;

@@ -64,8 +64,9 @@ TYPED_TEST(PorosityRadiusTest, FindsTheBeamsOfASimpleCubicLattice) {
   };
   constexpr double kRadius = 0.2;
   const double porosity = 1 - 3 * kPi * 0.04 + 8 * std::numbers::sqrt2 * 0.008;
-  const auto found =
-      porosityRadius<T>(porosity, lattice, {T(0.02), T(0.45)}, this->cube, this->options);
+  auto coarse = this->options;
+  coarse.volume.fraction = 0.02;
+  const auto found = porosityRadius<T>(porosity, lattice, {T(0.02), T(0.45)}, this->cube, coarse);
   EXPECT_LE(found.radius.lower, kRadius);
   EXPECT_GE(found.radius.upper, kRadius);
   EXPECT_LT(found.radius.upper - found.radius.lower, 0.05);

@@ -63,6 +63,27 @@ TYPED_TEST(PackedBedTest, HasTheValuesOfThePlainLoopOverSpheres) {
   }
 }
 
+TYPED_TEST(PackedBedTest, FindsTheLeastWhereRoundingDecides) {
+  using T = TypeParam;
+  // Balls that all touch the plane x = 0 from below in the origin: above it, all have the same
+  // value but for rounding.
+  RandomPoints<T> random(1, 8);
+  std::vector<Ball<T>> balls;
+  for (int i = 0; i < 400; ++i) {
+    const T radius = T(0.01) + std::abs(random.next().x);
+    balls.push_back({{-radius, 0, 0}, radius});
+  }
+  const PackedBed<T> bed(balls);
+  for (T height = std::numeric_limits<T>::epsilon() / 3; height < T(0.01); height *= T(1.37)) {
+    const Vec3<T> p{height, 0, 0};
+    T least = Box<T>::kInf;
+    for (const auto& [center, radius] : balls) {
+      least = std::min(least, Sphere<T>(center, radius).signedDistance(p));
+    }
+    EXPECT_EQ(bed.signedDistance(p), least);
+  }
+}
+
 TYPED_TEST(PackedBedTest, KeepsItsGuarantee) {
   using T = TypeParam;
   expectGuarantee(PackedBed<T>(scattered<T>(30, T(0.4))), /*extent=*/2,

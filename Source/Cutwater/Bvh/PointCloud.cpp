@@ -3,6 +3,7 @@
 #include <Cutwater/Core/Error.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cutwater {
@@ -21,9 +22,17 @@ class PointCloud<T>::Tree {
   [[nodiscard]] Neighbor<T> nearest(const Vec3<T>& p, T limit) const {
     Neighbor<T> best{.distance = squared(limit)};
     visit(p, limit, [&](std::span<const Vec3<T>> points, std::span<const std::uint32_t> ids) {
+      // Whether a point is nearer than those before it is hard to predict, so only the least of a
+      // leaf is compared with the best.
+      std::array<T, kLeafWidth> squares;
+      T least = std::numeric_limits<T>::max();
       for (std::size_t i = 0; i < points.size(); ++i) {
-        const Neighbor<T> candidate{ids[i], lengthSquared(p - points[i])};
-        if (detail::IsBefore<T, Tree>()(candidate, best)) best = candidate;
+        squares[i] = lengthSquared(p - points[i]);
+        least = std::min(least, squares[i]);
+      }
+      for (std::size_t i = 0; least <= best.distance && i < points.size(); ++i) {
+        const Neighbor<T> candidate{ids[i], squares[i]};
+        if (squares[i] == least && detail::IsBefore<T, Tree>()(candidate, best)) best = candidate;
       }
       return std::sqrt(double{best.distance});
     });
@@ -93,6 +102,7 @@ class PointCloud<T>::Tree {
   }
 
  private:
+  static constexpr std::size_t kLeafWidth = detail::LeafOrder<Vec3<T>>::kWidth;
   /// Coordinates whose squares, and their sums, are far from overflow.
   static constexpr T kFarthest = sizeof(T) == sizeof(float) ? T(0x1p60) : T(0x1p500);
 

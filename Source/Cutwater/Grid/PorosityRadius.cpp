@@ -87,7 +87,7 @@ class Bisection {
       const auto side = trials_.compare(middle);
       if (std::is_eq(side)) {
         narrow(range_.lower, middle, atLower_);
-        narrow(range_.upper, middle, 0 <=> atLower_);
+        narrow(range_.upper, middle, opposite(atLower_));
         break;
       }
       (side == atLower_ ? range_.lower : range_.upper) = middle;
@@ -97,6 +97,9 @@ class Bisection {
 
  private:
   static T middleOf(T a, T b) { return T(0.5) * a + T(0.5) * b; }
+  static std::weak_ordering opposite(std::weak_ordering side) {
+    return std::is_lt(side) ? std::weak_ordering::greater : std::weak_ordering::less;
+  }
 
   /// Moves an end, where porosities are on that side, towards a radius that is not decided.
   void narrow(T& end, T open, std::weak_ordering side) {
