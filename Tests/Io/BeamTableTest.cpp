@@ -3,6 +3,7 @@
 #include <Cutwater/Lattice/BeamLattice.hpp>
 
 #include <fstream>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -121,6 +122,34 @@ TEST_F(BeamTableTest, RefusesFilesThatLieWithTheLine) {
             "line 3: expected node, beam or ball, found \"strut\"");
   EXPECT_EQ(refusal("node,0,0,inf\n"), "line 1: need finite numbers, found \"inf\"");
   EXPECT_EQ(refusal(nodes), "line 2: the file ends without a beam");
+}
+
+TEST_F(BeamTableTest, ReadsOrRefusesWhateverIsChanged) {
+  const std::string good =
+      "node,0,0,0\nnode,1e2,-.5,3\nbeam,0,1,.5,0.25\nbeam,1,0,1,0,butt,sphere\nball,1,2\n";
+  const std::string_view bytes = "0123456789.,-+e# \n\r\tnbx\xff";
+  std::mt19937 random(9);
+  int read = 0;
+  int refused = 0;
+  for (int i = 0; i < 1000; ++i) {
+    auto text = good;
+    for (auto changes = 1 + random() % 2; changes > 0; --changes) {
+      text[random() % text.size()] = bytes[random() % bytes.size()];
+    }
+    std::ofstream(file, std::ios::binary) << text;
+    try {
+      const auto graph = readBeams(file);
+      ++read;
+      writeBeams(file, graph);
+      expectSame(readBeams(file), graph);
+    } catch (const Error& error) {
+      ++refused;
+      EXPECT_EQ(error.kind(), ErrorKind::File) << text;
+      EXPECT_TRUE(std::string(error.what()).starts_with(file.string() + ": line ")) << error.what();
+    }
+  }
+  EXPECT_GT(read, 50);
+  EXPECT_GT(refused, 50);
 }
 
 TEST_F(BeamTableTest, WritesNothingThatItWouldRefuse) {

@@ -3,6 +3,7 @@
 #include <Cutwater/Shapes/Sphere.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "Support/Guarantee.hpp"
@@ -74,8 +75,8 @@ TYPED_TEST(PackedBedTest, FindsTheLeastWhereRoundingDecides) {
     balls.push_back({{-radius, 0, 0}, radius});
   }
   const PackedBed<T> bed(balls);
-  for (T height = std::numeric_limits<T>::epsilon() / 3; height < T(0.01); height *= T(1.37)) {
-    const Vec3<T> p{height, 0, 0};
+  for (int i = 0; i < 100; ++i) {
+    const Vec3<T> p{std::numeric_limits<T>::epsilon() * std::pow(T(1.37), T(i - 3)), 0, 0};
     T least = Box<T>::kInf;
     for (const auto& [center, radius] : balls) {
       least = std::min(least, Sphere<T>(center, radius).signedDistance(p));
