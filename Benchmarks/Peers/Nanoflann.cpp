@@ -7,9 +7,11 @@ namespace cutwater::benchmarks {
 
 namespace {
 
+/// By the names that nanoflann asks for.
 struct Points {
   std::span<const Vec3<double>> all;
 
+  // NOLINTBEGIN(readability-identifier-naming)
   [[nodiscard]] std::size_t kdtree_get_point_count() const { return all.size(); }
   [[nodiscard]] double kdtree_get_pt(std::size_t i, std::size_t axis) const {
     return (&all[i].x)[axis];
@@ -18,6 +20,7 @@ struct Points {
   bool kdtree_get_bbox(Bounds&) const {
     return false;
   }
+  // NOLINTEND(readability-identifier-naming)
 };
 
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>,
