@@ -16,7 +16,7 @@ MAY_INCLUDE = {
     "Tpms": "Core Simd Sdf Operations",
     "Grid": "Core Sdf",
     "Render": "Core Sdf Grid",
-    "Io": "Core Sdf Mesh Grid Render",
+    "Io": "Core Sdf Mesh Lattice Grid Render",
     "Adapters": "Core Sdf Grid",
     "Repair": "Core Bvh Mesh",
     "P4est": "Core Sdf Mesh Grid Io",

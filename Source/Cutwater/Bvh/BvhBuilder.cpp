@@ -181,6 +181,7 @@ BvhArrays<K, W> buildTurnedBvh(std::span<const Box<double>> boxes, BvhCorners co
 template BvhArrays<4, 4> buildBvh(std::span<const Box<double>>, int);
 template BvhArrays<8, 4> buildBvh(std::span<const Box<double>>, int);
 template BvhArrays<16, 4> buildBvh(std::span<const Box<double>>, int);
+template BvhArrays<16, 8> buildBvh(std::span<const Box<double>>, int);
 template BvhArrays<16, 16> buildBvh(std::span<const Box<double>>, int);
 template BvhArrays<16, 16> buildTurnedBvh(std::span<const Box<double>>, BvhCorners, int);
 

@@ -70,21 +70,16 @@ class LeastVisitor {
 
 /// The least values so far, in a heap with the greatest of them on top.
 template <std::floating_point T, typename P>
-class SeveralLeastVisitor {
+class LeastHeap {
  public:
-  SeveralLeastVisitor(std::span<const P> primitives, const Vec3<T>& point,
-                      std::span<NearestPrimitive<T>> results, T limit)
-      : primitives_(primitives), point_(point), results_(results), limit_(limit) {}
+  LeastHeap(std::span<NearestPrimitive<T>> results, T limit) : results_(results), limit_(limit) {}
 
-  /// Returns the value that the next one must not exceed.
-  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
-    for (const auto id : slots) {
-      if (id == kNone) break;
-      const NearestPrimitive<T> candidate{id, static_cast<T>(primitives_[id].distance(point_))};
-      if (candidate.distance <= limit_) offer(candidate);
-    }
-    return static_cast<double>(limit_);
+  CUTWATER_INLINE void offer(const NearestPrimitive<T>& candidate) {
+    if (candidate.distance <= limit_) keep(candidate);
   }
+  /// What the next one must not exceed.
+  [[nodiscard]] CUTWATER_INLINE T limit() const { return limit_; }
+  /// Puts them in order, and returns how many there are.
   std::size_t sorted() {
     std::sort_heap(results_.begin(), end(), IsBefore<T, P>());
     return count_;
@@ -93,7 +88,7 @@ class SeveralLeastVisitor {
  private:
   auto end() const { return results_.begin() + static_cast<std::ptrdiff_t>(count_); }
 
-  void offer(const NearestPrimitive<T>& candidate) {
+  void keep(const NearestPrimitive<T>& candidate) {
     if (count_ == results_.size()) {
       if (!IsBefore<T, P>()(candidate, results_.front())) return;
       std::pop_heap(results_.begin(), end(), IsBefore<T, P>());
@@ -104,11 +99,33 @@ class SeveralLeastVisitor {
     if (count_ == results_.size()) limit_ = results_.front().distance;
   }
 
-  std::span<const P> primitives_;
-  Vec3<T> point_;
   std::span<NearestPrimitive<T>> results_;
   std::size_t count_ = 0;
   T limit_;
+};
+
+/// Keeps the least values.
+template <std::floating_point T, typename P>
+class SeveralLeastVisitor {
+ public:
+  SeveralLeastVisitor(std::span<const P> primitives, const Vec3<T>& point,
+                      std::span<NearestPrimitive<T>> results, T limit)
+      : primitives_(primitives), point_(point), least_(results, limit) {}
+
+  /// Returns the value that the next one must not exceed.
+  CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
+    for (const auto id : slots) {
+      if (id == kNone) break;
+      least_.offer({id, static_cast<T>(primitives_[id].distance(point_))});
+    }
+    return static_cast<double>(least_.limit());
+  }
+  std::size_t sorted() { return least_.sorted(); }
+
+ private:
+  std::span<const P> primitives_;
+  Vec3<T> point_;
+  LeastHeap<T, P> least_;
 };
 
 /// Tells all values up to a radius.

@@ -53,8 +53,9 @@ class FluidRegions {
   std::vector<std::uint32_t> regionOf_;
 };
 
-/// Encloses the volume of the solid within the mesh's domain: from the cells that are certainly
-/// inside to those that are not certainly outside.
+/// Encloses the volume of the solid within the mesh's domain, up to the rounding of sums: from the
+/// cells that are certainly inside to those that are not certainly outside. (SolidVolume.hpp has
+/// the volume without a mesh, as closely as one wants.)
 template <std::floating_point T>
 [[nodiscard]] Interval<double> solidVolume(const Octree<T>& mesh);
 

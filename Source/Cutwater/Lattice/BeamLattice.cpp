@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
+#include <Cutwater/Lattice/NeighborLimits.hpp>
 #include <Cutwater/Lattice/RoundBeamTree.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
 
@@ -153,14 +154,8 @@ NearestBeam<T> BeamLattice<T>::localNearest(const Vec3<T>& p, T limit) const {
 template <std::floating_point T>
 void BeamLattice<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                           std::span<T> distances) const {
-  T limit = std::numeric_limits<T>::infinity();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    distances[i] = localNearest(points[i], limit).value;
-    if (i + 1 == points.size()) break;
-    // On the way to the next point, which is often near, no value changes by more than the way.
-    limit = distances[i] + length(points[i + 1] - points[i]);
-    limit += 4 * guarantee_.error(length(points[i]) + length(points[i + 1]));
-  }
+  detail::valuesInTurn(points, distances, guarantee_,
+                       [this](const Vec3<T>& p, T limit) { return localNearest(p, limit).value; });
 }
 
 template <std::floating_point T>

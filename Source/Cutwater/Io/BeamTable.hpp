@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Cutwater/Io/ReadTableOptions.hpp>
+#include <Cutwater/Lattice/BeamGraph.hpp>
+
+#include <filesystem>
+
+namespace cutwater {
+
+/// Reads the beams of a lattice from a table in text, compressed by gzip or not: a line for each
+/// node, beam and ball, fields separated by commas.
+///
+///     node, 0, 0, 0
+///     node, 1, 0, 0
+///     # the hull of a ball about each node, with the radii at the nodes
+///     beam, 0, 1, 0.1, 0.2
+///     # a frustum, with its caps: butt, hemisphere or sphere
+///     beam, 0, 1, 0.1, 0.1, butt, sphere
+///     # about a node, with its radius
+///     ball, 1, 0.3
+///
+/// Nodes count from 0 in the order of their lines and stand before what names them. Empty lines and
+/// those that begin with # are skipped. Numbers are read in the C locale always.
+/// @throws Error(File) "path: line 7: ..." for a line that is none of these, names a node that is
+/// not there, or has a coordinate or radius that is not finite, a negative radius or none above 0,
+/// or a frustum without length; and if there is no beam and no ball. Error(Limit) beyond maxBytes
+/// or 2^32 - 2 lines of a kind; Error(Argument) unless 0 < scale < infinity.
+[[nodiscard]] BeamGraph readBeams(const std::filesystem::path& path,
+                                  const ReadTableOptions& options = {});
+
+/// Writes such a table, which reads back as the same graph, to the bit. (Caps of a beam that is no
+/// frustum, which do not matter, read back as the default.)
+/// @throws Error(File) if it cannot be written, Error(Argument) if it could not be read back.
+void writeBeams(const std::filesystem::path& path, const BeamGraph& graph);
+
+}  // namespace cutwater
