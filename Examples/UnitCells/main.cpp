@@ -38,9 +38,10 @@ int main(int argc, char** argv) {
     options.width = options.height = width;
     options.title = cell.name();
     options.axes = false;
-    const Image picture = render(array, options);
     // DOCS]
-    paste(picture, sheet, shown % kColumns * width, shown / kColumns * width);
+    if (argc > 1) {
+      paste(render(array, options), sheet, shown % kColumns * width, shown / kColumns * width);
+    }
     ++shown;
     std::printf("%-22s %3zu struts of length %7.4f a cell; the centre is %7.4f away\n",
                 cell.name().c_str(), cell.struts().size(), cell.lengthPerCell(),
