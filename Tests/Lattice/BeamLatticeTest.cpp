@@ -5,6 +5,7 @@
 #include <Cutwater/Sdf/Solid.hpp>
 #include <Cutwater/Shapes/ConeSphere.hpp>
 
+#include <algorithm>
 #include <variant>
 
 #include "Support/Grid.hpp"
@@ -41,43 +42,53 @@ BeamGraph randomGraph(int nodes, double length, double thickness, unsigned seed)
   return graph;
 }
 
-/// By definition: within a ball whose centre and radius run from one end to the other, or ...
-bool isInside(const BeamGraph& graph, const Vec3<double>& p) {
-  const auto inBall = [&](std::uint32_t node, double radius) {
-    return length(p - graph.nodes[node]) < radius;
+bool inBall(const Vec3<double>& p, const Vec3<double>& center, double radius) {
+  return length(p - center) < radius;
+}
+
+/// By definition: within a ball whose centre and radius run from one end to the other.
+bool isInConeSphere(const BeamGraph::Beam& beam, const Vec3<double>& a, const Vec3<double>& b,
+                    const Vec3<double>& p) {
+  const auto excess = [&](double t) {
+    return length(p - a - t * (b - a)) - beam.radii[0] - t * (beam.radii[1] - beam.radii[0]);
   };
-  for (const auto& ball : graph.balls) {
-    if (inBall(ball.node, ball.radius)) return true;
-  }
-  for (const auto& beam : graph.beams) {
-    const auto a = graph.nodes[beam.nodes[0]];
-    const auto ab = graph.nodes[beam.nodes[1]] - a;
-    const auto radius = [&](double t) {
-      return beam.radii[0] + t * (beam.radii[1] - beam.radii[0]);
-    };
-    const auto excess = [&](double t) { return length(p - a - t * ab) - radius(t); };
-    if (excess(0) > length(ab) + std::max(beam.radii[0], beam.radii[1])) continue;
-    if (beam.body == BeamBody::ConeSphere) {
-      double from = 0;
-      double to = 1;
-      for (int i = 0; i < 80; ++i) {  // it is convex
-        const double third = (to - from) / 3;
-        (excess(from + third) < excess(to - third) ? to : from) +=
-            excess(from + third) < excess(to - third) ? -third : third;
-      }
-      if (std::min({excess(from), excess(0), excess(1)}) < 0) return true;
-      continue;
-    }
-    const double t = dot(p - a, ab) / dot(ab, ab);
-    if (0 <= t && t <= 1 && length(p - a - t * ab) < radius(t)) return true;
-    for (std::size_t end = 0; end < 2; ++end) {
-      const bool isBeyond = end == 0 ? t < 0 : t > 1;
-      const bool isRound =
-          beam.caps[end] == BeamCap::Sphere || (beam.caps[end] == BeamCap::Hemisphere && isBeyond);
-      if (isRound && inBall(beam.nodes[end], beam.radii[end])) return true;
+  double from = 0;
+  double to = 1;
+  for (int i = 0; i < 80; ++i) {  // it is convex
+    const double third = (to - from) / 3;
+    if (excess(from + third) < excess(to - third)) {
+      to -= third;
+    } else {
+      from += third;
     }
   }
-  return false;
+  return std::min({excess(from), excess(0), excess(1)}) < 0;
+}
+
+/// By definition: within the cone, between its ends, or in a cap.
+bool isInFrustum(const BeamGraph::Beam& beam, const Vec3<double>& a, const Vec3<double>& b,
+                 const Vec3<double>& p) {
+  const double t = dot(p - a, b - a) / dot(b - a, b - a);
+  const double radius = beam.radii[0] + t * (beam.radii[1] - beam.radii[0]);
+  if (0 <= t && t <= 1 && inBall(p, a + t * (b - a), radius)) return true;
+  const auto inCap = [&](std::size_t end, bool isBeyond) {
+    const auto cap = beam.caps.at(end);
+    return (cap == BeamCap::Sphere || (cap == BeamCap::Hemisphere && isBeyond)) &&
+           inBall(p, end == 0 ? a : b, beam.radii.at(end));
+  };
+  return inCap(0, t < 0) || inCap(1, t > 1);
+}
+
+bool isInside(const BeamGraph& graph, const Vec3<double>& p) {
+  return std::ranges::any_of(
+             graph.balls,
+             [&](const auto& ball) { return inBall(p, graph.nodes[ball.node], ball.radius); }) ||
+         std::ranges::any_of(graph.beams, [&](const auto& beam) {
+           const auto& a = graph.nodes[beam.nodes[0]];
+           const auto& b = graph.nodes[beam.nodes[1]];
+           return beam.body == BeamBody::ConeSphere ? isInConeSphere(beam, a, b, p)
+                                                    : isInFrustum(beam, a, b, p);
+         });
 }
 
 /// The plain loop over shapes.

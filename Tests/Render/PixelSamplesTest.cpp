@@ -154,10 +154,16 @@ TEST(PixelSamplesTest, TheSameWhateverTheThreads) {
   const auto b = more.image(0.7);
   EXPECT_TRUE(std::equal(a.pixels().begin(), a.pixels().end(), b.pixels().begin()));
   EXPECT_EQ(one.rays, more.rays);
-  const auto pixels = one.samples.pixelsOfPatches(4);
-  EXPECT_EQ(pixels[1] + pixels[2], 0U);
-  EXPECT_GT(pixels[0], 100U);
-  EXPECT_GT(pixels[3], 100U);
+}
+
+TEST(PixelSamplesTest, PatchesHaveTheAreasOfTheirSamples) {
+  const auto areas = Traced([](const PicturePoint& p, double) {
+                       return flat(p.x < 20.4 ? 2 : 0);
+                     }).samples.areasOfPatches(3);
+  // To 20 and a third, as samples are: 13 1/3 of 50 pixels of 40 rows.
+  EXPECT_EQ(areas, (std::vector<std::size_t>{110 * 40 * 3, 0, 40 * 40 * 3}));
+  // Both rows of samples beside it.
+  EXPECT_EQ(Traced(hairline).samples.areasOfPatches(1)[0], 50U * 3 * 2);
 }
 
 }  // namespace

@@ -53,27 +53,27 @@ CappedBeam<T>::CappedBeam(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiu
 
 template class Beam<float, detail::CapsuleProfile<float>>;
 template class Beam<double, detail::CapsuleProfile<double>>;
+template class CapsuleBeam<float>;
+template class CapsuleBeam<double>;
 template class Beam<float, detail::ConeSphereProfile<float>>;
 template class Beam<double, detail::ConeSphereProfile<double>>;
-template class Beam<float, detail::FrustumProfile<float>>;
-template class Beam<double, detail::FrustumProfile<double>>;
-template class Beam<float, detail::CappedFrustumProfile<float>>;
-template class CapsuleBeam<float>;
-template class CappedBeam<float>;
-template class LinearBVH<float, CappedBeam<float>>;
-template class Beam<double, detail::CappedFrustumProfile<double>>;
-template class CapsuleBeam<double>;
-template class CappedBeam<double>;
-template class LinearBVH<double, CappedBeam<double>>;
 template class ConeSphereBeam<float>;
 template class ConeSphereBeam<double>;
+template class Beam<float, detail::FrustumProfile<float>>;
+template class Beam<double, detail::FrustumProfile<double>>;
 template class CappedConeBeam<float>;
 template class CappedConeBeam<double>;
+template class Beam<float, detail::CappedFrustumProfile<float>>;
+template class Beam<double, detail::CappedFrustumProfile<double>>;
+template class CappedBeam<float>;
+template class CappedBeam<double>;
 template class LinearBVH<float, CapsuleBeam<float>>;
 template class LinearBVH<double, CapsuleBeam<double>>;
 template class LinearBVH<float, ConeSphereBeam<float>>;
 template class LinearBVH<double, ConeSphereBeam<double>>;
 template class LinearBVH<float, CappedConeBeam<float>>;
 template class LinearBVH<double, CappedConeBeam<double>>;
+template class LinearBVH<float, CappedBeam<float>>;
+template class LinearBVH<double, CappedBeam<double>>;
 
 }  // namespace cutwater

@@ -75,22 +75,20 @@ class CappedBeam : public Beam<T, detail::CappedFrustumProfile<T>> {
 
 extern template class Beam<float, detail::CapsuleProfile<float>>;
 extern template class Beam<double, detail::CapsuleProfile<double>>;
+extern template class CapsuleBeam<float>;
+extern template class CapsuleBeam<double>;
 extern template class Beam<float, detail::ConeSphereProfile<float>>;
 extern template class Beam<double, detail::ConeSphereProfile<double>>;
-extern template class Beam<float, detail::FrustumProfile<float>>;
-extern template class Beam<double, detail::FrustumProfile<double>>;
-extern template class Beam<float, detail::CappedFrustumProfile<float>>;
-extern template class CapsuleBeam<float>;
-extern template class CappedBeam<float>;
-extern template class LinearBVH<float, CappedBeam<float>>;
-extern template class Beam<double, detail::CappedFrustumProfile<double>>;
-extern template class CapsuleBeam<double>;
-extern template class CappedBeam<double>;
-extern template class LinearBVH<double, CappedBeam<double>>;
 extern template class ConeSphereBeam<float>;
 extern template class ConeSphereBeam<double>;
+extern template class Beam<float, detail::FrustumProfile<float>>;
+extern template class Beam<double, detail::FrustumProfile<double>>;
 extern template class CappedConeBeam<float>;
 extern template class CappedConeBeam<double>;
+extern template class Beam<float, detail::CappedFrustumProfile<float>>;
+extern template class Beam<double, detail::CappedFrustumProfile<double>>;
+extern template class CappedBeam<float>;
+extern template class CappedBeam<double>;
 // Trees of beams are compiled in the library, too.
 extern template class LinearBVH<float, CapsuleBeam<float>>;
 extern template class LinearBVH<double, CapsuleBeam<double>>;
@@ -98,5 +96,7 @@ extern template class LinearBVH<float, ConeSphereBeam<float>>;
 extern template class LinearBVH<double, ConeSphereBeam<double>>;
 extern template class LinearBVH<float, CappedConeBeam<float>>;
 extern template class LinearBVH<double, CappedConeBeam<double>>;
+extern template class LinearBVH<float, CappedBeam<float>>;
+extern template class LinearBVH<double, CappedBeam<double>>;
 
 }  // namespace cutwater

@@ -17,17 +17,23 @@ class CertainDistance {
   [[nodiscard]] bool isKnown() const { return factor_ > 0; }
   /// Whether it is the distance, up to rounding.
   [[nodiscard]] bool isExact() const { return exact_; }
-  /// From a point with this value; not positive within rounding of the surface, or inside.
-  [[nodiscard]] double operator()(T value, const Vec3<T>& p) const {
+  /// From a point with this value; not positive within rounding of the surface, or inside. If
+  /// rounding may be more than `most`, none is allowed for.
+  [[nodiscard]] double operator()(T value, const Vec3<T>& p, double most) const {
     const double size{sheets_ && value < 0 ? -value : value};
-    return factor_ * (size - static_cast<double>(guarantee_.error(length(p))));
+    return factor_ * (size - rounding(p, most));
   }
-  /// Whether the point is inside by more than rounding.
-  [[nodiscard]] bool isInside(T value, const Vec3<T>& p) const {
-    return value < -guarantee_.error(length(p));
+  /// Whether the point is inside by more than rounding; as above.
+  [[nodiscard]] bool isInside(T value, const Vec3<T>& p, double most) const {
+    return static_cast<double>(value) < -rounding(p, most);
   }
 
  private:
+  [[nodiscard]] double rounding(const Vec3<T>& p, double most) const {
+    const double error{guarantee_.error(length(p))};
+    return factor_ * error <= most ? error : 0;
+  }
+
   Guarantee<T> guarantee_;
   bool sheets_;
   bool exact_;

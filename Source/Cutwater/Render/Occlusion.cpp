@@ -38,7 +38,7 @@ std::vector<float> Occlusion<T>::openness(std::span<const Foot> feet) const {
 /// What part of the way to the surface is free, at a height above it. What was cut away is.
 template <std::floating_point T>
 double Occlusion<T>::freePart(T value, const Vec3<T>& p, double height) const {
-  double free = distance_(value, p);
+  double free = distance_(value, p, 0);
   if (!distance_.isKnown()) free = value < 0 ? 0 : height;
   return std::clamp(std::max(free, region_.clearance(Vec3<double>(p))) / height, 0.0, 1.0);
 }

@@ -249,12 +249,16 @@ void PixelSamples::draw(Image& image, SampleShader shade, double lineWidth,
               });
 }
 
-std::vector<std::size_t> PixelSamples::pixelsOfPatches(std::size_t count) const {
-  std::vector<std::size_t> pixels(count);
-  for (const auto& sample : samples_) {
-    if (sample.surface < count) ++pixels[sample.surface];
+std::vector<std::size_t> PixelSamples::areasOfPatches(std::size_t count) const {
+  std::vector<std::size_t> areas(count);
+  const auto add = [&](const SurfaceSample& sample, std::size_t area) {
+    if (sample.surface < count) areas[sample.surface] += area;
+  };
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    if (refined_[i] == kNone) add(samples_[i], kSquare);
   }
-  return pixels;
+  for (const auto& sample : fine_) add(sample, 1);
+  return areas;
 }
 
 }  // namespace cutwater::detail

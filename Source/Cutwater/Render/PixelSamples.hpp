@@ -19,8 +19,8 @@ using SampleShader = FunctionRef<Rgb(const SurfaceSample&, const PicturePoint&)>
 /// comes close to a ray that misses it.
 ///
 /// Of a pixel with so many samples that all miss, those see what passes them that have no sample
-/// which hits it on its other side: thin parts are not lost, and seem as wide as the samples are
-/// apart; silhouettes do not grow.
+/// which hits it on its other side: thin parts are not lost, and seem once or twice as wide as the
+/// samples are apart; silhouettes do not grow.
 class PixelSamples {
  public:
   static constexpr int kSide = 3;
@@ -33,8 +33,8 @@ class PixelSamples {
   void draw(Image& image, SampleShader shade, double lineWidth,
             const ParallelOptions& options) const;
 
-  /// How many pixels' middles see each of so many patches.
-  [[nodiscard]] std::vector<std::size_t> pixelsOfPatches(std::size_t count) const;
+  /// What each of so many patches takes of the picture, in parts of a pixel: kSide^2 are one.
+  [[nodiscard]] std::vector<std::size_t> areasOfPatches(std::size_t count) const;
 
   /// The sample in the middle of a pixel, counted from the area's corner.
   [[nodiscard]] const SurfaceSample& at(int x, int y) const { return samples_[index(x, y)]; }

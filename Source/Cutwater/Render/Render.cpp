@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <unordered_map>
 
 namespace cutwater {
 
@@ -32,9 +34,26 @@ constexpr double kOcclusion = 0.07;   // how far to look for it, in diagonals of
 constexpr int kMostLooks = 3;         // to find what is in sight
 constexpr double kLargeEnough = 0.6;  // of the frame: a further look would find no better
 constexpr double kLineWidth = 0.7;    // pixels
+constexpr double kUnit = 1e-6;        // by how much a length may differ from 1
 
 bool isProper(const Box<double>& box) {
   return isFinite(box) && !box.empty() && std::isfinite(box.diagonal()) && box.diagonal() > 0;
+}
+
+bool isUnit(const Vec3<double>& direction) {
+  return std::abs(length(direction) - 1) < kUnit;
+}
+
+void checkDirections(const RenderOptions& options) {
+  const auto& view = options.view;
+  require(isUnit(view.back) && isUnit(view.up) && std::abs(dot(view.back, view.up)) < kUnit,
+          "render: need a view of unit directions at a right angle", Named{"back", view.back},
+          Named{"up", view.up});
+  for (const auto& cut : options.cuts) {
+    require(isUnit(cut.normal) && std::isfinite(cut.offset),
+            "render: need cuts with unit normals and finite offsets", Named{"normal", cut.normal},
+            Named{"offset", cut.offset});
+  }
 }
 
 void check(const RenderOptions& options) {
@@ -48,6 +67,10 @@ void check(const RenderOptions& options) {
   for (const auto& box : {options.region, options.show}) {
     require(!box || isProper(*box), "render: need a finite box that is not empty");
   }
+  const auto room = options.region.value_or(Box<double>{{0, 0, 0}, {1, 1, 1}}).size();
+  require(std::min({room.x, room.y, room.z}) > 0, "render: need a region that is not flat",
+          Named{"size", room});
+  checkDirections(options);
 }
 
 /// What is looked into: all of the solid, with some room around, or what of that is in the region.
@@ -91,10 +114,11 @@ double largestPixel(const Camera& camera, const Box<double>& box) {
 class PatchTable {
  public:
   explicit PatchTable(std::span<const std::string> names) {
+    std::unordered_map<std::string_view, std::size_t> known;
     for (const auto& name : names) {
-      const auto known = std::find(names_.begin(), names_.end(), name);
-      ranks_.push_back(static_cast<std::size_t>(known - names_.begin()));
-      if (known == names_.end()) names_.push_back(name);
+      const auto [entry, isNew] = known.try_emplace(name, names_.size());
+      if (isNew) names_.push_back(name);
+      ranks_.push_back(entry->second);
     }
   }
 
@@ -106,15 +130,15 @@ class PatchTable {
 
   /// The largest ones in sight first.
   [[nodiscard]] std::vector<LegendEntry> legend(const PixelSamples& samples) const {
-    std::vector<std::size_t> pixels(names_.size());
-    const auto ofPatches = samples.pixelsOfPatches(ranks_.size());
-    for (std::size_t i = 0; i < ranks_.size(); ++i) pixels[ranks_[i]] += ofPatches[i];
+    std::vector<std::size_t> areas(names_.size());
+    const auto ofPatches = samples.areasOfPatches(ranks_.size());
+    for (std::size_t i = 0; i < ranks_.size(); ++i) areas[ranks_[i]] += ofPatches[i];
     std::vector<std::size_t> inSight;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      if (pixels[i] > 0) inSight.push_back(i);
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      if (areas[i] > 0) inSight.push_back(i);
     }
     std::stable_sort(inSight.begin(), inSight.end(),
-                     [&](std::size_t a, std::size_t b) { return pixels[a] > pixels[b]; });
+                     [&](std::size_t a, std::size_t b) { return areas[a] > areas[b]; });
     std::vector<LegendEntry> entries;
     for (const auto i : inSight) entries.push_back({names_[i], patchColor(i)});
     return entries;
@@ -130,6 +154,16 @@ auto calls(const SphereTracer<T>& tracer) {
   return [&](std::span<const PicturePoint> points, double spacing, std::span<SurfaceSample> found) {
     tracer.trace(points, spacing, found);
   };
+}
+
+/// From within a solid nothing is in sight.
+template <std::floating_point T>
+void checkEye(const SignedDistanceFunction<T>& solid, const KeptRegion& region,
+              const Camera& camera) {
+  const auto eye = camera.ray(0, 0).origin;
+  require(camera.isOrthographic() || region.clearance(eye) > 0 ||
+              !(solid.signedDistance(Vec3<T>(eye)) < 0),
+          "render: the viewer is within the solid", Named{"eye", eye});
 }
 
 /// The camera turned to what is in sight of the solid, which may be much less than its box.
@@ -180,6 +214,7 @@ Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& option
   const double room = kRoom * std::max(frame.width, frame.height) * largestPixel(camera, rest);
   const KeptRegion region(lookedInto(solid, options, room), options.cuts,
                           options.region.has_value());
+  if (!options.sheets) checkEye(solid, region, camera);
   if (!options.show && !options.eye) camera = aimed(camera, solid, region, frame, options);
   const SphereTracer<T> tracer(
       solid, region, camera,

@@ -14,10 +14,12 @@ namespace cutwater {
 /// How a solid is shown. Lengths are in the solid's units.
 struct RenderOptions {
   View view = View::named("iso");
-  double fieldOfView = 0;           ///< degrees along the longer side; 0: orthographic
-  std::optional<Eye> eye = {};      ///< in place of `view`; 30 degrees unless told otherwise
+  double fieldOfView = 0;  ///< degrees along the longer side; 0: orthographic
+  /// In place of `view` and `show`; 30 degrees unless told otherwise.
+  std::optional<Eye> eye = {};
   std::vector<CutPlane> cuts = {};  ///< each takes a part away
-  /// Shown is only what lies in this box, cut off at its sides. Without it: the bounding box.
+  /// Shown is only what lies in this box, cut off at its sides; it must not be flat. Without it:
+  /// the bounding box.
   std::optional<Box<double>> region = {};
   /// Fills the picture, for a look at a detail. Without it: all that is shown.
   std::optional<Box<double>> show = {};
@@ -46,10 +48,13 @@ struct RenderOptions {
 /// No ray steps through a part, however thin, as far as the solid's guarantee excludes that. A ray
 /// hits what is within 1/40 of a pixel; silhouettes have nine rays to a pixel; parts between these
 /// are found by how near they are, if values are distances or bounds of them. Where only signs are
-/// known, or a ray runs along the surface for more than 256 steps, crossings() tells. Light is
-/// dimmed where the surface is near, as far as the values around tell.
-/// @throws Error if the picture is smaller than 320 x 240 or larger than 2^26 pixels, an angle or a
-/// box is impossible, nothing is left to show, or the solid is unbounded and no region is given.
+/// known, or a ray runs along the surface for more than 256 steps, crossings() tells. Where values
+/// may be off by more than 1/4 of a pixel, parts thinner than that may be lost. Light is dimmed
+/// where the surface is near, as far as the values around tell.
+/// @throws Error if the picture is smaller than 320 x 240 or larger than 2^26 pixels, an angle, a
+/// direction or a box is impossible, the region or cuts across the axes leave nothing of the
+/// solid's box, the solid is unbounded and no region is given, or, in perspective, the viewer is
+/// within the solid.
 template <std::floating_point T>
 [[nodiscard]] Image render(const SignedDistanceFunction<T>& solid,
                            const RenderOptions& options = {});

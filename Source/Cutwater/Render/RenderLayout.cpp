@@ -24,10 +24,16 @@ constexpr double kThickLine = 2.4;
 constexpr std::array<Rgb, 3> kAxisColors{{{196, 57, 51}, {63, 140, 66}, {45, 98, 180}}};
 
 /// The text, or so much of it as fits, and two points.
-std::string shortened(std::string text, double capHeight, double room) {
+std::string shortened(const std::string& text, double capHeight, double room) {
   if (textLength(text, capHeight) <= room) return text;
-  while (!text.empty() && textLength(text + "..", capHeight) > room) text.pop_back();
-  return text + "..";
+  std::size_t least = 0;  // by bisection: the longer, the longer
+  std::size_t most = text.size();
+  while (least < most) {
+    const auto middle = least + (most - least + 1) / 2;
+    const bool fits = textLength(text.substr(0, middle) + "..", capHeight) <= room;
+    (fits ? least : most) = fits ? middle : middle - 1;
+  }
+  return text.substr(0, least) + "..";
 }
 
 }  // namespace

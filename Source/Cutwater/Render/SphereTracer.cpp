@@ -16,8 +16,8 @@ constexpr double kNearEnoughByBound = 1.0 / 320;
 /// Sheets have no crossings to ask about: a ray along one sees it from this much farther with every
 /// so many steps, which bounds their number.
 constexpr int kStepsOfPatience = 1024;
-/// How far from a sheet another may lie to be the same, or a point beyond a cut, in pixels.
-constexpr double kSamePlace = 1e-3;
+/// Most that may be left for rounding, in pixels: more would show.
+constexpr double kBlur = 0.25;
 /// Half the diagonal of a square, and a sixth more: of two steps past a point the nearer end is at
 /// most 1.16 times as far from it as the ray.
 constexpr double kReach = 0.5 * 1.42 * 1.17;
@@ -33,6 +33,7 @@ SphereTracer<T>::SphereTracer(const SignedDistanceFunction<T>& solid, const Kept
       options_(options),
       distance_(solid.guarantee(), region.box(), options.sheets),
       occlusion_(solid, distance_, region, options.occlusionRadius),
+      sighting_(solid, region, camera, options.sheets),
       nearEnough_(distance_.isExact() ? kNearEnough : kNearEnoughByBound) {}
 
 /// The rays of one call.
@@ -100,22 +101,29 @@ class SphereTracer<T>::Packet {
     }
     evaluate();
     keepActive([&](std::size_t k, Line& line, std::uint32_t i) {
-      const auto cut = line.range.cut;
-      if (cut == kNone) return true;
-      if (!t_.distance_.isInside(values_[k], points_[k])) {
-        const double step = t_.nearEnough_ * t_.camera_.pixelSize(line.along);
-        const double free = t_.distance_(values_[k], points_[k]);
+      if (line.range.cut == kNone) return true;
+      const double pixel = t_.camera_.pixelSize(line.along);
+      const double step = t_.nearEnough_ * pixel;
+      if (!t_.distance_.isInside(values_[k], points_[k], kBlur * pixel)) {
+        const double free = t_.distance_(values_[k], points_[k], kBlur * pixel);
         if (free <= 0 || free > step) return true;
         const double next = std::min(line.along + step, line.range.end);
         if (meetsBetween(i, line.along, next)) return false;
         line.along = next;
         return true;
       }
-      samples_[i].along = static_cast<float>(line.along);
-      samples_[i].normal = Vec3<float>(t_.region_.normal(cut));
-      samples_[i].surface = SurfaceSample::kCutFace + cut;
+      if (!touchesCut(i, step)) samples_[i] = t_.sighting_.atCut(line.range);
       return false;
     });
+  }
+
+  /// Where only signs are known, they tell whether the surface is within rounding of a cut: there
+  /// they change a step before it. The sample is of the surface then.
+  bool touchesCut(std::uint32_t i, double step) {
+    const auto& line = lines_[i];
+    const double before = line.along - step;
+    return !t_.distance_.isKnown() && t_.solid_.signedDistance(at(line.ray.at(before))) >= 0 &&
+           meetsBetween(i, before, line.along + step);
   }
 
   /// Steps of all rays alike: at equal distances along, they are all within some radius of the one
@@ -137,7 +145,7 @@ class SphereTracer<T>::Packet {
     for (int step = 0; step < kMostSteps && along < end; ++step) {
       const auto p = at(first.ray.at(along));
       const double radius = apart + diverging * along;
-      const double free = t_.distance_(t_.solid_.signedDistance(p), p) - radius;
+      const double free = t_.distance_(t_.solid_.signedDistance(p), p, kInf) - radius;
       if (!(free > 0.5 * radius)) break;
       along += free;
     }
@@ -153,8 +161,8 @@ class SphereTracer<T>::Packet {
       const double patience =
           t_.options_.sheets ? std::max(1.0, static_cast<double>(step) / kStepsOfPatience) : 1;
       keepActive([&](std::size_t k, Line& line, std::uint32_t i) {
-        const double free = t_.distance_(values_[k], points_[k]);
         const double pixel = t_.camera_.pixelSize(line.along);
+        const double free = t_.distance_(values_[k], points_[k], kBlur * pixel);
         if (free <= t_.nearEnough_ * patience * pixel) {
           arrived_.push_back(i);
           return false;
@@ -176,20 +184,10 @@ class SphereTracer<T>::Packet {
     const auto& ray = lines_[i].ray;
     t_.solid_.crossings({at(ray.at(from)), at(ray.at(to))}, [&](const Crossing<T>& crossing) {
       const double along = from + (to - from) * static_cast<double>(crossing.parameter);
-      show(i, along, Vec3<double>(crossing.normal), crossing.owner.patch);
+      samples_[i] = t_.sighting_.atCrossing(ray, along, crossing);
       return false;
     });
     return samples_[i].isHit();
-  }
-
-  void show(std::uint32_t i, double along, Vec3<double> normal, std::uint32_t patch) {
-    const auto& direction = lines_[i].ray.direction;
-    const double facing = dot(normal, direction);
-    if (facing > 0) normal = -normal;
-    if (!(lengthSquared(normal) > 0.5)) normal = -direction;  // none is known
-    samples_[i].along = static_cast<float>(along);
-    samples_[i].normal = Vec3<float>(normal);
-    samples_[i].surface = patch;
   }
 
   /// Finds out where rays meet the surface, or pass it, from the points of it nearest to them.
@@ -202,59 +200,11 @@ class SphereTracer<T>::Packet {
     }
     t_.solid_.closestPoints(points_, nearest_, {.threads = 1});
     for (std::size_t k = 0; k < which.size(); ++k) {
-      if (passing) {
-        pass(which[k], nearest_[k], points_[k]);
-      } else {
-        meet(which[k], nearest_[k]);
-      }
+      const auto& line = lines_[which[k]];
+      samples_[which[k]] =
+          passing ? t_.sighting_.passing(line.ray, line.nearestAlong, nearest_[k], reach_)
+                  : t_.sighting_.near(line.ray, line.range, line.along, nearest_[k]);
     }
-  }
-
-  void meet(std::uint32_t i, const SurfacePoint<T>& nearest) {
-    const auto& line = lines_[i];
-    const Vec3<double> normal(nearest.normal);
-    // Towards the tangent plane, unless the ray runs along it.
-    double along = line.along;
-    const double speed = dot(normal, line.ray.direction);
-    const double further = dot(normal, Vec3<double>(nearest.point) - line.ray.at(along)) / speed;
-    const double most = t_.camera_.pixelSize(along);
-    if (std::abs(speed) > 0.02 && std::abs(further) < most) along += further;
-    along = std::clamp(along, line.range.begin, line.range.end);
-    show(i, along, normal,
-         t_.options_.sheets ? sheetAt(nearest, line.ray, along) : nearest.owner.patch);
-  }
-
-  /// Of sheets that lie on each other, nearest to the same points but for rounding: the patch of
-  /// one that looks at the viewer if there is one, and of such the first.
-  [[nodiscard]] std::uint32_t sheetAt(const SurfacePoint<T>& nearest, const Ray& ray,
-                                      double along) const {
-    const auto foot = nearest.point;
-    const T reach = static_cast<T>(kSamePlace * t_.camera_.pixelSize(along));
-    const Vec3<T> toViewer = -Vec3<T>(ray.direction);
-    bool found = false;
-    bool faces = false;
-    auto patch = nearest.owner.patch;
-    t_.solid_.facetsIn(Box<T>{foot, foot}.grown(reach), [&](const SurfaceFacet<T>& facet) {
-      const bool isThere = std::abs(dot(facet.corners[0] - foot, facet.normal)) <= reach;
-      const bool looks = dot(facet.normal, toViewer) > 0;
-      if (!isThere || (faces && !looks)) return true;
-      patch = found && faces == looks ? std::min(patch, facet.owner.patch) : facet.owner.patch;
-      found = true;
-      faces = looks;
-      return true;
-    });
-    return patch;
-  }
-
-  void pass(std::uint32_t i, const SurfacePoint<T>& nearest, const Vec3<T>& p) {
-    const auto& line = lines_[i];
-    const double gap{length(nearest.point - p)};
-    const double pixel = t_.camera_.pixelSize(line.nearestAlong);
-    const double removed = t_.region_.clearance(Vec3<double>(nearest.point));
-    if (!(gap < reach_ * pixel && removed < kSamePlace * pixel)) return;
-    samples_[i].along = static_cast<float>(line.nearestAlong);
-    samples_[i].normal = Vec3<float>(normalized(p - nearest.point));
-    samples_[i].passed = nearest.owner.patch;
   }
 
   void lookAround() {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <Cutwater/Render/Occlusion.hpp>
-#include <Cutwater/Render/SurfaceSample.hpp>
-#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+#include <Cutwater/Render/Sighting.hpp>
 
 /// How render() works inside; for its parts only.
 namespace cutwater::detail {
@@ -18,8 +17,10 @@ struct TraceOptions {
 /// certainly away never passes through it. By the guarantee this is the value itself where it is a
 /// distance or a lower bound of one, and the value over the Lipschitz constant where there is one.
 /// A ray that comes within 1/40 of a pixel (1/320 where values are mere bounds) has arrived; the
-/// tangent plane at the nearest surface point tells where it meets the surface. A ray that needs
-/// more than kMostSteps asks crossings() about its rest; so do all rays if the values tell nothing.
+/// tangent plane at the nearest surface point tells where it meets the surface. Steps are shorter
+/// by what rounding may do to a value, unless that is more than 1/4 of a pixel: of a solid so far
+/// from the origin, parts thinner than rounding may be lost. A ray that needs more than kMostSteps
+/// asks crossings() about its rest; so do all rays if the values tell nothing.
 template <std::floating_point T>
 class SphereTracer {
  public:
@@ -47,6 +48,7 @@ class SphereTracer {
   TraceOptions options_;
   CertainDistance<T> distance_;
   Occlusion<T> occlusion_;
+  Sighting<T> sighting_;
   double nearEnough_;  // in pixels
 };
 

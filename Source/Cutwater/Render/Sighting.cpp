@@ -1,0 +1,95 @@
+#include <Cutwater/Render/Sighting.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cutwater::detail {
+
+namespace {
+
+/// How far from a sheet another may lie to be the same, or a point beyond a cut, in pixels.
+constexpr double kSamePlace = 1e-3;
+/// Of a ray's direction: slower towards the surface than this, it runs along it.
+constexpr double kSlowest = 0.02;
+
+SurfaceSample sampleOf(const Ray& ray, double along, Vec3<double> normal, std::uint32_t surface) {
+  if (dot(normal, ray.direction) > 0) normal = -normal;
+  if (!(lengthSquared(normal) > 0.5)) normal = -ray.direction;  // none is known
+  SurfaceSample sample;
+  sample.along = static_cast<float>(along);
+  sample.normal = Vec3<float>(normal);
+  sample.surface = surface;
+  return sample;
+}
+
+}  // namespace
+
+template <std::floating_point T>
+SurfaceSample Sighting<T>::atCut(const RayRange& range) const {
+  SurfaceSample sample;
+  sample.along = static_cast<float>(range.begin);
+  sample.normal = Vec3<float>(region_.normal(range.cut));
+  sample.surface = SurfaceSample::kCutFace + range.cut;
+  return sample;
+}
+
+template <std::floating_point T>
+SurfaceSample Sighting<T>::atCrossing(const Ray& ray, double along,
+                                      const Crossing<T>& crossing) const {
+  return sampleOf(ray, along, Vec3<double>(crossing.normal), crossing.owner.patch);
+}
+
+template <std::floating_point T>
+SurfaceSample Sighting<T>::near(const Ray& ray, const RayRange& range, double along,
+                                const SurfacePoint<T>& nearest) const {
+  const Vec3<double> normal(nearest.normal);
+  // Towards the tangent plane, unless the ray runs along it.
+  const double speed = dot(normal, ray.direction);
+  const double further = dot(normal, Vec3<double>(nearest.point) - ray.at(along)) / speed;
+  const double most = camera_.pixelSize(along);
+  if (std::abs(speed) > kSlowest && std::abs(further) < most) along += further;
+  along = std::clamp(along, range.begin, range.end);
+  return sampleOf(ray, along, normal, sheets_ ? sheetAt(nearest, ray, along) : nearest.owner.patch);
+}
+
+/// Of sheets that lie on each other, nearest to the same points but for rounding: the patch of
+/// one that looks at the viewer if there is one, and of such the first.
+template <std::floating_point T>
+std::uint32_t Sighting<T>::sheetAt(const SurfacePoint<T>& nearest, const Ray& ray,
+                                   double along) const {
+  const auto foot = nearest.point;
+  const T reach = static_cast<T>(kSamePlace * camera_.pixelSize(along));
+  const Vec3<T> toViewer = -Vec3<T>(ray.direction);
+  bool found = false;
+  bool faces = false;
+  auto patch = nearest.owner.patch;
+  solid_.facetsIn(Box<T>{foot, foot}.grown(reach), [&](const SurfaceFacet<T>& facet) {
+    const bool isThere = std::abs(dot(facet.corners[0] - foot, facet.normal)) <= reach;
+    const bool looks = dot(facet.normal, toViewer) > 0;
+    if (!isThere || (faces && !looks)) return true;
+    patch = found && faces == looks ? std::min(patch, facet.owner.patch) : facet.owner.patch;
+    found = true;
+    faces = looks;
+    return true;
+  });
+  return patch;
+}
+
+template <std::floating_point T>
+SurfaceSample Sighting<T>::passing(const Ray& ray, double along, const SurfacePoint<T>& nearest,
+                                   double reach) const {
+  const auto away = Vec3<T>(ray.at(along)) - nearest.point;
+  const double pixel = camera_.pixelSize(along);
+  const double removed = region_.clearance(Vec3<double>(nearest.point));
+  SurfaceSample sample;
+  if (!(double{length(away)} < reach * pixel && removed < kSamePlace * pixel)) return sample;
+  sample.along = static_cast<float>(along);
+  sample.normal = Vec3<float>(normalized(away));
+  sample.passed = nearest.owner.patch;
+  return sample;
+}
+
+template class Sighting<float>;
+template class Sighting<double>;
+
+}  // namespace cutwater::detail

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Cutwater/Render/CutPlane.hpp>
+#include <Cutwater/Render/SurfaceSample.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+/// How render() works inside; for its parts only.
+namespace cutwater::detail {
+
+/// What rays see, from what queries tell of the surface about them.
+template <std::floating_point T>
+class Sighting {
+ public:
+  /// Solid, region and camera must live as long as this. `sheets`: see RenderOptions.
+  Sighting(const SignedDistanceFunction<T>& solid, const KeptRegion& region, const Camera& camera,
+           bool sheets)
+      : solid_(solid), region_(region), camera_(camera), sheets_(sheets) {}
+
+  /// The face of the cut through which a ray comes in.
+  [[nodiscard]] SurfaceSample atCut(const RayRange& range) const;
+  /// What a ray crosses at this distance along it.
+  [[nodiscard]] SurfaceSample atCrossing(const Ray& ray, double along,
+                                         const Crossing<T>& crossing) const;
+  /// A ray is near enough to the surface at this distance along it, and this is the point of it
+  /// nearest to there.
+  [[nodiscard]] SurfaceSample near(const Ray& ray, const RayRange& range, double along,
+                                   const SurfacePoint<T>& nearest) const;
+  /// A ray sees nothing, and is nearest to the surface at this distance along it. Empty if the
+  /// surface is farther than `reach`, in pixels, or cut away.
+  [[nodiscard]] SurfaceSample passing(const Ray& ray, double along, const SurfacePoint<T>& nearest,
+                                      double reach) const;
+
+ private:
+  [[nodiscard]] std::uint32_t sheetAt(const SurfacePoint<T>& nearest, const Ray& ray,
+                                      double along) const;
+
+  const SignedDistanceFunction<T>& solid_;
+  const KeptRegion& region_;
+  const Camera& camera_;
+  bool sheets_;
+};
+
+extern template class Sighting<float>;
+extern template class Sighting<double>;
+
+}  // namespace cutwater::detail
