@@ -122,6 +122,27 @@ TEST(SpineTest, FrameTurnsAgainstFrenetsByTheTorsion) {
   EXPECT_NEAR(spine.length(), 4 * std::numbers::pi * helix.speed(), 1e-3);
 }
 
+/// A vector carried from one direction to the next by the least turn that takes it there.
+Vec3<double> carried(const Vec3<double>& v, const Vec3<double>& from, const Vec3<double>& to) {
+  const auto axis = cross(from, to);
+  return v + cross(axis, v) + cross(axis, cross(axis, v)) / (1 + dot(from, to));
+}
+
+TEST(SpineTest, FrameIsParallelTransport) {
+  const Spine spine(Points{{0, 0, 0}, {3, 0, 1}, {4, 2, 1}, {4, 3, 5}, {0, 3, 5}});
+  constexpr int kSteps = 40000;
+  auto before = spine.frameAt(0);
+  auto normal = before.normal;
+  for (int i = 1; i <= kSteps; ++i) {
+    const auto frame = spine.frameAt(spine.length() * i / kSteps);
+    normal = carried(normal, before.tangent, frame.tangent);
+    before = frame;
+    if (i % 1000 == 0) {
+      EXPECT_LT(length(normal - frame.normal), 2e-6) << i;
+    }
+  }
+}
+
 TEST(SpineTest, FramesOfPlaneCurvesStayUpright) {
   Points points;
   for (int i = 0; i <= 8; ++i) {
