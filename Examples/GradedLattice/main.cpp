@@ -29,8 +29,8 @@ int main(int argc, char** argv) {
   RenderOptions options;
   options.view = View::fromAngles(-60, 25);
   options.cuts = {CutPlane::through({0, 0, 0}, {0, -1, 0})};
-  options.width = 1200;
-  options.height = 750;
+  options.width = 960;
+  options.height = 600;
   options.title = "Graded octet lattice in a ball";
   options.unit = "mm";
   const Image picture = render(infill, options);

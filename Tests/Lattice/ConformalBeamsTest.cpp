@@ -201,6 +201,25 @@ TEST(ConformalBeamsTest, RadiiAreThoseOfTheThicknessAtNodes) {
   EXPECT_EQ(radii, (std::set<double>{0.04, 0.05, 0.06, 0.07, 0.08}));
 }
 
+TEST(ConformalBeamsTest, StraightStrutsAreDividedWhereTheirRadiusIsNotLinear) {
+  // Thick about the middle of one edge of twelve.
+  const auto thickness =
+      Thickness<double>::byDistanceTo(Sphere<double>({0.5, 0, 0}, 0.125), {0.2, 0.1, 0.25});
+  const auto graph = beamsOf(UnitCell::simpleCubic(), regular({1, 1, 1}, {1, 1, 1}), thickness);
+  ASSERT_EQ(graph.beams.size(), 11U + 4);
+  std::map<double, double> radii;
+  for (const auto& beam : graph.beams) {
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto& node = graph.nodes[beam.nodes[end]];
+      if (node.y == 0 && node.z == 0) radii[node.x] = beam.radii[end];
+    }
+  }
+  ASSERT_EQ(radii.size(), 5U);
+  for (const auto& [x, radius] : radii) {
+    EXPECT_NEAR(radius, x == 0 || x == 1 ? 0.1 : 0.15, 1e-15) << x;
+  }
+}
+
 /// By the definition of a round cone, in double precision, beam by beam: the hull of two balls is
 /// the union of all between them.
 bool isInside(const BeamGraph& graph, const Vec3<double>& p) {

@@ -6,6 +6,7 @@
 #include <Cutwater/Shapes/Sphere.hpp>
 
 #include "ExplicitLattice.hpp"
+#include "Support/AllocationCount.hpp"
 #include "Support/Guarantee.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
@@ -167,6 +168,42 @@ TYPED_TEST(StrutLatticeTest, GradedArraysKeepTheirGuaranteeWhereTheyStand) {
     EXPECT_EQ(array.guarantee().lipschitz, T(1));
     expectGuarantee(array, 1.3, options);
   }
+}
+
+TEST(StrutLatticeTest, GradedArraysKeepToTheirRounding) {
+  const auto single = gradedThicknesses<float>();
+  const auto twice = gradedThicknesses<double>();
+  for (std::size_t kind = 0; kind < single.size(); ++kind) {
+    expectRounding(CellArray<float>(UnitCell::octet(), {{1, 1, 1}, {2, 2, 2}}, single[kind]),
+                   CellArray<double>(UnitCell::octet(), {{1, 1, 1}, {2, 2, 2}}, twice[kind]), 3);
+  }
+}
+
+TYPED_TEST(StrutLatticeTest, GradedQueriesDoNotAllocate) {
+  using T = TypeParam;
+  for (const auto& thickness : gradedThicknesses<T>()) {
+    const CellArray<T> array(UnitCell::srs(), {{1, 1, 1}, {2, 2, 2}}, thickness);
+    const AllocationCount allocations;
+    RandomPoints<T> points(2);
+    T sum = 0;
+    for (int i = 0; i < 100; ++i) {
+      const auto p = points.next();
+      sum += array.signedDistance(p) + array.gradient(p).x + array.closestPoint(p).distance;
+      sum += array.classify(Box<T>{p, p}.grown(T(0.1))) == BoxClass::Cut ? T(1) : T(0);
+    }
+    EXPECT_EQ(allocations.count(), 0) << sum;
+  }
+}
+
+TYPED_TEST(StrutLatticeTest, GradedLatticesHoldWhereTheirThicknessDoes) {
+  using T = TypeParam;
+  const Box<T> domain{{0, 0, 0}, {2, 2, 2}};
+  const Guarantee<T> promise{.lipschitz = T(0.05), .continuous = true, .domain = domain};
+  const FunctionSDF<T, ThinnerAlongX<T>> field({}, promise);
+  const auto thickness = Thickness<T>::byDistanceTo(field, {T(0.1), T(0.2), 1});
+  const PeriodicLattice<T> lattice(UnitCell::octet(), {1, 1, 1}, thickness);
+  EXPECT_EQ(lattice.guarantee().domain, domain);
+  EXPECT_EQ(lattice.classify({{3, 3, 3}, {4, 4, 4}}), BoxClass::Unknown);
 }
 
 TYPED_TEST(StrutLatticeTest, BlocksClippedByOtherSolidsKeepTheirGuarantee) {
