@@ -118,7 +118,7 @@ TYPED_TEST(ThicknessTest, RefusesImpossibleArguments) {
     expectRefused([&] { (void)Thickness<T>::by(Waves<T>(), {1, 3, bad}); });
     if (bad != 0) expectRefused([&] { (void)Thickness<T>::by(Waves<T>(), {bad, 1, 2}); });
   }
-  const FunctionSDF<T, Waves<T>> onlySign({}, {.continuous = true});
+  const FunctionSDF<T, Waves<T>> onlySign({}, {.lipschitz = {}, .continuous = true});
   EXPECT_EQ(refusal([&] {
               (void)Thickness<T>::byDistanceTo(onlySign, {1, 2, 1});
             }),
