@@ -1,6 +1,9 @@
 // The code of Docs/lattices.md.
 #include <Cutwater/Lattice/BeamLattice.hpp>
+#include <Cutwater/Lattice/BeamsWithin.hpp>
 #include <Cutwater/Lattice/CellArray.hpp>
+#include <Cutwater/Lattice/CellMappings.hpp>
+#include <Cutwater/Lattice/ConformalBeams.hpp>
 #include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
@@ -35,6 +38,65 @@ TEST(DocsTest, CellsOfOnesOwn) {
   // DOCS]
   EXPECT_DOUBLE_EQ(length, 3 + std::sqrt(0.75));
   EXPECT_EQ(fold, CellFold::None);
+}
+
+TEST(DocsTest, GradedLattices) {
+  // [DOCS
+  // Struts of 0.8 mm at the surface of a part, of 0.3 mm from 10 mm below it on.
+  const Solid<double> part = Sphere<double>({0, 0, 0}, 40);
+  const auto radius = Thickness<double>::byDistanceTo(part, {.start = 0.8, .end = 0.3, .over = 10});
+  const PeriodicLattice<double> graded(UnitCell::octet(), {5, 5, 5}, radius);
+  const Solid<double> infill = part & graded;
+
+  // Knots at the centres of cells; and a radius of one's own, with its Lipschitz constant.
+  const auto knots = Thickness<double>::byDistanceToCellCenter(0.8, 0.3);
+  const auto tapered =
+      Thickness<double>::by([](const Vec3<double>& p) { return 0.5 + 0.005 * p.z; },
+                            {.lipschitz = 0.005, .least = 0.3, .most = 0.7});
+  // DOCS]
+  EXPECT_DOUBLE_EQ(graded.signedDistance({5, 0, 0}), -0.3 / 1.05);
+  EXPECT_DOUBLE_EQ(graded.signedDistance({40, 0, 0}), -0.8 / 1.05);
+  EXPECT_EQ(infill.guarantee().outside, Quality::LowerBound);
+  EXPECT_DOUBLE_EQ(knots.at({}, {0.5, 0.5, 0.5}), 0.8);
+  EXPECT_DOUBLE_EQ(tapered.at({0, 0, 20}, {}), 0.6);
+}
+
+TEST(DocsTest, ConformalLattices) {
+  // [DOCS
+  // A pipe along a curve: 2 cells through its wall, 16 round it, 24 along it.
+  const std::vector<Vec3<double>> points{{0, 0, 0}, {0, 0, 40}, {30, 0, 60}, {60, 20, 60}};
+  const Spine spine(points);
+  const PipeMapping pipe({.innerRadius = 8, .outerRadius = 12, .length = spine.length()});
+  const auto cells = HexahedralCells({2, 16, 24}, AlongSpine(spine, pipe))
+                         .withNoise({.amplitude = 0.1, .seed = 1, .unit = NoiseUnit::ShortestEdge});
+  const BeamLattice<double> wall(beamsOf(UnitCell::bcc(), cells, 0.3));
+  // DOCS]
+  EXPECT_EQ(cells.closed(), (std::array<bool, 3>{false, true, false}));
+  EXPECT_NEAR(wall.signedDistance(cells.at({1.5, 0.5, 3.5})), -0.3, 1e-14);
+
+  // [DOCS
+  // Any mapping of the unit cube: u.x, u.y, u.z in [0, 1].
+  const auto bump = [](const Vec3<double>& u) {
+    const double rise = 4 * u.x * (1 - u.x) * u.y * (1 - u.y);
+    return Vec3<double>{20 * u.x, 20 * u.y, 3 * u.z + 2 * rise};
+  };
+  const auto sheet = beamsOf(UnitCell::kelvin(), HexahedralCells({10, 10, 1}, bump),
+                             Thickness<double>::byDistanceToCellCenter(0.1, 0.2));
+  // DOCS]
+  EXPECT_GT(sheet.beams.size(), 2400U);
+}
+
+TEST(DocsTest, LatticesWithinParts) {
+  // [DOCS
+  const Solid<double> part = Sphere<double>({0, 0, 0}, 20);
+  auto graph = beamsOf(UnitCell::octet(), {{5, 5, 5}, {10, 10, 10}}, 0.4);
+  for (auto& node : graph.nodes) node = node - Vec3<double>{25, 25, 25};
+  graph = beamsWithin(graph, part);  // memory follows the part
+  const Solid<double> clipped = BeamLattice<double>(graph) & part;
+  // DOCS]
+  EXPECT_LT(graph.beams.size(), 18000U);
+  EXPECT_LT(clipped.signedDistance({0, 0, 0}), 0);
+  EXPECT_DOUBLE_EQ(clipped.signedDistance({0, 0, 30}), 10);
 }
 
 TEST(DocsTest, AnyGraphOfBeams) {

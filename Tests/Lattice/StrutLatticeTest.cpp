@@ -1,12 +1,16 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Lattice/PeriodicLattice.hpp>
-#include <Cutwater/Sdf/Solid.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
 
 #include "ExplicitLattice.hpp"
+#include "Support/AllocationCount.hpp"
 #include "Support/Guarantee.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
+#include "Support/Soups.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -91,6 +95,137 @@ TYPED_TEST(StrutLatticeTest, ThickStrutsLeaveNothingFree) {
   EXPECT_EQ(full.classify({{T(0.1), 0, 0}, {T(0.2), T(0.1), T(0.1)}}), BoxClass::Inside);
 }
 
+/// Twice as thick where x < 0 than far beyond, at a slope of 0.05.
+template <typename T>
+struct ThinnerAlongX {
+  T operator()(const Vec3<T>& p) const { return T(0.08) - T(0.05) * p.x; }
+};
+
+template <typename T>
+std::vector<Thickness<T>> gradedThicknesses() {
+  return {Thickness<T>::byDistanceToCellCenter(T(0.05), T(0.12)),
+          Thickness<T>::byDistanceTo(Sphere<T>({0, 0, 0}, T(0.8)), {T(0.15), T(0.05), T(0.5)}),
+          Thickness<T>::by(ThinnerAlongX<T>(),
+                           {.lipschitz = T(0.05), .least = T(0.05), .most = T(0.1)})};
+}
+
+TYPED_TEST(StrutLatticeTest, GradedLatticesAreTheirFormula) {
+  using T = TypeParam;
+  const Vec3<double> size{1, 0.75, 1.25};
+  const T slopes[] = {T(0.07) / (std::sqrt(T(0.75)) * T(0.75)), T(0.2), T(0.05)};
+  for (const auto& cell : {UnitCell::octet(), UnitCell::srs(), UnitCell::diamond()}) {
+    const auto around = explicitStruts(cell.struts(), -4, 3);
+    for (std::size_t kind = 0; kind < 3; ++kind) {
+      const auto thickness = gradedThicknesses<T>()[kind];
+      const PeriodicLattice<T> lattice(cell, Vec3<T>(size), thickness);
+      RandomPoints<T> points(1);
+      for (int i = 0; i < 200; ++i) {
+        const auto p = points.next();
+        const Vec3<T> inCells{p.x / T(size.x), p.y / T(size.y), p.z / T(size.z)};
+        const T nearest = distanceTo(std::span<const CellStrut>(around), size, p);
+        const T wanted = (nearest - thickness.at(p, inCells)) / (1 + slopes[kind]);
+        EXPECT_NEAR(lattice.signedDistance(p), wanted, tolerance<T>(1)) << cell.name() << p;
+        T batch = 0;
+        lattice.signedDistances({&p, 1}, {&batch, 1});
+        EXPECT_EQ(batch, lattice.signedDistance(p));
+      }
+    }
+  }
+}
+
+TYPED_TEST(StrutLatticeTest, GradedLatticesKeepTheirGuarantee) {
+  using T = TypeParam;
+  for (const auto& cell : UnitCell::all()) {
+    SCOPED_TRACE(cell.name());
+    const auto around = explicitStruts(cell.struts(), -4, 3);
+    std::size_t kind = 0;
+    for (const auto& thickness : gradedThicknesses<T>()) {
+      SCOPED_TRACE(kind++);
+      const GuaranteeOptions options{.inside =
+                                         [&](const Vec3<double>& p) {
+                                           return distanceTo(std::span<const CellStrut>(around),
+                                                             {1, 1, 1}, p) <
+                                                  double{thickness.at(Vec3<T>(p), Vec3<T>(p))};
+                                         },
+                                     .probes = 600,
+                                     .lines = 16};
+      expectGuarantee(PeriodicLattice<T>(cell, {1, 1, 1}, thickness), 0.7, options);
+    }
+  }
+}
+
+TYPED_TEST(StrutLatticeTest, GradedArraysKeepTheirGuaranteeWhereTheyStand) {
+  using T = TypeParam;
+  const GuaranteeOptions options{.probes = 1500, .lines = 24};
+  for (const auto& thickness : gradedThicknesses<T>()) {
+    CellArray<T> array(UnitCell::octet(), {{1, T(0.75), 1}, {2, 1, 1}}, thickness);
+    EXPECT_TRUE(array.describe().starts_with("Graded lattice of cells: octet: lower bound"))
+        << array.describe();
+    array.translate({-1, T(-0.5), T(-0.5)});
+    array.rotate(30, 2);
+    EXPECT_EQ(array.guarantee().outside, Quality::LowerBound);
+    EXPECT_EQ(array.guarantee().inside, Quality::LowerBound);
+    EXPECT_EQ(array.guarantee().lipschitz, T(1));
+    expectGuarantee(array, 1.3, options);
+  }
+}
+
+TEST(StrutLatticeTest, GradedArraysKeepToTheirRounding) {
+  const auto single = gradedThicknesses<float>();
+  const auto twice = gradedThicknesses<double>();
+  for (std::size_t kind = 0; kind < single.size(); ++kind) {
+    expectRounding(CellArray<float>(UnitCell::octet(), {{1, 1, 1}, {2, 2, 2}}, single[kind]),
+                   CellArray<double>(UnitCell::octet(), {{1, 1, 1}, {2, 2, 2}}, twice[kind]), 3);
+  }
+}
+
+TYPED_TEST(StrutLatticeTest, GradedQueriesDoNotAllocate) {
+  using T = TypeParam;
+  for (const auto& thickness : gradedThicknesses<T>()) {
+    const CellArray<T> array(UnitCell::srs(), {{1, 1, 1}, {2, 2, 2}}, thickness);
+    const AllocationCount allocations;
+    RandomPoints<T> points(2);
+    T sum = 0;
+    for (int i = 0; i < 100; ++i) {
+      const auto p = points.next();
+      sum += array.signedDistance(p) + array.gradient(p).x + array.closestPoint(p).distance;
+      sum += array.classify(Box<T>{p, p}.grown(T(0.1))) == BoxClass::Cut ? T(1) : T(0);
+    }
+    EXPECT_EQ(allocations.count(), 0) << sum;
+  }
+}
+
+TYPED_TEST(StrutLatticeTest, GradedLatticesHoldWhereTheirThicknessDoes) {
+  using T = TypeParam;
+  const Box<T> domain{{0, 0, 0}, {2, 2, 2}};
+  const Guarantee<T> promise{.lipschitz = T(0.05), .continuous = true, .domain = domain};
+  const FunctionSDF<T, ThinnerAlongX<T>> field({}, promise);
+  const auto thickness = Thickness<T>::byDistanceTo(field, {T(0.1), T(0.2), 1});
+  const PeriodicLattice<T> lattice(UnitCell::octet(), {1, 1, 1}, thickness);
+  EXPECT_EQ(lattice.guarantee().domain, domain);
+  EXPECT_EQ(lattice.classify({{3, 3, 3}, {4, 4, 4}}), BoxClass::Unknown);
+}
+
+TYPED_TEST(StrutLatticeTest, BlocksClippedByOtherSolidsKeepTheirGuarantee) {
+  using T = TypeParam;
+  CellArray<T> block(UnitCell::octet(), {{T(0.5), T(0.5), T(0.5)}, {4, 4, 4}}, T(0.06));
+  block.translate({-1, -1, -1});
+  const auto isInBlock = [&](const Vec3<double>& p) {
+    return block.signedDistance(Vec3<T>(p)) < 0;
+  };
+  const Solid<T> ball = Sphere<T>({0, 0, 0}, T(0.7));
+  expectGuarantee(ball & block, 0.8,
+                  {.inside = [&](auto& p) { return isInBlock(p) && length(p) < 0.7; },
+                   .probes = 1500,
+                   .lines = 24});
+  const auto isInCube = [](const Vec3<double>& p) { return maxComponent(abs(p)) < 0.6; };
+  const auto mesh = translated(MeshSDF<T>(cube()), {T(-0.5), T(-0.5), T(-0.5)});
+  expectGuarantee(cutwater::scaled(mesh, T(1.2)) & block, 0.8,
+                  {.inside = [&](auto& p) { return isInBlock(p) && isInCube(p); },
+                   .probes = 1500,
+                   .lines = 24});
+}
+
 TYPED_TEST(StrutLatticeTest, SaysWhatItIs) {
   using T = TypeParam;
   const auto text = PeriodicLattice<T>(UnitCell::octet(), {1, 1, 1}, T(0.1)).describe();
@@ -111,7 +246,7 @@ TYPED_TEST(StrutLatticeTest, RefusesImpossibleArguments) {
     CellArray<T>(octet, {{1, 1, 1}, {1, 1, 1}}, 0);
     ADD_FAILURE();
   } catch (const Error& error) {
-    EXPECT_TRUE(std::string(error.what()).starts_with("CellArray: need 0 < radius"));
+    EXPECT_TRUE(std::string(error.what()).starts_with("Thickness: need 0 < radius"));
   }
 }
 

@@ -10,12 +10,12 @@ namespace cutwater {
 /// The same solid as explicit beams for each strut (see BeamGraph), whatever the number of cells:
 /// at its ends struts are round, not cut off. Endless along axes where the count is 0.
 ///
-/// @throws Error unless sizes are positive and ordinary, and 0 < radius < infinity; of kind Limit
-/// beyond 2^20 cells along an axis.
+/// @throws Error unless sizes are positive and ordinary; of kind Limit beyond 2^20 cells along an
+/// axis.
 template <std::floating_point T>
 class CellArray final : public StrutLattice<T> {
  public:
-  CellArray(UnitCell cell, const Repeats<T>& cells, T radius);
+  CellArray(UnitCell cell, const Repeats<T>& cells, Thickness<T> thickness);
 };
 
 extern template class CellArray<float>;

@@ -3,8 +3,8 @@
 namespace cutwater {
 
 template <std::floating_point T>
-PeriodicLattice<T>::PeriodicLattice(UnitCell cell, const Vec3<T>& size, T radius)
-    : StrutLattice<T>("PeriodicLattice", std::move(cell), {.period = size}, radius) {}
+PeriodicLattice<T>::PeriodicLattice(UnitCell cell, const Vec3<T>& size, Thickness<T> thickness)
+    : StrutLattice<T>(std::move(cell), {.period = size}, std::move(thickness)) {}
 
 template class PeriodicLattice<float>;
 template class PeriodicLattice<double>;

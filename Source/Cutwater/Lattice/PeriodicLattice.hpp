@@ -10,11 +10,11 @@ namespace cutwater {
 /// CellFold), and equal sizes along the axes that they exchange; otherwise by a search of
 /// neighbouring cells.
 ///
-/// @throws Error unless sizes are positive and ordinary, and 0 < radius < infinity.
+/// @throws Error unless sizes are positive and ordinary.
 template <std::floating_point T>
 class PeriodicLattice final : public StrutLattice<T> {
  public:
-  PeriodicLattice(UnitCell cell, const Vec3<T>& size, T radius);
+  PeriodicLattice(UnitCell cell, const Vec3<T>& size, Thickness<T> thickness);
 };
 
 extern template class PeriodicLattice<float>;

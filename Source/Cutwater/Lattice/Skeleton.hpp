@@ -40,6 +40,10 @@ template <std::floating_point T>
 [[nodiscard]] CUTWATER_INLINE constexpr Vec3<T> times(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
+template <std::floating_point T>
+[[nodiscard]] CUTWATER_INLINE constexpr Vec3<T> quotient(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.x / b.x, a.y / b.y, a.z / b.z};
+}
 
 }  // namespace detail
 

@@ -1,23 +1,28 @@
-#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Lattice/StrutLattice.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
+
+#include <algorithm>
 
 namespace cutwater {
 
 template <std::floating_point T>
-StrutLattice<T>::StrutLattice(const char* name, UnitCell cell, const Repeats<T>& cells, T radius)
-    : cell_(std::move(cell)), skeleton_(cell_, cells), radius_(radius) {
-  const std::string message = std::string(name) + ": need 0 < radius < infinity";
-  require(radius > 0 && std::isfinite(radius), message.c_str(), Named{"radius", radius});
+StrutLattice<T>::StrutLattice(UnitCell cell, const Repeats<T>& cells, Thickness<T> thickness)
+    : cell_(std::move(cell)), skeleton_(cell_, cells), thickness_(std::move(thickness)) {
+  const auto& period = cells.period;
+  const auto radii = thickness_.guarantee(std::min({period.x, period.y, period.z}));
+  slope_ = 1 + *radii.lipschitz;
   guarantee_ = Guarantee<T>::exact(0);
   guarantee_.inside = Quality::LowerBound;
+  if (!thickness_.isConstant()) guarantee_.outside = Quality::LowerBound;
+  guarantee_.domain = radii.domain;
+  guarantee_.ulps += radii.ulps;
   // Of an endless lattice, no strut is farther from a point than a few cells.
   const auto box = skeleton_.box();
-  guarantee_.size = radius;
+  guarantee_.size = radii.size;
   for (int axis = 0; axis < 3; ++axis) {
     const bool isFinite = std::isfinite(box.upper[axis]);
     guarantee_.size += isFinite ? std::max(std::abs(box.lower[axis]), std::abs(box.upper[axis]))
-                                : 2 * cells.period[axis];
+                                : 2 * period[axis];
   }
 }
 
@@ -31,39 +36,48 @@ SkeletonPoint<T> StrutLattice<T>::skeletonPoint(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+T StrutLattice<T>::gradedValue(const Vec3<T>& p, T distance) const {
+  return (distance - thickness_.at(p, detail::quotient(p, cells().period))) / slope_;
+}
+
+template <std::floating_point T>
 T StrutLattice<T>::localSignedDistance(const Vec3<T>& p) const {
-  return value(skeleton_.distance(p));
+  return value(p, skeleton_.distance(p));
 }
 
 template <std::floating_point T>
 void StrutLattice<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                            std::span<T> distances) const {
   skeleton_.distances(points, distances);
-  for (auto& distance : distances) distance = value(distance);
+  for (std::size_t i = 0; i < points.size(); ++i) distances[i] = value(points[i], distances[i]);
 }
 
 template <std::floating_point T>
 Vec3<T> StrutLattice<T>::localGradient(const Vec3<T>& p) const {
-  return normalized(skeleton_.nearest(p).away);
+  const auto outward = normalized(skeleton_.nearest(p).away);
+  if (thickness_.isConstant()) return outward;
+  return (outward - thickness_.gradient(p, cells().period)) / slope_;
 }
 
 template <std::floating_point T>
 SurfacePoint<T> StrutLattice<T>::localClosestPoint(const Vec3<T>& p) const {
+  if (!thickness_.isConstant()) return SignedDistanceFunction<T>::localClosestPoint(p);
   const auto nearest = skeleton_.nearest(p);
   const auto found =
       detail::steppedPoint<T>([this](const Vec3<T>& q) { return localSignedDistance(q); }, p,
-                              value(nearest.distance), normalized(nearest.away), guarantee_);
+                              value(p, nearest.distance), normalized(nearest.away), guarantee_);
   return found ? *found : SignedDistanceFunction<T>::localClosestPoint(p);
 }
 
 template <std::floating_point T>
 Box<T> StrutLattice<T>::localBoundingBox() const {
-  return guarantee_.grown(skeleton_.box().grown(radius_));
+  return guarantee_.grown(skeleton_.box().grown(thickness_.most()));
 }
 
 template <std::floating_point T>
 std::string StrutLattice<T>::localName() const {
-  return "Lattice of cells: " + cell_.name();
+  return (thickness_.isConstant() ? "Lattice of cells: " : "Graded lattice of cells: ") +
+         cell_.name();
 }
 
 template class StrutLattice<float>;

@@ -1,17 +1,25 @@
 #pragma once
 
 #include <Cutwater/Lattice/CellSkeleton.hpp>
-#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+#include <Cutwater/Lattice/Thickness.hpp>
 
 namespace cutwater {
 
-/// All points within a radius of the struts of repeated unit cells: the union of a capsule about
-/// each strut. What PeriodicLattice and CellArray share.
+/// All points within a radius of the struts of repeated unit cells. What PeriodicLattice and
+/// CellArray share.
 ///
 ///     f(p) = |p - nearest point of the skeleton| - radius
 ///
-/// Exact outside, and a lower bound inside, where struts overlap. Nothing is stored but the struts
-/// of one cell. Cells begin at the origin of the lattice's own frame.
+/// The union of a capsule about each strut: exact outside, and a lower bound inside, where struts
+/// overlap. Of a graded lattice, whose radius depends on the place, the solid is all points that
+/// are nearer to the skeleton than the radius that they themselves are told, and
+///
+///     f(p) = (|p - nearest point of the skeleton| - radius(p)) / (1 + L)
+///
+/// with L the Lipschitz constant of the radius: a lower bound on both sides.
+///
+/// Nothing is stored but the struts of one cell. Cells begin at the origin of the lattice's own
+/// frame.
 template <std::floating_point T>
 class StrutLattice : public SignedDistanceFunction<T> {
  public:
@@ -21,12 +29,12 @@ class StrutLattice : public SignedDistanceFunction<T> {
 
   [[nodiscard]] const UnitCell& cell() const { return cell_; }
   [[nodiscard]] const Repeats<T>& cells() const { return skeleton_.cells(); }
-  [[nodiscard]] T radius() const { return radius_; }
+  [[nodiscard]] const Thickness<T>& thickness() const { return thickness_; }
 
  protected:
-  /// @throws Error, as from the lattice `name`, unless sizes are positive and ordinary, and
-  /// 0 < radius < infinity; of kind Limit beyond 2^20 cells along an axis.
-  StrutLattice(const char* name, UnitCell cell, const Repeats<T>& cells, T radius);
+  /// @throws Error unless sizes are positive and ordinary; of kind Limit beyond 2^20 cells along an
+  /// axis.
+  StrutLattice(UnitCell cell, const Repeats<T>& cells, Thickness<T> thickness);
 
  private:
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const final;
@@ -37,12 +45,16 @@ class StrutLattice : public SignedDistanceFunction<T> {
   [[nodiscard]] Box<T> localBoundingBox() const final;
   [[nodiscard]] std::string localName() const final;
 
-  /// The value where the skeleton is so far away.
-  [[nodiscard]] T value(T distance) const { return distance - radius_; }
+  /// The value at p, if the skeleton is so far away from there.
+  [[nodiscard]] T value(const Vec3<T>& p, T distance) const {
+    return thickness_.isConstant() ? distance - thickness_.most() : gradedValue(p, distance);
+  }
+  [[nodiscard]] T gradedValue(const Vec3<T>& p, T distance) const;
 
   UnitCell cell_;
   detail::CellSkeleton<T> skeleton_;
-  T radius_;
+  Thickness<T> thickness_;
+  T slope_ = 1;  // 1 + L
   Guarantee<T> guarantee_;
 };
 

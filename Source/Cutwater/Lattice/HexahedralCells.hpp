@@ -1,0 +1,105 @@
+#pragma once
+
+#include <Cutwater/Core/FunctionRef.hpp>
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace cutwater {
+
+/// What the amplitude of noise is measured in.
+enum class NoiseUnit : std::uint8_t {
+  Length,        ///< the unit of the corners' coordinates
+  ShortestEdge,  ///< that of the edges at the corner
+};
+
+/// How corners of cells are moved: each to a place in a ball about its own, all places alike.
+struct NodeNoise {
+  double amplitude;  ///< the ball's radius
+  std::uint64_t seed = 0;
+  NoiseUnit unit = NoiseUnit::Length;
+  bool keepsBoundary = false;  ///< corners at ends of rows stay
+};
+
+/// A mapping of the unit cube that knows along which axes it meets itself.
+template <typename M>
+concept ClosingMapping = requires(const M& mapping) {
+  { mapping.closedAxes() } -> std::same_as<std::array<bool, 3>>;
+};
+
+/// An array of hexahedral cells that fits a shape: the images of small cubes that divide [0, 1]^3,
+/// by a mapping, at their corners, and trilinear in between. Neighbours share their corners.
+///
+///     const HexahedralCells cells({4, 24, 10}, PipeMapping({.innerRadius = 2, .outerRadius = 3,
+///                                                           .length = 5}));
+///
+/// No cell is flat or turned inside out, anywhere in its inside: the Jacobian's determinant has one
+/// sign, certified by its Bernstein coefficients. (Cells may still overlap if a mapping leads back
+/// to where it has been.)
+class HexahedralCells {
+ public:
+  using Counts = std::array<std::uint32_t, 3>;
+  using Mapping = FunctionRef<Vec3<double>(const Vec3<double>&)>;
+
+  /// `closed`: axes along which the mapping's 0 and 1 are the same, as round a pipe.
+  /// @throws Error unless there is a cell along each axis, and 3 along a closed one; images are
+  /// finite, and the same at 0 and 1 of closed axes; and no cell is flat or turned inside out. Of
+  /// kind Limit beyond 2^31 corners.
+  HexahedralCells(const Counts& count, Mapping mapping, const std::array<bool, 3>& closed = {});
+  /// By one of the mappings of CellMappings.hpp, closed where it says so.
+  template <ClosingMapping M>
+  HexahedralCells(const Counts& count, const M& mapping)
+      : HexahedralCells(count, Mapping(mapping), mapping.closedAxes()) {}
+
+  /// The same with corners moved, each by a hash of its indices and the seed: the same in every
+  /// process, and whatever the number of threads. The right angles of a cube of edge 1 bear an
+  /// amplitude of 1 / (2 sqrt(3)) whatever the seed: up to there, no combination of edges, each off
+  /// by less than twice of it, is flat.
+  /// @throws Error unless the amplitude is finite and not negative, and no cell becomes flat or
+  /// turns inside out.
+  [[nodiscard]] HexahedralCells withNoise(const NodeNoise& noise) const;
+
+  [[nodiscard]] const Counts& count() const { return count_; }
+  [[nodiscard]] const std::array<bool, 3>& closed() const { return closed_; }
+  /// Of the corners i, j, k in 0 .. count along each axis; beyond the ends of closed rows, too.
+  [[nodiscard]] const Vec3<double>& corner(std::int64_t i, std::int64_t j, std::int64_t k) const;
+  /// The image of a point given in units of cells. Beyond the ends of rows, that of the last cell's
+  /// trilinear function.
+  [[nodiscard]] Vec3<double> at(const Vec3<double>& inCells) const;
+
+ private:
+  using Corner = std::array<std::int64_t, 3>;
+
+  [[nodiscard]] std::int64_t cornersAlong(std::size_t axis) const {
+    return std::int64_t{count_[axis]} + (closed_[axis] ? 0 : 1);
+  }
+  /// Calls visit(corner's indices, its coordinates) in the order they are stored in.
+  template <typename Visit>
+  void forEachCorner(Visit&& visit);
+  void requireClosed(Mapping mapping) const;
+  void requireNotTurned() const;
+  [[nodiscard]] std::array<Vec3<double>, 8> cornersOf(const Corner& cell) const;
+  [[nodiscard]] double shortestEdgeAt(const Corner& corner) const;
+  [[nodiscard]] bool isOnBoundary(const Corner& corner) const;
+
+  Counts count_;
+  std::array<bool, 3> closed_;
+  std::vector<Vec3<double>> corners_;
+};
+
+namespace detail {
+
+/// Whether the determinant of the Jacobian of a trilinear hexahedron, times `sign`, is positive in
+/// all of it: certified by Bernstein coefficients, on halves where those of the whole do not tell
+/// (Johnen, Weill and Remacle 2017, "Robust and efficient validation of the linear hexahedral
+/// element"). Corner i is that at (bit 0, bit 1, bit 2) of i.
+[[nodiscard]] bool hasPositiveJacobian(const std::array<Vec3<double>, 8>& corners, double sign);
+
+/// Its determinant at the first corner.
+[[nodiscard]] double firstJacobian(const std::array<Vec3<double>, 8>& corners);
+
+}  // namespace detail
+
+}  // namespace cutwater

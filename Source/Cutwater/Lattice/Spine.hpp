@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <span>
+#include <vector>
+
+namespace cutwater {
+
+/// A point of a curve with three unit vectors at right angles: binormal = tangent x normal.
+struct SpineFrame {
+  Vec3<double> point;
+  Vec3<double> tangent;
+  Vec3<double> normal;
+  Vec3<double> binormal;
+};
+
+/// A smooth curve through points, with a frame that follows it without turning about it.
+///
+/// The curve is the natural cubic spline over the lengths of the chords, known by its arc length;
+/// it is straight at its ends, and goes on straight beyond them. The frame is the
+/// rotation-minimizing one, by double reflection at 32 places per chord (Wang, Juettler, Zheng and
+/// Liu 2008, "Computation of rotation minimizing frames"), whose error falls with the fourth power
+/// of the step.
+class Spine {
+ public:
+  /// `side`: where the normal at the first point looks to, as far as the curve's direction lets it;
+  /// zero: along the coordinate axis that is most across.
+  /// @throws Error unless there are two points, all are finite, each differs from the next, `side`
+  /// is not along the curve, and the curve does not turn on the spot.
+  explicit Spine(std::span<const Vec3<double>> points, const Vec3<double>& side = {});
+
+  [[nodiscard]] double length() const { return samples_.back().arc; }
+  /// At this arc length from the first point. Accurate to about 1e-9 of a chord.
+  [[nodiscard]] SpineFrame frameAt(double arc) const;
+
+ private:
+  /// A cubic of a parameter in [0, chord], by its ends and second derivatives there.
+  struct Span {
+    Vec3<double> begin, end;
+    Vec3<double> bendAtBegin, bendAtEnd;
+    double chord;
+
+    [[nodiscard]] Vec3<double> point(double t) const;
+    [[nodiscard]] Vec3<double> derivative(double t) const;
+    /// From one parameter to another.
+    [[nodiscard]] double arc(double from, double to) const;
+  };
+  struct Sample {
+    std::uint32_t span;
+    double t;
+    double arc;
+    SpineFrame frame;
+  };
+
+  void bend();
+  void sample(const Vec3<double>& side);
+  [[nodiscard]] SpineFrame moved(const SpineFrame& frame, const Span& span, double t) const;
+
+  std::vector<Span> spans_;
+  std::vector<Sample> samples_;
+};
+
+}  // namespace cutwater
