@@ -52,10 +52,15 @@ SurfaceFile throughFile(const PolygonSoup& soup, const std::string& name, bool a
 
 TEST(WriteSurfaceTest, IndexedFormatsComeBackToTheBit) {
   const auto soup = wildSoup(false);
-  for (const auto& [name, ascii] :
-       {std::pair{"a.obj", false}, {"a.off", false}, {"a.PLY", false}, {"a.ply", true}}) {
+  for (const auto& [name, ascii] : {std::pair{"a.obj", false},
+                                    {"a.off", false},
+                                    {"a.PLY", false},
+                                    {"a.ply", true},
+                                    {"a.vtk", false},
+                                    {"a.VTK", true}}) {
     const auto file = throughFile(soup, name, ascii);
-    EXPECT_EQ(file.report.binary, std::string(name) == "a.PLY");
+    const std::string text = name;
+    EXPECT_EQ(file.report.binary, text == "a.PLY" || text == "a.vtk");
     expectSameBits(file.soup.points, soup.points);
     EXPECT_EQ(file.soup.corners, soup.corners);
     EXPECT_EQ(file.soup.offsets, soup.offsets);
@@ -63,6 +68,23 @@ TEST(WriteSurfaceTest, IndexedFormatsComeBackToTheBit) {
     EXPECT_EQ(file.soup.patches, soup.patches);
     EXPECT_EQ(file.soup.patchNames, soup.patchNames);
   }
+}
+
+TEST(WriteSurfaceTest, VtkTellsPatchesAsCellData) {
+  const TemporaryFolder folder;
+  PolygonSoup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  soup.patchNames = {"a", "b"};
+  soup.addPolygon(std::array{0U, 1U, 2U}, 1);
+  soup.addPolygon(std::array{0U, 2U, 1U}, 0);
+  writeSurface(folder / "a.vtk", soup, {.ascii = true});
+  EXPECT_EQ(contentOf(folder / "a.vtk"),
+            "# vtk DataFile Version 3.0\nCutwater\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n"
+            "0 0 0\n1 0 0\n0 1 0\nPOLYGONS 2 8\n3 0 1 2\n3 0 2 1\n"
+            "CELL_DATA 2\nSCALARS patch int 1\nLOOKUP_TABLE default\n1\n0\n");
+  writeSurface(folder / "b.vtk", soup);
+  const auto binary = contentOf(folder / "b.vtk");
+  EXPECT_TRUE(binary.ends_with(std::string("default\n\0\0\0\1\0\0\0\0\n", 17))) << binary;
 }
 
 std::vector<Vec3<double>> unshared(const PolygonSoup& soup) {

@@ -34,9 +34,9 @@ void addConvert(CLI::App& program) {
   addSurfaceOptions(command, options->surface);
   command
       .add_option("OUTPUT", options->output,
-                  "The surface to write; its extension tells the format: stl, ply, obj, off")
+                  "The surface to write; its extension tells the format: stl, ply, obj, off, vtk")
       ->required();
-  command.add_flag("--ascii", options->write.ascii, "Text where the format has both (STL, PLY)");
+  command.add_flag("--ascii", options->write.ascii, "Text where the format has both (STL, PLY, VTK)");
   command.footer(
       "Examples:\n"
       "  cutwater convert hull.stl.gz hull.ply\n"

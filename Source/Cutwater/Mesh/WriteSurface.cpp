@@ -17,11 +17,12 @@ struct Format {
   Writer ascii;
 };
 
-constexpr std::array<Format, 4> kFormats = {{
+constexpr std::array<Format, 5> kFormats = {{
     {".stl", formats::writeBinaryStl, formats::writeAsciiStl},
     {".ply", formats::writeBinaryPly, formats::writeAsciiPly},
     {".obj", formats::writeObj, formats::writeObj},
     {".off", formats::writeOff, formats::writeOff},
+    {".vtk", formats::writeBinaryVtk, formats::writeAsciiVtk},
 }};
 
 const Format& formatOf(const std::filesystem::path& path) {
@@ -29,8 +30,9 @@ const Format& formatOf(const std::filesystem::path& path) {
   for (const Format& format : kFormats) {
     if (formats::equalIgnoringCase(extension, format.extension)) return format;
   }
-  throw Error(ErrorKind::Argument, path.string() + ": unknown extension \"" + extension +
-                                       "\": surfaces are written as .stl, .ply, .obj or .off");
+  throw Error(ErrorKind::Argument,
+              path.string() + ": unknown extension \"" + extension +
+                  "\": surfaces are written as .stl, .ply, .obj, .off or .vtk");
 }
 
 void requireTriangles(const std::string& name, const PolygonSoup& soup) {

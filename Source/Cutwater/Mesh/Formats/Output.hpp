@@ -3,13 +3,16 @@
 #include <Cutwater/Core/OutputFile.hpp>
 #include <Cutwater/Core/Vec3.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cstring>
 #include <string>
 
 namespace cutwater::formats {
 
-/// Puts text and little-endian numbers together and passes them on in large pieces.
+/// Puts text and numbers, little-endian unless told otherwise, together and passes them on in large
+/// pieces.
 class Output {
  public:
   explicit Output(OutputFile& file) : file_(file) {}
@@ -29,6 +32,14 @@ class Output {
   void binary(Number value) {
     static_assert(std::endian::native == std::endian::little);
     *this << std::string_view(reinterpret_cast<const char*>(&value), sizeof(value));
+  }
+
+  template <typename Number>
+  void binaryBigEndian(Number value) {
+    char bytes[sizeof(value)];
+    std::memcpy(bytes, &value, sizeof(value));
+    std::reverse(bytes, bytes + sizeof(value));
+    *this << std::string_view(bytes, sizeof(value));
   }
 
   void flush() {

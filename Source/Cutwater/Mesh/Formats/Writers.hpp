@@ -12,6 +12,8 @@ void writeBinaryPly(Output& out, const PolygonSoup& soup, const std::string& nam
 void writeAsciiPly(Output& out, const PolygonSoup& soup, const std::string& name);
 void writeObj(Output& out, const PolygonSoup& soup, const std::string& name);
 void writeOff(Output& out, const PolygonSoup& soup, const std::string& name);
+void writeBinaryVtk(Output& out, const PolygonSoup& soup, const std::string& name);
+void writeAsciiVtk(Output& out, const PolygonSoup& soup, const std::string& name);
 
 /// The header of either encoding.
 void writePlyHeader(Output& out, const PolygonSoup& soup, std::string_view encoding);
