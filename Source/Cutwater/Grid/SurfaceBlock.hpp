@@ -1,0 +1,101 @@
+#pragma once
+
+#include <Cutwater/Core/Level.hpp>
+#include <Cutwater/Grid/CellPolygons.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+#include <vector>
+
+namespace cutwater::detail {
+
+/// A node by its offset from the first one of the grid, or from that of a block.
+using NodeOffset = std::array<std::uint32_t, 3>;
+
+/// The nodes whose signs a grid asks for, and how closely the surface is to be found between them.
+template <std::floating_point T>
+struct SurfaceGrid {
+  const SignedDistanceFunction<T>& solid;
+  const Patch<T>& nodes;
+  double tolerance;  ///< in units of an edge
+
+  [[nodiscard]] std::uint32_t count(std::size_t axis) const {
+    return static_cast<std::uint32_t>(nodes.indices.length(static_cast<int>(axis)));
+  }
+  [[nodiscard]] Vec3<T> position(const NodeOffset& node) const {
+    return nodes.level.position(nodes.indices.at(node[0], node[1], node[2]));
+  }
+  /// Whether the inside corners of an ambiguous face belong together: the same for both its cells.
+  [[nodiscard]] bool isJoined(const NodeOffset& cell, int face) const;
+};
+
+/// The part of an isosurface in up to 8^3 cells: signs of its nodes, and where the surface cuts the
+/// edges that begin at them.
+///
+/// Edges are numbered by their lower nodes, row by row; those along x, y, z of a row one after the
+/// other. A block has those of its first 8 nodes along each axis, or all where the grid ends.
+template <std::floating_point T>
+class SurfaceBlock {
+ public:
+  static constexpr std::uint32_t kCells = 8;
+
+  /// The block of the cells from `first` on. Evaluates the solid; points() are complete after that.
+  SurfaceBlock(const SurfaceGrid<T>& grid, const NodeOffset& first);
+
+  /// Points on the surface: of all cut edges, then of polygons that need one in their middle.
+  [[nodiscard]] std::span<const Vec3<double>> points() const { return points_; }
+  void releasePoints() { points_ = {}; }
+
+  [[nodiscard]] const NodeOffset& first() const { return first_; }
+  [[nodiscard]] bool isInside(const NodeOffset& node) const {
+    return ((rows_[node[2]][node[1]] >> node[0]) & 1U) != 0;
+  }
+  /// Index among points() of a cut edge that begins at a node of this block's own.
+  [[nodiscard]] std::uint32_t edgePoint(const NodeOffset& node, int axis) const;
+
+  /// A cell through which the surface goes.
+  struct CutCell {
+    NodeOffset cell;  ///< its lowest node in the block
+    unsigned inside;  ///< mask of corners
+    unsigned joined;  ///< mask of ambiguous faces
+  };
+  /// All of them, in order.
+  [[nodiscard]] std::vector<CutCell> cutCells() const;
+  /// Number of points() before the first in the middle of a polygon.
+  [[nodiscard]] std::size_t edgePointCount() const { return edgePoints_; }
+
+ private:
+  using Row = std::uint16_t;  // a bit for each node along x
+
+  /// Of the solid, at all nodes; x fastest.
+  using Values = std::array<T, std::size_t{kCells + 1} * (kCells + 1) * (kCells + 1)>;
+  static double valueAt(const Values& values, const NodeOffset& node) {
+    return static_cast<double>(values[node[0] + (kCells + 1) * (node[1] + (kCells + 1) * node[2])]);
+  }
+
+  void sample(const SurfaceGrid<T>& grid, Values& values);
+  void numberEdges();
+  /// Which edges of a row along x, y or z, of this block's own, are cut; by their lower nodes.
+  [[nodiscard]] Row cutEdges(std::uint32_t j, std::uint32_t k, int axis) const;
+  void findEdgePoints(const SurfaceGrid<T>& grid, const Values& values);
+  void joinFaces(const SurfaceGrid<T>& grid);
+  void findMiddles(const SurfaceGrid<T>& grid, const Values& values);
+  [[nodiscard]] NodeOffset inGrid(const NodeOffset& node) const {
+    return {first_[0] + node[0], first_[1] + node[1], first_[2] + node[2]};
+  }
+
+  NodeOffset first_;
+  NodeOffset nodes_{};  ///< how many there are
+  NodeOffset own_{};    ///< how many of them begin edges of this block
+  std::array<std::array<Row, kCells + 1>, kCells + 1> rows_{};
+  std::array<std::array<std::uint16_t, kCells + 1>, kCells + 1> firstPoint_{};  // of a row
+  std::size_t edgePoints_ = 0;
+  std::vector<unsigned> joined_;  // of the cut cells with ambiguous faces, in order
+  std::vector<Vec3<double>> points_;
+};
+
+extern template class SurfaceBlock<float>;
+extern template class SurfaceBlock<double>;
+extern template struct SurfaceGrid<float>;
+extern template struct SurfaceGrid<double>;
+
+}  // namespace cutwater::detail

@@ -1,0 +1,227 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/Isosurface.hpp>
+#include <Cutwater/Grid/SolidVolume.hpp>
+#include <Cutwater/Lattice/CellArray.hpp>
+#include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/SurfaceMeasure.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Sdf/FunctionSDF.hpp>
+#include <Cutwater/Shapes/Cone.hpp>
+#include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Shapes/Cylinder.hpp>
+#include <Cutwater/Shapes/Plane.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Shapes/Torus.hpp>
+
+#include <atomic>
+#include <cmath>
+#include <numbers>
+
+#include "Support/Precisions.hpp"
+
+namespace cutwater::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Two triangles at each edge, that run along it in opposite ways, one fan at each point, and no
+/// triangle without area.
+void expectClosed(const PolygonSoup& soup, const std::string& what) {
+  soup.validate();
+  const auto report = check(DcelMesh<double>(soup));
+  EXPECT_EQ(report.boundaryEdges.count, 0U) << what;
+  EXPECT_EQ(report.nonManifoldEdges.count, 0U) << what;
+  EXPECT_EQ(report.misorientedEdges.count, 0U) << what;
+  EXPECT_EQ(report.nonManifoldVertices.count, 0U) << what;
+  EXPECT_EQ(report.unusedVertices.count, 0U) << what;
+  EXPECT_EQ(report.zeroAreaFaces.count, 0U) << what;
+  EXPECT_EQ(report.repeatedCornerFaces.count, 0U) << what;
+}
+
+double volumeOf(const PolygonSoup& soup) {
+  return measure(soup).volume;
+}
+
+template <typename T>
+class IsosurfaceTest : public ::testing::Test {};
+TYPED_TEST_SUITE(IsosurfaceTest, Precisions);
+
+/// Another sign at every node: whatever marching cubes may meet.
+template <typename T>
+struct Noise {
+  T operator()(const Vec3<T>& p) const {
+    const double x = std::sin(17.1 * double(p.x) + 31.7 * double(p.y) + 71.3 * double(p.z)) * 4e4;
+    return static_cast<T>(x - std::floor(x) - 0.5);
+  }
+};
+
+TYPED_TEST(IsosurfaceTest, IsClosedWhateverTheSigns) {
+  using T = TypeParam;
+  const FunctionSDF noise(Noise<T>{}, Guarantee<T>{});
+  for (const T spacing : {T(0.5), T(0.11), T(0.04)}) {
+    const auto soup =
+        isosurface<T>(noise, nodesAround<T>({{0, 0, 0}, {1, T(0.7), T(0.9)}}, spacing));
+    EXPECT_GT(soup.polygonCount(), 100U);
+    expectClosed(soup, std::to_string(spacing));
+  }
+}
+
+template <typename T>
+struct Known {
+  std::string name;
+  Solid<T> solid;
+  double volume;
+};
+
+template <typename T>
+std::vector<Known<T>> knownSolids() {
+  const Sphere<T> ball({T(0.1), T(-0.2), T(0.3)}, 1);
+  const Cuboid<T> block({T(-0.7), T(-0.5), T(-0.3)}, {T(0.6), T(0.4), T(0.2)});
+  return {{"ball", ball, 4 * kPi / 3},
+          {"block", block, 1.3 * 0.9 * 0.5},
+          {"torus", Torus<T>(T(0.7), T(0.25)), 2 * kPi * kPi * 0.7 * 0.0625},
+          {"cylinder", Cylinder<T>({0, 0, T(-0.5)}, {0, 0, T(0.5)}, T(0.6)), kPi * 0.36},
+          {"scaled", scaled(ball, T(0.5)), kPi / 6},
+          {"what is left of a block", block - Cylinder<T>({0, 0, -1}, {0, 0, 1}, T(0.3)),
+           1.3 * 0.9 * 0.5 - kPi * 0.09 * 0.5}};
+}
+
+TYPED_TEST(IsosurfaceTest, HasTheVolumeOfTheSolid) {
+  using T = TypeParam;
+  for (const auto& [name, solid, volume] : knownSolids<T>()) {
+    const auto box = solid.boundingBox();
+    std::array<double, 2> errors{};
+    for (std::size_t n = 0; n < 2; ++n) {
+      const T spacing = n == 0 ? T(0.06) : T(0.02);
+      const auto soup = isosurface<T>(solid, nodesAround(box, spacing));
+      expectClosed(soup, name);
+      errors[n] = std::abs(volumeOf(soup) - volume) / volume;
+      for (const auto& point : soup.points) {
+        EXPECT_LE(std::abs(solid.signedDistance(Vec3<T>(point))), T(0.0006) * spacing) << name;
+      }
+    }
+    EXPECT_LT(errors[1], 0.004) << name;
+    EXPECT_LT(errors[1], errors[0] / 3) << name;
+  }
+}
+
+TYPED_TEST(IsosurfaceTest, LiesWithinTheCertainVolume) {
+  using T = TypeParam;
+  for (const auto& cell : UnitCell::all()) {
+    const CellArray<T> array(cell, {.period = {1, 1, 1}, .count = {1, 1, 1}}, T(0.08));
+    const auto nodes = nodesAround(array.boundingBox(), T(0.025));
+    const auto soup = isosurface<T>(array, nodes);
+    expectClosed(soup, cell.name());
+    const auto certain = solidVolume(array, array.boundingBox(), {.fraction = 0.08});
+    EXPECT_TRUE(certain.volume.contains(volumeOf(soup))) << cell.name();
+  }
+}
+
+TYPED_TEST(IsosurfaceTest, EndsWithTheGrid) {
+  using T = TypeParam;
+  // Half of a ball, and a quarter of all space: cut off where the nodes end.
+  const Patch<T> nodes{{{0, 0, 0}, {T(0.05), T(0.05), T(0.05)}, Centering::Node},
+                       IndexBox::ofSize(21, 31, 27)};
+  const auto ball = isosurface<T>(Sphere<T>({0, T(0.7), T(0.6)}, T(0.5)), nodes);
+  expectClosed(ball, "ball");
+  EXPECT_NEAR(volumeOf(ball), kPi / 12, 0.004);
+  EXPECT_EQ(ball.patchNames, (std::vector<std::string>{"surface", "end of grid"}));
+  double ends = 0;
+  for (std::size_t n = 0; n < ball.polygonCount(); ++n) {
+    if (ball.patches[n] != 1) continue;
+    const auto corner = [&](std::size_t i) { return ball.points[ball.polygon(n)[i]]; };
+    ends += 0.5 * length(cross(corner(1) - corner(0), corner(2) - corner(0)));
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(corner(i).x, 0);
+  }
+  EXPECT_NEAR(ends, kPi / 4, 0.01);
+
+  const auto wedge = isosurface<T>(
+      Plane<T>({T(0.33), 0, 0}, {1, 0, 0}) & Plane<T>({0, T(0.44), 0}, {0, 1, 0}), nodes);
+  expectClosed(wedge, "wedge");
+  EXPECT_NEAR(volumeOf(wedge), 0.33 * 0.44 * 1.3, 1e-3);
+
+  const auto everything = isosurface<T>(Plane<T>({9, 0, 0}, {1, 0, 0}), nodes);
+  expectClosed(everything, "everything");
+  EXPECT_NEAR(volumeOf(everything), 1 * 1.5 * 1.3, 1e-6);
+  EXPECT_EQ(isosurface<T>(Plane<T>({-9, 0, 0}, {1, 0, 0}), nodes).polygonCount(), 0U);
+}
+
+template <typename T>
+struct CountedBall {
+  std::atomic<std::size_t>* calls;
+  T operator()(const Vec3<T>& p) const {
+    ++*calls;
+    return length(p) - T(1);
+  }
+};
+
+TYPED_TEST(IsosurfaceTest, DoesNotEvaluateWhatIsCertainlyFree) {
+  using T = TypeParam;
+  std::atomic<std::size_t> calls{0};
+  const Guarantee<T> exact{
+      .outside = Quality::Exact, .inside = Quality::Exact, .lipschitz = T(1), .continuous = true};
+  const FunctionSDF ball(CountedBall<T>{&calls}, exact);
+  const auto nodes = nodesAround<T>({{-1, -1, -1}, {1, 1, 1}}, T(0.01));
+  const auto soup = isosurface<T>(ball, nodes);
+  expectClosed(soup, "ball");
+  EXPECT_GT(nodes.indices.count(), 8'000'000U);
+  EXPECT_LT(calls, 2'500'000U);
+}
+
+TYPED_TEST(IsosurfaceTest, IsTheSameForAnyNumberOfThreads) {
+  using T = TypeParam;
+  const auto solid = Torus<T>(1, T(0.3)) | Sphere<T>({1, 0, 0}, T(0.5));
+  const auto nodes = nodesAround(solid.boundingBox(), T(0.07));
+  const auto one = isosurface<T>(solid, nodes, {.threads = 1});
+  const auto three = isosurface<T>(solid, nodes, {.threads = 3});
+  EXPECT_EQ(one.points, three.points);
+  EXPECT_EQ(one.corners, three.corners);
+  EXPECT_EQ(one.patches, three.patches);
+}
+
+TYPED_TEST(IsosurfaceTest, KeepsPatches) {
+  using T = TypeParam;
+  const auto solid =
+      named(Sphere<T>({0, 0, 0}, 1), "ball") | named(Sphere<T>({3, 0, 0}, 1), "other");
+  const auto soup = isosurface<T>(solid, nodesAround(solid.boundingBox(), T(0.2)));
+  EXPECT_EQ(soup.patchNames, (std::vector<std::string>{"ball", "other"}));
+  for (std::size_t n = 0; n < soup.polygonCount(); ++n) {
+    EXPECT_EQ(soup.patches[n], soup.points[soup.polygon(n)[0]].x < 1.5 ? 0U : 1U);
+  }
+}
+
+TYPED_TEST(IsosurfaceTest, RefusesWhatItCannotDo) {
+  using T = TypeParam;
+  const Sphere<T> ball({0, 0, 0}, 1);
+  const auto nodes = nodesAround(ball.boundingBox(), T(0.5));
+  EXPECT_THROW(static_cast<void>(isosurface<T>(ball, nodes, {.tolerance = 0})), Error);
+  EXPECT_THROW(static_cast<void>(isosurface<T>(ball, nodes, {.tolerance = 0.6})), Error);
+  EXPECT_THROW(static_cast<void>(isosurface<T>(ball, nodes, {.threads = -1})), Error);
+  const Patch<T> flat{nodes.level, IndexBox::ofSize(3, 1, 3)};
+  EXPECT_THROW(static_cast<void>(isosurface<T>(ball, flat)), Error);
+  const Patch<T> cells{{{0, 0, 0}, {1, 1, 1}}, IndexBox::ofSize(3, 3, 3)};
+  EXPECT_THROW(static_cast<void>(isosurface<T>(ball, cells)), Error);
+  EXPECT_THROW(static_cast<void>(nodesAround(ball.boundingBox(), T(0))), Error);
+  EXPECT_THROW(static_cast<void>(nodesAround(ball.boundingBox(), T(1e-12))), Error);
+  EXPECT_THROW(static_cast<void>(nodesAround(Box<T>::everywhere(), T(1))), Error);
+  EXPECT_THROW(static_cast<void>(nodesAround(Box<T>{}, T(1))), Error);
+}
+
+TYPED_TEST(IsosurfaceTest, SaysThatAGuaranteeDoesNotHold) {
+  using T = TypeParam;
+  // Said to change by no more than a tenth of what it does.
+  const auto steep = [](const Vec3<T>& p) { return T(10) * (length(p) - T(1)); };
+  Guarantee<T> wrong{.outside = Quality::LowerBound,
+                     .inside = Quality::LowerBound,
+                     .lipschitz = T(0.01),
+                     .continuous = true};
+  const FunctionSDF solid(steep, wrong);
+  try {
+    static_cast<void>(isosurface<T>(solid, nodesAround<T>({{-1, -1, -1}, {1, 1, 1}}, T(0.03))));
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Argument);
+  }
+}
+
+}  // namespace
+}  // namespace cutwater::test
