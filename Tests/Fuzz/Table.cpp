@@ -63,18 +63,20 @@ void askOrRefuse(Make&& make) {
 }  // namespace cutwater::test
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace cutwater;
+  namespace test = cutwater::test;
   static const test::TemporaryFolder folder;
   const std::string path = folder / "fuzz";
   std::ofstream(path, std::ios::binary)
       .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
-  const auto balls = test::readOrRefuseTable(path, [&] { return readBalls(path, test::kOptions); });
-  if (balls) test::askOrRefuse([&] { return PackedBed<double>(*balls); });
-  const auto graph = test::readOrRefuseTable(path, [&] { return readBeams(path, test::kOptions); });
+  const auto balls =
+      test::readOrRefuseTable(path, [&] { return cutwater::readBalls(path, test::kOptions); });
+  if (balls) test::askOrRefuse([&] { return cutwater::PackedBed<double>(*balls); });
+  const auto graph =
+      test::readOrRefuseTable(path, [&] { return cutwater::readBeams(path, test::kOptions); });
   if (!graph) return 0;
-  test::askOrRefuse([&] { return BeamLattice<double>(*graph); });
-  writeBeams(folder / "again", *graph);
-  test::expect(test::isSame(readBeams(folder / "again", test::kOptions), *graph),
+  test::askOrRefuse([&] { return cutwater::BeamLattice<double>(*graph); });
+  cutwater::writeBeams(folder / "again", *graph);
+  test::expect(test::isSame(cutwater::readBeams(folder / "again", test::kOptions), *graph),
                "written beams read back");
   return 0;
 }

@@ -13,7 +13,7 @@ except ImportError:
 from command import OPEN_BOX, PROGRAM, CommandTest
 from readers import Png, Vti, Vtu, bounds, read_off
 
-SUBCOMMANDS = ["info", "repair", "sample", "amr", "slice", "render", "convert", "prepare", "make"]
+SUBCOMMANDS = ["info", "repair", "sample", "amr", "slice", "render", "isosurface", "convert", "prepare", "make"]
 
 
 def box_distance(p, half):
@@ -427,6 +427,34 @@ class Render(CommandTest):
         text = self.succeeds("render", "box.off", "-o", "a.png", "--perspective", "40", "--unit", "m")
         self.assertRegex(text, r"\Awrote a.png: 1600 x 1000 pixels, in [\d.]+ (ms|s)\n\Z")
         self.assertEqual(self.succeeds("render", "box.off", "-o", "b.png", "--quiet", "--transparent"), "")
+
+
+class Isosurface(CommandTest):
+    def test_is_closed_and_where_the_surface_is(self):
+        self.box()
+        text = self.succeeds("isosurface", "box.off", "--cells", "30", "-o", "new.obj")
+        self.assertRegex(text, r"wrote new.obj: [0-9 ]+ triangles, [0-9 ]+ points, from [0-9 ]+ nodes")
+        self.assertIn("closed", self.succeeds("info", "new.obj"))
+        vertices = [[float(x) for x in line.split()[1:]] for line in (self.folder / "new.obj").read_text().splitlines() if line.startswith("v ")]
+        self.assertGreater(len(vertices), 1000)
+        for axis in range(3):  # the sides of a cube of 2, cut off at edges by less than a cell
+            self.assertAlmostEqual(min(v[axis] for v in vertices), -1, places=3)
+            self.assertAlmostEqual(max(v[axis] for v in vertices), 1, places=3)
+
+    def test_ends_with_the_box(self):
+        self.box()
+        self.succeeds("isosurface", "box.off", "--box", "0,-2,-2,2,2,2", "--cells", "40", "-o", "half.obj")
+        self.assertIn("closed", self.succeeds("info", "half.obj"))
+        self.assertIn("g end of grid", (self.folder / "half.obj").read_text())
+        self.assertIn("no surface", self.fails(1, "isosurface", "box.off", "--box", "5,5,5,6,6,6", "-o", "a.stl"))
+
+    def test_tolerance_and_formats(self):
+        self.box()
+        for name in ["a.stl", "a.off", "a.vtk"]:
+            self.assertEqual(self.succeeds("isosurface", "box.off", "--cells", "10", "-o", name, "--quiet"), "")
+            self.assertIn("closed", self.succeeds("info", name))
+        self.assertIn("tolerance", self.fails(1, "isosurface", "box.off", "-o", "a.stl", "--tolerance", "0.7"))
+        self.assertIn(".step", self.fails(1, "isosurface", "box.off", "--cells", "10", "-o", "a.step"))
 
 
 class Convert(CommandTest):

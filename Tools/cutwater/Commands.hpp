@@ -12,6 +12,7 @@ void addSample(CLI::App& program);
 void addAmr(CLI::App& program);
 void addSlice(CLI::App& program);
 void addRender(CLI::App& program);
+void addIsosurface(CLI::App& program);
 void addConvert(CLI::App& program);
 void addMake(CLI::App& program);
 void addPrepare(CLI::App& program);

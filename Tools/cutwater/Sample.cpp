@@ -85,37 +85,6 @@ void run(const Options& options) {
   if (!options.surface.quiet) report(options, grid, fields, seconds);
 }
 
-void addSizes(CLI::App& command, GridRequest& grid) {
-  auto* cells = command.add_option_function<std::string>(
-      "--cells",
-      [&](const std::string& text) {
-        grid.cells = sizes("--cells", text);
-        if (grid.cells.size() != 1 && grid.cells.size() != 3) {
-          refuse("--cells", text, "one number or three: 200 or 200x80x40");
-        }
-      },
-      "Cubic cells, N along the longest side; or so many along each axis; without it: 128");
-  cells->type_name("N|NXxNYxNZ");
-  auto* spacing = command.add_option_function<std::string>(
-      "--spacing",
-      [&](const std::string& text) {
-        grid.spacing = numbers("--spacing", text);
-        if ((grid.spacing.size() != 1 && grid.spacing.size() != 3) ||
-            *std::min_element(grid.spacing.begin(), grid.spacing.end()) <= 0) {
-          refuse("--spacing", text, "one number above 0 or three");
-        }
-      },
-      "Sides of a cell, instead of --cells");
-  spacing->type_name("H|HX,HY,HZ")->excludes(cells);
-  command
-      .add_option_function<std::string>(
-          "--total", [&](const std::string& text) { grid.total = positiveNumber("--total", text); },
-          "Cubic cells, about so many in all, instead of --cells")
-      ->type_name("N")
-      ->excludes(cells)
-      ->excludes(spacing);
-}
-
 }  // namespace
 
 void addSample(CLI::App& program) {
@@ -127,7 +96,7 @@ void addSample(CLI::App& program) {
   command.add_option("-o,--output", options->output, "The image to write")
       ->required()
       ->type_name("FILE.vti");
-  addSizes(command, options->grid);
+  addSizeOptions(command, options->grid);
   addPlaceOptions(command, options->grid);
   command.add_flag("--nodes", options->grid.nodes,
                    "Values at the nodes of the cells, not at their centres");

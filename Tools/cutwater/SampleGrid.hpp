@@ -29,7 +29,9 @@ struct GridRequest {
 /// @throws Error(Argument) if the surface has no extent, Error(Limit) if the grid is too large.
 [[nodiscard]] Patch<double> gridAround(const Box<double>& surface, const GridRequest& request);
 
-/// Adds --box and --margin. `grid` must live as long as the command.
+/// Adds --cells, --spacing and --total. `grid` must live as long as the command.
+void addSizeOptions(CLI::App& command, GridRequest& grid);
+/// Adds --box and --margin, likewise.
 void addPlaceOptions(CLI::App& command, GridRequest& grid);
 
 }  // namespace cutwater::tool

@@ -41,6 +41,7 @@ int run(int argc, const char* const* argv) {
   cutwater::tool::addAmr(program);
   cutwater::tool::addSlice(program);
   cutwater::tool::addRender(program);
+  cutwater::tool::addIsosurface(program);
   cutwater::tool::addConvert(program);
   cutwater::tool::addPrepare(program);
   cutwater::tool::addMake(program);

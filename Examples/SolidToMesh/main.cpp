@@ -1,0 +1,44 @@
+// A solid made of formulas becomes a closed mesh, to print or to mesh around. See README.md.
+#include <Cutwater/Grid/Isosurface.hpp>
+#include <Cutwater/Grid/SolidVolume.hpp>
+#include <Cutwater/Io/Png.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Mesh/SurfaceMeasure.hpp>
+#include <Cutwater/Mesh/WriteSurface.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Render.hpp>
+#include <Cutwater/Shapes/Cylinder.hpp>
+#include <Cutwater/Shapes/RoundedBox.hpp>
+
+#include <cstdio>
+
+using namespace cutwater;
+
+int main(int argc, char** argv) {
+  // [DOCS
+  // A bearing block: foot and housing flow into each other, with holes for the shaft and two bolts.
+  const RoundedBox<double> foot({-3, -1.2, 0}, {3, 1.2, 0.6}, 0.15);
+  const Cylinder<double> housing({0, -1, 1.8}, {0, 1, 1.8}, 1.3);
+  const auto body = smoothUnion(foot, housing, {.reach = 0.8});
+  const Cylinder<double> shaft({0, -2, 1.8}, {0, 2, 1.8}, 0.8);
+  const Cylinder<double> bolt({2.3, 0, -1}, {2.3, 0, 2}, 0.35);
+  const auto block = body - shaft - bolt - mirrored(bolt, {1, 0, 0});
+
+  const auto mesh = isosurface<double>(block, nodesAround(block.boundingBox(), 0.04));
+  if (argc > 1) writeSurface(argv[1], mesh);
+  // DOCS]
+
+  const MeshSDF<double> printed(mesh);
+  const auto certain = solidVolume(block, block.boundingBox(), {.fraction = 0.02});
+  const double volume = measure(mesh).volume;
+  std::printf("%zu triangles, closed: %s; volume %.3f, certainly %.3f to %.3f\n",
+              mesh.polygonCount(), printed.signReport().isClosed() ? "yes" : "no", volume,
+              certain.volume.lower, certain.volume.upper);
+  if (argc > 2) {
+    RenderOptions options;
+    options.view = View::fromAngles(-60, 25);
+    options.title = "A bearing block, meshed";
+    writePng(argv[2], render(printed, options));
+  }
+  return printed.signReport().isClosed() && certain.volume.contains(volume) ? 0 : 1;
+}

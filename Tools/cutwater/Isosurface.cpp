@@ -1,0 +1,82 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/Isosurface.hpp>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "Arguments.hpp"
+#include "Commands.hpp"
+#include "Format.hpp"
+#include "ProgressBar.hpp"
+#include "SampleGrid.hpp"
+#include "Surface.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+struct Options {
+  SurfaceOptions surface;
+  std::string output;
+  GridRequest grid;
+  IsosurfaceOptions isosurface;
+  WriteOptions write;
+};
+
+void run(Options options) {
+  const auto solid = loadSolid(options.surface);
+  options.grid.nodes = true;
+  const auto grid = gridAround(solid.boundingBox(), options.grid);
+  options.isosurface.threads = options.surface.threads;
+  Stopwatch watch;
+  PolygonSoup soup;
+  {
+    ProgressBar bar("triangles", !options.surface.quiet);
+    options.isosurface.progress = bar.callback();
+    soup = isosurface<double>(solid, grid, options.isosurface);
+  }
+  const double seconds = watch.lap();
+  if (soup.polygonCount() == 0) {
+    throw Error(ErrorKind::Argument, fileName(options.surface) + ": no surface between the nodes");
+  }
+  write(options.output, soup, options.write);
+  if (options.surface.quiet) return;
+  std::cout << "wrote " << options.output << ": " << counted(soup.polygonCount(), "triangle")
+            << ", " << counted(soup.points.size(), "point") << ", from "
+            << grouped(grid.indices.count()) << " nodes of " << extent(grid.level.spacing())
+            << " in " << duration(seconds) << '\n';
+}
+
+}  // namespace
+
+void addIsosurface(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  auto& command = *program.add_subcommand(
+      "isosurface", "Make a closed surface of triangles from what is inside, by a grid");
+  addSurfaceOptions(command, options->surface);
+  addSignOptions(command, options->surface);
+  command
+      .add_option("-o,--output", options->output,
+                  "The surface to write; its extension tells the format: stl, ply, obj, off, vtk")
+      ->required()
+      ->type_name("FILE");
+  addSizeOptions(command, options->grid);
+  addPlaceOptions(command, options->grid);
+  command
+      .add_option_function<std::string>(
+          "--tolerance",
+          [=](const std::string& text) {
+            options->isosurface.tolerance = positiveNumber("--tolerance", text);
+          },
+          "Points are within this many cells of the surface; without it: 0.001")
+      ->type_name("CELLS");
+  command.add_flag("--ascii", options->write.ascii, "Text where the format has both");
+  command.footer(
+      "Examples:\n"
+      "  cutwater isosurface hull.stl --cells 300 -o new.stl\n"
+      "  cutwater isosurface hull.stl --spacing 0.02 --box 0,0,0,3,1,1 -o part.ply");
+  command.callback([=] { run(*options); });
+}
+
+}  // namespace cutwater::tool
