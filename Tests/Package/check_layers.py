@@ -14,7 +14,7 @@ MAY_INCLUDE = {
     "Mesh": "Core Simd Bvh Sdf",
     "Lattice": "Core Simd Bvh Sdf Shapes Operations",
     "Tpms": "Core Simd Sdf Operations",
-    "Grid": "Core Sdf",
+    "Grid": "Core Sdf Mesh",
     "Render": "Core Sdf Grid",
     "Io": "Core Sdf Mesh Lattice Grid Render",
     "Adapters": "Core Sdf Grid",

@@ -36,7 +36,8 @@ void addConvert(CLI::App& program) {
       .add_option("OUTPUT", options->output,
                   "The surface to write; its extension tells the format: stl, ply, obj, off, vtk")
       ->required();
-  command.add_flag("--ascii", options->write.ascii, "Text where the format has both (STL, PLY, VTK)");
+  command.add_flag("--ascii", options->write.ascii,
+                   "Text where the format has both (STL, PLY, VTK)");
   command.footer(
       "Examples:\n"
       "  cutwater convert hull.stl.gz hull.ply\n"

@@ -23,8 +23,8 @@ struct SignChange {
 /// linear. All are evaluated together, a few times.
 ///
 /// The ITP method of Oliveira and Takahashi, "An Enhancement of the Bisection Method Average
-/// Performance Preserving Minmax Optimality", ACM TOMS 47 (2020), with kappa1 = 0.02, kappa2 = 2 and
-/// n0 = 1: never more than one evaluation more than bisection takes.
+/// Performance Preserving Minmax Optimality", ACM TOMS 47 (2020), with kappa1 = 0.02, kappa2 = 2
+/// and n0 = 1: never more than one evaluation more than bisection takes.
 template <std::floating_point T>
 [[nodiscard]] std::vector<double> locate(const SignedDistanceFunction<T>& solid,
                                          std::span<const SignChange<T>> changes, double tolerance);
