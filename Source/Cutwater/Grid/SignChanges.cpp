@@ -7,7 +7,8 @@ namespace cutwater::detail {
 
 namespace {
 
-/// kappa1 of the method; measured on distances from balls: smaller ones pay for nearly linear values.
+/// kappa1 of the method; measured on distances from balls: smaller ones pay for nearly linear
+/// values.
 constexpr double kTruncation = 0.02;
 
 /// Where the sign changes, as far as is known: between a and b.
@@ -25,8 +26,8 @@ struct Bracket {
     double guess = (valueB * a - valueA * b) / (valueB - valueA);
     if (!std::isfinite(guess)) guess = middle;
     // Truncated towards the middle, then projected to what the bound allows.
-    const double towards =
-        std::copysign(std::min(kTruncation * width * width, std::abs(middle - guess)), middle - guess);
+    const double towards = std::copysign(
+        std::min(kTruncation * width * width, std::abs(middle - guess)), middle - guess);
     return middle + std::clamp(guess + towards - middle, -slack, slack);
   }
   void narrow(double t, double value) {
