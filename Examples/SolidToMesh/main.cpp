@@ -24,7 +24,8 @@ int main(int argc, char** argv) {
   const Cylinder<double> bolt({2.3, 0, -1}, {2.3, 0, 2}, 0.35);
   const auto block = body - shaft - bolt - mirrored(bolt, {1, 0, 0});
 
-  const auto mesh = isosurface<double>(block, nodesAround(block.boundingBox(), 0.04));
+  const auto mesh =
+      isosurface<double>(block, nodesAround(block.boundingBox(), 0.04), {.featureAngle = 30});
   if (argc > 1) writeSurface(argv[1], mesh);
   // DOCS]
 

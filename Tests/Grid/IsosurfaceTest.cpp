@@ -3,6 +3,7 @@
 #include <Cutwater/Grid/SolidVolume.hpp>
 #include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/SurfaceMeasure.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Sdf/FunctionSDF.hpp>
@@ -59,10 +60,12 @@ TYPED_TEST(IsosurfaceTest, IsClosedWhateverTheSigns) {
   using T = TypeParam;
   const FunctionSDF noise(Noise<T>{}, Guarantee<T>{});
   for (const T spacing : {T(0.5), T(0.11), T(0.04)}) {
-    const auto soup =
-        isosurface<T>(noise, nodesAround<T>({{0, 0, 0}, {1, T(0.7), T(0.9)}}, spacing));
-    EXPECT_GT(soup.polygonCount(), 100U);
-    expectClosed(soup, std::to_string(spacing));
+    for (const double angle : {180.0, 20.0}) {
+      const auto nodes = nodesAround<T>({{0, 0, 0}, {1, T(0.7), T(0.9)}}, spacing);
+      const auto soup = isosurface<T>(noise, nodes, {.featureAngle = angle});
+      EXPECT_GT(soup.polygonCount(), 100U);
+      expectClosed(soup, std::to_string(spacing));
+    }
   }
 }
 
@@ -168,12 +171,49 @@ TYPED_TEST(IsosurfaceTest, DoesNotEvaluateWhatIsCertainlyFree) {
   EXPECT_LT(calls, 2'500'000U);
 }
 
+TYPED_TEST(IsosurfaceTest, FollowsEdgesAndCorners) {
+  using T = TypeParam;
+  auto block = Cuboid<T>({T(-0.7), T(-0.5), T(-0.3)}, {T(0.6), T(0.4), T(0.2)});
+  block.rotate(30, Vec3<T>{1, 2, 3});
+  const auto nodes = nodesAround(block.boundingBox(), T(0.04));
+  const auto blunt = isosurface<T>(block, nodes);
+  const auto sharp = isosurface<T>(block, nodes, {.featureAngle = 30});
+  expectClosed(sharp, "block");
+  const double volume = 1.3 * 0.9 * 0.5;
+  EXPECT_LT(std::abs(volumeOf(sharp) - volume), 0.4 * std::abs(volumeOf(blunt) - volume));
+  for (const auto& point : sharp.points) {
+    EXPECT_LE(std::abs(block.signedDistance(Vec3<T>(point))), T(0.0006) * T(0.04));
+  }
+  int corners = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3<T> local{corner % 2 == 0 ? T(-0.7) : T(0.6), corner / 2 % 2 == 0 ? T(-0.5) : T(0.4),
+                        corner / 4 == 0 ? T(-0.3) : T(0.2)};
+    const Vec3<double> place(block.placement().toWorld(local));
+    for (const auto& point : sharp.points) corners += length(point - place) < 1e-4 ? 1 : 0;
+  }
+  EXPECT_GE(corners, 6);  // those whose planes a single cell has
+}
+
+TYPED_TEST(IsosurfaceTest, CrossesItselfNowhere) {
+  using T = TypeParam;
+  const Cylinder<T> shaft({0, -2, 0}, {0, 2, 0}, T(0.4));
+  const auto solid = (Cuboid<T>({-1, -1, T(-0.7)}, {1, 1, T(0.7)}) - shaft) |
+                     Cone<T>({0, 0, T(0.2)}, {0, 0, T(1.9)}, T(0.8));
+  for (const double angle : {180.0, 30.0}) {
+    const auto soup =
+        isosurface<T>(solid, nodesAround(solid.boundingBox(), T(0.06)), {.featureAngle = angle});
+    expectClosed(soup, "solid");
+    const MeshSDF<double> mesh(soup, {.findSelfIntersections = true});
+    EXPECT_EQ(mesh.signReport().selfIntersections, 0U) << angle;
+  }
+}
+
 TYPED_TEST(IsosurfaceTest, IsTheSameForAnyNumberOfThreads) {
   using T = TypeParam;
   const auto solid = Torus<T>(1, T(0.3)) | Sphere<T>({1, 0, 0}, T(0.5));
   const auto nodes = nodesAround(solid.boundingBox(), T(0.07));
-  const auto one = isosurface<T>(solid, nodes, {.threads = 1});
-  const auto three = isosurface<T>(solid, nodes, {.threads = 3});
+  const auto one = isosurface<T>(solid, nodes, {.featureAngle = 30, .threads = 1});
+  const auto three = isosurface<T>(solid, nodes, {.featureAngle = 30, .threads = 3});
   EXPECT_EQ(one.points, three.points);
   EXPECT_EQ(one.corners, three.corners);
   EXPECT_EQ(one.patches, three.patches);
@@ -197,6 +237,7 @@ TYPED_TEST(IsosurfaceTest, RefusesWhatItCannotDo) {
   EXPECT_THROW(static_cast<void>(isosurface<T>(ball, nodes, {.tolerance = 0})), Error);
   EXPECT_THROW(static_cast<void>(isosurface<T>(ball, nodes, {.tolerance = 0.6})), Error);
   EXPECT_THROW(static_cast<void>(isosurface<T>(ball, nodes, {.threads = -1})), Error);
+  EXPECT_THROW(static_cast<void>(isosurface<T>(ball, nodes, {.featureAngle = 0})), Error);
   const Patch<T> flat{nodes.level, IndexBox::ofSize(3, 1, 3)};
   EXPECT_THROW(static_cast<void>(isosurface<T>(ball, flat)), Error);
   const Patch<T> cells{{{0, 0, 0}, {1, 1, 1}}, IndexBox::ofSize(3, 3, 3)};

@@ -71,10 +71,18 @@ void addIsosurface(CLI::App& program) {
           },
           "Points are within this many cells of the surface; without it: 0.001")
       ->type_name("CELLS");
+  command
+      .add_option_function<std::string>(
+          "--edges",
+          [=](const std::string& text) {
+            options->isosurface.featureAngle = positiveNumber("--edges", text);
+          },
+          "Follow edges where normals differ by more than this; without it they are cut off")
+      ->type_name("DEGREES");
   command.add_flag("--ascii", options->write.ascii, "Text where the format has both");
   command.footer(
       "Examples:\n"
-      "  cutwater isosurface hull.stl --cells 300 -o new.stl\n"
+      "  cutwater isosurface hull.stl --cells 300 --edges 30 -o new.stl\n"
       "  cutwater isosurface hull.stl --spacing 0.02 --box 0,0,0,3,1,1 -o part.ply");
   command.callback([=] { run(*options); });
 }

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Isosurface.hpp>
+#include <Cutwater/Grid/SharpFeatures.hpp>
 #include <Cutwater/Grid/SurfaceBlocks.hpp>
 
 #include <algorithm>
@@ -10,14 +11,9 @@ namespace cutwater {
 
 namespace {
 
+using detail::cornerOf;
 using detail::NodeOffset;
 using Triangle = std::array<std::uint32_t, 3>;
-
-NodeOffset cornerOf(const NodeOffset& cell, int corner) {
-  return {cell[0] + static_cast<std::uint32_t>(corner & 1),
-          cell[1] + static_cast<std::uint32_t>((corner >> 1) & 1),
-          cell[2] + static_cast<std::uint32_t>(corner >> 2)};
-}
 
 /// Triangles of a mesh, from the polygons of cells.
 class PolygonMesher {
@@ -109,43 +105,100 @@ class GridEnds {
   std::map<NodeOffset, std::uint32_t> nodes_;
 };
 
+/// The mesh in a block.
+struct MeshPart {
+  std::vector<Triangle> triangles;
+  std::vector<Vec3<double>> features;  // numbered on from the points of all blocks
+  std::vector<std::size_t> fans;       // triangles whose last corner is a feature
+};
+
 template <std::floating_point T>
-std::vector<Triangle> trianglesOf(const detail::SurfaceBlocks<T>& blocks, std::size_t n,
-                                  const std::vector<Vec3<double>>& points) {
-  std::vector<Triangle> result;
-  const auto& block = blocks.blocks()[n];
-  const auto& first = block.first();
-  auto middle = blocks.firstPoint(n) + static_cast<std::uint32_t>(block.edgePointCount());
-  for (const auto& [cell, inside, joined] : block.cutCells()) {
-    const NodeOffset inGrid{first[0] + cell[0], first[1] + cell[1], first[2] + cell[2]};
-    std::array<detail::CellPolygon, 4> polygons;
-    const int count = detail::surfacePolygons(inside, joined, polygons);
-    for (std::size_t p = 0; p < static_cast<std::size_t>(count); ++p) {
-      std::array<std::uint32_t, detail::CellPolygon::kMost> ids{};
-      for (std::size_t i = 0; i < static_cast<std::size_t>(polygons[p].count); ++i) {
-        const auto edge = detail::cubeEdge(polygons[p].corners[i]);
-        ids[i] = blocks.edgePoint(cornerOf(inGrid, edge.corner), edge.axis);
+class BlockMesher {
+ public:
+  BlockMesher(const detail::SurfaceBlocks<T>& blocks, const std::vector<Vec3<double>>& points,
+              const detail::SharpFeatures<T>& features, const detail::SurfaceGrid<T>& grid)
+      : blocks_(blocks), points_(points), features_(features), grid_(grid) {}
+
+  [[nodiscard]] MeshPart mesh(std::size_t n) const {
+    MeshPart part;
+    const auto& block = blocks_.blocks()[n];
+    const auto& first = block.first();
+    auto middle = blocks_.firstPoint(n) + static_cast<std::uint32_t>(block.edgePointCount());
+    for (const auto& [cell, inside, joined] : block.cutCells()) {
+      const NodeOffset inGrid{first[0] + cell[0], first[1] + cell[1], first[2] + cell[2]};
+      // Cells that share two sides of polygons could be joined twice.
+      const bool maySharpen = features_.areWanted() && detail::ambiguousFaces(inside) == 0;
+      std::array<detail::CellPolygon, 4> polygons;
+      const int count = detail::surfacePolygons(inside, joined, polygons);
+      for (std::size_t p = 0; p < static_cast<std::size_t>(count); ++p) {
+        std::array<std::uint32_t, detail::CellPolygon::kMost> corners{};
+        const std::span ids(corners.data(), static_cast<std::size_t>(polygons[p].count));
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+          const auto edge = detail::cubeEdge(polygons[p].corners[i]);
+          ids[i] = blocks_.edgePoint(cornerOf(inGrid, edge.corner), edge.axis);
+        }
+        if (maySharpen && addSharp(ids, inGrid, part)) continue;
+        const bool isSplit = detail::needsMiddle(polygons[p]);
+        PolygonMesher(points_).add(polygons[p], ids, isSplit ? &middle : nullptr, part.triangles);
+        middle += isSplit ? 1 : 0;
       }
-      const bool isSplit = detail::needsMiddle(polygons[p]);
-      PolygonMesher(points).add(polygons[p], ids, isSplit ? &middle : nullptr, result);
-      middle += isSplit ? 1 : 0;
     }
+    return part;
   }
+
+ private:
+  /// A fan about the feature, if there is one.
+  bool addSharp(std::span<const std::uint32_t> ids, const NodeOffset& cell, MeshPart& part) const {
+    std::array<Vec3<double>, detail::CellPolygon::kMost> positions;
+    for (std::size_t i = 0; i < ids.size(); ++i) positions[i] = points_[ids[i]];
+    const Box<double> box{Vec3<double>(grid_.position(cell)),
+                          Vec3<double>(grid_.position(cornerOf(cell, 7)))};
+    const auto feature = features_.pointIn(std::span(positions.data(), ids.size()), box);
+    if (!feature) return false;
+    const auto id = static_cast<std::uint32_t>(points_.size() + part.features.size());
+    part.features.push_back(*feature);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      part.fans.push_back(part.triangles.size());
+      part.triangles.push_back({ids[i], ids[(i + 1) % ids.size()], id});
+    }
+    return true;
+  }
+
+  const detail::SurfaceBlocks<T>& blocks_;
+  const std::vector<Vec3<double>>& points_;
+  const detail::SharpFeatures<T>& features_;
+  const detail::SurfaceGrid<T>& grid_;
+};
+
+/// Puts the parts together, and their features behind the points.
+std::vector<Triangle> joined(std::vector<MeshPart>& parts, std::vector<Vec3<double>>& points) {
+  const std::size_t edgePoints = points.size();
+  std::vector<Triangle> result;
+  std::vector<std::size_t> fans;
+  for (auto& [triangles, features, partFans] : parts) {
+    const std::size_t before = points.size() - edgePoints;
+    for (const auto n : partFans) {
+      triangles[n][2] += static_cast<std::uint32_t>(before);
+      fans.push_back(result.size() + n);
+    }
+    result.insert(result.end(), triangles.begin(), triangles.end());
+    points.insert(points.end(), features.begin(), features.end());
+    triangles = {};
+  }
+  detail::joinFeatures(result, fans, points);
   return result;
 }
 
-void addTriangles(std::vector<std::vector<Triangle>>& found, PolygonSoup& soup) {
-  std::size_t count = 0;
-  for (const auto& triangles : found) count += triangles.size();
-  if (count >= kNone) throw Error(ErrorKind::Limit, "isosurface: more than 2^32 - 2 triangles");
-  soup.offsets.reserve(count + 1);
-  soup.corners.reserve(3 * count);
-  soup.patches.assign(count, 0);
-  for (auto& triangles : found) {
-    for (const auto& triangle : triangles) {
-      soup.corners.insert(soup.corners.end(), triangle.begin(), triangle.end());
-      soup.offsets.push_back(soup.corners.size());
-    }
+void addTriangles(const std::vector<Triangle>& triangles, PolygonSoup& soup) {
+  if (triangles.size() >= kNone || soup.points.size() >= kNone) {
+    throw Error(ErrorKind::Limit, "isosurface: more than 2^32 - 2 triangles or points");
+  }
+  soup.patches.assign(triangles.size(), 0);
+  soup.offsets.reserve(triangles.size() + 1);
+  soup.corners.reserve(3 * triangles.size());
+  for (const auto& triangle : triangles) {
+    soup.corners.insert(soup.corners.end(), triangle.begin(), triangle.end());
+    soup.offsets.push_back(soup.corners.size());
   }
 }
 
@@ -180,6 +233,8 @@ PolygonSoup isosurface(const SignedDistanceFunction<T>& solid, const Patch<T>& n
   }
   require(options.tolerance >= 1e-9 && options.tolerance <= 0.5,
           "isosurface: need 1e-9 <= tolerance <= 0.5", Named{"tolerance", options.tolerance});
+  require(options.featureAngle > 0, "isosurface: need featureAngle > 0",
+          Named{"featureAngle", options.featureAngle});
   require(options.threads >= 0, "isosurface: need threads >= 0", Named{"threads", options.threads});
 
   const detail::SurfaceGrid<T> grid{solid, nodes, options.tolerance};
@@ -188,18 +243,18 @@ PolygonSoup isosurface(const SignedDistanceFunction<T>& solid, const Patch<T>& n
   PolygonSoup result;
   blocks.takePoints(result.points);
 
-  std::vector<std::vector<Triangle>> found(blocks.blocks().size() + 1);
-  parallelFor(blocks.blocks().size(), {.threads = options.threads},
-              [&](std::size_t begin, std::size_t end) {
-                for (auto n = begin; n < end; ++n) found[n] = trianglesOf(blocks, n, result.points);
-              });
-  GridEnds<T>(grid, blocks, result.points).close(found.back());
-  if (result.points.size() >= kNone) {
-    throw Error(ErrorKind::Limit, "isosurface: more than 2^32 - 2 points");
-  }
-  addTriangles(found, result);
+  const detail::SharpFeatures<T> features(solid, options.featureAngle);
+  const BlockMesher<T> mesher(blocks, result.points, features, grid);
+  std::vector<MeshPart> parts(blocks.blocks().size());
+  parallelFor(parts.size(), {.threads = options.threads}, [&](std::size_t begin, std::size_t end) {
+    for (auto n = begin; n < end; ++n) parts[n] = mesher.mesh(n);
+  });
+  auto triangles = joined(parts, result.points);
+  const std::size_t count = triangles.size();
+  GridEnds<T>(grid, blocks, result.points).close(triangles);
+  addTriangles(triangles, result);
   result.patchNames = solid.patchNames();
-  setPatches(solid, result, result.patches.size() - found.back().size(), parallel.threads);
+  setPatches(solid, result, count, options.threads);
   return result;
 }
 

@@ -10,6 +10,9 @@ namespace cutwater {
 struct IsosurfaceOptions {
   /// Points of the mesh are within this of the surface, in units of the largest spacing.
   double tolerance = 1e-3;
+  /// Where gradients in a cell differ by more than this, in degrees, the solid has an edge or a
+  /// corner, and the mesh gets one, too, if it lies within that cell. 180: none.
+  double featureAngle = 180;
   /// At most this many threads; 0: as many as there are. See ParallelOptions.
   int threads = 0;
   Progress progress = {};
@@ -24,6 +27,9 @@ struct IsosurfaceOptions {
 /// in the middle of its face does. What is thinner than the spacing may be lost between nodes, and
 /// edges of the solid are cut off by as much. Blocks of cells that classify() proves to be free of
 /// surface are not evaluated, so the price is about that of the cells near it.
+///
+/// With a `featureAngle` the mesh follows edges and corners, by points that are the solid's own
+/// closest points.
 ///
 /// Patches are the solid's, by the owner of each triangle's middle; one more, "end of grid", for
 /// what closes the surface there. The same mesh for any number of threads.

@@ -9,12 +9,6 @@ namespace cutwater::detail {
 
 namespace {
 
-NodeOffset cornerOf(const NodeOffset& cell, int corner) {
-  return {cell[0] + static_cast<std::uint32_t>(corner & 1),
-          cell[1] + static_cast<std::uint32_t>((corner >> 1) & 1),
-          cell[2] + static_cast<std::uint32_t>(corner >> 2)};
-}
-
 /// The cube's corner of the other sign that is nearest to a point of the unit cube.
 int nearestCorner(unsigned inside, bool wanted, const Vec3<double>& p) {
   int best = -1;

@@ -11,6 +11,13 @@ namespace cutwater::detail {
 /// A node by its offset from the first one of the grid, or from that of a block.
 using NodeOffset = std::array<std::uint32_t, 3>;
 
+/// A cube's corner, as CellPolygons numbers them, of the cell whose lowest node this is.
+[[nodiscard]] inline NodeOffset cornerOf(const NodeOffset& cell, int corner) {
+  return {cell[0] + static_cast<std::uint32_t>(corner & 1),
+          cell[1] + static_cast<std::uint32_t>((corner >> 1) & 1),
+          cell[2] + static_cast<std::uint32_t>(corner >> 2)};
+}
+
 /// The nodes whose signs a grid asks for, and how closely the surface is to be found between them.
 template <std::floating_point T>
 struct SurfaceGrid {
