@@ -77,7 +77,7 @@ TYPED_TEST(PointCloudTest, FindsWhatTryingAllFinds) {
     for (const auto& p : this->queries(points)) {
       const auto all = bruteForce(points, p);
       expectSame(cloud.nearest(p), all[0]);
-      for (const std::size_t count : {1, 8, 50, 2000}) {
+      for (const std::size_t count : {1U, 8U, 50U, 2000U}) {
         std::vector<Neighbor<T>> found(count);
         ASSERT_EQ(cloud.nearest(p, found), std::min(count, all.size()));
         for (std::size_t i = 0; i < std::min(count, all.size()); ++i) expectSame(found[i], all[i]);
@@ -114,7 +114,7 @@ TYPED_TEST(PointCloudTest, AnswersManyAsOneByOne) {
     queries[500] = {std::numeric_limits<T>::quiet_NaN(), 0, 0};
     queries[501] = {std::numeric_limits<T>::max(), 0, 0};
     for (const int threads : {1, 2}) {
-      for (const std::size_t count : {1, 5}) {
+      for (const std::size_t count : {1U, 5U}) {
         std::vector<Neighbor<T>> found(queries.size() * count);
         cloud.nearest(queries, count, found, {.threads = threads});
         for (std::size_t n = 0; n < queries.size(); ++n) {

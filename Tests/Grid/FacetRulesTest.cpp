@@ -111,7 +111,6 @@ TYPED_TEST(FacetRulesTest, RefineWhereNormalsTurn) {
       this->meshOf(solid | small, {.cut = 1, .curvature = typename Refinement<T>::Angle{20, 5}});
   for (const auto& cell : mesh.cells()) {
     if (cell.kind != BoxClass::Cut && cell.kind != BoxClass::Unknown) continue;
-    detail::DirectionSpread<T> spread;
     T turn = 0;
     std::vector<Vec3<T>> normals;
     (solid | small).facetsIn(mesh.box(cell), [&](const SurfaceFacet<T>& facet) {
@@ -269,7 +268,6 @@ TYPED_TEST(FacetRulesTest, BoundHowFarDirectionsDiffer) {
   std::mt19937 engine(1);
   std::normal_distribution<double> normal;
   for (int n = 0; n < 500; ++n) {
-    detail::DirectionSpread<T> spread;
     std::vector<Vec3<T>> directions;
     T most = 0;
     const Vec3<double> middle{normal(engine), normal(engine), normal(engine)};

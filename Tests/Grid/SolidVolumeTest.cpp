@@ -151,7 +151,7 @@ TYPED_TEST(SolidVolumeTest, IsTheSameForAnyNumberOfThreads) {
   const Solid<T> shapes = Torus<T>(T(0.7), T(0.25)) - Sphere<T>({T(0.7), 0, 0}, T(0.3));
   for (const Solid<T>& solid : {Solid<T>(mesh), shapes}) {
     // To the end, and with a limit that ends it in the middle of a generation.
-    for (const std::size_t cells : {10'000'000, 5'003}) {
+    for (const std::size_t cells : {10'000'000U, 5'003U}) {
       const VolumeOptions options{.fraction = 0.015, .cells = cells};
       auto one = options;
       one.threads = 1;
@@ -173,7 +173,7 @@ TYPED_TEST(SolidVolumeTest, KeepsToTheLimitOfCells) {
   const Sphere<T> ball({T(0.1), 0, 0}, T(0.7));
   const double volume = 4 * kPi / 3 * 0.343;
   double width = 100;
-  for (const std::size_t cells : {1, 8, 9, 500, 2000, 30'000, 500'000}) {
+  for (const std::size_t cells : {1U, 8U, 9U, 500U, 2000U, 30'000U, 500'000U}) {
     const auto found = solidVolume(ball, this->box, {.fraction = 0, .cells = cells});
     EXPECT_FALSE(found.isWithinTolerance);
     EXPECT_LE(found.cells, cells);

@@ -122,7 +122,7 @@ TYPED_TEST(RenderTest, PatchesHaveTheirColoursAndALegend) {
   options.color.reset();
   options.legend = true;
   const auto image = render(two, options);
-  for (const std::size_t patch : {0, 1}) {
+  for (const std::size_t patch : {0U, 1U}) {
     EXPECT_EQ(countInLegend(image, patchColor(patch)), kSwatch) << patch;
   }
 }
@@ -136,7 +136,7 @@ TYPED_TEST(RenderTest, ThinPatchesAreInTheLegend) {
   const Solid<T> two = named(Solid<T>(Sphere<T>({0, 0, 0}, T(0.4))), "ball") |
                        named(Solid<T>(Cylinder<T>({-1, 0, z}, {1, 0, z}, T(1e-5))), "wire");
   const auto image = render(two, options);
-  for (const std::size_t patch : {0, 1}) {
+  for (const std::size_t patch : {0U, 1U}) {
     EXPECT_EQ(countInLegend(image, patchColor(patch)), kSwatch) << patch;
   }
 }
