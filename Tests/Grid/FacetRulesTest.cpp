@@ -268,6 +268,7 @@ TYPED_TEST(FacetRulesTest, BoundHowFarDirectionsDiffer) {
   std::mt19937 engine(1);
   std::normal_distribution<double> normal;
   for (int n = 0; n < 500; ++n) {
+    detail::DirectionSpread<T> spread;
     std::vector<Vec3<T>> directions;
     T most = 0;
     const Vec3<double> middle{normal(engine), normal(engine), normal(engine)};
