@@ -1,4 +1,3 @@
-#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Io/BeamTable.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
 
@@ -8,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "Support/Random.hpp"
-#include "Support/TemporaryFolder.hpp"
+#include "TableFile.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -29,27 +28,7 @@ void expectSame(const BeamGraph& a, const BeamGraph& b) {
   }
 }
 
-class BeamTableTest : public ::testing::Test {
- protected:
-  [[nodiscard]] BeamGraph read(const std::string& text,
-                               const ReadTableOptions& options = {}) const {
-    std::ofstream(file, std::ios::binary) << text;
-    return readBeams(file, options);
-  }
-  /// The message, without the file's name.
-  [[nodiscard]] std::string refusal(const std::string& text) const {
-    try {
-      static_cast<void>(read(text));
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::File);
-      return std::string(error.what()).substr(file.string().size() + 2);
-    }
-    return "nothing";
-  }
-
-  const TemporaryFolder folder;
-  const std::filesystem::path file = folder / "beams.csv";
-};
+using BeamTableTest = TableFile<readBeams>;
 
 TEST_F(BeamTableTest, ReadsNodesBeamsAndBalls) {
   const auto graph = read(

@@ -1,4 +1,3 @@
-#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Io/ReadBalls.hpp>
 
 #include <clocale>
@@ -6,34 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "Support/TemporaryFolder.hpp"
+#include "TableFile.hpp"
 
 namespace cutwater::test {
 namespace {
 
-class ReadBallsTest : public ::testing::Test {
- protected:
-  [[nodiscard]] std::vector<Ball<double>> read(const std::string& text,
-                                               const ReadTableOptions& options = {}) const {
-    std::ofstream(file, std::ios::binary) << text;
-    return readBalls(file, options);
-  }
-  /// The message, without the file's name.
-  [[nodiscard]] std::string refusal(const std::string& text) const {
-    try {
-      static_cast<void>(read(text));
-    } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::File);
-      const std::string message = error.what();
-      EXPECT_TRUE(message.starts_with(file.string() + ": ")) << message;
-      return message.substr(file.string().size() + 2);
-    }
-    return "nothing";
-  }
-
-  const TemporaryFolder folder;
-  const std::filesystem::path file = folder / "bed.csv";
-};
+using ReadBallsTest = TableFile<readBalls>;
 
 TEST_F(ReadBallsTest, ReadsALinePerBall) {
   const std::vector<Ball<double>> expected{{{1, -2.5, 3e-3}, 0.1}, {{0, 0, 1e6}, 2}};
