@@ -169,7 +169,8 @@ TEST(HexahedralCellsTest, TurnedCellsAreFoundWhereverTheyTurn) {
     const double least = leastDeterminant(corners, 9);
     const bool isPositiveAtCorners = leastDeterminant(corners, 2) > 0;
     EXPECT_TRUE(!isPositive || least > 0);
-    if (!isPositive && least > 0.01) ++undecided;
+    // (Between points of a coarse grid it may still turn.)
+    if (!isPositive && least > 0.01 && leastDeterminant(corners, 65) > 0.01) ++undecided;
     accepted += isPositive ? 1 : 0;
     turnedInside += isPositiveAtCorners && least <= 0 ? 1 : 0;
     auto mirrored = corners;
