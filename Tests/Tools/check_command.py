@@ -13,7 +13,7 @@ except ImportError:
 from command import OPEN_BOX, PROGRAM, CommandTest
 from readers import Png, Vti, Vtu, bounds, read_off
 
-SUBCOMMANDS = ["info", "repair", "sample", "amr", "slice", "render", "convert", "prepare", "make"]
+SUBCOMMANDS = ["info", "repair", "sample", "amr", "slice", "render", "convert", "prepare", "make", "scene"]
 
 
 def box_distance(p, half):

@@ -56,8 +56,7 @@ void SceneGraph::add(const SceneValue::Entry& entry) {
                "\", a text, and a table [name] for each solid");
   }
   static const auto kForms = formsOfSolids();
-  const auto& form =
-      formOf(context_, *table, entry.line, "[" + entry.key + "]", kForms);
+  const auto& form = formOf(context_, *table, entry.line, "[" + entry.key + "]", kForms);
   indices_.emplace(entry.key, items_.size());
   items_.push_back({entry.key, {context_, form, *table, entry.line, commonKeys()}});
 }

@@ -11,7 +11,7 @@ std::string code(const std::string& text) {
 }
 
 std::string rowOf(const scene::SceneKey& key) {
-  const std::string preset = !key.preset          ? "needed"
+  const std::string preset = !key.preset           ? "needed"
                              : key.preset->empty() ? "none"
                                                    : code(*key.preset);
   return "| " + code(key.name) + " | " + scene::typeText(key) + " | " + key.meaning + " | " +

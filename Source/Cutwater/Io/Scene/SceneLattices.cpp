@@ -110,11 +110,9 @@ const std::vector<SceneForm>& latticeForms() {
        .meaning = "A packed bed: balls from a table in text, of lines `x, y, z, radius`.",
        .keys = {{"balls", File, "the table"},
                 {"scale", Positive, "coordinates and radii are multiplied by it", "1"}},
-       .make =
-           [](const Record& r) -> Made {
-             return PackedBed<double>(
-                 readBalls(r.file("balls"), {.scale = r.number("scale")}));
-           }},
+       .make = [](const Record& r) -> Made {
+         return PackedBed<double>(readBalls(r.file("balls"), {.scale = r.number("scale")}));
+       }},
   };
   return kForms;
 }

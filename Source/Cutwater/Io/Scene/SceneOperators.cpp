@@ -12,16 +12,16 @@ using Made = cutwater::Solid<double>;
 
 /// Of a smooth union, intersection or difference.
 std::vector<SceneKey> withFillet(SceneKey operands) {
-  return {std::move(operands),
-          {"reach", NotNegative,
-           "how far surfaces feel each other where they meet, for a rounded edge; 0: a sharp one",
-           "0"},
-          {"fillet",
-           Choice,
-           "the rounding's kind, of continuous normals, of continuous curvature, an arc of a "
-           "circle, or smooth everywhere",
-           "\"quadratic\"",
-           {"quadratic", "cubic", "circular", "exponential"}}};
+  return {
+      std::move(operands),
+      {"reach", NotNegative,
+       "how far surfaces feel each other where they meet, for a rounded edge; 0: a sharp one", "0"},
+      {"fillet",
+       Choice,
+       "the rounding's kind, of continuous normals, of continuous curvature, an arc of a "
+       "circle, or smooth everywhere",
+       "\"quadratic\"",
+       {"quadratic", "cubic", "circular", "exponential"}}};
 }
 Smoothing<double> smoothingOf(const Record& r) {
   return {.reach = r.number("reach"), .kind = static_cast<SmoothKind>(r.choice("fillet"))};
@@ -55,9 +55,10 @@ std::vector<SceneForm> combinations() {
       {.name = "intersection",
        .meaning = "All points common to the solids.",
        .keys = withFillet({"intersection", Solids, "what is intersected"}),
-       .make = [](const Record& r) {
-         return smoothIntersectionOf(r.solids("intersection"), smoothingOf(r));
-       }},
+       .make =
+           [](const Record& r) {
+             return smoothIntersectionOf(r.solids("intersection"), smoothingOf(r));
+           }},
       {.name = "difference",
        .meaning = "All points of the first solid that are in none of the others.",
        .keys = withFillet({"difference", Solids, "the solid, and what is taken away"}),
@@ -92,8 +93,7 @@ std::vector<SceneForm> walls() {
        .meaning = "A wall about the solid's surface.",
        .keys = {{"shell", KeyType::Solid, "the solid"},
                 {"half_thickness", Positive, "how far to either side"}},
-       .make =
-           [](const Record& r) { return shell(r.solid("shell"), r.number("half_thickness")); }},
+       .make = [](const Record& r) { return shell(r.solid("shell"), r.number("half_thickness")); }},
       {.name = "scaled",
        .meaning = "The solid made larger or smaller, about the origin.",
        .keys = {{"scaled", KeyType::Solid, "the solid"},
@@ -109,10 +109,11 @@ std::vector<SceneForm> walls() {
        .keys = {{"transformed", KeyType::Solid, "the solid"},
                 {"columns", Columns, "images of the unit vectors along x, y and z"},
                 {"translation", Point, "the image of the origin", "[0, 0, 0]"}},
-       .make = [](const Record& r) {
-         return transformed(r.solid("transformed"), AffineMap<double>{r.columns("columns"),
-                                                                      r.point("translation")});
-       }},
+       .make =
+           [](const Record& r) {
+             return transformed(r.solid("transformed"),
+                                AffineMap<double>{r.columns("columns"), r.point("translation")});
+           }},
       {.name = "inverted",
        .meaning = "The image under inversion in the unit sphere: p becomes p / |p|^2.",
        .keys = {{"inverted", KeyType::Solid, "the solid"}},
@@ -128,8 +129,7 @@ std::vector<SceneKey> withPlane(const char* name) {
 }
 
 Made repetition(const Record& r) {
-  return repeated(r.solid("repeated"),
-                  {.period = r.point("period"), .count = r.counts("count")});
+  return repeated(r.solid("repeated"), {.period = r.point("period"), .count = r.counts("count")});
 }
 
 std::vector<SceneForm> repetitions() {

@@ -13,8 +13,8 @@ namespace cutwater::scene {
 namespace {
 
 const SceneValue::Entry* find(const SceneValue::Table& table, const std::string& key) {
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [&](const auto& entry) { return entry.key == key; });
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.key == key; });
   return found == table.end() ? nullptr : &*found;
 }
 
@@ -92,9 +92,9 @@ void SceneRecord::refuseUnknown(const SceneValue::Table& table) const {
   for (const auto& value : values_) names.push_back(value.key->name);
   for (const auto& entry : table) {
     if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
-    failAt(context_->file, entry.line,
-           form_->name + " has no key " + formats::quoted(entry.key) +
-               suggestion(entry.key, names));
+    failAt(
+        context_->file, entry.line,
+        form_->name + " has no key " + formats::quoted(entry.key) + suggestion(entry.key, names));
   }
 }
 
@@ -109,8 +109,7 @@ void SceneRecord::take(Value& value, const SceneValue::Table& table) const {
     return;
   }
   if (!key.preset) {
-    failAt(context_->file, line_,
-           form_->name + " needs \"" + key.name + "\", " + typeText(key));
+    failAt(context_->file, line_, form_->name + " needs \"" + key.name + "\", " + typeText(key));
   }
   if (key.preset->empty()) return;
   value.value = parseToml("preset = " + *key.preset, key.name).front().value;

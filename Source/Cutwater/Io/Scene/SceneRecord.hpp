@@ -16,8 +16,8 @@ namespace cutwater::scene {
 
 /// What tables of one file share.
 struct SceneContext {
-  std::string file;              ///< its name in messages
-  std::filesystem::path folder;  ///< names of files are relative to it
+  std::string file;                                          ///< its name in messages
+  std::filesystem::path folder;                              ///< names of files are relative to it
   std::map<std::string, Solid<double>, std::less<>> solids;  ///< that are made
 };
 

@@ -36,11 +36,7 @@ const std::string kOrigin = "[0, 0, 0]";
 const std::string kAlongZ = "[0, 0, 1]";
 
 SceneForm shape(const char* name, const char* meaning, Keys keys, Made (*make)(const Record&)) {
-  return {.name = name,
-          .meaning = meaning,
-          .keys = std::move(keys),
-          .make = make,
-          .head = "shape"};
+  return {.name = name, .meaning = meaning, .keys = std::move(keys), .make = make, .head = "shape"};
 }
 
 SceneKey positive(const char* name, const char* meaning) {
@@ -105,7 +101,8 @@ std::vector<SceneForm> roundShapes() {
             }),
       shape("link", "A link of a chain: a ring about the z axis, pulled apart along y.",
             {{"length", NotNegative, "of its straight parts"},
-             positive("major", "the radius of its bends"), positive("minor", "the tube's radius")},
+             positive("major", "the radius of its bends"),
+             positive("minor", "the tube's radius")},
             [](const Record& r) -> Made {
               return Link<double>(r.number("length"), r.number("major"), r.number("minor"));
             }),
@@ -129,13 +126,14 @@ std::vector<SceneForm> cylindersAndCones() {
             [](const Record& r) -> Made {
               return Cylinder<double>(r.point("from"), r.point("to"), r.number("radius"));
             }),
-      shape("rounded cylinder", "A cylinder with rounded rims; ends and side stay in their places.",
-            betweenEnds({positive("radius", "its radius"),
-                         positive("rounding", "the rims' radius, at most that and half the length")}),
-            [](const Record& r) -> Made {
-              return RoundedCylinder<double>(r.point("from"), r.point("to"), r.number("radius"),
-                                             r.number("rounding"));
-            }),
+      shape(
+          "rounded cylinder", "A cylinder with rounded rims; ends and side stay in their places.",
+          betweenEnds({positive("radius", "its radius"),
+                       positive("rounding", "the rims' radius, at most that and half the length")}),
+          [](const Record& r) -> Made {
+            return RoundedCylinder<double>(r.point("from"), r.point("to"), r.number("radius"),
+                                           r.number("rounding"));
+          }),
       shape("infinite cylinder", "A cylinder without ends.",
             {point("point", "a point of its axis", kOrigin),
              point("axis", "the axis' direction", kAlongZ), positive("radius", "its radius")},

@@ -79,10 +79,7 @@ Made mesh(const Record& r) {
 
 const std::vector<SceneForm>& surfaceForms() {
   static const std::vector<SceneForm> kForms{
-      {.name = "mesh",
-       .meaning = "A surface mesh from a file.",
-       .keys = meshKeys(),
-       .make = mesh},
+      {.name = "mesh", .meaning = "A surface mesh from a file.", .keys = meshKeys(), .make = mesh},
       {.name = "prepared",
        .meaning = "A mesh that `cutwater prepare` has made ready, in double precision.",
        .keys = {{"prepared", File, "what `cutwater prepare` wrote"}},

@@ -83,50 +83,86 @@ std::string listed(const std::vector<std::string>& words) {
 
 bool hasType(const SceneValue& value, const SceneKey& key) {
   switch (key.type) {
-    case KeyType::Number: return isNumber(value, isAny);
-    case KeyType::Positive: return isNumber(value, isPositive);
-    case KeyType::NotNegative: return isNumber(value, isNotNegative);
-    case KeyType::Whole: return isNumber(value, isWhole);
-    case KeyType::Flag: return value.as<bool>() != nullptr;
+    case KeyType::Number:
+      return isNumber(value, isAny);
+    case KeyType::Positive:
+      return isNumber(value, isPositive);
+    case KeyType::NotNegative:
+      return isNumber(value, isNotNegative);
+    case KeyType::Whole:
+      return isNumber(value, isWhole);
+    case KeyType::Flag:
+      return value.as<bool>() != nullptr;
     case KeyType::Text:
     case KeyType::File:
-    case KeyType::Solid: return isText(value);
-    case KeyType::Choice: return isChoice(value, key.choices);
-    case KeyType::Point: return areNumbers(value, 3, isAny);
-    case KeyType::Sizes: return areNumbers(value, 3, isPositive);
-    case KeyType::Counts: return areNumbers(value, 3, isWhole);
-    case KeyType::Axis: return isAxis(value);
-    case KeyType::Columns: return areColumns(value);
-    case KeyType::Outline: return isOutline(value);
-    case KeyType::Outlines: return isListOf(value, isOutline);
-    case KeyType::Solids: return areNames(value);
-    case KeyType::Parts: return isListOf(value, isTable);
-    case KeyType::PositiveOrPart: return isNumber(value, isPositive) || isTable(value);
+    case KeyType::Solid:
+      return isText(value);
+    case KeyType::Choice:
+      return isChoice(value, key.choices);
+    case KeyType::Point:
+      return areNumbers(value, 3, isAny);
+    case KeyType::Sizes:
+      return areNumbers(value, 3, isPositive);
+    case KeyType::Counts:
+      return areNumbers(value, 3, isWhole);
+    case KeyType::Axis:
+      return isAxis(value);
+    case KeyType::Columns:
+      return areColumns(value);
+    case KeyType::Outline:
+      return isOutline(value);
+    case KeyType::Outlines:
+      return isListOf(value, isOutline);
+    case KeyType::Solids:
+      return areNames(value);
+    case KeyType::Parts:
+      return isListOf(value, isTable);
+    case KeyType::PositiveOrPart:
+      return isNumber(value, isPositive) || isTable(value);
   }
   return false;
 }
 
 std::string typeText(const SceneKey& key) {
   switch (key.type) {
-    case KeyType::Number: return "a number";
-    case KeyType::Positive: return "a number above 0";
-    case KeyType::NotNegative: return "a number from 0";
-    case KeyType::Whole: return "a whole number from 0";
-    case KeyType::Flag: return "true or false";
-    case KeyType::Text: return "a text";
-    case KeyType::File: return "the name of a file";
-    case KeyType::Choice: return listed(key.choices);
-    case KeyType::Point: return "three numbers";
-    case KeyType::Sizes: return "three numbers above 0";
-    case KeyType::Counts: return "three whole numbers from 0";
-    case KeyType::Axis: return "\"x\", \"y\", \"z\" or three numbers";
-    case KeyType::Columns: return "three columns of three numbers";
-    case KeyType::Outline: return "a list of points, two numbers each";
-    case KeyType::Outlines: return "lists of points, two numbers each";
-    case KeyType::Solid: return "the name of a solid";
-    case KeyType::Solids: return "a list of names of solids";
-    case KeyType::Parts: return "a list of tables";
-    case KeyType::PositiveOrPart: return "a number above 0, or a table";
+    case KeyType::Number:
+      return "a number";
+    case KeyType::Positive:
+      return "a number above 0";
+    case KeyType::NotNegative:
+      return "a number from 0";
+    case KeyType::Whole:
+      return "a whole number from 0";
+    case KeyType::Flag:
+      return "true or false";
+    case KeyType::Text:
+      return "a text";
+    case KeyType::File:
+      return "the name of a file";
+    case KeyType::Choice:
+      return listed(key.choices);
+    case KeyType::Point:
+      return "three numbers";
+    case KeyType::Sizes:
+      return "three numbers above 0";
+    case KeyType::Counts:
+      return "three whole numbers from 0";
+    case KeyType::Axis:
+      return "\"x\", \"y\", \"z\" or three numbers";
+    case KeyType::Columns:
+      return "three columns of three numbers";
+    case KeyType::Outline:
+      return "a list of points, two numbers each";
+    case KeyType::Outlines:
+      return "lists of points, two numbers each";
+    case KeyType::Solid:
+      return "the name of a solid";
+    case KeyType::Solids:
+      return "a list of names of solids";
+    case KeyType::Parts:
+      return "a list of tables";
+    case KeyType::PositiveOrPart:
+      return "a number above 0, or a table";
   }
   return {};
 }
