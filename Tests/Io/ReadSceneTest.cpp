@@ -122,9 +122,9 @@ TEST_F(ReadSceneTest, AnyBytesGiveAnErrorOrASolid) {
   const auto solid = read(kScene);
   EXPECT_EQ(solid.patchNames().back(), "balls");
   std::mt19937 random(7);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 2000; ++i) {
     auto text = kScene;
-    for (auto changes = 1 + random() % 4; changes > 0; --changes) {
+    for (auto changes = 1 + random() % 2; changes > 0; --changes) {
       const auto at = random() % text.size();
       switch (random() % 4) {
         case 0:
@@ -142,8 +142,8 @@ TEST_F(ReadSceneTest, AnyBytesGiveAnErrorOrASolid) {
     }
     expectAnAnswer(text);
   }
-  EXPECT_GT(answers, 100);  // both ways are tried
-  EXPECT_GT(refusals, 1000);
+  EXPECT_GT(answers, 50);  // both ways are tried
+  EXPECT_GT(refusals, 500);
   for (std::size_t size = 0; size < kScene.size(); size += 7) {
     expectAnAnswer(kScene.substr(0, size));
   }

@@ -36,17 +36,17 @@ TEST_F(SceneGraphTest, OnlyWhatIsNeededIsMade) {
 
 TEST_F(SceneGraphTest, RefusesNamesThatThereAreNot) {
   EXPECT_EQ(refusal(kA + "[it]\nunion = [\"a\",\n  \"aa\"]"),
-            "line 6: there is no solid 'aa'; is it \"a\"?");
+            "line 6: there is no solid \"aa\"; is it \"a\"?");
   EXPECT_EQ(refusal("[pipe]\nshape = \"plane\"\n[it]\ncopy = \"piep\""),
-            "line 4: there is no solid 'piep'; is it \"pipe\"?");
+            "line 4: there is no solid \"piep\"; is it \"pipe\"?");
   EXPECT_EQ(refusal("solid = \"c\"\n" + kA + "[bolts]\ncopy = \"a\""),
-            "line 1: there is no solid 'c'; is it \"a\"?");
+            "line 1: there is no solid \"c\"; is it \"a\"?");
   try {
     static_cast<void>(read(kA, {.solid = "bolt"}));
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::Argument);
-    EXPECT_EQ(error.what(), file.string() + ": there is no solid 'bolt'");
+    EXPECT_EQ(error.what(), file.string() + ": there is no solid \"bolt\"");
   }
 }
 
@@ -73,7 +73,7 @@ TEST_F(SceneGraphTest, EndsAtHundredOperatorsOnOneAnother) {
   };
   for (const bool isReversed : {false, true}) {
     EXPECT_EQ(refusal(chain(100, isReversed)), "nothing");
-    for (const int length : {101, 100000}) {
+    for (const int length : {101, 20000}) {
       const auto message = refusal(chain(length, isReversed), ErrorKind::Limit);
       EXPECT_TRUE(message.ends_with(": solids are nested more than 100 deep")) << message;
     }
@@ -81,14 +81,15 @@ TEST_F(SceneGraphTest, EndsAtHundredOperatorsOnOneAnother) {
 }
 
 TEST_F(SceneGraphTest, EndsWhereASolidWouldBeAskedTooOften) {
-  const auto doubled = [](int times, const std::string& table) {
+  const auto name = [](int i) { return std::string(1, 's') += std::to_string(i); };
+  const auto doubled = [&](int times, const std::string& table) {
     std::string text = "[s0]\nshape = \"sphere\"\nradius = 1\n";
     for (int i = 1; i <= times; ++i) {
       auto one = table;
       for (auto at = one.find('@'); at != std::string::npos; at = one.find('@')) {
-        one.replace(at, 1, "s" + std::to_string(i - 1));
+        one.replace(at, 1, name(i - 1));
       }
-      text += "[s" + std::to_string(i) + "]\n" + one;
+      text += '[' + name(i) + "]\n" + one;
     }
     return text;
   };
@@ -96,7 +97,7 @@ TEST_F(SceneGraphTest, EndsWhereASolidWouldBeAskedTooOften) {
        {"union = [\"@\", \"@\"]\n", "unfolded = \"@\"\nnormal = [1, 0, 0]\n"}) {
     EXPECT_EQ(refusal(doubled(10, table)), "nothing");
     EXPECT_EQ(refusal(doubled(17, table), ErrorKind::Limit).substr(9),
-              ": [s17]: it is made of more than 65536 solids");
+              "[s17]: it is made of more than 65536 solids");
     EXPECT_NE(refusal(doubled(90, table), ErrorKind::Limit), "nothing");
   }
 }
@@ -125,12 +126,12 @@ TEST_F(SceneGraphTest, RefusesWhatIsNoSolid) {
   EXPECT_EQ(refusal(""), "there is no solid in it");
   EXPECT_EQ(refusal("solid = \"a\""), "there is no solid in it");
   EXPECT_EQ(refusal("# nothing\n\nradius = 1\n"),
-            "line 3: 'radius' is no key of a scene, which has \"solid\", a text, and a table "
+            "line 3: \"radius\" is no key of a scene, which has \"solid\", a text, and a table "
             "[name] for each solid");
-  EXPECT_EQ(refusal("[[a]]\nshape = \"plane\"").substr(0, 11), "line 1: 'a'");
+  EXPECT_EQ(refusal("[[a]]\nshape = \"plane\"").substr(0, 11), "line 1: \"a\"");
   EXPECT_EQ(refusal("[a]\n").substr(0, 54),
             "line 1: [a] needs a key that tells what it is: one of ");
-  EXPECT_EQ(refusal("[a]\nshap = \"plane\""), "line 2: [a] has no key 'shap'; is it \"shape\"?");
+  EXPECT_EQ(refusal("[a]\nshap = \"plane\""), "line 2: [a] has no key \"shap\"; is it \"shape\"?");
   EXPECT_EQ(refusal("[a.b]\nshape = \"plane\"").substr(0, 15), "line 1: [a] nee");
 }
 

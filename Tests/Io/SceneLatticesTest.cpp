@@ -39,7 +39,7 @@ TEST_F(SceneLatticesTest, HasEveryUnitCell) {
   const auto unknown = refusal(latticeOf("octett") + "radius = 0.05");
   EXPECT_TRUE(unknown.starts_with("line 2: \"lattice\" of lattice: need one of \"simple cubic\", "))
       << unknown;
-  EXPECT_TRUE(unknown.ends_with("found 'octett'; is it \"octet\"?")) << unknown;
+  EXPECT_TRUE(unknown.ends_with("found \"octett\"; is it \"octet\"?")) << unknown;
 }
 
 TEST_F(SceneLatticesTest, MayEnd) {
@@ -59,7 +59,7 @@ TEST_F(SceneLatticesTest, MayBeGraded) {
   expectSame(read("solid = \"it\"\n" + near + "[ball]\nshape = \"sphere\"\nradius = 2\n"),
              Lattice(UnitCell::octet(), {1, 1, 1.5},
                      Radius::byDistanceTo(ball, {.start = 0.1, .end = 0.05, .over = 0.5})));
-  EXPECT_EQ(refusal(near), "line 4: there is no solid 'ball'");
+  EXPECT_EQ(refusal(near), "line 4: there is no solid \"ball\"");
   EXPECT_EQ(refusal(latticeOf("octet") + "radius = { at_center = 0.1 }"),
             "line 4: a radius by the place in the cell needs \"at_corners\", a number above 0");
   EXPECT_EQ(refusal(latticeOf("octet") + "radius = -1"),

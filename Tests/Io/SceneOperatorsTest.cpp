@@ -94,14 +94,14 @@ TEST_F(SceneOperatorsTest, MotionsActInTheirOrder) {
   EXPECT_EQ(refusal(box + "move = [{ rotate = 30 }]"),
             "line 5: rotate needs \"axis\", \"x\", \"y\", \"z\" or three numbers");
   EXPECT_EQ(refusal(box + "move = [{ rotate = 30, axis = \"xy\" }]"),
-            "line 5: \"axis\" of rotate: need \"x\", \"y\", \"z\" or three numbers, found 'xy'");
+            "line 5: \"axis\" of rotate: need \"x\", \"y\", \"z\" or three numbers, found \"xy\"");
   EXPECT_EQ(refusal(box + "move = [{ turn = 30 }]"),
             "line 5: a table of \"move\" needs a key that tells what it is: one of "
             "\"translate\", \"rotate\"");
   EXPECT_EQ(refusal(box + "move = [{ rotate = 30, axis = \"x\", translate = [1, 0, 0] }]"),
             "line 5: a table of \"move\" cannot have both \"translate\" and \"rotate\"");
   EXPECT_EQ(refusal(box + "move = [{ translat = [1, 0, 0] }]"),
-            "line 5: a table of \"move\" has no key 'translat'; is it \"translate\"?");
+            "line 5: a table of \"move\" has no key \"translat\"; is it \"translate\"?");
 }
 
 TEST_F(SceneOperatorsTest, PatchesHaveNames) {
@@ -113,12 +113,12 @@ TEST_F(SceneOperatorsTest, TellTheLineOfWhatIsRefused) {
   EXPECT_EQ(refusal(kOperands + "[it]\nblended = [\"a\"]\nt = 0"),
             "line 13: blended: need two solids");
   EXPECT_EQ(refusal(kOperands + "[it]\nblended = [\"a\", \"b\"]\nt = 2", ErrorKind::Argument),
-            "line 12: [it]: Blend: need 0 <= t <= 1 (t = 2)");
+            "line 12: [it]: blended: need 0 <= t <= 1 (t = 2)");
   EXPECT_EQ(refusal(kOperands + "[it]\nunion = []"),
             "line 13: \"union\" of union: need a list of names of solids, found a list of 0");
   EXPECT_EQ(refusal(kOperands + "[it]\nunion = [\"a\"]\nfillet = \"cubik\""),
             "line 14: \"fillet\" of union: need one of \"quadratic\", \"cubic\", \"circular\", "
-            "\"exponential\", found 'cubik'; is it \"cubic\"?");
+            "\"exponential\", found \"cubik\"; is it \"cubic\"?");
   EXPECT_EQ(refusal(kOperands + "[it]\nunion = [\"a\"]\nxor = [\"a\"]"),
             "line 14: [it] cannot have both \"union\" and \"xor\"");
 }

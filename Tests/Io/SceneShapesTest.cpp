@@ -135,14 +135,14 @@ TEST_F(SceneShapesTest, TellWhatIsMissingOrWrong) {
   EXPECT_EQ(refusal("[a]\nshape = \"sphere\""),
             "line 1: sphere needs \"radius\", a number above 0");
   EXPECT_EQ(refusal("[a]\nshape = \"sphere\"\nradus = 1"),
-            "line 3: sphere has no key 'radus'; is it \"radius\"?");
+            "line 3: sphere has no key \"radus\"; is it \"radius\"?");
   EXPECT_EQ(refusal("[a]\nshape = \"shpere\"\nradius = 1"),
-            "line 2: [a]: there is no shape 'shpere'; is it \"sphere\"?");
+            "line 2: [a]: there is no shape \"shpere\"; is it \"sphere\"?");
   EXPECT_EQ(refusal("[a]\nshape = 3\nradius = 1"), "line 2: [a]: there is no shape 3");
   EXPECT_EQ(refusal("[a]\nshape = \"sphere\"\n\nradius = 0"),
             "line 4: \"radius\" of sphere: need a number above 0, found 0");
   EXPECT_EQ(refusal("[a]\nshape = \"sphere\"\nradius = \"big\""),
-            "line 3: \"radius\" of sphere: need a number above 0, found 'big'");
+            "line 3: \"radius\" of sphere: need a number above 0, found \"big\"");
   EXPECT_EQ(refusal("[a]\nshape = \"sphere\"\nradius = inf"),
             "line 3: \"radius\" of sphere: need a number above 0, found inf");
   EXPECT_EQ(refusal("[a]\nshape = \"sphere\"\nradius = 1\ncenter = [1, 2]"),

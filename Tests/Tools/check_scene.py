@@ -90,7 +90,7 @@ class AboutScenes(SceneTest):
 class SceneRefusals(SceneTest):
     def test_errors_name_the_line(self):
         for command in ["info"], ["sample", "-o", "a"], ["amr", "-o", "a"], ["slice", "-o", "a"], ["render", "-o", "a"]:
-            self.assertIn("it.toml: line 2: [ball]: there is no shape 'bal'",
+            self.assertIn('it.toml: line 2: [ball]: there is no shape "bal"',
                           self.fails(1, command[0], self.scene('[ball]\nshape = "bal"\n'), *command[1:]))
         self.fails(1, "info", "none.toml")
 

@@ -13,7 +13,9 @@ void addScene(CLI::App& program) {
                                           "solids, for sample, amr, slice, render "
                                           "and info");
   command
-      .add_flag("--keys", "Every shape, mesh, lattice and operator, and each key with its default")
+      .add_flag_callback(
+          "--keys", [] { std::cout << sceneKeys(); },
+          "Every shape, mesh, lattice and operator, and each key with its default")
       ->required();
   command.footer(
       "A scene:\n"
@@ -26,7 +28,6 @@ void addScene(CLI::App& program) {
       "Examples:\n"
       "  cutwater scene --keys\n"
       "  cutwater render pipe.toml -o pipe.png");
-  command.callback([] { std::cout << sceneKeys(); });
 }
 
 }  // namespace cutwater::tool

@@ -18,9 +18,14 @@ using Made = cutwater::Solid<double>;
 
 const std::string kReentrant = "re-entrant";
 
+const std::vector<UnitCell>& allCells() {
+  static const auto kCells = UnitCell::all();
+  return kCells;
+}
+
 std::vector<std::string> cellNames() {
   std::vector<std::string> names;
-  for (const auto& cell : UnitCell::all()) names.push_back(cell.name());
+  for (const auto& cell : allCells()) names.push_back(cell.name());
   return names;
 }
 
@@ -55,7 +60,7 @@ Thickness<double> thicknessOf(const Record& r) {
 UnitCell cellOf(const Record& r) {
   if (r.text("lattice") == kReentrant) return UnitCell::reentrant(r.number("height"));
   if (r.isGiven("height")) r.fail("height", "only re-entrant cells have a \"height\"");
-  return UnitCell::all()[r.choice("lattice")];
+  return allCells()[r.choice("lattice")];
 }
 
 Made lattice(const Record& r) {
