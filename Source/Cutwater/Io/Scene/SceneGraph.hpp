@@ -16,6 +16,7 @@ class SceneGraph {
   SceneGraph(const SceneValue::Table& top, SceneContext context);
   SceneGraph(const SceneGraph&) = delete;  // its records know its context
   SceneGraph& operator=(const SceneGraph&) = delete;
+  ~SceneGraph() = default;
 
   /// The solid of this name; without one, that which the file says, or else its last.
   /// @throws Error(Argument) if there is none of this name; what the solid's own constructor
