@@ -128,6 +128,8 @@ void run(Options options) {
     quicker.setPlacement(solid.placement());
     solid = std::move(quicker);
   }
+  // What has no end ends at the box that is to be seen.
+  if (!isFinite(solid.boundingBox())) render.region = render.show;
   render.axes = !options.noAxes;
   if (render.title.empty()) render.title = fileName(options.surface);
   for (const auto& cut : options.cuts) {
