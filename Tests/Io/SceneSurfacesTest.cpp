@@ -112,7 +112,8 @@ TEST_F(SceneSurfacesTest, HandOnHowToClean) {
   expectCleaned("nested.off", "", {});
   expectCleaned("nested.off", "nested = \"cavities\"", {.nested = NestedShells::Cavities});
   expectCleaned("nested.off", "nested = \"solids\"", {.nested = NestedShells::Solids});
-  expectCleaned("nested.off", "orient = false", {.orient = false});
+  expectCleaned("nested.off", "nested = \"cavities\"\norient = false",
+                {.orient = false, .nested = NestedShells::Cavities});
   expectCleaned("twice.off", "opposite = \"keep\"", {.opposite = OppositeFaces::Keep});
   EXPECT_TRUE(refusal("[it]\nmesh = \"twice.off\"\nclean = true\nopposite = \"cancel\"",
                       ErrorKind::Topology)
