@@ -16,7 +16,7 @@ MAY_INCLUDE = {
     "Tpms": "Core Simd Sdf Operations",
     "Grid": "Core Sdf Mesh",
     "Render": "Core Sdf Grid",
-    "Io": "Core Sdf Mesh Lattice Grid Render",
+    "Io": "Core Sdf Shapes Operations Mesh Lattice Grid Render",
     "Adapters": "Core Sdf Grid",
     "Repair": "Core Bvh Mesh",
     "P4est": "Core Sdf Mesh Grid Io",
@@ -26,7 +26,7 @@ GPL = {"Repair", "P4est"}  # targets and folders of their own
 # GPL code is for those; streams depend on the locale.
 FORBIDDEN = re.compile(r"CGAL/|p4est|p8est|gmp|mpfr|iostream|sstream")
 # Other people's headers cost users compile time and tie them to versions: only in .cpp files.
-PRIVATE = re.compile(r"Eigen/|omp\.h|zlib\.h|png\.h|experimental/|immintrin\.h|CLI/|p8est|CGAL/")
+PRIVATE = re.compile(r"Eigen/|omp\.h|zlib\.h|png\.h|experimental/|immintrin\.h|toml\+\+/|CLI/|p8est|CGAL/")
 OPTIONAL_HEADERS = {"Core/Eigen.hpp"}  # for users of that library only
 # Host codes are known to one header each, which nothing else of ours includes.
 HOST = re.compile(r"AMReX|BaseIF|deal\.II/|Cutwater/Adapters/(Amrex|Chombo|DealII)\.hpp")

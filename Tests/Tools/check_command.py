@@ -13,7 +13,8 @@ except ImportError:
 from command import OPEN_BOX, PROGRAM, CommandTest
 from readers import Png, Vti, Vtu, bounds, read_off
 
-SUBCOMMANDS = ["info", "repair", "sample", "amr", "slice", "render", "isosurface", "convert", "prepare", "make"]
+SUBCOMMANDS = ["info", "repair", "sample", "amr", "slice", "render", "isosurface", "convert", "prepare", "make",
+               "scene"]
 
 
 def box_distance(p, half):

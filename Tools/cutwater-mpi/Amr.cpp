@@ -69,11 +69,11 @@ class Surface {
     quietly.quiet = quietly.quiet || rankIn(options.comm) != 0;
     if (options.isPrivate) {
       quietly.threads = options.surface.threads;
-      agreed(options.comm, [&] { own_.emplace(loadSolid(quietly)); });
+      agreed(options.comm, [&] { own_.emplace(loadMesh(quietly)); });
     } else {
       quietly.threads = 0;  // the other ranks wait
-      shared_ = std::make_unique<SharedGeometry<double>>(options.comm,
-                                                         [&] { return loadSolid(quietly); });
+      shared_ =
+          std::make_unique<SharedGeometry<double>>(options.comm, [&] { return loadMesh(quietly); });
     }
   }
   [[nodiscard]] const MeshSDF<double>& mesh() const { return own_ ? *own_ : shared_->mesh(); }

@@ -137,7 +137,7 @@ void addAmr(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   auto& command = *program.add_subcommand(
       "amr", "Build an octree mesh around the surface, as a VTK grid that ParaView opens");
-  addSurfaceOptions(command, options->surface);
+  addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
   command.add_option("-o,--output", options->output, "The mesh to write")
       ->required()

@@ -17,5 +17,6 @@ void addConvert(CLI::App& program);
 void addMake(CLI::App& program);
 void addPrepare(CLI::App& program);
 void addRepair(CLI::App& program);
+void addScene(CLI::App& program);
 
 }  // namespace cutwater::tool

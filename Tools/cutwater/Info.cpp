@@ -10,6 +10,10 @@ namespace cutwater::tool {
 namespace {
 
 void run(const InfoOptions& options) {
+  if (isScene(options)) {
+    std::cout << aboutScene(options);
+    return;
+  }
   const auto facts = gather(options);
   std::cout << (options.json ? jsonOf(facts) : pageOf(facts));
 }
@@ -21,8 +25,8 @@ void addInfo(CLI::App& program) {
   auto& command = *program.add_subcommand(
       "info",
       "Read and check a surface, and say what it is: size, patches, defects and what they mean, "
-      "memory, what to do next");
-  addSurfaceOptions(command, *options);
+      "memory, what to do next; of a scene, its solid's expression, box and patches");
+  addSurfaceOptions(command, *options, Reads::SurfacesAndScenes);
   command.add_flag("--float", options->inFloat, "Say also what it takes in single precision");
   command.add_flag("--json", options->json, "Say it in JSON, for programs");
   command.footer(

@@ -70,4 +70,8 @@ struct InfoFacts {
 [[nodiscard]] std::string pageOf(const InfoFacts& facts);
 [[nodiscard]] std::string jsonOf(const InfoFacts& facts);
 
+/// All that is told of a scene, as a page or in JSON. Ends with '\n'.
+/// @throws Error as loadSolid(), and if it is to be told in single precision.
+[[nodiscard]] std::string aboutScene(const InfoOptions& options);
+
 }  // namespace cutwater::tool

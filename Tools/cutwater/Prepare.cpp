@@ -35,10 +35,10 @@ void prepare(const Options& options, const MeshSDF<T>& solid, double seconds) {
 void run(const Options& options) {
   Stopwatch watch;
   if (options.inFloat) {
-    const auto solid = loadSolid<float>(options.surface);
+    const auto solid = loadMesh<float>(options.surface);
     prepare(options, solid, watch.lap());
   } else {
-    const auto solid = loadSolid<double>(options.surface);
+    const auto solid = loadMesh<double>(options.surface);
     prepare(options, solid, watch.lap());
   }
 }

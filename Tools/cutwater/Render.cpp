@@ -120,13 +120,16 @@ void addLookOptions(CLI::App& command, Options& options) {
 void run(Options options) {
   auto solid = loadSolid(options.surface);
   auto& render = options.render;
-  render.sheets = !solid.signReport().isClosed() && !options.solid;
+  const auto* const mesh = solid.as<MeshSDF<double>>();
+  render.sheets = mesh != nullptr && !mesh->signReport().isClosed() && !options.solid;
   // Signs are not looked at then, and these are the quicker ones.
   if (render.sheets && options.cuts.empty()) {
-    MeshSDF<double> quicker(solid.soup(), {.signs = SignScheme::NearestFeature});
+    Solid<double> quicker(MeshSDF<double>(mesh->soup(), {.signs = SignScheme::NearestFeature}));
     quicker.setPlacement(solid.placement());
     solid = std::move(quicker);
   }
+  // What has no end ends at the box that is to be seen.
+  if (!isFinite(solid.boundingBox())) render.region = render.show;
   render.axes = !options.noAxes;
   if (render.title.empty()) render.title = fileName(options.surface);
   for (const auto& cut : options.cuts) {
@@ -156,7 +159,7 @@ void addRender(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   auto& command = *program.add_subcommand(
       "render", "Draw the surface as a PNG picture, shaded, with cuts and colours of patches");
-  addSurfaceOptions(command, options->surface);
+  addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
   command.add_option("-o,--output", options->output, "The picture to write")
       ->required()

@@ -91,7 +91,7 @@ void addSample(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   auto& command = *program.add_subcommand(
       "sample", "Sample the signed distance on a grid, as a VTK image that ParaView opens");
-  addSurfaceOptions(command, options->surface);
+  addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
   command.add_option("-o,--output", options->output, "The image to write")
       ->required()

@@ -19,7 +19,7 @@ void addSlice(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   auto& command = *program.add_subcommand(
       "slice", "Draw the signed distance in a plane, with the surface's outline, as a PNG picture");
-  addSurfaceOptions(command, options->surface);
+  addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
   command.add_option("-o,--output", options->picture.output, "The picture to write")
       ->required()

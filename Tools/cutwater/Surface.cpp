@@ -2,7 +2,9 @@
 
 #include <Cutwater/Core/Checksum.hpp>
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Io/ReadScene.hpp>
 #include <Cutwater/Mesh/Triangulation.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -67,11 +69,16 @@ std::optional<MeshSDF<T>> ready(const SurfaceOptions& options) {
   return solid;
 }
 
-bool isStl(const std::string& file) {
+/// In lower case: ".stl".
+std::string extensionOf(const std::string& file) {
   auto extension = std::filesystem::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return extension == ".stl";
+  return extension;
+}
+
+bool isStl(const std::string& file) {
+  return extensionOf(file) == ".stl";
 }
 
 }  // namespace
@@ -80,11 +87,14 @@ void addQuiet(CLI::App& command, bool& quiet) {
   command.add_flag("-q,--quiet", quiet, "Say nothing but errors");
 }
 
-void addSurfaceOptions(CLI::App& command, SurfaceOptions& options) {
+void addSurfaceOptions(CLI::App& command, SurfaceOptions& options, Reads reads) {
+  const std::string scenes =
+      reads == Reads::SurfacesAndScenes ? ", or a scene in TOML: see 'cutwater scene'" : "";
   command
       .add_option("FILE", options.file,
                   "STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed, or what 'cutwater "
-                  "prepare' wrote")
+                  "prepare' wrote" +
+                      scenes)
       ->required();
   command
       .add_option_function<std::string>(
@@ -138,7 +148,16 @@ void addSignOptions(CLI::App& command, SurfaceOptions& options) {
                    "Refuse a surface that does not bound a solid");
 }
 
+bool isScene(const SurfaceOptions& options) {
+  return extensionOf(options.file) == ".toml";
+}
+
 LoadedSurface load(const SurfaceOptions& options) {
+  if (isScene(options)) {
+    throw Error(ErrorKind::File, options.file +
+                                     ": a scene has no surface mesh to work on; sample, "
+                                     "amr, slice, render and info take scenes");
+  }
   if (const auto info = geometryFileInfo(options.file)) {
     return info->bytesPerNumber == sizeof(float) ? loadPrepared<float>(options, *info)
                                                  : loadPrepared<double>(options, *info);
@@ -154,7 +173,7 @@ LoadedSurface load(const SurfaceOptions& options) {
 }
 
 template <std::floating_point T>
-MeshSDF<T> loadSolid(const SurfaceOptions& options) {
+MeshSDF<T> loadMesh(const SurfaceOptions& options) {
   auto solid = ready<T>(options);
   try {
     if (!solid) solid.emplace(load(options).soup, options.solid);
@@ -168,8 +187,22 @@ MeshSDF<T> loadSolid(const SurfaceOptions& options) {
   return *std::move(solid);
 }
 
-template MeshSDF<float> loadSolid(const SurfaceOptions&);
-template MeshSDF<double> loadSolid(const SurfaceOptions&);
+template MeshSDF<float> loadMesh(const SurfaceOptions&);
+template MeshSDF<double> loadMesh(const SurfaceOptions&);
+
+Solid<double> loadSolid(const SurfaceOptions& options) {
+  if (!isScene(options)) return loadMesh(options);
+  if (options.solid.signs != SignScheme::Automatic || options.solid.requireWatertight) {
+    throw Error(ErrorKind::Argument,
+                options.file +
+                    ": --signs and --require-watertight are for surfaces; in a scene, "
+                    "\"signs\" and \"require_watertight\" are keys of its meshes");
+  }
+  auto solid = readScene(options.file);
+  if (options.scale != 1) solid = scaled(solid, options.scale);
+  solid.setPlacement(RigidTransform<double>::composed(solid.placement(), options.placement));
+  return solid;
+}
 
 std::uint64_t sourceHash(const SurfaceOptions& options) {
   if (const auto info = geometryFileInfo(options.file)) return info->source;

@@ -3,6 +3,7 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/ReadSurface.hpp>
 #include <Cutwater/Mesh/WriteSurface.hpp>
+#include <Cutwater/Sdf/Solid.hpp>
 
 #include <chrono>
 #include <optional>
@@ -26,10 +27,13 @@ struct SurfaceOptions {
   MeshSDFOptions solid;
 };
 
+/// What a command's FILE may be.
+enum class Reads : std::uint8_t { Surfaces, SurfacesAndScenes };
+
 /// Adds FILE, --scale, --translate, --rotate, --threads and --quiet. Motions act in the order they
 /// are given. `options` must live as long as the command.
-void addSurfaceOptions(CLI::App& command, SurfaceOptions& options);
-/// Adds --signs and --require-watertight, for commands that call loadSolid().
+void addSurfaceOptions(CLI::App& command, SurfaceOptions& options, Reads reads = Reads::Surfaces);
+/// Adds --signs and --require-watertight, for commands that call loadMesh() or loadSolid().
 void addSignOptions(CLI::App& command, SurfaceOptions& options);
 void addQuiet(CLI::App& command, bool& quiet);
 
@@ -61,14 +65,21 @@ struct LoadedSurface {
   std::optional<Prepared> prepared = {};  ///< the soup holds its triangles then
 };
 
-/// @throws Error if the file cannot be read.
+/// Whether the file is a scene: its name ends in .toml.
+[[nodiscard]] bool isScene(const SurfaceOptions& options);
+
+/// @throws Error if the file cannot be read, or is a scene.
 [[nodiscard]] LoadedSurface load(const SurfaceOptions& options);
 
 /// The surface of the file as a signed distance function. Says what its signs rest on, unless that
 /// is sound or nothing is to be said.
 /// @throws Error if the file cannot be read or has no faces.
 template <std::floating_point T = double>
-[[nodiscard]] MeshSDF<T> loadSolid(const SurfaceOptions& options);
+[[nodiscard]] MeshSDF<T> loadMesh(const SurfaceOptions& options);
+
+/// The same, or the solid of a scene.
+/// @throws Error also if a scene is to have other signs than it says.
+[[nodiscard]] Solid<double> loadSolid(const SurfaceOptions& options);
 
 /// XXH64 of the surface's file, or of the file that a prepared one was made from; 0 if it cannot be
 /// read twice.

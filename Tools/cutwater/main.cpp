@@ -27,6 +27,7 @@ void describe(CLI::App& program) {
       "  cutwater amr hull.stl --level 6 -o hull.vtu\n"
       "  cutwater slice hull.stl --axis y -o hull.png\n"
       "  cutwater render hull.stl --view iso -o hull.png\n"
+      "  cutwater render exchanger.toml -o exchanger.png\n"
       "\n"
       "'cutwater SUBCOMMAND --help' tells more.\n"
       "Exit status: 0 done; 1 a file or a surface is not what it must be; 2 wrong usage.");
@@ -45,6 +46,7 @@ int run(int argc, const char* const* argv) {
   cutwater::tool::addConvert(program);
   cutwater::tool::addPrepare(program);
   cutwater::tool::addMake(program);
+  cutwater::tool::addScene(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,16 @@
+#include <Cutwater/Io/ReadScene.hpp>
+#include <Cutwater/Io/Scene/ParseToml.hpp>
+#include <Cutwater/Io/Scene/SceneGraph.hpp>
+#include <Cutwater/Mesh/Formats/Input.hpp>
+
+namespace cutwater {
+
+Solid<double> readScene(const std::filesystem::path& path, const ReadSceneOptions& options) {
+  const auto name = path.string();
+  const auto bytes = formats::loadFile(path, options.maxBytes);
+  scene::SceneGraph graph(scene::parseToml(bytes.view(), name),
+                          {.file = name, .folder = path.parent_path(), .solids = {}});
+  return graph.make(options.solid);
+}
+
+}  // namespace cutwater

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <Cutwater/Sdf/Solid.hpp>
+
+#include <optional>
+
+// Private: not installed.
+
+namespace cutwater::scene {
+
+class SceneRecord;
+struct SceneForm;
+
+enum class KeyType : std::uint8_t {
+  Number,
+  Positive,
+  NotNegative,
+  Whole,  ///< from 0
+  Flag,
+  Text,
+  File,
+  Choice,
+  Point,     ///< three numbers
+  Sizes,     ///< three, above 0
+  Counts,    ///< three, whole, from 0
+  Axis,      ///< "x", "y", "z" or a direction
+  Columns,   ///< of a matrix
+  Outline,   ///< points in a plane
+  Outlines,  ///< lists of them
+  Solid,
+  Solids,
+  Parts,           ///< a list of tables, each of one of the key's forms
+  PositiveOrPart,  ///< a number above 0, or such a table
+};
+
+inline const std::string kNothing;  ///< the preset of a key that may be missing
+
+/// A key that a table of a scene file may have.
+struct SceneKey {
+  std::string name;
+  KeyType type;
+  std::string meaning;
+  /// The value of a missing key, in TOML; none: it must be there.
+  std::optional<std::string> preset = {};
+  std::vector<std::string> choices = {};
+  const std::vector<SceneForm>* forms = nullptr;
+};
+
+/// What a table of a scene file may be: a shape, an operator, a mesh, a step of a motion.
+struct SceneForm {
+  std::string name;
+  std::string meaning;
+  std::vector<SceneKey> keys;
+  Solid<double> (*make)(const SceneRecord&) = nullptr;
+  /// The key by whose value, its name, the form is known: shape = "torus". Without it, the form is
+  /// known by its first key.
+  std::string head = {};
+  std::size_t copies = 1;  ///< how often the expression that it makes has each of its operands
+
+  [[nodiscard]] const std::string& headKey() const {
+    return head.empty() ? keys.front().name : head;
+  }
+};
+
+/// Forms under one heading.
+struct SceneForms {
+  std::string title;
+  std::string text;
+  const std::vector<SceneForm>& forms;
+};
+
+// A new kind of solid is a row of one of these, or one more list.
+const std::vector<SceneForm>& shapeForms();
+const std::vector<SceneForm>& surfaceForms();
+const std::vector<SceneForm>& latticeForms();
+const std::vector<SceneForm>& operatorForms();
+
+/// All of the above, in the order of the page.
+const std::vector<SceneForms>& allSceneForms();
+/// Those that every solid takes, ...
+const std::vector<SceneKey>& commonKeys();
+/// ... and what they do.
+Solid<double> placed(Solid<double> solid, const SceneRecord& record);
+
+}  // namespace cutwater::scene

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <Cutwater/Core/FunctionRef.hpp>
+#include <Cutwater/Core/Vec2.hpp>
+#include <Cutwater/Io/Scene/SceneForm.hpp>
+#include <Cutwater/Io/Scene/SceneValue.hpp>
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <variant>
+
+// Private: not installed.
+
+namespace cutwater::scene {
+
+/// What tables of one file share.
+struct SceneContext {
+  std::string file;                                          ///< its name in messages
+  std::filesystem::path folder;                              ///< names of files are relative to it
+  std::map<std::string, Solid<double>, std::less<>> solids;  ///< that are made
+};
+
+/// A table that has the keys of its form, each of its type. Values of keys that are missing are the
+/// presets. Keys are asked for by the functions of their types.
+class SceneRecord {
+ public:
+  /// @throws Error(File) with the line, naming the key, for keys that the form does not have, that
+  /// are missing, or have values of another type.
+  SceneRecord(const SceneContext& context, const SceneForm& form, const SceneValue::Table& table,
+              std::uint64_t line, const std::vector<SceneKey>& more = {});
+
+  [[nodiscard]] const SceneForm& form() const { return *form_; }
+  [[nodiscard]] std::uint64_t line() const { return line_; }
+  /// Whether there is a value, be it the preset.
+  [[nodiscard]] bool has(std::string_view key) const { return !values_[indexOf(key)].isNothing; }
+  /// Whether the table has it.
+  [[nodiscard]] bool isGiven(std::string_view key) const { return values_[indexOf(key)].isGiven; }
+
+  [[nodiscard]] double number(std::string_view key) const;
+  [[nodiscard]] std::optional<double> optionalNumber(std::string_view key) const;
+  [[nodiscard]] std::uint32_t whole(std::string_view key) const;
+  [[nodiscard]] bool flag(std::string_view key) const;
+  [[nodiscard]] const std::string& text(std::string_view key) const;
+  [[nodiscard]] std::filesystem::path file(std::string_view key) const;
+  /// Its index among the choices.
+  [[nodiscard]] std::size_t choice(std::string_view key) const;
+  [[nodiscard]] Vec3<double> point(std::string_view key) const;
+  [[nodiscard]] std::array<std::uint32_t, 3> counts(std::string_view key) const;
+  /// A coordinate axis, or a direction.
+  [[nodiscard]] std::variant<int, Vec3<double>> axis(std::string_view key) const;
+  [[nodiscard]] std::array<Vec3<double>, 3> columns(std::string_view key) const;
+  [[nodiscard]] std::vector<Vec2<double>> outline(std::string_view key) const;
+  [[nodiscard]] std::vector<std::vector<Vec2<double>>> outlines(std::string_view key) const;
+  [[nodiscard]] const Solid<double>& solid(std::string_view key) const;
+  [[nodiscard]] std::vector<Solid<double>> solids(std::string_view key) const;
+  /// None where the value is a number.
+  [[nodiscard]] std::vector<SceneRecord> parts(std::string_view key) const;
+
+  /// Calls visit(name of a solid, line) for all that are named, in parts as well.
+  void forEachReference(FunctionRef<void(const std::string&, std::uint64_t)> visit) const;
+
+  /// @throws Error(File), with the line.
+  [[noreturn]] void fail(std::string_view key, const std::string& message) const;
+
+ private:
+  struct Value {
+    const SceneKey* key;
+    SceneValue value;
+    bool isNothing;
+    bool isGiven;
+  };
+  void take(Value& value, const SceneValue::Table& table) const;
+  void check(const SceneKey& key, const SceneValue& value) const;
+  void refuseUnknown(const SceneValue::Table& table) const;
+  [[nodiscard]] std::size_t indexOf(std::string_view key) const;
+  [[nodiscard]] const SceneValue& valueOf(std::string_view key) const {
+    return values_[indexOf(key)].value;
+  }
+  [[nodiscard]] SceneRecord part(const SceneKey& key, const SceneValue& value) const;
+
+  const SceneContext* context_;
+  const SceneForm* form_;
+  std::uint64_t line_;
+  std::vector<Value> values_;
+};
+
+/// The form that a table has, by the key that tells it. `what` says in messages what it should be.
+/// @throws Error(File) with the line if it has none, or several.
+[[nodiscard]] const SceneForm& formOf(const SceneContext& context, const SceneValue::Table& table,
+                                      std::uint64_t line, const std::string& what,
+                                      std::span<const SceneForm* const> forms);
+
+}  // namespace cutwater::scene

@@ -1,0 +1,139 @@
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
+
+#include <set>
+
+#include "Scenes.hpp"
+
+namespace cutwater::test {
+namespace {
+
+const std::string kA = "[a]\nshape = \"sphere\"\nradius = 1\n";
+const std::string kB = "[b]\nshape = \"sphere\"\nradius = 1\ncenter = [1, 0, 0]\n";
+const std::string kBoth = "[both]\nunion = [\"a\", \"b\"]\n";
+
+class SceneGraphTest : public SceneTest {};
+
+TEST_F(SceneGraphTest, SolidsMayStandInAnyOrder) {
+  const Solid<double> both = Sphere<double>({}, 1) | Sphere<double>({1, 0, 0}, 1);
+  for (const auto& text : {kA + kB + kBoth, kBoth + kA + kB, kB + kBoth + kA}) {
+    expectSame(read("solid = \"both\"\n" + text), both);
+  }
+}
+
+TEST_F(SceneGraphTest, TheLastOneIsMeantUnlessTold) {
+  expectSame(read(kBoth + kA + kB), Sphere<double>({1, 0, 0}, 1));
+  expectSame(read("solid = \"a\"\n" + kBoth + kA + kB), Sphere<double>({}, 1));
+  expectSame(read("solid = \"b\"\n" + kBoth + kA + kB, {.solid = "a"}), Sphere<double>({}, 1));
+  // Later in the file, not in the alphabet.
+  expectSame(read("[z]\nshape = \"plane\"\n" + kA), Sphere<double>({}, 1));
+}
+
+TEST_F(SceneGraphTest, OnlyWhatIsNeededIsMade) {
+  expectSame(read("[lost]\nmesh = \"none.stl\"\n" + kA), Sphere<double>({}, 1));
+  EXPECT_NE(refusal("[lost]\nmesh = \"none.stl\"\nscal = 1\n" + kA), "nothing");
+}
+
+TEST_F(SceneGraphTest, RefusesNamesThatThereAreNot) {
+  EXPECT_EQ(refusal(kA + "[it]\nunion = [\"a\",\n  \"aa\"]"),
+            "line 6: there is no solid \"aa\"; is it \"a\"?");
+  EXPECT_EQ(refusal("[pipe]\nshape = \"plane\"\n[it]\ncopy = \"piep\""),
+            "line 4: there is no solid \"piep\"; is it \"pipe\"?");
+  EXPECT_EQ(refusal("solid = \"c\"\n" + kA + "[bolts]\ncopy = \"a\""),
+            "line 1: there is no solid \"c\"; is it \"a\"?");
+  try {
+    static_cast<void>(read(kA, {.solid = "bolt"}));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Argument);
+    EXPECT_EQ(error.what(), file.string() + ": there is no solid \"bolt\"");
+  }
+}
+
+TEST_F(SceneGraphTest, RefusesCyclesAndNamesTheChain) {
+  EXPECT_EQ(refusal("[a]\ncopy = \"a\""), "line 2: \"a\" is made of itself: \"a\" -> \"a\"");
+  EXPECT_EQ(refusal(kA + "[p]\nunion = [\"a\", \"q\"]\n[q]\ncomplement = \"r\"\n"
+                         "[r]\nshell = \"q\"\nhalf_thickness = 1\n"),
+            "line 9: \"q\" is made of itself: \"q\" -> \"r\" -> \"q\"");
+  EXPECT_EQ(refusal("[a]\nlattice = \"octet\"\ncell = [1, 1, 1]\n"
+                    "radius = { near = \"a\", start = 1, end = 1, over = 1 }"),
+            "line 4: \"a\" is made of itself: \"a\" -> \"a\"");
+}
+
+TEST_F(SceneGraphTest, EndsAtHundredOperatorsOnOneAnother) {
+  const auto chain = [](int length, bool isReversed) {
+    std::vector<std::string> links{"[s0]\nshape = \"sphere\"\nradius = 1\n"};
+    for (int i = 1; i < length; ++i) {
+      links.push_back("[s" + std::to_string(i) + "]\ncopy = \"s" + std::to_string(i - 1) + "\"\n");
+    }
+    if (isReversed) std::reverse(links.begin(), links.end());
+    std::string text = "solid = \"s0\"\n";
+    for (const auto& link : links) text += link;
+    return text;
+  };
+  for (const bool isReversed : {false, true}) {
+    EXPECT_EQ(refusal(chain(100, isReversed)), "nothing");
+    for (const int length : {101, 20000}) {
+      const auto message = refusal(chain(length, isReversed), ErrorKind::Limit);
+      EXPECT_TRUE(message.ends_with(": solids are nested more than 100 deep")) << message;
+    }
+  }
+}
+
+TEST_F(SceneGraphTest, EndsWhereASolidWouldBeAskedTooOften) {
+  const auto name = [](int i) { return std::string(1, 's') += std::to_string(i); };
+  const auto doubled = [&](int times, const std::string& table) {
+    std::string text = "[s0]\nshape = \"sphere\"\nradius = 1\n";
+    for (int i = 1; i <= times; ++i) {
+      auto one = table;
+      for (auto at = one.find('@'); at != std::string::npos; at = one.find('@')) {
+        one.replace(at, 1, name(i - 1));
+      }
+      text += '[' + name(i) + "]\n" + one;
+    }
+    return text;
+  };
+  for (const std::string table :
+       {"union = [\"@\", \"@\"]\n", "unfolded = \"@\"\nnormal = [1, 0, 0]\n"}) {
+    EXPECT_EQ(refusal(doubled(10, table)), "nothing");
+    EXPECT_EQ(refusal(doubled(17, table), ErrorKind::Limit).substr(9),
+              "[s17]: it is made of more than 65536 solids");
+    EXPECT_NE(refusal(doubled(90, table), ErrorKind::Limit), "nothing");
+  }
+}
+
+/// A key that tells what a table is means nothing else in another.
+TEST_F(SceneGraphTest, FormsAreToldApart) {
+  std::set<std::string> heads;
+  std::set<std::string> others;
+  for (const auto& group : scene::allSceneForms()) {
+    for (const auto& form : group.forms) {
+      ASSERT_NE(form.make, nullptr);
+      if (form.head.empty()) {
+        EXPECT_TRUE(heads.insert(form.headKey()).second) << form.name;
+      }
+      for (const auto& key : form.keys) {
+        if (key.name != form.headKey()) others.insert(key.name);
+      }
+    }
+  }
+  for (const auto& key : scene::commonKeys()) others.insert(key.name);
+  heads.insert("shape");
+  for (const auto& head : heads) EXPECT_FALSE(others.contains(head)) << head;
+}
+
+TEST_F(SceneGraphTest, RefusesWhatIsNoSolid) {
+  EXPECT_EQ(refusal(""), "there is no solid in it");
+  EXPECT_EQ(refusal("solid = \"a\""), "there is no solid in it");
+  EXPECT_EQ(refusal("# nothing\n\nradius = 1\n"),
+            "line 3: \"radius\" is no key of a scene, which has \"solid\", a text, and a table "
+            "[name] for each solid");
+  EXPECT_EQ(refusal("[[a]]\nshape = \"plane\"").substr(0, 11), "line 1: \"a\"");
+  EXPECT_EQ(refusal("[a]\n").substr(0, 54),
+            "line 1: [a] needs a key that tells what it is: one of ");
+  EXPECT_EQ(refusal("[a]\nshap = \"plane\""), "line 2: [a] has no key \"shap\"; is it \"shape\"?");
+  EXPECT_EQ(refusal("[a.b]\nshape = \"plane\"").substr(0, 15), "line 1: [a] nee");
+}
+
+}  // namespace
+}  // namespace cutwater::test

@@ -1,0 +1,59 @@
+#include <Cutwater/Core/Error.hpp>
+
+#include <sstream>
+
+#include "InfoFacts.hpp"
+#include "JsonView.hpp"
+#include "Page.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream rest(text);
+  for (std::string line; std::getline(rest, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string pageOf(const InfoOptions& options, const Solid<double>& solid, double seconds) {
+  Page page;
+  page.section("File");
+  page.line("name", options.file);
+  page.line("format", "scene");
+  page.section("Solid");
+  page.lines(solid.describe());
+  const auto box = solid.boundingBox();
+  page.line("bounding box", box.empty() ? "none: there are no points in it"
+                                        : point(box.lower) + " to " + point(box.upper));
+  if (!box.empty()) page.line("extent", extent(box.size()));
+  const auto patches = solid.patchNames();
+  page.section("Patches: " + grouped(patches.size()));
+  for (std::size_t i = 0; i < patches.size(); ++i) page.line(grouped(i), patches[i]);
+  page.section("Timings");
+  page.line("build", duration(seconds));
+  return page.text();
+}
+
+std::string jsonOf(const InfoOptions& options, const Solid<double>& solid, double seconds) {
+  return dumped(Json{{"file", {{"name", options.file}, {"format", "scene"}}},
+                     {"expression", linesOf(solid.describe())},
+                     {"boundingBox", toJson(solid.boundingBox())},
+                     {"patches", solid.patchNames()},
+                     {"seconds", {{"build", seconds}}}});
+}
+
+}  // namespace
+
+std::string aboutScene(const InfoOptions& options) {
+  if (options.inFloat) {
+    throw Error(ErrorKind::Argument, options.file + ": --float is for surfaces");
+  }
+  Stopwatch watch;
+  const auto solid = loadSolid(options);
+  const double seconds = watch.lap();
+  return options.json ? jsonOf(options, solid, seconds) : pageOf(options, solid, seconds);
+}
+
+}  // namespace cutwater::tool
