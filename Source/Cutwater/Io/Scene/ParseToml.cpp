@@ -1,6 +1,21 @@
 #include <Cutwater/Io/Scene/ParseToml.hpp>
 
 #ifdef CUTWATER_HAS_TOML
+#include <stdexcept>
+
+namespace cutwater::scene {
+namespace {
+
+[[noreturn]] void giveUp(const char* broken) {
+  throw std::logic_error(broken);
+}
+
+}  // namespace
+}  // namespace cutwater::scene
+
+// The parser asserts what some bytes break ("[ }"), or, where assertions are off, relies on it.
+#undef NDEBUG
+#define TOML_ASSERT(expr) ((expr) ? static_cast<void>(0) : cutwater::scene::giveUp(#expr))
 #define TOML_HEADER_ONLY 1  // nothing to link for users
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
@@ -105,6 +120,8 @@ SceneValue::Table parseToml(std::string_view text, const std::string& file) {
         message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; },
         ' ');
     failAt(file, error.source().begin.line, message);
+  } catch (const std::logic_error&) {
+    throw SceneError(file + ": is no TOML: a value, or what parts values, is missing somewhere");
   }
 }
 
