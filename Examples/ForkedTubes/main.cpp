@@ -19,14 +19,11 @@ struct Tubes {
   BeamGraph bores;
 };
 
-void addBeam(BeamGraph& graph, const Vec3<double>& a, const Vec3<double>& b, double radius,
-             BeamBody body, BeamCap capAtA, BeamCap capAtB) {
+void addBeam(BeamGraph& graph, const Vec3<double>& a, const Vec3<double>& b, BeamGraph::Beam beam) {
   const auto first = static_cast<std::uint32_t>(graph.nodes.size());
   graph.nodes.insert(graph.nodes.end(), {a, b});
-  graph.beams.push_back({.nodes = {first, first + 1},
-                         .radii = {radius, radius},
-                         .body = body,
-                         .caps = {capAtA, capAtB}});
+  beam.nodes = {first, first + 1};
+  graph.beams.push_back(beam);
 }
 
 /// From a, along a unit vector, and on from there in two tubes, until so many generations are
@@ -38,10 +35,14 @@ void grow(Tubes& tubes, const Vec3<double>& a, const Vec3<double>& along, const 
   const bool isFirst = tubes.bores.beams.empty();
   const bool isLast = generations == 1;
   // Outsides end flat where they are open, and bores reach beyond.
-  addBeam(tubes.outsides, a, b, 1.25 * bore, BeamBody::Frustum,
-          isFirst ? BeamCap::Butt : BeamCap::Sphere, isLast ? BeamCap::Butt : BeamCap::Sphere);
-  addBeam(tubes.bores, isFirst ? a - bore * along : a, isLast ? b + bore * along : b, bore,
-          BeamBody::ConeSphere, BeamCap::Sphere, BeamCap::Sphere);
+  addBeam(tubes.outsides, a, b,
+          {.nodes = {},
+           .radii = {1.25 * bore, 1.25 * bore},
+           .body = BeamBody::Frustum,
+           .caps = {isFirst ? BeamCap::Butt : BeamCap::Sphere,
+                    isLast ? BeamCap::Butt : BeamCap::Sphere}});
+  addBeam(tubes.bores, isFirst ? a - bore * along : a, isLast ? b + bore * along : b,
+          {.nodes = {}, .radii = {bore, bore}});
   if (isLast) return;
   // Murray (1926): the cubes of the branches' radii add up to that of their stem.
   const double thinner = bore / std::cbrt(2.0);
