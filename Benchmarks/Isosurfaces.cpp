@@ -12,7 +12,6 @@
 #include <Cutwater/Shapes/Sphere.hpp>
 #include <Cutwater/Shapes/Torus.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -22,19 +21,11 @@ namespace cutwater::benchmarks {
 
 namespace {
 
-/// Of the best of three rounds.
-template <typename Work>
-double bestSeconds(const Work& work) {
-  double best = Box<double>::kInf;
-  for (int round = 0; round < 3; ++round) best = std::min(best, secondsOf(work));
-  return best;
-}
-
 /// Of one value at every node, one after the other.
 double loopSeconds(const Solid<double>& solid, const Patch<double>& nodes) {
   const auto& [lo, hi] = nodes.indices;
   double sum = 0;
-  const double seconds = bestSeconds([&] {
+  const double seconds = bestSecondsOf([&] {
     for (auto k = lo.k; k <= hi.k; ++k) {
       for (auto j = lo.j; j <= hi.j; ++j) {
         for (auto i = lo.i; i <= hi.i; ++i) {
@@ -53,7 +44,7 @@ void printRow(const char* name, const Solid<double>& solid, int cells) {
   const auto count = static_cast<double>(nodes.indices.count());
   std::size_t triangles = 0;
   const auto seconds = [&](int threads) {
-    return bestSeconds(
+    return bestSecondsOf(
         [&] { triangles = isosurface<double>(solid, nodes, {.threads = threads}).polygonCount(); });
   };
   const double one = seconds(1);

@@ -34,11 +34,7 @@ Points pointsIn(double extent, int count) {
 /// Of the best of three rounds.
 template <typename Ask>
 double nanosecondsPerPoint(const Points& points, const Ask& ask) {
-  double best = Box<double>::kInf;
-  for (int round = 0; round < 3; ++round) {
-    best = std::min(best, secondsOf([&] { ask(points); }));
-  }
-  return 1e9 * best / static_cast<double>(points.size());
+  return 1e9 * bestSecondsOf([&] { ask(points); }) / static_cast<double>(points.size());
 }
 
 /// Keeps a value from being optimised away.

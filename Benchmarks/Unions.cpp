@@ -64,14 +64,9 @@ std::vector<Solid<double>> packedBed(int n) {
 /// Seconds per value of the union, one thread, one point after the other; the best of three.
 double secondsPerValue(const Solid<double>& solid, const std::vector<Vec3<double>>& points,
                        std::vector<double>& values) {
-  double best = Box<double>::kInf;
-  for (int round = 0; round < 3; ++round) {
-    best = std::min(best, secondsOf([&] {
-                      for (std::size_t i = 0; i < points.size(); ++i) {
-                        values[i] = solid.signedDistance(points[i]);
-                      }
-                    }));
-  }
+  const double best = bestSecondsOf([&] {
+    for (std::size_t i = 0; i < points.size(); ++i) values[i] = solid.signedDistance(points[i]);
+  });
   return best / static_cast<double>(points.size());
 }
 

@@ -43,20 +43,26 @@ inline void expectWhole(const SurfaceFile& file) {
     expect(patch < soup.patchNames.size(), "patches have names");
 }
 
-/// Nothing where the reader refuses, as it should: with the file's name and a place, or its size.
-inline std::optional<SurfaceFile> readOrRefuse(FunctionRef<SurfaceFile()> read) {
+/// Nothing where a reader of the file refuses, as it should: with its name and a place, or its
+/// size.
+template <typename Read>
+auto answerOrRefusal(const std::string& file, const Read& read) -> std::optional<decltype(read())> {
   try {
-    auto file = read();
-    expectWhole(file);
-    return file;
+    return read();
   } catch (const Error& error) {
     const std::string message = error.what();
     expect(error.kind() == ErrorKind::File || error.kind() == ErrorKind::Limit, "the error's kind");
-    expect(message.starts_with(std::string(kFuzzName) + ": "), "messages begin with the file");
+    expect(message.starts_with(file + ": "), "messages begin with the file");
     expect(message.size() < 400, "messages are short");
     expect(message.find('\n') == std::string::npos, "messages are one line");
   }
   return std::nullopt;
+}
+
+inline std::optional<SurfaceFile> readOrRefuse(FunctionRef<SurfaceFile()> read) {
+  auto file = answerOrRefusal(kFuzzName, read);
+  if (file) expectWhole(*file);
+  return file;
 }
 
 /// By one reader, whatever the bytes look like.

@@ -174,6 +174,7 @@ TEST(CellPolygons, TrianglesHaveNoDiagonalInAFace) {
       PolygonTriangles triangles{};
       const int count = triangulate(polygon, positions, triangles);
       EXPECT_EQ(count == 0, needsMiddle(polygon)) << inside << " " << joined;
+      EXPECT_TRUE(count > 0 || joined != 0) << inside;  // only where faces are ambiguous
       ++(count == 0 ? withMiddle : without);
       if (count > 0) expectTriangles(polygon, triangles, count);
     }

@@ -1,5 +1,4 @@
 #include <Cutwater/Grid/Fill.hpp>
-#include <Cutwater/Grid/SignChanges.hpp>
 #include <Cutwater/Grid/SurfaceBlock.hpp>
 
 #include <algorithm>
@@ -57,8 +56,7 @@ SurfaceBlock<T>::SurfaceBlock(const SurfaceGrid<T>& grid, const NodeOffset& firs
   sample(grid, values);
   numberEdges();
   findEdgePoints(grid, values);
-  joinFaces(grid);
-  findMiddles(grid, values);
+  settleAmbiguousCells(grid, values);
 }
 
 template <std::floating_point T>
@@ -162,50 +160,43 @@ std::vector<typename SurfaceBlock<T>::CutCell> SurfaceBlock<T>::cutCells() const
 }
 
 template <std::floating_point T>
-void SurfaceBlock<T>::joinFaces(const SurfaceGrid<T>& grid) {
-  std::vector<unsigned> joined;
-  for (const auto& [cell, inside, none] : cutCells()) {
+void SurfaceBlock<T>::settleAmbiguousCells(const SurfaceGrid<T>& grid, const Values& values) {
+  std::vector<SignChange<T>> middles;
+  for (const auto& [cell, inside, unknown] : cutCells()) {
     unsigned open = ambiguousFaces(inside);
     if (open == 0) continue;
-    unsigned faces = 0;
+    unsigned joined = 0;
     for (; open != 0; open &= open - 1) {
       const int face = std::countr_zero(open);
-      if (grid.isJoined(inGrid(cell), face)) faces |= 1U << static_cast<unsigned>(face);
+      if (grid.isJoined(inGrid(cell), face)) joined |= 1U << static_cast<unsigned>(face);
     }
-    joined.push_back(faces);
-  }
-  joined_ = std::move(joined);
-}
-
-/// Polygons that have no triangulation of their own get a point in their middle: on the way from
-/// there to a corner of the cell of the other sign.
-template <std::floating_point T>
-void SurfaceBlock<T>::findMiddles(const SurfaceGrid<T>& grid, const Values& values) {
-  std::vector<SignChange<T>> changes;
-  for (const auto& [cell, inside, joined] : cutCells()) {
+    joined_.push_back(joined);
     std::array<CellPolygon, 4> polygons;
     const int count = surfacePolygons(inside, joined, polygons);
-    for (int n = 0; n < count; ++n) {
-      const auto& polygon = polygons[static_cast<std::size_t>(n)];
-      if (!needsMiddle(polygon)) continue;
-      const auto middles = edgeMiddles(polygon);
-      Vec3<double> middle{};
-      for (int i = 0; i < polygon.count; ++i)
-        middle = middle + middles[static_cast<std::size_t>(i)];
-      middle = (1.0 / polygon.count) * middle;
-      const Vec3<double> a(grid.position(inGrid(cell)));
-      const Vec3<double> size = Vec3<double>(grid.position(inGrid(cornerOf(cell, 7)))) - a;
-      const Vec3<T> from(a + Vec3<double>{middle.x * size.x, middle.y * size.y, middle.z * size.z});
-      const auto value = static_cast<double>(grid.solid.signedDistance(from));
-      const int corner = nearestCorner(inside, !(value < 0), middle);
-      const auto node = cornerOf(cell, corner);
-      changes.push_back({from, grid.position(inGrid(node)), value, valueAt(values, node)});
+    for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
+      if (needsMiddle(polygons[n]))
+        middles.push_back(throughMiddle(polygons[n], {cell, inside, joined}, grid, values));
     }
   }
-  const auto found = locate<T>(grid.solid, changes, grid.tolerance);
-  for (std::size_t n = 0; n < changes.size(); ++n) {
-    points_.emplace_back(changes[n].at(found[n]));
-  }
+  const auto found = locate<T>(grid.solid, middles, grid.tolerance);
+  for (std::size_t n = 0; n < middles.size(); ++n) points_.emplace_back(middles[n].at(found[n]));
+}
+
+template <std::floating_point T>
+SignChange<T> SurfaceBlock<T>::throughMiddle(const CellPolygon& polygon, const CutCell& cut,
+                                             const SurfaceGrid<T>& grid,
+                                             const Values& values) const {
+  const auto& [cell, inside, joined] = cut;
+  const auto edges = edgeMiddles(polygon);
+  Vec3<double> middle{};
+  for (int i = 0; i < polygon.count; ++i) middle = middle + edges[static_cast<std::size_t>(i)];
+  middle = (1.0 / polygon.count) * middle;
+  const Vec3<double> a(grid.position(inGrid(cell)));
+  const Vec3<double> size = Vec3<double>(grid.position(inGrid(cornerOf(cell, 7)))) - a;
+  const Vec3<T> from(a + Vec3<double>{middle.x * size.x, middle.y * size.y, middle.z * size.z});
+  const auto value = static_cast<double>(grid.solid.signedDistance(from));
+  const auto node = cornerOf(cell, nearestCorner(inside, !(value < 0), middle));
+  return {from, grid.position(inGrid(node)), value, valueAt(values, node)};
 }
 
 template struct SurfaceGrid<float>;

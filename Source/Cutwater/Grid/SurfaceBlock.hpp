@@ -2,7 +2,7 @@
 
 #include <Cutwater/Core/Level.hpp>
 #include <Cutwater/Grid/CellPolygons.hpp>
-#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+#include <Cutwater/Grid/SignChanges.hpp>
 
 #include <vector>
 
@@ -84,8 +84,12 @@ class SurfaceBlock {
   /// Which edges of a row along x, y or z, of this block's own, are cut; by their lower nodes.
   [[nodiscard]] Row cutEdges(std::uint32_t j, std::uint32_t k, int axis) const;
   void findEdgePoints(const SurfaceGrid<T>& grid, const Values& values);
-  void joinFaces(const SurfaceGrid<T>& grid);
-  void findMiddles(const SurfaceGrid<T>& grid, const Values& values);
+  /// Finds which of their faces are joined, and the points in the middle of those polygons that
+  /// have no triangulation of their own; no other cells have such.
+  void settleAmbiguousCells(const SurfaceGrid<T>& grid, const Values& values);
+  /// From the middle of the polygon to a corner of the cell of the other sign.
+  [[nodiscard]] SignChange<T> throughMiddle(const CellPolygon& polygon, const CutCell& cut,
+                                            const SurfaceGrid<T>& grid, const Values& values) const;
   [[nodiscard]] NodeOffset inGrid(const NodeOffset& node) const {
     return {first_[0] + node[0], first_[1] + node[1], first_[2] + node[2]};
   }

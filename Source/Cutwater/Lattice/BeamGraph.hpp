@@ -25,15 +25,21 @@ struct BeamGraph {
     std::array<double, 2> radii;  ///< at each node
     BeamBody body = BeamBody::ConeSphere;
     std::array<BeamCap, 2> caps{BeamCap::Sphere, BeamCap::Sphere};
+
+    bool operator==(const Beam&) const = default;
   };
   struct Ball {
     std::uint32_t node;
     double radius;
+
+    bool operator==(const Ball&) const = default;
   };
 
   std::vector<Vec3<double>> nodes;
   std::vector<Beam> beams;
   std::vector<Ball> balls;
+
+  bool operator==(const BeamGraph&) const = default;
 };
 
 /// The beams of an array of cells, one for each strut, all of this radius: the same solid as
