@@ -38,7 +38,7 @@ enum class BoxEnd : std::uint8_t { Lower, Upper };
 /// A surface that reaches the sides or beyond needs no apron: use extendTo(), and the domain cuts
 /// off what is outside of it.
 ///
-/// @throws as extendTo(), and Error(Topology) unless one rim is around all others and lies within
+/// @throws Error as extendTo(); of kind Topology unless one rim is around all others and lies within
 /// the sides of the box.
 OpeningReport extendToBox(PolygonSoup& soup, const Box<double>& box, int axis,
                           BoxEnd end = BoxEnd::Lower, const ExtendOptions& options = {});
