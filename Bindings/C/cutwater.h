@@ -133,6 +133,7 @@ cw_status cw_fill(const cw_solid* solid, const cw_grid* grid, double band, doubl
 /// Encloses the solid; may be infinite.
 cw_status cw_bounding_box(const cw_solid* solid, double lower[3], double upper[3]);
 
+/// How many patches the solid's surface has.
 cw_status cw_patch_count(const cw_solid* solid, int32_t* count);
 /// The name is valid as long as the handle.
 cw_status cw_patch_name(const cw_solid* solid, int32_t patch, const char** name);

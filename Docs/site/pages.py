@@ -1,5 +1,6 @@
 """The site's source: a copy of the repository's pages where they are, so that links between them hold,
 and the pages that are made from other things: the front page, one for every example, and the reference."""
+import hashlib
 import re
 import shutil
 import xml.etree.ElementTree as ElementTree
@@ -31,9 +32,15 @@ def examples_index(folders):
             f"```{{toctree}}\n:maxdepth: 1\n{entries}\n```\n")
 
 
-def layer_page(name, paths):
+def digest(folder):
+    """Of all headers as Doxygen read them: Sphinx does not see that they have changed."""
+    texts = [file.read_bytes() for file in sorted(folder.rglob("*.h*"))]
+    return hashlib.sha256(b"\0".join(texts)).hexdigest()
+
+
+def layer_page(name, paths, version):
     """A section for each header of a layer, with all that it declares."""
-    lines = [f"# {name}", "", LAYERS[name].capitalize() + ".", "", "```{contents}", ":local:", "```", ""]
+    lines = [f"% of the headers {version}", f"# {name}", "", LAYERS[name].capitalize() + ".", "", "```{contents}", ":local:", "```", ""]
     for path in paths:
         title = path if "/" not in path else path.split("/", 2)[2].removesuffix(".hpp")
         lines += [f"## {title}", "", "```cpp", f"#include <{path}>", "```", "",
@@ -62,9 +69,10 @@ def write_reference(folder, xml, paths):
     if unknown:
         raise SystemExit(f"Docs/site/headers.py does not describe the layers {sorted(unknown)}")
     shown = [path for path in paths if declares_something(xml, path)]
+    version = digest(xml.parents[1] / "headers")
     layers = [name for name in LAYERS if any(layer(path) == name for path in shown)]
     for name in layers:
-        page = layer_page(name, [path for path in shown if layer(path) == name])
+        page = layer_page(name, [path for path in shown if layer(path) == name], version)
         write_if_changed(folder / f"{name}.md", page)
     write_if_changed(folder / "index.md", reference_index(layers))
 

@@ -10,6 +10,7 @@ import xml.etree.ElementTree as ElementTree
 
 ACCESSOR = re.compile(r"\(\) const( noexcept)? \{ return \*?\w+_(\.\w+(\(\))?)?; \}")
 SPECIAL = re.compile(r"~.*|operator(=|==|<=>)")
+STANDARD = re.compile(r"begin|end|size|empty|operator(\*|\+\+|\[\])|value_type|difference_type")
 ACCESS = re.compile(r"(public|protected|private):|namespace\b")
 
 
@@ -34,13 +35,15 @@ def explains_itself(member, owner, line):
     return (member.get("kind") == "friend" or member.find("reimplements") is not None or
             "override" in (member.findtext("argsstring") or "").split() or
             name == owner.rpartition("::")[2].split("<")[0] or
-            bool(SPECIAL.fullmatch(name)) or bool(ACCESSOR.search(line)))
+            bool(SPECIAL.fullmatch(name) or STANDARD.fullmatch(name)) or bool(ACCESSOR.search(line)))
 
 
 def entities(compound):
     """(entity, name) of a class, a group or a namespace, and of its members that are not private."""
     owner = compound.findtext("compoundname")
-    if compound.get("prot") != "private" and compound.get("kind") in ("class", "struct", "union", "concept"):
+    if compound.get("prot") == "private":
+        return
+    if compound.get("kind") in ("class", "struct", "union", "concept"):
         yield compound, owner
     for member in compound.iter("memberdef"):
         if member.get("prot") != "private":

@@ -31,6 +31,7 @@ struct BeamGraph {
     double radius;
   };
 
+  /// Positions; beams and balls name them by their index.
   std::vector<Vec3<double>> nodes;
   std::vector<Beam> beams;
   std::vector<Ball> balls;
