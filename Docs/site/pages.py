@@ -13,6 +13,7 @@ LANGUAGES = {".cpp": "cpp", ".c": "c", ".f90": "fortran"}
 def site_links(text):
     """Links to files that are shown as a page lead to that page."""
     text = re.sub(r"(\]\([./]*Examples/\w+/)main\.\w+\)", r"\1README.md)", text)
+    text = re.sub(r"(\]\([./]*)README\.md([#)])", r"\1index.md\2", text)
     return re.sub(r"\]\(([./]*)Bindings/C/cutwater\.h\)", r"](\1Docs/reference/C.md)", text)
 
 
