@@ -18,6 +18,7 @@
 extern "C" {
 #endif
 
+/// What all functions return that can fail; cw_last_error() has the words.
 typedef enum cw_status {
   CW_OK = 0,
   CW_ERROR_ARGUMENT = 1,  ///< an argument is NULL or outside its documented range

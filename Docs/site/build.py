@@ -31,11 +31,11 @@ def interpreter():
 
 def check_comments(root, folder):
     """Returns the installed headers, and whether something is wrong with their comments."""
-    paths = write_shown(root, folder / "headers")
+    headers = write_shown(root, folder / "headers")
     warnings = run_doxygen(root, folder)
     bare = undocumented(folder / "doxygen/xml", folder / "headers")
-    print(f"{len(paths)} headers; of what they declare, without a comment: {len(bare)}", *warnings, *bare, sep="\n")
-    return paths, bool(warnings or bare)
+    print(f"{len(headers)} headers; of what they declare, without a comment: {len(bare)}", *warnings, *bare, sep="\n")
+    return headers, bool(warnings or bare)
 
 
 def run_sphinx(python, root, folder):
@@ -52,9 +52,9 @@ def main():
         print("skipped: needs Doxygen, and Sphinx with furo, Breathe and the MyST parser")
         sys.exit(SKIPPED)
     start = time.monotonic()
-    paths, failed = check_comments(root, folder)
+    headers, failed = check_comments(root, folder)
     if whole:
-        write_pages(root, folder / "source", folder / "doxygen/xml", paths)
+        write_pages(root, folder / "source", folder / "doxygen/xml", headers)
         failed |= bool(run_sphinx(python, root, folder))
         print(f"{folder}/html/index.html after {time.monotonic() - start:.0f} s")
     sys.exit(failed)

@@ -62,6 +62,19 @@ def without_local_macros(text):
     return text
 
 
+def introduction(path, text):
+    """The comment about a header as a whole, without its slashes: C's first one, or that above the
+    namespace."""
+    behind = r"\n(?!///)" if layer(path) == "C" else r"namespace cutwater\S* \{"
+    found = re.search(rf"^((?:///.*\n)+){behind}", text, re.MULTILINE)
+    return re.sub(r"^/// ?", "", found[1], flags=re.MULTILINE) if found else ""
+
+
+def without_introduction(path, text):
+    lines = "".join(f"///{' ' if line else ''}{line}\n" for line in introduction(path, text).splitlines())
+    return text.replace(lines, "\n" * lines.count("\n"), 1) if lines else text
+
+
 def shown(path, text):
     """The header as Doxygen reads it, with its lines where they were: what it declares is one group;
     namespaces of details and explicit instantiations are left out."""
@@ -69,7 +82,7 @@ def shown(path, text):
     opened = f"  /** @addtogroup {group(path)}"
     opens = r"#include" if layer(path) == "C" else r"namespace cutwater(::tessellation)? \{"
     lines, hidden, instantiation = [], False, False
-    for line in without_local_macros(text).splitlines():
+    for line in without_introduction(path, without_local_macros(text)).splitlines():
         # Doxygen takes every word of a list for an exception's name.
         line = re.sub(r"@throws (Error(\(\w+\))?),", r"@throws \1", line)
         hidden |= bool(re.match(r"namespace (cutwater::)?detail \{", line))
@@ -95,12 +108,12 @@ def write_if_changed(file, text):
 
 
 def write_shown(root, folder):
-    """Writes all headers as Doxygen reads them into a folder; returns their paths in it."""
+    """Writes all headers as Doxygen reads them into a folder; returns installed()."""
     headers = installed(root)
     for path, file in headers.items():
         write_if_changed(folder / path, shown(path, file.read_text()))
     for file in folder.rglob("*.h*"):
         if file.relative_to(folder).as_posix() not in headers:
             file.unlink()
-    return list(headers)
+    return headers
 

@@ -5,7 +5,7 @@ import re
 import shutil
 import xml.etree.ElementTree as ElementTree
 
-from headers import LAYERS, group, layer, write_if_changed
+from headers import LAYERS, group, introduction, layer, write_if_changed
 
 LANGUAGES = {".cpp": "cpp", ".c": "c", ".f90": "fortran"}
 
@@ -39,12 +39,14 @@ def digest(folder):
     return hashlib.sha256(b"\0".join(texts)).hexdigest()
 
 
-def layer_page(name, paths, version):
-    """A section for each header of a layer, with all that it declares."""
-    lines = [f"% of the headers {version}", f"# {name}", "", LAYERS[name].capitalize() + ".", "", "```{contents}", ":local:", "```", ""]
-    for path in paths:
+def layer_page(name, headers, version):
+    """A section for each header of a layer, with what it says of itself and all that it declares."""
+    heading = LAYERS[name][0].upper() + LAYERS[name][1:]
+    lines = [f"% of the headers {version}", f"# {name}", "", heading + ".", "", "```{contents}", ":local:", "```", ""]
+    for path, file in headers.items():
         title = path if "/" not in path else path.split("/", 2)[2].removesuffix(".hpp")
         lines += [f"## {title}", "", "```cpp", f"#include <{path}>", "```", "",
+                  introduction(path, file.read_text()), "",
                   f"```{{doxygengroup}} {group(path)}", ":content-only:", ":members:",
                   ":protected-members:", ":undoc-members:", "```", ""]
     return "\n".join(lines)
@@ -65,20 +67,21 @@ def declares_something(xml, path):
                                      next(compound.iter("memberdef"), None) is not None)
 
 
-def write_reference(folder, xml, paths):
-    unknown = {layer(path) for path in paths} - LAYERS.keys()
+def write_reference(folder, xml, headers):
+    unknown = {layer(path) for path in headers} - LAYERS.keys()
     if unknown:
         raise SystemExit(f"Docs/site/headers.py does not describe the layers {sorted(unknown)}")
-    shown = [path for path in paths if declares_something(xml, path)]
+    shown = {path: file for path, file in headers.items() if declares_something(xml, path)}
     version = digest(xml.parents[1] / "headers")
     layers = [name for name in LAYERS if any(layer(path) == name for path in shown)]
     for name in layers:
-        page = layer_page(name, [path for path in shown if layer(path) == name], version)
+        its = {path: file for path, file in shown.items() if layer(path) == name}
+        page = layer_page(name, its, version)
         write_if_changed(folder / f"{name}.md", page)
     write_if_changed(folder / "index.md", reference_index(layers))
 
 
-def write_pages(root, site, xml, paths):
+def write_pages(root, site, xml, headers):
     """Writes the site's source into the folder `site`."""
     front = (root / "README.md").read_text() + "\n" + (root / "Docs/site/contents.md").read_text()
     write_if_changed(site / "index.md", site_links(front))
@@ -95,4 +98,4 @@ def write_pages(root, site, xml, paths):
             if file.suffix in LANGUAGES:
                 shutil.copy2(file, target / file.name)
     write_if_changed(site / "Examples/index.md", examples_index(folders))
-    write_reference(site / "Docs/reference", xml, paths)
+    write_reference(site / "Docs/reference", xml, headers)
