@@ -14,6 +14,15 @@ def is_surplus(member, is_group):
     return is_group and in_class or bool(re.fullmatch(r"typedef (struct|enum) (\w+) \2", definition))
 
 
+def join_lines(para):
+    """Breathe takes every end of a line for that of a paragraph; Doxygen leaves those within quotes."""
+    for part in para.iter():
+        if part.text and part.tag != "verbatim":
+            part.text = part.text.replace("\n", " ")
+        if part.tail:
+            part.tail = part.tail.replace("\n", " ")
+
+
 def mend(file):
     tree = ElementTree.parse(file)
     compound = tree.getroot().find("compounddef")
@@ -26,6 +35,8 @@ def mend(file):
             value = member.find("initializer")
             if value is not None and re.match(r"= *\{ *\.", "".join(value.itertext())):
                 member.remove(value)  # designated initializers, which Sphinx 5 does not know
+    for para in compound.iter("para"):
+        join_lines(para)
     tree.write(file, encoding="utf-8", xml_declaration=True)
 
 
