@@ -8,7 +8,8 @@
   expectations  every test case expects something
   scripts       scripts are executable and pass shellcheck (the program given)
   readme        C++ and C in the README and in Docs are marked regions of what is compiled
-  links         relative links in pages lead to files and headings that are there
+  links         relative links in pages lead to files and headings that are there, and every page in
+                Docs is in the site's contents
 """
 import pathlib
 import re
@@ -223,7 +224,9 @@ def check_links():
                 found.append(f"{name(page)}: no file {target}")
             elif anchor and anchor not in headings(file):
                 found.append(f"{name(page)}: no heading {target}#{anchor}")
-    return found
+    contents = (ROOT / "Docs/site/contents.md").read_text().split()
+    return found + [f"{name(page)}: not in Docs/site/contents.md"
+                    for page in sorted((ROOT / "Docs").glob("*.md")) if f"Docs/{page.stem}" not in contents]
 
 
 def main():
