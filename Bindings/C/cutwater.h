@@ -18,6 +18,7 @@
 extern "C" {
 #endif
 
+/// What all functions return that can fail; cw_last_error() has the words.
 typedef enum cw_status {
   CW_OK = 0,
   CW_ERROR_ARGUMENT = 1,  ///< an argument is NULL or outside its documented range
@@ -133,6 +134,7 @@ cw_status cw_fill(const cw_solid* solid, const cw_grid* grid, double band, doubl
 /// Encloses the solid; may be infinite.
 cw_status cw_bounding_box(const cw_solid* solid, double lower[3], double upper[3]);
 
+/// How many patches the solid's surface has.
 cw_status cw_patch_count(const cw_solid* solid, int32_t* count);
 /// The name is valid as long as the handle.
 cw_status cw_patch_name(const cw_solid* solid, int32_t patch, const char** name);

@@ -8,6 +8,8 @@
   expectations  every test case expects something
   scripts       scripts are executable and pass shellcheck (the program given)
   readme        C++ and C in the README and in Docs are marked regions of what is compiled
+  links         relative links in pages lead to files and headings that are there, and every page in
+                Docs is in the site's contents
 """
 import pathlib
 import re
@@ -204,6 +206,27 @@ def check_readme():
         return ["no code in the README, or no region marked // [README ... // README] in Examples"]
     return [f"{name(page)}: not from what is compiled:\n{text}"
             for page, text in blocks if text.strip() not in compiled]
+
+
+def headings(page):
+    """The anchors of a page's headings, as repository hosts and the site make them."""
+    found = re.findall(r"^#+ (.+)$", re.sub(r"```.*?```", "", page.read_text(), flags=re.DOTALL), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in found}
+
+
+def check_links():
+    found = []
+    link = re.compile(r"\]\((?!\w+:)([^)#\s]*)(?:#([^)\s]*))?\)")
+    for page in [file for file in all_files() if file.suffix == ".md"]:
+        for target, anchor in link.findall(re.sub(r"```.*?```", "", page.read_text(), flags=re.DOTALL)):
+            file = page.parent / target if target else page
+            if not file.exists():
+                found.append(f"{name(page)}: no file {target}")
+            elif anchor and anchor not in headings(file):
+                found.append(f"{name(page)}: no heading {target}#{anchor}")
+    contents = (ROOT / "Docs/site/contents.md").read_text().split()
+    return found + [f"{name(page)}: not in Docs/site/contents.md"
+                    for page in sorted((ROOT / "Docs").glob("*.md")) if f"Docs/{page.stem}" not in contents]
 
 
 def main():

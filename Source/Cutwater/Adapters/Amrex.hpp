@@ -83,6 +83,7 @@ class AmrexFunction {
   explicit AmrexFunction(FluidDomain<amrex::Real> domain, amrex::Real z = 0)
       : domain_(std::move(domain)), z_(z) {}
 
+  /// The level set: negative in the fluid.
   amrex::Real operator()(const amrex::RealArray& p) const {
     return domain_.levelSet(detail::amrexPoint(p, z_));
   }
@@ -102,6 +103,7 @@ class AmrexFunction {
 /// Copies share the solid. Its functions may be called from within a parallel region.
 class AmrexShop {
  public:
+  /// What EB2 asks of a shop, by the names of its own.
   using FunctionType = AmrexFunction;
   using EdgeArray = amrex::Array4<amrex::Real>;
   using EdgeArrays = amrex::Array<EdgeArray, AMREX_SPACEDIM>;
@@ -109,7 +111,8 @@ class AmrexShop {
   using TypeArrays = amrex::Array<TypeArray, AMREX_SPACEDIM>;
   using NodeArray = amrex::Array4<amrex::Real const>;
 
-  // What getBoxType() answers. The names are AMReX's. NOLINTBEGIN(readability-identifier-naming)
+  // NOLINTBEGIN(readability-identifier-naming)
+  /// What getBoxType() answers, by AMReX's names: all fluid, cut or left open, all body.
   static constexpr int allregular = -1;
   static constexpr int mixedcells = 0;
   static constexpr int allcovered = 1;
@@ -118,6 +121,7 @@ class AmrexShop {
   explicit AmrexShop(FluidDomain<amrex::Real> domain, amrex::Real z = 0)
       : domain_(std::move(domain)), z_(z) {}
 
+  /// Its functions run on the host only.
   static constexpr bool isGPUable() noexcept { return false; }
 
   /// Of a box of nodes: allregular and allcovered only if no surface touches it.

@@ -27,6 +27,7 @@ Vec3<double> dealiiPoint(const dealii::Point<dim>& p, double z) {
 
 }  // namespace detail
 
+/// Options of DealIIFunction and DealIIClassifier; lengths in the units of the mesh.
 struct DealIIOptions {
   /// Of the plane that a function or classifier in 2D is about.
   double z = 0;
@@ -108,6 +109,7 @@ class DealIIClassifier {
   static_assert(dim == 2 || dim == 3);
 
  public:
+  /// Inside, outside or intersected.
   using Location = dealii::NonMatching::LocationToLevelSet;
 
   explicit DealIIClassifier(FluidDomain<double> domain, const DealIIOptions& options = {})

@@ -50,6 +50,8 @@ class FluidDomain {
   /// Gradient of the level set: out of the fluid. Zero where it is not defined.
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& point) const;
 
+  /// Whether the box is all fluid, all body or cut; as certain as
+  /// SignedDistanceFunction::classify().
   [[nodiscard]] FluidClass classify(const Box<T>& box, BoxHint* hint = nullptr) const;
 
   /// The same for many boxes, in parallel. @throws Error if the spans differ in size.

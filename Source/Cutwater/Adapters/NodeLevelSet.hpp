@@ -14,6 +14,7 @@ struct NodeEdge {
   T atNode{};
   T atNext{};
 
+  /// The node at the other end.
   [[nodiscard]] Index3 next() const {
     auto result = node;
     ++(axis == 0 ? result.i : axis == 1 ? result.j : result.k);
@@ -38,6 +39,7 @@ class NodeLevelSet {
   NodeLevelSet(const FluidDomain<T>& domain, const Level<T>& level,
                const IndexBox& within = everywhere());
 
+  /// Every index that there is: no node is beyond it.
   static constexpr IndexBox everywhere() {
     constexpr auto kLeast = std::numeric_limits<std::int32_t>::min();
     constexpr auto kMost = std::numeric_limits<std::int32_t>::max();

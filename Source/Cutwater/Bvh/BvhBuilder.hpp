@@ -18,6 +18,7 @@ struct BvhArrays {
   std::vector<std::uint32_t> slots;
   int depth = 0;  ///< of the deepest node, counted from 1
 
+  /// A view of them: they must outlive it.
   [[nodiscard]] BvhTree<K, W> tree() const { return {frame, nodes, slots, depth}; }
 };
 

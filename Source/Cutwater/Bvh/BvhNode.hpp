@@ -22,21 +22,22 @@ struct BvhLocalPoint {
 template <int K>
 struct alignas(64) BvhNode {
   static_assert(K >= 2 && K <= 16);
-  using Lanes = std::array<float, K>;
+  using Lanes = std::array<float, K>;  ///< a number for each child
 
-  // In the node's frame, rounded outward. Unused lanes hold the empty box: +-infinity.
+  /// In the node's frame, rounded outward. Unused lanes hold the empty box: +-infinity.
   std::array<Lanes, 3> lower;
   std::array<Lanes, 3> upper;
-  // A point p of the tree's frame is at axes (p - center). The rows are orthonormal but for their
-  // rounding to float: a length in the node's frame is at most 1 + 2^-22 times the true one.
+  /// A point p of the tree's frame is at axes (p - center). The rows are orthonormal but for their
+  /// rounding to float: a length in the node's frame is at most 1 + 2^-22 times the true one.
   Vec3<float> center;
   std::array<Vec3<float>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  std::uint32_t firstNode = 0;
-  std::uint32_t firstLeaf = 0;
-  std::uint16_t nodeMask = 0;  // bit k: child k is a node
-  std::uint16_t leafMask = 0;
-  std::uint32_t unused = 0;  // to the end of the cache line, for K = 16: equal nodes, equal bytes
+  std::uint32_t firstNode = 0;  ///< index of the first child that is a node
+  std::uint32_t firstLeaf = 0;  ///< and of the first that is a leaf
+  std::uint16_t nodeMask = 0;   ///< bit k: child k is a node
+  std::uint16_t leafMask = 0;   ///< bit k: child k is a leaf
+  std::uint32_t unused = 0;     ///< fills the cache line, for K = 16: equal nodes, equal bytes
 
+  /// Of the child in a lane: whether it is a leaf, and its index among nodes or among leaves.
   [[nodiscard]] CUTWATER_INLINE bool isLeaf(int lane) const { return (leafMask >> lane & 1) != 0; }
   [[nodiscard]] CUTWATER_INLINE std::uint32_t nodeIndex(int lane) const {
     return firstNode + below(nodeMask, lane);
@@ -44,6 +45,7 @@ struct alignas(64) BvhNode {
   [[nodiscard]] CUTWATER_INLINE std::uint32_t leafIndex(int lane) const {
     return firstLeaf + below(leafMask, lane);
   }
+  /// Bit k: lane k is in use.
   [[nodiscard]] CUTWATER_INLINE std::uint32_t childMask() const {
     return std::uint32_t{nodeMask} | leafMask;
   }
@@ -86,6 +88,7 @@ struct BvhFrame {
   Vec3<double> center;
   double scale = 1;
 
+  /// From the coordinates of the primitives to the tree's, and back.
   [[nodiscard]] CUTWATER_INLINE Vec3<double> toFrame(const Vec3<double>& p) const {
     return scale * (p - center);
   }

@@ -22,6 +22,7 @@ inline constexpr double kStopTraversal = std::numeric_limits<double>::lowest();
 template <int K, int W>
 class BvhTree {
  public:
+  /// Children of a node, and slots of a leaf.
   static constexpr int kArity = K;
   static constexpr int kLeafWidth = W;
   /// No tree of the builder is deeper: see detail::mostLevels() in BinaryBvh.hpp.
@@ -35,6 +36,7 @@ class BvhTree {
     assert(0 <= depth && depth <= kMaxDepth);
   }
 
+  /// The ids in the slots of a leaf.
   [[nodiscard]] std::span<const std::uint32_t> leaf(std::uint32_t index) const {
     return slots_.subspan(std::size_t{index} * W, W);
   }

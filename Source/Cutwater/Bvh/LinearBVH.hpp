@@ -24,9 +24,8 @@ namespace cutwater {
 template <std::floating_point T, Primitive<T> P, int K = 16>
 class LinearBVH {
  public:
-  using Tree = BvhTree<K, 4>;
-
-  using Nearest = NearestPrimitive<T>;
+  using Tree = BvhTree<K, 4>;           ///< over leaves of four primitives
+  using Nearest = NearestPrimitive<T>;  ///< what nearest() finds
 
   /// @throws Error if a bounding box is empty or not finite; Error(Limit) beyond 2^32 - 2.
   explicit LinearBVH(std::vector<P> primitives);

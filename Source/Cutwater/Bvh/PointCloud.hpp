@@ -20,6 +20,7 @@ struct NeighborRows {
   std::vector<std::size_t> offsets{0};
   std::vector<Neighbor<T>> neighbors;  ///< of a row, in order
 
+  /// The neighbors of one point.
   [[nodiscard]] std::span<const Neighbor<T>> of(std::size_t row) const {
     return std::span(neighbors).subspan(offsets[row], offsets[row + 1] - offsets[row]);
   }

@@ -21,6 +21,7 @@ template <int K>
 class SquaredGaps {
  public:
   // The lane loop is innermost and writes to an array of its own: so compilers vectorise it.
+  /// Adds the gaps along one axis.
   CUTWATER_INLINE void add(const BvhNode<K>& node, int axis, float first, float last) {
     const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
     const auto& uppers = node.upper[static_cast<std::size_t>(axis)];
@@ -31,6 +32,7 @@ class SquaredGaps {
       sums_[k] += gap > 0 ? gap * gap : 0;
     }
   }
+  /// The sums, none above kMostKey.
   CUTWATER_INLINE void writeTo(typename BvhNode<K>::Lanes& out) const {
     for (std::size_t k = 0; k < K; ++k) out[k] = sums_[k] < kMostKey ? sums_[k] : kMostKey;
   }
@@ -45,6 +47,7 @@ template <int K>
 struct PointDistances {
   Vec3<double> p;
 
+  /// A key for each lane: see BvhTree::traverse().
   CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
     const BvhLocalPoint local = node.toLocalFloat(p);
     SquaredGaps<K> gaps;
@@ -69,6 +72,7 @@ class BoxDistances {
         slack_(1.5 * frame.scale * box.slack + 0x1p-48 * (1 + oneNorm(middle_) + oneNorm(half_[0]) +
                                                           oneNorm(half_[1]) + oneNorm(half_[2]))) {}
 
+  /// A key for each lane: see BvhTree::traverse().
   CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
     const Vec3<double> center = node.toLocal(middle_);
     SquaredGaps<K> gaps;
@@ -109,6 +113,7 @@ class FirstParameters {
     reach_ = {reach, reach, reach};
   }
 
+  /// A key for each lane: see BvhTree::traverse().
   CUTWATER_INLINE void operator()(const BvhNode<K>& node, typename BvhNode<K>::Lanes& out) const {
     const BvhSegment local(node.toLocal(start_), node.toLocal(end_));
     for (std::size_t k = 0; k < K; ++k) {

@@ -24,6 +24,7 @@ class Block {
   Block(std::shared_ptr<const void> owner, std::span<const std::byte> bytes)
       : owner_(std::move(owner)), bytes_(bytes) {}
 
+  /// The records of a section, as they lie there.
   template <typename Record>
   [[nodiscard]] std::span<const Record> array(const Section& section) const {
     static_assert(std::is_trivially_copyable_v<Record>);
@@ -43,6 +44,7 @@ class Block {
 /// Collects arrays and lays them into one block. Every array starts on a cache line.
 class BlockWriter {
  public:
+  /// Bytes of a cache line.
   static constexpr std::size_t kAlignment = 64;
 
   /// Notes the array; its elements are copied by finish() and must live until then.
@@ -56,6 +58,7 @@ class BlockWriter {
     return add(std::span<const Record>(records));
   }
 
+  /// One block of memory with all that was added.
   [[nodiscard]] Block finish() const;
 
  private:

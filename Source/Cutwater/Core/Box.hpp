@@ -11,15 +11,17 @@ namespace cutwater {
 /// none.) A box of zero thickness is not empty.
 template <std::floating_point T>
 struct Box {
-  static constexpr T kInf = std::numeric_limits<T>::infinity();
+  static constexpr T kInf = std::numeric_limits<T>::infinity();  ///< infinity
+  static constexpr T kMost = std::numeric_limits<T>::max();      ///< the largest number
 
-  static constexpr T kMost = std::numeric_limits<T>::max();
-
+  /// The corners with the least and the greatest coordinates.
   Vec3<T> lower{kMost, kMost, kMost};
   Vec3<T> upper{-kMost, -kMost, -kMost};
 
+  /// All of space.
   static constexpr Box everywhere() { return {{-kInf, -kInf, -kInf}, {kInf, kInf, kInf}}; }
 
+  /// It has no point: an upper side is below its lower one, or is not a number.
   CUTWATER_INLINE constexpr bool empty() const {
     return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z);
   }
@@ -37,6 +39,7 @@ struct Box {
             (i & 4) != 0 ? upper.z : lower.z};
   }
 
+  /// Grows to hold a point, or another box.
   CUTWATER_INLINE constexpr Box& extend(const Vec3<T>& p) {
     lower = min(lower, p);
     upper = max(upper, p);
@@ -63,6 +66,7 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
+/// All coordinates are numbers, and none is infinite.
 template <std::floating_point T>
 CUTWATER_INLINE inline bool isFinite(const Box<T>& box) {
   return isFinite(box.lower) && isFinite(box.upper);

@@ -25,6 +25,7 @@ struct DoubleDouble {
   CUTWATER_INLINE constexpr DoubleDouble(double value) : high(value) {}  // NOLINT: exact
   CUTWATER_INLINE constexpr DoubleDouble(double highIn, double lowIn) : high(highIn), low(lowIn) {}
 
+  /// The nearest double.
   CUTWATER_INLINE constexpr explicit operator double() const { return high; }
 
   /// a + b without error (Knuth's TwoSum).

@@ -7,6 +7,7 @@
 
 namespace cutwater {
 
+/// Defined for signatures `Result(Args...)`.
 template <typename Signature>
 class FunctionRef;
 
@@ -24,6 +25,7 @@ class FunctionRef<Result(Args...)> {
           return (*reinterpret_cast<Callable*>(object))(std::forward<Args>(args)...);
         }) {}
 
+  /// Calls the callable.
   Result operator()(Args... args) const { return call_(object_, std::forward<Args>(args)...); }
 
  private:

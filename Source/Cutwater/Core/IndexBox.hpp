@@ -33,6 +33,7 @@ struct IndexBox {
   [[nodiscard]] constexpr std::size_t count() const { return length(0) * length(1) * length(2); }
   [[nodiscard]] constexpr bool empty() const { return count() == 0; }
 
+  /// Both ends belong to it.
   [[nodiscard]] constexpr bool contains(const Index3& index) const {
     return lo.i <= index.i && index.i <= hi.i && lo.j <= index.j && index.j <= hi.j &&
            lo.k <= index.k && index.k <= hi.k;

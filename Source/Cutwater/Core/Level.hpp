@@ -5,6 +5,7 @@
 
 namespace cutwater {
 
+/// What indices count: the cells of a mesh, or the nodes at their corners.
 enum class Centering : std::uint8_t { Cell, Node };
 
 /// One refinement level of a mesh: where the integer index (i, j, k) stands in space.
@@ -27,6 +28,7 @@ class Level {
   [[nodiscard]] const Vec3<T>& origin() const { return origin_; }
   [[nodiscard]] const Vec3<T>& spacing() const { return spacing_; }
   [[nodiscard]] Centering centering() const { return centering_; }
+  /// The least of the three, in which bands are measured.
   [[nodiscard]] T smallestSpacing() const;
 
   bool operator==(const Level&) const = default;

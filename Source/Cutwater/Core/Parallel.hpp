@@ -10,6 +10,7 @@ namespace cutwater {
 /// Told the fraction done, from 0 to 1, now and then, by the thread that started the work only.
 using Progress = std::function<void(double fraction)>;
 
+/// Options of whatever runs in parallel. No answer depends on them.
 struct ParallelOptions {
   /// At most this many threads; 0: as many as OpenMP would use. Always 1 inside an active parallel
   /// region and in a library built without OpenMP.

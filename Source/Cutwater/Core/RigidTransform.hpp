@@ -24,6 +24,7 @@ class RigidTransform {
   /// (16 eps), and the offset is finite.
   RigidTransform(const std::array<Vec3<T>, 3>& axes, const Vec3<T>& offset);
 
+  /// By a vector, in the world's coordinates.
   void translate(const Vec3<T>& offset);
   /// About the coordinate axis 0, 1 or 2 through the world's origin.
   void rotate(T degrees, int axis);
@@ -45,6 +46,7 @@ class RigidTransform {
   [[nodiscard]] static RigidTransform composed(const RigidTransform& first,
                                                const RigidTransform& second);
 
+  /// It moves nothing.
   [[nodiscard]] bool isIdentity() const { return !rotated_ && offset_ == Vec3<T>{}; }
   [[nodiscard]] bool isRotated() const { return rotated_; }
   [[nodiscard]] const Vec3<T>& offset() const { return offset_; }

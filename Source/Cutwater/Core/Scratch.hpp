@@ -17,6 +17,7 @@ union Scratch {
 
   CUTWATER_INLINE Scratch() {}  // NOLINT(modernize-use-equals-default): that would be deleted
 
+  /// As a std::array has them.
   CUTWATER_INLINE Value& operator[](std::size_t i) { return values_[i]; }
   CUTWATER_INLINE const Value& operator[](std::size_t i) const { return values_[i]; }
   CUTWATER_INLINE std::span<Value> first(std::size_t count) {

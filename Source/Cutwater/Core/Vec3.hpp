@@ -39,10 +39,12 @@ template <std::floating_point T>
 struct Vec3 {
   using Scalar = T;
 
+  /// Coordinates; by number, operator[] has them.
   T x{}, y{}, z{};
 
   CUTWATER_INLINE constexpr Vec3() = default;
   CUTWATER_INLINE constexpr Vec3(T xIn, T yIn, T zIn) : x(xIn), y(yIn), z(zIn) {}
+  /// From anything with three elements; explicit where digits would be lost.
   template <detail::Indexable3 V>
   requires(!std::same_as<V, Vec3>) CUTWATER_INLINE  // NOLINTNEXTLINE(google-explicit-constructor)
       constexpr explicit(sizeof(detail::Element<V>) > sizeof(T)) Vec3(const V& v)
@@ -68,6 +70,7 @@ struct Vec3 {
   CUTWATER_INLINE friend constexpr Vec3 operator/(Vec3 a, T s) {
     return {a.x / s, a.y / s, a.z / s};
   }
+  /// Component by component.
   CUTWATER_INLINE constexpr Vec3& operator+=(Vec3 b) { return *this = *this + b; }
   CUTWATER_INLINE constexpr Vec3& operator-=(Vec3 b) { return *this = *this - b; }
   CUTWATER_INLINE constexpr Vec3& operator*=(T s) { return *this = s * *this; }

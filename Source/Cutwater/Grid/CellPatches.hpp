@@ -12,11 +12,13 @@ struct CellPatches {
   /// No patch that meets a cell is left out: all of the surface was seen, and no mere samples.
   bool isComplete = true;
 
+  /// The patches in one cell.
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t cell) const {
     return std::span(patches).subspan(offsets[cell], offsets[cell + 1] - offsets[cell]);
   }
 };
 
+/// Options of cellPatches().
 struct CellPatchesOptions {
   /// At most this many threads; 0: as many as there are. See ParallelOptions.
   int threads = 0;

@@ -22,12 +22,14 @@ struct EdgeCrossingTargets {
   GridView<std::uint32_t> lastPatch = {};
 };
 
+/// Options of edgeCrossings().
 struct EdgeCrossingOptions {
   /// At most this many threads; 0: as many as there are. See ParallelOptions.
   int threads = 0;
   Progress progress = {};
 };
 
+/// What edgeCrossings() met.
 struct EdgeCrossingReport {
   std::size_t crossed = 0;  ///< edges with at least one crossing
   /// Edges that come so close to the surface that an even number of further crossings could not be

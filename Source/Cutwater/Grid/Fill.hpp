@@ -6,6 +6,7 @@
 
 namespace cutwater {
 
+/// Options of fill().
 struct FillOptions {
   /// Half-width of the band around the surface in which values are told, in cells of the smallest
   /// spacing h. Beyond it they are exactly +band * h or -band * h. 0: values everywhere.

@@ -7,6 +7,7 @@
 
 namespace cutwater {
 
+/// Options of isosurface().
 struct IsosurfaceOptions {
   /// Points of the mesh are within this of the surface, in units of the largest spacing.
   double tolerance = 1e-3;

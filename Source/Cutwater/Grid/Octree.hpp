@@ -15,6 +15,7 @@ enum class Balance : std::uint8_t {
   Corner,  ///< and those that share a corner
 };
 
+/// Options of an Octree.
 struct OctreeOptions {
   Balance balance = Balance::Corner;
   /// At most this many threads; 0: as many as there are. See ParallelOptions.

@@ -36,6 +36,7 @@ class OctreeCells {
   /// How many cells there are of each kind.
   [[nodiscard]] std::size_t count(BoxClass kind) const;
 
+  /// Where a cell is, to the bit what its level says: see Level::position() and Level::cell().
   [[nodiscard]] Vec3<T> center(const OctreeCell& cell) const {
     return levels_[cell.level].position(cell.index);
   }

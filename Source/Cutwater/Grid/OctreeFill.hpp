@@ -15,11 +15,13 @@ struct OctreeTargets {
   std::span<Vec3<T>> normal = {};
   std::span<std::uint32_t> patch = {};
 
+  /// Nothing is asked for.
   [[nodiscard]] bool isEmpty() const { return distance.empty() && normal.empty() && patch.empty(); }
   /// @throws Error if an array is neither empty nor of so many values.
   void check(std::size_t cells) const;
 };
 
+/// Options of fill() on a mesh.
 struct OctreeFillOptions {
   /// At most this many threads; 0: as many as there are. See ParallelOptions.
   int threads = 0;

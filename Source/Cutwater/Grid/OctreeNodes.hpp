@@ -22,6 +22,7 @@ class OctreeNodes {
   /// The mesh must outlive it. Between its first cell and its last, none may be missing.
   explicit OctreeNodes(const OctreeCells<T>& mesh, const ParallelOptions& options = {});
 
+  /// How many nodes there are.
   [[nodiscard]] std::size_t count() const { return places_.size() + others_.size(); }
   /// Index among the nodes of the finest level, mesh.deepest().
   [[nodiscard]] Index3 index(std::size_t node) const;

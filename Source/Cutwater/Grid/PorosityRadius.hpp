@@ -5,6 +5,7 @@
 
 namespace cutwater {
 
+/// Options of porosityRadius().
 struct PorosityRadiusOptions {
   /// Ends once the radius is known to within this fraction of the range that was given.
   double tolerance = 0.001;

@@ -6,6 +6,7 @@
 
 namespace cutwater {
 
+/// Options of tag().
 struct TagOptions {
   /// At most this many threads; 0: as many as there are. See ParallelOptions.
   int threads = 0;

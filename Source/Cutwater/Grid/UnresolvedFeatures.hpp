@@ -11,6 +11,7 @@ enum class UnresolvedKind : std::uint8_t {
   MultiCut,  ///< corners are on both sides, and there is more than one sheet
 };
 
+/// A cell whose corners do not tell all of the surface in it.
 template <std::floating_point T>
 struct UnresolvedFeature {
   std::size_t cell;  ///< place in Octree::cells()
@@ -25,6 +26,7 @@ struct UnresolvedFeature {
   int level;
 };
 
+/// Options of unresolvedFeatures().
 struct UnresolvedOptions {
   /// At most this many threads; 0: as many as there are. See ParallelOptions.
   int threads = 0;

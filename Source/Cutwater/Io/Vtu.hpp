@@ -7,6 +7,7 @@
 
 namespace cutwater {
 
+/// Options of writeVtu().
 struct VtuOptions {
   /// Numbers of nodes in 64 bits even where 32 do, for readers that know no others.
   bool wideIndices = false;

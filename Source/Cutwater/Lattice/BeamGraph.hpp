@@ -35,6 +35,7 @@ struct BeamGraph {
     bool operator==(const Ball&) const = default;
   };
 
+  /// Positions; beams and balls name them by their index.
   std::vector<Vec3<double>> nodes;
   std::vector<Beam> beams;
   std::vector<Ball> balls;

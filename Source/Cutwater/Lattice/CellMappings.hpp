@@ -15,6 +15,7 @@ class BoxMapping {
   /// @throws Error unless the box is finite, with some size along each axis.
   explicit BoxMapping(const Box<double>& box);
 
+  /// Where u goes to, and the axes along which 0 and 1 go to the same place.
   [[nodiscard]] Vec3<double> operator()(const Vec3<double>& u) const;
   [[nodiscard]] std::array<bool, 3> closedAxes() const { return {}; }
 
@@ -38,6 +39,7 @@ class PipeMapping {
   /// ascend by at most a full turn.
   explicit PipeMapping(const PipeSegment& pipe);
 
+  /// Where u goes to, and the axes along which 0 and 1 go to the same place.
   [[nodiscard]] Vec3<double> operator()(const Vec3<double>& u) const;
   [[nodiscard]] std::array<bool, 3> closedAxes() const;
 
@@ -53,6 +55,7 @@ class CylinderMapping {
   /// @throws Error unless both are positive and finite.
   CylinderMapping(double radius, double length);
 
+  /// Where u goes to, and the axes along which 0 and 1 go to the same place.
   [[nodiscard]] Vec3<double> operator()(const Vec3<double>& u) const;
   [[nodiscard]] std::array<bool, 3> closedAxes() const { return {}; }
 
@@ -76,6 +79,7 @@ class LensMapping {
   /// least half the diameter, and the faces do not meet within it: the rim has some thickness.
   explicit LensMapping(const Lens& lens);
 
+  /// Where u goes to, and the axes along which 0 and 1 go to the same place.
   [[nodiscard]] Vec3<double> operator()(const Vec3<double>& u) const;
   [[nodiscard]] std::array<bool, 3> closedAxes() const { return {}; }
 
@@ -91,6 +95,7 @@ class AlongSpine {
   AlongSpine(Spine spine, Mapping mapping)
       : spine_(std::move(spine)), mapping_(std::move(mapping)) {}
 
+  /// Where u goes to, and the axes along which 0 and 1 go to the same place.
   [[nodiscard]] Vec3<double> operator()(const Vec3<double>& u) const {
     const auto straight = mapping_(u);
     const auto frame = spine_.frameAt(straight.z);

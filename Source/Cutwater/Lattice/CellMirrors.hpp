@@ -12,6 +12,7 @@ namespace cutwater {
 struct CellStrut {
   Vec3<double> a, b;
 
+  /// Half-way between its ends.
   [[nodiscard]] Vec3<double> middle() const { return 0.5 * (a + b); }
 };
 

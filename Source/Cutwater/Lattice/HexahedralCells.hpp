@@ -40,6 +40,7 @@ concept ClosingMapping = requires(const M& mapping) {
 /// to where it has been.)
 class HexahedralCells {
  public:
+  /// Cells along each axis, and what maps the unit cube: see CellMappings.hpp.
   using Counts = std::array<std::uint32_t, 3>;
   using Mapping = FunctionRef<Vec3<double>(const Vec3<double>&)>;
 

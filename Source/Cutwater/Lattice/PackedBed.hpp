@@ -6,6 +6,7 @@
 
 namespace cutwater {
 
+/// A ball, in the units of the solid.
 template <std::floating_point T>
 struct Ball {
   Vec3<T> center;

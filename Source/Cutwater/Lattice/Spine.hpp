@@ -30,6 +30,7 @@ class Spine {
   /// is not along the curve, and the curve does not turn on the spot.
   explicit Spine(std::span<const Vec3<double>> points, const Vec3<double>& side = {});
 
+  /// Arc length from the first point to the last.
   [[nodiscard]] double length() const { return samples_.back().arc; }
   /// At this arc length from the first point. Accurate to about 1e-9 of a chord.
   [[nodiscard]] SpineFrame frameAt(double arc) const;

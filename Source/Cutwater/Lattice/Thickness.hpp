@@ -64,6 +64,7 @@ class Thickness {
   /// Its gradient there, in an array of cells of this size.
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& point, const Vec3<T>& cellSize) const;
 
+  /// Whether the radius is the same everywhere, and its range otherwise.
   [[nodiscard]] bool isConstant() const { return measure_ == Measure::None; }
   [[nodiscard]] T least() const { return least_; }
   [[nodiscard]] T most() const { return most_; }

@@ -59,6 +59,7 @@ class UnitCell {
   /// Of all struts(), in units of the cell.
   [[nodiscard]] double lengthPerCell() const;
 
+  /// Whether the fold maps the lattice into itself, in cubic cells.
   [[nodiscard]] bool has(CellFold fold) const;
   /// The fold with the smallest chamber that the lattice has, if cells are stretched to this size.
   [[nodiscard]] CellFold foldAt(const Vec3<double>& size) const;

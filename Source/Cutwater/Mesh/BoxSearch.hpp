@@ -9,6 +9,7 @@ namespace cutwater {
 struct TreeBox {
   TreeBox(const OrientedBox<double>& box, const BvhFrame& frame);
 
+  /// In the tree's frame.
   Vec3<double> center;
   Vec3<float> half;        ///< lengths along the axes, slack included
   float size = 0;          ///< sum of the half lengths

@@ -36,6 +36,7 @@ class DcelMesh {
   explicit DcelMesh(const PolygonSoup& soup);
 
   // The whole mesh.
+  /// All of a kind, in ascending order.
   [[nodiscard]] IdRange<VertexId> vertices() const { return {0, size32(positions_)}; }
   [[nodiscard]] IdRange<HalfEdgeId> halfEdges() const { return {0, size32(origins_)}; }
   [[nodiscard]] IdRange<FaceId> faces() const { return {0, size32(patches_)}; }
@@ -44,6 +45,7 @@ class DcelMesh {
   [[nodiscard]] Box<T> boundingBox() const;
 
   // One half-edge.
+  /// Its face, which is to its left seen from outside, and its two ends.
   [[nodiscard]] FaceId face(HalfEdgeId e) const { return faceOf_[index(e)]; }
   [[nodiscard]] VertexId origin(HalfEdgeId e) const { return origins_[index(e)]; }
   [[nodiscard]] VertexId target(HalfEdgeId e) const { return origin(next(e)); }
@@ -61,6 +63,7 @@ class DcelMesh {
   }
 
   // Around a face.
+  /// Counter-clockwise seen from outside; vertex i is the origin of half-edge i.
   [[nodiscard]] IdRange<HalfEdgeId> halfEdges(FaceId face) const {
     return {faceOffsets_[index(face)], faceOffsets_[index(face) + 1]};
   }
@@ -81,6 +84,7 @@ class DcelMesh {
   [[nodiscard]] std::uint32_t patch(FaceId face) const { return patches_[index(face)]; }
 
   // Around a vertex; complete at non-manifold vertices, too, in ascending order of half-edges.
+  /// The half-edges that begin at it, and their faces.
   [[nodiscard]] std::span<const HalfEdgeId> outgoing(VertexId vertex) const {
     return slice(outgoing_, outgoingOffsets_, index(vertex));
   }

@@ -25,6 +25,7 @@ struct MeshLayout {
   Section insideOut;                  ///< see ShellOrientation
   Section patchNames;                 ///< characters; each name is ended by a zero
 
+  /// The tree that lies in a block; a view of it.
   [[nodiscard]] TriangleTree tree(const Block& block) const {
     return {frame, block.array<BvhNode<TriangleTree::kArity>>(nodes),
             block.array<std::uint32_t>(slots), depth};

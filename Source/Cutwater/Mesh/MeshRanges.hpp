@@ -10,7 +10,7 @@
 
 namespace cutwater {
 
-// Handles into a mesh: 32-bit indices that cannot be mistaken for one another.
+/// Handles into a mesh: 32-bit indices that cannot be mistaken for one another.
 enum class VertexId : std::uint32_t {};
 enum class HalfEdgeId : std::uint32_t {};
 enum class FaceId : std::uint32_t {};
@@ -18,9 +18,11 @@ enum class FaceId : std::uint32_t {};
 /// The three corners of a triangle, counter-clockwise seen from outside.
 using TriangleCorners = std::array<VertexId, 3>;
 
+/// No half-edge, no face: kNone as a handle.
 inline constexpr HalfEdgeId kNoHalfEdge{kNone};
 inline constexpr FaceId kNoFace{kNone};
 
+/// One of the three.
 template <typename Id>
 concept MeshId =
     std::same_as<Id, VertexId> || std::same_as<Id, HalfEdgeId> || std::same_as<Id, FaceId>;
@@ -35,6 +37,7 @@ template <MeshId Id>
 template <MeshId Id>
 class IdRange {
  public:
+  /// Goes from each handle to the next.
   class Iterator {
    public:
     using value_type = Id;
@@ -72,8 +75,10 @@ class IdRange {
 template <std::forward_iterator Source, typename Map>
 class MappedRange {
  public:
+  /// What `map` gives.
   using Id = decltype(std::declval<const Map&>()(*std::declval<Source>()));
 
+  /// Skips what is mapped to "none".
   class Iterator {
    public:
     using value_type = Id;

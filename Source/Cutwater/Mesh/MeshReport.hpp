@@ -14,9 +14,10 @@ template <typename Place>
 struct Findings {
   static constexpr std::size_t kExamples = 8;
 
-  std::size_t count = 0;
+  std::size_t count = 0;        ///< of all
   std::vector<Place> examples;  ///< at most kExamples
 
+  /// Counts one more.
   void add(const Place& place) {
     if (count++ < kExamples) examples.push_back(place);
   }

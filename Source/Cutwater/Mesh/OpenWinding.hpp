@@ -18,6 +18,7 @@ class OpenWinding {
   /// What counts as inside: see WindingNumber::kThreshold.
   static constexpr double kThreshold = WindingNumber<double>::kThreshold;
 
+  /// Whether the winding number exceeds kThreshold; decided with certainty.
   template <std::floating_point T>
   [[nodiscard]] bool isInside(const TriangleSurface<T>& surface, TrianglesAlong along,
                               const Vec3<double>& p) const;
@@ -61,17 +62,20 @@ class OpenWindingData {
   /// Beyond this distance from the surface's box nothing counts as inside.
   [[nodiscard]] double reach() const;
 
+  /// Where the arrays will lie in the block.
   struct Sections {
     Section positions, triangles, nodes, slots, moments, edges, openEdges;
     BvhFrame frame;
     int depth = 0;
 
+    /// Views of what lies in the block, once it is written.
     [[nodiscard]] WindingTree tree(const Block& block) const {
       return {frame, block.array<BvhNode<WindingTree::kArity>>(nodes),
               block.array<std::uint32_t>(slots), depth};
     }
     [[nodiscard]] OpenWinding view(const Block& block) const;
   };
+  /// Adds the arrays, which must live until BlockWriter::finish().
   [[nodiscard]] Sections addTo(BlockWriter& writer) const;
 
  private:

@@ -18,12 +18,15 @@ struct PolygonSoup {
   std::vector<std::uint32_t> patches;  ///< per polygon: index into patchNames
   std::vector<std::string> patchNames;
 
+  /// How many polygons there are, and the corners of one: indices of points.
   [[nodiscard]] std::size_t polygonCount() const { return patches.size(); }
   [[nodiscard]] std::span<const std::uint32_t> polygon(std::size_t i) const {
     return std::span(corners).subspan(offsets[i], offsets[i + 1] - offsets[i]);
   }
+  /// Appends a polygon; `patch` is an index into patchNames.
   void addPolygon(std::span<const std::uint32_t> polygonCorners, std::uint32_t patch = 0);
 
+  /// Around all points, used or not.
   [[nodiscard]] Box<double> boundingBox() const;
 
   /// For soups that did not come from a reader, whose soups always pass.

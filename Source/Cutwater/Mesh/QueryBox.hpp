@@ -16,10 +16,12 @@ enum class BoxOverlap : std::uint8_t { None, Possible, Certain };
 /// Coordinates are to be about 1 at most, or not much larger than the distances that matter.
 class QueryBox {
  public:
+  /// Of a triangle.
   using Corners = std::array<Vec3<double>, 3>;
 
   explicit QueryBox(const OrientedBox<double>& box);
 
+  /// Whether a triangle meets the box, both in the caller's coordinates.
   [[nodiscard]] BoxOverlap overlapWith(const Corners& triangle) const;
 
   /// As seen from the box: from its centre, along its edges. Triangles below are in this frame.

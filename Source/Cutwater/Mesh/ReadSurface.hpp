@@ -11,8 +11,10 @@
 
 namespace cutwater {
 
+/// What files readSurface() reads.
 enum class SurfaceFormat : std::uint8_t { Stl, Obj, Ply, Off, Vtk };
 
+/// Options of readSurface().
 struct ReadOptions {
   /// Coordinates are multiplied by this first (0.001: a file in millimetres, a model in metres),
   /// ...
@@ -38,6 +40,7 @@ struct ReadReport {
   std::vector<std::string> notes;  ///< oddities accepted, one sentence each
 };
 
+/// A surface, and how it was read.
 struct SurfaceFile {
   PolygonSoup soup;
   ReadReport report;

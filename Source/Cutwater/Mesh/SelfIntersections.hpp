@@ -24,9 +24,11 @@ struct SelfIntersections {
   bool complete = true;              ///< false: stopped at the limit, there are at least so many
   std::size_t skippedTriangles = 0;  ///< those without area
 
+  /// There are some.
   [[nodiscard]] explicit operator bool() const { return static_cast<bool>(pairs); }
 };
 
+/// Options of findSelfIntersections().
 struct SelfIntersectionOptions {
   /// Counting ends at this many pairs (there may be as many as faces squared), but not before the
   /// examples are complete.

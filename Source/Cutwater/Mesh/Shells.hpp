@@ -18,6 +18,7 @@ struct ShellOrientation {
   std::vector<std::uint32_t> firstFaces;  ///< the lowest of each shell, ascending
   std::vector<std::uint32_t> insideOut;   ///< shells that stood so: indices into firstFaces
 
+  /// How many shells there are, and how many stood inside out.
   [[nodiscard]] std::size_t shells() const { return firstFaces.size(); }
   [[nodiscard]] std::size_t turnedShells() const { return insideOut.size(); }
   [[nodiscard]] bool changesNothing() const { return turned.empty(); }

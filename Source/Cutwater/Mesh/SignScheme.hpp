@@ -20,6 +20,7 @@ enum class SignScheme : std::uint8_t {
   WindingNumber,
 };
 
+/// Options of a MeshSDF: how signs are decided, and how closely the surface is checked.
 struct MeshSDFOptions {
   SignScheme signs = SignScheme::Automatic;
   /// Refuse surfaces that do not bound a solid, as far as the check can tell.
@@ -41,6 +42,7 @@ struct SignReport {
   std::size_t turnedShells = 0;  ///< stood inside out
   std::size_t unorientable = 0;  ///< parts like a Moebius strip
 
+  /// Places that were looked at: see MeshSDFOptions::probes.
   std::size_t probes = 0;
   /// Closed surfaces: probes without the solid just behind them or without free space just before,
   /// because shells overlap, touch or are nested.
@@ -51,6 +53,7 @@ struct SignReport {
   std::optional<std::size_t> selfIntersections =
       {};  ///< pairs of triangles, if they were looked for
 
+  /// As many triangles run one way along every edge as the other way.
   [[nodiscard]] bool isClosed() const { return unbalancedEdges == 0; }
   /// Closed, and the check found nothing: signs are exact and distances those to the solid.
   [[nodiscard]] bool isSound() const {

@@ -21,8 +21,10 @@ class SolidAngleSum {
  public:
   explicit SolidAngleSum(const Vec3<double>& p) : p_(p) {}
 
+  /// Corners counter-clockwise seen from outside.
   void add(const std::array<Vec3<double>, 3>& triangle);
 
+  /// The sum over all triangles so far, in units of 4 pi.
   [[nodiscard]] double turns() const;
   /// turns() is at most this far from the true sum.
   [[nodiscard]] double error() const { return error_ + 0x1p-48 * (count_ + 1); }

@@ -41,6 +41,7 @@ struct ProfilePoint {
   double z;
 };
 
+/// How a profile ends.
 enum class ProfileEnds {
   OnAxis,  ///< an open curve from bottom to top; its ends are poles or get flat lids
   Closed,  ///< a closed curve, counter-clockwise in the (radius, z) plane, off the axis

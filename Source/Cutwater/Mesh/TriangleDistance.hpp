@@ -10,14 +10,17 @@ namespace cutwater {
 /// The part of a triangle that a closest point lies on.
 enum class TrianglePart : std::uint8_t { VertexA, VertexB, VertexC, EdgeAB, EdgeBC, EdgeCA, Face };
 
+/// A vertex, an edge or the face.
 [[nodiscard]] Feature featureOf(TrianglePart part);
 
+/// How far a triangle is, and which part of it is nearest.
 template <std::floating_point T>
 struct TriangleHit {
   T distanceSquared = std::numeric_limits<T>::infinity();
   TrianglePart part = TrianglePart::Face;
 };
 
+/// Three corners, counter-clockwise seen from outside.
 template <std::floating_point T>
 struct Triangle {
   Vec3<T> a, b, c;
@@ -25,9 +28,11 @@ struct Triangle {
   /// steps that cancel are then taken in twice the precision. Set it with isSliver().
   bool sliver = false;
 
+  /// Corner 0, 1 or 2.
   [[nodiscard]] const Vec3<T>& vertex(int i) const { return i == 0 ? a : i == 1 ? b : c; }
 };
 
+/// See Triangle::sliver.
 template <std::floating_point T>
 [[nodiscard]] bool isSliver(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c);
 

@@ -33,6 +33,7 @@ struct alignas(64) TrianglePacket {
 using TriangleTree = BvhTree<16, TrianglePacket::kWidth>;
 using TriangleTreeArrays = BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth>;
 
+/// Builds it over the boxes of the triangles; their corners are indices of positions.
 template <std::floating_point T>
 [[nodiscard]] TriangleTreeArrays buildTriangleTree(
     std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles);

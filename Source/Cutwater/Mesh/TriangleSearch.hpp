@@ -17,6 +17,7 @@ struct TriangleArrays {
         corners(surface.triangles.data()->data()),
         slivers(surface.slivers.data()) {}
 
+  /// The triangle with this id.
   [[nodiscard]] CUTWATER_INLINE Triangle<T> triangle(std::uint32_t id) const {
     const std::uint32_t* const v = corners + 3 * std::size_t{id};
     return {positions[v[0]], positions[v[1]], positions[v[2]],

@@ -71,6 +71,7 @@ struct TriangleSurface {
     CUTWATER_INLINE static double squareRoot(double x) { return __builtin_sqrt(x); }
   };
 
+  /// Of the vertices, scaled; and each triangle's corners, indices of them.
   std::span<const Vec3<T>> positions;
   std::span<const Corners> triangles;
   std::span<const Corners> neighbours;      ///< triangles across AB, BC, CA; kNone where open
@@ -82,6 +83,7 @@ struct TriangleSurface {
   T size = 0;                               ///< length of the longest position vector
   Box<double> box;                          ///< of all corners of triangles
 
+  /// A triangle by its id, in the precision of the surface, and in double.
   [[nodiscard]] Triangle<T> triangle(std::uint32_t id) const {
     const auto& v = triangles[id];
     return {positions[v[0]], positions[v[1]], positions[v[2]],

@@ -37,11 +37,14 @@ class TriangleSurfaceData {
     T size = 0;
     Box<double> box;
 
+    /// The surface that lies in the block, once it is written.
     [[nodiscard]] TriangleSurface<T> view(const Block& block) const;
   };
+  /// Adds the arrays, which must live until BlockWriter::finish().
   [[nodiscard]] Sections addTo(BlockWriter& writer) const;
 
   [[nodiscard]] std::span<const Vec3<T>> positions() const { return positions_; }
+  /// Corners of each: indices of positions().
   [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> triangles() const {
     return triangles_.view();
   }

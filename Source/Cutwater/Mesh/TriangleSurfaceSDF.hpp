@@ -12,6 +12,7 @@ namespace cutwater {
 template <std::floating_point T>
 class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
  public:
+  /// Of triangles that are searched: polygons are cut into these.
   [[nodiscard]] std::size_t triangleCount() const { return surface_.triangles.size(); }
   /// Corners of a triangle as closestPoint() counts them, in the mesh's own frame.
   /// @throws Error if there is no such triangle.
@@ -20,6 +21,7 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] const SignReport& signReport() const { return signs_; }
 
  protected:
+  /// The arrays, and what a search of them finds.
   using Surface = TriangleSurface<T>;
   using Nearest = typename Surface::Nearest;
 

@@ -34,6 +34,7 @@ struct WindingEdges {
   std::uint32_t first;  ///< of those that belong to leaves of this very node
 };
 
+/// What WindingNumber keeps beside the tree.
 struct WindingArrays {
   std::vector<WindingMoments> moments;  ///< per node of the tree
   std::vector<WindingEdges> edges;      ///< per node of the tree

@@ -20,6 +20,7 @@ namespace cutwater {
 template <std::floating_point T>
 class WindingNumber {
  public:
+  /// Of a triangle: indices of positions.
   using Corners = std::array<std::uint32_t, 3>;
 
   /// |winding number - value| <= error, rounding included.

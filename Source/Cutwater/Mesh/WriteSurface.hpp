@@ -6,6 +6,7 @@
 
 namespace cutwater {
 
+/// Options of writeSurface().
 struct WriteOptions {
   /// STL, PLY and VTK as text; they are binary otherwise. OBJ and OFF are always text.
   bool ascii = false;

@@ -16,6 +16,7 @@ class BinaryOperation : public SignedDistanceFunction<T> {
  protected:
   BinaryOperation(Solid<T> first, Solid<T> second);
 
+  /// The operands: number 0 and number 1.
   [[nodiscard]] const Solid<T>& first() const { return operands_[0]; }
   [[nodiscard]] const Solid<T>& second() const { return operands_[1]; }
   [[nodiscard]] const Solid<T>& operand(std::size_t i) const { return operands_[i]; }

@@ -26,6 +26,7 @@ namespace cutwater {
 template <std::floating_point T>
 class Combination : public SignedDistanceFunction<T> {
  public:
+  /// Which of the values it has.
   enum class Decides : std::uint8_t { Least, Greatest };
 
   [[nodiscard]] const std::vector<Solid<T>>& operands() const { return operands_; }

@@ -23,6 +23,7 @@ namespace cutwater {
 template <std::floating_point T>
 class SmoothCombination final : public SignedDistanceFunction<T> {
  public:
+  /// What it is without the fillets.
   enum class Result : std::uint8_t { Union, Intersection };
 
   /// @throws Error unless there is an operand, and the reach is finite and more than 0.

@@ -11,6 +11,7 @@ struct View {
   Vec3<double> back;  ///< unit, from the solid towards the viewer
   Vec3<double> up;    ///< unit, upwards in the picture, at a right angle to `back`
 
+  /// Unit, to the right in the picture.
   [[nodiscard]] Vec3<double> right() const { return cross(up, back); }
 
   /// From this side, of any length. Where `up` points along it, y is up instead (or z, for that).

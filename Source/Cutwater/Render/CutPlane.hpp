@@ -13,6 +13,7 @@ struct CutPlane {
   Vec3<double> normal;  ///< unit
   double offset;
 
+  /// The side that stays.
   enum class Keep : std::uint8_t { Lower, Upper };
 
   /// Keeps what has the lower or the upper values of coordinate `axis` (0, 1 or 2).

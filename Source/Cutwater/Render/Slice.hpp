@@ -34,6 +34,7 @@ struct SliceWindow {
   std::array<T, 2> upper;
 };
 
+/// Options of renderSlice().
 template <std::floating_point T>
 struct SliceOptions {
   /// What is shown, in full and to scale. Without it: the solid's bounding box with some room.

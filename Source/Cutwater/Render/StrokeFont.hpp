@@ -7,6 +7,7 @@
 
 namespace cutwater {
 
+/// Which point of a text its position is.
 enum class TextAnchor : std::uint8_t { Start, Middle, End };
 
 /// How a line of text looks; lengths in pixels.

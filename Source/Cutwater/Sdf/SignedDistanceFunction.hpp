@@ -25,7 +25,7 @@ namespace cutwater {
 template <std::floating_point T>
 class SignedDistanceFunction {
  public:
-  using Scalar = T;
+  using Scalar = T;  ///< float or double
 
   virtual ~SignedDistanceFunction() = default;
 
@@ -171,7 +171,7 @@ class SignedDistanceFunction {
   [[nodiscard]] virtual std::string localName() const { return "Function"; }
   virtual void forEachOperand(FunctionRef<void(const SignedDistanceFunction&)>) const {}
 
-  // For composites: what an operand answers about a box given in the composite's own frame.
+  /// For composites: what an operand answers about a box given in the composite's own frame.
   [[nodiscard]] static Interval<T> boundsOf(const SignedDistanceFunction& operand,
                                             const OrientedBox<T>& box, BoxHint* hint = nullptr) {
     return operand.localBounds(operand.toLocal(box), hint);
@@ -180,11 +180,11 @@ class SignedDistanceFunction {
                                         const OrientedBox<T>& box, BoxHint* hint = nullptr) {
     return operand.localClassify(operand.toLocal(box), hint);
   }
-
+  /// The same for facetsIn(), with facets in the composite's frame.
   static bool facetsOf(const SignedDistanceFunction& operand, const OrientedBox<T>& box,
                        FacetVisitor<T> visit);
 
-  // How the default of localClassify() is certain that a box within the domain is cut.
+  /// How the default of localClassify() is certain that a box within the domain is cut.
   [[nodiscard]] bool holdsNearestPoint(const OrientedBox<T>& box) const;
   [[nodiscard]] bool holdsBothSides(const OrientedBox<T>& box) const;
 

@@ -65,6 +65,7 @@ class Solid final : public SignedDistanceFunction<T> {
   Box<T> boundingBox_;
 };
 
+/// `Solid ball = Sphere<double>(...)` is a Solid<double>.
 template <typename Shape>
 Solid(Shape) -> Solid<typename Shape::Scalar>;
 

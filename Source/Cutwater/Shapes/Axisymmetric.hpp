@@ -19,6 +19,7 @@ class Axisymmetric : public SignedDistanceFunction<T> {
       : axis_(name, origin, axis) {}
   explicit Axisymmetric(const detail::RotationAxis<T>& axis) : axis_(axis) {}
 
+  /// The profile's signed distance in the half-plane.
   [[nodiscard]] virtual T profileDistance(const ProfilePoint<T>& p) const = 0;
   /// Unit gradient in the half-plane; zero where it is not defined.
   [[nodiscard]] virtual ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const = 0;

@@ -15,6 +15,7 @@ namespace cutwater {
 template <std::floating_point T>
 class Polygon {
  public:
+  /// Corners, in order.
   using Loop = std::vector<Vec2<T>>;
 
   /// A loop's last corner is joined to its first; corners that repeat the one before are dropped.

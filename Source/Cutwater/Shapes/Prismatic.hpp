@@ -17,10 +17,12 @@ class Prismatic : public SignedDistanceFunction<T> {
   /// @throws Error, as from the shape `name`, unless both are finite and lower < upper.
   Prismatic(const char* name, T lower, T upper);
 
+  /// The section's signed distance in the plane.
   [[nodiscard]] virtual T sectionDistance(const Vec2<T>& p) const = 0;
   /// Unit gradient in the plane; zero where it is not defined.
   [[nodiscard]] virtual Vec2<T> sectionGradient(const Vec2<T>& p) const = 0;
 
+  /// The ends along z.
   [[nodiscard]] T lower() const { return ends_.lower.y; }
   [[nodiscard]] T upper() const { return ends_.upper.y; }
 

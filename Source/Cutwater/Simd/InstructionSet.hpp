@@ -17,6 +17,7 @@ enum class InstructionSet {
 /// CUTWATER_INSTRUCTION_SET names (portable, baseline, avx2, avx512), if the processor has it.
 [[nodiscard]] InstructionSet instructionSet();
 
+/// As the environment variable spells it.
 [[nodiscard]] std::string_view name(InstructionSet set);
 
 namespace detail {

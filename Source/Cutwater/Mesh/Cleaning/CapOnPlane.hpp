@@ -5,6 +5,7 @@
 
 namespace cutwater {
 
+/// Options of capOnPlane().
 struct CapOptions {
   /// Points at most this far from the plane count as on it (a length).
   double tolerance = 0;

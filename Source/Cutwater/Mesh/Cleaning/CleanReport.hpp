@@ -13,6 +13,7 @@ struct Correction {
   /// large a face is, that is, the diagonal of its box. 0 where there is none to speak of.
   double largest = 0;
 
+  /// Counts one more.
   void add(const Vec3<double>& place, double size = 0) {
     places.add(place);
     if (size > largest) largest = size;
@@ -25,6 +26,7 @@ struct Correction {
   [[nodiscard]] explicit operator bool() const { return static_cast<bool>(places); }
 };
 
+/// What clean() puts right.
 enum class CleanKind : std::uint8_t {
   EqualPoints,        ///< merged: the same coordinates as an earlier point
   ClosePoints,        ///< merged: closer to another than the tolerance
@@ -41,6 +43,7 @@ enum class CleanKind : std::uint8_t {
 /// What was done, in the words of the report: "close points merged".
 [[nodiscard]] const char* nameOf(CleanKind kind);
 
+/// A step of clean(), with the size of the surface before and after it.
 struct CleanStep {
   CleanKind kind{};
   Correction correction;

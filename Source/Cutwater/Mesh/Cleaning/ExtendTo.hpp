@@ -7,6 +7,7 @@
 
 namespace cutwater {
 
+/// Options of extendTo() and extendToBox(): names of new patches.
 struct ExtendOptions {
   std::string sides = "sides";    ///< the patch of the walls below the rim
   std::string bottom = "bottom";  ///< and of the flat end
@@ -38,8 +39,8 @@ enum class BoxEnd : std::uint8_t { Lower, Upper };
 /// A surface that reaches the sides or beyond needs no apron: use extendTo(), and the domain cuts
 /// off what is outside of it.
 ///
-/// @throws as extendTo(), and Error(Topology) unless one rim is around all others and lies within
-/// the sides of the box.
+/// @throws Error as extendTo(); of kind Topology unless one rim is around all others and lies
+/// within the sides of the box.
 OpeningReport extendToBox(PolygonSoup& soup, const Box<double>& box, int axis,
                           BoxEnd end = BoxEnd::Lower, const ExtendOptions& options = {});
 

@@ -5,6 +5,7 @@
 
 namespace cutwater {
 
+/// What orientFaces() turned.
 struct OrientationCorrections {
   Correction faces;              ///< turned to agree with those around
   Correction shells;             ///< turned as a whole: the middle of the first face of each

@@ -10,6 +10,7 @@ struct p8est;
 
 namespace cutwater {
 
+/// Options of a DistributedOctree; the same on all ranks.
 struct DistributedOctreeOptions {
   Balance balance = Balance::Corner;
   /// How many other cells a cell that the surface may meet counts for when ranks get their shares.

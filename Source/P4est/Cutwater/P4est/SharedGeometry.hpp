@@ -9,6 +9,7 @@
 
 namespace cutwater {
 
+/// Options of a SharedGeometry; the same on all ranks.
 struct SharedGeometryOptions {
   ReadOptions read = {};      ///< of surfaces; geometry files are taken as they are
   MeshSDFOptions solid = {};  ///< the same

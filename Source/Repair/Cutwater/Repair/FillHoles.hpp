@@ -8,6 +8,7 @@
 
 namespace cutwater {
 
+/// Options of fillHoles().
 struct HoleOptions {
   /// Rims of more edges stay open. Time grows with the cube of their number where the surface
   /// around is crumpled, and else little more than linearly.
@@ -37,6 +38,7 @@ struct HoleReport {
   SurfaceMeasure after;
   double seconds = 0;
 
+  /// How many rims stay open.
   [[nodiscard]] std::size_t left() const {
     return tooLong.count + tooWide.count + unfillable.count + late.count;
   }

@@ -8,6 +8,7 @@
 
 namespace cutwater {
 
+/// Options of removeSelfIntersections().
 struct SelfIntersectionRepairOptions {
   /// How often what is left, or was made by the repair itself, is gone about again.
   int rounds = 7;

@@ -8,6 +8,7 @@
 
 namespace cutwater {
 
+/// Options of wrap(); lengths in the units of the surface.
 struct WrapOptions {
   /// Holes, gaps and hollows that a ball of this diameter does not pass are closed (a length).
   /// Details below it are lost.
