@@ -7,6 +7,7 @@
 
 namespace cutwater {
 
+/// Which solid of a scene, and how much of a file is read.
 struct ReadSceneOptions {
   /// The name of the solid that is meant; empty: the one that the file says, or else its last.
   std::string solid = {};

@@ -28,9 +28,10 @@ struct BeamGraph {
 
     bool operator==(const Beam&) const = default;
   };
+  /// A ball around a node, of a radius of its own.
   struct Ball {
-    std::uint32_t node;
-    double radius;
+    std::uint32_t node;  ///< its index in `nodes`
+    double radius;       ///< in the unit of length
 
     bool operator==(const Ball&) const = default;
   };
