@@ -26,11 +26,7 @@ using SamplePoint = void(detail::TpmsKind, T*);
 template <std::floating_point T>
 void detail::samplePattern(TpmsKind kind, PatternBatch<T>& batch, int count) {
   static SampleRows<T>* const function = CUTWATER_BEST_OF(SampleRows<T>, samplePatternRows);
-  // Lanes beyond the last point: anything but numbers that take long.
-  const auto end = static_cast<std::size_t>((count + 15) / 16 * 16);
-  for (auto& row : batch.turns) {
-    for (auto i = static_cast<std::size_t>(count); i < end; ++i) row[i] = 0;
-  }
+  padRows<T>({&batch.turns[0], &batch.turns[1], &batch.turns[2]}, count);
   function(kind, batch.turns[0].data(), count);
 }
 

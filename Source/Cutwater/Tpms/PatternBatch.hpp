@@ -2,6 +2,8 @@
 
 #include <Cutwater/Tpms/TpmsPattern.hpp>
 
+#include <initializer_list>
+
 namespace cutwater::detail {
 
 enum class TpmsKind : std::uint8_t {
@@ -27,6 +29,16 @@ struct alignas(64) PatternBatch {
   Row value;                    ///< F there
   std::array<Row, 3> gradient;  ///< per radian
 };
+
+/// Sets what lies beyond the first `count` numbers, up to the end of a vector, to anything but what
+/// takes long.
+template <std::floating_point T, std::size_t kMost>
+void padRows(std::initializer_list<std::array<T, kMost>*> rows, int count) {
+  const auto end = static_cast<std::size_t>((count + 15) / 16 * 16);
+  for (auto* row : rows) {
+    for (auto i = static_cast<std::size_t>(count); i < end; ++i) (*row)[i] = 0;
+  }
+}
 
 /// Fills in values and gradients of the first `count` points. Compiled for each instruction set,
 /// from one source: PatternBatch.inl.

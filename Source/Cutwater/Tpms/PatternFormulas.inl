@@ -3,6 +3,7 @@
 // The patterns of TpmsPattern and their gradients, lane by lane.
 
 #include <Cutwater/Simd/TurnTrigonometry.inl>
+#include <Cutwater/Tpms/PatternBatch.hpp>
 
 namespace cutwater::CUTWATER_SIMD {
 
@@ -18,6 +19,31 @@ struct Angles {
   using Real = Lanes<T>;
   Real sx, cx, sy, cy, sz, cz;
 };
+
+/// At points side by side, whose x, y and z in turns are in rows of this length.
+template <typename T>
+CUTWATER_INLINE inline Angles<T> anglesInRows(const T* turns, int row) {
+  const auto x = sineCosineOfTurns<T>(load(turns));
+  const auto y = sineCosineOfTurns<T>(load(turns + row));
+  const auto z = sineCosineOfTurns<T>(load(turns + 2 * row));
+  return {x.sine, x.cosine, y.sine, y.cosine, z.sine, z.cosine};
+}
+
+/// At one point, in all lanes. Its sines and cosines are found in neighbouring lanes.
+template <typename T>
+CUTWATER_INLINE inline Angles<T> anglesAtPoint(const T* turns) {
+  constexpr int kRoom = kLanesOf<T> < 4 ? 4 : kLanesOf<T>;
+  alignas(64) T places[kRoom] = {turns[0], turns[1], turns[2]};
+  alignas(64) T sines[kRoom];
+  alignas(64) T cosines[kRoom];
+  for (int i = 0; i < 3; i += kLanesOf<T>) {
+    const auto found = sineCosineOfTurns<T>(load(places + i));
+    store(sines + i, found.sine);
+    store(cosines + i, found.cosine);
+  }
+  return {broadcast(sines[0]),   broadcast(cosines[0]), broadcast(sines[1]),
+          broadcast(cosines[1]), broadcast(sines[2]),   broadcast(cosines[2])};
+}
 
 /// Of twice the angles.
 template <typename T>
@@ -163,5 +189,33 @@ struct FischerKochSFormula {
              a.cx * b.cy * a.cz - b.cx * a.sy * a.sz - two * a.sx * a.cy * b.sz}};
   }
 };
+
+/// Calls what(the pattern's formula).
+template <typename What>
+CUTWATER_INLINE inline void withFormula(detail::TpmsKind kind, What what) {
+  using detail::TpmsKind;
+  switch (kind) {
+    case TpmsKind::Gyroid:
+      return what(GyroidFormula{});
+    case TpmsKind::SchwarzP:
+      return what(SchwarzPFormula{});
+    case TpmsKind::SchwarzD:
+      return what(SchwarzDFormula{});
+    case TpmsKind::SchwarzD4:
+      return what(SchwarzD4Formula{});
+    case TpmsKind::Lidinoid:
+      return what(LidinoidFormula{});
+    case TpmsKind::SplitP:
+      return what(SplitPFormula{});
+    case TpmsKind::Neovius:
+      return what(NeoviusFormula{});
+    case TpmsKind::Iwp:
+      return what(IwpFormula{});
+    case TpmsKind::Frd:
+      return what(FrdFormula{});
+    case TpmsKind::FischerKochS:
+      return what(FischerKochSFormula{});
+  }
+}
 
 }  // namespace cutwater::CUTWATER_SIMD
