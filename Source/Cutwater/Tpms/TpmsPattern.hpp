@@ -66,8 +66,12 @@ class TpmsPattern {
   [[nodiscard]] double slopeAlongAxis() const;
   /// An upper bound of the spectral norm of the matrix of second derivatives, per radian squared.
   [[nodiscard]] double curvature() const;
+  /// An upper bound of the third derivative in any three directions, per radian cubed.
+  [[nodiscard]] double thirdDerivative() const;
   /// Encloses F.
   [[nodiscard]] Interval<double> range() const;
+  /// A lower bound of |grad F| on the surface F = 0, per radian.
+  [[nodiscard]] double leastSlope() const;
   /// The mean of |grad F| over the surface F = 0, per radian: a wall |F| <= h is about
   /// 2 h / meanSlope() thick.
   [[nodiscard]] double meanSlope() const;
