@@ -40,7 +40,8 @@ TYPED_TEST(TwoFluidsTest, PartsOfABoxFitAndKeepTheirGuarantee) {
   using T = TypeParam;
   const Box<T> box{{-1, -1, -1}, {1, 1, 1}};
   const auto channels = TpmsChannels<T>::of({TpmsPattern::gyroid(), T(1)}, T(0.3));
-  const auto parts = twoFluidsIn<T>(box, channels, {.axisOfA = 0, .axisOfB = 2, .capThickness = T(0.1)});
+  const auto parts =
+      twoFluidsIn<T>(box, channels, {.axisOfA = 0, .axisOfB = 2, .capThickness = T(0.1)});
   expectFit<T>(parts, Cuboid<T>(box), T(1.1));
   for (const auto* part : {&parts.a, &parts.wall, &parts.b}) {
     EXPECT_EQ(part->guarantee().outside, Quality::LowerBound);
@@ -52,7 +53,8 @@ TYPED_TEST(TwoFluidsTest, EndsAreOpenForOneFluidAndClosedForTheOther) {
   using T = TypeParam;
   const Box<T> box{{-1, -1, -1}, {1, 1, 1}};
   const auto channels = TpmsChannels<T>::of({TpmsPattern::gyroid(), T(1)}, T(0.3));
-  const auto parts = twoFluidsIn<T>(box, channels, {.axisOfA = 0, .axisOfB = 2, .capThickness = T(0.1)});
+  const auto parts =
+      twoFluidsIn<T>(box, channels, {.axisOfA = 0, .axisOfB = 2, .capThickness = T(0.1)});
   // How much of each face of the box the fluids see.
   std::array<std::array<int, 2>, 3> open{};
   RandomPoints<T> random(T(0.85), 3);
@@ -122,8 +124,10 @@ TEST(TwoFluidsErrorsTest, RefusesFlowsThatAreNone) {
   EXPECT_THROW(make(0, 3, 0.1), Error);
   EXPECT_THROW(make(0, 1, 0), Error);
   EXPECT_THROW(make(0, 1, 0.5), Error);
-  EXPECT_THROW((twoFluidsIn<double>({.radius = 1, .z = {0, 1}, .capThickness = 0.5}, channels)), Error);
-  EXPECT_THROW((twoFluidsIn<double>({.radius = 1, .z = {0, 5}, .capThickness = 1}, channels)), Error);
+  EXPECT_THROW((twoFluidsIn<double>({.radius = 1, .z = {0, 1}, .capThickness = 0.5}, channels)),
+               Error);
+  EXPECT_THROW((twoFluidsIn<double>({.radius = 1, .z = {0, 5}, .capThickness = 1}, channels)),
+               Error);
   EXPECT_THROW((TpmsChannels<double>::of({TpmsPattern::gyroid(), 1.0}, 1.5)), Error);
 }
 

@@ -86,8 +86,7 @@ Vec3<double> stepTowards(const Vec3<double>& x, const Vec3<double>& y, const Exp
   const Vec3<double> rest = -(away + multiplier * f.gradient);
   const auto ofRest = solved(matrix, rest);
   const auto ofGradient = solved(matrix, f.gradient);
-  const double change =
-      (dot(f.gradient, ofRest) + f.value) / dot(f.gradient, ofGradient);
+  const double change = (dot(f.gradient, ofRest) + f.value) / dot(f.gradient, ofGradient);
   const Vec3<double> step = ofRest - change * ofGradient;
   const double size = length(step);
   return size > kLongest ? (kLongest / size) * step : step;

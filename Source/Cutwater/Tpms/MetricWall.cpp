@@ -26,13 +26,14 @@ MetricWall<T>::MetricWall(TpmsPattern pattern, T cellSize, GradedValue<T> halfTh
       distance_(pattern, toleranceRadians_) {
   require(cellSize > 0 && std::isfinite(cellSize) && std::isfinite(1 / cellSize),
           "MetricWall: need 0 < cellSize < infinity", Named{"cellSize", cellSize});
-  const double most = std::min(pattern.inscribedRadius(TpmsChannel::A),
-                               pattern.inscribedRadius(TpmsChannel::B)) *
-                      double{cellSize};
-  require(halfThickness_.least() > 0 && double{halfThickness_.most()} < most,
-          "MetricWall: need half a thickness between 0 and the radius of the largest ball in a channel",
-          Named{"least", halfThickness_.least()}, Named{"most", halfThickness_.most()},
-          Named{"radius", most});
+  const double most =
+      std::min(pattern.inscribedRadius(TpmsChannel::A), pattern.inscribedRadius(TpmsChannel::B)) *
+      double{cellSize};
+  require(
+      halfThickness_.least() > 0 && double{halfThickness_.most()} < most,
+      "MetricWall: need half a thickness between 0 and the radius of the largest ball in a channel",
+      Named{"least", halfThickness_.least()}, Named{"most", halfThickness_.most()},
+      Named{"radius", most});
   guarantee_ = {Quality::LowerBound, Quality::LowerBound, T(1), true};
   guarantee_.ulps = 8 + halfThickness_.ulps();
   guarantee_.size = cellSize + halfThickness_.size() +

@@ -5,16 +5,17 @@
 
 namespace cutwater {
 
-/// The wall of even thickness about the surface F = 0 of a pattern in cubic cells: every point within
-/// half a thickness, which is a length, of the surface. Endless, without memory.
+/// The wall of even thickness about the surface F = 0 of a pattern in cubic cells: every point
+/// within half a thickness, which is a length, of the surface. Endless, without memory.
 ///
-///     f(p) = (d(p) - h(p)) / (1 + L_h)        d: the distance to the surface, h: half the thickness
+///     f(p) = (d(p) - h(p)) / (1 + L_h)        d: the distance to the surface, h: half the
+///     thickness
 ///
 /// It is d itself that is found, not a bound of it: the zero set of a bound would be a wall that is
 /// too thick, by 3 to 16 % for the gyroid. Beyond one and a half times the half thickness lower
 /// bounds of d take its place. Values are lower bounds of the distance, and 1-Lipschitz, but for
-/// tolerance(). A value takes about a microsecond near the wall, and longer where the surface curves
-/// more sharply than the wall is thick.
+/// tolerance(). A value takes microseconds where the
+/// surface curves less sharply than the wall is thick, and up to milliseconds otherwise.
 template <std::floating_point T>
 class MetricWall final : public SignedDistanceFunction<T> {
  public:
@@ -25,8 +26,8 @@ class MetricWall final : public SignedDistanceFunction<T> {
   [[nodiscard]] const TpmsPattern& pattern() const { return pattern_; }
   [[nodiscard]] T cellSize() const { return cellSize_; }
   [[nodiscard]] const GradedValue<T>& halfThickness() const { return halfThickness_; }
-  /// To what distances are certain: rounding, nearly, where the surface curves less sharply than the
-  /// wall is thick, and 10^-4 of a cell otherwise.
+  /// To what distances are certain: rounding, nearly, where the surface curves less sharply than
+  /// the wall is thick, and 10^-4 of a cell otherwise.
   [[nodiscard]] T tolerance() const;
 
  private:
@@ -38,7 +39,7 @@ class MetricWall final : public SignedDistanceFunction<T> {
   TpmsPattern pattern_;
   T cellSize_;
   GradedValue<T> halfThickness_;
-  double reach_;            // in radians
+  double reach_;  // in radians
   double toleranceRadians_;
   detail::PatternDistance distance_;
   Guarantee<T> guarantee_;

@@ -79,7 +79,7 @@ class SurfaceSearch {
   bool isSettledFrom(const Vec3<double>& start) {
     if (feetCount_ == kMostFeet || triesLeft_-- <= 0) return false;
     const auto foot = footPoint(pattern_.pattern_, point_, point_ + start);
-    if (!foot) return false;
+    if (!foot || foot->distance > 1.3 * best_) return false;
     for (int i = 0; i < feetCount_; ++i) {
       if (length(feet_[static_cast<std::size_t>(i)].place - foot->place) < 1e-6) return false;
     }
@@ -93,7 +93,7 @@ class SurfaceSearch {
   double best_;
   std::array<FootPoint, kMostFeet> feet_{};
   int feetCount_ = 0;
-  int triesLeft_ = 48;
+  int triesLeft_ = 1000;
 };
 
 PatternDistance::PatternDistance(TpmsPattern pattern, double tolerance)

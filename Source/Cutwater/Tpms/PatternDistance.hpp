@@ -17,8 +17,8 @@ class PatternDistance {
   /// Distances are certain to the tolerance.
   PatternDistance(TpmsPattern pattern, double tolerance);
 
-  /// The distance from a point, in radians, if that is less than `reach`; otherwise at least `reach`
-  /// and at most the distance.
+  /// The distance from a point, in radians, if that is less than `reach`; otherwise at least
+  /// `reach` and at most the distance.
   [[nodiscard]] double upTo(double reach, const Vec3<double>& point) const;
 
   /// Up to this reach distances are certain to rounding.

@@ -84,12 +84,16 @@ TwoFluids<T> twoFluidsIn(const CylinderFlow<T>& cylinder, const TpmsChannels<T>&
 }
 
 template struct TpmsChannels<float>;
-template TwoFluids<float> twoFluids(const Solid<float>&, const TpmsChannels<float>&, const std::vector<ClosedEnd<float>>&);
-template TwoFluids<float> twoFluidsIn(const Box<float>&, const TpmsChannels<float>&, const CrossFlow<float>&);
+template TwoFluids<float> twoFluids(const Solid<float>&, const TpmsChannels<float>&,
+                                    const std::vector<ClosedEnd<float>>&);
+template TwoFluids<float> twoFluidsIn(const Box<float>&, const TpmsChannels<float>&,
+                                      const CrossFlow<float>&);
 template TwoFluids<float> twoFluidsIn(const CylinderFlow<float>&, const TpmsChannels<float>&);
 template struct TpmsChannels<double>;
-template TwoFluids<double> twoFluids(const Solid<double>&, const TpmsChannels<double>&, const std::vector<ClosedEnd<double>>&);
-template TwoFluids<double> twoFluidsIn(const Box<double>&, const TpmsChannels<double>&, const CrossFlow<double>&);
+template TwoFluids<double> twoFluids(const Solid<double>&, const TpmsChannels<double>&,
+                                     const std::vector<ClosedEnd<double>>&);
+template TwoFluids<double> twoFluidsIn(const Box<double>&, const TpmsChannels<double>&,
+                                       const CrossFlow<double>&);
 template TwoFluids<double> twoFluidsIn(const CylinderFlow<double>&, const TpmsChannels<double>&);
 
 }  // namespace cutwater

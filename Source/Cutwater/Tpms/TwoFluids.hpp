@@ -45,8 +45,8 @@ template <std::floating_point T>
 struct CrossFlow {
   /// A flows along this axis: at its ends the box is open for A, and closed for B.
   int axisOfA = 0;
-  /// B flows along this one, and A is closed off at its ends. The sides of the third axis are closed
-  /// for both.
+  /// B flows along this one, and A is closed off at its ends. The sides of the third axis are
+  /// closed for both.
   int axisOfB = 1;
   /// Of what closes them.
   T capThickness;
@@ -72,12 +72,18 @@ template <std::floating_point T>
                                        const TpmsChannels<T>& channels);
 
 extern template struct TpmsChannels<float>;
-extern template TwoFluids<float> twoFluids(const Solid<float>&, const TpmsChannels<float>&, const std::vector<ClosedEnd<float>>&);
-extern template TwoFluids<float> twoFluidsIn(const Box<float>&, const TpmsChannels<float>&, const CrossFlow<float>&);
-extern template TwoFluids<float> twoFluidsIn(const CylinderFlow<float>&, const TpmsChannels<float>&);
+extern template TwoFluids<float> twoFluids(const Solid<float>&, const TpmsChannels<float>&,
+                                           const std::vector<ClosedEnd<float>>&);
+extern template TwoFluids<float> twoFluidsIn(const Box<float>&, const TpmsChannels<float>&,
+                                             const CrossFlow<float>&);
+extern template TwoFluids<float> twoFluidsIn(const CylinderFlow<float>&,
+                                             const TpmsChannels<float>&);
 extern template struct TpmsChannels<double>;
-extern template TwoFluids<double> twoFluids(const Solid<double>&, const TpmsChannels<double>&, const std::vector<ClosedEnd<double>>&);
-extern template TwoFluids<double> twoFluidsIn(const Box<double>&, const TpmsChannels<double>&, const CrossFlow<double>&);
-extern template TwoFluids<double> twoFluidsIn(const CylinderFlow<double>&, const TpmsChannels<double>&);
+extern template TwoFluids<double> twoFluids(const Solid<double>&, const TpmsChannels<double>&,
+                                            const std::vector<ClosedEnd<double>>&);
+extern template TwoFluids<double> twoFluidsIn(const Box<double>&, const TpmsChannels<double>&,
+                                              const CrossFlow<double>&);
+extern template TwoFluids<double> twoFluidsIn(const CylinderFlow<double>&,
+                                              const TpmsChannels<double>&);
 
 }  // namespace cutwater
