@@ -13,7 +13,7 @@ MAY_INCLUDE = {
     "Operations": "Core Bvh Sdf Shapes",
     "Mesh": "Core Simd Bvh Sdf",
     "Lattice": "Core Simd Bvh Sdf Shapes Operations",
-    "Tpms": "Core Simd Sdf Operations",
+    "Tpms": "Core Simd Sdf Shapes Operations",
     "Grid": "Core Sdf Mesh",
     "Render": "Core Sdf Grid",
     "Io": "Core Sdf Shapes Operations Mesh Lattice Grid Render",

@@ -11,7 +11,7 @@
 //     + - * /, least most magnitude               lane by lane, rounded as scalars are
 //     isPositive isAtMost both -> mask            a > 0; a <= b; not for NaN
 //     where(mask, a, b)  bits(mask)               a where it is set, else b; a bit for every lane
-//     leastOf                                     the least of all lanes
+//     squareRoot leastOf                          rounded as scalars are; the least of all lanes
 //
 // and on Floats, for bounds: multiplyAdd(a, b, c) = a b + c and subtractProduct(c, a, b) = c - a b,
 // rounded once or twice as the set has it.

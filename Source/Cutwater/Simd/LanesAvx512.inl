@@ -84,6 +84,9 @@ CUTWATER_INLINE inline std::uint32_t bits(DoubleMask mask) {
 CUTWATER_INLINE inline Floats squareRoot(Floats a) {
   return _mm512_sqrt_ps(a);
 }
+CUTWATER_INLINE inline Doubles squareRoot(Doubles a) {
+  return _mm256_sqrt_pd(a);
+}
 CUTWATER_INLINE inline Floats multiplyAdd(Floats a, Floats b, Floats c) {
   return _mm512_fmadd_ps(a, b, c);
 }

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Cutwater/Core/Interval.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace cutwater {
+
+/// The size that cells have at a place along an axis.
+template <std::floating_point T>
+struct CellSizeAt {
+  T place;
+  T size;
+};
+
+/// Sizes of cells along an axis, by the place. A value.
+///
+/// Between the places given, 1/size is linear; beyond them it is constant. The number of cells up
+/// to x is then the integral of 1/size, in closed form. (x/size(x), which is easily mistaken for
+/// it, is distorted the more the larger x is.)
+template <std::floating_point T>
+class CellSizes {
+ public:
+  /// @throws Error unless 0 < size < infinity.
+  CellSizes(T size);  // NOLINT(google-explicit-constructor): where it is constant, it is that
+  /// Places in ascending order.
+  /// @throws Error unless there is one, places ascend and are finite, and sizes are as above.
+  explicit CellSizes(const std::vector<CellSizeAt<T>>& sizes);
+
+  /// The number of cells from 0, or from the first place, to x.
+  [[nodiscard]] T cellsUpTo(T x) const;
+  /// The most cells per length anywhere in the interval; rounded up.
+  [[nodiscard]] T mostPerLength(const Interval<T>& places) const;
+
+  [[nodiscard]] bool isConstant() const { return knots_.size() == 1; }
+  /// Cells per length, the least and the most of all.
+  [[nodiscard]] const Interval<T>& perLength() const { return perLength_; }
+  /// The place farthest from 0.
+  [[nodiscard]] T reach() const;
+
+ private:
+  struct Knot {
+    T place;
+    T perLength;
+    T cells;  // from the first knot
+    T slope;  // of perLength, up to the next knot
+  };
+
+  [[nodiscard]] const Knot& knotBefore(T x) const;
+  [[nodiscard]] T perLengthAt(T x) const;
+
+  std::vector<Knot> knots_;
+  Interval<T> perLength_;
+};
+
+extern template class CellSizes<float>;
+extern template class CellSizes<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <Cutwater/Operations/Displacement.hpp>
+
+namespace cutwater {
+
+/// Numbers that depend on the value of a solid, e.g. the distance to a plane: `start` where it is 0
+/// or less, `end` where it is `over` or more, linear in between.
+template <std::floating_point T>
+struct GradedRamp {
+  T start;
+  T end;
+  T over;
+};
+
+/// What is known of a number that is a function of position.
+template <std::floating_point T>
+struct GradedLimits {
+  /// |h(p) - h(q)| <= lipschitz |p - q|, between the limits below.
+  T lipschitz;
+  /// Where the function is less or more, the number is that.
+  T least;
+  T most;
+  /// The function's rounding: at most ulps eps (|p| + |h(p)|).
+  T ulps = 8;
+};
+
+/// A number, constant or by the place: a level, a weight, a thickness. A value: copies share what
+/// it depends on.
+///
+///     TpmsSolid<double>(field, TpmsPart::Wall, 0.3)  // a number is one, too
+///     TpmsSolid<double>(field, TpmsPart::Wall, GradedValue<double>::byValueOf(part, {0.2, 0.6,
+///     10}))
+///
+/// Places are in the frame of the shape it is given to, and move along with it.
+template <std::floating_point T>
+class GradedValue {
+ public:
+  /// The same everywhere. @throws Error unless it is finite.
+  GradedValue(T value);  // NOLINT(google-explicit-constructor): where it is constant, it is that
+
+  // Out of line: inlined, g++ 12 takes what is not there for uninitialised.
+  GradedValue(const GradedValue&);
+  GradedValue(GradedValue&&) noexcept;
+  GradedValue& operator=(const GradedValue&);
+  GradedValue& operator=(GradedValue&&) noexcept;
+  ~GradedValue();
+
+  /// By the value of a solid, which need not be a distance.
+  /// @throws Error unless the ramp is finite and 0 < over, and the solid has a Lipschitz constant
+  /// everywhere.
+  [[nodiscard]] static GradedValue byValueOf(Solid<T> solid, const GradedRamp<T>& ramp);
+
+  /// Any function of position. It is called from several threads at once and must not throw.
+  /// @throws Error unless least <= most, all limits are finite, and the Lipschitz constant is not
+  /// negative.
+  template <PointFunction<T> Function>
+  [[nodiscard]] static GradedValue by(Function function, const GradedLimits<T>& limits) {
+    requireLimits(limits);
+    const auto promise =
+        detail::guaranteeOf<T>(functionLimits(limits), std::max(-limits.least, limits.most));
+    return byField(FunctionSDF<T, Function>(std::move(function), promise), limits);
+  }
+
+  [[nodiscard]] T at(const Vec3<T>& p) const;
+  [[nodiscard]] bool isConstant() const { return !field_; }
+  [[nodiscard]] T least() const { return least_; }
+  [[nodiscard]] T most() const { return most_; }
+  /// Of the whole, and of the ball of this radius about p.
+  [[nodiscard]] T lipschitz() const { return lipschitz_; }
+  [[nodiscard]] T lipschitzWithin(const Vec3<T>& p, T radius) const;
+  /// A computed number is off by at most this times eps (|p| + size()).
+  [[nodiscard]] T ulps() const { return ulps_; }
+  [[nodiscard]] T size() const { return size_; }
+
+ private:
+  static void requireLimits(const GradedLimits<T>& limits);
+  [[nodiscard]] static FunctionLimits<T> functionLimits(const GradedLimits<T>& limits) {
+    return {.lipschitz = limits.lipschitz, .ulps = limits.ulps};
+  }
+  [[nodiscard]] static GradedValue byField(Solid<T> field, const GradedLimits<T>& limits);
+  void setField(Solid<T> field);
+  [[nodiscard]] T unlimited(const Vec3<T>& p) const {
+    return start_ + slope_ * field_->signedDistance(p);
+  }
+
+  std::optional<Solid<T>> field_;
+  // start + slope * the field's value, within these limits
+  T start_;
+  T slope_ = 0;
+  T least_;
+  T most_;
+  T lipschitz_ = 0;
+  T ulps_ = 0;
+  T size_ = 0;
+};
+
+extern template class GradedValue<float>;
+extern template class GradedValue<double>;
+
+}  // namespace cutwater

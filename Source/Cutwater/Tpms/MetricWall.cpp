@@ -1,0 +1,77 @@
+#include <Cutwater/Sdf/Defaults.hpp>
+#include <Cutwater/Tpms/MetricWall.hpp>
+
+#include <algorithm>
+#include <numbers>
+
+namespace cutwater {
+
+namespace {
+
+constexpr double kTwoPi = 2 * std::numbers::pi;
+
+double toleranceWithin(const TpmsPattern& pattern, double reach) {
+  return reach <= detail::PatternDistance::certainReach(pattern) ? 1e-9 : 1e-4 * kTwoPi;
+}
+
+}  // namespace
+
+template <std::floating_point T>
+MetricWall<T>::MetricWall(TpmsPattern pattern, T cellSize, GradedValue<T> halfThickness)
+    : pattern_(pattern),
+      cellSize_(cellSize),
+      halfThickness_(std::move(halfThickness)),
+      reach_(1.5 * double{halfThickness_.most()} / double{cellSize} * kTwoPi),
+      toleranceRadians_(toleranceWithin(pattern, reach_)),
+      distance_(pattern, toleranceRadians_) {
+  require(cellSize > 0 && std::isfinite(cellSize) && std::isfinite(1 / cellSize),
+          "MetricWall: need 0 < cellSize < infinity", Named{"cellSize", cellSize});
+  const double most =
+      std::min(pattern.inscribedRadius(TpmsChannel::A), pattern.inscribedRadius(TpmsChannel::B)) *
+      double{cellSize};
+  require(
+      halfThickness_.least() > 0 && double{halfThickness_.most()} < most,
+      "MetricWall: need half a thickness between 0 and the radius of the largest ball in a channel",
+      Named{"least", halfThickness_.least()}, Named{"most", halfThickness_.most()},
+      Named{"radius", most});
+  guarantee_ = {Quality::LowerBound, Quality::LowerBound, T(1), true};
+  guarantee_.ulps = 8 + halfThickness_.ulps();
+  guarantee_.size = cellSize + halfThickness_.size() +
+                    tolerance() / (guarantee_.ulps * std::numeric_limits<T>::epsilon());
+}
+
+template <std::floating_point T>
+T MetricWall<T>::tolerance() const {
+  return static_cast<T>(toleranceRadians_ / kTwoPi * double{cellSize_});
+}
+
+template <std::floating_point T>
+T MetricWall<T>::localSignedDistance(const Vec3<T>& p) const {
+  Vec3<double> place;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double cells = double{p[axis]} / double{cellSize_};
+    place[axis] = kTwoPi * (cells - std::floor(cells));
+  }
+  const double distance = distance_.upTo(reach_, place) / kTwoPi * double{cellSize_};
+  const double half{halfThickness_.at(p)};
+  return static_cast<T>((distance - half) / (1 + double{halfThickness_.lipschitz()}));
+}
+
+template <std::floating_point T>
+Vec3<T> MetricWall<T>::localGradient(const Vec3<T>& p) const {
+  // As for TpmsSolid; guarantee().size holds the tolerance, too.
+  constexpr T kStep = sizeof(T) == sizeof(float) ? T(4e-4) : T(2e-7);
+  const T delta = kStep * (length(p) + cellSize_);
+  const auto value = [this](const Vec3<T>& q) { return localSignedDistance(q); };
+  return detail::centredDifferences<T>(value, p, delta) / (2 * delta);
+}
+
+template <std::floating_point T>
+std::string MetricWall<T>::localName() const {
+  return "Wall of even thickness of a " + pattern_.name();
+}
+
+template class MetricWall<float>;
+template class MetricWall<double>;
+
+}  // namespace cutwater

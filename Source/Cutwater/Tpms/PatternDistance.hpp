@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Cutwater/Tpms/LevelDistances.hpp>
+
+namespace cutwater::detail {
+
+/// The distance to the surface F = 0 of a pattern. All lengths are in radians.
+///
+/// A point q of the surface is found by Newton's method. With g its slope there, and q the foot of
+/// the point x at the distance d, F on the ball about x through q is at least
+/// (g / d - H) |y - q|^2 / 2: if g >= H d, the ball is free of surface, and d is the distance to
+/// rounding. Otherwise the same with the second derivatives at q, which the third ones change by no
+/// more than T |y - q|, frees a ball about q; cubes cover the rest of the ball about x, and are
+/// halved until LevelDistances frees them, or they are farther than d less the tolerance.
+class PatternDistance {
+ public:
+  /// Distances are certain to the tolerance.
+  PatternDistance(TpmsPattern pattern, double tolerance);
+
+  /// The distance from a point, in radians, if that is less than `reach`; otherwise at least
+  /// `reach` and at most the distance.
+  [[nodiscard]] double upTo(double reach, const Vec3<double>& point) const;
+
+  /// Up to this reach distances are certain to rounding.
+  [[nodiscard]] static double certainReach(const TpmsPattern& pattern) {
+    return 0.97 * pattern.leastSlope() / pattern.curvature();
+  }
+
+ private:
+  friend class SurfaceSearch;
+
+  [[nodiscard]] double lowerBound(const Vec3<double>& point) const;
+
+  TpmsPattern pattern_;
+  LevelTerms<double> terms_;
+  double tolerance_;
+};
+
+}  // namespace cutwater::detail

@@ -1,0 +1,162 @@
+#include <Cutwater/Core/Scratch.hpp>
+#include <Cutwater/Tpms/LargestRadius.hpp>
+#include <Cutwater/Tpms/TpmsField.hpp>
+
+#include <algorithm>
+#include <numbers>
+
+namespace cutwater {
+
+namespace {
+
+template <std::floating_point T>
+constexpr T kTwoPi = 2 * std::numbers::pi_v<T>;
+template <std::floating_point T>
+constexpr T kOutward = 1 + 16 * std::numeric_limits<T>::epsilon();
+
+/// Slopes of less than this part of the greatest are taken for that: it keeps the rounding of
+/// distances within 16 times that of levels.
+constexpr double kLeastSlope = 1.0 / 16;
+
+}  // namespace
+
+template <std::floating_point T>
+TpmsField<T>::TpmsField(TpmsPattern pattern, TpmsMap<T> map)
+    : from_(pattern), to_(pattern), map_(std::move(map)) {
+  const auto rates = map_.constantRates();
+  if (!rates) return;
+  const T most = maxComponent(*rates);
+  Bare bare{*rates, *rates / most, 0, 1 / (kTwoPi<T> * most)};
+  require(std::isfinite(bare.lengthPerRadian) && isFinite(bare.weight),
+          "TpmsField: need cells of ordinary size", Named{"cells per length", *rates});
+  bare.lipschitz = std::min(static_cast<T>(from_.lipschitz()),
+                            static_cast<T>(from_.slopeAlongAxis()) * length(bare.weight)) *
+                   kOutward<T>;
+  bare_ = bare;
+}
+
+template <std::floating_point T>
+TpmsField<T>::TpmsField(TpmsTransition<T> transition, TpmsMap<T> map)
+    : from_(transition.from),
+      to_(transition.to),
+      weight_(std::move(transition.weight)),
+      map_(std::move(map)) {
+  require(weight_->least() >= 0 && weight_->most() <= 1,
+          "TpmsField: need weights from 0 to 1 between two patterns",
+          Named{"least", weight_->least()}, Named{"most", weight_->most()});
+  const auto a = from_.range();
+  const auto b = to_.range();
+  mostBetween_ = static_cast<T>(std::max(a.upper - b.lower, b.upper - a.lower)) * kOutward<T>;
+}
+
+template <std::floating_point T>
+T TpmsField<T>::value(const Vec3<T>& p) const {
+  const auto cells = map_.toCells(p);
+  const T from = from_.value(cells);
+  if (!weight_) return from;
+  const T weight = weight_->at(p);
+  return (1 - weight) * from + weight * to_.value(cells);
+}
+
+template <std::floating_point T>
+T TpmsField<T>::lipschitzWithin(const Vec3<T>& p, T radius) const {
+  const auto of = [&](const TpmsPattern& pattern) {
+    return map_.lipschitzWithin(p, radius, static_cast<T>(pattern.lipschitz()),
+                                static_cast<T>(pattern.slopeAlongAxis()));
+  };
+  if (!weight_) return of(from_);
+  const T change = weight_->lipschitzWithin(p, radius);
+  if (change == 0) {
+    const T weight = weight_->at(p);
+    if (weight == 0 || weight == 1) return of(weight == 0 ? from_ : to_);
+  }
+  return std::max(of(from_), of(to_)) + change * mostBetween_;
+}
+
+template <std::floating_point T>
+T TpmsField<T>::freeRadius(T change, const GradedValue<T>& level, const Vec3<T>& p) const {
+  return detail::largestRadius<T>(
+      [&](T radius) { return lipschitzWithin(p, radius) + level.lipschitzWithin(p, radius); },
+      change);
+}
+
+template <std::floating_point T>
+detail::LevelTerms<T> TpmsField<T>::terms(const detail::PartTerms<T>& part,
+                                          const GradedValue<T>& level) const {
+  const T levelSlope = level.lipschitz() * bare_->lengthPerRadian * kOutward<T>;
+  return {.part = part,
+          .weight = bare_->weight,
+          .levelSlope = levelSlope,
+          .leastSlope = static_cast<T>(kLeastSlope) * bare_->lipschitz,
+          .perLipschitz = 1 / (bare_->lipschitz + levelSlope),
+          .twiceCurvature = static_cast<T>(2 * from_.curvature()),
+          .lengthPerRadian = bare_->lengthPerRadian};
+}
+
+template <std::floating_point T>
+T TpmsField<T>::distance(const detail::PartTerms<T>& part, const GradedValue<T>& level,
+                         const Vec3<T>& p) const {
+  const T h = level.at(p);
+  if (bare_) {
+    return detail::levelDistance(from_.kind(), terms(part, level), map_.toCells(p), h);
+  }
+  const T field = value(p);
+  T psi = part.absolute * std::abs(field) + part.plain * field + part.level * h;
+  if (part.half != 0) psi = std::max(psi, part.half * field);
+  const T radius = freeRadius(std::abs(psi), level, p);
+  return psi < 0 ? -radius : radius;
+}
+
+template <std::floating_point T>
+void TpmsField<T>::distances(const detail::PartTerms<T>& part, const GradedValue<T>& level,
+                             std::span<const Vec3<T>> points, std::span<T> result) const {
+  if (!bare_) {
+    for (std::size_t i = 0; i < points.size(); ++i) result[i] = distance(part, level, points[i]);
+    return;
+  }
+  Scratch<detail::LevelBatch<T>, 1> scratch;
+  auto& batch = scratch[0];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto cells = map_.toCells(points[i]);
+    batch.turns[0][i] = cells.x;
+    batch.turns[1][i] = cells.y;
+    batch.turns[2][i] = cells.z;
+    batch.level[i] = level.at(points[i]);
+  }
+  detail::levelDistances(from_.kind(), terms(part, level), batch, static_cast<int>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) result[i] = batch.distance[i];
+}
+
+template <std::floating_point T>
+Guarantee<T> TpmsField<T>::guarantee(const GradedValue<T>& level) const {
+  // A level is off by some 20 eps, what is taken for its slope is at least 1/16 of the greatest: 64
+  // eps of a cell is more than what that gives. The place is off by what the map makes of it. A
+  // level's own rounding counts as much as its slope is less than the field's, which is at least
+  // 1/16 of what it is in the largest cells.
+  Guarantee<T> promise{Quality::LowerBound, Quality::LowerBound, T(1), true};
+  const auto ofSlope = [&](const GradedValue<T>& graded, T factor) {
+    const T perLevel = factor * 16 * map_.size() / static_cast<T>(kTwoPi<T> * from_.lipschitz());
+    promise.ulps += graded.ulps() * perLevel;
+    promise.size = std::max(promise.size, graded.size());
+  };
+  promise.ulps = map_.ulps() + 4;
+  promise.size = 8 * map_.size();
+  if (!level.isConstant()) ofSlope(level, 1);
+  if (weight_ && !weight_->isConstant()) ofSlope(*weight_, mostBetween_);
+  return promise;
+}
+
+template <std::floating_point T>
+double TpmsField<T>::pinch(TpmsChannel channel) const {
+  return std::min(from_.pinch(channel), to_.pinch(channel));
+}
+
+template <std::floating_point T>
+std::string TpmsField<T>::name() const {
+  return weight_ ? from_.name() + " to " + to_.name() : from_.name();
+}
+
+template class TpmsField<float>;
+template class TpmsField<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,93 @@
+#include <Cutwater/Sdf/Defaults.hpp>
+#include <Cutwater/Tpms/TpmsSolid.hpp>
+
+namespace cutwater {
+
+namespace {
+
+/// In the order of TpmsPart.
+template <std::floating_point T>
+constexpr std::array<detail::PartTerms<T>, 6> kTerms{{
+    {.absolute = 1, .plain = 0, .level = -1, .half = 0},
+    {.absolute = -1, .plain = 0, .level = 1, .half = 0},
+    {.absolute = 0, .plain = -1, .level = 1, .half = 0},
+    {.absolute = 0, .plain = 1, .level = 1, .half = 0},
+    {.absolute = 1, .plain = 0, .level = -1, .half = -1},
+    {.absolute = 1, .plain = 0, .level = -1, .half = 1},
+}};
+constexpr std::array<const char*, 6> kNames{"Wall",      "Channels",  "Channel A",
+                                            "Channel B", "Wall in A", "Wall in B"};
+
+template <std::floating_point T>
+const detail::PartTerms<T>& termsOf(TpmsPart part) {
+  return kTerms<T>[static_cast<std::size_t>(part)];
+}
+
+/// Levels between which the part is what it should be.
+template <std::floating_point T>
+Interval<T> levelsOf(TpmsPart part, const TpmsField<T>& field) {
+  const auto a = static_cast<T>(field.pinch(TpmsChannel::A));
+  const auto b = static_cast<T>(field.pinch(TpmsChannel::B));
+  switch (part) {
+    case TpmsPart::ChannelA:
+      return {-b, a};
+    case TpmsPart::ChannelB:
+      return {-a, b};
+    case TpmsPart::WallInA:
+      return {0, a};
+    case TpmsPart::WallInB:
+      return {0, b};
+    default:
+      return {0, std::min(a, b)};
+  }
+}
+
+}  // namespace
+
+template <std::floating_point T>
+TpmsSolid<T>::TpmsSolid(TpmsField<T> field, TpmsPart part, GradedValue<T> level)
+    : field_(std::move(field)),
+      part_(part),
+      level_(std::move(level)),
+      guarantee_(field_.guarantee(level_)) {
+  const auto allowed = levelsOf(part, field_);
+  require(level_.least() > allowed.lower && level_.most() < allowed.upper,
+          "TpmsSolid: need levels between those at which a wall vanishes or a channel breaks up",
+          Named{"least level", level_.least()}, Named{"most level", level_.most()},
+          Named{"from", allowed.lower}, Named{"to", allowed.upper});
+}
+
+template <std::floating_point T>
+T TpmsSolid<T>::localSignedDistance(const Vec3<T>& p) const {
+  return field_.distance(termsOf<T>(part_), level_, p);
+}
+
+template <std::floating_point T>
+void TpmsSolid<T>::localSignedDistances(std::span<const Vec3<T>> points,
+                                        std::span<T> distances) const {
+  constexpr std::size_t kMost = detail::LevelBatch<T>::kMost;
+  for (std::size_t first = 0; first < points.size(); first += kMost) {
+    const std::size_t some = std::min(kMost, points.size() - first);
+    field_.distances(termsOf<T>(part_), level_, points.subspan(first, some),
+                     distances.subspan(first, some));
+  }
+}
+
+template <std::floating_point T>
+Vec3<T> TpmsSolid<T>::localGradient(const Vec3<T>& p) const {
+  // Short of the default's, as values have kinks, and of cells: guarantee().size is larger.
+  constexpr T kStep = sizeof(T) == sizeof(float) ? T(4e-4) : T(2e-7);
+  const T delta = kStep * (length(p) + field_.map().size());
+  const auto value = [this](const Vec3<T>& q) { return localSignedDistance(q); };
+  return detail::centredDifferences<T>(value, p, delta) / (2 * delta);
+}
+
+template <std::floating_point T>
+std::string TpmsSolid<T>::localName() const {
+  return std::string(kNames[static_cast<std::size_t>(part_)]) + " of a " + field_.name();
+}
+
+template class TpmsSolid<float>;
+template class TpmsSolid<double>;
+
+}  // namespace cutwater

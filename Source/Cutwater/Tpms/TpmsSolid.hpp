@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Cutwater/Tpms/TpmsField.hpp>
+
+namespace cutwater {
+
+/// What of a field F is solid, with a level h; in units of F.
+enum class TpmsPart : std::uint8_t {
+  Wall,      ///< |F| < h
+  Channels,  ///< |F| > h: all that is not wall
+  ChannelA,  ///< F > h; with h = 0 the half of space, a network
+  ChannelB,  ///< F < -h
+  WallInA,   ///< 0 < F < h: the half of the wall on the side of A
+  WallInB,   ///< -h < F < 0
+};
+
+/// A triply periodic wall or network: endless, without memory, by levels of a field.
+///
+///     const TpmsSolid<double> wall(TpmsField<double>(TpmsPattern::gyroid(), 5), TpmsPart::Wall,
+///     0.3);
+///
+/// Values are lower bounds of the distance, and 1-Lipschitz; boxes are certain. Those of the parts
+/// of one field and level are the same but for their sign where parts meet, so that solids fit to
+/// the bit: a point belongs to one of them alone, or lies within rounding of both.
+template <std::floating_point T>
+class TpmsSolid final : public SignedDistanceFunction<T> {
+ public:
+  /// @throws Error unless the level leaves the part as it should be: walls need 0 < h, and h less
+  /// than where the channels beside them break up, TpmsPattern::pinch(); a channel needs h between
+  /// that and where the other one does.
+  TpmsSolid(TpmsField<T> field, TpmsPart part, GradedValue<T> level);
+
+  [[nodiscard]] const TpmsField<T>& field() const { return field_; }
+  [[nodiscard]] TpmsPart part() const { return part_; }
+  [[nodiscard]] const GradedValue<T>& level() const { return level_; }
+
+ private:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
+  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
+  [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
+  [[nodiscard]] std::string localName() const override;
+
+  TpmsField<T> field_;
+  TpmsPart part_;
+  GradedValue<T> level_;
+  Guarantee<T> guarantee_;
+};
+
+extern template class TpmsSolid<float>;
+extern template class TpmsSolid<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <numbers>
+#include <unordered_map>
+#include <vector>
+
+#include "Tpms/PlainPatterns.hpp"
+
+namespace cutwater::test {
+
+/// The distance to a level F = c of a plain formula, from above: to points of it, sampled densely
+/// over a cell, and the nearest of them moved along the surface as near as it gets. In radians, by
+/// the standard library's functions alone.
+class SurfaceDistance {
+ public:
+  using Formula = std::function<double(double, double, double)>;
+
+  SurfaceDistance(Formula formula, double level) : formula_(std::move(formula)), level_(level) {
+    for (int i = 0; i < kSide * kSide * kSide; ++i) {
+      const Vec3<double> p{kStep * (i % kSide), kStep * (i / kSide % kSide),
+                           kStep * (i / kSide / kSide)};  // NOLINT(bugprone-integer-division)
+      // Along each edge of the grid with a change of sign.
+      for (int axis = 0; axis < 3; ++axis) {
+        Vec3<double> q = p;
+        q[axis] += kStep;
+        const double a = value(p);
+        const double b = value(q);
+        if ((a < 0) != (b < 0)) add(onto(p + a / (a - b) * (q - p)));
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<Vec3<double>>& samples() const { return samples_; }
+  [[nodiscard]] double value(const Vec3<double>& p) const {
+    return formula_(p.x, p.y, p.z) - level_;
+  }
+  [[nodiscard]] Vec3<double> gradient(const Vec3<double>& p) const {
+    constexpr double kDelta = 1e-6;
+    Vec3<double> g;
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3<double> step;
+      step[axis] = kDelta;
+      g[axis] = (value(p + step) - value(p - step)) / (2 * kDelta);
+    }
+    return g;
+  }
+
+  /// A distance at which there certainly is surface.
+  [[nodiscard]] double upperBound(const Vec3<double>& p) const {
+    Vec3<double> q = nearestSample(p);
+    double best = length(q - p);
+    for (int step = 0; step < 60; ++step) {
+      const auto n = normalized(gradient(q));
+      const auto tangential = (p - q) - dot(p - q, n) * n;
+      const auto next = onto(q + 0.7 * tangential);
+      const double distance = length(next - p);
+      if (!(distance < best - 1e-15)) break;
+      best = distance;
+      q = next;
+    }
+    return best;
+  }
+
+ private:
+  static constexpr int kSide = 40;
+  static constexpr double kTurn = 2 * std::numbers::pi;
+  static constexpr double kStep = kTurn / kSide;
+  static constexpr int kBuckets = 16;
+
+  [[nodiscard]] Vec3<double> onto(Vec3<double> p) const {
+    for (int i = 0; i < 6; ++i) {
+      const auto g = gradient(p);
+      if (lengthSquared(g) < 1e-9) break;
+      p -= value(p) / lengthSquared(g) * g;
+    }
+    return p;
+  }
+  static int bucketOf(double x) {
+    const int i = static_cast<int>(std::floor(x / kTurn * kBuckets));
+    return (i % kBuckets + kBuckets) % kBuckets;
+  }
+  static std::size_t indexOf(int i, int j, int k) {
+    return static_cast<std::size_t>((k * kBuckets + j) * kBuckets + i);
+  }
+  void add(const Vec3<double>& p) {
+    if (!(std::abs(value(p)) < 1e-12)) return;
+    samples_.push_back(p);
+    buckets_[indexOf(bucketOf(p.x), bucketOf(p.y), bucketOf(p.z))].push_back(p);
+  }
+  /// The period of it that is nearest to p.
+  static Vec3<double> nextTo(const Vec3<double>& p, Vec3<double> sample) {
+    for (int axis = 0; axis < 3; ++axis) {
+      sample[axis] += kTurn * std::round((p[axis] - sample[axis]) / kTurn);
+    }
+    return sample;
+  }
+  [[nodiscard]] Vec3<double> nearestSample(const Vec3<double>& p) const {
+    Vec3<double> best{1e9, 0, 0};
+    for (int reach = 0; reach <= kBuckets / 2; ++reach) {
+      if (reach > 1 && length(best - p) < (reach - 1) * kTurn / kBuckets) break;
+      for (int i = 0; i < (2 * reach + 1) * (2 * reach + 1) * (2 * reach + 1); ++i) {
+        const int side = 2 * reach + 1;
+        const std::array<int, 3> d{i % side - reach, i / side % side - reach,
+                                   i / side / side - reach};
+        if (std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])}) != reach) continue;
+        const auto wrap = [](int b) { return (b % kBuckets + kBuckets) % kBuckets; };
+        for (const auto& sample :
+             buckets_[indexOf(wrap(bucketOf(p.x) + d[0]), wrap(bucketOf(p.y) + d[1]),
+                              wrap(bucketOf(p.z) + d[2]))]) {
+          const auto q = nextTo(p, sample);
+          if (lengthSquared(q - p) < lengthSquared(best - p)) best = q;
+        }
+      }
+    }
+    return best;
+  }
+
+  Formula formula_;
+  double level_;
+  std::vector<Vec3<double>> samples_;
+  std::vector<std::vector<Vec3<double>>> buckets_ =
+      std::vector<std::vector<Vec3<double>>>(kBuckets * kBuckets * kBuckets);
+};
+
+}  // namespace cutwater::test

@@ -1,0 +1,135 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Tpms/TwoFluids.hpp>
+
+#include "Support/Guarantee.hpp"
+#include "Support/Precisions.hpp"
+#include "Support/Random.hpp"
+#include "Support/Scale.hpp"
+
+namespace cutwater::test {
+namespace {
+
+template <typename T>
+class TwoFluidsTest : public ::testing::Test {};
+TYPED_TEST_SUITE(TwoFluidsTest, Precisions);
+
+/// Every point of the domain, and none else, is in one of the three.
+template <typename T>
+void expectFit(const TwoFluids<T>& parts, const Solid<T>& domain, T extent) {
+  RandomPoints<T> random(extent);
+  std::array<int, 3> found{};
+  for (int i = 0; i < scaled(5000); ++i) {
+    const auto p = random.next();
+    const std::array<bool, 3> in{parts.a.signedDistance(p) < 0, parts.wall.signedDistance(p) < 0,
+                                 parts.b.signedDistance(p) < 0};
+    ASSERT_EQ(in[0] + in[1] + in[2], domain.signedDistance(p) < 0 ? 1 : 0) << p;
+    for (std::size_t k = 0; k < 3; ++k) found[k] += in[k] ? 1 : 0;
+    const Box<T> box{p, p + Vec3<T>{T(0.1), T(0.05), T(0.1)}};
+    int inside = 0;
+    for (const auto* part : {&parts.a, &parts.wall, &parts.b}) {
+      inside += part->classify(box) == BoxClass::Inside ? 1 : 0;
+    }
+    ASSERT_LE(inside, 1) << p;
+  }
+  for (const int count : found) EXPECT_GT(count, scaled(5000) / 50);
+}
+
+TYPED_TEST(TwoFluidsTest, PartsOfABoxFitAndKeepTheirGuarantee) {
+  using T = TypeParam;
+  const Box<T> box{{-1, -1, -1}, {1, 1, 1}};
+  const auto channels = TpmsChannels<T>::of({TpmsPattern::gyroid(), T(1)}, T(0.3));
+  const auto parts =
+      twoFluidsIn<T>(box, channels, {.axisOfA = 0, .axisOfB = 2, .capThickness = T(0.1)});
+  expectFit<T>(parts, Cuboid<T>(box), T(1.1));
+  for (const auto* part : {&parts.a, &parts.wall, &parts.b}) {
+    EXPECT_EQ(part->guarantee().outside, Quality::LowerBound);
+    expectGuarantee(*part, 1.3, {.probes = 800, .lines = 24});
+  }
+}
+
+TYPED_TEST(TwoFluidsTest, EndsAreOpenForOneFluidAndClosedForTheOther) {
+  using T = TypeParam;
+  const Box<T> box{{-1, -1, -1}, {1, 1, 1}};
+  const auto channels = TpmsChannels<T>::of({TpmsPattern::gyroid(), T(1)}, T(0.3));
+  const auto parts =
+      twoFluidsIn<T>(box, channels, {.axisOfA = 0, .axisOfB = 2, .capThickness = T(0.1)});
+  // How much of each face of the box the fluids see.
+  std::array<std::array<int, 2>, 3> open{};
+  RandomPoints<T> random(T(0.85), 3);
+  for (int i = 0; i < 2000; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      auto p = random.next();
+      p[axis] = i % 2 == 0 ? T(0.95) : T(-0.95);
+      open[static_cast<std::size_t>(axis)][0] += parts.a.signedDistance(p) < 0 ? 1 : 0;
+      open[static_cast<std::size_t>(axis)][1] += parts.b.signedDistance(p) < 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(open[0][0], 400);
+  EXPECT_EQ(open[0][1], 0);
+  EXPECT_EQ(open[1][0] + open[1][1], 0);
+  EXPECT_EQ(open[2][0], 0);
+  EXPECT_GT(open[2][1], 400);
+}
+
+TYPED_TEST(TwoFluidsTest, PartsOfACylinderFit) {
+  using T = TypeParam;
+  const auto map = TpmsMap<T>::cylindrical({T(0.5), 6, T(0.5)});
+  const auto channels = TpmsChannels<T>::of({TpmsPattern::schwarzD(), map}, T(0.2));
+  const auto parts = twoFluidsIn<T>({.radius = 1, .z = {-1, 1}, .capThickness = T(0.1)}, channels);
+  expectFit<T>(parts, parts.a | parts.wall | parts.b, T(1.1));
+  RandomPoints<T> random(T(0.6), 3);
+  std::array<int, 4> open{};
+  for (int i = 0; i < 2000; ++i) {
+    auto p = random.next();
+    p.z = T(0.95);
+    open[0] += parts.a.signedDistance(p) < 0 ? 1 : 0;
+    open[1] += parts.b.signedDistance(p) < 0 ? 1 : 0;
+    auto q = random.next();
+    const T toMantle = T(0.95) / std::sqrt(q.x * q.x + q.y * q.y);
+    q = {q.x * toMantle, q.y * toMantle, q.z};
+    open[2] += parts.a.signedDistance(q) < 0 ? 1 : 0;
+    open[3] += parts.b.signedDistance(q) < 0 ? 1 : 0;
+  }
+  EXPECT_GT(open[0], 400);
+  EXPECT_EQ(open[1], 0);
+  EXPECT_EQ(open[2], 0);
+  EXPECT_GT(open[3], 400);
+}
+
+TYPED_TEST(TwoFluidsTest, PartsBesideAWallOfEvenThicknessFit) {
+  using T = TypeParam;
+  MetricWall<T> wall(TpmsPattern::schwarzP(), 1, T(0.08));
+  wall.translate({T(0.1), 0, 0});
+  const Cuboid<T> box({-1, -1, -1}, {1, 1, 1});
+  const auto parts = twoFluids<T>(box, TpmsChannels<T>::of(wall));
+  expectFit<T>(parts, box, T(1.1));
+  RandomPoints<T> random(T(0.9), 4);
+  for (int i = 0; i < 300; ++i) {
+    const auto p = random.next();
+    EXPECT_EQ(parts.wall.signedDistance(p) < 0, wall.signedDistance(p) < 0) << p;
+  }
+}
+
+TEST(TwoFluidsErrorsTest, RefusesFlowsThatAreNone) {
+  const auto channels = TpmsChannels<double>::of({TpmsPattern::gyroid(), 1.0}, 0.3);
+  const Box<double> box{{0, 0, 0}, {1, 2, 3}};
+  const auto make = [&](int a, int b, double cap) {
+    return twoFluidsIn<double>(box, channels, {.axisOfA = a, .axisOfB = b, .capThickness = cap});
+  };
+  EXPECT_NO_THROW(make(0, 1, 0.1));
+  EXPECT_THROW(make(0, 0, 0.1), Error);
+  EXPECT_THROW(make(-1, 0, 0.1), Error);
+  EXPECT_THROW(make(0, 3, 0.1), Error);
+  EXPECT_THROW(make(0, 1, 0), Error);
+  EXPECT_THROW(make(0, 1, 0.5), Error);
+  EXPECT_THROW((twoFluidsIn<double>({.radius = 1, .z = {0, 1}, .capThickness = 0.5}, channels)),
+               Error);
+  EXPECT_THROW((twoFluidsIn<double>({.radius = 1, .z = {0, 5}, .capThickness = 1}, channels)),
+               Error);
+  EXPECT_THROW((TpmsChannels<double>::of({TpmsPattern::gyroid(), 1.0}, 1.5)), Error);
+}
+
+}  // namespace
+}  // namespace cutwater::test
