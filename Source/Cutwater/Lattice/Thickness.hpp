@@ -1,29 +1,8 @@
 #pragma once
 
-#include <Cutwater/Operations/Displacement.hpp>
+#include <Cutwater/Operations/GradedValue.hpp>
 
 namespace cutwater {
-
-/// Radii that depend on how far something is away: `start` where it is, `end` at `over` and
-/// beyond, linear in between. In units of length.
-template <std::floating_point T>
-struct RadiusRamp {
-  T start;
-  T end;
-  T over;
-};
-
-/// What is known of a radius that is a function of position.
-template <std::floating_point T>
-struct RadiusLimits {
-  /// |r(p) - r(q)| <= lipschitz |p - q|, between the limits below.
-  T lipschitz;
-  /// Where the function is less or more, the radius is that.
-  T least;
-  T most;
-  /// The function's rounding: at most ulps eps (|p| + |r(p)|).
-  T ulps = 8;
-};
 
 /// The radius of struts, constant or by their place. A value: copies share what it depends on.
 ///
@@ -38,25 +17,26 @@ class Thickness {
   Thickness(T radius);  // NOLINT(google-explicit-constructor): where it is constant, it is that
   [[nodiscard]] static Thickness constant(T radius) { return radius; }
 
+  /// Radii of the place, in units of length. @throws Error unless 0 < least.
+  explicit Thickness(GradedValue<T> radius);
   /// By the distance to the surface of a solid, as its values tell it, on both sides alike.
   /// @throws Error unless its radii and length are positive and finite, and the solid has a
   /// Lipschitz constant.
-  [[nodiscard]] static Thickness byDistanceTo(Solid<T> solid, const RadiusRamp<T>& ramp);
+  [[nodiscard]] static Thickness byDistanceTo(Solid<T> solid, const GradedRamp<T>& ramp) {
+    return Thickness(GradedValue<T>::byDistanceTo(std::move(solid), ramp));
+  }
+  /// Any function of position. It is called from several threads at once and must not throw.
+  /// @throws Error unless 0 < least <= most < infinity, and the Lipschitz constant is finite and
+  /// not negative.
+  template <PointFunction<T> Function>
+  [[nodiscard]] static Thickness by(Function radius, const GradedLimits<T>& limits) {
+    return Thickness(GradedValue<T>::by(std::move(radius), limits));
+  }
 
   /// By the distance to the centre of the cell, in units of the cell, so that it is continuous from
   /// cell to cell, whatever their shape; linear.
   /// @throws Error unless both are positive and finite.
   [[nodiscard]] static Thickness byDistanceToCellCenter(T atCenter, T atCorners);
-
-  /// Any function of position. It is called from several threads at once and must not throw.
-  /// @throws Error unless 0 < least <= most < infinity, and the Lipschitz constant is finite and
-  /// not negative.
-  template <PointFunction<T> Function>
-  [[nodiscard]] static Thickness by(Function radius, const RadiusLimits<T>& limits) {
-    requireLimits(limits);
-    const auto promise = detail::guaranteeOf<T>(functionLimits(limits), limits.most);
-    return byField(FunctionSDF<T, Function>(std::move(radius), promise), limits);
-  }
 
   /// The radius at a point, whose coordinates in units of cells are these: whole numbers at the
   /// corners of cells.
@@ -65,33 +45,17 @@ class Thickness {
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& point, const Vec3<T>& cellSize) const;
 
   /// Whether the radius is the same everywhere, and its range otherwise.
-  [[nodiscard]] bool isConstant() const { return measure_ == Measure::None; }
-  [[nodiscard]] T least() const { return least_; }
-  [[nodiscard]] T most() const { return most_; }
+  [[nodiscard]] bool isConstant() const { return !byCell_ && byPlace_.isConstant(); }
+  [[nodiscard]] T least() const;
+  [[nodiscard]] T most() const;
   /// What is known of radii as values of a function: its Lipschitz constant, rounding and domain,
   /// in cells that are nowhere shorter than this.
   [[nodiscard]] Guarantee<T> guarantee(T cellSize) const;
 
  private:
-  /// What the radius depends on.
-  enum class Measure : std::uint8_t { None, Surface, Cell, Function };
-
-  Thickness(Measure measure, std::optional<Solid<T>> field, const RadiusRamp<T>& ramp);
-
-  static void requireLimits(const RadiusLimits<T>& limits);
-  [[nodiscard]] static FunctionLimits<T> functionLimits(const RadiusLimits<T>& limits) {
-    return {.lipschitz = limits.lipschitz, .amplitude = limits.most, .ulps = limits.ulps};
-  }
-  [[nodiscard]] static Thickness byField(Solid<T> field, const RadiusLimits<T>& limits);
-  [[nodiscard]] T measured(const Vec3<T>& point, const Vec3<T>& inCells) const;
-
-  Measure measure_ = Measure::None;
-  std::optional<Solid<T>> field_;
-  // radius = start + slope * what is measured, within these limits
-  T start_;
-  T slope_ = 0;
-  T least_;
-  T most_;
+  GradedValue<T> byPlace_;
+  /// By the distance to the centre of the cell instead, from 0 to that of its corners.
+  std::optional<GradedRamp<T>> byCell_;
 };
 
 extern template class Thickness<float>;

@@ -26,6 +26,8 @@ MetricWall<T>::MetricWall(TpmsPattern pattern, T cellSize, GradedValue<T> halfTh
       distance_(pattern, toleranceRadians_) {
   require(cellSize > 0 && std::isfinite(cellSize) && std::isfinite(1 / cellSize),
           "MetricWall: need 0 < cellSize < infinity", Named{"cellSize", cellSize});
+  require(halfThickness_.guarantee().domain == Box<T>::everywhere(),
+          "MetricWall: need a thickness that is known everywhere");
   const double most =
       std::min(pattern.inscribedRadius(TpmsChannel::A), pattern.inscribedRadius(TpmsChannel::B)) *
       double{cellSize};
@@ -35,8 +37,8 @@ MetricWall<T>::MetricWall(TpmsPattern pattern, T cellSize, GradedValue<T> halfTh
       Named{"least", halfThickness_.least()}, Named{"most", halfThickness_.most()},
       Named{"radius", most});
   guarantee_ = {Quality::LowerBound, Quality::LowerBound, T(1), true};
-  guarantee_.ulps = 8 + halfThickness_.ulps();
-  guarantee_.size = cellSize + halfThickness_.size() +
+  guarantee_.ulps = 8 + halfThickness_.guarantee().ulps;
+  guarantee_.size = cellSize + halfThickness_.guarantee().size +
                     tolerance() / (guarantee_.ulps * std::numeric_limits<T>::epsilon());
 }
 

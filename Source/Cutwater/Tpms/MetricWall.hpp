@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Tpms/GradedValue.hpp>
+#include <Cutwater/Operations/GradedValue.hpp>
 #include <Cutwater/Tpms/PatternDistance.hpp>
 
 namespace cutwater {

@@ -44,6 +44,8 @@ TpmsField<T>::TpmsField(TpmsTransition<T> transition, TpmsMap<T> map)
   require(weight_->least() >= 0 && weight_->most() <= 1,
           "TpmsField: need weights from 0 to 1 between two patterns",
           Named{"least", weight_->least()}, Named{"most", weight_->most()});
+  require(weight_->guarantee().domain == Box<T>::everywhere(),
+          "TpmsField: need weights that are known everywhere");
   const auto a = from_.range();
   const auto b = to_.range();
   mostBetween_ = static_cast<T>(std::max(a.upper - b.lower, b.upper - a.lower)) * kOutward<T>;
@@ -136,8 +138,8 @@ Guarantee<T> TpmsField<T>::guarantee(const GradedValue<T>& level) const {
   Guarantee<T> promise{Quality::LowerBound, Quality::LowerBound, T(1), true};
   const auto ofSlope = [&](const GradedValue<T>& graded, T factor) {
     const T perLevel = factor * 16 * map_.size() / static_cast<T>(kTwoPi<T> * from_.lipschitz());
-    promise.ulps += graded.ulps() * perLevel;
-    promise.size = std::max(promise.size, graded.size());
+    promise.ulps += graded.guarantee().ulps * perLevel;
+    promise.size = std::max(promise.size, graded.guarantee().size);
   };
   promise.ulps = map_.ulps() + 4;
   promise.size = 8 * map_.size();

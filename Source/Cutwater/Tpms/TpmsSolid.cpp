@@ -50,6 +50,8 @@ TpmsSolid<T>::TpmsSolid(TpmsField<T> field, TpmsPart part, GradedValue<T> level)
       part_(part),
       level_(std::move(level)),
       guarantee_(field_.guarantee(level_)) {
+  require(level_.guarantee().domain == Box<T>::everywhere(),
+          "TpmsSolid: need levels that are known everywhere");
   const auto allowed = levelsOf(part, field_);
   require(level_.least() > allowed.lower && level_.most() < allowed.upper,
           "TpmsSolid: need levels between those at which a wall vanishes or a channel breaks up",

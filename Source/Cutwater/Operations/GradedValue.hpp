@@ -25,12 +25,11 @@ struct GradedLimits {
   T ulps = 8;
 };
 
-/// A number, constant or by the place: a level, a weight, a thickness. A value: copies share what
-/// it depends on.
+/// A number, constant or by the place: a radius, a thickness, a level, a weight. A value: copies
+/// share what it depends on.
 ///
 ///     TpmsSolid<double>(field, TpmsPart::Wall, 0.3)  // a number is one, too
-///     TpmsSolid<double>(field, TpmsPart::Wall, GradedValue<double>::byValueOf(part, {0.2, 0.6,
-///     10}))
+///     GradedValue<double>::byValueOf(part, {.start = 0.2, .end = 0.6, .over = 10})
 ///
 /// Places are in the frame of the shape it is given to, and move along with it.
 template <std::floating_point T>
@@ -47,9 +46,12 @@ class GradedValue {
   ~GradedValue();
 
   /// By the value of a solid, which need not be a distance.
-  /// @throws Error unless the ramp is finite and 0 < over, and the solid has a Lipschitz constant
-  /// everywhere.
+  /// @throws Error unless the ramp is finite and 0 < over, and the solid's values are continuous
+  /// with a Lipschitz constant.
   [[nodiscard]] static GradedValue byValueOf(Solid<T> solid, const GradedRamp<T>& ramp);
+  /// By its magnitude: the distance to the surface, as the solid's values tell it, on both sides
+  /// alike. @throws Error as above.
+  [[nodiscard]] static GradedValue byDistanceTo(Solid<T> solid, const GradedRamp<T>& ramp);
 
   /// Any function of position. It is called from several threads at once and must not throw.
   /// @throws Error unless least <= most, all limits are finite, and the Lipschitz constant is not
@@ -63,15 +65,16 @@ class GradedValue {
   }
 
   [[nodiscard]] T at(const Vec3<T>& p) const;
+  [[nodiscard]] Vec3<T> gradient(const Vec3<T>& p) const;
   [[nodiscard]] bool isConstant() const { return !field_; }
   [[nodiscard]] T least() const { return least_; }
   [[nodiscard]] T most() const { return most_; }
-  /// Of the whole, and of the ball of this radius about p.
-  [[nodiscard]] T lipschitz() const { return lipschitz_; }
+  /// What is known of the numbers as values of a function: their Lipschitz constant, rounding and
+  /// domain.
+  [[nodiscard]] const Guarantee<T>& guarantee() const { return known_; }
+  [[nodiscard]] T lipschitz() const { return *known_.lipschitz; }
+  /// Within the ball of this radius about p.
   [[nodiscard]] T lipschitzWithin(const Vec3<T>& p, T radius) const;
-  /// A computed number is off by at most this times eps (|p| + size()).
-  [[nodiscard]] T ulps() const { return ulps_; }
-  [[nodiscard]] T size() const { return size_; }
 
  private:
   static void requireLimits(const GradedLimits<T>& limits);
@@ -80,19 +83,16 @@ class GradedValue {
   }
   [[nodiscard]] static GradedValue byField(Solid<T> field, const GradedLimits<T>& limits);
   void setField(Solid<T> field);
-  [[nodiscard]] T unlimited(const Vec3<T>& p) const {
-    return start_ + slope_ * field_->signedDistance(p);
-  }
+  [[nodiscard]] T unlimited(const Vec3<T>& p) const;
 
   std::optional<Solid<T>> field_;
-  // start + slope * the field's value, within these limits
+  bool isByDistance_ = false;
+  // start + slope * the field's value, or its magnitude, within these limits
   T start_;
   T slope_ = 0;
   T least_;
   T most_;
-  T lipschitz_ = 0;
-  T ulps_ = 0;
-  T size_ = 0;
+  Guarantee<T> known_;
 };
 
 extern template class GradedValue<float>;

@@ -1,11 +1,15 @@
-#include <Cutwater/Tpms/GradedValue.hpp>
+#include <Cutwater/Operations/GradedValue.hpp>
 
 #include <algorithm>
 
 namespace cutwater {
 
 template <std::floating_point T>
-GradedValue<T>::GradedValue(T value) : start_(value), least_(value), most_(value) {
+GradedValue<T>::GradedValue(T value)
+    : start_(value),
+      least_(value),
+      most_(value),
+      known_{.lipschitz = T(0), .continuous = true, .ulps = 0, .size = std::abs(value)} {
   require(std::isfinite(value), "GradedValue: need a finite number", Named{"value", value});
 }
 
@@ -22,14 +26,16 @@ GradedValue<T>::~GradedValue() = default;
 
 template <std::floating_point T>
 void GradedValue<T>::setField(Solid<T> field) {
-  const auto known = field.guarantee();
-  require(known.lipschitz && std::isfinite(*known.lipschitz) && known.continuous &&
-              known.domain == Box<T>::everywhere(),
-          "GradedValue: need a solid whose values have a Lipschitz constant, everywhere");
+  constexpr T kUlps = 4;  // of the sum
+  known_ = field.guarantee();
+  require(known_.lipschitz && std::isfinite(*known_.lipschitz) && known_.continuous,
+          "GradedValue: need a solid whose values have a Lipschitz constant");
+  const T slope = std::abs(slope_);
+  known_.outside = known_.inside = Quality::SignOnly;
+  known_.lipschitz = slope * *known_.lipschitz;
+  known_.ulps = slope * known_.ulps + kUlps;
+  known_.size += std::max({std::abs(least_), std::abs(most_), std::abs(start_)});
   field_ = std::move(field);
-  lipschitz_ = std::abs(slope_) * *known.lipschitz;
-  ulps_ = std::abs(slope_) * known.ulps + 4;
-  size_ = known.size + std::max({std::abs(least_), std::abs(most_), std::abs(start_)});
 }
 
 template <std::floating_point T>
@@ -43,6 +49,13 @@ GradedValue<T> GradedValue<T>::byValueOf(Solid<T> solid, const GradedRamp<T>& ra
   result.least_ = std::min(ramp.start, ramp.end);
   result.most_ = std::max(ramp.start, ramp.end);
   result.setField(std::move(solid));
+  return result;
+}
+
+template <std::floating_point T>
+GradedValue<T> GradedValue<T>::byDistanceTo(Solid<T> solid, const GradedRamp<T>& ramp) {
+  auto result = byValueOf(std::move(solid), ramp);
+  result.isByDistance_ = true;
   return result;
 }
 
@@ -65,6 +78,12 @@ GradedValue<T> GradedValue<T>::byField(Solid<T> field, const GradedLimits<T>& li
 }
 
 template <std::floating_point T>
+T GradedValue<T>::unlimited(const Vec3<T>& p) const {
+  const T value = field_->signedDistance(p);
+  return start_ + slope_ * (isByDistance_ ? std::abs(value) : value);
+}
+
+template <std::floating_point T>
 T GradedValue<T>::at(const Vec3<T>& p) const {
   if (isConstant()) return start_;
   // In this order, what is not a number gives the least.
@@ -72,11 +91,20 @@ T GradedValue<T>::at(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+Vec3<T> GradedValue<T>::gradient(const Vec3<T>& p) const {
+  if (isConstant()) return {};
+  const T raw = unlimited(p);
+  if (!(raw > least_ && raw < most_)) return {};
+  const bool isInside = isByDistance_ && field_->signedDistance(p) < 0;
+  return (isInside ? -slope_ : slope_) * field_->gradient(p);
+}
+
+template <std::floating_point T>
 T GradedValue<T>::lipschitzWithin(const Vec3<T>& p, T radius) const {
   if (isConstant()) return 0;
   const T raw = unlimited(p);
-  const T change = lipschitz_ * radius;
-  return raw + change < least_ || raw - change > most_ ? T(0) : lipschitz_;
+  const T change = lipschitz() * radius;
+  return raw + change < least_ || raw - change > most_ ? T(0) : lipschitz();
 }
 
 template class GradedValue<float>;
