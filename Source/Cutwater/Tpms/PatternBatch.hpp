@@ -34,10 +34,9 @@ struct alignas(64) PatternBatch {
 /// takes long.
 template <std::floating_point T, std::size_t kMost>
 void padRows(std::initializer_list<std::array<T, kMost>*> rows, int count) {
-  const auto end = static_cast<std::size_t>((count + 15) / 16 * 16);
-  for (auto* row : rows) {
-    for (auto i = static_cast<std::size_t>(count); i < end; ++i) (*row)[i] = 0;
-  }
+  const auto begin = static_cast<std::size_t>(count);
+  const std::size_t end = (begin + 15) / 16 * 16;
+  for (auto* row : rows) std::fill(row->begin() + begin, row->begin() + end, T(0));
 }
 
 /// Fills in values and gradients of the first `count` points. Compiled for each instruction set,
