@@ -10,6 +10,7 @@ LAYERS = {
     "Bvh": "the tree: nearest primitives, overlaps, crossings",
     "Mesh": "surfaces: files, cleaning, checks, the half-edge mesh, signed distances of meshes",
     "Lattice": "beams, unit cells, lattices, packed beds",
+    "Tpms": "triply periodic surfaces: patterns, maps, walls and channels, two fluids",
     "Grid": "filling patches, volumes, isosurfaces, refinement tags, octree meshes",
     "Render": "pictures of solids and of planes through them",
     "Io": "scenes, VTK and PNG files, tables of beams and balls",

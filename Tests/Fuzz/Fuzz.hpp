@@ -53,7 +53,7 @@ auto answerOrRefusal(const std::string& file, const Read& read) -> std::optional
     const std::string message = error.what();
     expect(error.kind() == ErrorKind::File || error.kind() == ErrorKind::Limit, "the error's kind");
     expect(message.starts_with(file + ": "), "messages begin with the file");
-    expect(message.size() < 400, "messages are short");
+    expect(message.size() < 600, "messages are short");
     expect(message.find('\n') == std::string::npos, "messages are one line");
   }
   return std::nullopt;

@@ -75,6 +75,21 @@ TEST(ParseTomlTest, KeysOfManyDotsAreRefusedBeforeTheyAreParsed) {
   EXPECT_EQ(refusal("a = " + deep).substr(0, 8), "it: line");
 }
 
+TEST(ParseTomlTest, CharactersBeyondAsciiStandInStringsAndComments) {
+  for (const std::string good :
+       {R"(a = "é" # é ")", R"(a = 'é\' # é)", R"("é" = 1)", R"('é' = 2)", R"(a = "\"é")",
+        R"(a = """é""é""")", R"(a = '''é''é''')", "a = \"\"\"é\"\"\"\"\"\nb = \"é\"",
+        "a = '''\n'é'''", "a = \"\"\nb = \"é\"", "a = \"\"\"\\\n  é\"\"\"", "\xEF\xBB\xBF"}) {
+    EXPECT_EQ(refusal(good), "nothing") << good;
+  }
+  for (const std::string bad :
+       {R"(é = 1)", "a = 1\u00a0", R"(a = [1,é])", R"(a = ""é)", R"(a = "b" é "c")", R"(a = "\é")",
+        R"(a = 'b' é)", R"(a = '\'é)", R"(a = """"""é""")", R"(a = """b""""é")"}) {
+    const auto words = refusal("\n" + bad);
+    EXPECT_TRUE(words.starts_with("it: line 2: characters beyond ASCII")) << bad << ": " << words;
+  }
+}
+
 TEST(ParseTomlTest, NumbersAndWordsMayHaveDots) {
   std::string numbers = "a = [0.5";
   for (int i = 0; i < 100000; ++i) numbers += ",-1_0.25e-3, 1.5";

@@ -122,7 +122,7 @@ TEST_F(ReadSceneTest, AnyBytesGiveAnErrorOrASolid) {
   const auto solid = read(kScene);
   EXPECT_EQ(solid.patchNames().back(), "balls");
   std::mt19937 random(7);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 600; ++i) {
     auto text = kScene;
     for (auto changes = 1 + random() % 2; changes > 0; --changes) {
       const auto at = random() % text.size();
@@ -143,8 +143,8 @@ TEST_F(ReadSceneTest, AnyBytesGiveAnErrorOrASolid) {
     expectAnAnswer(text);
   }
   expectAnAnswer("[it]\nshape = [ }\n");  // what the parser takes for granted
-  EXPECT_GT(answers, 50);                 // both ways are tried
-  EXPECT_GT(refusals, 500);
+  EXPECT_GT(answers, 15);                 // both ways are tried
+  EXPECT_GT(refusals, 150);
   for (std::size_t size = 0; size < kScene.size(); size += 7) {
     expectAnAnswer(kScene.substr(0, size));
   }

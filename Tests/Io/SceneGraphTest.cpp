@@ -135,5 +135,19 @@ TEST_F(SceneGraphTest, RefusesWhatIsNoSolid) {
   EXPECT_EQ(refusal("[a.b]\nshape = \"plane\"").substr(0, 15), "line 1: [a] nee");
 }
 
+TEST_F(SceneGraphTest, MessagesAreShortWhateverTheNames) {
+  std::string ring;
+  constexpr int kCount = 50;
+  for (int i = 0; i < kCount; ++i) {
+    ring += "[" + std::string(200, 'n') + std::to_string(i) + "]\ncopy = \"" +
+            std::string(200, 'n') + std::to_string((i + 1) % kCount) + "\"\n";
+  }
+  const auto words = refusal(ring);
+  EXPECT_TRUE(words.ends_with("nnn...\"")) << words;
+  EXPECT_NE(words.find("\" -> ... -> \"nnn"), std::string::npos) << words;
+  EXPECT_LT(words.size(), 450U) << words;
+  EXPECT_LT(refusal("[" + std::string(5000, 'n') + "]\nbals = 1").size(), 450U);
+}
+
 }  // namespace
 }  // namespace cutwater::test

@@ -37,7 +37,7 @@ TYPED_TEST(DescribeTest, DescribesTheWholeExpression) {
   expectLine(0, "Named \"cup\": ", "Lipschitz 1");
   expectLine(1, "  Intersection: lower bound", "in (");
   expectLine(2, "    Union: outside exact, inside lower bound, Lipschitz 1;", "");
-  expectLine(3, "      Sphere: exact, Lipschitz 1; in (", "");
+  expectLine(3, "      Sphere: exact, Lipschitz 1; in (-1, -1, -1) .. (1, 1, 1)", "");
   expectLine(4, "      Torus, moved by (2, 0, 0) and turned: exact", "");
   expectLine(5, "    Complement: exact", "");
   expectLine(6, "      Plane: exact, Lipschitz 1", "");

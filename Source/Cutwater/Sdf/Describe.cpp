@@ -1,13 +1,14 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
+#include <array>
+#include <charconv>
+
 // SignedDistanceFunction::describe().
 
 namespace cutwater {
 
 namespace {
-
-using detail::toText;
 
 std::string nameOf(Quality quality) {
   return quality == Quality::Exact        ? "exact"
@@ -15,10 +16,18 @@ std::string nameOf(Quality quality) {
                                           : "sign only";
 }
 
+/// To six digits: boxes are grown by rounding, which is nothing to read.
+std::string textOf(double value) {
+  std::array<char, 32> buffer{};
+  const auto end = buffer.data() + buffer.size();
+  return {buffer.data(),
+          std::to_chars(buffer.data(), end, value, std::chars_format::general, 6).ptr};
+}
+
 template <std::floating_point T>
 std::string textOf(const Vec3<T>& v) {
   std::string text = "(";  // g++ 12 warns of sums that begin with it
-  text += toText(double{v.x}) + ", " + toText(double{v.y}) + ", " + toText(double{v.z}) + ")";
+  text += textOf(double{v.x}) + ", " + textOf(double{v.y}) + ", " + textOf(double{v.z}) + ")";
   return text;
 }
 template <std::floating_point T>
@@ -43,7 +52,7 @@ std::string textOf(const Guarantee<T>& promise) {
                                                        : "outside " + nameOf(promise.outside) +
                                                              ", inside " + nameOf(promise.inside);
   if (promise.lipschitz) {
-    text += ", Lipschitz " + toText(double{*promise.lipschitz});
+    text += ", Lipschitz " + textOf(double{*promise.lipschitz});
   } else {
     text += ", no Lipschitz constant";
   }
@@ -65,7 +74,8 @@ void SignedDistanceFunction<T>::describe(std::string& text, int depth) const {
     if (count++ < kMostOperands) operand.describe(text, depth + 1);
   });
   if (count > kMostOperands) {
-    text += indent + "  and " + toText(static_cast<long long>(count - kMostOperands)) + " more\n";
+    text += indent + "  and " + detail::toText(static_cast<long long>(count - kMostOperands)) +
+            " more\n";
   }
 }
 

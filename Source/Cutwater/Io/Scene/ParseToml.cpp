@@ -64,6 +64,51 @@ void requireFewDots(std::string_view text, const std::string& file) {
   }
 }
 
+bool isBeyondAscii(std::string_view text, std::size_t at) {
+  return at < text.size() && static_cast<unsigned char>(text[at]) >= 0x80;
+}
+
+/// What ends the string that begins with these bytes: one quote or three.
+std::string_view quotesAt(std::string_view text) {
+  const bool isTriple = text.size() > 2 && text[1] == text[0] && text[2] == text[0];
+  return text.substr(0, isTriple ? 3 : 1);
+}
+
+/// TOML has characters beyond ASCII in strings and comments only. Elsewhere, and behind a
+/// backslash, the parser asks whether they are white space, and takes most of them for impossible.
+void requireAsciiOutsideStrings(std::string_view text, const std::string& file) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  std::uint64_t line = 1;
+  std::string_view quotes;  // of the string around; none: in none
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    const bool isEscape = c == '\\' && quotes.starts_with('"');
+    const std::size_t asked = isEscape ? at + 1 : at;
+    if ((quotes.empty() || isEscape) && isBeyondAscii(text, asked)) {
+      failAt(file, line,
+             "characters beyond ASCII need quotes around them, and no backslash before");
+    }
+    if (c == '\n') {
+      ++line;
+      if (quotes.size() == 1) quotes = {};  // the parser refuses it
+    } else if (isEscape) {
+      if (text.substr(asked, 1) != "\n") at = asked;
+    } else if (!quotes.empty()) {
+      if (!text.substr(at).starts_with(quotes)) continue;
+      // Behind three, two more would be the last of what is in the string.
+      const auto behind = std::min(text.find_first_not_of(c, at), at + 2 * quotes.size() - 1);
+      at = std::min(behind, text.size()) - 1;
+      quotes = {};
+    } else if (c == '#') {
+      at = std::min(text.find('\n', at), text.size()) - 1;
+    } else if (c == '"' || c == '\'') {
+      quotes = quotesAt(text.substr(at));
+      at += quotes.size() - 1;
+    }
+  }
+}
+
 /// Into values of ours, level by level.
 class Conversion {
  public:
@@ -112,6 +157,7 @@ class Conversion {
 
 SceneValue::Table parseToml(std::string_view text, const std::string& file) {
   requireFewDots(text, file);
+  requireAsciiOutsideStrings(text, file);
   try {
     return Conversion(file).table(toml::parse(text), 0);
   } catch (const toml::parse_error& error) {

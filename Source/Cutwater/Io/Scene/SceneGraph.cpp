@@ -56,7 +56,8 @@ void SceneGraph::add(const SceneValue::Entry& entry) {
                "\", a text, and a table [name] for each solid");
   }
   static const auto kForms = formsOfSolids();
-  const auto& form = formOf(context_, *table, entry.line, "[" + entry.key + "]", kForms);
+  const auto& form =
+      formOf(context_, *table, entry.line, "[" + formats::shortened(entry.key) + "]", kForms);
   indices_.emplace(entry.key, items_.size());
   items_.push_back({entry.key, {context_, form, *table, entry.line, commonKeys()}});
 }
@@ -102,17 +103,20 @@ void SceneGraph::failLimit(const Item& item, const std::string& message) const {
 }
 
 void SceneGraph::failCycle(const std::vector<std::size_t>& path, const Reference& back) const {
+  constexpr auto kMost = 6;
+  const auto first = std::find(path.begin(), path.end(), back.item);
   std::string chain;
-  for (auto i = std::find(path.begin(), path.end(), back.item); i != path.end(); ++i) {
-    chain += '"' + items_[*i].name + "\" -> ";
+  for (auto i = first; i != path.end() && i != first + kMost; ++i) {
+    chain += formats::quoted(items_[*i].name) + " -> ";
   }
-  const auto& name = items_[back.item].name;
-  failAt(context_.file, back.line,
-         '"' + name + "\" is made of itself: " + chain + '"' + name + '"');
+  if (path.end() - first > kMost) chain += "... -> ";
+  const auto name = formats::quoted(items_[back.item].name);
+  failAt(context_.file, back.line, name + " is made of itself: " + chain + name);
 }
 
 std::string SceneGraph::at(const Item& item) const {
-  return context_.file + ": line " + std::to_string(item.record.line()) + ": [" + item.name + "]: ";
+  return context_.file + ": line " + std::to_string(item.record.line()) + ": [" +
+         formats::shortened(item.name) + "]: ";
 }
 
 Solid<double> SceneGraph::make(const std::string& name) {

@@ -1,4 +1,5 @@
 #include <Cutwater/Io/Scene/Suggestion.hpp>
+#include <Cutwater/Mesh/Formats/Cursor.hpp>
 
 #include <algorithm>
 
@@ -42,7 +43,7 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
     least = edits;
     nearest = &other;
   }
-  return nearest == nullptr ? std::string() : "; is it \"" + *nearest + "\"?";
+  return nearest == nullptr ? std::string() : "; is it " + formats::quoted(*nearest) + "?";
 }
 
 }  // namespace cutwater::scene

@@ -31,14 +31,18 @@ std::uint64_t Cursor::requireRecords(std::int64_t count, std::uint64_t smallestR
   return records;
 }
 
-std::string quoted(std::string_view text) {
+std::string shortened(std::string_view text) {
   constexpr std::size_t kLongest = 40;
-  std::string result = "\"";
+  std::string result;
   for (const char c : text.substr(0, kLongest)) {
     const bool printable = static_cast<unsigned char>(c) >= ' ' && c != '\x7f';
     result += printable ? c : '?';
   }
-  return result + (text.size() > kLongest ? "...\"" : "\"");
+  return result + (text.size() > kLongest ? "..." : "");
+}
+
+std::string quoted(std::string_view text) {
+  return '"' + shortened(text) + '"';
 }
 
 }  // namespace cutwater::formats

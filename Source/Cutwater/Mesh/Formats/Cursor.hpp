@@ -55,7 +55,8 @@ class Cursor {
   std::uint64_t position_ = 0;
 };
 
-/// A piece of a file as it may stand in a message: quoted, short, printable.
+/// A piece of a file as it may stand in a message: short, printable; and between quotes.
+[[nodiscard]] std::string shortened(std::string_view text);
 [[nodiscard]] std::string quoted(std::string_view text);
 
 }  // namespace cutwater::formats
