@@ -45,7 +45,7 @@ class Lens final : public cutwater::SignedDistanceFunction<double> {
   /// To the point, from the rim or from the centre of the sphere whose surface is nearest.
   Point outward(const Point& p) const {
     if (!isBeyondRim(p)) return {p.x, p.y, p.z + std::copysign(offset_, p.z)};
-    const double fromRim = 1 - rim_ / radial(p);
+    const double fromRim = (radial(p) - rim_) / radial(p);
     return {p.x * fromRim, p.y * fromRim, p.z};
   }
 
