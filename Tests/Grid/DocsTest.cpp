@@ -42,7 +42,7 @@ TEST(DocsTest, DistancesOfAPatchWithGhostCells) {
   // DOCS]
   forEach(patch.indices, [&](const Index3& index) {
     ASSERT_EQ(distances[placeOf(index, patch.indices)],
-              solid.signedDistance(level.position(index)));
+              kSolid.signedDistance(level.position(index)));
   });
 
   // The neighbour's own cells, which are ghost cells of the patch above, have the same bits.
@@ -68,7 +68,7 @@ TEST(DocsTest, OneComponentOfAnInterleavedArray) {
   // DOCS]
   forEach(kOwned, [&](const Index3& index) {
     const auto place = 5 * placeOf(index, kOwned);
-    ASSERT_EQ(unknowns[place + 4], solid.signedDistance(kLevel.position(index)));
+    ASSERT_EQ(unknowns[place + 4], kSolid.signedDistance(kLevel.position(index)));
     ASSERT_EQ(unknowns[place + 3], 0);
   });
 }
@@ -89,7 +89,7 @@ TEST(DocsTest, DistancesAndPatchesOfABand) {
   std::array<int, 2> found{};
   forEach(kOwned, [&](const Index3& index) {
     const auto place = placeOf(index, kOwned);
-    const double value = solid.signedDistance(kLevel.position(index));
+    const double value = kSolid.signedDistance(kLevel.position(index));
     const double end = 3.0 / 16;
     if (std::abs(value) <= end) {
       ASSERT_EQ(distances[place], value);
@@ -127,8 +127,8 @@ TEST(DocsTest, ClosestPointsAndClassesOfCells) {
   int cut = 0;
   forEach(kOwned, [&](const Index3& index) {
     const auto place = placeOf(index, kOwned);
-    ASSERT_EQ(classes[place], solid.classify(kLevel.cell(index)));
-    ASSERT_EQ(nearest[place].distance, solid.signedDistance(kLevel.position(index)));
+    ASSERT_EQ(classes[place], kSolid.classify(kLevel.cell(index)));
+    ASSERT_EQ(nearest[place].distance, kSolid.signedDistance(kLevel.position(index)));
     cut += classes[place] == BoxClass::Cut ? 1 : 0;
   });
   EXPECT_GT(cut, 50);
