@@ -25,6 +25,7 @@ int main(void) {
   need(cw_signed_distances(body, points, 2, distances, 0)); /* 1 and -0.5; negative is inside */
   /* README] */
 
+  /* [DOCS */
   const double boxes[12] = {-0.1, -0.1, -0.1, 0.1, 0.1, 0.1, 0.9, -0.1, 0.1, 1.1, 0.1, 0.3};
   uint8_t classes[2];
   cw_surface_point nearest[2];
@@ -36,6 +37,7 @@ int main(void) {
   need(cw_closest_points(body, points, 2, nearest, 0));
   need(cw_classify_boxes(body, boxes, 2, classes, 0));
   need(cw_fill(body, &grid, 0, values, NULL, 0));
+  /* DOCS] */
 
   int inside = 0;
   for (int i = 0; i < 8 * 8 * 8; ++i) inside += values[i] < 0;

@@ -19,6 +19,7 @@ program main
   type(cw_grid) :: grid
   type(c_ptr) :: tetrahedron, ball, both, solid, name
 
+  ! [DOCS
   mesh%points = c_loc(corners)
   mesh%point_count = 4
   mesh%triangles = c_loc(triangles)
@@ -38,6 +39,7 @@ program main
   grid%hi = n - 1
   call need(cw_fill(solid, grid, 0d0, c_loc(values), c_null_ptr, 0))
   call need(cw_patch_name(solid, nearest(1)%patch, name))
+  ! DOCS]
 
   print '(a, 2f8.4)', "distances", distances
   print '(a, 3f8.4, 2a)', "nearest point of the first", nearest(1)%point, ", patch ", cw_text(name)

@@ -20,6 +20,7 @@ using cutwater::Vec3;
 
 namespace {
 
+// [DOCS
 /// Without a tree: every query tries every face of the half-edge mesh.
 class FaceByFace : public SignedDistanceFunction<double> {
  public:
@@ -34,6 +35,7 @@ class FaceByFace : public SignedDistanceFunction<double> {
 
   DcelSDF<double> faces_;
 };
+// DOCS]
 
 /// With a tree: every query tries the few faces that can be nearest.
 class WithTree : public SignedDistanceFunction<double> {

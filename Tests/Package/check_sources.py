@@ -7,7 +7,7 @@
   mirror        a test file per unit, and every unit and test file in its folder's list
   expectations  every test case expects something
   scripts       scripts are executable and pass shellcheck (the program given)
-  readme        C++ and C in the README and in Docs are marked regions of what is compiled
+  readme        C++, C and Fortran in the README and in Docs are marked regions of what is compiled
   links         relative links in pages lead to files and headings that are there, and every page in
                 Docs is in the site's contents
 """
@@ -193,11 +193,13 @@ def check_scripts():
 
 
 def check_readme():
-    block = re.compile(r"```c(?:pp)?\n(.*?)```", re.DOTALL)
+    block = re.compile(r"```(?:cpp|c|fortran)\n(.*?)```", re.DOTALL)
     region = re.compile(r"// \[README\n(.*?)\n *// README\]|/\* \[README \*/\n(.*?)\n */\* README\] \*/|"
-                        r"// \[DOCS\n(.*?)\n *// DOCS\]", re.DOTALL)
+                        r"// \[DOCS\n(.*?)\n *// DOCS\]|/\* \[DOCS \*/\n(.*?)\n */\* DOCS\] \*/|"
+                        r"! \[DOCS\n(.*?)\n *! DOCS\]", re.DOTALL)
     compiled = set()
-    for file in [*(ROOT / "Examples").rglob("*.c*"), *(ROOT / "Tests").rglob("*.cpp")]:
+    for file in [file for folder in ("Examples", "Tests") for file in (ROOT / folder).rglob("*")
+                 if file.suffix in SOURCES | {".f90"}]:
         for texts in region.findall(file.read_text()):
             compiled.add(textwrap.dedent(next(filter(None, texts))).strip())
     pages = [ROOT / "README.md", *sorted((ROOT / "Docs").glob("*.md"))]

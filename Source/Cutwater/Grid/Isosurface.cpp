@@ -137,7 +137,7 @@ class BlockMesher {
           const auto edge = detail::cubeEdge(polygons[p].corners[i]);
           ids[i] = blocks_.edgePoint(cornerOf(inGrid, edge.corner), edge.axis);
         }
-        if (maySharpen && addSharp(ids, inGrid, part)) continue;
+        if (maySharpen && addSharp(ids, inGrid, inside, part)) continue;
         const bool isSplit = detail::needsMiddle(polygons[p]);
         PolygonMesher(points_).add(polygons[p], ids, isSplit ? &middle : nullptr, part.triangles);
         middle += isSplit ? 1 : 0;
@@ -148,18 +148,39 @@ class BlockMesher {
 
  private:
   /// A fan about the feature, if there is one.
-  bool addSharp(std::span<const std::uint32_t> ids, const NodeOffset& cell, MeshPart& part) const {
+  bool addSharp(std::span<const std::uint32_t> ids, const NodeOffset& cell, unsigned inside,
+                MeshPart& part) const {
     std::array<Vec3<double>, detail::CellPolygon::kMost> positions;
     for (std::size_t i = 0; i < ids.size(); ++i) positions[i] = points_[ids[i]];
     const Box<double> box{Vec3<double>(grid_.position(cell)),
                           Vec3<double>(grid_.position(cornerOf(cell, 7)))};
-    const auto feature = features_.pointIn(std::span(positions.data(), ids.size()), box);
+    const auto isFreeBeyond = [&](const detail::CellFace& face) {
+      return isUncutBeyond(face, cell, inside);
+    };
+    const auto feature =
+        features_.pointIn(std::span(positions.data(), ids.size()), box, isFreeBeyond);
     if (!feature) return false;
     const auto id = static_cast<std::uint32_t>(points_.size() + part.features.size());
     part.features.push_back(*feature);
     for (std::size_t i = 0; i < ids.size(); ++i) {
       part.fans.push_back(part.triangles.size());
       part.triangles.push_back({ids[i], ids[(i + 1) % ids.size()], id});
+    }
+    return true;
+  }
+
+  /// Whether all nodes of the cell beyond a face have the same sign, and there is one.
+  [[nodiscard]] bool isUncutBeyond(const detail::CellFace& face, const NodeOffset& cell,
+                                   unsigned inside) const {
+    const auto axis = static_cast<std::size_t>(face.axis);
+    if (face.isUpper ? cell[axis] + 2 >= grid_.count(axis) : cell[axis] == 0) return false;
+    const bool isInside = ((inside >> (face.isUpper ? 1U << axis : 0U)) & 1U) != 0;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      if (((corner >> axis) & 1U) != (face.isUpper ? 1U : 0U)) continue;
+      auto beyond = cornerOf(cell, static_cast<int>(corner));
+      beyond[axis] += face.isUpper ? 1U : ~0U;
+      if ((((inside >> corner) & 1U) != 0) != isInside) return false;
+      if ((grid_.solid.signedDistance(grid_.position(beyond)) < 0) != isInside) return false;
     }
     return true;
   }

@@ -11,12 +11,29 @@ namespace cutwater::detail {
 
 namespace {
 
+Vec3<double> fromEigen(const Eigen::Vector3d& v) {
+  return {v[0], v[1], v[2]};
+}
 Eigen::Vector3d toEigen(const Vec3<double>& v) {
   return {v.x, v.y, v.z};
 }
 
-/// The point nearest to `center` of all that have the least sum of squared distances from planes.
-/// Directions in which planes hardly bind it, as along an edge, do not move it.
+/// The points of a line in a box, by the slab method: from + t along, for t in the interval.
+Interval<double> partIn(const Box<double>& box, const Vec3<double>& from,
+                        const Vec3<double>& along) {
+  Interval<double> part{-Box<double>::kInf, Box<double>::kInf};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = (box.lower[axis] - from[axis]) / along[axis];
+    const double b = (box.upper[axis] - from[axis]) / along[axis];
+    // What is not a number, 0 / 0, bounds nothing.
+    part.lower = std::max(part.lower, std::min(a, b));
+    part.upper = std::min(part.upper, std::max(a, b));
+  }
+  return part;
+}
+
+/// Where planes meet: the points that have the least sum of squared distances from them. Directions
+/// in which planes hardly bind it, as along an edge, are free.
 class PlanesMeeting {
  public:
   explicit PlanesMeeting(const Vec3<double>& center) : center_(center) {}
@@ -26,7 +43,8 @@ class PlanesMeeting {
     matrix_ += n * n.transpose();
     right_ += n * dot(normal, point - center_);
   }
-  [[nodiscard]] Vec3<double> point() const {
+  /// The one nearest to the center; of a line that passes through the box, one in it.
+  [[nodiscard]] Vec3<double> pointIn(const Box<double>& box) const {
     // Normals 30 degrees apart: the lesser eigenvalue is 0.07 of the larger one.
     constexpr double kLeast = 0.02;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix_);
@@ -37,7 +55,13 @@ class PlanesMeeting {
       const Eigen::Vector3d along = solver.eigenvectors().col(i);
       offset += along.dot(right_) / values[i] * along;
     }
-    return center_ + Vec3<double>{offset[0], offset[1], offset[2]};
+    const auto nearest = center_ + fromEigen(offset);
+    const bool isLine = values[0] < kLeast * values[2] && values[1] >= kLeast * values[2];
+    if (!isLine || box.contains(nearest)) return nearest;
+    const auto along = fromEigen(solver.eigenvectors().col(0));
+    const auto part = partIn(box, nearest, along);
+    return part.lower > part.upper ? nearest
+                                   : nearest + std::clamp(0.0, part.lower, part.upper) * along;
   }
 
  private:
@@ -45,6 +69,27 @@ class PlanesMeeting {
   Eigen::Matrix3d matrix_ = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
 };
+
+/// The face of the cell next to which a point lies that is outside: in the pyramid over that face
+/// to the middle of the cell beyond. Pyramids of all cells are apart.
+std::optional<CellFace> faceBefore(const Box<double>& cell, const Vec3<double>& point) {
+  std::optional<CellFace> face;
+  double beyond = 0;
+  double inset = 0.5;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double place = (point[axis] - cell.lower[axis]) / (cell.upper[axis] - cell.lower[axis]);
+    const double within = std::min(place, 1 - place);
+    if (within >= 0) {
+      inset = std::min(inset, within);
+    } else if (face) {
+      return std::nullopt;
+    } else {
+      face = {axis, place > 0.5};
+      beyond = -within;
+    }
+  }
+  return beyond < inset ? face : std::nullopt;
+}
 
 }  // namespace
 
@@ -54,8 +99,9 @@ SharpFeatures<T>::SharpFeatures(const SignedDistanceFunction<T>& solid, double d
       leastCosine_(degrees < 180 ? std::cos(degrees * std::numbers::pi / 180) : -1) {}
 
 template <std::floating_point T>
-std::optional<Vec3<double>> SharpFeatures<T>::pointIn(std::span<const Vec3<double>> points,
-                                                      const Box<double>& cell) const {
+std::optional<Vec3<double>> SharpFeatures<T>::pointIn(
+    std::span<const Vec3<double>> points, const Box<double>& cell,
+    FunctionRef<bool(const CellFace&)> isFreeBeyond) const {
   std::vector<Vec3<double>> normals;
   Vec3<double> center{};
   double least = 1;
@@ -68,11 +114,16 @@ std::optional<Vec3<double>> SharpFeatures<T>::pointIn(std::span<const Vec3<doubl
   if (!(least < leastCosine_)) return std::nullopt;
   PlanesMeeting planes(center);
   for (std::size_t i = 0; i < points.size(); ++i) planes.add(points[i], normals[i]);
-  const auto meeting = planes.point();
-  if (!isFinite(meeting) || !cell.contains(meeting)) return std::nullopt;
-  const auto nearest = solid_.closestPoint(Vec3<T>(meeting));
-  const Vec3<double> result(nearest.point);
-  if (!isFinite(result) || !cell.contains(result)) return std::nullopt;
+  // On its way to the surface the point may move a little.
+  const auto meeting = planes.pointIn(cell.grown(-0.01 * (cell.upper.x - cell.lower.x)));
+  const auto isAllowed = [&](const Vec3<double>& place) {
+    if (!isFinite(place) || cell.contains(place)) return isFinite(place);
+    const auto face = faceBefore(cell, place);
+    return face && isFreeBeyond(*face);
+  };
+  if (!isAllowed(meeting)) return std::nullopt;
+  const Vec3<double> result(solid_.closestPoint(Vec3<T>(meeting)).point);
+  if (!isAllowed(result)) return std::nullopt;
   // No triangle of the fan may be folded over.
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t j = (i + 1) % points.size();

@@ -1,11 +1,17 @@
 #pragma once
 
+#include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 #include <optional>
 #include <vector>
 
 namespace cutwater::detail {
+
+struct CellFace {
+  int axis;
+  bool isUpper;
+};
 
 /// Edges and corners of a solid, which marching cubes would cut off: where normals at the points of
 /// a cell's polygon differ, the planes through these points meet in one more.
@@ -19,10 +25,13 @@ class SharpFeatures {
   SharpFeatures(const SignedDistanceFunction<T>& solid, double degrees);
 
   [[nodiscard]] bool areWanted() const { return leastCosine_ > -1; }
-  /// The surface's point nearest to where the planes meet, if that is in the cell: beyond,
-  /// triangles might cross those of other cells.
-  [[nodiscard]] std::optional<Vec3<double>> pointIn(std::span<const Vec3<double>> points,
-                                                    const Box<double>& cell) const;
+  /// The surface's point nearest to where the planes meet, if that is in the cell, or beyond one of
+  /// its faces in the quarter of a neighbour that is nearest to that face, where the neighbour has
+  /// no surface of its own: elsewhere, triangles might cross those of other cells. Of a line where
+  /// planes meet, what is in the cell will do.
+  [[nodiscard]] std::optional<Vec3<double>> pointIn(
+      std::span<const Vec3<double>> points, const Box<double>& cell,
+      FunctionRef<bool(const CellFace&)> isFreeBeyond) const;
 
  private:
   const SignedDistanceFunction<T>& solid_;

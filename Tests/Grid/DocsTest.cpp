@@ -1,0 +1,161 @@
+// The code of Docs/filling.md.
+#include <Cutwater/Grid/Fill.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Shapes/Cylinder.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
+
+#include <gtest/gtest.h>
+
+#include "Support/Grid.hpp"
+
+namespace cutwater::test {
+namespace {
+
+/// A ball on a rod, each a patch of its own.
+Solid<double> ballOnARod() {
+  const Solid<double> ball = Sphere<double>({0, 0, 0}, 0.5);
+  const Solid<double> rod = Cylinder<double>({0, 0, 0}, {0, 0, 2}, 0.1);
+  return named(ball, "ball") | named(rod, "rod");
+}
+
+const Solid<double> kSolid = ballOnARod();
+
+/// Cells of 1/16: those of a patch, and two rows of ghost cells around it.
+const Level<double> kLevel({-1, -1, -1}, {1.0 / 16, 1.0 / 16, 1.0 / 16});
+const IndexBox kOwned{{0, 0, 0}, {15, 15, 15}};
+
+/// Where the index's value stands in an array that `contiguous` describes.
+std::size_t placeOf(const Index3& index, const IndexBox& box) {
+  return static_cast<std::size_t>(index.i - box.lo.i) +
+         box.length(0) * (static_cast<std::size_t>(index.j - box.lo.j) +
+                          box.length(1) * static_cast<std::size_t>(index.k - box.lo.k));
+}
+
+TEST(DocsTest, DistancesOfAPatchWithGhostCells) {
+  const auto& solid = kSolid;
+  // [DOCS
+  const Level<double> level({-1, -1, -1}, {1.0 / 16, 1.0 / 16, 1.0 / 16});  // origin, spacing
+  const Patch<double> patch{level, {{-2, -2, -2}, {17, 17, 17}}};  // 16^3 cells, two ghost cells
+
+  std::vector<double> distances(patch.indices.count());
+  fill(solid, patch, GridView<double>::contiguous(distances.data(), patch.indices));
+  // DOCS]
+  forEach(patch.indices, [&](const Index3& index) {
+    ASSERT_EQ(distances[placeOf(index, patch.indices)],
+              kSolid.signedDistance(level.position(index)));
+  });
+
+  // The neighbour's own cells, which are ghost cells of the patch above, have the same bits.
+  const Patch<double> next{level, {{16, 0, 0}, {31, 15, 15}}};
+  std::vector<double> owned(next.indices.count());
+  fill(solid, next, GridView<double>::contiguous(owned.data(), next.indices));
+  for (std::int32_t k = 0; k < 16; ++k) {
+    EXPECT_EQ(distances[placeOf({17, 3, k}, patch.indices)],
+              owned[placeOf({17, 3, k}, next.indices)]);
+  }
+}
+
+TEST(DocsTest, OneComponentOfAnInterleavedArray) {
+  const auto& solid = kSolid;
+  const Patch<double> patch{kLevel, kOwned};
+  // [DOCS
+  // 5 unknowns per cell, side by side; the last one is the distance.
+  std::vector<double> unknowns(5 * patch.indices.count());
+  const auto nx = static_cast<std::ptrdiff_t>(patch.indices.length(0));
+  const auto ny = static_cast<std::ptrdiff_t>(patch.indices.length(1));
+  const GridView<double> view{unknowns.data() + 4, {5, 5 * nx, 5 * nx * ny}};
+  fill(solid, patch, view);
+  // DOCS]
+  forEach(kOwned, [&](const Index3& index) {
+    const auto place = 5 * placeOf(index, kOwned);
+    ASSERT_EQ(unknowns[place + 4], kSolid.signedDistance(kLevel.position(index)));
+    ASSERT_EQ(unknowns[place + 3], 0);
+  });
+}
+
+TEST(DocsTest, DistancesAndPatchesOfABand) {
+  const auto& solid = kSolid;
+  const Patch<double> patch{kLevel, kOwned};
+  std::vector<double> distances(patch.indices.count());
+  // [DOCS
+  std::vector<std::uint32_t> patches(patch.indices.count());
+  const FillTargets<double> targets{
+      .distance = GridView<double>::contiguous(distances.data(), patch.indices),
+      .patch = GridView<std::uint32_t>::contiguous(patches.data(), patch.indices)};
+  fill(solid, patch, targets, {.band = 3});
+  const std::vector<std::string> names = solid.patchNames();  // names[patches[n]], unless kNone
+  // DOCS]
+  ASSERT_EQ(names, (std::vector<std::string>{"ball", "rod"}));
+  std::array<int, 2> found{};
+  forEach(kOwned, [&](const Index3& index) {
+    const auto place = placeOf(index, kOwned);
+    const double value = kSolid.signedDistance(kLevel.position(index));
+    const double end = 3.0 / 16;
+    if (std::abs(value) <= end) {
+      ASSERT_EQ(distances[place], value);
+      ASSERT_LT(patches[place], names.size());
+      ++found[patches[place]];
+    } else {
+      ASSERT_EQ(distances[place], value < 0 ? -end : end);
+      ASSERT_EQ(patches[place], kNone);
+    }
+  });
+  EXPECT_GT(found[0], 100);
+  EXPECT_EQ(found[1], 0) << "the rod begins in the ball, and leaves it above these cells";
+}
+
+TEST(DocsTest, ClosestPointsAndClassesOfCells) {
+  const auto& solid = kSolid;
+  const Patch<double> patch{kLevel, kOwned};
+  // [DOCS
+  std::vector<Vec3<double>> centers;
+  std::vector<Box<double>> cells;
+  const IndexBox& owned = patch.indices;
+  for (std::int32_t k = owned.lo.k; k <= owned.hi.k; ++k) {
+    for (std::int32_t j = owned.lo.j; j <= owned.hi.j; ++j) {
+      for (std::int32_t i = owned.lo.i; i <= owned.hi.i; ++i) {
+        centers.push_back(patch.level.position({i, j, k}));
+        cells.push_back(patch.level.cell({i, j, k}));
+      }
+    }
+  }
+  std::vector<BoxClass> classes(cells.size());
+  solid.classify(cells, classes);
+  std::vector<SurfacePoint<double>> nearest(centers.size());
+  solid.closestPoints(centers, nearest);  // point, normal, distance, patch, face of each
+  // DOCS]
+  int cut = 0;
+  forEach(kOwned, [&](const Index3& index) {
+    const auto place = placeOf(index, kOwned);
+    ASSERT_EQ(classes[place], kSolid.classify(kLevel.cell(index)));
+    ASSERT_EQ(nearest[place].distance, kSolid.signedDistance(kLevel.position(index)));
+    cut += classes[place] == BoxClass::Cut ? 1 : 0;
+  });
+  EXPECT_GT(cut, 50);
+}
+
+TEST(DocsTest, LevelsOfAHierarchy) {
+  const auto& solid = kSolid;
+  // [DOCS
+  std::vector<std::vector<double>> levels;
+  for (std::int32_t n = 16; n <= 64; n *= 2) {
+    const Level<double> nodes({-1, -1, -1}, {2.0 / n, 2.0 / n, 2.0 / n}, Centering::Node);
+    const IndexBox all = IndexBox::ofSize(n + 1, n + 1, n + 1);
+    auto& values = levels.emplace_back(all.count());
+    fill(solid, {nodes, all}, GridView<double>::contiguous(values.data(), all), {.band = n / 4.0});
+  }  // on each level the band ends at 1/2
+  // DOCS]
+  // A node of the coarsest level is every fourth of the finest, with the same bits.
+  const IndexBox coarse = IndexBox::ofSize(17, 17, 17);
+  const IndexBox fine = IndexBox::ofSize(65, 65, 65);
+  int inBand = 0;
+  forEach(coarse, [&](const Index3& i) {
+    const double here = levels[0][placeOf(i, coarse)];
+    ASSERT_EQ(here, levels[2][placeOf({4 * i.i, 4 * i.j, 4 * i.k}, fine)]);
+    inBand += std::abs(here) < 0.5 ? 1 : 0;
+  });
+  EXPECT_GT(inBand, 500);
+}
+
+}  // namespace
+}  // namespace cutwater::test
