@@ -14,6 +14,7 @@ def site_links(text):
     """Links to files that are shown as a page lead to that page."""
     text = re.sub(r"(\]\([./]*Examples/\w+/)main\.\w+\)", r"\1README.md)", text)
     text = re.sub(r"(\]\([./]*)README\.md([#)])", r"\1index.md\2", text)
+    text = re.sub(r"(\]\([./]*Examples)\)", r"\1/index.md)", text)
     return re.sub(r"\]\(([./]*)Bindings/C/cutwater\.h\)", r"](\1Docs/reference/C.md)", text)
 
 
@@ -88,7 +89,8 @@ def write_pages(root, site, xml, headers):
     for page in [root / "CHANGELOG.md", root / "CONTRIBUTING.md", *(root / "Docs").glob("*.md")]:
         write_if_changed(site / page.relative_to(root), site_links(page.read_text()))
     shutil.copytree(root / "Docs/pictures", site / "Docs/pictures", dirs_exist_ok=True)
-    shutil.copy2(root / "LICENSE", site / "LICENSE")
+    for file in ("LICENSE", "CITATION.cff"):
+        shutil.copy2(root / file, site / file)
 
     folders = sorted(file.parent for file in (root / "Examples").glob("*/README.md"))
     for folder in folders:

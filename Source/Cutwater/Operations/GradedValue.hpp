@@ -64,6 +64,7 @@ class GradedValue {
     return byField(FunctionSDF<T, Function>(std::move(function), promise), limits);
   }
 
+  /// The number at a place, its gradient there, and whether it is the same everywhere.
   [[nodiscard]] T at(const Vec3<T>& p) const;
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& p) const;
   [[nodiscard]] bool isConstant() const { return !field_; }

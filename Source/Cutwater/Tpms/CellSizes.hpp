@@ -33,6 +33,7 @@ class CellSizes {
   /// The most cells per length anywhere in the interval; rounded up.
   [[nodiscard]] T mostPerLength(const Interval<T>& places) const;
 
+  /// Whether all cells have the same size.
   [[nodiscard]] bool isConstant() const { return knots_.size() == 1; }
   /// Cells per length, the least and the most of all.
   [[nodiscard]] const Interval<T>& perLength() const { return perLength_; }

@@ -39,6 +39,7 @@ class TpmsMap {
   /// @throws Error as DeformationField::check() does.
   [[nodiscard]] TpmsMap deformed(const DeformationField<T>& field) const;
 
+  /// A place in cells: what the pattern is evaluated at, in turns.
   [[nodiscard]] Vec3<T> toCells(const Vec3<T>& p) const;
 
   /// A pattern as seen through the map, within a ball: how fast its value may change per length, if

@@ -52,6 +52,7 @@ class TpmsPattern {
   static TpmsPattern fischerKochS();  ///< c2x sy cz + cx c2y sz + sx cy c2z
   static std::vector<TpmsPattern> all();
 
+  /// "gyroid", "Schwarz P" and so on.
   [[nodiscard]] std::string name() const;
 
   /// F at a point in turns; nothing is lost far away but what the coordinates have lost.

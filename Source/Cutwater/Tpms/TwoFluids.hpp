@@ -36,6 +36,7 @@ struct TwoFluids {
   Solid<T> b;
 };
 
+/// Of any domain, with the channels closed where `ends` say.
 template <std::floating_point T>
 [[nodiscard]] TwoFluids<T> twoFluids(const Solid<T>& domain, const TpmsChannels<T>& channels,
                                      const std::vector<ClosedEnd<T>>& ends = {});
