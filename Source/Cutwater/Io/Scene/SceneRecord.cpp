@@ -145,6 +145,10 @@ std::size_t SceneRecord::indexOf(std::string_view key) const {
   return static_cast<std::size_t>(found - values_.begin());
 }
 
+bool SceneRecord::isNumber(std::string_view key) const {
+  return valueOf(key).as<double>() != nullptr;
+}
+
 double SceneRecord::number(std::string_view key) const {
   return *valueOf(key).as<double>();
 }
@@ -178,6 +182,12 @@ std::size_t SceneRecord::choice(std::string_view key) const {
 
 Vec3<double> SceneRecord::point(std::string_view key) const {
   return pointOf(valueOf(key));
+}
+
+std::vector<Vec3<double>> SceneRecord::points(std::string_view key) const {
+  std::vector<Vec3<double>> result;
+  for (const auto& one : *valueOf(key).as<SceneValue::List>()) result.push_back(pointOf(one));
+  return result;
 }
 
 std::array<std::uint32_t, 3> SceneRecord::counts(std::string_view key) const {
@@ -229,6 +239,10 @@ std::vector<Solid<double>> SceneRecord::solids(std::string_view key) const {
     result.push_back(context_->solids.find(*name.as<std::string>())->second);
   }
   return result;
+}
+
+const SceneRecord& SceneRecord::record(std::string_view key) const {
+  return *context_->records.find(text(key))->second;
 }
 
 std::vector<SceneRecord> SceneRecord::parts(std::string_view key) const {
