@@ -48,7 +48,7 @@ TEST_F(SceneTpmsTest, HasCellsOfEveryKind) {
   const auto withCell = [&](const std::string& cell) {
     return read(kGyroid + "level = 0.3\ncell = " + cell);
   };
-  expectSame(withCell("[1, 2, 3]"), wallIn(Map({1, 2, 3})));
+  expectSame(withCell("[1, 2, 3]"), wallIn(Map(Vec3<double>{1, 2, 3})));
   const std::string round = "{ radial_size = 1, cells_per_turn = 6, axial_size = 1.5";
   expectSame(withCell(round + " }"), wallIn(Map::cylindrical({1, 6, 1.5})));
   expectSame(withCell(round + ", turns_per_length = 0.1 }"),

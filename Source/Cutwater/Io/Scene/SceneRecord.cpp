@@ -111,9 +111,9 @@ void SceneRecord::take(Value& value, const SceneValue::Table& table) const {
   if (!key.preset) {
     failAt(context_->file, line_, form_->name + " needs \"" + key.name + "\", " + typeText(key));
   }
-  if (key.preset->empty()) return;
-  value.value = parseToml("preset = " + *key.preset, key.name).front().value;
   value.value.line = line_;
+  if (key.preset->empty()) return;
+  value.value.content = parseToml("preset = " + *key.preset, key.name).front().value.content;
   value.isNothing = false;
   assert(hasType(value.value, key));
 }
@@ -249,8 +249,9 @@ std::vector<SceneRecord> SceneRecord::parts(std::string_view key) const {
   const auto& [declared, value, isNothing, isGiven] = values_[indexOf(key)];
   std::vector<SceneRecord> result;
   if (value.as<SceneValue::Table>() != nullptr) result.push_back(part(*declared, value));
-  if (const auto* const list = value.as<SceneValue::List>()) {
-    for (const auto& element : *list) result.push_back(part(*declared, element));
+  if (declared->type == KeyType::Parts) {
+    for (const auto& element : *value.as<SceneValue::List>())
+      result.push_back(part(*declared, element));
   }
   return result;
 }
