@@ -2,7 +2,6 @@
 #include <Cutwater/Grid/Isosurface.hpp>
 #include <Cutwater/Grid/SolidVolume.hpp>
 #include <Cutwater/Lattice/CellArray.hpp>
-#include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/SurfaceMeasure.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
@@ -18,26 +17,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "Support/ClosedSurface.hpp"
 #include "Support/Precisions.hpp"
 
 namespace cutwater::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-/// Two triangles at each edge, that run along it in opposite ways, one fan at each point, and no
-/// triangle without area.
-void expectClosed(const PolygonSoup& soup, const std::string& what) {
-  soup.validate();
-  const auto report = check(DcelMesh<double>(soup));
-  EXPECT_EQ(report.boundaryEdges.count, 0U) << what;
-  EXPECT_EQ(report.nonManifoldEdges.count, 0U) << what;
-  EXPECT_EQ(report.misorientedEdges.count, 0U) << what;
-  EXPECT_EQ(report.nonManifoldVertices.count, 0U) << what;
-  EXPECT_EQ(report.unusedVertices.count, 0U) << what;
-  EXPECT_EQ(report.zeroAreaFaces.count, 0U) << what;
-  EXPECT_EQ(report.repeatedCornerFaces.count, 0U) << what;
-}
 
 double volumeOf(const PolygonSoup& soup) {
   return measure(soup).volume;

@@ -83,7 +83,7 @@ TEST_F(SceneLatticesTest, ReadsTables) {
              PackedBed<double>(readBalls(folder / "balls.csv", {.scale = 0.5})));
   EXPECT_TRUE(refusal("\n[it]\nballs = \"beams.csv\"").starts_with("line 2: [it]: "));
   EXPECT_EQ(namesOf(scene::latticeForms()),
-            (std::vector<std::string>{"balls", "beams", "lattice"}));
+            (std::vector<std::string>{"balls", "beams", "conformal", "lattice"}));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ MAY_INCLUDE = {
     "Tpms": "Core Simd Sdf Shapes Operations",
     "Grid": "Core Sdf Mesh",
     "Render": "Core Sdf Grid",
-    "Io": "Core Sdf Shapes Operations Mesh Lattice Grid Render",
+    "Io": "Core Sdf Shapes Operations Mesh Lattice Tpms Grid Render",
     "Adapters": "Core Sdf Grid",
     "Repair": "Core Bvh Mesh",
     "P4est": "Core Sdf Mesh Grid Io",

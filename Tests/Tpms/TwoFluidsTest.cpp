@@ -3,6 +3,8 @@
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Tpms/TwoFluids.hpp>
 
+#include <numbers>
+
 #include "Support/Guarantee.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
@@ -15,16 +17,23 @@ template <typename T>
 class TwoFluidsTest : public ::testing::Test {};
 TYPED_TEST_SUITE(TwoFluidsTest, Precisions);
 
-/// Every point of the domain, and none else, is in one of the three.
+/// Every point of the domain, and none else, is in one of the three; values where they meet are the
+/// same but for the sign.
 template <typename T>
-void expectFit(const TwoFluids<T>& parts, const Solid<T>& domain, T extent) {
+void expectFit(const TwoFluids<T>& parts, const Solid<T>& domain, T extent,
+               int probes = scaled(5000)) {
   RandomPoints<T> random(extent);
   std::array<int, 3> found{};
-  for (int i = 0; i < scaled(5000); ++i) {
+  for (int i = 0; i < probes; ++i) {
     const auto p = random.next();
-    const std::array<bool, 3> in{parts.a.signedDistance(p) < 0, parts.wall.signedDistance(p) < 0,
-                                 parts.b.signedDistance(p) < 0};
-    ASSERT_EQ(in[0] + in[1] + in[2], domain.signedDistance(p) < 0 ? 1 : 0) << p;
+    const T a = parts.a.signedDistance(p);
+    const T wall = parts.wall.signedDistance(p);
+    const T b = parts.b.signedDistance(p);
+    const std::array<bool, 3> in{a < 0, wall < 0, b < 0};
+    const T toDomain = domain.signedDistance(p);
+    ASSERT_EQ(in[0] + in[1] + in[2], toDomain < 0 ? 1 : 0) << p;
+    const T nearest = std::min(a, b);
+    if (toDomain < -std::abs(nearest)) ASSERT_EQ(wall, -nearest) << p;
     for (std::size_t k = 0; k < 3; ++k) found[k] += in[k] ? 1 : 0;
     const Box<T> box{p, p + Vec3<T>{T(0.1), T(0.05), T(0.1)}};
     int inside = 0;
@@ -33,7 +42,7 @@ void expectFit(const TwoFluids<T>& parts, const Solid<T>& domain, T extent) {
     }
     ASSERT_LE(inside, 1) << p;
   }
-  for (const int count : found) EXPECT_GT(count, scaled(5000) / 50);
+  for (const int count : found) EXPECT_GT(count, probes / 50);
 }
 
 TYPED_TEST(TwoFluidsTest, PartsOfABoxFitAndKeepTheirGuarantee) {
@@ -46,6 +55,23 @@ TYPED_TEST(TwoFluidsTest, PartsOfABoxFitAndKeepTheirGuarantee) {
   for (const auto* part : {&parts.a, &parts.wall, &parts.b}) {
     EXPECT_EQ(part->guarantee().outside, Quality::LowerBound);
     expectGuarantee(*part, 1.3, {.probes = 800, .lines = 24});
+  }
+}
+
+TYPED_TEST(TwoFluidsTest, PartsOfEveryPatternFit) {
+  using T = TypeParam;
+  const Box<T> box{{-1, -1, -1}, {1, 1, 1}};
+  const CrossFlow<T> flow{.axisOfA = 2, .axisOfB = 1, .capThickness = T(0.05)};
+  for (const auto& pattern : TpmsPattern::all()) {
+    SCOPED_TRACE(pattern.name());
+    const auto level = static_cast<T>(
+        0.7 * std::min(pattern.pinch(TpmsChannel::A), pattern.pinch(TpmsChannel::B)));
+    const auto channels = TpmsChannels<T>::of({pattern, T(0.8)}, level);
+    expectFit<T>(twoFluidsIn<T>(box, channels, flow), Cuboid<T>(box), T(1.1));
+    const double certain = detail::PatternDistance::certainReach(pattern) / (2 * std::numbers::pi);
+    const MetricWall<T> even(pattern, T(0.8), static_cast<T>(0.5 * certain));
+    expectFit<T>(twoFluidsIn<T>(box, TpmsChannels<T>::of(even), flow), Cuboid<T>(box), T(1.1),
+                 scaled(400));
   }
 }
 

@@ -20,7 +20,8 @@ enum class KeyType : std::uint8_t {
   Text,
   File,
   Choice,
-  Point,     ///< three numbers
+  Point,  ///< three numbers
+  Points,
   Sizes,     ///< three, above 0
   Counts,    ///< three, whole, from 0
   Axis,      ///< "x", "y", "z" or a direction
@@ -30,7 +31,11 @@ enum class KeyType : std::uint8_t {
   Solid,
   Solids,
   Parts,           ///< a list of tables, each of one of the key's forms
+  Part,            ///< one such table
+  NumberOrPart,    ///< a number, or such a table
   PositiveOrPart,  ///< a number above 0, or such a table
+  SizesOrPart,     ///< a number above 0, three of them, or such a table
+  SizesByPlace,    ///< a number above 0, or a list of places with a size for each
 };
 
 inline const std::string kNothing;  ///< the preset of a key that may be missing
@@ -73,6 +78,7 @@ struct SceneForms {
 const std::vector<SceneForm>& shapeForms();
 const std::vector<SceneForm>& surfaceForms();
 const std::vector<SceneForm>& latticeForms();
+const std::vector<SceneForm>& tpmsForms();
 const std::vector<SceneForm>& operatorForms();
 
 /// All of the above, in the order of the page.

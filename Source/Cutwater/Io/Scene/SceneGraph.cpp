@@ -38,6 +38,7 @@ SceneGraph::SceneGraph(const SceneValue::Table& top, SceneContext context)
   }
   if (items_.empty()) throw Error(ErrorKind::File, context_.file + ": there is no solid in it");
   for (auto& item : items_) {
+    context_.records.emplace(item.name, &item.record);
     item.record.forEachReference([&](const std::string& name, std::uint64_t line) {
       item.references.push_back({indexOf(name, line), line});
     });

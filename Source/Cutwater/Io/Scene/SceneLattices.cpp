@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Io/BeamTable.hpp>
 #include <Cutwater/Io/ReadBalls.hpp>
-#include <Cutwater/Io/Scene/SceneRecord.hpp>
+#include <Cutwater/Io/Scene/SceneLattices.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
 #include <Cutwater/Lattice/BeamsWithin.hpp>
 #include <Cutwater/Lattice/CellArray.hpp>
@@ -44,7 +44,9 @@ const std::vector<SceneForm>& radiusForms() {
   return kForms;
 }
 
-Thickness<double> thicknessOf(const Record& r) {
+}  // namespace
+
+Thickness<double> strutRadiusOf(const Record& r) {
   const auto parts = r.parts("radius");
   if (parts.empty()) return r.number("radius");
   const auto& part = parts.front();
@@ -57,15 +59,35 @@ Thickness<double> thicknessOf(const Record& r) {
       {.start = part.number("start"), .end = part.number("end"), .over = part.number("over")});
 }
 
-UnitCell cellOf(const Record& r) {
-  if (r.text("lattice") == kReentrant) return UnitCell::reentrant(r.number("height"));
+UnitCell unitCellOf(const Record& r, std::string_view key) {
+  if (r.text(key) == kReentrant) return UnitCell::reentrant(r.number("height"));
   if (r.isGiven("height")) r.fail("height", "only re-entrant cells have a \"height\"");
-  return allCells()[r.choice("lattice")];
+  return allCells()[r.choice(key)];
 }
 
+SceneKey unitCellKey(const char* name) {
+  return {.name = name, .type = Choice, .meaning = "the unit cell's name", .choices = cellNames()};
+}
+
+SceneKey strutRadiusKey() {
+  return {.name = "radius",
+          .type = PositiveOrPart,
+          .meaning =
+              "of the struts; or a table of `at_center` and `at_corners`, or of `near`, "
+              "`start`, `end` and `over`",
+          .forms = &radiusForms()};
+}
+
+SceneKey reentrantHeightKey() {
+  return {"height", Positive, "of the upright struts of a re-entrant cell, between 0.5 and 1 cells",
+          "0.7"};
+}
+
+namespace {
+
 Made lattice(const Record& r) {
-  const auto cell = cellOf(r);
-  const auto thickness = thicknessOf(r);
+  const auto cell = unitCellOf(r, "lattice");
+  const auto thickness = strutRadiusOf(r);
   const Repeats<double> cells{.period = r.point("cell"), .count = r.counts("count")};
   const auto& [x, y, z] = cells.count;
   if (x == 0 && y == 0 && z == 0) return PeriodicLattice<double>(cell, cells.period, thickness);
@@ -81,20 +103,12 @@ Made beams(const Record& r) {
 SceneForm latticeForm() {
   return {.name = "lattice",
           .meaning = "Round struts along the edges of repeated unit cells.",
-          .keys = {{.name = "lattice",
-                    .type = Choice,
-                    .meaning = "the unit cell's name",
-                    .choices = cellNames()},
+          .keys = {unitCellKey("lattice"),
                    {"cell", Sizes, "the sides of a cell"},
-                   {.name = "radius",
-                    .type = PositiveOrPart,
-                    .meaning = "of the struts; or a table of `at_center` and `at_corners`, or of "
-                               "`near`, `start`, `end` and `over`",
-                    .forms = &radiusForms()},
+                   strutRadiusKey(),
                    {"count", Counts, "cells along each axis, from the origin; 0: without end",
                     "[0, 0, 0]"},
-                   {"height", Positive,
-                    "of the upright struts of a re-entrant cell, between 0.5 and 1 cells", "0.7"}},
+                   reentrantHeightKey()},
           .make = lattice};
 }
 
@@ -103,6 +117,7 @@ SceneForm latticeForm() {
 const std::vector<SceneForm>& latticeForms() {
   static const std::vector<SceneForm> kForms{
       latticeForm(),
+      conformalForm(),
       {.name = "beams",
        .meaning = "Beams and balls from a table in text, of lines `node, x, y, z`, `beam, i, j, "
                   "radius, radius` and `ball, i, radius`.",

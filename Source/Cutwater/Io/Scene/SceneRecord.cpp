@@ -111,9 +111,9 @@ void SceneRecord::take(Value& value, const SceneValue::Table& table) const {
   if (!key.preset) {
     failAt(context_->file, line_, form_->name + " needs \"" + key.name + "\", " + typeText(key));
   }
-  if (key.preset->empty()) return;
-  value.value = parseToml("preset = " + *key.preset, key.name).front().value;
   value.value.line = line_;
+  if (key.preset->empty()) return;
+  value.value.content = parseToml("preset = " + *key.preset, key.name).front().value.content;
   value.isNothing = false;
   assert(hasType(value.value, key));
 }
@@ -143,6 +143,10 @@ std::size_t SceneRecord::indexOf(std::string_view key) const {
                                   [&](const auto& value) { return value.key->name == key; });
   assert(found != values_.end());
   return static_cast<std::size_t>(found - values_.begin());
+}
+
+bool SceneRecord::isNumber(std::string_view key) const {
+  return valueOf(key).as<double>() != nullptr;
 }
 
 double SceneRecord::number(std::string_view key) const {
@@ -178,6 +182,12 @@ std::size_t SceneRecord::choice(std::string_view key) const {
 
 Vec3<double> SceneRecord::point(std::string_view key) const {
   return pointOf(valueOf(key));
+}
+
+std::vector<Vec3<double>> SceneRecord::points(std::string_view key) const {
+  std::vector<Vec3<double>> result;
+  for (const auto& one : *valueOf(key).as<SceneValue::List>()) result.push_back(pointOf(one));
+  return result;
 }
 
 std::array<std::uint32_t, 3> SceneRecord::counts(std::string_view key) const {
@@ -231,12 +241,17 @@ std::vector<Solid<double>> SceneRecord::solids(std::string_view key) const {
   return result;
 }
 
+const SceneRecord& SceneRecord::record(std::string_view key) const {
+  return *context_->records.find(text(key))->second;
+}
+
 std::vector<SceneRecord> SceneRecord::parts(std::string_view key) const {
   const auto& [declared, value, isNothing, isGiven] = values_[indexOf(key)];
   std::vector<SceneRecord> result;
   if (value.as<SceneValue::Table>() != nullptr) result.push_back(part(*declared, value));
-  if (const auto* const list = value.as<SceneValue::List>()) {
-    for (const auto& element : *list) result.push_back(part(*declared, element));
+  if (declared->type == KeyType::Parts) {
+    for (const auto& element : *value.as<SceneValue::List>())
+      result.push_back(part(*declared, element));
   }
   return result;
 }

@@ -19,6 +19,7 @@ struct SceneContext {
   std::string file;                                          ///< its name in messages
   std::filesystem::path folder;                              ///< names of files are relative to it
   std::map<std::string, Solid<double>, std::less<>> solids;  ///< that are made
+  std::map<std::string, const SceneRecord*, std::less<>> records;  ///< of all solids
 };
 
 /// A table that has the keys of its form, each of its type. Values of keys that are missing are the
@@ -37,6 +38,8 @@ class SceneRecord {
   /// Whether the table has it.
   [[nodiscard]] bool isGiven(std::string_view key) const { return values_[indexOf(key)].isGiven; }
 
+  /// Of those that may be something else.
+  [[nodiscard]] bool isNumber(std::string_view key) const;
   [[nodiscard]] double number(std::string_view key) const;
   [[nodiscard]] std::optional<double> optionalNumber(std::string_view key) const;
   [[nodiscard]] std::uint32_t whole(std::string_view key) const;
@@ -46,6 +49,7 @@ class SceneRecord {
   /// Its index among the choices.
   [[nodiscard]] std::size_t choice(std::string_view key) const;
   [[nodiscard]] Vec3<double> point(std::string_view key) const;
+  [[nodiscard]] std::vector<Vec3<double>> points(std::string_view key) const;
   [[nodiscard]] std::array<std::uint32_t, 3> counts(std::string_view key) const;
   /// A coordinate axis, or a direction.
   [[nodiscard]] std::variant<int, Vec3<double>> axis(std::string_view key) const;
@@ -54,7 +58,9 @@ class SceneRecord {
   [[nodiscard]] std::vector<std::vector<Vec2<double>>> outlines(std::string_view key) const;
   [[nodiscard]] const Solid<double>& solid(std::string_view key) const;
   [[nodiscard]] std::vector<Solid<double>> solids(std::string_view key) const;
-  /// None where the value is a number.
+  /// The table of the solid that is named.
+  [[nodiscard]] const SceneRecord& record(std::string_view key) const;
+  /// None where there is no table.
   [[nodiscard]] std::vector<SceneRecord> parts(std::string_view key) const;
 
   /// Calls visit(name of a solid, line) for all that are named, in parts as well.

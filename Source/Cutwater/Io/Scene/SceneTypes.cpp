@@ -56,9 +56,8 @@ bool isChoice(const SceneValue& value, const std::vector<std::string>& choices) 
   return text != nullptr && std::find(choices.begin(), choices.end(), *text) != choices.end();
 }
 
-bool areColumns(const SceneValue& value) {
-  return isListOf(value, [](const auto& column) { return areNumbers(column, 3, isAny); }) &&
-         value.as<SceneValue::List>()->size() == 3;
+bool arePoints(const SceneValue& value) {
+  return isListOf(value, [](const auto& point) { return areNumbers(point, 3, isAny); });
 }
 
 bool isOutline(const SceneValue& value) {
@@ -101,6 +100,8 @@ bool hasType(const SceneValue& value, const SceneKey& key) {
       return isChoice(value, key.choices);
     case KeyType::Point:
       return areNumbers(value, 3, isAny);
+    case KeyType::Points:
+      return arePoints(value);
     case KeyType::Sizes:
       return areNumbers(value, 3, isPositive);
     case KeyType::Counts:
@@ -108,7 +109,7 @@ bool hasType(const SceneValue& value, const SceneKey& key) {
     case KeyType::Axis:
       return isAxis(value);
     case KeyType::Columns:
-      return areColumns(value);
+      return arePoints(value) && value.as<SceneValue::List>()->size() == 3;
     case KeyType::Outline:
       return isOutline(value);
     case KeyType::Outlines:
@@ -117,8 +118,16 @@ bool hasType(const SceneValue& value, const SceneKey& key) {
       return areNames(value);
     case KeyType::Parts:
       return isListOf(value, isTable);
+    case KeyType::Part:
+      return isTable(value);
+    case KeyType::NumberOrPart:
+      return isNumber(value, isAny) || isTable(value);
     case KeyType::PositiveOrPart:
       return isNumber(value, isPositive) || isTable(value);
+    case KeyType::SizesOrPart:
+      return isNumber(value, isPositive) || areNumbers(value, 3, isPositive) || isTable(value);
+    case KeyType::SizesByPlace:
+      return isNumber(value, isPositive) || isOutline(value);
   }
   return false;
 }
@@ -143,6 +152,8 @@ std::string typeText(const SceneKey& key) {
       return listed(key.choices);
     case KeyType::Point:
       return "three numbers";
+    case KeyType::Points:
+      return "a list of points, three numbers each";
     case KeyType::Sizes:
       return "three numbers above 0";
     case KeyType::Counts:
@@ -161,8 +172,16 @@ std::string typeText(const SceneKey& key) {
       return "a list of names of solids";
     case KeyType::Parts:
       return "a list of tables";
+    case KeyType::Part:
+      return "a table";
+    case KeyType::NumberOrPart:
+      return "a number, or a table";
     case KeyType::PositiveOrPart:
       return "a number above 0, or a table";
+    case KeyType::SizesOrPart:
+      return "a number above 0, three of them, or a table";
+    case KeyType::SizesByPlace:
+      return "a number above 0, or a list of points, two numbers each";
   }
   return {};
 }
