@@ -18,7 +18,7 @@ std::optional<Solid<double>> solidOrRefusal(const std::string& path) {
   try {
     return answerOrRefusal(path, [&] {
       try {
-        return readScene(path, {.solid = {}, .maxBytes = 16U << 20U});
+        return readScene(path, {.solid = {}, .maxBytes = 16U << 20U, .maxBeams = 10000});
       } catch (const Error& error) {
         if (error.kind() != ErrorKind::Argument) throw;
         throw Error(ErrorKind::File, error.what());

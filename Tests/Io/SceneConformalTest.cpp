@@ -85,6 +85,8 @@ TEST_F(SceneConformalTest, RefusesWhatFitsNothing) {
             "\"inner_radius\", \"radius\", \"diameter\", \"lower\"");
   EXPECT_TRUE(refusal(octetsIn("[1, 0, 1]", "radius = 1, length = 1"), ErrorKind::Argument)
                   .starts_with("line 1: [it]: HexahedralCells: "));
+  EXPECT_EQ(refusal(octetsIn("[1000, 1000, 1000]", "radius = 1, length = 1"), ErrorKind::Limit),
+            "line 1: [it]: its cells have more than 10000000 beams");
 }
 
 }  // namespace

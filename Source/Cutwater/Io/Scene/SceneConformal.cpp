@@ -96,7 +96,18 @@ HexahedralCells cellsOf(const Record& r) {
   return along(BoxMapping({fit.point("lower"), fit.point("upper")}));
 }
 
+void requireFewBeams(const Record& r, const UnitCell& cell) {
+  double beams = static_cast<double>(cell.struts().size());
+  beams *= static_cast<double>(r.whole("subdivisions"));
+  for (const auto count : r.counts("cells")) beams *= count;
+  if (beams <= static_cast<double>(r.maxBeams())) return;
+  throw Error(ErrorKind::Limit,
+              "its cells have more than " + std::to_string(r.maxBeams()) + " beams");
+}
+
 Made conformal(const Record& r) {
+  const auto cell = unitCellOf(r, "conformal");
+  requireFewBeams(r, cell);
   auto cells = cellsOf(r);
   for (const auto& noise : r.parts("noise")) {
     cells = cells.withNoise({.amplitude = noise.number("amplitude"),
@@ -104,8 +115,8 @@ Made conformal(const Record& r) {
                              .unit = static_cast<NoiseUnit>(noise.choice("unit")),
                              .keepsBoundary = noise.flag("keeps_boundary")});
   }
-  return BeamLattice<double>(beamsOf(unitCellOf(r, "conformal"), cells, strutRadiusOf(r),
-                                     {.subdivisions = r.whole("subdivisions")}));
+  return BeamLattice<double>(
+      beamsOf(cell, cells, strutRadiusOf(r), {.subdivisions = r.whole("subdivisions")}));
 }
 
 }  // namespace

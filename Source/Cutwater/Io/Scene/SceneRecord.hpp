@@ -18,6 +18,7 @@ namespace cutwater::scene {
 struct SceneContext {
   std::string file;                                          ///< its name in messages
   std::filesystem::path folder;                              ///< names of files are relative to it
+  std::uint64_t maxBeams = 0;                                ///< of conformal cells
   std::map<std::string, Solid<double>, std::less<>> solids;  ///< that are made
   std::map<std::string, const SceneRecord*, std::less<>> records;  ///< of all solids
 };
@@ -58,6 +59,8 @@ class SceneRecord {
   [[nodiscard]] std::vector<std::vector<Vec2<double>>> outlines(std::string_view key) const;
   [[nodiscard]] const Solid<double>& solid(std::string_view key) const;
   [[nodiscard]] std::vector<Solid<double>> solids(std::string_view key) const;
+  /// What the options of readScene() say.
+  [[nodiscard]] std::uint64_t maxBeams() const { return context_->maxBeams; }
   /// The table of the solid that is named.
   [[nodiscard]] const SceneRecord& record(std::string_view key) const;
   /// None where there is no table.

@@ -3,6 +3,8 @@
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Tpms/TwoFluids.hpp>
 
+#include <limits>
+
 namespace cutwater::scene {
 
 namespace {
@@ -107,6 +109,13 @@ CellSizes<double> sizesOf(const Record& part, std::string_view axis) {
   return CellSizes<double>(sizes);
 }
 
+int cellsPerTurn(const Record& part) {
+  constexpr int kMost = std::numeric_limits<int>::max();
+  const auto count = part.whole("cells_per_turn");
+  if (count > kMost) part.fail("cells_per_turn", "\"cells_per_turn\" ends at 2^31 - 1");
+  return static_cast<int>(count);
+}
+
 TpmsMap<double> cellsOf(const Record& r) {
   if (r.isNumber("cell")) return r.number("cell");
   const auto parts = r.parts("cell");
@@ -115,11 +124,10 @@ TpmsMap<double> cellsOf(const Record& r) {
   if (part.form().headKey() == "x") {
     return TpmsMap<double>({sizesOf(part, "x"), sizesOf(part, "y"), sizesOf(part, "z")});
   }
-  return TpmsMap<double>::cylindrical(
-      {.radialSize = part.number("radial_size"),
-       .cellsPerTurn = static_cast<int>(part.whole("cells_per_turn")),
-       .axialSize = part.number("axial_size"),
-       .turnsPerLength = part.number("turns_per_length")});
+  return TpmsMap<double>::cylindrical({.radialSize = part.number("radial_size"),
+                                       .cellsPerTurn = cellsPerTurn(part),
+                                       .axialSize = part.number("axial_size"),
+                                       .turnsPerLength = part.number("turns_per_length")});
 }
 
 const std::vector<SceneForm>& deformationForms() {
