@@ -83,6 +83,11 @@ TEST_F(SceneConformalTest, RefusesWhatFitsNothing) {
   EXPECT_EQ(refusal(octetsIn("[1, 1, 1]", "width = 3")),
             "line 5: a table of \"fit\" needs a key that tells what it is: one of "
             "\"inner_radius\", \"radius\", \"diameter\", \"lower\"");
+  const std::string rod = "radius = 1, length = 1";
+  EXPECT_EQ(refusal(octetsIn("[64, 64, 17]", rod)),
+            "line 4: conformal: at most 65536 \"cells\" in all");
+  EXPECT_EQ(refusal(octetsIn("[1, 1, 1]", rod) + "subdivisions = 65"),
+            "line 6: conformal: at most 64 \"subdivisions\"");
   EXPECT_TRUE(refusal(octetsIn("[1, 0, 1]", "radius = 1, length = 1"), ErrorKind::Argument)
                   .starts_with("line 1: [it]: HexahedralCells: "));
 }

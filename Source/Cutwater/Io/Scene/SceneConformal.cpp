@@ -14,6 +14,10 @@ using enum KeyType;
 using Record = SceneRecord;
 using Made = cutwater::Solid<double>;
 
+// What a line of a file may take: cells in all, and beams to a strut.
+constexpr double kMostCells = 65536;
+constexpr std::uint32_t kMostBeams = 64;
+
 SceneKey length() {
   return {"length", Positive, "along z, from 0; none: the spine's", kNothing};
 }
@@ -77,6 +81,12 @@ LensMapping lensOf(const Record& fit) {
                       .backRadius = fit.optionalNumber("back_radius").value_or(kFlat)});
 }
 
+void requireFew(const Record& r) {
+  const auto cells = r.point("cells");
+  if (cells.x * cells.y * cells.z > kMostCells) r.fail("cells", "at most 65536 \"cells\" in all");
+  if (r.whole("subdivisions") > kMostBeams) r.fail("subdivisions", "at most 64 \"subdivisions\"");
+}
+
 HexahedralCells cellsOf(const Record& r) {
   const auto count = r.counts("cells");
   std::optional<Spine> spine;
@@ -97,6 +107,7 @@ HexahedralCells cellsOf(const Record& r) {
 }
 
 Made conformal(const Record& r) {
+  requireFew(r);
   auto cells = cellsOf(r);
   for (const auto& noise : r.parts("noise")) {
     cells = cells.withNoise({.amplitude = noise.number("amplitude"),
@@ -111,24 +122,25 @@ Made conformal(const Record& r) {
 }  // namespace
 
 SceneForm conformalForm() {
-  return {.name = "conformal",
-          .meaning = "Struts of unit cells that are fitted to a shape, also along a curve.",
-          .keys = {unitCellKey("conformal"),
-                   {"cells", Counts, "how many, along each axis of the shape"},
-                   strutRadiusKey(),
-                   {.name = "fit", .type = Part, .meaning = "the shape", .forms = &fitForms()},
-                   {"spine", Points, "a smooth curve through these becomes the shape's z axis",
-                    kNothing},
-                   {"side", Point, "where the shape's x axis looks to where the curve begins",
-                    "[0, 0, 0]"},
-                   {.name = "noise",
-                    .type = Part,
-                    .meaning = "shifts corners at random",
-                    .preset = kNothing,
-                    .forms = &noiseForms()},
-                   {"subdivisions", Whole, "beams that a bent strut is made of", "4"},
-                   reentrantHeightKey()},
-          .make = conformal};
+  return {
+      .name = "conformal",
+      .meaning = "Struts of unit cells that are fitted to a shape, also along a curve.",
+      .keys = {unitCellKey("conformal"),
+               {"cells", Counts, "how many, along each axis of the shape; at most 65536 in all"},
+               strutRadiusKey(),
+               {.name = "fit", .type = Part, .meaning = "the shape", .forms = &fitForms()},
+               {"spine", Points, "a smooth curve through these becomes the shape's z axis",
+                kNothing},
+               {"side", Point, "where the shape's x axis looks to where the curve begins",
+                "[0, 0, 0]"},
+               {.name = "noise",
+                .type = Part,
+                .meaning = "shifts corners at random",
+                .preset = kNothing,
+                .forms = &noiseForms()},
+               {"subdivisions", Whole, "beams that a bent strut is made of, at most 64", "4"},
+               reentrantHeightKey()},
+      .make = conformal};
 }
 
 }  // namespace cutwater::scene
