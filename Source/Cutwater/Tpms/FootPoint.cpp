@@ -44,8 +44,8 @@ double freeRadiusAt(const TpmsPattern& pattern, const Vec3<double>& towardsX, do
   if (dot(f.gradient, towardsX) < 0) {
     for (auto& column : second) column = -column;
   }
-  const double margin = slope / distance + leastEigenvalue(second) -
-                        PatternExpansion::secondError(pattern);
+  const double margin =
+      slope / distance + leastEigenvalue(second) - PatternExpansion::secondError(pattern);
   return std::max(3 * margin / pattern.thirdDerivative(), 0.0);
 }
 

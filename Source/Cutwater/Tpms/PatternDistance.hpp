@@ -14,9 +14,9 @@ namespace cutwater::detail {
 /// halved until they are free, or farther than r, which is d less the tolerance.
 ///
 /// A cube about c, with corners a away, is free if F > 0 in what the ball of radius r holds of it:
-/// where r^2 - |y - x|^2 >= 0, of which any multiple m >= 0 may be taken away (the S-procedure: Boyd
-/// and Vandenberghe 2004, "Convex Optimization", appendix B). With v = y - c and w = c - x, and the
-/// value, slope and second derivatives of F at c, what is left is at least
+/// where r^2 - |y - x|^2 >= 0, of which any multiple m >= 0 may be taken away (the S-procedure:
+/// Boyd and Vandenberghe 2004, "Convex Optimization", appendix B). With v = y - c and w = c - x,
+/// and the value, slope and second derivatives of F at c, what is left is at least
 ///
 ///     F - m (r^2 - |w|^2) - T a^3 / 6 + (grad F + 2 m w) v + v (A + 2 m) v / 2
 ///
