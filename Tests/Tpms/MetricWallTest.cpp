@@ -30,16 +30,17 @@ TYPED_TEST(MetricWallTest, WallsOfEveryPatternKeepTheirGuarantee) {
   }
 }
 
-/// Up to the balls that fill the smaller channel.
-TYPED_TEST(MetricWallTest, ThickWallsOfEveryPatternKeepTheirGuarantee) {
+/// Nearly what fills the smaller channel; of every pattern on long runs.
+TYPED_TEST(MetricWallTest, ThickWallsKeepTheirGuarantee) {
   using T = TypeParam;
-  for (const auto& pattern : TpmsPattern::all()) {
+  const auto all = TpmsPattern::all();
+  for (const auto& pattern : std::span(all).first(scaled(1) > 1 ? all.size() : 2)) {
     SCOPED_TRACE(pattern.name());
     const double most =
         std::min(pattern.inscribedRadius(TpmsChannel::A), pattern.inscribedRadius(TpmsChannel::B));
     const MetricWall<T> wall(pattern, 1, static_cast<T>(0.8 * most));
     EXPECT_LE(wall.tolerance(), T(1.0001e-4));
-    expectGuarantee(wall, 0.6, {.probes = 100, .lines = 8, .polish = false});
+    expectGuarantee(wall, 0.6, {.probes = 50, .lines = 4, .polish = false});
   }
 }
 

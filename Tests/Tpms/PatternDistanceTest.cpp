@@ -43,7 +43,7 @@ int checkDistances(const TpmsPattern& pattern, const SurfaceDistance& surface, d
   const detail::PatternDistance distance(pattern, tolerance);
   RandomPoints<double> random(1, 3);
   int within = 0;
-  for (int k = 0; k < scaled(600); ++k) {
+  for (int k = 0; k < scaled(300); ++k) {
     const auto p = probe(k, random, surface, half);
     const double found = distance.upTo(reach, p);
     // The oracle may miss the nearest point, but not by being too near.
@@ -51,8 +51,10 @@ int checkDistances(const TpmsPattern& pattern, const SurfaceDistance& surface, d
     EXPECT_LE(found, exact + tolerance) << p << " of " << half;
     if (found >= reach) continue;
     ++within;
-    if (found < exact - 1e-6) exact = surface.leastUpperBound(p);
-    EXPECT_GE(found, exact - 1e-6) << p << " of " << half;
+    // It slides slowly to where the ball about p is as curved as the surface.
+    const double missed = isThin ? 1e-6 : 2e-4;
+    if (found < exact - missed) exact = surface.leastUpperBound(p);
+    EXPECT_GE(found, exact - missed) << p << " of " << half;
   }
   return within;
 }
@@ -64,9 +66,9 @@ TEST(PatternDistanceTest, IsTheDistanceOfTheNearestPoint) {
     SCOPED_TRACE(plain[i].name);
     const SurfaceDistance surface(plain[i].value, 0);
     const double thin = 0.5 * detail::PatternDistance::certainReach(all[i]);
-    EXPECT_GT(checkDistances(all[i], surface, thin), scaled(150));
-    EXPECT_GT(checkDistances(all[i], surface, 0.6 * smallerRadius(all[i])), scaled(400));
-    EXPECT_GT(checkDistances(all[i], surface, 0.98 * smallerRadius(all[i])), scaled(500));
+    EXPECT_GT(checkDistances(all[i], surface, thin), scaled(100));
+    EXPECT_GT(checkDistances(all[i], surface, 0.6 * smallerRadius(all[i])), scaled(200));
+    EXPECT_GT(checkDistances(all[i], surface, 0.98 * smallerRadius(all[i])), scaled(250));
   }
 }
 
@@ -99,11 +101,11 @@ TEST(PatternDistanceTest, AllocatesNothing) {
 
 /// The distance with a sign changes no faster than the place. Radii are rounded down to 0.01.
 TEST(PatternDistanceTest, NoBallInAChannelIsLarger) {
-  constexpr double kGap = 0.01;
-  constexpr double kTolerance = 1e-3;
+  const double gap = 0.03 / scaled(1);
+  const double tolerance = 0.1 * gap;
   for (const auto& pattern : TpmsPattern::all()) {
     SCOPED_TRACE(pattern.name());
-    const detail::PatternDistance distance(pattern, kTolerance);
+    const detail::PatternDistance distance(pattern, tolerance);
     for (const auto channel : {TpmsChannel::A, TpmsChannel::B}) {
       const double side = channel == TpmsChannel::A ? 1 : -1;
       const double radius = kTurn * pattern.inscribedRadius(channel);
@@ -111,9 +113,9 @@ TEST(PatternDistanceTest, NoBallInAChannelIsLarger) {
         const double found = distance.upTo(1.2 * radius, kTurn * turns);
         return side * pattern.value(turns) > 0 ? found : -found;
       };
-      const auto largest = greatest(room, 1, kGap);
-      EXPECT_GE(largest.lower, radius - kGap);
-      EXPECT_LE(largest.upper, radius + 0.01 + kGap + kTolerance);
+      const auto largest = greatest(room, 1, gap);
+      EXPECT_GE(largest.lower, radius - gap);
+      EXPECT_LE(largest.upper, radius + 0.01 + gap + tolerance);
     }
   }
 }

@@ -222,7 +222,7 @@ TEST(TpmsPatternsTest, ThirdDerivativesAreWhatTheWavesAdd) {
 /// the normal's component; shared among the three directions, for 1 / (|nx| + |ny| + |nz|) of it.
 TEST(TpmsPatternsTest, AreaAndSlopesOfTheSurface) {
   forPatterns([](const TpmsPattern& pattern, const PlainPattern& plain) {
-    constexpr int kSide = 80;
+    constexpr int kSide = 160;
     double area = 0;
     double sum = 0;
     double least = 1e9;
