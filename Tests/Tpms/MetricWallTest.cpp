@@ -40,7 +40,7 @@ TYPED_TEST(MetricWallTest, ThickWallsKeepTheirGuarantee) {
         std::min(pattern.inscribedRadius(TpmsChannel::A), pattern.inscribedRadius(TpmsChannel::B));
     const MetricWall<T> wall(pattern, 1, static_cast<T>(0.8 * most));
     EXPECT_LE(wall.tolerance(), T(1.0001e-4));
-    expectGuarantee(wall, 0.6, {.probes = 50, .lines = 4, .polish = false});
+    expectGuarantee(wall, 0.6, {.probes = 50, .lines = 8, .polish = false});
   }
 }
 
