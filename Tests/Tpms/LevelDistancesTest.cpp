@@ -55,6 +55,7 @@ TEST(LevelDistancesTest, NeverExceedTheDistanceAndAreNearlyThatNearTheSurface) {
       firstOrder.push_back(std::abs(surface.value(p)) / plain[i].lipschitz / distance);
     }
     EXPECT_EQ(violations, 0);
+    RecordProperty(plain[i].name, std::to_string(median(ratios)));
     ASSERT_GT(ratios.size(), 3000U);
     EXPECT_GE(median(ratios), 0.95);
     EXPECT_LE(median(ratios), 1);

@@ -19,16 +19,21 @@ class SurfaceDistance {
   using Formula = std::function<double(double, double, double)>;
 
   SurfaceDistance(Formula formula, double level) : formula_(std::move(formula)), level_(level) {
+    std::vector<double> values;
+    for (int i = 0; i < kSide * kSide * kSide; ++i) values.push_back(value(node(i)));
     for (int i = 0; i < kSide * kSide * kSide; ++i) {
-      const Vec3<double> p{kStep * (i % kSide), kStep * (i / kSide % kSide),
-                           kStep * (i / kSide / kSide)};  // NOLINT(bugprone-integer-division)
+      const std::array<int, 3> next{
+          i % kSide + 1 < kSide ? i + 1 : i + 1 - kSide,
+          i / kSide % kSide + 1 < kSide ? i + kSide : i + kSide - kSide * kSide,
+          (i + kSide * kSide) % (kSide * kSide * kSide)};
       // Along each edge of the grid with a change of sign.
       for (int axis = 0; axis < 3; ++axis) {
-        Vec3<double> q = p;
-        q[axis] += kStep;
-        const double a = value(p);
-        const double b = value(q);
-        if ((a < 0) != (b < 0)) add(onto(p + a / (a - b) * (q - p)));
+        const double a = values[static_cast<std::size_t>(i)];
+        const double b = values[static_cast<std::size_t>(next[static_cast<std::size_t>(axis)])];
+        if ((a < 0) == (b < 0)) continue;
+        auto q = node(i);
+        q[axis] += a / (a - b) * kStep;
+        add(onto(q));
       }
     }
   }
@@ -50,16 +55,15 @@ class SurfaceDistance {
 
   /// A distance at which there certainly is surface.
   [[nodiscard]] double upperBound(const Vec3<double>& p) const {
-    Vec3<double> q = nearestSample(p);
-    double best = length(q - p);
-    for (int step = 0; step < 60; ++step) {
-      const auto n = normalized(gradient(q));
-      const auto tangential = (p - q) - dot(p - q, n) * n;
-      const auto next = onto(q + 0.7 * tangential);
-      const double distance = length(next - p);
-      if (!(distance < best - 1e-15)) break;
-      best = distance;
-      q = next;
+    return distanceFrom(nearestSample(p), p);
+  }
+  /// As near as any sample that is not much farther than that leads: slow.
+  [[nodiscard]] double leastUpperBound(const Vec3<double>& p) const {
+    const double first = upperBound(p);
+    double best = first;
+    for (const auto& sample : samples_) {
+      const auto q = nextTo(p, sample);
+      if (length(q - p) < first + 0.05) best = std::min(best, distanceFrom(q, p));
     }
     return best;
   }
@@ -70,11 +74,37 @@ class SurfaceDistance {
   static constexpr double kStep = kTurn / kSide;
   static constexpr int kBuckets = 16;
 
+  /// Along the surface, from q.
+  [[nodiscard]] double distanceFrom(Vec3<double> q, const Vec3<double>& p) const {
+    double best = length(q - p);
+    double share = 1;
+    for (int step = 0; step < 60 && share > 0.1; ++step) {
+      const auto n = normalized(gradient(q));
+      const auto tangential = (p - q) - dot(p - q, n) * n;
+      const auto next = onto(q + share * tangential);
+      const double gain = best - length(next - p);
+      if (gain > 0) {
+        best -= gain;
+        q = next;
+        if (gain < 1e-14) break;
+      } else {
+        share *= 0.6;
+      }
+    }
+    return best;
+  }
+
+  static Vec3<double> node(int i) {
+    return {kStep * (i % kSide), kStep * (i / kSide % kSide),
+            kStep * (i / kSide / kSide)};  // NOLINT(bugprone-integer-division)
+  }
   [[nodiscard]] Vec3<double> onto(Vec3<double> p) const {
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 8; ++i) {
+      const double f = value(p);
+      if (std::abs(f) < 1e-14) break;
       const auto g = gradient(p);
       if (lengthSquared(g) < 1e-9) break;
-      p -= value(p) / lengthSquared(g) * g;
+      p -= f / lengthSquared(g) * g;
     }
     return p;
   }

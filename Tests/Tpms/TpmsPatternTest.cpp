@@ -1,15 +1,16 @@
 #include <Cutwater/Core/Checksum.hpp>
 #include <Cutwater/Tpms/PatternBatch.hpp>
 
+#include <array>
+#include <complex>
 #include <numbers>
-#include <queue>
-#include <set>
 
 #include <gtest/gtest.h>
 
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
 #include "Support/Scale.hpp"
+#include "Tpms/GreatestValue.hpp"
 #include "Tpms/PlainPatterns.hpp"
 
 namespace cutwater::test {
@@ -124,37 +125,6 @@ TEST(TpmsPatternsTest, SchwarzDHasThePeriodOfItsCell) {
   EXPECT_NEAR(d.value(p), -d.value(p + Vec3<double>{0.5, 0, 0}), 1e-14);
 }
 
-/// The greatest value of f in the cell lies within [found, bound], by branch and bound, if f has
-/// this Lipschitz constant per radian.
-template <typename F>
-Interval<double> greatest(const F& f, double lipschitz, double gap) {
-  struct Cube {
-    double most;
-    Vec3<double> center;
-    double half;
-    bool operator<(const Cube& other) const { return most < other.most; }
-  };
-  std::priority_queue<Cube> pending;
-  double found = -1e300;
-  const auto add = [&](const Vec3<double>& center, double half) {
-    const double value = f(center);
-    found = std::max(found, value);
-    pending.push({value + lipschitz * std::sqrt(3) * half * kTurn, center, half});
-  };
-  add({0.5, 0.5, 0.5}, 0.5);
-  while (pending.top().most > found + gap) {
-    const auto cube = pending.top();
-    pending.pop();
-    for (int i = 0; i < 8; ++i) {
-      const double h = cube.half / 2;
-      add(cube.center +
-              Vec3<double>{(i & 1) != 0 ? h : -h, (i & 2) != 0 ? h : -h, (i & 4) != 0 ? h : -h},
-          h);
-    }
-  }
-  return {found, pending.top().most};
-}
-
 TEST(TpmsPatternsTest, ConstantsBoundWhatTheyAreOf) {
   forPatterns([](const TpmsPattern& pattern, const PlainPattern& plain) {
     const auto at = [&](const Vec3<double>& p) { return pattern.sample(p); };
@@ -206,6 +176,48 @@ TEST(TpmsPatternsTest, NoSecondDerivativeExceedsTheCurvature) {
   });
 }
 
+/// |c|, and k: F is the sum of c exp(i k x) over whole numbers k, of which none exceeds 2.
+using Wave = std::pair<double, Vec3<double>>;
+
+std::vector<Wave> wavesOf(const PlainPattern& plain) {
+  constexpr int kSide = 6;
+  std::vector<Wave> waves;
+  for (int i = 0; i < 5 * 5 * 5; ++i) {
+    const Vec3<double> k{i % 5 - 2.0, i / 5 % 5 - 2.0, i / 25 - 2.0};
+    std::complex<double> sum;
+    for (int j = 0; j < kSide * kSide * kSide; ++j) {
+      const Vec3<double> turns{1.0 * (j % kSide) / kSide, 1.0 * (j / kSide % kSide) / kSide,
+                               1.0 * (j / kSide / kSide) / kSide};
+      sum += plainValue(plain, turns) * std::polar(1.0, -kTurn * dot(k, turns));
+    }
+    const double size = std::abs(sum) / (kSide * kSide * kSide);
+    if (size > 1e-9) waves.emplace_back(size, k);
+  }
+  return waves;
+}
+
+TEST(TpmsPatternsTest, ThirdDerivativesAreWhatTheWavesAdd) {
+  forPatterns([](const TpmsPattern& pattern, const PlainPattern& plain) {
+    const auto waves = wavesOf(plain);
+    double most = 0;
+    constexpr int kSide = 60;  // of each face of a cube of directions
+    for (int i = 0; i < 3 * kSide * kSide; ++i) {
+      const std::array<double, 3> along{1, 2.0 * (i / 3 % kSide) / (kSide - 1) - 1,
+                                        2.0 * (i / 3 / kSide) / (kSide - 1) - 1};
+      const auto at = [&](int axis) { return along[static_cast<std::size_t>((i + axis) % 3)]; };
+      const auto u = normalized(Vec3<double>{at(0), at(1), at(2)});
+      double sum = 0;
+      for (const auto& [size, k] : waves) {
+        const double rate = std::abs(dot(k, u));
+        sum += size * rate * rate * rate;
+      }
+      most = std::max(most, sum);
+    }
+    EXPECT_LE(most, pattern.thirdDerivative());
+    EXPECT_GE(most, 0.98 * pattern.thirdDerivative());
+  });
+}
+
 /// By lines along the axes: each crossing stands for the area of its cell of the grid of lines over
 /// the normal's component; shared among the three directions, for 1 / (|nx| + |ny| + |nz|) of it.
 TEST(TpmsPatternsTest, AreaAndSlopesOfTheSurface) {
@@ -242,6 +254,8 @@ TEST(TpmsPatternsTest, AreaAndSlopesOfTheSurface) {
     EXPECT_NEAR(sum / area, plain.meanSlope, 0.01 * plain.meanSlope);
     EXPECT_NEAR(sum / area, pattern.meanSlope(), 0.01 * plain.meanSlope);
     EXPECT_NEAR(least, plain.leastSlope, 0.02 * plain.leastSlope);
+    EXPECT_LE(pattern.leastSlope(), least);
+    EXPECT_GE(pattern.leastSlope(), 0.97 * least);
     EXPECT_NEAR(most, plain.mostSlope, 0.01 * plain.mostSlope);
   });
 }

@@ -1,5 +1,6 @@
 #include <Cutwater/Tpms/FootPoint.hpp>
 #include <Cutwater/Tpms/PatternDistance.hpp>
+#include <Cutwater/Tpms/PatternExpansion.hpp>
 
 #include <algorithm>
 #include <numbers>
@@ -38,62 +39,129 @@ struct Cube {
 /// One search around a point.
 class SurfaceSearch {
  public:
-  SurfaceSearch(const PatternDistance& pattern, const Vec3<double>& point, double reach)
-      : pattern_(pattern), point_(point), best_(reach) {}
+  /// Of a ball of radius `reach`, where one of radius `free` is known to hold no surface.
+  SurfaceSearch(const PatternDistance& pattern, const Vec3<double>& point, double reach,
+                double free)
+      : pattern_(pattern),
+        point_(point),
+        best_(reach),
+        secondError_(PatternExpansion::secondError(pattern.pattern_)) {
+    addFreeBall({{}, free});
+  }
 
   double run() {
-    const double reach = best_;
+    const Cube all{{}, best_};
     if (isSettledFrom({})) return best_;
+    side_ = pattern_.pattern_.value(point_ / kTwoPi) < 0 ? -1 : 1;
     // Depth first: at most seven octants wait on each level, and of a cube as small as a quarter of
     // the tolerance no octants are asked: 2^-40 of the first, by PatternDistance's constructor.
     constexpr std::size_t kDeepest = 40;
     std::array<Cube, 7 * kDeepest + 8> pending;
     std::size_t size = 0;
-    pending[size++] = {{}, reach};
-    while (size > 0) {
+    pending[size++] = all;
+    while (size > 0 && !isSettled_) {
       const Cube cube = pending[--size];
-      if (isFree(cube)) continue;
+      if (isPassed(cube)) continue;
       if (kSqrt3 * cube.half < 0.25 * pattern_.tolerance_) {
         best_ = std::min(best_, length(cube.center));  // as good as surface
         continue;
       }
-      if (cube.half < 0.5 * reach && isSettledFrom(cube.center)) return best_;
-      for (int rank = 0; rank < 8; ++rank) pending[size++] = cube.octant(rank);
+      size += openOctants(cube, std::span(pending).subspan(size));
     }
     return best_;
   }
 
  private:
-  static constexpr int kMostFeet = 12;
+  struct Ball {
+    Vec3<double> center;  // relative to the point
+    double radius;
+  };
 
-  [[nodiscard]] bool isFree(const Cube& cube) const {
-    if (cube.distance() >= best_ - pattern_.tolerance_) return true;
-    for (int i = 0; i < feetCount_; ++i) {
-      const auto& foot = feet_[static_cast<std::size_t>(i)];
-      if (cube.farthestFrom(foot.place - point_) <= foot.freeRadius) return true;
+  /// There must not be surface within it that is nearer than the tolerance allows.
+  [[nodiscard]] double radius() const { return best_ - pattern_.tolerance_; }
+
+  void addFreeBall(const Ball& ball) {
+    if (freeCount_ < free_.size()) free_[freeCount_++] = ball;
+  }
+
+  /// Farther than what is searched, or within a ball that is free.
+  [[nodiscard]] bool isPassed(const Cube& cube) const {
+    if (cube.distance() >= radius()) return true;
+    return std::any_of(free_.begin(), free_.begin() + freeCount_, [&](const Ball& ball) {
+      return cube.farthestFrom(ball.center) <= ball.radius;
+    });
+  }
+
+  /// Those of a cube's octants that may hold surface that is nearer, the nearest last; how many.
+  std::size_t openOctants(const Cube& cube, std::span<Cube> open) {
+    std::array<Vec3<double>, 8> places;
+    std::size_t count = 0;
+    for (int rank = 0; rank < 8; ++rank) {
+      open[count] = cube.octant(rank);
+      if (!isPassed(open[count])) {
+        places[count] = point_ + open[count].center;
+        ++count;
+      }
     }
-    return pattern_.lowerBound(point_ + cube.center) >= kSqrt3 * cube.half;
+    std::array<PatternExpansion, 8> found;
+    expandPattern(pattern_.pattern_, places, {found.data(), count});
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (isFree(open[i], found[i])) continue;
+      if (side_ * found[i].value < -kRounding) passSurface(open[i].center);
+      open[left++] = open[i];
+    }
+    return left;
+  }
+
+  [[nodiscard]] bool isFree(const Cube& cube, const PatternExpansion& f) const {
+    // With it the slope has no part along the way to the point.
+    const double multiplier =
+        -side_ * dot(f.gradient, cube.center) / (2 * lengthSquared(cube.center));
+    return (multiplier > 0 && isFreeBy(multiplier, cube, f)) || isFreeBy(0, cube, f);
+  }
+
+  /// By a multiplier m: see PatternDistance.
+  [[nodiscard]] bool isFreeBy(double m, const Cube& cube, const PatternExpansion& f) const {
+    const double corner = kSqrt3 * cube.half;
+    const double third = pattern_.pattern_.thirdDerivative() / 6 * corner * corner * corner;
+    const double room = radius() * radius() - lengthSquared(cube.center);
+    const double value = side_ * f.value - m * room - third - kRounding;
+    if (!(value > 0)) return false;
+    const Vec3<double> slope = side_ * f.gradient + 2 * m * cube.center;
+    // The least eigenvalue with which a quadratic function stays positive, in the cube if what the
+    // slope takes there leaves something, and otherwise everywhere.
+    const double rest = value - oneNorm(slope) * cube.half;
+    const double needed =
+        rest > 0 ? -2 * rest / (corner * corner) : lengthSquared(slope) / (2 * value);
+    return isPositiveDefinite(side_, f.second, 2 * m - needed - secondError_);
+  }
+
+  /// At a place on the other side: there is surface on the way.
+  void passSurface(const Vec3<double>& place) {
+    best_ = std::min(best_, length(place));
+    isSettled_ = isSettled_ || isSettledFrom(place);
   }
 
   /// Looks for a foot from a place, relative to the point. Whether it is certainly the nearest.
   bool isSettledFrom(const Vec3<double>& start) {
-    if (feetCount_ == kMostFeet || triesLeft_-- <= 0) return false;
     const auto foot = footPoint(pattern_.pattern_, point_, point_ + start);
-    if (!foot || foot->distance > 1.3 * best_) return false;
-    for (int i = 0; i < feetCount_; ++i) {
-      if (length(feet_[static_cast<std::size_t>(i)].place - foot->place) < 1e-6) return false;
-    }
-    feet_[static_cast<std::size_t>(feetCount_++)] = *foot;
+    if (!foot) return false;
     best_ = std::min(best_, foot->distance);
+    addFreeBall({foot->place - point_, foot->freeRadius});
     return foot->freeRadius > 2 * foot->distance;
   }
+
+  static constexpr double kRounding = 1e-12;
 
   const PatternDistance& pattern_;
   Vec3<double> point_;
   double best_;
-  std::array<FootPoint, kMostFeet> feet_{};
-  int feetCount_ = 0;
-  int triesLeft_ = 1000;
+  double secondError_;
+  double side_ = 1;  // of the point: the sign of F
+  bool isSettled_ = false;
+  std::array<Ball, 12> free_{};
+  std::size_t freeCount_ = 0;
 };
 
 PatternDistance::PatternDistance(TpmsPattern pattern, double tolerance)
@@ -113,7 +181,7 @@ double PatternDistance::lowerBound(const Vec3<double>& point) const {
 
 double PatternDistance::upTo(double reach, const Vec3<double>& point) const {
   const double bound = lowerBound(point);
-  return bound >= reach ? bound : SurfaceSearch(*this, point, reach).run();
+  return bound >= reach ? bound : SurfaceSearch(*this, point, reach, bound).run();
 }
 
 }  // namespace cutwater::detail

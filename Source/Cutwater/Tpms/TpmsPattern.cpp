@@ -4,9 +4,10 @@
 
 namespace cutwater {
 
-/// In the order of TpmsKind. Third derivatives: c times a product of sines and cosines of the
-/// multiples f of the coordinates adds |c| (sum f^2)^(3/2), as its waves do. Bounds are given as
-/// they were found; what proves them leaves a margin, which is added where they are used.
+/// In the order of TpmsKind. Third derivatives: F is a sum of waves |c| cos(k x + phase); in the
+/// direction u they add at most sum |c| |k u|^3, of which this is the greatest over all u. As the
+/// derivative is symmetric, none in three different directions is greater. Bounds are given as they
+/// were found; what proves them leaves a margin, which is added where they are used.
 struct detail::TpmsFacts {
   const char* name;
   double lipschitz;
@@ -27,18 +28,18 @@ constexpr std::array<detail::TpmsFacts, 10> kFacts{{
      1.732051,
      1.41422,
      2,
-     8.49,
+     2.31,
      1.41,
      1.533,
      {-1.5, 1.5},
      {1.41421, 1.41421},
      {1.44, 1.44}},
-    {"Schwarz P", 1.732051, 1, 1, 3, 0.999, 1.339, {-3, 3}, {1, 1}, {2.72, 2.72}},
+    {"Schwarz P", 1.732051, 1, 1, 1.001, 0.999, 1.339, {-3, 3}, {1, 1}, {2.72, 2.72}},
     {"Schwarz D",
      1.224745,
      1,
      1.4142,
-     10.4,
+     2.05,
      0.999,
      1.059,
      {-1, 1},
@@ -48,7 +49,7 @@ constexpr std::array<detail::TpmsFacts, 10> kFacts{{
      1.732051,
      1.41422,
      2,
-     20.8,
+     2.89,
      1.41,
      1.498,
      {-1.41422, 1.41422},
@@ -58,7 +59,7 @@ constexpr std::array<detail::TpmsFacts, 10> kFacts{{
      2.598076,
      2.0627,
      6,
-     56.1,
+     15.1,
      0.48,
      1.54,
      {-1.35, 1.15},
@@ -68,20 +69,20 @@ constexpr std::array<detail::TpmsFacts, 10> kFacts{{
      3.620074,
      2.4351,
      7.6,
-     71.8,
+     18.3,
      1.26,
      2.38,
      {-1.8, 1.81},
      {1.37047, 0.97047},
      {1.03, 0.78}},
-    {"Neovius", 7, 7, 7, 29.8, 0.999, 2.89, {-13, 13}, {0.75, 0.75}, {2.60, 2.60}},
-    {"Schoen IWP", 5.196152, 5.1962, 8, 41, 3.37, 4.35, {-5, 3}, {3, 3}, {1.79, 1.34}},
-    {"Schoen F-RD", 7.04069, 7.0407, 12, 88.7, 2.54, 3.74, {-7, 2}, {1, 1.09821}, {1.75, 1.36}},
+    {"Neovius", 7, 7, 7, 7.79, 0.999, 2.89, {-13, 13}, {0.75, 0.75}, {2.60, 2.60}},
+    {"Schoen IWP", 5.196152, 5.1962, 8, 12.01, 3.37, 4.35, {-5, 3}, {3, 3}, {1.79, 1.34}},
+    {"Schoen F-RD", 7.04069, 7.0407, 12, 24.3, 2.54, 3.74, {-7, 2}, {1, 1.09821}, {1.75, 1.36}},
     {"Fischer-Koch S",
      2.443973,
      2.1852,
      4.44,
-     44.1,
+     11.6,
      1.2,
      1.80,
      {-1.41422, 1.41422},
