@@ -1,6 +1,6 @@
+#include <Cutwater/Tpms/CubeInBall.hpp>
 #include <Cutwater/Tpms/FootPoint.hpp>
 #include <Cutwater/Tpms/PatternDistance.hpp>
-#include <Cutwater/Tpms/PatternExpansion.hpp>
 
 #include <algorithm>
 #include <numbers>
@@ -42,10 +42,7 @@ class SurfaceSearch {
   /// Of a ball of radius `reach`, where one of radius `free` is known to hold no surface.
   SurfaceSearch(const PatternDistance& pattern, const Vec3<double>& point, double reach,
                 double free)
-      : pattern_(pattern),
-        point_(point),
-        best_(reach),
-        secondError_(PatternExpansion::secondError(pattern.pattern_)) {
+      : pattern_(pattern), point_(point), best_(reach) {
     addFreeBall({{}, free});
   }
 
@@ -107,34 +104,12 @@ class SurfaceSearch {
     expandPattern(pattern_.pattern_, places, {found.data(), count});
     std::size_t left = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      if (isFree(open[i], found[i])) continue;
+      const CubeInBall part{open[i].center, open[i].half, radius()};
+      if (isOnOneSide(part, pattern_.pattern_, found[i], side_)) continue;
       if (side_ * found[i].value < -kRounding) passSurface(open[i].center);
       open[left++] = open[i];
     }
     return left;
-  }
-
-  [[nodiscard]] bool isFree(const Cube& cube, const PatternExpansion& f) const {
-    // With it the slope has no part along the way to the point.
-    const double multiplier =
-        -side_ * dot(f.gradient, cube.center) / (2 * lengthSquared(cube.center));
-    return (multiplier > 0 && isFreeBy(multiplier, cube, f)) || isFreeBy(0, cube, f);
-  }
-
-  /// By a multiplier m: see PatternDistance.
-  [[nodiscard]] bool isFreeBy(double m, const Cube& cube, const PatternExpansion& f) const {
-    const double corner = kSqrt3 * cube.half;
-    const double third = pattern_.pattern_.thirdDerivative() / 6 * corner * corner * corner;
-    const double room = radius() * radius() - lengthSquared(cube.center);
-    const double value = side_ * f.value - m * room - third - kRounding;
-    if (!(value > 0)) return false;
-    const Vec3<double> slope = side_ * f.gradient + 2 * m * cube.center;
-    // The least eigenvalue with which a quadratic function stays positive, in the cube if what the
-    // slope takes there leaves something, and otherwise everywhere.
-    const double rest = value - oneNorm(slope) * cube.half;
-    const double needed =
-        rest > 0 ? -2 * rest / (corner * corner) : lengthSquared(slope) / (2 * value);
-    return isPositiveDefinite(side_, f.second, 2 * m - needed - secondError_);
   }
 
   /// At a place on the other side: there is surface on the way.
@@ -157,7 +132,6 @@ class SurfaceSearch {
   const PatternDistance& pattern_;
   Vec3<double> point_;
   double best_;
-  double secondError_;
   double side_ = 1;  // of the point: the sign of F
   bool isSettled_ = false;
   std::array<Ball, 12> free_{};

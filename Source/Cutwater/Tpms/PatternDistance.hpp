@@ -11,18 +11,7 @@ namespace cutwater::detail {
 /// (g / d - H) |y - q|^2 / 2: if g >= H d, the ball is free of surface, and d is the distance to
 /// rounding. Otherwise the same with the second derivatives at q, which the third ones change by no
 /// more than T |y - q|, frees a ball about q; cubes cover the rest of the ball about x, and are
-/// halved until they are free, or farther than r, which is d less the tolerance.
-///
-/// A cube about c, with corners a away, is free if F > 0 in what the ball of radius r holds of it:
-/// where r^2 - |y - x|^2 >= 0, of which any multiple m >= 0 may be taken away (the S-procedure:
-/// Boyd and Vandenberghe 2004, "Convex Optimization", appendix B). With v = y - c and w = c - x,
-/// and the value, slope and second derivatives of F at c, what is left is at least
-///
-///     F - m (r^2 - |w|^2) - T a^3 / 6 + (grad F + 2 m w) v + v (A + 2 m) v / 2
-///
-/// and m is 0, or what leaves no slope along w. As the second makes up for the sphere's curvature,
-/// large cubes are free where the sphere touches the surface, too: what is too large for them are
-/// third derivatives.
+/// halved until they are free, by CubeInBall, or farther than d less the tolerance.
 class PatternDistance {
  public:
   /// Distances are certain to the tolerance.

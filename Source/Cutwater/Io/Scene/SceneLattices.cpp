@@ -37,7 +37,8 @@ const std::vector<SceneForm>& radiusForms() {
                 {"at_corners", Positive, "the radius at the corners"}}},
       {.name = "a radius by a distance",
        .meaning = "Linear in the distance to the surface of another solid, on both sides.",
-       .keys = {{"near", KeyType::Solid, "the other solid; it does not move along"},
+       .keys = {{"near", KeyType::Solid,
+                 "the other solid, in the frame of this one: `move` moves it along"},
                 {"start", Positive, "the radius at its surface"},
                 {"end", Positive, "the radius at the distance `over`, and beyond"},
                 {"over", Positive, "a length"}}}};
