@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ElementTree
 
 from headers import LAYERS, group, introduction, layer, write_if_changed
 
-LANGUAGES = {".hpp": "cpp", ".cpp": "cpp", ".c": "c", ".f90": "fortran"}
+LANGUAGES = {".hpp": "cpp", ".cpp": "cpp", ".c": "c", ".f90": "fortran", ".toml": "toml"}
 
 
 def site_links(text):
