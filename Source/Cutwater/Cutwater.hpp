@@ -24,6 +24,7 @@
 #include <Cutwater/Operations/Displacement.hpp>
 #include <Cutwater/Operations/Elongation.hpp>
 #include <Cutwater/Operations/Fold.hpp>
+#include <Cutwater/Operations/GradedValue.hpp>
 #include <Cutwater/Operations/Intersection.hpp>
 #include <Cutwater/Operations/Inversion.hpp>
 #include <Cutwater/Operations/Labelled.hpp>

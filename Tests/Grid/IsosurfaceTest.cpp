@@ -1,17 +1,9 @@
-#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Cutwater.hpp>
 #include <Cutwater/Grid/Isosurface.hpp>
 #include <Cutwater/Grid/SolidVolume.hpp>
 #include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/SurfaceMeasure.hpp>
-#include <Cutwater/Operations/Algebra.hpp>
-#include <Cutwater/Sdf/FunctionSDF.hpp>
-#include <Cutwater/Shapes/Cone.hpp>
-#include <Cutwater/Shapes/Cuboid.hpp>
-#include <Cutwater/Shapes/Cylinder.hpp>
-#include <Cutwater/Shapes/Plane.hpp>
-#include <Cutwater/Shapes/Sphere.hpp>
-#include <Cutwater/Shapes/Torus.hpp>
 
 #include <atomic>
 #include <cmath>
@@ -103,6 +95,54 @@ TYPED_TEST(IsosurfaceTest, LiesWithinTheCertainVolume) {
     expectClosed(soup, cell.name());
     const auto certain = solidVolume(array, array.boundingBox(), {.fraction = 0.08});
     EXPECT_TRUE(certain.volume.contains(volumeOf(soup))) << cell.name();
+  }
+}
+
+/// All there are; those without end cut off by a block.
+std::vector<Solid<double>> allShapes() {
+  const Vec3<double> low{-0.9, -0.7, -0.8};
+  const Vec3<double> high{0.8, 0.9, 0.7};
+  const Vec3<double> from{-0.4, 0.1, -0.5};
+  const Vec3<double> to{0.3, -0.2, 0.6};
+  const Polygon<double> section({{0.2, -0.6}, {0.9, -0.4}, {0.7, 0.5}, {0.3, 0.8}},
+                                {{{0.4, -0.2}, {0.6, -0.2}, {0.5, 0.2}}});
+  const Cuboid<double> block(low, high);
+  return {
+      block,
+      RoundedBox<double>(low, high, 0.2),
+      BoxFrame<double>({low, high}, 0.25),
+      HexagonalPrism<double>(0.6, 1.1),
+      Octahedron<double>(0.9),
+      Pyramid<double>(1.2, 0.8),
+      Sphere<double>(from, 0.7),
+      Ellipsoid<double>(from, {0.5, 0.8, 0.3}),
+      Torus<double>(0.6, 0.25),
+      CappedTorus<double>(0.6, 0.2, 100),
+      Link<double>(0.4, 0.5, 0.2),
+      Capsule<double>(from, to, 0.3),
+      ConeSphere<double>(from, to, 0.4, 0.2),
+      Cylinder<double>(from, to, 0.4),
+      RoundedCylinder<double>(from, to, 0.4, 0.1),
+      Cone<double>(from, to, 0.5),
+      CappedCone<double>(from, to, 0.5, 0.2),
+      ConvexPolyhedron<double>(
+          {{low, {-1, 0, 0}}, {low, {0, -1, 0}}, {low, {0, 0, -1}}, {{0.3, 0.3, 0.3}, {1, 2, 3}}}),
+      Extrusion<double>(section, -0.3, 0.6),
+      Revolution<double>(section),
+      block & Plane<double>(from, {1, 2, 3}),
+      block & InfiniteCylinder<double>(from, to, 0.4),
+      block & InfiniteCone<double>(from, to, 40)};
+}
+
+TEST(IsosurfaceOfShapesTest, AreClosedAndOfTheCertainVolume) {
+  for (const auto& solid : allShapes()) {
+    const auto text = solid.describe();
+    const auto soup = isosurface<double>(solid, nodesAround(solid.boundingBox(), 0.05));
+    expectClosed(soup, text);
+    const auto certain = solidVolume(solid, solid.boundingBox(), {.fraction = 0.06});
+    EXPECT_TRUE(certain.isWithinTolerance) << text;
+    EXPECT_GT(certain.volume.lower, 0) << text;
+    EXPECT_TRUE(certain.volume.contains(volumeOf(soup))) << volumeOf(soup) << ' ' << text;
   }
 }
 
