@@ -140,6 +140,14 @@ def check_part(args, part):
     print(f"{name}: {run(build / 'ConsumerOfPart').strip()}", flush=True)
 
 
+def check_example(args, prefix):
+    """The project that is shown to users."""
+    build = args.work / "example"
+    configure(args.source / "Examples/FindPackage", build, args.compiler, f"-DCMAKE_PREFIX_PATH={prefix}")
+    run("cmake", "--build", build)
+    print(f"Examples/FindPackage: {run(build / 'keel').strip()}", flush=True)
+
+
 def check(args):
     shutil.rmtree(args.work, ignore_errors=True)
     args.work.mkdir(parents=True)
@@ -158,6 +166,7 @@ def check(args):
             prefix = install(args, args.build, "tested")
         if variant == "static":
             packaged(variant, prefix)
+            check_example(args, prefix)
         elif variant == "fast":
             packaged(variant, prefix, FAST)
         elif variant == "subproject":
