@@ -79,12 +79,13 @@ TEST(ParseTomlTest, CharactersBeyondAsciiStandInStringsAndComments) {
   for (const std::string good :
        {R"(a = "é" # é ")", R"(a = 'é\' # é)", R"("é" = 1)", R"('é' = 2)", R"(a = "\"é")",
         R"(a = """é""é""")", R"(a = '''é''é''')", "a = \"\"\"é\"\"\"\"\"\nb = \"é\"",
-        "a = '''\n'é'''", "a = \"\"\nb = \"é\"", "a = \"\"\"\\\n  é\"\"\"", "\xEF\xBB\xBF"}) {
+        "a = '''\n'é'''", "a = \"\"\nb = \"é\"", "a = \"\"\"\\\n  b é\"\"\"", "\xEF\xBB\xBF"}) {
     EXPECT_EQ(refusal(good), "nothing") << good;
   }
   for (const std::string bad :
        {R"(é = 1)", "a = 1\u00a0", R"(a = [1,é])", R"(a = ""é)", R"(a = "b" é "c")", R"(a = "\é")",
-        R"(a = 'b' é)", R"(a = '\'é)", R"(a = """"""é""")", R"(a = """b""""é")"}) {
+        R"(a = 'b' é)", R"(a = '\'é)", R"(a = """"""é""")", R"(a = """b""""é")", R"(a = """\ é""")",
+        "a = \"\"\"\\\n  é\"\"\""}) {
     const auto words = refusal("\n" + bad);
     EXPECT_TRUE(words.starts_with("it: line 2: characters beyond ASCII")) << bad << ": " << words;
   }

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "Support/Random.hpp"
 #include "Tpms/PlainPatterns.hpp"
 
 namespace cutwater::test {
@@ -55,17 +56,27 @@ class SurfaceDistance {
 
   /// A distance at which there certainly is surface.
   [[nodiscard]] double upperBound(const Vec3<double>& p) const {
-    return distanceFrom(nearestSample(p), p);
+    return length(slide(nearestSample(p), p) - p);
   }
-  /// As near as any sample that is not much farther than that leads: slow.
+  /// As near as any sample that is not much farther than that leads, and as nearer and nearer
+  /// guesses about it do: slow.
   [[nodiscard]] double leastUpperBound(const Vec3<double>& p) const {
     const double first = upperBound(p);
-    double best = first;
+    auto best = slide(nearestSample(p), p);
     for (const auto& sample : samples_) {
       const auto q = nextTo(p, sample);
-      if (length(q - p) < first + 0.05) best = std::min(best, distanceFrom(q, p));
+      if (length(q - p) > first + 0.05) continue;
+      const auto found = slide(q, p);
+      if (length(found - p) < length(best - p)) best = found;
     }
-    return best;
+    RandomPoints<double> random(1, 5);
+    for (double size = 0.1; size > 1e-4; size *= 0.8) {
+      for (int k = 0; k < 200; ++k) {
+        const auto q = onto(best + size * random.next());
+        if (length(q - p) < length(best - p) && std::abs(value(q)) < 1e-12) best = q;
+      }
+    }
+    return length(best - p);
   }
 
  private:
@@ -74,18 +85,17 @@ class SurfaceDistance {
   static constexpr double kStep = kTurn / kSide;
   static constexpr int kBuckets = 16;
 
-  /// Along the surface, from q.
-  [[nodiscard]] double distanceFrom(Vec3<double> q, const Vec3<double>& p) const {
-    double best = length(q - p);
+  /// Along the surface, from q, to where it is nearest.
+  [[nodiscard]] Vec3<double> slide(Vec3<double> q, const Vec3<double>& p) const {
+    auto best = q;
     double share = 1;
     for (int step = 0; step < 60 && share > 0.1; ++step) {
       const auto n = normalized(gradient(q));
       const auto tangential = (p - q) - dot(p - q, n) * n;
       const auto next = onto(q + share * tangential);
-      const double gain = best - length(next - p);
+      const double gain = length(best - p) - length(next - p);
       if (gain > 0) {
-        best -= gain;
-        q = next;
+        best = q = next;
         if (gain < 1e-14) break;
       } else {
         share *= 0.6;

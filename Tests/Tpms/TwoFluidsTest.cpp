@@ -33,7 +33,9 @@ void expectFit(const TwoFluids<T>& parts, const Solid<T>& domain, T extent,
     const T toDomain = domain.signedDistance(p);
     ASSERT_EQ(in[0] + in[1] + in[2], toDomain < 0 ? 1 : 0) << p;
     const T nearest = std::min(a, b);
-    if (toDomain < -std::abs(nearest)) ASSERT_EQ(wall, -nearest) << p;
+    if (toDomain < -std::abs(nearest)) {
+      ASSERT_EQ(wall, -nearest) << p;
+    }
     for (std::size_t k = 0; k < 3; ++k) found[k] += in[k] ? 1 : 0;
     const Box<T> box{p, p + Vec3<T>{T(0.1), T(0.05), T(0.1)}};
     int inside = 0;

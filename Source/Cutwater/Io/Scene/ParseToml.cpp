@@ -84,7 +84,8 @@ void requireAsciiOutsideStrings(std::string_view text, const std::string& file) 
   for (std::size_t at = 0; at < text.size(); ++at) {
     const char c = text[at];
     const bool isEscape = c == '\\' && quotes.starts_with('"');
-    const std::size_t asked = isEscape ? at + 1 : at;
+    // A backslash takes away the white space behind it, and the parser looks at what follows.
+    const std::size_t asked = isEscape ? text.find_first_not_of(" \t\r\n", at + 1) : at;
     if ((quotes.empty() || isEscape) && isBeyondAscii(text, asked)) {
       failAt(file, line,
              "characters beyond ASCII need quotes around them, and no backslash before");
@@ -93,7 +94,7 @@ void requireAsciiOutsideStrings(std::string_view text, const std::string& file) 
       ++line;
       if (quotes.size() == 1) quotes = {};  // the parser refuses it
     } else if (isEscape) {
-      if (text.substr(asked, 1) != "\n") at = asked;
+      if (asked == at + 1) at = asked;
     } else if (!quotes.empty()) {
       if (!text.substr(at).starts_with(quotes)) continue;
       // Behind three, two more would be the last of what is in the string.
