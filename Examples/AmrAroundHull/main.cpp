@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
   const FluidRegions<double> fluid(mesh);
   std::printf("%zu cells, %zu of them cut; the solid's volume is within %.6g and %.6g\n",
               mesh.cells().size(), mesh.count(BoxClass::Cut), volume.lower, volume.upper);
-  std::printf("%zu regions of fluid; in %zu cells corners do not tell all\n",
+  std::printf("regions of fluid: %zu; in %zu cells corners do not tell all\n",
               fluid.regions().size(), lost.size());
 
   // No cell that is called inside or outside is cut: its centre is farther than the surface.

@@ -13,6 +13,7 @@
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Tpms/TwoFluids.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -126,7 +127,7 @@ Image picture(const TwoFluids<double>& parts, const Box<double>& block, int widt
 
 int main(int argc, char** argv) {
   const std::string folder = argc > 1 ? argv[1] : "";
-  const int width = argc > 2 ? std::stoi(argv[2]) : 1600;
+  const int width = std::max(argc > 2 ? std::stoi(argv[2]) : 1600, 480);  // three pictures
   const int cells = argc > 3 ? std::stoi(argv[3]) : 2;
   const auto block = blockOf(cells);
   // [DOCS
