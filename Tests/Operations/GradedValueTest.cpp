@@ -64,13 +64,18 @@ TEST(GradedValueTest, HoldsWhereItsSolidDoes) {
 
 TEST(GradedValueTest, RefusesWhatHasNoLimits) {
   const Plane<double> plane({0, 0, 0}, {0, 0, 1});
-  EXPECT_THROW(GradedValue<double>::byValueOf(plane, {0, 1, 0}), Error);
-  EXPECT_THROW(GradedValue<double>::byValueOf(plane, {0, std::nan(""), 1}), Error);
+  EXPECT_THROW(static_cast<void>(GradedValue<double>::byValueOf(plane, {0, 1, 0})), Error);
+  EXPECT_THROW(static_cast<void>(GradedValue<double>::byValueOf(plane, {0, std::nan(""), 1})),
+               Error);
   const FunctionSDF any([](const Vec3<double>& p) { return p.x * p.x; }, Guarantee<double>{});
-  EXPECT_THROW(GradedValue<double>::byValueOf(any, {0, 1, 1}), Error);
+  EXPECT_THROW(static_cast<void>(GradedValue<double>::byValueOf(any, {0, 1, 1})), Error);
   const auto one = [](const Vec3<double>&) { return 1.0; };
-  EXPECT_THROW(GradedValue<double>::by(one, {.lipschitz = 0, .least = 1, .most = 0}), Error);
-  EXPECT_THROW(GradedValue<double>::by(one, {.lipschitz = -1, .least = 0, .most = 1}), Error);
+  EXPECT_THROW(
+      static_cast<void>(GradedValue<double>::by(one, {.lipschitz = 0, .least = 1, .most = 0})),
+      Error);
+  EXPECT_THROW(
+      static_cast<void>(GradedValue<double>::by(one, {.lipschitz = -1, .least = 0, .most = 1})),
+      Error);
 }
 
 }  // namespace

@@ -288,12 +288,13 @@ TEST(TpmsPatternsTest, FractionsOfWalls) {
 /// Whether a channel of cells where it holds reaches around the period, in whatever direction.
 template <typename Holds>
 bool percolates(const Holds& holds, int side) {
-  const auto count = static_cast<std::size_t>(side) * side * side;
+  const auto n = static_cast<std::size_t>(side);
+  const std::size_t count = n * n * n;
   std::vector<int> seen(count, 0);
   std::vector<std::array<int, 3>> place(count);  // unwrapped
   const auto index = [&](const std::array<int, 3>& p) {
     const auto wrap = [&](int i) { return static_cast<std::size_t>((i % side + side) % side); };
-    return (wrap(p[2]) * side + wrap(p[1])) * side + wrap(p[0]);
+    return (wrap(p[2]) * n + wrap(p[1])) * n + wrap(p[0]);
   };
   for (int start = 0; start < static_cast<int>(count); ++start) {
     std::array<int, 3> p{start % side, start / side % side, start / side / side};
