@@ -11,7 +11,7 @@ namespace {
 using cutwater::test::Precisions;
 using Points = std::vector<Vec3<double>>;
 
-constexpr auto nowhere = [](const CellFace&) { return false; };
+constexpr auto kNowhere = [](const CellFace&) { return false; };
 
 template <typename T>
 class SharpFeaturesTest : public ::testing::Test {
@@ -37,7 +37,7 @@ TYPED_TEST(SharpFeaturesTest, FindsEdges) {
   const auto solid = this->roof();
   const SharpFeatures<TypeParam> features(solid, 30);
   // Along the ridge nothing binds it: it stays in the middle of the points.
-  this->expectNear(features.pointIn(this->roofPoints(), this->cell, nowhere), {0.4, 0.5, 0.7});
+  this->expectNear(features.pointIn(this->roofPoints(), this->cell, kNowhere), {0.4, 0.5, 0.7});
 }
 
 TYPED_TEST(SharpFeaturesTest, FindsCorners) {
@@ -45,27 +45,27 @@ TYPED_TEST(SharpFeaturesTest, FindsCorners) {
   const auto solid = this->roof() & Plane<T>({0, T(0.8), 0}, {0, 1, 0});
   const SharpFeatures<T> features(solid, 30);
   const Points points{{0, 0, 0.3}, {1, 0, 0.1}, {1, 0.8, 0}, {0, 0.8, 0}};
-  this->expectNear(features.pointIn(points, this->cell, nowhere), {0.4, 0.8, 0.7});
+  this->expectNear(features.pointIn(points, this->cell, kNowhere), {0.4, 0.8, 0.7});
 }
 
 TYPED_TEST(SharpFeaturesTest, ThereIsNoneWhereNormalsHardlyDiffer) {
   using T = TypeParam;
   const auto solid = this->roof();
   const SharpFeatures<T> steep(solid, 100);  // the roof has 90 degrees
-  EXPECT_FALSE(steep.pointIn(this->roofPoints(), this->cell, nowhere));
+  EXPECT_FALSE(steep.pointIn(this->roofPoints(), this->cell, kNowhere));
   const SharpFeatures<T> none(solid, 180);
   EXPECT_FALSE(none.areWanted());
-  EXPECT_FALSE(none.pointIn(this->roofPoints(), this->cell, nowhere));
+  EXPECT_FALSE(none.pointIn(this->roofPoints(), this->cell, kNowhere));
   const Sphere<T> ball({0, 0, 0}, 5);
   const SharpFeatures<T> features(ball, 30);
   const Points round{{5, 0, 0}, {4.9, 0.99, 0}, {4.9, 0, 0.99}};
-  EXPECT_FALSE(features.pointIn(round, {{4, 0, 0}, {6, 1, 1}}, nowhere));
+  EXPECT_FALSE(features.pointIn(round, {{4, 0, 0}, {6, 1, 1}}, kNowhere));
 }
 
 TYPED_TEST(SharpFeaturesTest, ThereIsNoneOutsideOfTheCell) {
   const auto solid = this->roof();
   const SharpFeatures<TypeParam> features(solid, 30);
-  EXPECT_FALSE(features.pointIn(this->roofPoints(), {{0, 0, 0}, {1, 1, 0.6}}, nowhere));
+  EXPECT_FALSE(features.pointIn(this->roofPoints(), {{0, 0, 0}, {1, 1, 0.6}}, kNowhere));
 }
 
 TYPED_TEST(SharpFeaturesTest, TakesWhatIsInTheCellOfASlantingEdge) {
@@ -76,7 +76,7 @@ TYPED_TEST(SharpFeaturesTest, TakesWhatIsInTheCellOfASlantingEdge) {
   const SharpFeatures<T> features(solid, 30);
   // The nearest to the middle of these is beyond the top.
   const Points points{{0.92, 0, 0.72}, {1, 0, 0.8}, {1, 1, 0.8}, {0.92, 1, 0.72}};
-  const auto found = features.pointIn(points, this->cell, nowhere);
+  const auto found = features.pointIn(points, this->cell, kNowhere);
   ASSERT_TRUE(found);
   EXPECT_TRUE(this->cell.contains(*found));
   EXPECT_NEAR(found->x, 0.69, 1e-5);
@@ -101,7 +101,7 @@ TYPED_TEST(SharpFeaturesTest, NoTriangleIsFoldedOver) {
   std::reverse(points.begin(), points.end());
   const auto solid = this->roof();
   const SharpFeatures<TypeParam> features(solid, 30);
-  EXPECT_FALSE(features.pointIn(points, this->cell, nowhere));
+  EXPECT_FALSE(features.pointIn(points, this->cell, kNowhere));
 }
 
 TEST(JoinFeatures, TurnsEdgesBetweenFeatures) {

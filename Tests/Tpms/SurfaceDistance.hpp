@@ -70,7 +70,8 @@ class SurfaceDistance {
       if (length(found - p) < length(best - p)) best = found;
     }
     RandomPoints<double> random(1, 5);
-    for (double size = 0.1; size > 1e-4; size *= 0.8) {
+    double size = 0.1;
+    for (int round = 0; round < 32; ++round, size *= 0.8) {
       for (int k = 0; k < 200; ++k) {
         const auto q = onto(best + size * random.next());
         if (length(q - p) < length(best - p) && std::abs(value(q)) < 1e-12) best = q;
@@ -123,7 +124,8 @@ class SurfaceDistance {
     return (i % kBuckets + kBuckets) % kBuckets;
   }
   static std::size_t indexOf(int i, int j, int k) {
-    return static_cast<std::size_t>((k * kBuckets + j) * kBuckets + i);
+    const int index = (k * kBuckets + j) * kBuckets + i;
+    return static_cast<std::size_t>(index);
   }
   void add(const Vec3<double>& p) {
     if (!(std::abs(value(p)) < 1e-12)) return;
