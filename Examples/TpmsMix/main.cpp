@@ -30,7 +30,8 @@ int main(int argc, char** argv) {
   for (const double z : {5.0, 30.0, 55.0}) {
     int inside = 0;
     for (int i = 0; i < 3600; ++i) {
-      inside += block.signedDistance({0.6 * (i % 60), 0.6 * (i / 60), z}) < 0 ? 1 : 0;
+      const int row = i / 60;
+      inside += block.signedDistance({0.6 * (i % 60), 0.6 * row, z}) < 0 ? 1 : 0;
     }
     std::printf("at z = %2.0f the wall fills about %.2f of the plane\n", z, inside / 3600.0);
   }
