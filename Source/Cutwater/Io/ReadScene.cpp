@@ -8,9 +8,11 @@ namespace cutwater {
 Solid<double> readScene(const std::filesystem::path& path, const ReadSceneOptions& options) {
   const auto name = path.string();
   const auto bytes = formats::loadFile(path, options.maxBytes);
-  scene::SceneGraph graph(
-      scene::parseToml(bytes.view(), name),
-      {.file = name, .folder = path.parent_path(), .maxBeams = options.maxBeams, .solids = {}});
+  scene::SceneGraph graph(scene::parseToml(bytes.view(), name), {.file = name,
+                                                                 .folder = path.parent_path(),
+                                                                 .maxBeams = options.maxBeams,
+                                                                 .solids = {},
+                                                                 .records = {}});
   return graph.make(options.solid);
 }
 
