@@ -4,6 +4,7 @@
 #include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/Mesh/Formats/Readers.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -44,14 +45,16 @@ inline void expectWhole(const SurfaceFile& file) {
 }
 
 /// Nothing where a reader of the file refuses, as it should: with its name and a place, or its
-/// size.
+/// size; and by an error of one of these kinds.
 template <typename Read>
-auto answerOrRefusal(const std::string& file, const Read& read) -> std::optional<decltype(read())> {
+auto answerOrRefusal(const std::string& file, const Read& read,
+                     std::initializer_list<ErrorKind> kinds = {ErrorKind::File, ErrorKind::Limit})
+    -> std::optional<decltype(read())> {
   try {
     return read();
   } catch (const Error& error) {
     const std::string message = error.what();
-    expect(error.kind() == ErrorKind::File || error.kind() == ErrorKind::Limit, "the error's kind");
+    expect(std::find(kinds.begin(), kinds.end(), error.kind()) != kinds.end(), "the error's kind");
     expect(message.starts_with(file + ": "), "messages begin with the file");
     expect(message.size() < 600, "messages are short");
     expect(message.find('\n') == std::string::npos, "messages are one line");

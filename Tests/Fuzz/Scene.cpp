@@ -16,15 +16,10 @@ namespace {
 /// A solid may refuse what it is made of: of kind Argument or Topology, beside those of files.
 std::optional<Solid<double>> solidOrRefusal(const std::string& path) {
   try {
-    return answerOrRefusal(path, [&] {
-      try {
-        return readScene(path, {.solid = {}, .maxBytes = 16U << 20U, .maxBeams = 10000});
-      } catch (const Error& error) {
-        const auto kind = error.kind();
-        if (kind != ErrorKind::Argument && kind != ErrorKind::Topology) throw;
-        throw Error(ErrorKind::File, error.what());
-      }
-    });
+    return answerOrRefusal(
+        path,
+        [&] { return readScene(path, {.solid = {}, .maxBytes = 16U << 20U, .maxBeams = 10000}); },
+        {ErrorKind::Argument, ErrorKind::File, ErrorKind::Limit, ErrorKind::Topology});
   } catch (const std::bad_alloc&) {
     expect(false, "no more memory than the file is worth");
   }

@@ -17,11 +17,6 @@ Vec3<T> fromCellCenter(const Vec3<T>& inCells) {
   return result;
 }
 
-template <std::floating_point T>
-T slopeOf(const GradedRamp<T>& ramp) {
-  return (ramp.end - ramp.start) / ramp.over;
-}
-
 }  // namespace
 
 template <std::floating_point T>
@@ -40,25 +35,26 @@ Thickness<T> Thickness<T>::byDistanceToCellCenter(T atCenter, T atCorners) {
   constexpr T kCornerDistance = std::numbers::sqrt3_v<T> / 2;  // in units of the cell
   Thickness result(atCenter);
   (void)Thickness(atCorners);  // refuses it
-  result.byCell_ = {atCenter, atCorners, kCornerDistance};
+  result.byCell_ = {atCenter, (atCorners - atCenter) / kCornerDistance,
+                    std::min(atCenter, atCorners), std::max(atCenter, atCorners)};
   return result;
 }
 
 template <std::floating_point T>
 T Thickness<T>::least() const {
-  return byCell_ ? std::min(byCell_->start, byCell_->end) : byPlace_.least();
+  return byCell_ ? byCell_->least : byPlace_.least();
 }
 template <std::floating_point T>
 T Thickness<T>::most() const {
-  return byCell_ ? std::max(byCell_->start, byCell_->end) : byPlace_.most();
+  return byCell_ ? byCell_->most : byPlace_.most();
 }
 
 template <std::floating_point T>
 T Thickness<T>::at(const Vec3<T>& point, const Vec3<T>& inCells) const {
   if (!byCell_) return byPlace_.at(point);
-  const T radius = byCell_->start + slopeOf(*byCell_) * length(fromCellCenter(inCells));
+  const T radius = byCell_->start + byCell_->slope * length(fromCellCenter(inCells));
   // In this order, what is not a number gives the least radius.
-  return std::min(most(), std::max(least(), radius));
+  return std::min(byCell_->most, std::max(byCell_->least, radius));
 }
 
 template <std::floating_point T>
@@ -66,8 +62,8 @@ Vec3<T> Thickness<T>::gradient(const Vec3<T>& point, const Vec3<T>& cellSize) co
   if (!byCell_) return byPlace_.gradient(point);
   const auto inCells = detail::quotient(point, cellSize);
   const T radius = at(point, inCells);
-  if (radius == least() || radius == most()) return {};
-  return slopeOf(*byCell_) * detail::quotient(normalized(fromCellCenter(inCells)), cellSize);
+  if (radius == byCell_->least || radius == byCell_->most) return {};
+  return byCell_->slope * detail::quotient(normalized(fromCellCenter(inCells)), cellSize);
 }
 
 template <std::floating_point T>
@@ -75,7 +71,7 @@ Guarantee<T> Thickness<T>::guarantee(T cellSize) const {
   if (!byCell_) return byPlace_.guarantee();
   // A coordinate in cells is off by two roundings of itself, along each axis.
   constexpr T kUlps = 4;
-  const T constant = std::abs(slopeOf(*byCell_)) / cellSize;
+  const T constant = std::abs(byCell_->slope) / cellSize;
   return {
       .lipschitz = constant, .continuous = true, .ulps = kUlps * (1 + constant), .size = most()};
 }

@@ -54,8 +54,14 @@ class Thickness {
 
  private:
   GradedValue<T> byPlace_;
-  /// By the distance to the centre of the cell instead, from 0 to that of its corners.
-  std::optional<GradedRamp<T>> byCell_;
+  /// start + slope * the distance to the centre of the cell instead, within these limits.
+  struct ByCell {
+    T start;
+    T slope;
+    T least;
+    T most;
+  };
+  std::optional<ByCell> byCell_;
 };
 
 extern template class Thickness<float>;

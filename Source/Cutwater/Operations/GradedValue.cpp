@@ -78,8 +78,7 @@ GradedValue<T> GradedValue<T>::byField(Solid<T> field, const GradedLimits<T>& li
 }
 
 template <std::floating_point T>
-T GradedValue<T>::unlimited(const Vec3<T>& p) const {
-  const T value = field_->signedDistance(p);
+T GradedValue<T>::unlimited(T value) const {
   return start_ + slope_ * (isByDistance_ ? std::abs(value) : value);
 }
 
@@ -87,22 +86,23 @@ template <std::floating_point T>
 T GradedValue<T>::at(const Vec3<T>& p) const {
   if (isConstant()) return start_;
   // In this order, what is not a number gives the least.
-  return std::min(most_, std::max(least_, unlimited(p)));
+  return std::min(most_, std::max(least_, unlimited(field_->signedDistance(p))));
 }
 
 template <std::floating_point T>
 Vec3<T> GradedValue<T>::gradient(const Vec3<T>& p) const {
   if (isConstant()) return {};
-  const T raw = unlimited(p);
+  const T value = field_->signedDistance(p);
+  const T raw = unlimited(value);
   if (!(raw > least_ && raw < most_)) return {};
-  const bool isInside = isByDistance_ && field_->signedDistance(p) < 0;
+  const bool isInside = isByDistance_ && value < 0;
   return (isInside ? -slope_ : slope_) * field_->gradient(p);
 }
 
 template <std::floating_point T>
 T GradedValue<T>::lipschitzWithin(const Vec3<T>& p, T radius) const {
   if (isConstant()) return 0;
-  const T raw = unlimited(p);
+  const T raw = unlimited(field_->signedDistance(p));
   const T change = lipschitz() * radius;
   return raw + change < least_ || raw - change > most_ ? T(0) : lipschitz();
 }

@@ -84,7 +84,7 @@ class GradedValue {
   }
   [[nodiscard]] static GradedValue byField(Solid<T> field, const GradedLimits<T>& limits);
   void setField(Solid<T> field);
-  [[nodiscard]] T unlimited(const Vec3<T>& p) const;
+  [[nodiscard]] T unlimited(T value) const;
 
   std::optional<Solid<T>> field_;
   bool isByDistance_ = false;

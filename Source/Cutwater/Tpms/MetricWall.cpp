@@ -1,17 +1,16 @@
-#include <Cutwater/Sdf/Defaults.hpp>
 #include <Cutwater/Tpms/MetricWall.hpp>
+#include <Cutwater/Tpms/Turns.hpp>
 
 #include <algorithm>
-#include <numbers>
 
 namespace cutwater {
 
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
+using detail::kTwoPi;
 
 double toleranceWithin(const TpmsPattern& pattern, double reach) {
-  return reach <= detail::PatternDistance::certainReach(pattern) ? 1e-9 : 1e-4 * kTwoPi;
+  return reach <= detail::PatternDistance::certainReach(pattern) ? 1e-9 : 1e-4 * kTwoPi<double>;
 }
 
 }  // namespace
@@ -21,7 +20,7 @@ MetricWall<T>::MetricWall(TpmsPattern pattern, T cellSize, GradedValue<T> halfTh
     : pattern_(pattern),
       cellSize_(cellSize),
       halfThickness_(std::move(halfThickness)),
-      reach_(1.5 * double{halfThickness_.most()} / double{cellSize} * kTwoPi),
+      reach_(1.5 * double{halfThickness_.most()} / double{cellSize} * kTwoPi<double>),
       toleranceRadians_(toleranceWithin(pattern, reach_)),
       distance_(pattern, toleranceRadians_) {
   require(cellSize > 0 && std::isfinite(cellSize) && std::isfinite(1 / cellSize),
@@ -44,7 +43,7 @@ MetricWall<T>::MetricWall(TpmsPattern pattern, T cellSize, GradedValue<T> halfTh
 
 template <std::floating_point T>
 T MetricWall<T>::tolerance() const {
-  return static_cast<T>(toleranceRadians_ / kTwoPi * double{cellSize_});
+  return static_cast<T>(toleranceRadians_ / kTwoPi<double> * double{cellSize_});
 }
 
 template <std::floating_point T>
@@ -52,20 +51,17 @@ T MetricWall<T>::localSignedDistance(const Vec3<T>& p) const {
   Vec3<double> place;
   for (int axis = 0; axis < 3; ++axis) {
     const double cells = double{p[axis]} / double{cellSize_};
-    place[axis] = kTwoPi * (cells - std::floor(cells));
+    place[axis] = kTwoPi<double> * (cells - std::floor(cells));
   }
-  const double distance = distance_.upTo(reach_, place) / kTwoPi * double{cellSize_};
+  const double distance = distance_.upTo(reach_, place) / kTwoPi<double> * double{cellSize_};
   const double half{halfThickness_.at(p)};
   return static_cast<T>((distance - half) / (1 + double{halfThickness_.lipschitz()}));
 }
 
 template <std::floating_point T>
 Vec3<T> MetricWall<T>::localGradient(const Vec3<T>& p) const {
-  // As for TpmsSolid; guarantee().size holds the tolerance, too.
-  constexpr T kStep = sizeof(T) == sizeof(float) ? T(4e-4) : T(2e-7);
-  const T delta = kStep * (length(p) + cellSize_);
   const auto value = [this](const Vec3<T>& q) { return localSignedDistance(q); };
-  return detail::centredDifferences<T>(value, p, delta) / (2 * delta);
+  return detail::gradientAmongCells(value, p, cellSize_);
 }
 
 template <std::floating_point T>

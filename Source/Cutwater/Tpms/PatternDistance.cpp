@@ -1,6 +1,7 @@
 #include <Cutwater/Tpms/CubeInBall.hpp>
 #include <Cutwater/Tpms/FootPoint.hpp>
 #include <Cutwater/Tpms/PatternDistance.hpp>
+#include <Cutwater/Tpms/Turns.hpp>
 
 #include <algorithm>
 #include <numbers>
@@ -9,7 +10,6 @@ namespace cutwater::detail {
 
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
 constexpr double kSqrt3 = std::numbers::sqrt3;
 
 struct Cube {
@@ -49,7 +49,7 @@ class SurfaceSearch {
   double run() {
     const Cube all{{}, best_};
     if (isSettledFrom({})) return best_;
-    side_ = pattern_.pattern_.value(point_ / kTwoPi) < 0 ? -1 : 1;
+    side_ = pattern_.pattern_.value(point_ / kTwoPi<double>) < 0 ? -1 : 1;
     // Depth first: at most seven octants wait on each level, and of a cube as small as a quarter of
     // the tolerance no octants are asked: 2^-40 of the first, by PatternDistance's constructor.
     constexpr std::size_t kDeepest = 40;
@@ -150,7 +150,7 @@ PatternDistance::PatternDistance(TpmsPattern pattern, double tolerance)
       tolerance_(std::max(tolerance, 0x1p-36)) {}
 
 double PatternDistance::lowerBound(const Vec3<double>& point) const {
-  return levelDistance(pattern_.kind(), terms_, point / kTwoPi, 0.0);
+  return levelDistance(pattern_.kind(), terms_, point / kTwoPi<double>, 0.0);
 }
 
 double PatternDistance::upTo(double reach, const Vec3<double>& point) const {

@@ -1,14 +1,13 @@
 #include <Cutwater/Tpms/PatternBatch.hpp>
 #include <Cutwater/Tpms/PatternExpansion.hpp>
+#include <Cutwater/Tpms/Turns.hpp>
 
 #include <algorithm>
-#include <numbers>
 
 namespace cutwater::detail {
 
 namespace {
 
-constexpr double kTwoPi = 2 * std::numbers::pi;
 /// For differences of gradients, in radians.
 constexpr double kStep = 1e-5;
 /// The place and one a step along each axis.
@@ -46,7 +45,8 @@ void expandPattern(const TpmsPattern& pattern, std::span<const Vec3<double>> pla
     for (std::size_t i = 0; i < kSamples; ++i) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double step = i == axis + 1 ? kStep : 0;
-        batch.turns[axis][kSamples * k + i] = (places[k][static_cast<int>(axis)] + step) / kTwoPi;
+        batch.turns[axis][kSamples * k + i] =
+            (places[k][static_cast<int>(axis)] + step) / kTwoPi<double>;
       }
     }
   }
@@ -79,7 +79,7 @@ double leastEigenvalue(SymmetricMatrix a) {
   if (!(spread > 0)) return mean;
   for (auto& column : a) column = column / spread;
   const double angle = std::acos(std::clamp(0.5 * determinant(a), -1.0, 1.0)) / 3;
-  return mean + 2 * spread * std::cos(angle + kTwoPi / 3);
+  return mean + 2 * spread * std::cos(angle + kTwoPi<double> / 3);
 }
 
 }  // namespace cutwater::detail

@@ -1,18 +1,16 @@
 #include <Cutwater/Core/Scratch.hpp>
 #include <Cutwater/Tpms/LargestRadius.hpp>
 #include <Cutwater/Tpms/TpmsField.hpp>
+#include <Cutwater/Tpms/Turns.hpp>
 
 #include <algorithm>
-#include <numbers>
 
 namespace cutwater {
 
-namespace {
+using detail::kOutward;
+using detail::kTwoPi;
 
-template <std::floating_point T>
-constexpr T kTwoPi = 2 * std::numbers::pi_v<T>;
-template <std::floating_point T>
-constexpr T kOutward = 1 + 16 * std::numeric_limits<T>::epsilon();
+namespace {
 
 /// Slopes of less than this part of the greatest are taken for that: it keeps the rounding of
 /// distances within 16 times that of levels.

@@ -1,19 +1,13 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Tpms/TpmsMap.hpp>
+#include <Cutwater/Tpms/Turns.hpp>
 
 #include <algorithm>
-#include <numbers>
 
 namespace cutwater {
 
-namespace {
-
-template <std::floating_point T>
-constexpr T kTwoPi = 2 * std::numbers::pi_v<T>;
-template <std::floating_point T>
-constexpr T kOutward = 1 + 16 * std::numeric_limits<T>::epsilon();
-
-}  // namespace
+using detail::kOutward;
+using detail::kTwoPi;
 
 template <std::floating_point T>
 TpmsMap<T>::TpmsMap(T cellSize) : along_{cellSize, cellSize, cellSize} {}

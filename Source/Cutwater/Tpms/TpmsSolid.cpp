@@ -1,5 +1,5 @@
-#include <Cutwater/Sdf/Defaults.hpp>
 #include <Cutwater/Tpms/TpmsSolid.hpp>
+#include <Cutwater/Tpms/Turns.hpp>
 
 namespace cutwater {
 
@@ -77,11 +77,8 @@ void TpmsSolid<T>::localSignedDistances(std::span<const Vec3<T>> points,
 
 template <std::floating_point T>
 Vec3<T> TpmsSolid<T>::localGradient(const Vec3<T>& p) const {
-  // Short of the default's, as values have kinks, and of cells: guarantee().size is larger.
-  constexpr T kStep = sizeof(T) == sizeof(float) ? T(4e-4) : T(2e-7);
-  const T delta = kStep * (length(p) + field_.map().size());
   const auto value = [this](const Vec3<T>& q) { return localSignedDistance(q); };
-  return detail::centredDifferences<T>(value, p, delta) / (2 * delta);
+  return detail::gradientAmongCells(value, p, field_.map().size());
 }
 
 template <std::floating_point T>
