@@ -52,6 +52,11 @@ int nearestVertex(const Vec3<T>& p, const Triangle<T>& t) {
   return a <= b && a <= c ? 0 : b <= c ? 1 : 2;
 }
 
+template <std::floating_point T>
+T longestSquared(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c) {
+  return std::max({lengthSquared(b - a), lengthSquared(c - b), lengthSquared(a - c)});
+}
+
 /// scalar::planeDistance() for slivers.
 template <std::floating_point T>
 T sliverPlaneDistance(const Vec3<T>& p, const Triangle<T>& t) {
@@ -64,9 +69,13 @@ T sliverPlaneDistance(const Vec3<T>& p, const Triangle<T>& t) {
                                                            between(p, t.c),   between(t.b, t.a),
                                                            between(t.c, t.b), between(t.a, t.c)};
   const auto terms = scalar::planeTerms(seen, between(p, t.vertex(nearestVertex(p, t))));
+  // Of a triangle less wide than a few eps of its length the edges are as near as the plane, and
+  // even so many digits may not tell what is inside.
+  const T leastArea = 4 * std::numeric_limits<T>::epsilon() * longestSquared(t.a, t.b, t.c);
   const auto isInside = [](Scalar side) { return side > Scalar(0); };
   if (!isInside(terms.sideAB) || !isInside(terms.sideBC) || !isInside(terms.sideCA) ||
-      !(terms.normalSquared > Scalar(scalar::kLeastNormalSquared<T>))) {
+      !(terms.normalSquared > Scalar(scalar::kLeastNormalSquared<T>)) ||
+      !(terms.normalSquared > Scalar(leastArea) * Scalar(leastArea))) {
     return std::numeric_limits<T>::infinity();
   }
   return static_cast<T>(terms.height / terms.normalSquared * terms.height);
@@ -118,7 +127,7 @@ Feature featureOf(TrianglePart part) {
 
 template <std::floating_point T>
 bool isSliver(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c) {
-  const T longest = std::max({lengthSquared(b - a), lengthSquared(c - b), lengthSquared(a - c)});
+  const T longest = longestSquared(a, b, c);
   // The cross product's own rounding, a few eps of `longest`, is far below the threshold.
   return !(length(cross(b - a, c - a)) >= T(0.1) * longest && longest > 0);
 }
