@@ -84,6 +84,22 @@ TYPED_TEST(SharpFeaturesTest, TakesWhatIsInTheCellOfASlantingEdge) {
   EXPECT_NEAR(found->z, 0.99, 1e-5);
 }
 
+TYPED_TEST(SharpFeaturesTest, AnEdgeThatPassesCloseByIsFollowedWithinTheCell) {
+  using T = TypeParam;
+  // A wedge between z = 1/2 and an overhang, whose tip is beyond the cell: signs do not show it.
+  const auto wedge = [](T tip) {
+    return Plane<T>({0, 0, T(0.5)}, {0, 0, 1}) & Plane<T>({0, tip, T(0.5)}, {0, 1, T(-0.5)});
+  };
+  const auto found = [&](T tip) {
+    const auto solid = wedge(tip);
+    const double foot = tip - 0.25;
+    const Points points{{0, 0, 0.5}, {1, 0, 0.5}, {1, foot, 0}, {0, foot, 0}};
+    return SharpFeatures<T>(solid, 30).pointIn(points, this->cell, kNowhere);
+  };
+  this->expectNear(found(T(1.02)), {0.5, 0.99, 0.5});
+  EXPECT_FALSE(found(T(1.45)));  // too far
+}
+
 TYPED_TEST(SharpFeaturesTest, MayLieJustBeyondAFaceWhereThereIsNoOtherSurface) {
   const auto solid = this->roof();
   const SharpFeatures<TypeParam> features(solid, 30);

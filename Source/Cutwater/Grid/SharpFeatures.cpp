@@ -11,6 +11,10 @@ namespace cutwater::detail {
 
 namespace {
 
+/// How far beyond its cell an edge may be whose nearest point in the cell stands for it, in
+/// diagonals of the cell.
+constexpr double kFarthest = 0.25;
+
 Vec3<double> fromEigen(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};
 }
@@ -115,13 +119,18 @@ std::optional<Vec3<double>> SharpFeatures<T>::pointIn(
   PlanesMeeting planes(center);
   for (std::size_t i = 0; i < points.size(); ++i) planes.add(points[i], normals[i]);
   // On its way to the surface the point may move a little.
-  const auto meeting = planes.pointIn(cell.grown(-0.01 * (cell.upper.x - cell.lower.x)));
+  const auto within = cell.grown(-0.01 * (cell.upper.x - cell.lower.x));
+  auto meeting = planes.pointIn(within);
   const auto isAllowed = [&](const Vec3<double>& place) {
     if (!isFinite(place) || cell.contains(place)) return isFinite(place);
     const auto face = faceBefore(cell, place);
     return face && isFreeBeyond(*face);
   };
-  if (!isAllowed(meeting)) return std::nullopt;
+  if (!isAllowed(meeting)) {
+    const auto nearest = max(within.lower, min(meeting, within.upper));
+    if (!(length(meeting - nearest) < kFarthest * within.diagonal())) return std::nullopt;
+    meeting = nearest;
+  }
   const Vec3<double> result(solid_.closestPoint(Vec3<T>(meeting)).point);
   if (!isAllowed(result)) return std::nullopt;
   // No triangle of the fan may be folded over.

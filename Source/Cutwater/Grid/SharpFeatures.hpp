@@ -28,7 +28,8 @@ class SharpFeatures {
   /// The surface's point nearest to where the planes meet, if that is in the cell, or beyond one of
   /// its faces in the quarter of a neighbour that is nearest to that face, where the neighbour has
   /// no surface of its own: elsewhere, triangles might cross those of other cells. Of a line where
-  /// planes meet, what is in the cell will do.
+  /// planes meet, what is in the cell will do; and where it passes close by, the nearest in the
+  /// cell.
   [[nodiscard]] std::optional<Vec3<double>> pointIn(
       std::span<const Vec3<double>> points, const Box<double>& cell,
       FunctionRef<bool(const CellFace&)> isFreeBeyond) const;
