@@ -43,6 +43,7 @@ TEST(Algebra, NamesPatches) {
   const auto rig = named(ball, "mast") | named(ball, "boom");
   EXPECT_EQ(rig.patchNames(), (Names{"mast", "boom"}));
   EXPECT_EQ(named(rig, "rig").patchNames(), (Names{"rig/mast", "rig/boom"}));
+  EXPECT_EQ(named(ball | scaled(ball, 2), "buoys").patchNames(), (Names{"buoys", "buoys"}));
   EXPECT_EQ((rig - named(ball, "hatch")).patchNames(), (Names{"mast", "boom", "hatch"}));
   EXPECT_EQ(scaled(rounded(~rig, 1), 2).patchNames(), (Names{"mast", "boom"}));
   EXPECT_EQ(named(ball, "mast").closestPoint({3, 0, 0}).point, ball.closestPoint({3, 0, 0}).point);

@@ -31,6 +31,9 @@ SurfaceSample flat(std::uint32_t surface, float along = 0) {
   return sample;
 }
 
+/// Surfaces of different names each.
+constexpr auto kApart = [](std::uint32_t, std::uint32_t) { return false; };
+
 /// What is seen at a point.
 using Scene = SurfaceSample (*)(const PicturePoint&, double spacing);
 
@@ -48,7 +51,7 @@ struct Traced {
 
   [[nodiscard]] Image image(double lineWidth = 0) const {
     Image picture(64, 50, kWhite);
-    samples.draw(picture, [](const SurfaceSample&, const PicturePoint&) { return kBlack; },
+    samples.draw(picture, [](const SurfaceSample&, const PicturePoint&) { return kBlack; }, kApart,
                  lineWidth, {.threads = 1, .progress = {}});
     return picture;
   }
@@ -127,8 +130,8 @@ TEST(PixelSamplesTest, LinesStandAtStepsAndBorders) {
   Image plain(64, 50, kWhite);
   Image lined(64, 50, kWhite);
   const auto shade = [](const SurfaceSample&, const PicturePoint&) { return Rgb{250, 250, 250}; };
-  traced.samples.draw(plain, shade, 0, {.threads = 1, .progress = {}});
-  traced.samples.draw(lined, shade, 0.7, {.threads = 1, .progress = {}});
+  traced.samples.draw(plain, shade, kApart, 0, {.threads = 1, .progress = {}});
+  traced.samples.draw(lined, shade, kApart, 0.7, {.threads = 1, .progress = {}});
   const auto ink = [&](double from, double to) {
     double sum = 0;
     for (int x = static_cast<int>(from); x < static_cast<int>(to); ++x) {
@@ -142,6 +145,26 @@ TEST(PixelSamplesTest, LinesStandAtStepsAndBorders) {
   EXPECT_GT(ink(28, 31), 0.2);
   EXPECT_EQ(ink(31, 38), 0);  // not on what lies behind
   EXPECT_GT(ink(38, 41), 0.2);
+}
+
+TEST(PixelSamplesTest, SurfacesThatAreOneHaveALineAtTheirEdgesOnly) {
+  // Three patches: two that go on smoothly, and one at an angle.
+  const Traced traced([](const PicturePoint& p, double) {
+    auto sample = flat(p.x < 20.5 ? 0 : p.x < 35.5 ? 1 : 2);
+    if (sample.surface == 2) sample.normal = {0.6F, 0, 0.8F};
+    return sample;
+  });
+  const auto shade = [](const SurfaceSample&, const PicturePoint&) { return kWhite; };
+  const auto ink = [&](detail::SurfaceMatcher areOne, int x) {
+    Image picture(64, 50, kWhite);
+    traced.samples.draw(picture, shade, areOne, 0.7, {.threads = 1, .progress = {}});
+    return dark(picture, x - 1, 20) + dark(picture, x, 20) + dark(picture, x + 1, 20);
+  };
+  EXPECT_GT(ink(kApart, 20), 0.2);
+  EXPECT_GT(ink(kApart, 35), 0.2);
+  const auto areOne = [](std::uint32_t, std::uint32_t) { return true; };
+  EXPECT_EQ(ink(areOne, 20), 0);
+  EXPECT_EQ(ink(areOne, 35), ink(kApart, 35));
 }
 
 TEST(PixelSamplesTest, TheSameWhateverTheThreads) {

@@ -1,6 +1,9 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Labelled.hpp>
 
+#include <algorithm>
+#include <functional>
+
 namespace cutwater {
 
 template <std::floating_point T>
@@ -70,7 +73,8 @@ BoxClass Labelled<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) co
 template <std::floating_point T>
 std::vector<std::string> Labelled<T>::localPatchNames() const {
   auto names = UnaryOperation<T>::localPatchNames();
-  for (auto& name : names) name = names.size() == 1 ? name_ : name_ + "/" + name;
+  const bool areOne = std::ranges::adjacent_find(names, std::not_equal_to()) == names.end();
+  for (auto& name : names) name = areOne ? name_ : name_ + "/" + name;
   return names;
 }
 

@@ -92,9 +92,9 @@ PixelSamples::Difference PixelSamples::difference(const SurfaceSample& a, const 
                                  std::abs(dot(q - p, Vec3<double>(b.normal))));
   const double nearer{std::min(a.along, b.along)};
   if (height > kStep * camera_.pixelSize(nearer)) return Difference::Step;
-  if (a.surface != b.surface) return Difference::Border;
-  return dot(a.normal, b.normal) < static_cast<float>(kCrease) ? Difference::Crease
-                                                               : Difference::None;
+  const bool isCrease = dot(a.normal, b.normal) < static_cast<float>(kCrease);
+  if (a.surface != b.surface) return isCrease ? Difference::Edge : Difference::Border;
+  return isCrease ? Difference::Crease : Difference::None;
 }
 
 bool PixelSamples::differsFromNeighbours(int x, int y) const {
@@ -192,7 +192,7 @@ bool PixelSamples::isNearRefined(int x, int y) const {
 }
 
 /// A line lies on the nearer of two surfaces, and on both sides of a border of patches.
-bool PixelSamples::isOnLine(int x, int y, int reach) const {
+bool PixelSamples::isOnLine(int x, int y, int reach, SurfaceMatcher areOne) const {
   const auto& here = fineSample(x, y);
   if (!here.isHit()) return false;
   for (int j = -reach; j <= reach; ++j) {
@@ -203,13 +203,16 @@ bool PixelSamples::isOnLine(int x, int y, int reach) const {
       const auto& there = fineSample(column, row);
       const auto kind = difference(here, finePoint(x, y), there, finePoint(column, row));
       if (kind == Difference::Step && here.along < there.along) return true;
-      if (kind == Difference::Border && i * i + j * j <= 1) return true;
+      const bool divides = kind == Difference::Edge ||
+                           (kind == Difference::Border && !areOne(here.surface, there.surface));
+      if (divides && i * i + j * j <= 1) return true;
     }
   }
   return false;
 }
 
-void PixelSamples::drawPixel(Image& image, SampleShader shade, int x, int y, int reach) const {
+void PixelSamples::drawPixel(Image& image, SampleShader shade, SurfaceMatcher areOne, int x, int y,
+                             int reach) const {
   const int column = area_.x0 + x;
   const int row = area_.y0 + y;
   if (!isNearRefined(x, y)) {
@@ -225,7 +228,9 @@ void PixelSamples::drawPixel(Image& image, SampleShader shade, int x, int y, int
     const auto& sample = fineSample(fineX, fineY);
     if (!sample.isHit()) continue;
     auto color = shade(sample, finePoint(fineX, fineY));
-    if (reach > 0 && isOnLine(fineX, fineY, reach)) color = blended(color, kLine, kLineOpacity);
+    if (reach > 0 && isOnLine(fineX, fineY, reach, areOne)) {
+      color = blended(color, kLine, kLineOpacity);
+    }
     sum[0] += color.red;
     sum[1] += color.green;
     sum[2] += color.blue;
@@ -237,14 +242,15 @@ void PixelSamples::drawPixel(Image& image, SampleShader shade, int x, int y, int
               static_cast<double>(hits) / kSquare);
 }
 
-void PixelSamples::draw(Image& image, SampleShader shade, double lineWidth,
+void PixelSamples::draw(Image& image, SampleShader shade, SurfaceMatcher areOne, double lineWidth,
                         const ParallelOptions& options) const {
   const int reach = static_cast<int>(std::lround(std::clamp(lineWidth, 0.0, 1.0) * kSide));
   const ParallelOptions rows{.threads = options.threads, .grain = 8, .progress = {}};
   parallelFor(static_cast<std::size_t>(area_.height), rows,
               [&](std::size_t begin, std::size_t end) {
                 for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
-                  for (int x = 0; x < area_.width; ++x) drawPixel(image, shade, x, y, reach);
+                  for (int x = 0; x < area_.width; ++x)
+                    drawPixel(image, shade, areOne, x, y, reach);
                 }
               });
 }

@@ -13,6 +13,8 @@ namespace cutwater::detail {
 
 /// Colour of what is seen at a point of the picture.
 using SampleShader = FunctionRef<Rgb(const SurfaceSample&, const PicturePoint&)>;
+/// Whether two surfaces are one to the viewer: no line divides them unless an edge does.
+using SurfaceMatcher = FunctionRef<bool(std::uint32_t, std::uint32_t)>;
 
 /// What is seen through the pixels of an area: one sample each, and kSide^2 where neighbours
 /// differ: at silhouettes, steps in depth, creases and borders of patches, and where the solid
@@ -30,7 +32,7 @@ class PixelSamples {
                const ParallelOptions& options);
 
   /// Paints the samples, with fine lines along what divides them. `lineWidth` in pixels, at most 1.
-  void draw(Image& image, SampleShader shade, double lineWidth,
+  void draw(Image& image, SampleShader shade, SurfaceMatcher areOne, double lineWidth,
             const ParallelOptions& options) const;
 
   /// What each of so many patches takes of the picture, in parts of a pixel: kSide^2 are one.
@@ -41,7 +43,8 @@ class PixelSamples {
 
  private:
   static constexpr int kSquare = kSide * kSide;
-  enum class Difference : std::uint8_t { None, Crease, Border, Step };
+  /// An edge is a border and a crease.
+  enum class Difference : std::uint8_t { None, Crease, Border, Edge, Step };
 
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(area_.width) +
@@ -57,7 +60,7 @@ class PixelSamples {
   [[nodiscard]] const SurfaceSample& fineSample(int x, int y) const;
   [[nodiscard]] Difference difference(const SurfaceSample& a, const PicturePoint& atA,
                                       const SurfaceSample& b, const PicturePoint& atB) const;
-  [[nodiscard]] bool isOnLine(int x, int y, int reach) const;
+  [[nodiscard]] bool isOnLine(int x, int y, int reach, SurfaceMatcher areOne) const;
   [[nodiscard]] bool differsFromNeighbours(int x, int y) const;
   void tracePixels(SampleTracer trace, const ParallelOptions& options);
   void refine(SampleTracer trace, const ParallelOptions& options);
@@ -66,7 +69,8 @@ class PixelSamples {
   [[nodiscard]] std::pair<int, int> fineCorner(std::size_t pixel) const;
   void showWhatIsThin();
   [[nodiscard]] bool hidesBetween(int x, int y) const;
-  void drawPixel(Image& image, SampleShader shade, int x, int y, int reach) const;
+  void drawPixel(Image& image, SampleShader shade, SurfaceMatcher areOne, int x, int y,
+                 int reach) const;
 
   const Camera& camera_;
   PlotArea area_;

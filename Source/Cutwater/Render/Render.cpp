@@ -128,6 +128,11 @@ class PatchTable {
     return patchColor(patch < ranks_.size() ? ranks_[patch] : 0);
   }
 
+  /// Two patches of one name.
+  [[nodiscard]] bool areOne(std::uint32_t a, std::uint32_t b) const {
+    return a < ranks_.size() && b < ranks_.size() && ranks_[a] == ranks_[b];
+  }
+
   /// The largest ones in sight first.
   [[nodiscard]] std::vector<LegendEntry> legend(const PixelSamples& samples) const {
     std::vector<std::size_t> areas(names_.size());
@@ -182,17 +187,18 @@ Camera aimed(Camera camera, const SignedDistanceFunction<T>& solid, const KeptRe
   return camera;
 }
 
-void drawSamples(Image& image, const PixelSamples& samples, const Camera& camera, double scale,
-                 const PatchTable* patches, const RenderOptions& options) {
-  const detail::Shading shading(camera.view(), scale);
+void drawSamples(Image& image, const PixelSamples& samples, const detail::Shading& shading,
+                 const PatchTable& patches, const RenderOptions& options) {
+  const bool byPatch = !options.color && patches.names().size() > 1;
   const Rgb one = options.color.value_or(*colorNamed("steel"));
-  samples.draw(image,
-               [&](const SurfaceSample& sample, const PicturePoint& at) {
-                 if (sample.isCut()) return shading.cutFace(options.cutColor, at);
-                 return shading.surface(sample,
-                                        patches != nullptr ? patches->color(sample.surface) : one);
-               },
-               options.lines ? kLineWidth : 0, {.threads = options.threads, .progress = {}});
+  samples.draw(
+      image,
+      [&](const SurfaceSample& sample, const PicturePoint& at) {
+        if (sample.isCut()) return shading.cutFace(options.cutColor, at);
+        return shading.surface(sample, byPatch ? patches.color(sample.surface) : one);
+      },
+      [&](std::uint32_t a, std::uint32_t b) { return patches.areOne(a, b); },
+      options.lines ? kLineWidth : 0, {.threads = options.threads, .progress = {}});
 }
 
 }  // namespace
@@ -202,8 +208,7 @@ Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& option
   check(options);
   const auto rest = whatIsLeft(solid, options);
   const PatchTable patches(solid.patchNames());
-  const bool byPatch = !options.color && patches.names().size() > 1;
-  const bool hasLegend = byPatch && options.legend;
+  const bool hasLegend = !options.color && patches.names().size() > 1 && options.legend;
   const RenderLayout layout(
       options.width, options.height,
       {.title = !options.title.empty(),
@@ -224,7 +229,7 @@ Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& option
 
   auto image = options.transparent ? Image::transparent(options.width, options.height)
                                    : Image(options.width, options.height);
-  drawSamples(image, samples, camera, layout.scale(), byPatch ? &patches : nullptr, options);
+  drawSamples(image, samples, detail::Shading(camera.view(), layout.scale()), patches, options);
   if (!options.title.empty()) layout.drawTitle(image, options.title);
   if (hasLegend) layout.drawLegend(image, patches.legend(samples));
   if (options.axes) {
