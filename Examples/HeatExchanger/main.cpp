@@ -89,7 +89,7 @@ bool report(const std::string& name, const Solid<double>& part, const std::strin
   if (name != "wall") std::printf("wets %.0f mm^2; ", wettedArea(mesh));
   std::printf("%s\n", found.summary().c_str());
   if (!folder.empty()) writeSurface(std::filesystem::path(folder) / (name + ".stl"), mesh);
-  return found.isClean() && bounds.volume.contains(found.volume);
+  return found.isClean() && found.components == 1 && bounds.volume.contains(found.volume);
 }
 
 void paste(const Image& part, Image& sheet, int x0, int y0) {
@@ -109,7 +109,7 @@ Image shown(const Solid<double>& solid, const std::string& title, int size,
   return render(solid, options);
 }
 
-/// The solid cut open, beside the fluids in the colours of their sides.
+/// The solid cut open, beside the fluids in the colours of their sides, patches 1 and 3.
 Image picture(const TwoFluids<double>& parts, const Box<double>& block, int width) {
   Image sheet(width, width * 2 / 3);
   const int large = sheet.height();
@@ -119,7 +119,7 @@ Image picture(const TwoFluids<double>& parts, const Box<double>& block, int widt
                                {block.upper.x + 1, middle.y, block.upper.z + 1});
   paste(shown(parts.wall - named(quarter, "cut"), "A gyroid heat exchanger", large), sheet, 0, 0);
   paste(shown(parts.a, "Fluid A, along x", small, patchColor(1)), sheet, large, 0);
-  paste(shown(parts.b, "Fluid B, along y", small, patchColor(2)), sheet, large, small);
+  paste(shown(parts.b, "Fluid B, along y", small, patchColor(3)), sheet, large, small);
   return sheet;
 }
 
@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
   auto sides = TpmsChannels<double>::of({TpmsPattern::gyroid(), kCell}, 0.35);
   sides = {named(sides.a, "side of A"), named(sides.b, "side of B")};
   const auto parts =
-      twoFluidsIn<double>(block, sides, {.axisOfA = 0, .axisOfB = 1, .capThickness = 0.8});
+      twoFluidsIn<double>(block, sides, {.axisOfA = 0, .axisOfB = 1, .capThickness = 0.5});
   // DOCS]
   bool isRight = report("wall", parts.wall, folder);
   isRight = report("fluid-a", parts.a, folder) && isRight;

@@ -140,6 +140,43 @@ TYPED_TEST(TwoFluidsTest, PartsBesideAWallOfEvenThicknessFit) {
   }
 }
 
+TEST(TwoFluidsPatchesTest, TellWhereFluidsComeInAndWhatClosesThem) {
+  auto sides = TpmsChannels<double>::of({TpmsPattern::gyroid(), 1}, 0.3);
+  sides.a = named(sides.a, "side of A");
+  const auto nameAt = [](const Solid<double>& solid, const Vec3<double>& p) {
+    const auto nearest = solid.closestPoint(p);
+    EXPECT_LT(length(nearest.point - p), 1e-9);
+    return solid.patchNames().at(nearest.owner.patch);
+  };
+  // At z = 1 the fluid comes in, at x = 0.9, or that far from the axis, a cap is before it.
+  const auto expectNames = [&](const Solid<double>& a, bool isRound) {
+    int ends = 0;
+    int caps = 0;
+    int walls = 0;
+    for (double u = -0.5; u < 0.5; u += 0.04) {
+      for (double v = -0.3; v < 0.3; v += 0.04) {
+        if (a.signedDistance({u, v, 0.98}) < -0.015) {
+          EXPECT_EQ(nameAt(a, {u, v, 1}), "outside");
+          ++ends;
+        }
+        const Vec3<double> place{isRound ? std::sqrt(0.81 - v * v) : 0.9, v, u};
+        if (a.signedDistance(0.98 * place) < -0.015) {
+          EXPECT_EQ(nameAt(a, place), "caps");
+          ++caps;
+        }
+        const auto nearest = a.closestPoint({u, v, 0.1});
+        walls += a.patchNames().at(nearest.owner.patch) == "side of A" ? 1 : 0;
+      }
+    }
+    EXPECT_GT(std::min({ends, caps, walls}), 20);
+  };
+  expectNames(twoFluidsIn<double>({{-1, -1, -1}, {1, 1, 1}}, sides,
+                                  {.axisOfA = 2, .axisOfB = 1, .capThickness = 0.1})
+                  .a,
+              false);
+  expectNames(twoFluidsIn<double>({.radius = 1, .z = {-1, 1}, .capThickness = 0.1}, sides).a, true);
+}
+
 TEST(TwoFluidsErrorsTest, RefusesFlowsThatAreNone) {
   const auto channels = TpmsChannels<double>::of({TpmsPattern::gyroid(), 1.0}, 0.3);
   const Box<double> box{{0, 0, 0}, {1, 2, 3}};

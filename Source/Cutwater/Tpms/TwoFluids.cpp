@@ -37,6 +37,10 @@ TwoFluids<T> twoFluids(const Solid<T>& domain, const TpmsChannels<T>& channels,
 
 namespace {
 
+/// Patches of what twoFluidsIn() makes, besides those of the channels.
+constexpr auto kOutside = "outside";
+constexpr auto kCaps = "caps";
+
 /// All that is beyond the point along the direction.
 template <std::floating_point T>
 Solid<T> beyond(int axis, T place, T direction) {
@@ -44,7 +48,7 @@ Solid<T> beyond(int axis, T place, T direction) {
   Vec3<T> inwards;
   point[axis] = place;
   inwards[axis] = -direction;
-  return Plane<T>(point, inwards);
+  return named(Plane<T>(point, inwards), kCaps);
 }
 
 }  // namespace
@@ -67,7 +71,7 @@ TwoFluids<T> twoFluidsIn(const Box<T>& box, const TpmsChannels<T>& channels,
       ends.push_back({beyond(axis, box.upper[axis] - flow.capThickness, T(1)), channel});
     }
   }
-  return twoFluids<T>(Cuboid<T>(box.lower, box.upper), channels, ends);
+  return twoFluids<T>(named(Cuboid<T>(box.lower, box.upper), kOutside), channels, ends);
 }
 
 template <std::floating_point T>
@@ -79,8 +83,9 @@ TwoFluids<T> twoFluidsIn(const CylinderFlow<T>& cylinder, const TpmsChannels<T>&
   const std::vector<ClosedEnd<T>> ends{
       {beyond(2, z.lower + cap, T(-1)), TpmsChannel::B},
       {beyond(2, z.upper - cap, T(1)), TpmsChannel::B},
-      {~InfiniteCylinder<T>({0, 0, 0}, {0, 0, 1}, radius - cap), TpmsChannel::A}};
-  return twoFluids<T>(Cylinder<T>({0, 0, z.lower}, {0, 0, z.upper}, radius), channels, ends);
+      {named(~InfiniteCylinder<T>({0, 0, 0}, {0, 0, 1}, radius - cap), kCaps), TpmsChannel::A}};
+  const Cylinder<T> whole({0, 0, z.lower}, {0, 0, z.upper}, radius);
+  return twoFluids<T>(named(whole, kOutside), channels, ends);
 }
 
 template struct TpmsChannels<float>;

@@ -53,6 +53,9 @@ struct CrossFlow {
   T capThickness;
 };
 
+/// The sides of the box are the patch "outside", of a fluid where it comes in and goes out; what
+/// closes the channels is "caps".
+///
 /// @throws Error unless the axes are two of 0, 1 and 2, and caps are thinner than half the box.
 template <std::floating_point T>
 [[nodiscard]] TwoFluids<T> twoFluidsIn(const Box<T>& box, const TpmsChannels<T>& channels,
@@ -67,6 +70,8 @@ struct CylinderFlow {
   T capThickness;
 };
 
+/// Patches as in a box.
+///
 /// @throws Error unless caps are thinner than the radius and half the height.
 template <std::floating_point T>
 [[nodiscard]] TwoFluids<T> twoFluidsIn(const CylinderFlow<T>& cylinder,
