@@ -18,8 +18,6 @@ using namespace cutwater;
 
 namespace {
 
-constexpr double kSpacing = 0.04;
-
 /// The farthest that a middle of a triangle or of an edge is from the solid's surface.
 double farthest(const Solid<double>& solid, const PolygonSoup& mesh) {
   std::vector<Vec3<double>> middles;
@@ -51,8 +49,9 @@ int main(int argc, char** argv) {
   const Cylinder<double> bolt({2.3, 0, -1}, {2.3, 0, 2}, 0.35);
   const auto block = body - shaft - bolt - mirrored(bolt, {1, 0, 0});
 
+  const double spacing = 0.04;
   const auto mesh =
-      isosurface<double>(block, nodesAround(block.boundingBox(), kSpacing), {.featureAngle = 30});
+      isosurface<double>(block, nodesAround(block.boundingBox(), spacing), {.featureAngle = 30});
   if (argc > 1) writeSurface(argv[1], mesh);
   // DOCS]
 
@@ -62,7 +61,7 @@ int main(int argc, char** argv) {
   const double distance = farthest(block, mesh);
   std::printf("%zu triangles, closed: %s; at most %.3f cells from the solid's surface\n",
               mesh.polygonCount(), printed.signReport().isClosed() ? "yes" : "no",
-              distance / kSpacing);
+              distance / spacing);
   std::printf("volume %.3f, certainly %.3f to %.3f\n", volume, certain.volume.lower,
               certain.volume.upper);
   if (argc > 2) {
@@ -71,7 +70,7 @@ int main(int argc, char** argv) {
     options.title = "A bearing block, meshed";
     writePng(argv[2], render(printed, options));
   }
-  const bool isRight = printed.signReport().isClosed() && distance < 0.1 * kSpacing &&
+  const bool isRight = printed.signReport().isClosed() && distance < 0.1 * spacing &&
                        certain.volume.contains(volume);
   return isRight ? 0 : 1;
 }
