@@ -28,10 +28,13 @@ def example_page(folder):
     return "".join(parts)
 
 
-def examples_index(folders):
+def examples_index(text, folders):
+    """The page of all examples, which has to lead to each."""
+    missing = [folder.name for folder in folders if f"]({folder.name}/README.md)" not in text]
+    if missing:
+        raise SystemExit(f"Examples/README.md does not mention: {', '.join(missing)}")
     entries = "\n".join(f"{folder.name}/README" for folder in folders)
-    return ("# Examples\n\nEach is a small program, compiled and run by the tests.\n\n"
-            f"```{{toctree}}\n:maxdepth: 1\n{entries}\n```\n")
+    return f"{text}\n```{{toctree}}\n:hidden:\n{entries}\n```\n"
 
 
 def digest(folder):
@@ -43,7 +46,7 @@ def digest(folder):
 def layer_page(name, headers, version):
     """A section for each header of a layer, with what it says of itself and all that it declares."""
     heading = LAYERS[name][0].upper() + LAYERS[name][1:]
-    lines = [f"% of the headers {version}", f"# {name}", "", heading + ".", "", "```{contents}", ":local:", "```", ""]
+    lines = [f"% of the headers {version}", f"# {name}", "", heading + ".", ""]
     for path, file in headers.items():
         title = path if "/" not in path else path.split("/", 2)[2].removesuffix(".hpp")
         lines += [f"## {title}", "", "```cpp", f"#include <{path}>", "```", "",
@@ -99,5 +102,6 @@ def write_pages(root, site, xml, headers):
         for file in folder.iterdir():
             if file.suffix in LANGUAGES:
                 shutil.copy2(file, target / file.name)
-    write_if_changed(site / "Examples/index.md", examples_index(folders))
+    text = (root / "Examples/README.md").read_text()
+    write_if_changed(site / "Examples/index.md", site_links(examples_index(text, folders)))
     write_reference(site / "Docs/reference", xml, headers)

@@ -226,7 +226,8 @@ def check_links():
                 found.append(f"{name(page)}: no file {target}")
             elif anchor and anchor not in headings(file):
                 found.append(f"{name(page)}: no heading {target}#{anchor}")
-    contents = (ROOT / "Docs/site/contents.md").read_text().split()
+    # An entry is a path, or a title and <a path>.
+    contents = re.findall(r"[^\s<>]+", (ROOT / "Docs/site/contents.md").read_text())
     return found + [f"{name(page)}: not in Docs/site/contents.md"
                     for page in sorted((ROOT / "Docs").glob("*.md")) if f"Docs/{page.stem}" not in contents]
 
