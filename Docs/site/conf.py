@@ -23,3 +23,5 @@ html_math_renderer = "mathml"
 html_theme = "furo"
 html_title = f"Cutwater {release}"
 html_copy_source = False
+html_static_path = ["static"]
+html_css_files = ["site.css"]
