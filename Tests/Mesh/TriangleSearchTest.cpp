@@ -296,5 +296,21 @@ TYPED_TEST(TriangleSearchTest, OfNoPointsAndOfFewerThanTakeTurns) {
   }
 }
 
+TYPED_TEST(TriangleSearchTest, OfFlatSurfacesWhoseHeightsUnderflow) {
+  using T = TypeParam;
+  // Ways to the surface are so short that their squares vanish in single precision, not all of
+  // their products with larger numbers.
+  const double tilt = 0x1p-67;
+  const Searched<T> mesh(
+      makeSoup({{0, 0, 0}, {0, tilt, 0.25}, {0, 0, 0}, {0, 0, 0}, {-1, 0, 0}, {0, 0, 0}},
+               {{1, 4, 3}, {1, 5, 4}, {0, 5, 2}, {1, 2, 5}}));
+  std::vector<Vec3<T>> points;
+  for (int n = 0; n < 128; ++n) {
+    const Vec3<double> part{n % 8 / 64.0, n / 8 % 4 / 64.0, n / 32 / 64.0};
+    points.emplace_back(Vec3<double>{0.5 * part.x - 1, 0.25 * tilt * part.y, part.z / 16});
+  }
+  expectAnswersOfAll(mesh, points);
+}
+
 }  // namespace
 }  // namespace cutwater::test

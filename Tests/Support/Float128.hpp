@@ -21,10 +21,10 @@ struct Vec3Float128 {
   }
 };
 
-/// By Newton's method from double; libquadmath is not needed.
+/// By Newton's method from double; libquadmath is not needed. 0 where a double would underflow.
 inline Float128 squareRoot(Float128 a) {
-  if (!(a > 0)) return 0;
   Float128 root = std::sqrt(static_cast<double>(a));
+  if (!(root > 0)) return 0;
   for (int i = 0; i < 3; ++i) root = (root + a / root) / 2;
   return root;
 }

@@ -40,8 +40,8 @@ class ClusterBounds {
     }
   }
 
-  /// A bit for each lane that can be left out. `separation`: not more than s. `along`: w . e for
-  /// the box's half extents, one by one.
+  /// A bit for each lane that can be left out. `separation`: not more than s. `length`: |w|.
+  /// `along`: w . e for the box's half extents, one by one.
   CUTWATER_INLINE std::uint32_t isBeyond(Floats separation, Floats length,
                                          const Floats3& along) const {
     const Floats sums[4] = {along.x + along.y, along.x - along.y, along.y - along.x,
@@ -55,12 +55,16 @@ class ClusterBounds {
       most = CUTWATER_SIMD::most(most, multiplyAdd(broadcast(farther_[corner + 4]), length,
                                                    broadcast(0.0F) - along.z - sums[i]));
     }
-    return bits(isPositive(separation * broadcast(1 - 0x1p-20F) - most));
+    return bits(both(isPositive(separation * broadcast(1 - 0x1p-20F) - most),
+                     isPositive(length - broadcast(kLeast))));
   }
 
   CUTWATER_INLINE const Vec3<float>& half() const { return half_; }
 
  private:
+  /// Squares of shorter vectors underflow, so that their length is not known.
+  static constexpr float kLeast = 0x1p-50F;
+
   Vec3<float> half_;
   float farther_[8];  // |corner - c|, and the margin
 };

@@ -1,0 +1,114 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+
+#include "Support/MixedMagnitudes.hpp"
+#include "Support/Precisions.hpp"
+#include "Support/Scale.hpp"
+#include "Support/TriangleOracle.hpp"
+
+// Surfaces whose coordinates are of any magnitude, small ones beside large ones: what such numbers
+// underflow in must not show.
+
+namespace cutwater::test {
+namespace {
+
+/// By brute force, in quadruple precision.
+template <typename T>
+double distanceTo(const MeshSDF<T>& mesh, const Vec3<T>& p) {
+  Float128 least = std::numeric_limits<double>::max();
+  for (std::uint32_t id = 0; id < mesh.triangleCount(); ++id) {
+    const auto t = mesh.triangle(id);
+    least = std::min(least, triangleDistanceExactly(p, t[0], t[1], t[2]));
+  }
+  return static_cast<double>(least);
+}
+
+/// Places beside corners, in line with edges, and anywhere.
+template <typename T>
+std::vector<Vec3<T>> placesAround(const PolygonSoup& soup, MixedMagnitudes<T>& soups, int count) {
+  const auto corner = [&] { return Vec3<T>(soup.points[soups.below(soup.points.size())]); };
+  std::vector<Vec3<T>> places;
+  for (int i = 0; i < count; ++i) {
+    const auto a = corner();
+    const Vec3<T> anywhere{soups.coordinate(), soups.coordinate(), soups.coordinate()};
+    places.push_back(i % 3 == 0   ? anywhere
+                     : i % 3 == 1 ? a + T(2) * soups.uniform() * (corner() - a)
+                                  : T(2) * soups.uniform() * a);
+  }
+  return places;
+}
+
+/// As many between two as share their searches.
+template <typename T>
+std::vector<Vec3<T>> brickBetween(const Vec3<T>& p, const Vec3<T>& q) {
+  std::vector<Vec3<T>> points;
+  for (int n = 0; n < 128; ++n) {
+    const Vec3<T> part{T(n % 8) / 64, T(n / 8 % 4) / 64, T(n / 32) / 64};
+    points.push_back(
+        {p.x + part.x * (q.x - p.x), p.y + part.y * (q.y - p.y), p.z + part.z * (q.z - p.z)});
+  }
+  return points;
+}
+
+template <typename T>
+class MixedMagnitudesTest : public ::testing::Test {};
+TYPED_TEST_SUITE(MixedMagnitudesTest, Precisions);
+
+TYPED_TEST(MixedMagnitudesTest, DistancesAreThoseToTheNearestTriangle) {
+  using T = TypeParam;
+  MixedMagnitudes<T> soups(/*seed=*/1);
+  double worst = 0;
+  for (int n = 0; n < scaled(500); ++n) {
+    SCOPED_TRACE(n);
+    const auto soup = soups.next();
+    const MeshSDF<T> mesh(soup, {.probes = 4});
+    for (const auto& p : placesAround(soup, soups, 9)) {
+      const double error = std::abs(double{std::abs(mesh.signedDistance(p))} - distanceTo(mesh, p));
+      worst = std::max(worst, error / double{mesh.guarantee().error(length(p))});
+    }
+  }
+  EXPECT_LE(worst, 1.0);
+}
+
+TYPED_TEST(MixedMagnitudesTest, BatchesHaveTheSameBits) {
+  using T = TypeParam;
+  MixedMagnitudes<T> soups(/*seed=*/2);
+  for (int n = 0; n < scaled(500); ++n) {
+    SCOPED_TRACE(n);
+    const auto soup = soups.next();
+    const MeshSDF<T> mesh(soup, {.probes = 4});
+    const auto places = placesAround(soup, soups, 2);
+    const auto points = brickBetween(places[0], places[1]);
+    std::vector<T> together(points.size());
+    mesh.signedDistances(points, together, {.threads = 1});
+    for (std::size_t i = 0; i < points.size(); i += 5) {
+      ASSERT_EQ(together[i], mesh.signedDistance(points[i])) << points[i];
+    }
+  }
+}
+
+TYPED_TEST(MixedMagnitudesTest, BoundsHoldTheValues) {
+  using T = TypeParam;
+  MixedMagnitudes<T> soups(/*seed=*/3);
+  for (int n = 0; n < scaled(300); ++n) {
+    SCOPED_TRACE(n);
+    const auto soup = soups.next();
+    const MeshSDF<T> mesh(soup, {.findSelfIntersections = true, .probes = 4});
+    const auto places = placesAround(soup, soups, 12);
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      const Box<T> box{min(places[i], places[i + 1]), max(places[i], places[i + 1])};
+      const auto bounds = mesh.bounds(box);
+      const auto kind = mesh.classify(box);
+      for (const auto& p : {places[i], places[i + 1], box.center(), box.lower, box.upper}) {
+        const T value = mesh.signedDistance(p);
+        ASSERT_LE(bounds.lower, value) << p;
+        ASSERT_GE(bounds.upper, value) << p;
+        ASSERT_TRUE(kind != BoxClass::Inside || value < 0) << p;
+        ASSERT_TRUE(kind != BoxClass::Outside || value >= 0) << p;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cutwater::test
