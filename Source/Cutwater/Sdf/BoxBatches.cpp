@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-// Many boxes at a time.
+// Batches of boxes.
 
 namespace cutwater {
 
 namespace {
 
-/// Boxes reach the shapes in pieces of this many, whose local copies fit the L1 cache.
+/// Boxes are passed to the shapes in batches of this size, whose local copies fit the L1 cache.
 constexpr std::size_t kBatch = 256;
 
 }  // namespace

@@ -22,7 +22,7 @@ class Projection {
 
   SurfacePoint<T> run() {
     constexpr int kMostSteps = 96;
-    std::array<Vec3<T>, 4> trail;  // the points before
+    std::array<Vec3<T>, 4> trail;  // the previous points
     for (std::size_t step = 0; step < kMostSteps && !arrived(); ++step) {
       trail[step % 4] = point_;
       if (!moveTo(limited(point_ - (residual_ / lengthSquared(slope())) * slope_))) break;
@@ -40,12 +40,12 @@ class Projection {
   }
 
  private:
-  /// In units of all lengths that are known. Where the gradient nearly vanishes, as it does if
-  /// there is no surface at all, steps would end anywhere: far away, a value may take very long to
-  /// find.
+  /// In units of the sum of all known lengths. Where the gradient nearly vanishes, as it does if
+  /// there is no surface at all, steps could end anywhere, and a value far away may take very long
+  /// to compute.
   static constexpr T kFarthest = 64;
 
-  /// A point on the way to `next`, no farther away than that.
+  /// `next`, or the point on the way to it at the greatest distance allowed.
   [[nodiscard]] Vec3<T> limited(const Vec3<T>& next) const {
     const T distance = length(next - start_);
     return distance > reach_ ? start_ + (reach_ / distance) * (next - start_) : next;
@@ -53,30 +53,30 @@ class Projection {
   [[nodiscard]] T rounding() const { return field_.guarantee.error(length(point_)); }
   [[nodiscard]] bool arrived() const { return std::abs(residual_) <= rounding(); }
 
-  /// Of an exact distance, the gradient is a unit vector; where it is not (by differences: across
-  /// a kink), it is of no use.
+  /// The gradient of an exact distance is a unit vector; if a computed one is not (by differences
+  /// across a kink), it is of no use.
   [[nodiscard]] bool isUseful(const Vec3<T>& gradient) const {
     const T squared = lengthSquared(gradient);
     return quality_ == Quality::Exact ? std::abs(squared - 1) < T(0.1) : squared > T(1e-12);
   }
 
-  /// The gradient here or, where there is none because several surface points are equally near,
-  /// just beside: that of one of them. The first steps' worth of moving away is rounding; the
-  /// second steps outside the reach of centred differences.
+  /// The gradient here or, where it is undefined because several surface points are equally near,
+  /// just beside, where one of them is nearest. The first distances tried are of the size of
+  /// rounding; the others are beyond the reach of centred differences.
   const Vec3<T>& slope() {
     slope_ = field_.gradient(point_);
     const T wide =
         4 * std::cbrt(std::numeric_limits<T>::epsilon()) * (length(point_) + field_.guarantee.size);
     for (const T distance : {rounding(), -rounding(), wide, -wide}) {
       if (isUseful(slope_)) return slope_;
-      // No plane of symmetry that a person would choose contains this direction.
+      // Not in any plane of symmetry that a person is likely to choose.
       slope_ = field_.gradient(point_ + distance * Vec3<T>{T(0.48), T(0.64), T(0.6)});
     }
     if (!isUseful(slope_)) slope_ = steepest();
     return slope_;
   }
 
-  /// Without a gradient: one of six directions, the one that ends nearest to the surface.
+  /// Without a gradient: the one of six directions that leads nearest to the surface.
   [[nodiscard]] Vec3<T> steepest() const {
     Vec3<T> best{residual_ < 0 ? T(-1) : T(1), 0, 0};
     T bestValue = std::numeric_limits<T>::infinity();
@@ -91,8 +91,8 @@ class Projection {
 
   bool moveTo(const Vec3<T>& next) {
     if (next == point_ || !isFinite(next)) return false;
-    // Along the step the gradient of an exact distance is constant, so this is the normal where
-    // the step arrives, also at an edge; later steps only remove rounding from it.
+    // The gradient of an exact distance is constant along the step, so this is the normal where the
+    // step ends, also at an edge; later steps only remove rounding from the point.
     const bool isFirst = normal_ == Vec3<T>{};
     if (isFirst || quality_ != Quality::Exact) normal_ = normalized(slope_);
     point_ = next;
@@ -100,8 +100,8 @@ class Projection {
     return true;
   }
 
-  /// Where two surfaces meet at an edge, steps alternate between them and converge linearly: sums
-  /// the geometric series (Aitken's extrapolation) if that is nearer.
+  /// Where two surfaces meet at an edge, steps alternate between them and converge linearly. Sums
+  /// the geometric series (Aitken's extrapolation) if that leads nearer.
   void leapAlong(const Vec3<T>& first, const Vec3<T>& second) {
     if (arrived()) return;
     const T before = length(second - first);
@@ -149,7 +149,7 @@ std::optional<SurfacePoint<T>> steppedPoint(FunctionRef<T(const Vec3<T>&)> value
 template <std::floating_point T>
 void rate(SurfacePoint<T>& result, const Vec3<T>& p, T residual, const Guarantee<T>& guarantee) {
   if (guarantee.quality(result.distance) == Quality::SignOnly) return;
-  // The surface is no nearer than |value|, and has a point this much farther.
+  // The surface is no nearer than |value|, and one of its points is this much farther away.
   const T gap = length(result.point - p) - std::abs(result.distance);
   const T rounding = guarantee.error(length(p) + length(result.point));
   result.exact = std::abs(residual) <= rounding && gap <= 2 * rounding;
@@ -169,7 +169,7 @@ class CrossingSearch {
         error_(field.guarantee.error(std::max(length(segment.start), length(segment.end)))) {}
 
   CrossingCount run() {
-    // Depth first, left half on top: at most one pending half per level.
+    // Depth first, with the left half on top: at most one pending half per level.
     std::array<Stretch, kDeepest + 2> pending;
     std::size_t size = 0;
     pending[size++] = {0, 1, valueAt(0), valueAt(1), 0};
@@ -177,7 +177,7 @@ class CrossingSearch {
       const Stretch s = pending[--size];
       const bool crosses = (s.from < 0) != (s.to < 0);
       if (!crosses && isFree(s)) {
-        // Where rounding alone tells free from not, a run goes on.
+        // A run goes on where rounding alone decides whether a stretch is free.
         if (std::max(std::abs(s.from), std::abs(s.to)) > 4 * error_) closeRun(false);
       } else if (isWorthHalving(s)) {
         const T middle = T(0.5) * (s.begin + s.end);
@@ -212,7 +212,7 @@ class CrossingSearch {
 
   T valueAt(T parameter) const { return field_.value(segment_.at(parameter)); }
 
-  /// By how much the value can change along the stretch.
+  /// The most by which the value can change along the stretch.
   T change(const Stretch& s) const {
     return *field_.guarantee.lipschitz * (s.end - s.begin) * reach_;
   }
@@ -229,8 +229,8 @@ class CrossingSearch {
     return middle > s.begin && middle < s.end && spent_++ < kBudget;
   }
 
-  /// Ends a run of stretches that could be neither freed nor halved. What is within rounding of a
-  /// crossing belongs to it.
+  /// Ends a run of stretches that could neither be proven free nor halved. A run within rounding of
+  /// a crossing counts as part of it.
   void closeRun(bool atCrossing) {
     const bool touchesCrossing = atCrossing || afterCrossing_;
     if (inRun_ && (runIsCoarse_ || !touchesCrossing)) ++count_.unresolved;
@@ -277,7 +277,7 @@ CrossingCount isolatedCrossings(const Field<T>& field, const Segment<T>& segment
 template <std::floating_point T>
 Interval<T> boundsAround(T atCenter, const OrientedBox<T>& box, const Guarantee<T>& guarantee) {
   const T radius = box.radius();
-  // Rounding twice: of this value, and of the values in the box that the interval encloses.
+  // Twice the rounding: that of this value, and that of the values in the box to be enclosed.
   const T margin = *guarantee.lipschitz * radius + 2 * guarantee.error(length(box.center) + radius);
   const T outward = 4 * std::numeric_limits<T>::epsilon() * (std::abs(atCenter) + margin);
   return Interval<T>{atCenter - margin, atCenter + margin}.grown(outward);
@@ -295,7 +295,7 @@ Interval<T> boundsWithin(const Interval<T>& range, T atCenter, const OrientedBox
 template <std::floating_point T>
 Interval<T> distanceRange(const Interval<T>& values, const Guarantee<T>& guarantee) {
   constexpr T kInf = std::numeric_limits<T>::infinity();
-  // The least of what values mean on the sides that there may be.
+  // The weaker quality of the sides that the values may be on.
   auto quality = Quality::Exact;
   if (values.lower < 0) quality = std::min(quality, guarantee.inside);
   if (values.upper >= 0) quality = std::min(quality, guarantee.outside);
@@ -307,8 +307,8 @@ Interval<T> distanceRange(const Interval<T>& values, const Guarantee<T>& guarant
 template <std::floating_point T>
 Guarantee<T> placed(Guarantee<T> local, const RigidTransform<T>& placement) {
   if (placement.isIdentity()) return local;
-  // transformPoint() moves the point by up to one rounding of the offset's size, a rotation by up
-  // to eight more; the value follows by the Lipschitz constant.
+  // transformPoint() moves the point by up to one rounding error of the offset's size, and a
+  // rotation by up to eight more; the value changes accordingly, by the Lipschitz constant.
   local.ulps += local.lipschitz.value_or(T(1)) * (placement.isRotated() ? T(9) : T(1));
   local.size += length(placement.offset());
   if (!placement.isRotated()) {

@@ -16,7 +16,7 @@ std::string nameOf(Quality quality) {
                                           : "sign only";
 }
 
-/// To six digits: boxes are grown by rounding, which is nothing to read.
+/// To six digits: the slight growth of boxes by rounding is not worth reading.
 std::string textOf(double value) {
   std::array<char, 32> buffer{};
   const auto end = buffer.data() + buffer.size();
@@ -26,7 +26,7 @@ std::string textOf(double value) {
 
 template <std::floating_point T>
 std::string textOf(const Vec3<T>& v) {
-  std::string text = "(";  // g++ 12 warns of sums that begin with it
+  std::string text = "(";  // g++ 12 warns about sums that begin with it
   text += textOf(double{v.x}) + ", " + textOf(double{v.y}) + ", " + textOf(double{v.z}) + ")";
   return text;
 }

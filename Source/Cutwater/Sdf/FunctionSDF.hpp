@@ -8,27 +8,27 @@
 
 namespace cutwater {
 
-/// What can be asked for a number at a point.
+/// A callable that returns a number for a point.
 template <typename F, typename T>
 concept PointFunction = std::is_invocable_r_v < T,
         const F&, const Vec3<T>
 & > ;
 
-/// A function of the user's own as a solid: {function < 0}, with what its values promise.
+/// A user-defined function as a solid, {function < 0}, with a guarantee about its values.
 ///
 ///     const FunctionSDF bumpy([](const Vec3<double>& p) { return ...; },
 ///                             Guarantee<double>{.lipschitz = 1.5, .continuous = true});
 ///
 /// Everything else follows from values and guarantee: closest points, crossings, bounds and classes
-/// of boxes. The promise is taken as given. With a Lipschitz constant boxes can be classified at
-/// all; state `ulps` and `size` such that error() bounds the function's rounding. The function is
+/// of boxes. The guarantee is not checked. Boxes can be classified only with a Lipschitz constant;
+/// choose `ulps` and `size` such that error() bounds the function's rounding. The function is
 /// called from several threads at once and must not throw.
 ///
 /// @throws Error if the Lipschitz constant or the rounding is negative or not a number.
 template <std::floating_point T, PointFunction<T> Function>
 class FunctionSDF final : public SignedDistanceFunction<T> {
  public:
-  /// `boundingBox`: encloses where the function is not positive, if that is known.
+  /// `boundingBox`: encloses the points where the function is not positive, if such a box is known.
   FunctionSDF(Function function, const Guarantee<T>& guarantee,
               const Box<T>& boundingBox = Box<T>::everywhere())
       : function_(std::move(function)), guarantee_(guarantee), boundingBox_(boundingBox) {
@@ -54,12 +54,12 @@ class FunctionSDF final : public SignedDistanceFunction<T> {
   Box<T> boundingBox_;
 };
 
-/// What is known of a function of the user's own that changes a solid.
+/// What is known about a user-defined function that modifies a solid.
 template <std::floating_point T>
 struct FunctionLimits {
   /// |h(p) - h(q)| <= lipschitz |p - q|.
   T lipschitz{};
-  /// |h(p)| <= amplitude everywhere. Without it the changed solid's bounding box is infinite.
+  /// |h(p)| <= amplitude everywhere. Without it the bounding box of the modified solid is infinite.
   T amplitude = Box<T>::kInf;
   /// The function's rounding: at most ulps eps (|p| + |h(p)|).
   T ulps = 8;

@@ -7,7 +7,7 @@
 
 namespace cutwater {
 
-/// What the magnitude of a value means, from the least to the most.
+/// What the magnitude of a value means, from the weakest to the strongest.
 enum class Quality : std::uint8_t {
   SignOnly,    ///< only the sign is right
   LowerBound,  ///< |value| <= distance to the surface, up to rounding
@@ -16,7 +16,7 @@ enum class Quality : std::uint8_t {
 
 /// What a signed distance function promises about its values.
 ///
-/// The sign is always right: negative exactly inside the solid, up to rounding. A computed value
+/// The sign is always right up to rounding: negative exactly inside the solid. A computed value
 /// differs from the exact value of the function by at most error(point).
 template <std::floating_point T>
 struct Guarantee {
@@ -25,9 +25,9 @@ struct Guarantee {
   /// |f(p) - f(q)| <= lipschitz |p - q|, where a constant is known.
   std::optional<T> lipschitz;
   bool continuous = false;
-  /// Where all this holds.
+  /// Where all of this holds.
   Box<T> domain = Box<T>::everywhere();
-  /// Rounding: see error(). `size` is that of the largest coordinate or radius in the definition.
+  /// Rounding: see error(). `size` is the largest coordinate or radius in the definition.
   T ulps = 8;
   T size = 0;
 
@@ -40,7 +40,7 @@ struct Guarantee {
   [[nodiscard]] constexpr T error(T pointLength) const {
     return ulps * std::numeric_limits<T>::epsilon() * (pointLength + size);
   }
-  /// The box of the solid, given as computed, grown to enclose it in spite of rounding.
+  /// Grows a computed bounding box of the solid so that it encloses the solid despite rounding.
   [[nodiscard]] constexpr Box<T> grown(const Box<T>& box) const {
     if (box.empty()) return box;
     T reach = 0;  // of the farthest corner; infinite sides stay where they are

@@ -15,10 +15,10 @@ constexpr T kEps = std::numeric_limits<T>::epsilon();
 template <std::floating_point T>
 constexpr T kNaN = std::numeric_limits<T>::quiet_NaN();
 
-/// Batches reach the shapes in pieces of this many points, whose local copies fit the L1 cache.
+/// Points are passed to the shapes in batches of this size, whose local copies fit the L1 cache.
 constexpr std::size_t kBatch = 256;
 
-/// The answer about a point that is not finite.
+/// The answer for a point that is not finite.
 template <std::floating_point T>
 SurfacePoint<T> noSurfacePoint() {
   SurfacePoint<T> none;
@@ -208,9 +208,9 @@ OrientedBox<T> SignedDistanceFunction<T>::toLocal(const OrientedBox<T>& box) con
   OrientedBox<T> local = box;
   local.center = placement_.toLocal(box.center);
   for (auto& half : local.halfAxis) half = placement_.directionToLocal(half);
-  // The translation rounds by an ulp of its result, the rotation (three products and two sums a
-  // component, columns orthonormal to 2 eps) by less than 8; the same again for the points that
-  // the box stands for, and for sums of centre and half axes.
+  // The translation rounds by an ulp of its result, the rotation (three products and two sums per
+  // component, columns orthonormal to 2 eps) by less than 8. The same again covers the points of
+  // the box and sums of centre and half axes.
   const T reach = length(box.center) + box.radius() + length(placement_.offset());
   local.slack += (placement_.isRotated() ? T(28) : T(4)) * kEps<T> * reach;
   return local;
@@ -287,7 +287,7 @@ Box<T> SignedDistanceFunction<T>::localClearanceBox() const {
   return isExact && !box.empty() ? box : Box<T>::everywhere();
 }
 
-/// The ball around the centre that reaches the nearest surface point fits into the box.
+/// Whether the ball about the centre that reaches the nearest surface point fits into the box.
 template <std::floating_point T>
 bool SignedDistanceFunction<T>::holdsNearestPoint(const OrientedBox<T>& box) const {
   const auto promise = localGuarantee();
@@ -298,8 +298,8 @@ bool SignedDistanceFunction<T>::holdsNearestPoint(const OrientedBox<T>& box) con
          std::abs(atCenter) + rounding + box.slack <= box.innerRadius();
 }
 
-/// Two of its points are certainly on different sides; jumps are surface, too. A corner of this box
-/// is within its slack of one of the box that was asked about.
+/// Whether two of its points are certainly on different sides; jumps count as surface. A corner of
+/// this box is within its slack of a corner of the box of the query.
 template <std::floating_point T>
 bool SignedDistanceFunction<T>::holdsBothSides(const OrientedBox<T>& box) const {
   bool inside = false;

@@ -14,14 +14,15 @@
 
 namespace cutwater {
 
-/// A solid, given by its signed distance: negative inside, positive outside; 0 counts as outside.
+/// A solid defined by its signed distance: negative inside, positive outside; 0 counts as outside.
 ///
-/// A shape is written once, in its own frame, by overriding localSignedDistance(); placing it in
-/// the world with translate() and rotate() is this class's job, and every public query does so. All
-/// queries are const and thread-safe; those about a point or a box never allocate and never throw.
+/// A shape is written once, in its own frame, by overriding localSignedDistance(). This class
+/// places it in the world with translate() and rotate(), which every public query takes into
+/// account. All queries are const and thread-safe; those about a point or a box never allocate and
+/// never throw.
 ///
-/// A query at a point that is not finite gives NaN; about a box that is empty or not finite,
-/// Unknown and (-inf, inf).
+/// A query at a point that is not finite returns NaN. For a box that is empty or not finite,
+/// queries return Unknown and (-inf, inf).
 template <std::floating_point T>
 class SignedDistanceFunction {
  public:
@@ -29,83 +30,83 @@ class SignedDistanceFunction {
 
   virtual ~SignedDistanceFunction() = default;
 
-  /// Signed distance from the world point, in its units; what it means is told by guarantee().
+  /// Signed distance from a point in the world, in its units; guarantee() states what it means.
   [[nodiscard]] T signedDistance(const Vec3<T>& point) const;
 
-  /// The same for many points, in parallel; the same bits as one by one.
+  /// The same for many points, in parallel; the results are the same to the bit.
   /// @throws Error if the spans differ in size.
   void signedDistances(std::span<const Vec3<T>> points, std::span<T> distances,
                        const ParallelOptions& options = {}) const;
 
-  /// Outward unit normal by centred differences of half-width `delta`. Zero where they vanish, e.g.
-  /// at the centre of a sphere, and unless delta > 0.
+  /// Outward unit normal by centred differences of half-width `delta`. Zero where these vanish,
+  /// e.g. at the centre of a sphere, and for a delta that is not positive.
   [[nodiscard]] Vec3<T> normal(const Vec3<T>& point, T delta) const;
 
-  /// Gradient of the value: analytic where the shape knows it. Zero where it is not defined.
+  /// Gradient of the value, analytic where the shape provides it. Zero where it is not defined.
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& point) const;
 
   /// A point of the surface nearest to `point`, exact or to the tolerance it states.
   [[nodiscard]] SurfacePoint<T> closestPoint(const Vec3<T>& point) const;
 
-  /// The same for many points, in parallel; the same bits as one by one.
+  /// The same for many points, in parallel; the results are the same to the bit.
   /// @throws Error if the spans differ in size.
   void closestPoints(std::span<const Vec3<T>> points, std::span<SurfacePoint<T>> results,
                      const ParallelOptions& options = {}) const;
 
-  /// Object, patch and face of a point that lies on the surface.
+  /// Object, patch and face that a point on the surface belongs to.
   [[nodiscard]] SurfaceOwner owner(const Vec3<T>& surfacePoint) const;
 
-  /// Visits every crossing of the segment with the surface, in order. The number found is odd
-  /// exactly if the values at the two ends differ in sign. A segment that is not finite has none.
+  /// Visits every crossing of the segment with the surface, in order. The number found is odd if
+  /// and only if the values at the two ends differ in sign. A segment that is not finite has none.
   CrossingCount crossings(const Segment<T>& segment, CrossingVisitor<T> visit) const;
 
-  /// Encloses the function's value, exact and as computed, at every point of the box.
+  /// Encloses the function's value, both exact and as computed, at every point of the box.
   [[nodiscard]] Interval<T> bounds(const Box<T>& box, BoxHint* hint = nullptr) const;
 
-  /// Encloses the distance to the surface, which is what a band around it is about, at every point
-  /// of the box: never negative; [0, infinity) where the guarantee tells nothing, and without an
-  /// upper end where values are lower bounds.
+  /// Encloses the distance to the surface at every point of the box, e.g. to select a band around
+  /// the surface. Never negative; [0, infinity) where the guarantee promises only the sign or does
+  /// not apply, and without an upper bound where values are lower bounds.
   [[nodiscard]] Interval<T> distanceBounds(const Box<T>& box, BoxHint* hint = nullptr) const;
 
-  /// Where the box lies; Inside, Outside and Cut are certain.
+  /// Classifies the box; Inside, Outside and Cut are certain.
   [[nodiscard]] BoxClass classify(const Box<T>& box, BoxHint* hint = nullptr) const;
 
-  /// The same for many boxes, in parallel; the same as one by one. Neighbours in the span are best
-  /// close to each other in space. Hints, if there are any, are one for each box.
+  /// The same for many boxes in parallel, with the same answers. Neighbours in the span should be
+  /// close to each other in space. Pass either no hints or one for each box.
   /// @throws Error if the spans differ in size.
   void classify(std::span<const Box<T>> boxes, std::span<BoxClass> classes,
                 std::span<BoxHint> hints = {}, const ParallelOptions& options = {}) const;
 
-  /// Shows the surface that meets the box, until visit(facet) answers false: where it is made of
-  /// flat pieces, all of them that do, and perhaps some that do not or that lie within another
-  /// operand; otherwise samples of it. Nothing of a box that is empty or not finite. Returns
-  /// whether all pieces were shown, and no mere samples.
+  /// Visits the surface in the box until visit(facet) returns false. Where the surface consists of
+  /// flat pieces, visits all that meet the box, and perhaps some that do not or that lie within
+  /// another operand; elsewhere, samples of it. Visits nothing for a box that is empty or not
+  /// finite. Returns whether all pieces were visited, and no samples.
   bool facetsIn(const Box<T>& box, FacetVisitor<T> visit) const;
 
-  /// What a value means, in world coordinates.
+  /// What values mean, in world coordinates.
   [[nodiscard]] Guarantee<T> guarantee() const;
 
   /// Encloses the solid {value <= 0}; may be infinite or empty.
   [[nodiscard]] Box<T> boundingBox() const;
 
-  /// A box beyond which a value is at least the distance to the box, up to rounding; infinite if
-  /// none is known. Where values outside are exact distances it is boundingBox(); that of mere
-  /// lower bounds may be larger: the whole block's for what is left of a block.
+  /// A box outside which every value is at least the distance to the box, up to rounding; infinite
+  /// if none is known. Where values outside are exact distances, this is boundingBox(). Where they
+  /// are only lower bounds it may be larger: for a block with a hole, that of the block.
   [[nodiscard]] Box<T> clearanceBox() const;
 
-  /// Names of the patches that closestPoint() and crossings() tell by their index.
+  /// Names of the patches, by the index that closestPoint() and crossings() report.
   [[nodiscard]] std::vector<std::string> patchNames() const { return localPatchNames(); }
 
-  /// The expression, a line for every shape and operator with what it promises, operands below:
+  /// The expression: one line for every shape and operator with its guarantee, operands below:
   ///
   ///     Union: outside exact, inside lower bound, Lipschitz 1; in (-1, -1, -1) .. (3, 1, 1)
   ///       Sphere: exact, Lipschitz 1; in (-1, -1, -1) .. (1, 1, 1)
   ///       Torus, moved by (2, 0, 0) and turned: exact, Lipschitz 1; in (0.9, -1, -1) .. (3, 1, 1)
   ///
-  /// Of more than 16 operands the first ones.
+  /// Lists only the first 16 operands of each operator.
   [[nodiscard]] std::string describe() const;
 
-  /// Motions act on the object, in call order: see RigidTransform.
+  /// Move the object, in the order of the calls: see RigidTransform.
   void translate(const Vec3<T>& offset) { placement_.translate(offset); }
   void rotate(T degrees, int axis) { placement_.rotate(degrees, axis); }
   void rotate(T degrees, const Vec3<T>& axis, const Vec3<T>& through = {}) {
@@ -114,7 +115,7 @@ class SignedDistanceFunction {
   [[nodiscard]] const RigidTransform<T>& placement() const { return placement_; }
   void setPlacement(const RigidTransform<T>& placement) { placement_ = placement; }
 
-  /// World -> the shape's own frame. Already applied when a local function is called.
+  /// From the world to the shape's own frame. Already applied when a local function is called.
   [[nodiscard]] Vec3<T> transformPoint(const Vec3<T>& point) const {
     return placement_.toLocal(point);
   }
@@ -127,15 +128,15 @@ class SignedDistanceFunction {
   SignedDistanceFunction& operator=(const SignedDistanceFunction&) = default;
   SignedDistanceFunction& operator=(SignedDistanceFunction&&) noexcept = default;
 
-  /// All that a new shape must write. The point is finite and in the shape's own frame.
+  /// The one function that a shape must define. The point is finite and in the shape's own frame.
   [[nodiscard]] virtual T localSignedDistance(const Vec3<T>& point) const = 0;
 
-  // All below have defaults that follow from localSignedDistance() and localGuarantee(). They are
-  // called in the shape's own frame, and answer in it.
+  // Everything below has a default that follows from localSignedDistance() and localGuarantee().
+  // Arguments and results are in the shape's own frame.
 
-  /// The value, to the bit, if that is within `wanted`; if not, any number beyond the same end of
-  /// it. To be overridden where that takes less than the value itself: of many operands, most only
-  /// have to be known to be farther than the nearest one.
+  /// The value, to the bit, if it is within `wanted`; otherwise any number beyond the same end of
+  /// `wanted`. Override it where that costs less than the value: most of many operands need only be
+  /// known to be farther away than the nearest.
   [[nodiscard]] virtual T localSignedDistanceWithin(const Vec3<T>& point,
                                                     const Interval<T>& /*wanted*/) const {
     return localSignedDistance(point);
@@ -148,12 +149,12 @@ class SignedDistanceFunction {
   /// Closest points for a few hundred points at most; runs inside a parallel region.
   virtual void localClosestPoints(std::span<const Vec3<T>> points,
                                   std::span<SurfacePoint<T>> results) const;
-  /// Whose surface it is at a surface point.
+  /// The owner of the surface at a surface point.
   [[nodiscard]] virtual SurfaceOwner localOwner(const Vec3<T>&) const { return {}; }
   virtual CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const;
-  /// An override may be tighter than the default, and must not be looser; nor may that of
-  /// localClassify() leave open what the default decides. A union of many goes by the defaults
-  /// alone where a box is far from an operand.
+  /// An override may be tighter than the default, but must not be looser. Likewise, an override of
+  /// localClassify() must decide every box that the default decides. A union of many operands uses
+  /// the defaults alone where a box is far from an operand.
   [[nodiscard]] virtual Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const;
   [[nodiscard]] virtual BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const;
   virtual bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const;
@@ -161,17 +162,17 @@ class SignedDistanceFunction {
   /// region.
   virtual void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
                             std::span<BoxHint> hints) const;
-  /// Promises nothing but the sign unless overridden.
+  /// Guarantees nothing but the sign unless overridden.
   [[nodiscard]] virtual Guarantee<T> localGuarantee() const { return {}; }
   [[nodiscard]] virtual Box<T> localBoundingBox() const { return Box<T>::everywhere(); }
   [[nodiscard]] virtual Box<T> localClearanceBox() const;
   [[nodiscard]] virtual std::vector<std::string> localPatchNames() const { return {"surface"}; }
 
-  /// For describe(): what it is called, with what parameters, and what it is made of.
+  /// For describe(): the name with its parameters, and the operands.
   [[nodiscard]] virtual std::string localName() const { return "Function"; }
   virtual void forEachOperand(FunctionRef<void(const SignedDistanceFunction&)>) const {}
 
-  /// For composites: what an operand answers about a box given in the composite's own frame.
+  /// For composites: an operand's answer for a box given in the composite's own frame.
   [[nodiscard]] static Interval<T> boundsOf(const SignedDistanceFunction& operand,
                                             const OrientedBox<T>& box, BoxHint* hint = nullptr) {
     return operand.localBounds(operand.toLocal(box), hint);
@@ -184,7 +185,7 @@ class SignedDistanceFunction {
   static bool facetsOf(const SignedDistanceFunction& operand, const OrientedBox<T>& box,
                        FacetVisitor<T> visit);
 
-  /// How the default of localClassify() is certain that a box within the domain is cut.
+  /// Two tests by which the default of localClassify() proves that a box within the domain is cut.
   [[nodiscard]] bool holdsNearestPoint(const OrientedBox<T>& box) const;
   [[nodiscard]] bool holdsBothSides(const OrientedBox<T>& box) const;
 
@@ -195,8 +196,8 @@ class SignedDistanceFunction {
   void describe(std::string& text, int depth) const;
   [[nodiscard]] OrientedBox<T> toLocal(const OrientedBox<T>& box) const;
   [[nodiscard]] SurfacePoint<T> toWorld(SurfacePoint<T> local) const;
-  /// Calls answer(local points, index of the first) for pieces of the points, in parallel, with the
-  /// origin in place of points that are not finite; then refuse(index) for these.
+  /// Calls answer(local points, index of the first) for batches of the points, in parallel, with
+  /// the origin in place of points that are not finite; then refuse(index) for each of those.
   void forBatches(std::span<const Vec3<T>> points, ParallelOptions options,
                   FunctionRef<void(std::span<const Vec3<T>> local, std::size_t first)> answer,
                   FunctionRef<void(std::size_t index)> refuse) const;

@@ -9,14 +9,14 @@
 
 namespace cutwater {
 
-/// Any signed distance function as a value: copies share one immutable expression, and moving a
-/// Solid moves only this handle, so a mesh is instanced for the price of a transform.
+/// Any signed distance function as a value. Copies share one immutable expression. Moving a Solid
+/// moves only this handle, so another instance of a mesh costs only a transform.
 ///
-/// Operators (`|`, `&`, `-`, `~` and the functions in Operations/) take and give Solids.
+/// Operators (`|`, `&`, `-`, `~` and the functions in Operations/) take and return Solids.
 template <std::floating_point T>
 class Solid final : public SignedDistanceFunction<T> {
  public:
-  /// Takes the shape in; its placement becomes the Solid's.
+  /// Takes ownership of the shape; its placement becomes the Solid's.
   template <std::derived_from<SignedDistanceFunction<T>> Shape>
   requires(!std::same_as<Shape, Solid>)
       Solid(Shape shape)  // NOLINT(google-explicit-constructor): a shape is a solid
@@ -25,11 +25,11 @@ class Solid final : public SignedDistanceFunction<T> {
   /// @throws Error if there is no shape.
   explicit Solid(std::unique_ptr<SignedDistanceFunction<T>> shape);
 
-  /// signedDistance(), to the bit, if that is within `wanted`; if not, any number beyond the same
-  /// end of it, which may take less to find.
+  /// signedDistance(), to the bit, if it is within `wanted`; otherwise any number beyond the same
+  /// end of `wanted`, which may cost less.
   [[nodiscard]] T signedDistanceWithin(const Vec3<T>& point, const Interval<T>& wanted) const;
 
-  /// The shape inside, if it is one of this kind, without the Solid's placement; else nullptr.
+  /// The shape inside, without the Solid's placement, if it has this type; otherwise nullptr.
   template <std::derived_from<SignedDistanceFunction<T>> Shape>
   [[nodiscard]] const Shape* as() const {
     return dynamic_cast<const Shape*>(root_.get());
@@ -61,7 +61,7 @@ class Solid final : public SignedDistanceFunction<T> {
   }
 
   std::shared_ptr<const SignedDistanceFunction<T>> root_;  // its own placement is the identity
-  Guarantee<T> guarantee_;                                 // of root_; composites ask often
+  Guarantee<T> guarantee_;                                 // of root_; composites query it often
   Box<T> boundingBox_;
 };
 

@@ -6,7 +6,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// Or farther outside by no more than `margin`.
+/// Whether the box contains the point, or misses it by no more than `margin`.
 template <std::floating_point T>
 bool contains(const OrientedBox<T>& box, const Vec3<T>& p, T margin) {
   const Vec3<T> d = p - box.center;

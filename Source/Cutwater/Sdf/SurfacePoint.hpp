@@ -8,10 +8,10 @@
 
 namespace cutwater {
 
-/// The part of a polygonal surface a point lies on.
+/// The part of a polygonal surface that a point lies on.
 enum class Feature : std::uint8_t { None, Face, Edge, Vertex };
 
-/// Whose surface it is at a point, as far as that is known.
+/// What the surface at a point belongs to, as far as that is known.
 struct SurfaceOwner {
   std::uint32_t object = 0;    ///< operand of the outermost composite that decides there
   std::uint32_t patch = 0;     ///< index into patchNames()
@@ -24,12 +24,12 @@ struct SurfaceOwner {
 template <std::floating_point T>
 struct SurfacePoint {
   Vec3<T> point;
-  Vec3<T> normal;  ///< unit, out of the solid; the pseudonormal at edges and vertices of a mesh
+  Vec3<T> normal;  ///< unit, out of the solid; at edges and vertices of a mesh the pseudonormal
   /// The value of signedDistance() at the query point; NaN if that point was not finite.
   T distance = std::numeric_limits<T>::quiet_NaN();
   /// No point of the surface is nearer than |query - point| - tolerance.
   T tolerance = std::numeric_limits<T>::infinity();
-  /// The tolerance is only rounding.
+  /// Whether the tolerance is only rounding.
   bool exact = false;
   Feature feature = Feature::None;
   SurfaceOwner owner;
@@ -47,15 +47,15 @@ struct Crossing {
   SurfaceOwner owner;
 };
 
-/// Is told one crossing after the other along the segment; answers whether to go on.
+/// Called with one crossing after the other along the segment; returns whether to continue.
 template <std::floating_point T>
 using CrossingVisitor = FunctionRef<bool(const Crossing<T>&)>;
 
-/// How a walk along a segment ended.
+/// The result of a search for crossings along a segment.
 struct CrossingCount {
   std::size_t found = 0;
-  /// Stretches in which the surface comes so close that an even number of further crossings could
-  /// not be excluded.
+  /// Stretches in which the surface comes so close that an even number of further crossings cannot
+  /// be excluded.
   std::size_t unresolved = 0;
 };
 
