@@ -13,11 +13,11 @@ struct AffineMap {
       {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< images of the unit vectors
   Vec3<T> offset;
 
-  /// Out of line: the same bits whatever the caller's flags.
+  /// The image of a point. Out of line, so its bits do not depend on the caller's compiler flags.
   [[nodiscard]] Vec3<T> operator()(const Vec3<T>& point) const;
   /// A v.
   [[nodiscard]] Vec3<T> direction(const Vec3<T>& v) const;
-  /// The transpose of A times v: takes gradients and plane normals back.
+  /// The transpose of A times v: maps gradients and plane normals back.
   [[nodiscard]] Vec3<T> transposed(const Vec3<T>& v) const;
   /// The axis-aligned box around the image of a box; infinite extents stay infinite.
   [[nodiscard]] Box<T> operator()(const Box<T>& box) const;
@@ -30,8 +30,8 @@ extern template struct AffineMap<double>;
 
 namespace detail {
 
-/// A box that the inverse of the map takes into the domain: a scaled copy, about its centre, of the
-/// box around the domain's image. Empty if there is none that is certain.
+/// A box that the inverse of the map takes into the domain: the box around the domain's image,
+/// scaled about its centre. Empty if none is certain.
 template <std::floating_point T>
 Box<T> domainUnder(const AffineMap<T>& map, const AffineMap<T>& inverse, const Box<T>& domain);
 

@@ -12,15 +12,16 @@ namespace cutwater {
 
 namespace {
 
-/// Memory for a block. Large ones ask the system for large pages: a search touches places all over
-/// the tree, and with pages of 4 kB most of these miss the processor's table of addresses.
+/// Memory for a block. For a large one, asks the system for large pages: a search accesses places
+/// all over the tree, and with pages of 4 kB most of these accesses miss the processor's table of
+/// addresses.
 std::shared_ptr<void> allocate(std::size_t size) {
   constexpr std::size_t kLargePage = std::size_t{1} << 21U;
   const std::align_val_t align{size < kLargePage ? BlockWriter::kAlignment : kLargePage};
   std::shared_ptr<void> memory(::operator new(size, align),
                                [align](void* p) { ::operator delete(p, align); });
 #ifdef __linux__
-  // A wish: where it is not granted, all stays as it was. What does not fill a page is left out.
+  // Only advice: if ignored, nothing changes. A remainder smaller than a page is left out.
   if (size >= kLargePage) madvise(memory.get(), size / kLargePage * kLargePage, MADV_HUGEPAGE);
 #endif
   return memory;
@@ -46,7 +47,7 @@ Block BlockWriter::finish() const {
       std::ranges::copy(piece.bytes.subspan(begin, end - begin), to + begin);
     });
     const auto next = i + 1 < pieces_.size() ? pieces_[i + 1].offset : size_;
-    // The gaps too: equal blocks are equal bytes.
+    // Fills the gaps too, so that equal blocks have equal bytes.
     std::fill(to + piece.bytes.size(), start + next, std::byte{0});
   }
   return {memory, {start, static_cast<std::size_t>(size_)}};

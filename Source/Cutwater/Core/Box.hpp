@@ -6,9 +6,9 @@
 
 namespace cutwater {
 
-/// Axis-aligned box of closed intervals. Default-constructed it is empty: the identity of extend()
-/// for finite points. (The largest number, not infinity: a user's -ffast-math may assume there is
-/// none.) A box of zero thickness is not empty.
+/// Axis-aligned box of closed intervals. A default-constructed box is empty: the identity of
+/// extend() for finite points. (It uses the largest number instead of infinity, which code compiled
+/// with -ffast-math may assume not to occur.) A box of zero thickness is not empty.
 template <std::floating_point T>
 struct Box {
   static constexpr T kInf = std::numeric_limits<T>::infinity();  ///< infinity
@@ -21,11 +21,11 @@ struct Box {
   /// All of space.
   static constexpr Box everywhere() { return {{-kInf, -kInf, -kInf}, {kInf, kInf, kInf}}; }
 
-  /// It has no point: an upper side is below its lower one, or is not a number.
+  /// Whether the box contains no point: an upper side is below the lower one, or is not a number.
   CUTWATER_INLINE constexpr bool empty() const {
     return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z);
   }
-  /// Halves before adding, so that it cannot overflow.
+  /// The midpoint; halves before adding, so that it cannot overflow.
   CUTWATER_INLINE constexpr Vec3<T> center() const { return T(0.5) * lower + T(0.5) * upper; }
   CUTWATER_INLINE constexpr Vec3<T> size() const { return upper - lower; }
   CUTWATER_INLINE T diagonal() const { return length(size()); }
@@ -39,7 +39,7 @@ struct Box {
             (i & 4) != 0 ? upper.z : lower.z};
   }
 
-  /// Grows to hold a point, or another box.
+  /// Grows to contain a point or another box.
   CUTWATER_INLINE constexpr Box& extend(const Vec3<T>& p) {
     lower = min(lower, p);
     upper = max(upper, p);
@@ -58,7 +58,7 @@ struct Box {
   CUTWATER_INLINE constexpr Box intersection(const Box& other) const {
     return {max(lower, other.lower), min(upper, other.upper)};
   }
-  /// Whether they have a point in common: touching is enough; an empty box has none.
+  /// Whether the boxes have a point in common; touching is enough. An empty box has none.
   CUTWATER_INLINE constexpr bool overlaps(const Box& other) const {
     return !intersection(other).empty();
   }
@@ -66,7 +66,7 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
-/// All coordinates are numbers, and none is infinite.
+/// Whether no coordinate is infinite or NaN.
 template <std::floating_point T>
 CUTWATER_INLINE inline bool isFinite(const Box<T>& box) {
   return isFinite(box.lower) && isFinite(box.upper);

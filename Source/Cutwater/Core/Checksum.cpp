@@ -18,7 +18,7 @@ constexpr std::uint64_t kPrime3 = 0x165667B19E3779F9U;
 constexpr std::uint64_t kPrime4 = 0x85EBCA77C2B2AE63U;
 constexpr std::uint64_t kPrime5 = 0x27D4EB2F165667C5U;
 
-/// The number at `from`, whose lowest byte comes first.
+/// The number at `from`, lowest byte first.
 template <typename Number>
 Number littleEndian(const std::byte* from) {
   std::array<std::byte, sizeof(Number)> raw;
@@ -31,7 +31,7 @@ constexpr std::uint64_t mixed(std::uint64_t lane, std::uint64_t word) {
   return std::rotl(lane + word * kPrime2, 31) * kPrime1;
 }
 
-/// Takes whole stripes of 32 bytes off the front, in four lanes that do not wait for each other.
+/// Takes whole stripes of 32 bytes off the front, in four lanes that are independent of each other.
 std::uint64_t hashOfStripes(std::span<const std::byte>& rest) {
   std::array<std::uint64_t, 4> lanes{kPrime1 + kPrime2, kPrime2, 0, 0 - kPrime1};
   const std::byte* at = rest.data();
@@ -66,7 +66,7 @@ std::uint64_t withRest(std::uint64_t hash, std::span<const std::byte> rest) {
   return hash;
 }
 
-/// Every bit of the hash comes to depend on every other.
+/// Makes every bit of the hash depend on every other.
 constexpr std::uint64_t avalanche(std::uint64_t hash) {
   hash = (hash ^ hash >> 33U) * kPrime2;
   hash = (hash ^ hash >> 29U) * kPrime3;

@@ -6,13 +6,13 @@
 
 namespace cutwater {
 
-/// An unevaluated sum high + low of two doubles, |low| <= ulp(high) / 2: about 106 significant bits
-/// by + - * / sqrt only, the same bits on every machine.
+/// An unevaluated sum high + low of two doubles, |low| <= ulp(high) / 2: about 106 significant
+/// bits, computed by + - * / sqrt only, with the same bits on every machine.
 ///
-/// For the few places where the rounding of double decides: slivers, sums that cancel. Relative
-/// error at most 2^-102 per operation, as long as nothing over- or underflows (|values| below
-/// 2^996, products above 2^-968): scale by a power of two first. Meant for .cpp files of the
-/// library; compiled with -ffast-math it loses what it is for.
+/// For the few places where rounding in double decides the result: slivers, sums with cancellation.
+/// Relative error at most 2^-102 per operation, provided that nothing over- or underflows (|values|
+/// below 2^996, products above 2^-968): scale by a power of two first. Meant for .cpp files of the
+/// library; compiled with -ffast-math it loses the extra precision.
 ///
 /// Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18
 /// (1971); Knuth, TAOCP vol. 2, 4.2.2; operations after Joldes, Muller & Popescu, "Tight and
@@ -65,7 +65,7 @@ struct DoubleDouble {
     const DoubleDouble p = product(a.high, b.high);
     return normalizedSum(p.high, p.low + (a.high * b.low + a.low * b.high));
   }
-  /// The quotient of the high parts, corrected by that of the rest.
+  /// The quotient of the high parts, corrected by the quotient of the remainder.
   CUTWATER_INLINE friend constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
     const double quotient = a.high / b.high;
     const DoubleDouble rest = a - b * DoubleDouble(quotient);
@@ -75,7 +75,7 @@ struct DoubleDouble {
   CUTWATER_INLINE DoubleDouble& operator-=(DoubleDouble b) { return *this = *this - b; }
   CUTWATER_INLINE DoubleDouble& operator*=(DoubleDouble b) { return *this = *this * b; }
 
-  /// 0 for 0, NaN below.
+  /// Returns 0 for 0 and NaN for negative numbers.
   CUTWATER_INLINE friend DoubleDouble sqrt(DoubleDouble a) {
     const double root = std::sqrt(a.high);
     if (!(root > 0)) return {root, 0};
@@ -112,7 +112,7 @@ struct DoubleDouble {
   }
 };
 
-/// A vector of double-doubles: the few operations that plane distances and normals need.
+/// A vector of double-doubles, with the few operations that plane distances and normals need.
 struct DoubleDouble3 {
   DoubleDouble x, y, z;
 

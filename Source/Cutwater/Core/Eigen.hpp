@@ -1,7 +1,7 @@
 #pragma once
 
-// Optional: for programs that use Eigen. The library's own interface does not, because Eigen's
-// headers cost a second to parse and its types change their layout with the user's flags.
+// Optional, for programs that use Eigen. The library's own interface does not use it, because
+// Eigen's headers take a second to parse and its types change their layout with the user's flags.
 
 #include <Cutwater/Core/RigidTransform.hpp>
 
@@ -9,13 +9,13 @@
 
 namespace cutwater {
 
-/// Eigen vectors convert to Vec3 by themselves; this is the way back.
+/// The Eigen vector of a Vec3. In the other direction conversion is implicit.
 template <std::floating_point T>
 [[nodiscard]] Eigen::Matrix<T, 3, 1> toEigen(const Vec3<T>& v) {
   return {v.x, v.y, v.z};
 }
 
-/// World from local coordinates.
+/// The transformation from local to world coordinates.
 template <std::floating_point T>
 [[nodiscard]] Eigen::Transform<T, 3, Eigen::Isometry> toEigen(const RigidTransform<T>& transform) {
   Eigen::Transform<T, 3, Eigen::Isometry> result;

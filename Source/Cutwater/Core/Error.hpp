@@ -9,15 +9,15 @@
 
 namespace cutwater {
 
-/// What went wrong, so that a program can react without reading the message.
+/// The kind of an error, so that a program can react without reading the message.
 enum class ErrorKind {
   Argument,  ///< an argument is outside its documented range
   File,      ///< a file is missing, truncated, malformed, or cannot be written
-  Topology,  ///< a surface is not what the operation needs, e.g. not closed
+  Topology,  ///< a surface lacks what the operation needs, e.g. is not closed
   Limit,     ///< a stated limit of size, memory or time is exceeded
 };
 
-/// The library's one exception. what() says in one line what is wrong, where, and with which value.
+/// The library's only exception. what() states in one line what is wrong, where, and which value.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message);
@@ -28,7 +28,7 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
-/// A value with the name it has in the error message.
+/// A value and its name in the error message.
 template <typename V>
 struct Named {
   const char* name;
@@ -39,7 +39,7 @@ Named(const char*, const V&) -> Named<V>;
 
 namespace detail {
 
-// Shortest text that reads back as the same number; the same in every locale.
+// The shortest text that reads back as the same number, in every locale.
 std::string toText(double value);
 std::string toText(long long value);
 
@@ -65,7 +65,7 @@ std::string toText(const Named<V>& named) {
 }  // namespace detail
 
 /// Throws an Argument error unless `ok`: "Torus: need 0 < minor < major (minor = 2, major = 1)".
-/// For constructors and set-up, never for queries; the text is built only when it is thrown.
+/// For constructors and set-up, never for queries. The text is built only when the error is thrown.
 template <typename... Values>
 void require(bool ok, const char* message, const Values&... values) {
   if (!ok) detail::throwArgument(message, {detail::toText(values)...});

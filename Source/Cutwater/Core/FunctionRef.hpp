@@ -11,8 +11,8 @@ namespace cutwater {
 template <typename Signature>
 class FunctionRef;
 
-/// A reference to any callable: two pointers, no allocation. It does not own the callable, so it is
-/// for parameters that are used during the call only.
+/// A reference to any callable: two pointers, no allocation. It does not own the callable, so use
+/// it only for parameters that are needed during the call.
 template <typename Result, typename... Args>
 class FunctionRef<Result(Args...)> {
  public:
@@ -32,7 +32,7 @@ class FunctionRef<Result(Args...)> {
   template <typename Callable>
   static void* address(Callable& callable) {
     if constexpr (std::is_function_v<Callable>) {
-      return reinterpret_cast<void*>(&callable);  // POSIX has it that this works
+      return reinterpret_cast<void*>(&callable);  // POSIX guarantees that this works
     } else {
       return const_cast<void*>(static_cast<const void*>(std::addressof(callable)));
     }

@@ -7,15 +7,15 @@
 
 namespace cutwater {
 
-/// A window onto the caller's array of values, one per index of a patch. `data` points at the value
-/// of the patch's lowest index; strides are in elements and may be anything, so that one component
-/// of a host code's array is filled in place.
+/// A view of the caller's array of values, one per index of a patch. `data` points at the value of
+/// the patch's lowest index. Strides are in elements and arbitrary, so one component of an
+/// application's array can be filled in place.
 template <typename Value>
 struct GridView {
   Value* data = nullptr;
   std::array<std::ptrdiff_t, 3> stride{};
 
-  /// x fastest, no gaps.
+  /// An array without gaps in which x varies fastest.
   static constexpr GridView contiguous(Value* data, const IndexBox& box) {
     const auto nx = static_cast<std::ptrdiff_t>(box.length(0));
     const auto ny = static_cast<std::ptrdiff_t>(box.length(1));

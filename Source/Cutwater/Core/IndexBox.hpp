@@ -5,7 +5,7 @@
 
 namespace cutwater {
 
-/// Integer coordinates of a cell or node in a level's index space; may be negative.
+/// Integer coordinates of a cell or node in the index space of a level; may be negative.
 struct Index3 {
   std::int32_t i = 0;
   std::int32_t j = 0;
@@ -24,7 +24,7 @@ struct IndexBox {
     return {{0, 0, 0}, {nx - 1, ny - 1, nz - 1}};
   }
 
-  /// Number of indices along axis 0, 1 or 2; 0 where empty.
+  /// Number of indices along axis 0, 1 or 2; 0 if there are none.
   [[nodiscard]] constexpr std::size_t length(int axis) const {
     const std::int64_t a = axis == 0 ? lo.i : axis == 1 ? lo.j : lo.k;
     const std::int64_t b = axis == 0 ? hi.i : axis == 1 ? hi.j : hi.k;
@@ -33,13 +33,13 @@ struct IndexBox {
   [[nodiscard]] constexpr std::size_t count() const { return length(0) * length(1) * length(2); }
   [[nodiscard]] constexpr bool empty() const { return count() == 0; }
 
-  /// Both ends belong to it.
+  /// Whether the index lies in the box, both ends included.
   [[nodiscard]] constexpr bool contains(const Index3& index) const {
     return lo.i <= index.i && index.i <= hi.i && lo.j <= index.j && index.j <= hi.j &&
            lo.k <= index.k && index.k <= hi.k;
   }
 
-  /// The index so many steps from `lo` along each axis, which is one of an int32's range.
+  /// The index (i, j, k) steps from `lo`, which must be within the range of int32.
   [[nodiscard]] constexpr Index3 at(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
     const auto along = [](std::int32_t first, std::uint32_t steps) {
       return static_cast<std::int32_t>(std::int64_t{first} + steps);

@@ -13,16 +13,16 @@ struct Interval {
   T lower{};
   T upper{};
 
-  /// All numbers, infinities among them.
+  /// All numbers, including the infinities.
   static constexpr Interval everything() {
     return {-std::numeric_limits<T>::infinity(), std::numeric_limits<T>::infinity()};
   }
 
-  /// Both ends belong to it.
+  /// Whether the value lies in the interval, both ends included.
   CUTWATER_INLINE constexpr bool contains(T value) const {
     return lower <= value && value <= upper;
   }
-  /// Longer by `margin` at both ends.
+  /// The interval extended by `margin` at both ends.
   CUTWATER_INLINE constexpr Interval grown(T margin) const {
     return {lower - margin, upper + margin};
   }

@@ -21,7 +21,7 @@ Vec3<T> Level<T>::position(const Index3& index) const {
 
 template <std::floating_point T>
 Box<T> Level<T>::cell(const Index3& index) const {
-  // From the index of each face, so that neighbours share their faces' coordinates to the bit.
+  // Computed from the index of each face, so that neighbours agree on their common face to the bit.
   const T shift = centering_ == Centering::Cell ? T(0) : T(-0.5);
   const auto face = [&](T side) -> Vec3<T> {
     return {origin_.x + (static_cast<T>(index.i) + shift + side) * spacing_.x,

@@ -5,21 +5,21 @@
 
 namespace cutwater {
 
-/// What indices count: the cells of a mesh, or the nodes at their corners.
+/// What indices refer to: the cells of a mesh, or the nodes at their corners.
 enum class Centering : std::uint8_t { Cell, Node };
 
-/// One refinement level of a mesh: where the integer index (i, j, k) stands in space.
+/// One refinement level of a mesh: maps the integer index (i, j, k) to a position in space.
 ///
-/// Coordinates always come from the global index, so patches, octrees and ranks that share a level
-/// agree on them to the bit.
+/// Coordinates are always computed from the global index, so patches, octrees and ranks that share
+/// a level agree on them to the bit.
 template <std::floating_point T>
 class Level {
  public:
   /// @throws Error unless the origin is finite and every spacing is positive and finite.
   Level(const Vec3<T>& origin, const Vec3<T>& spacing, Centering centering = Centering::Cell);
 
-  /// origin + (i + 1/2) spacing for cells, origin + i spacing for nodes. Out of line: the same bits
-  /// whatever the caller's compiler flags.
+  /// origin + (i + 1/2) spacing for cells, origin + i spacing for nodes. Out of line, so its bits
+  /// do not depend on the caller's compiler flags.
   [[nodiscard]] Vec3<T> position(const Index3& index) const;
 
   /// The closed box of a cell, or of the control volume around a node.
@@ -28,7 +28,7 @@ class Level {
   [[nodiscard]] const Vec3<T>& origin() const { return origin_; }
   [[nodiscard]] const Vec3<T>& spacing() const { return spacing_; }
   [[nodiscard]] Centering centering() const { return centering_; }
-  /// The least of the three, in which bands are measured.
+  /// The smallest of the three spacings, the unit in which bands are measured.
   [[nodiscard]] T smallestSpacing() const;
 
   bool operator==(const Level&) const = default;
@@ -39,7 +39,7 @@ class Level {
   Centering centering_;
 };
 
-/// A box of a level's indices, e.g. what one rank owns, with or without ghost cells.
+/// A box of indices on a level, e.g. those owned by one rank, with or without ghost cells.
 template <std::floating_point T>
 struct Patch {
   Level<T> level;

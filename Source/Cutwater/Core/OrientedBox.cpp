@@ -6,7 +6,7 @@ namespace cutwater {
 
 namespace {
 
-/// A power of two in which squares of lengths neither over- nor underflow.
+/// A power of two; in this unit squares of the lengths neither overflow nor underflow.
 template <std::floating_point T>
 T unitFor(const std::array<Vec3<T>, 3>& lengths) {
   const T longest = maxComponent(max(abs(lengths[0]), max(abs(lengths[1]), abs(lengths[2]))));
@@ -22,7 +22,7 @@ OrientedBox<T> OrientedBox<T>::of(const Box<T>& box) {
   OrientedBox result;
   result.center = box.center();
   result.halfAxis = {Vec3<T>{half.x, 0, 0}, Vec3<T>{0, half.y, 0}, Vec3<T>{0, 0, half.z}};
-  // Centre, half lengths and their sums round by an ulp of the box's coordinates each.
+  // The centre, the half lengths and their sums each round by an ulp of the box's coordinates.
   result.slack =
       4 * std::numeric_limits<T>::epsilon() * length(max(abs(box.lower), abs(box.upper)));
   return result;
@@ -48,7 +48,7 @@ T OrientedBox<T>::radius() const {
 template <std::floating_point T>
 Interval<T> OrientedBox<T>::distancesFrom(const Vec3<T>& p) const {
   const Vec3<T> d = p - center;
-  Vec3<T> rest = d;  // across axes of no length
+  Vec3<T> rest = d;  // across axes of zero length
   T nearest = 0;
   T farthest = 0;
   for (const auto& half : halfAxis) {
@@ -82,7 +82,7 @@ template <std::floating_point T>
 Box<T> OrientedBox<T>::bounds() const {
   const T twice = 1 + 4 * std::numeric_limits<T>::epsilon();
   const Vec3<T> reach = twice * (abs(halfAxis[0]) + abs(halfAxis[1]) + abs(halfAxis[2]));
-  // The sums themselves round by an ulp of the centre, which `slack` has room for.
+  // The sums themselves round by an ulp of the centre, for which `slack` has room.
   return Box<T>{center - reach, center + reach}.grown(slack);
 }
 

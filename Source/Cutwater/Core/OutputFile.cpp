@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Hidden, in the same folder, hence on the same file system; no two writers share one.
+/// A hidden name in the same folder, hence on the same file system, which no other writer uses.
 fs::path nameBeside(const fs::path& target) {
   std::random_device entropy;
   fs::path name = ".";

@@ -9,9 +9,10 @@
 
 namespace cutwater {
 
-/// A file that stands under its name only once it is complete: it is written beside its place and
-/// renamed by commit(). Without commit() nothing remains, and a file of that name is left as it
-/// was. What exists but is no regular file (a pipe, a device) is written in place.
+/// A file that appears under its name only once it is complete: it is written to a temporary file
+/// beside it, which commit() renames. Without commit() nothing remains, and an existing file of
+/// that name is unchanged. Anything existing that is not a regular file (a pipe, a device) is
+/// written in place.
 class OutputFile {
  public:
   /// @throws Error(File) if it cannot be created.
@@ -22,11 +23,11 @@ class OutputFile {
   OutputFile(OutputFile&&) = delete;
   OutputFile& operator=(OutputFile&&) = delete;
 
-  /// Buffered. @throws Error(File), e.g. when the disk is full.
+  /// Writes through a buffer. @throws Error(File), e.g. when the disk is full.
   void write(std::span<const std::byte> bytes);
   void write(std::string_view text);
 
-  /// @throws Error(File) if what was written could not be stored or put in its place.
+  /// @throws Error(File) if the content could not be stored or moved into place.
   void commit();
 
  private:

@@ -21,7 +21,7 @@ bool onMainThread() {
 #endif
 }
 
-/// Hands out ranges to whichever thread asks next, until the work or the luck runs out.
+/// Assigns ranges to whichever thread asks next, until no work is left or a call fails.
 class Dispenser {
  public:
   Dispenser(std::size_t count, const ParallelOptions& options,

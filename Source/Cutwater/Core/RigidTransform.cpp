@@ -48,8 +48,9 @@ std::array<Vec3<double>, 3> rotationAbout(const Vec3<double>& u, double degrees)
   return {column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1})};
 }
 
-/// One Newton step to the nearest orthogonal matrix, R (3 I - R^T R) / 2: keeps thousands of small
-/// rotations orthogonal, and leaves a matrix that is orthogonal already unchanged.
+/// One Newton step towards the nearest orthogonal matrix, R (3 I - R^T R) / 2. Keeps the product of
+/// thousands of small rotations orthogonal, and leaves a matrix that is already orthogonal
+/// unchanged.
 std::array<Vec3<double>, 3> orthonormalized(const std::array<Vec3<double>, 3>& r) {
   std::array<Vec3<double>, 3> result;
   for (std::size_t j = 0; j < 3; ++j) {

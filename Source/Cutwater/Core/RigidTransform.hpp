@@ -8,32 +8,32 @@
 
 namespace cutwater {
 
-/// A rotation followed by a translation: where an object stands in the world. Lengths are
+/// A rotation followed by a translation: the placement of an object in the world. Lengths are
 /// unchanged.
 ///
-/// translate() and rotate() move the object, in the order they are called, about the world's axes:
-/// `translate({1, 0, 0}); rotate(90, 2);` first moves the object to x = 1, then swings it about the
-/// z axis through the origin to y = 1. Angles are in degrees, right-handed; multiples of 90 degrees
-/// about a coordinate axis are exact.
+/// translate() and rotate() move the object, in the order of the calls, about the world's axes:
+/// `translate({1, 0, 0}); rotate(90, 2);` first moves the object to x = 1, then rotates it about
+/// the z axis through the origin to y = 1. Angles are in degrees, right-handed. Rotations by
+/// multiples of 90 degrees about a coordinate axis are exact.
 template <std::floating_point T>
 class RigidTransform {
  public:
   RigidTransform() = default;
-  /// From what axis() and offset() tell, to the bit.
-  /// @throws Error(Argument) unless the axes are right-handed and orthonormal but for rounding
-  /// (16 eps), and the offset is finite.
+  /// The transform with these values of axis() and offset(), to the bit.
+  /// @throws Error(Argument) unless the axes are right-handed, orthonormal up to rounding (16 eps),
+  /// and the offset is finite.
   RigidTransform(const std::array<Vec3<T>, 3>& axes, const Vec3<T>& offset);
 
-  /// By a vector, in the world's coordinates.
+  /// Moves the object by a vector in world coordinates.
   void translate(const Vec3<T>& offset);
-  /// About the coordinate axis 0, 1 or 2 through the world's origin.
+  /// Rotates about the coordinate axis 0, 1 or 2 through the world's origin.
   void rotate(T degrees, int axis);
-  /// About any axis through any point; `axis` need not have unit length.
+  /// Rotates about any axis through any point; `axis` need not have unit length.
   void rotate(T degrees, const Vec3<T>& axis, const Vec3<T>& through = {});
 
-  /// World -> the object's own frame. Out of line: the same bits whatever the caller's flags.
+  /// From the world to the object's frame. Out of line: the same bits whatever the caller's flags.
   [[nodiscard]] Vec3<T> toLocal(const Vec3<T>& world) const;
-  /// The same for each of the points; both spans have the same size.
+  /// The same for many points; both spans must have the same size.
   void toLocal(std::span<const Vec3<T>> world, std::span<Vec3<T>> local) const;
   [[nodiscard]] Vec3<T> toWorld(const Vec3<T>& local) const;
   /// The same for directions, e.g. normals.
@@ -42,11 +42,11 @@ class RigidTransform {
   /// The axis-aligned box around the moved box; infinite extents stay infinite.
   [[nodiscard]] Box<T> toWorld(const Box<T>& local) const;
 
-  /// The object moved by `first` and then by `second`.
+  /// The transform that moves an object by `first` and then by `second`.
   [[nodiscard]] static RigidTransform composed(const RigidTransform& first,
                                                const RigidTransform& second);
 
-  /// It moves nothing.
+  /// Whether the transform leaves every point unchanged.
   [[nodiscard]] bool isIdentity() const { return !rotated_ && offset_ == Vec3<T>{}; }
   [[nodiscard]] bool isRotated() const { return rotated_; }
   [[nodiscard]] const Vec3<T>& offset() const { return offset_; }

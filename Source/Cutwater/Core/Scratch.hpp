@@ -8,8 +8,8 @@
 
 namespace cutwater {
 
-/// Room for values that are written before they are read: a `std::array` that does not set them to
-/// their defaults first, which takes longer than what a small batch does with them.
+/// Memory for values that are written before they are read: a `std::array` without the
+/// initialisation, which would take longer than a small batch takes to process.
 template <typename Value, std::size_t kCount>
 union Scratch {
  public:
@@ -17,7 +17,7 @@ union Scratch {
 
   CUTWATER_INLINE Scratch() {}  // NOLINT(modernize-use-equals-default): that would be deleted
 
-  /// As a std::array has them.
+  /// As in std::array.
   CUTWATER_INLINE Value& operator[](std::size_t i) { return values_[i]; }
   CUTWATER_INLINE const Value& operator[](std::size_t i) const { return values_[i]; }
   CUTWATER_INLINE std::span<Value> first(std::size_t count) {

@@ -10,7 +10,7 @@ struct Segment {
   Vec3<T> start;
   Vec3<T> end;
 
-  /// The point with this parameter.
+  /// The point at this parameter.
   CUTWATER_INLINE constexpr Vec3<T> at(T parameter) const {
     return (T(1) - parameter) * start + parameter * end;  // exact at both ends
   }

@@ -11,7 +11,7 @@
 
 namespace cutwater {
 
-/// Stands for "no face", "no patch", ... among the library's 32-bit ids.
+/// Stands for "no face", "no patch" etc. among the library's 32-bit ids.
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 template <std::floating_point T>
@@ -22,7 +22,7 @@ namespace detail {
 template <typename V>
 using Element = std::remove_cvref_t<decltype(std::declval<const V&>()[0])>;
 
-/// What a host's own vector types have in common: floating-point elements behind operator[].
+/// What vector types of applications have in common: floating-point elements behind operator[].
 template <typename V>
 concept Indexable3 = !std::is_pointer_v<std::decay_t<V>> && requires(const V& v) {
   { v[0] } -> std::convertible_to<Element<V>>;
@@ -31,15 +31,15 @@ concept Indexable3 = !std::is_pointer_v<std::decay_t<V>> && requires(const V& v)
 
 }  // namespace detail
 
-/// A point or direction in 3D: three numbers laid out like `T[3]`, nothing else.
+/// A point or direction in 3D: three numbers laid out like `T[3]`, and nothing else.
 ///
-/// Anything indexable with elements of type T (std::array, Eigen vectors, a host code's own types)
-/// converts to it; conversions that lose digits are explicit.
+/// Anything that can be indexed and has elements of type T (std::array, Eigen vectors, an
+/// application's own types) converts to it. Conversions that lose digits are explicit.
 template <std::floating_point T>
 struct Vec3 {
   using Scalar = T;
 
-  /// Coordinates; by number, operator[] has them.
+  /// Coordinates; operator[] gives access by number.
   T x{}, y{}, z{};
 
   CUTWATER_INLINE constexpr Vec3() = default;
@@ -94,7 +94,7 @@ struct Vec3 {
     const T xy = a.x > a.y ? a.x : a.y;
     return xy > a.z ? xy : a.z;
   }
-  /// The sum of the components' sizes: at least the length.
+  /// The sum of the absolute values of the components: at least the length.
   CUTWATER_INLINE friend constexpr T oneNorm(Vec3 a) {
     const Vec3 sizes = abs(a);
     return sizes.x + sizes.y + sizes.z;
