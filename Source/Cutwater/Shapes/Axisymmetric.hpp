@@ -5,21 +5,21 @@
 
 namespace cutwater {
 
-/// What all bodies of revolution share: a subclass states the signed distance in the half-plane
-/// radial >= 0 beside its axis, and this class turns it around an axis anywhere in space.
+/// Base class of all bodies of revolution: a subclass defines the signed distance in the half-plane
+/// radial >= 0 beside its axis, and this class revolves it about an axis anywhere in space.
 ///
-/// The revolved value is the exact distance wherever the profile's is, because the nearest point of
-/// a body of revolution lies in the half-plane of the query point.
+/// The revolved value is the exact distance wherever that of the profile is, because the nearest
+/// point of a body of revolution lies in the half-plane of the query point.
 template <std::floating_point T>
 class Axisymmetric : public SignedDistanceFunction<T> {
  protected:
-  /// Axial positions count from `origin` along `axis`, which need not have unit length.
-  /// @throws Error, as from the shape `name`, unless both are finite and the axis is not zero.
+  /// Axial positions are measured from `origin` along `axis`, which need not have unit length.
+  /// @throws Error naming the shape `name` unless both are finite and the axis is not zero.
   Axisymmetric(const char* name, const Vec3<T>& origin, const Vec3<T>& axis)
       : axis_(name, origin, axis) {}
   explicit Axisymmetric(const detail::RotationAxis<T>& axis) : axis_(axis) {}
 
-  /// The profile's signed distance in the half-plane.
+  /// The signed distance of the profile in the half-plane.
   [[nodiscard]] virtual T profileDistance(const ProfilePoint<T>& p) const = 0;
   /// Unit gradient in the half-plane; zero where it is not defined.
   [[nodiscard]] virtual ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const = 0;

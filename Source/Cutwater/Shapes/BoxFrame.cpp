@@ -44,11 +44,11 @@ Vec3<T> BoxFrame<T>::toBar(const Vec3<T>& q, int axis) const {
 
 template <std::floating_point T>
 auto BoxFrame<T>::shortest(const Vec3<T>& q) const -> Step {
-  // The surface is the nearest of both: of all ways out of the frame, inside; of all ways in.
+  // Inside, the surface is at the nearest of all ways out of the frame; outside, of all ways in.
   Step best{{}, true, true};
   T least = std::numeric_limits<T>::infinity();
   const auto offer = [&](const Vec3<T>& step, T squared) {
-    // Steps to almost the same point differ by what their squares do not show.
+    // Steps to almost the same point may differ although their squares are equal.
     const T apart = lengthSquared(step - best.toSurface);
     if (squared == least && apart > 16 * std::numeric_limits<T>::epsilon() * least) {
       best.isUnique = false;
@@ -89,7 +89,7 @@ Vec3<T> BoxFrame<T>::localGradient(const Vec3<T>& p) const {
   Vec3<T> outward = step.isInside ? step.toSurface : -step.toSurface;
   if (outward == Vec3<T>{}) return SignedDistanceFunction<T>::localGradient(p);  // on the surface
   for (int axis = 0; axis < 3; ++axis) {
-    // Between two bars, both are equally near.
+    // The point is midway between two equally near bars.
     if (fromCenter[axis] == 0 && outward[axis] != 0) return {};
     if (fromCenter[axis] < 0) outward[axis] = -outward[axis];
   }

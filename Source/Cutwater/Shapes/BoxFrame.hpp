@@ -4,14 +4,14 @@
 
 namespace cutwater {
 
-/// The twelve edges of an axis-aligned box, as square bars of side `thickness`; rotate() turns it.
+/// The twelve edges of an axis-aligned box as square bars of side `thickness`; rotate() turns it.
 ///
-/// With q = |p - center|, b the half sizes and c = b - thickness: outside, the distance to the
-/// nearest of the three bars in the octant; inside, to the nearest of what surrounds the bars,
+/// With q = |p - center|, b the half sizes and c = b - thickness: outside, f is the distance to the
+/// nearest of the three bars in the octant; inside, minus that to the nearest point off the bars,
 ///
 ///     f(p) = -min( min_i b_i - q_i, min_ij |max((q_i - c_i, q_j - c_j), 0)| )        exact
 ///
-/// where the common formula takes the deepest bar and so is a bound in the corners only.
+/// where the common formula uses the deepest bar only, and so gives just a bound in the corners.
 /// @throws Error unless the corners are finite, lower < upper in every coordinate, and 0 <
 /// thickness < half the shortest side.
 template <std::floating_point T>
@@ -27,17 +27,17 @@ class BoxFrame final : public SignedDistanceFunction<T> {
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
 
-  /// For a point q of the first octant: the shortest step to the surface.
+  /// For a point q of the first octant, the shortest step to the surface.
   struct Step {
     Vec3<T> toSurface;
     bool isInside;
     bool isUnique;
   };
   [[nodiscard]] Step shortest(const Vec3<T>& q) const;
-  // Steps out of the frame: through the face across an axis, or into the hollow along it.
+  // Steps out of the frame: through the face normal to an axis, or into the hollow along the axis.
   [[nodiscard]] Vec3<T> toFace(const Vec3<T>& q, int axis) const;
   [[nodiscard]] Vec3<T> toHollow(const Vec3<T>& q, int axis) const;
-  /// The step into the bar along an axis; zero within.
+  /// The step into the bar along an axis; zero inside the bar.
   [[nodiscard]] Vec3<T> toBar(const Vec3<T>& q, int axis) const;
 
   Box<T> box_;

@@ -5,8 +5,8 @@
 
 namespace cutwater {
 
-/// A cone cut off flat at both ends (a frustum): radius `radiusA` at `a`, `radiusB` at `b`. Not the
-/// hull of two balls, which is ConeSphere.
+/// A cone with flat ends (a frustum): radius `radiusA` at `a`, `radiusB` at `b`. For the hull of
+/// two balls see ConeSphere.
 ///
 /// Exact; see FrustumProfile.
 /// @throws Error unless the end points are finite and differ, both radii are finite and not

@@ -5,13 +5,13 @@
 
 namespace cutwater {
 
-/// A piece of a ring about the local z axis, with round ends: a tube of radius `minor` around the
-/// arc of radius `major` that reaches `halfAngle` degrees to both sides of the x axis.
+/// A piece of a ring about the local z axis with round ends: a tube of radius `minor` around the
+/// arc of radius `major` that extends `halfAngle` degrees to both sides of the x axis.
 ///
 ///     f(p) = |p - nearest point of the arc| - minor        exact
 ///
-/// If the ends reach into each other, which they do where halfAngle > 90 and major sin(halfAngle) <
-/// minor, values inside are lower bounds only.
+/// If the ends overlap (halfAngle > 90 and major sin(halfAngle) < minor), values inside are lower
+/// bounds only.
 /// @throws Error unless 0 < minor < major < infinity and 0 < halfAngle <= 180.
 template <std::floating_point T>
 class CappedTorus final : public SignedDistanceFunction<T> {

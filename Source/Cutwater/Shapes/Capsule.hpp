@@ -5,8 +5,8 @@
 
 namespace cutwater {
 
-/// All points within `radius` of the segment from `a` to `b`: a cylinder with half balls at its
-/// ends; a ball if a = b.
+/// All points within `radius` of the segment from `a` to `b`: a cylinder with hemispherical ends; a
+/// ball if a = b.
 ///
 ///     f(p) = |p - nearest point of the segment| - radius        exact
 ///

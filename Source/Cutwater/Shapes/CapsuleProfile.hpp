@@ -4,20 +4,20 @@
 
 namespace cutwater::detail {
 
-/// Exact signed distance in the half-plane of a capsule: all within `radius` of the axis from 0 to
-/// the length.
+/// Exact signed distance in the half-plane of a capsule, i.e. of all points within `radius` of the
+/// axis from 0 to the length.
 ///
 ///     f(p) = |p - nearest point of the segment| - radius
 template <std::floating_point T>
 class CapsuleProfile {
  public:
-  /// Of the capsule from a to b.
-  /// @throws Error, as from the shape `name`, unless 0 < radius < infinity.
+  /// The profile of the capsule from a to b.
+  /// @throws Error naming the shape `name` unless 0 < radius < infinity.
   CapsuleProfile(const char* name, const Vec3<T>& a, const Vec3<T>& b, T radius);
 
   [[nodiscard]] T distance(const ProfilePoint<T>& p) const;
   [[nodiscard]] ProfilePoint<T> gradient(const ProfilePoint<T>& p) const;
-  /// Around the body of revolution, as computed.
+  /// The box around the body of revolution, as computed.
   [[nodiscard]] Box<T> box(const RotationAxis<T>& axis) const;
   [[nodiscard]] T largestRadius() const { return radius_; }
 

@@ -14,7 +14,7 @@ ConeSphereProfile<T>::ConeSphereProfile(const char* name, const Vec3<T>& a, cons
   if (isBall_) return;
   const T delta = radiusA - radiusB;
   sine_ = delta / length_;
-  // In this form it keeps its digits where one ball nearly contains the other.
+  // This form keeps its digits where one ball nearly contains the other.
   cosine_ = std::sqrt((length_ - delta) / length_) * std::sqrt((length_ + delta) / length_);
 }
 

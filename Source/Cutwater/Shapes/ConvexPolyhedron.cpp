@@ -100,7 +100,7 @@ Vec3<T> ConvexPolyhedron<T>::localGradient(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 Interval<T> ConvexPolyhedron<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
-  // No value is less than the height over any plane; inside, it is the largest of these.
+  // A value is at least the height above any plane; inside, it is the largest of these heights.
   Interval<T> highest{-std::numeric_limits<T>::infinity(), -std::numeric_limits<T>::infinity()};
   for (const auto& face : faces_) {
     const T atCenter = height(face, box.center);

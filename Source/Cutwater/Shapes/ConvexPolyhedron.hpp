@@ -6,28 +6,28 @@
 
 namespace cutwater {
 
-/// All points p with normal . (p - point) <= 0. The normal points out, and has any length.
+/// All points p with normal . (p - point) <= 0. The normal points outwards and has any length.
 template <std::floating_point T>
 struct HalfSpace {
   Vec3<T> point;
   Vec3<T> normal;
 };
 
-/// A convex solid: what is in all of the half-spaces.
+/// A convex solid: the intersection of half-spaces.
 ///
-/// Exact: inside, the nearest plane decides. Outside, the nearest surface point lies on a face that
-/// the point is in front of; it is the foot on the face's plane, or else lies on one of the sides
-/// that the foot is beyond. Faces are found once, in twice the precision; half-spaces without a
-/// face cost nothing afterwards. A query takes time linear in the number of faces: for thousands,
-/// use a MeshSDF.
+/// Exact: inside, the nearest plane decides. Outside, the nearest surface point lies on a face
+/// whose plane the point is in front of. It is the foot of the perpendicular on that plane, or lies
+/// on a side of the face that the foot is beyond. Faces are found once, in twice the precision;
+/// half-spaces without a face then cost nothing. A query takes time linear in the number of faces:
+/// use a MeshSDF for thousands.
 /// @throws Error unless all are finite, no normal is zero, and the intersection is bounded and has
-/// an inside.
+/// an interior.
 template <std::floating_point T>
 class ConvexPolyhedron final : public SignedDistanceFunction<T> {
  public:
   explicit ConvexPolyhedron(const std::vector<HalfSpace<T>>& halfSpaces);
 
-  /// No more than there are half-spaces.
+  /// The number of faces, at most that of half-spaces.
   [[nodiscard]] std::size_t faceCount() const { return faces_.size(); }
 
  private:
@@ -40,7 +40,7 @@ class ConvexPolyhedron final : public SignedDistanceFunction<T> {
 
   struct Face {
     Vec3<T> normal;
-    std::uint32_t first;  // of its sides, and behind the last
+    std::uint32_t first;  // of its sides; `last` is one past the end
     std::uint32_t last;
   };
   struct Side {
@@ -49,9 +49,9 @@ class ConvexPolyhedron final : public SignedDistanceFunction<T> {
     Vec3<T> outward;  // and out of the face
     T length;
   };
-  /// From the plane of the face, outwards.
+  /// Height above the plane of the face, positive outside.
   [[nodiscard]] T height(const Face& face, const Vec3<T>& p) const;
-  /// From the face's nearest point to p, for a point in front of it.
+  /// The vector from the face's nearest point to p, for a point in front of the face.
   [[nodiscard]] Vec3<T> fromFace(const Face& face, const Vec3<T>& p) const;
   [[nodiscard]] Vec3<T> fromSurface(const Vec3<T>& p) const;
 

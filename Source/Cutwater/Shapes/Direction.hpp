@@ -2,8 +2,8 @@
 
 #include <Cutwater/Core/Vec3.hpp>
 
-/// Checked arguments of shapes that are given by points and directions. `shape` and `argument` go
-/// into the message of the Error that a bad value throws.
+/// Checks arguments of shapes that are given by points and directions. `shape` and `argument`
+/// appear in the message of the Error thrown for a bad value.
 namespace cutwater::detail {
 
 template <std::floating_point T>
@@ -13,12 +13,12 @@ void requireFinite(const char* shape, const char* argument, const Vec3<T>& point
 template <std::floating_point T>
 void requireRadii(const char* shape, T radiusA, T radiusB);
 
-/// The unit vector along `direction`, rounded once whatever its length.
+/// The unit vector along `direction`, rounded once, whatever the length of `direction`.
 /// @throws Error unless the direction is finite and not zero.
 template <std::floating_point T>
 [[nodiscard]] Vec3<T> unitVector(const char* shape, const char* argument, const Vec3<T>& direction);
 
-/// |b - a|, free of overflow on the way; infinite only if the result is.
+/// |b - a|, without intermediate overflow; infinite only if the result is.
 template <std::floating_point T>
 [[nodiscard]] T distanceBetween(const Vec3<T>& a, const Vec3<T>& b);
 

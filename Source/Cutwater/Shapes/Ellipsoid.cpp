@@ -36,8 +36,8 @@ auto Ellipsoid<T>::sorted(const Vec3<T>& fromCenter) const -> Sorted {
 
 template <std::floating_point T>
 T Ellipsoid<T>::root(const Sorted& z, T start) const {
-  // No term of the sum exceeds 1 at the root, so it is not below `least`; there the sum is at most
-  // 3. Only rounding can take a step beyond the root, and the next one back.
+  // At the root no term of the sum exceeds 1, so the root is not below `least`, where the sum is at
+  // most 3. Only rounding can make a step pass the root, and the next one go back.
   constexpr int kMostSteps = 40;
   const T least = std::max(start, z[2]);
   T t = least;
@@ -45,7 +45,7 @@ T Ellipsoid<T>::root(const Sorted& z, T start) const {
   T before = std::numeric_limits<T>::max();
   for (int step = 0; step < kMostSteps; ++step) {
     T sum = 0;
-    T slope = 0;  // -1/2 of the sum's
+    T slope = 0;  // -1/2 times that of the sum
     for (std::size_t i = 0; i < 3; ++i) {
       const T pole = t + excess_[i];
       const T w = ratio_[i] * z[i] / pole;
@@ -64,8 +64,8 @@ template <std::floating_point T>
 auto Ellipsoid<T>::foot(const Sorted& y) const -> Foot {
   Sorted z;
   for (std::size_t i = 0; i < 3; ++i) z[i] = y[i] / e_[i];
-  // At t = 0 the sum without its last term: below 1 the nearest points of a point in the plane of
-  // the long axes lie off that plane, one on each side.
+  // The sum at t = 0 without its last term. If it is below 1, a point in the plane of the long axes
+  // has its nearest points off that plane, one on each side.
   constexpr T kTiny = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
   if (z[2] <= kTiny) {
     Sorted normal{};

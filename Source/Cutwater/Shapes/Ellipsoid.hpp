@@ -12,14 +12,14 @@ namespace cutwater {
 ///
 /// With e the semi-axes, the last the shortest, q_i = e_i^2 p_i / (e_i^2 + s) where s is the
 /// largest root of sum (e_i p_i / (e_i^2 + s))^2 = 1 (D. Eberly, "Distance from a point to an
-/// ellipse, an ellipsoid, or a hyperellipsoid", Geometric Tools, 2013). Instead of s/e_2^2 we solve
-/// for t = 1 + s/e_2^2, which does not cancel inside flat solids, and by Newton's method on
-/// 1/sqrt(sum), concave in t, which approaches from below in a few steps (J. J. More, D. C.
-/// Sorensen, "Computing a trust region step", SIAM J. Sci. Stat. Comput. 4 (1983)) where Eberly
-/// bisects.
+/// ellipse, an ellipsoid, or a hyperellipsoid", Geometric Tools, 2013). We solve for t = 1 +
+/// s/e_2^2 instead of s/e_2^2, which avoids cancellation inside flat solids. Where Eberly bisects,
+/// we apply Newton's method to 1/sqrt(sum), which is concave in t: it approaches the root from
+/// below in a few steps (J. J. More, D. C. Sorensen, "Computing a trust region step", SIAM J. Sci.
+/// Stat. Comput. 4 (1983)).
 ///
-/// Against quadruple precision values were off by at most 3 eps (|p| + size), for semi-axes up to
-/// 10^6 times as long as each other, after 4 steps or fewer in most cases and 29 at most.
+/// Compared with quadruple precision, values were off by at most 3 eps (|p| + size) for semi-axes
+/// in ratios of up to 10^6, after at most 4 steps in most cases and 29 in the worst.
 /// @throws Error unless the centre is finite, the semi-axes are finite and positive, and the
 /// longest is at most 10^6 times the shortest.
 template <std::floating_point T>
@@ -34,7 +34,7 @@ class Ellipsoid final : public SignedDistanceFunction<T> {
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
 
-  /// By axes from the longest to the shortest.
+  /// Coordinates by axis, from the longest to the shortest.
   using Sorted = std::array<T, 3>;
 
   /// The nearest surface point is (e_i^2/e_2^2) normal_i, and the value (t - 1)|normal|.
@@ -43,7 +43,7 @@ class Ellipsoid final : public SignedDistanceFunction<T> {
     Sorted normal;
     bool isUnique;
   };
-  /// For a point with no coordinate negative.
+  /// For a point without negative coordinates.
   [[nodiscard]] Foot foot(const Sorted& y) const;
   [[nodiscard]] T root(const Sorted& z, T start) const;
   [[nodiscard]] Sorted sorted(const Vec3<T>& fromCenter) const;
@@ -53,7 +53,7 @@ class Ellipsoid final : public SignedDistanceFunction<T> {
   std::array<int, 3> order_{0, 1, 2};  // axes from the longest to the shortest
   Sorted e_;
   Sorted ratio_;   // (e_i / e_2)^2
-  Sorted excess_;  // the same less 1
+  Sorted excess_;  // ratio_ less 1
 };
 
 extern template class Ellipsoid<float>;

@@ -5,14 +5,14 @@
 
 namespace cutwater {
 
-/// A polygon in the xy plane, extruded along z: a prism of any section.
+/// A polygon in the xy plane, extruded along z: a prism with any cross-section.
 ///
-/// Exact. A query takes a time that grows with the logarithm of the number of edges.
+/// Exact. The time of a query grows with the logarithm of the number of edges.
 /// @throws Error unless lower and upper are finite and lower < upper.
 template <std::floating_point T>
 class Extrusion final : public Prismatic<T> {
  public:
-  /// From z = lower to z = upper.
+  /// The prism from z = lower to z = upper.
   Extrusion(const Polygon<T>& section, T lower, T upper);
 
  private:

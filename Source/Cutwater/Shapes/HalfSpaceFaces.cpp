@@ -33,7 +33,7 @@ struct WidePlane {
   [[nodiscard]] DoubleDouble value(const DoubleDouble3& x) const { return dot(normal, x) - offset; }
 };
 
-/// A polygon in one plane while others clip it. Corner i is where side i begins.
+/// A polygon in one plane, to be clipped by the others. Corner i is where side i starts.
 class ClippedFace {
  public:
   struct Side {
@@ -41,7 +41,7 @@ class ClippedFace {
     std::uint32_t plane;
   };
 
-  /// As large as the box whose planes follow the first `count`: x, -x, y, -y, z, -z.
+  /// Starts as large as the box whose planes follow the first `count`: x, -x, y, -y, z, -z.
   ClippedFace(std::span<const WidePlane> planes, std::uint32_t plane, std::uint32_t count)
       : planes_(planes), plane_(plane) {
     const auto normal = static_cast<Vec3<double>>(planes[plane].normal);
@@ -98,12 +98,12 @@ class ClippedFace {
     return (1.0 / determinant) * sum;
   }
   [[nodiscard]] bool isParallelTo(std::uint32_t other) const {
-    // What is left of products that cancel by rounding alone.
+    // The bound on what remains, by rounding alone, of products that cancel.
     const auto c = cross(planes_[plane_].normal, planes_[other].normal);
     return length(static_cast<Vec3<double>>(c)) < 0x1p-94;
   }
-  /// Whether this plane lies within the half-space of a parallel one; of equal planes, in the
-  /// first.
+  /// Whether this plane lies within the half-space of a parallel one; of equal planes, only the
+  /// first does.
   [[nodiscard]] bool isWithinParallel(std::uint32_t other) const {
     const auto& mine = planes_[plane_];
     const auto& theirs = planes_[other];
@@ -126,7 +126,7 @@ void requireThat(bool ok, const char* name, const char* what, std::size_t count)
   require(false, message.c_str(), Named{"half-spaces", count});
 }
 
-/// All half-spaces, and behind them those of a box far around their points.
+/// The planes of all half-spaces, followed by those of a box far around their points.
 std::vector<WidePlane> planesAndBox(std::span<const ExactHalfSpace> halfSpaces) {
   std::vector<WidePlane> planes;
   double reach = 0;

@@ -8,7 +8,7 @@ namespace cutwater {
 
 namespace {
 
-/// Mirrored about the line through the origin and the corner at 60 degrees.
+/// Reflected in the line through the origin and the corner at 60 degrees.
 template <std::floating_point T>
 Vec2<T> mirrored(const Vec2<T>& p) {
   constexpr T kSine = std::numbers::sqrt3_v<T> / 2;

@@ -4,8 +4,8 @@
 
 namespace cutwater {
 
-/// A regular hexagon between z = -height/2 and height/2, about the local z axis. All sides are
-/// `inradius` away from the axis, two of them across the y axis.
+/// A regular hexagonal prism between z = -height/2 and height/2, about the local z axis. All sides
+/// are `inradius` away from the axis; two of them are normal to the y axis.
 ///
 /// Exact: the plane is folded by the hexagon's symmetries so that the side at y = inradius is the
 /// nearest.

@@ -37,7 +37,7 @@ Guarantee<T> InfiniteCone<T>::localGuarantee() const {
 
 template <std::floating_point T>
 Box<T> InfiniteCone<T>::localBoundingBox() const {
-  // A coordinate is bounded by the apex if its axis is at 90 degrees or more to the whole cone.
+  // The apex bounds a coordinate if its axis is at 90 degrees or more to the whole cone.
   const T limit = -sine_ - 4 * std::numeric_limits<T>::epsilon();
   auto box = Box<T>::everywhere();
   for (int i = 0; i < 3; ++i) {

@@ -4,7 +4,7 @@
 
 namespace cutwater {
 
-/// A cone without end: all points seen from the apex within `halfAngle` degrees of the axis.
+/// An infinite cone: all points seen from the apex within `halfAngle` degrees of the axis.
 ///
 ///     f(p) = y cos(halfAngle) - x sin(halfAngle)     where x cos(halfAngle) + y sin(halfAngle) > 0
 ///            |p - apex|                              elsewhere        exact

@@ -4,7 +4,7 @@
 
 namespace cutwater {
 
-/// A cylinder without ends around the line through `point` along `axis`.
+/// An infinite cylinder around the line through `point` along `axis`.
 ///
 ///     f(p) = y - radius        exact; y is the distance from the axis
 ///

@@ -4,8 +4,8 @@
 
 namespace cutwater {
 
-/// A link of a chain: a ring about the local z axis (see Torus), cut in half and its halves pulled
-/// `length` apart along y, with straight tubes between them.
+/// A chain link: a ring about the local z axis (see Torus), cut in half, with its halves `length`
+/// apart along y and straight tubes between them.
 ///
 ///     q = (p.x, max(|p.y| - length/2, 0))
 ///     f(p) = | (|q| - major, p.z) | - minor        exact

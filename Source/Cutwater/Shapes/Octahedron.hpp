@@ -7,9 +7,9 @@ namespace cutwater {
 /// A regular octahedron about the origin, with corners `radius` away on the axes:
 /// |x| + |y| + |z| <= radius.
 ///
-/// Exact: with q = |p|, the step from the nearest point is min(q_i, t), with the t that brings the
-/// rest of q down to the sum `radius` (J. Duchi et al., "Efficient projections onto the l1-ball for
-/// learning in high dimensions", ICML 2008).
+/// Exact: with q = |p|, the step from the nearest point is s_i = min(q_i, t), with t such that the
+/// components of q - s sum to `radius` (J. Duchi et al., "Efficient projections onto the l1-ball
+/// for learning in high dimensions", ICML 2008).
 /// @throws Error unless 0 < radius < infinity.
 template <std::floating_point T>
 class Octahedron final : public SignedDistanceFunction<T> {

@@ -7,7 +7,7 @@ int sideOfLine(const Vec2<double>& a, const Vec2<double>& b, const Vec2<double>&
   const double left = (b.x - a.x) * (p.y - a.y);
   const double right = (b.y - a.y) * (p.x - a.x);
   const double size = std::abs(left) + std::abs(right);
-  // Five roundings of half an ulp each (Shewchuk's filter allows for less).
+  // Five roundings of half an ulp each (Shewchuk's filter has a smaller allowance).
   if (std::abs(left - right) > 0x1p-50 * size) return left > right ? 1 : -1;
   const auto exactly = DoubleDouble::difference(b.x, a.x) * DoubleDouble::difference(p.y, a.y) -
                        DoubleDouble::difference(b.y, a.y) * DoubleDouble::difference(p.x, a.x);

@@ -5,8 +5,8 @@
 
 namespace cutwater::detail {
 
-/// 1 if `p` lies to the left of the line from a to b, -1 to the right; 0 on it, and where twice the
-/// precision cannot tell.
+/// 1 if `p` lies to the left of the line from a to b, -1 if to the right; 0 if on the line, or if
+/// twice the precision cannot decide.
 [[nodiscard]] int sideOfLine(const Vec2<double>& a, const Vec2<double>& b, const Vec2<double>& p);
 
 /// An edge of a polygon in the plane z = 0, with the solid to its left; a primitive of LinearBVH.
@@ -21,7 +21,7 @@ class PlanarEdge {
   [[nodiscard]] Vec2<T> outward() const { return {along_.y, -along_.x}; }
   [[nodiscard]] int side(const Vec2<T>& p) const;
 
-  /// From the nearest point of the edge; `isInside`: of the edge, and not an end of it.
+  /// Relative to the nearest point of the edge; `isInside`: that point is no end of the edge.
   struct Foot {
     T distance;
     Vec2<T> toPoint;

@@ -10,10 +10,10 @@ namespace {
 
 using detail::PlanarEdge;
 
-/// Where an edge stands among the loops.
+/// The place of an edge in the loops.
 struct Place {
   std::size_t loop;
-  std::size_t corner;  // that it starts at
+  std::size_t corner;  // where the edge starts
 };
 
 template <std::floating_point T>
@@ -30,7 +30,7 @@ std::vector<Vec2<T>> checkedLoop(const std::vector<Vec2<T>>& corners, std::size_
   return loop;
 }
 
-/// Which way round the loop runs, told at its lowest corner, the leftmost of several: 1
+/// Orientation of the loop, found at its lowest corner, the leftmost if there are several; 1:
 /// counterclockwise.
 template <std::floating_point T>
 int turn(const std::vector<Vec2<T>>& loop) {
@@ -58,7 +58,7 @@ class LoopCheck {
     }
   }
 
-  /// Loops that surround this one.
+  /// The number of loops that surround this one.
   [[nodiscard]] std::size_t depth(std::size_t loop) const {
     return detail::crossingsToTheRight<T>(tree_, loops_[loop].front(), farthest_,
                                           [&](std::uint32_t i) { return places_[i].loop != loop; });
@@ -85,7 +85,7 @@ class LoopCheck {
     if (b.end() == a.start() && areNeighbours(j, i)) return requireNoFold(b, a, i, j);
     const bool areApart =
         a.side(b.start()) * a.side(b.end()) > 0 || b.side(a.start()) * b.side(a.end()) > 0;
-    // Those on one line have boxes apart, or overlap.
+    // If they lie on one line, they overlap, because their boxes do.
     require(areApart, "Polygon: edges cross or touch", Named{"loop", places_[i].loop},
             Named{"edge", places_[i].corner}, Named{"other loop", places_[j].loop},
             Named{"other edge", places_[j].corner});

@@ -59,8 +59,8 @@ bool PolygonDistance<T>::isInWedge(const Vec2<T>& p, std::uint32_t first) const 
 
 template <std::floating_point T>
 bool PolygonDistance<T>::isInside(const Vec2<T>& p, const NearestEdges& near) const {
-  // A single edge is left of the whole solid here, also at a corner that it shares with an edge
-  // that was dropped: nothing asked about lies right of that one.
+  // Near a single edge the solid is to the left of it, also at a corner that it shares with a
+  // dropped edge: no query point lies to the right of that one.
   const auto first = near.edges[0].primitive;
   if (near.count == 1) return edge(first).side(p) > 0;
   const auto second = near.edges[1].primitive;
@@ -90,7 +90,7 @@ Vec2<T> PolygonDistance<T>::gradient(const Vec2<T>& p) const {
   const auto slope = slopeFrom(near.edges[0]);
   for (std::size_t i = 1; i < near.count; ++i) {
     const bool isTie = near.edges[i].distance == near.edges[0].distance;
-    // Ends of neighbours are the same point.
+    // Neighbours that meet at the nearest point give the same gradient.
     if (isTie && length(slopeFrom(near.edges[i]) - slope) > T(1e-3)) return {};
   }
   return slope;

@@ -12,7 +12,7 @@ std::size_t crossingsToTheRight(const LinearBVH<T, PlanarEdge<T>>& edges, const 
     const auto& edge = edges.primitives()[i];
     const bool startsBelow = edge.start().y <= p.y;
     const bool endsBelow = edge.end().y <= p.y;
-    // To the right of p is an edge that runs up with p to its left, or down with p to its right.
+    // An edge is to the right of p if it runs up with p to its left, or down with p to its right.
     if (startsBelow != endsBelow && counts(i) && edge.side(p) == (startsBelow ? 1 : -1)) ++found;
     return true;
   });

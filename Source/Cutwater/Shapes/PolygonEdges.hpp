@@ -12,8 +12,8 @@ extern template class LinearBVH<double, detail::PlanarEdge<double>>;
 
 namespace detail {
 
-/// The number of edges, of those that `counts` admits, that the ray from p along x crosses. An edge
-/// has its lower end and not its upper one; what the ray starts on it does not cross.
+/// The number of edges accepted by `counts` that the ray from p along x crosses. An edge includes
+/// its lower end but not its upper one; an edge on which the ray starts does not count.
 template <std::floating_point T>
 [[nodiscard]] std::size_t crossingsToTheRight(const LinearBVH<T, PlanarEdge<T>>& edges,
                                               const Vec2<T>& p, T farthest,

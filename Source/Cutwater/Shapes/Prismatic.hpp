@@ -5,19 +5,19 @@
 
 namespace cutwater {
 
-/// What all straight prisms share: a subclass states the signed distance of its section in the xy
-/// plane, and this class gives it flat ends.
+/// Base class of all straight prisms: a subclass defines the signed distance of its section in the
+/// xy plane, and this class adds flat ends.
 ///
-/// The value is the exact distance wherever the section's is. It is that of a box in the plane of
-/// the section's value and z.
+/// The value is the exact distance wherever that of the section is: it is the distance of a box in
+/// the plane of the section's value and z.
 template <std::floating_point T>
 class Prismatic : public SignedDistanceFunction<T> {
  protected:
-  /// From z = lower to z = upper.
-  /// @throws Error, as from the shape `name`, unless both are finite and lower < upper.
+  /// The prism from z = lower to z = upper.
+  /// @throws Error naming the shape `name` unless both are finite and lower < upper.
   Prismatic(const char* name, T lower, T upper);
 
-  /// The section's signed distance in the plane.
+  /// The signed distance of the section in the plane.
   [[nodiscard]] virtual T sectionDistance(const Vec2<T>& p) const = 0;
   /// Unit gradient in the plane; zero where it is not defined.
   [[nodiscard]] virtual Vec2<T> sectionGradient(const Vec2<T>& p) const = 0;
@@ -30,7 +30,7 @@ class Prismatic : public SignedDistanceFunction<T> {
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const final;
   [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const final;
 
-  Box<T> ends_;  // of (value of the section, z, 0)
+  Box<T> ends_;  // in (value of the section, z, 0)
 };
 
 extern template class Prismatic<float>;

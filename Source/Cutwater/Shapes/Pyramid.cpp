@@ -39,7 +39,7 @@ T Pyramid<T>::flankDistance(const Vec3<T>& q) const {
 
 template <std::floating_point T>
 Vec3<T> Pyramid<T>::fromSurface(const Vec3<T>& q, T flank) const {
-  // Below the base, and before the flank's lower edge.
+  // Below the base, or below the flank's lower edge in the flank's plane.
   const T up = dot(Vec2<T>{q.x - half_, q.z}, up_);
   if (q.z <= 0 || up <= 0) {
     const T x = q.z <= 0 ? std::min(q.x, half_) : half_;

@@ -5,11 +5,11 @@
 
 namespace cutwater {
 
-/// A polygon turned around an axis: x of the polygon is the distance from the axis, y the position
-/// along it. The axis need not have unit length; without one, it is the local z axis.
+/// A polygon revolved about an axis: x in the polygon is the distance from the axis, y the position
+/// along it. The axis need not have unit length; the default is the local z axis.
 ///
-/// Exact. The profile's edges on the axis lie inside the solid and do not count. A query takes a
-/// time that grows with the logarithm of the number of edges.
+/// Exact. The profile's edges on the axis lie inside the solid and are ignored. The time of a query
+/// grows with the logarithm of the number of edges.
 /// @throws Error unless x >= 0 at all corners, the origin and the axis are finite and the axis is
 /// not zero.
 template <std::floating_point T>

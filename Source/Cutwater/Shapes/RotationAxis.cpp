@@ -13,7 +13,7 @@ template <std::floating_point T>
 Box<T> RotationAxis<T>::discBox(T axial, T radius) const {
   const Vec3<T> center = origin_ + axial * direction_;
   const auto& u = direction_;
-  // r sqrt(1 - u_i^2), in a form that does not cancel for an axis close to i.
+  // r sqrt(1 - u_i^2), in a form without cancellation for an axis close to i.
   const Vec3<T> reach{std::sqrt(u.y * u.y + u.z * u.z), std::sqrt(u.z * u.z + u.x * u.x),
                       std::sqrt(u.x * u.x + u.y * u.y)};
   return {center - radius * reach, center + radius * reach};

@@ -26,20 +26,20 @@ namespace detail {
 template <std::floating_point T>
 class RotationAxis {
  public:
-  /// Axial positions count from `origin` along `direction`, which need not have unit length.
-  /// @throws Error, as from the shape `name`, unless both are finite and the direction is not zero.
+  /// Axial positions are measured from `origin` along `direction`, which need not have unit length.
+  /// @throws Error naming the shape `name` unless both are finite and the direction is not zero.
   RotationAxis(const char* name, const Vec3<T>& origin, const Vec3<T>& direction);
 
-  /// From `a` to `b`; where they coincide, along z.
+  /// The axis from `a` to `b`, or along z if they coincide.
   [[nodiscard]] static RotationAxis between(const char* name, const Vec3<T>& a, const Vec3<T>& b) {
     return {name, a, a == b ? Vec3<T>{0, 0, 1} : b - a};
   }
 
   [[nodiscard]] const Vec3<T>& origin() const { return origin_; }
-  /// Of unit length.
+  /// A unit vector.
   [[nodiscard]] const Vec3<T>& direction() const { return direction_; }
 
-  /// p - origin, parted into what is along the axis and the rest.
+  /// p - origin, split into its parts along the axis and normal to it.
   struct Split {
     T axial;
     Vec3<T> radial;
@@ -53,8 +53,8 @@ class RotationAxis {
     const auto [axial, radial] = split(p);
     return {length(radial), axial};
   }
-  /// The gradient at p, of a function that has this one in the half-plane; zero on the axis where
-  /// it is equally steep in every direction away from it.
+  /// The gradient at p of a function whose gradient in the half-plane is `g`. Zero on the axis
+  /// where the function is equally steep in every direction away from it.
   [[nodiscard]] CUTWATER_INLINE Vec3<T> revolved(const Split& p, const ProfilePoint<T>& g) const {
     if (g.radial == 0) return g.axial * direction_;
     const T distance = length(p.radial);
@@ -62,7 +62,7 @@ class RotationAxis {
     return (g.radial / distance) * p.radial + g.axial * direction_;
   }
 
-  /// Encloses the disc of this radius across the axis around its point at `axial`.
+  /// Encloses the disc of this radius normal to the axis around its point at `axial`.
   [[nodiscard]] Box<T> discBox(T axial, T radius) const;
   /// Encloses the ball around the axis' point at `axial`.
   [[nodiscard]] Box<T> ballBox(T axial, T radius) const;

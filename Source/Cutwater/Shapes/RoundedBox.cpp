@@ -18,7 +18,7 @@ RoundedBox<T>::RoundedBox(const Box<T>& box, T radius)
           "RoundedBox: need 0 < radius <= half the shortest side", Named{"radius", radius},
           Named{"shortest side", shortest});
   for (int axis = 0; axis < 3; ++axis) {
-    if (core_.lower[axis] > core_.upper[axis]) {  // by rounding: the sides are half circles
+    if (core_.lower[axis] > core_.upper[axis]) {  // by rounding: then the sides are half circles
       core_.lower[axis] = core_.upper[axis] = box.center()[axis];
     }
   }

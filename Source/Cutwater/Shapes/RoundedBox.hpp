@@ -4,7 +4,7 @@
 
 namespace cutwater {
 
-/// An axis-aligned box with edges and corners rounded to a radius; the faces stay where they are.
+/// An axis-aligned box whose edges and corners are rounded to a radius; the faces stay in place.
 ///
 ///     f(p) = box(p; lower + radius, upper - radius) - radius        exact
 ///
@@ -25,7 +25,7 @@ class RoundedBox final : public SignedDistanceFunction<T> {
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
 
-  Box<T> core_;  // what the rounding is laid around; may have zero thickness
+  Box<T> core_;  // the box that is grown by the radius; may have zero thickness
   T radius_;
 };
 

@@ -4,8 +4,8 @@
 
 namespace cutwater {
 
-/// A cylinder with ends at `a` and `b` whose rims are rounded to the radius `rounding`; ends and
-/// side stay where they are.
+/// A cylinder with ends at `a` and `b` whose rims are rounded to the radius `rounding`; the ends
+/// and the side stay in place.
 ///
 ///     f(p) = cylinder(p; shortened by rounding at both ends, radius - rounding) - rounding exact
 ///
@@ -27,7 +27,7 @@ class RoundedCylinder final : public Axisymmetric<T> {
   T rounding_;
   T coreRadius_;
   T size_;
-  Box<T> section_;  // of the core that the rounding is laid around; may have zero thickness
+  Box<T> section_;  // of the core that is grown by the rounding; may have zero thickness
 };
 
 extern template class RoundedCylinder<float>;

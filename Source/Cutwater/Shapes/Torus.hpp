@@ -4,13 +4,13 @@
 
 namespace cutwater {
 
-/// A ring: a tube of radius `minor` around a circle of radius `major`; with x the position along
-/// the axis from the circle's centre and y the distance from it,
+/// A ring: a tube of radius `minor` around a circle of radius `major`. With x the position along
+/// the axis from the circle's centre and y the distance from the axis,
 ///
 ///     f(p) = |(y - major, x)| - minor        exact
 ///
-/// The axis need not have unit length; without one, it is the local z axis through the origin.
-/// @throws Error unless 0 < minor < major < infinity, and all are finite and the axis is not zero.
+/// The axis need not have unit length; the default is the local z axis through the origin.
+/// @throws Error unless 0 < minor < major < infinity, all are finite and the axis is not zero.
 template <std::floating_point T>
 class Torus final : public Axisymmetric<T> {
  public:
