@@ -4,8 +4,8 @@
 
 namespace cutwater {
 
-/// What the hot loops are compiled for, from the least to the most capable. Answers do not depend
-/// on it.
+/// Instruction sets that the hot loops are compiled for, from the least to the most capable.
+/// Answers do not depend on the choice.
 enum class InstructionSet {
   Portable,  ///< any processor
   Baseline,  ///< x86-64: SSE2
@@ -13,24 +13,24 @@ enum class InstructionSet {
   Avx512,    ///< AVX-512 F, DQ, BW and VL
 };
 
-/// The best that this processor has, chosen once; or what the environment variable
+/// The best set of this processor, chosen once, or the one that the environment variable
 /// CUTWATER_INSTRUCTION_SET names (portable, baseline, avx2, avx512), if the processor has it.
 [[nodiscard]] InstructionSet instructionSet();
 
-/// As the environment variable spells it.
+/// The name as spelled in the environment variable.
 [[nodiscard]] std::string_view name(InstructionSet set);
 
 namespace detail {
 
-/// What instructionSet() answers when the variable is `wanted`; null: not set. An unknown name, or
-/// one beyond what the processor has, is passed over.
+/// The result of instructionSet() if the variable is `wanted`; null: not set. An unknown name, or a
+/// set that the processor lacks, is ignored.
 [[nodiscard]] InstructionSet chosenInstructionSet(const char* wanted);
 
-/// Of one function compiled for each set.
+/// One function compiled for each set.
 template <typename Function>
 struct PerInstructionSet {
   Function* portable = nullptr;
-  Function* baseline = nullptr;  // null, as the others, where the library was not built for it
+  Function* baseline = nullptr;  // null, like the others, where not built for it
   Function* avx2 = nullptr;
   Function* avx512 = nullptr;
 
@@ -47,8 +47,8 @@ struct PerInstructionSet {
 
 }  // namespace cutwater
 
-// For a function that cutwater_vector_sources() compiles once per set, into a namespace each:
-// M(namespace) for all of them, to declare it, and then the best of them for this processor.
+// For a function that cutwater_vector_sources() compiles once per set, each in its own namespace:
+// applies M(namespace) to all of them, to declare it, and selects the best for this processor.
 #if defined(__x86_64__)
 #define CUTWATER_FOR_INSTRUCTION_SETS(M) M(portable) M(baseline) M(avx2) M(avx512)
 #define CUTWATER_BEST_OF(Function, name)                                                         \

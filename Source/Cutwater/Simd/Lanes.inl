@@ -1,23 +1,23 @@
 #pragma once
 
-// Vector arithmetic for the hot loops, in a namespace of its own for each instruction set, so that
-// no code compiled for one of them is ever linked into another. Included once by a file that is
-// compiled once per set, with CUTWATER_SIMD naming the namespace: see cutwater_vector_sources().
+// Vector arithmetic for the hot loops, in a separate namespace for each instruction set, so that no
+// code compiled for one set is ever linked into another. Included once by a file that is compiled
+// once per set, with CUTWATER_SIMD as the namespace: see cutwater_vector_sources().
 //
-// A loop over the lanes of a packet goes in steps of kFloats or kDoubles; it reads like scalar
-// arithmetic. Operations on Floats and Doubles alike, one file per set:
+// A loop over the lanes of a packet advances by kFloats or kDoubles and reads like scalar
+// arithmetic. Operations on both Floats and Doubles, one file per set:
 //
 //     broadcast load store                        arrays are aligned to the size of a vector
-//     + - * /, least most magnitude               lane by lane, rounded as scalars are
+//     + - * /, least most magnitude               lane by lane, rounded like scalars
 //     isPositive isAtMost both -> mask            a > 0; a <= b; not for NaN
-//     where(mask, a, b)  bits(mask)               a where it is set, else b; a bit for every lane
-//     squareRoot leastOf                          rounded as scalars are; the least of all lanes
+//     where(mask, a, b)  bits(mask)               a where it is set, else b; one bit per lane
+//     squareRoot leastOf                          rounded like scalars; the least of all lanes
 //
 // and on Floats, for bounds: multiplyAdd(a, b, c) = a b + c and subtractProduct(c, a, b) = c - a b,
-// rounded once or twice as the set has it.
+// rounded once or twice depending on the set.
 //
-// Functions of the standard library stay out: what is not inlined would be compiled for this set
-// and shared with everybody.
+// Functions of the standard library are not used: what is not inlined would be compiled for this
+// set and shared with all other code.
 
 #include <Cutwater/Core/Inline.hpp>
 
@@ -38,8 +38,8 @@
 namespace cutwater::CUTWATER_SIMD {
 
 #ifndef CUTWATER_HAS_LEAST_LANE
-/// Which of 16 numbers >= 0 is the least, but perhaps for its last 4 bits, of those in `lanes`,
-/// which are some.
+/// The lane with the least of 16 numbers >= 0, up to their last 4 bits, among those in `lanes`,
+/// which is not 0.
 CUTWATER_INLINE inline int leastLane(const float* keys, std::uint32_t lanes) {
   int best = __builtin_ctz(lanes);
   for (lanes &= lanes - 1; lanes != 0; lanes &= lanes - 1) {
@@ -57,7 +57,7 @@ CUTWATER_INLINE inline double squareRoot(double x) {
   return __builtin_sqrt(x);
 }
 
-// What goes with a scalar.
+// The lane types of a scalar type.
 template <typename T>
 struct LanesFor;
 template <>
@@ -106,13 +106,13 @@ CUTWATER_INLINE inline Triple<Real> where(Mask mask, const Triple<Real>& a, cons
   return {where(mask, a.x, b.x), where(mask, a.y, b.y), where(mask, a.z, b.z)};
 }
 
-/// In the sum of components' sizes.
+/// The sum of the components' absolute values.
 template <typename Real>
 CUTWATER_INLINE inline Real sizeOf(const Triple<Real>& v) {
   return magnitude(v.x) + magnitude(v.y) + magnitude(v.z);
 }
 
-// The same for bounds: rounded as the instruction set has it.
+// The same for bounds: rounding depends on the instruction set.
 
 using Floats3 = Triple<Floats>;
 

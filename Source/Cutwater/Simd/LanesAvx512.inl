@@ -101,7 +101,7 @@ CUTWATER_INLINE inline float leastOf(Floats a) {
   return _mm512_reduce_min_ps(a);
 }
 CUTWATER_INLINE inline int leastLane(const float* keys, std::uint32_t lanes) {
-  // As integers positive floats have the same order; the last bits make room for the lane.
+  // As integers, positive floats have the same order; the last bits are replaced by the lane.
   const __m512i bits = _mm512_castps_si512(_mm512_load_ps(keys));
   const __m512i names = _mm512_set_epi32(15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0);
   const __m512i named = _mm512_or_si512(_mm512_and_si512(bits, _mm512_set1_epi32(~15)), names);

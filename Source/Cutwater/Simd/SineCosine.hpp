@@ -5,11 +5,11 @@
 
 namespace cutwater {
 
-/// Sines and cosines of angles in turns, sin(2 pi t) and cos(2 pi t), the same bits on every
-/// processor, one by one and in batches.
+/// Sines and cosines of angles in turns, sin(2 pi t) and cos(2 pi t), with the same bits on every
+/// processor, singly and in batches.
 ///
-/// In turns the reduction to an eighth of a turn is exact, however large the angle: results are off
-/// by less than 2 units in the last place, and 0 and 1 at multiples of a quarter turn are exact.
+/// In turns, the reduction to an eighth of a turn is exact, however large the angle. Results are
+/// off by less than 2 units in the last place; 0 and 1 at multiples of a quarter turn are exact.
 /// Angles must be smaller than 2^51 turns, or 2^22 in single precision.
 ///
 /// @throws Error if the spans differ in size.

@@ -1,6 +1,6 @@
 #pragma once
 
-// sin and cos of angles in turns, lane by lane, with + - * and selects alone: the same bits on
+// sin and cos of angles in turns, lane by lane, with + - * and selection only: the same bits on
 // every instruction set.
 
 #include <Cutwater/Simd/Lanes.inl>
@@ -22,15 +22,15 @@ CUTWATER_INLINE inline Lanes<T> horner(Lanes<T> w, T first, Others... others) {
   }
 }
 
-/// Of an eighth of a turn r to either side: sin(2 pi r) = r (2 pi + tail(r^2)), and
-/// cos(2 pi r) = 1 + r^2 tail(r^2), as polynomials by Remez' exchange. What 2 pi loses in rounding
-/// is added to the tail. They are off by 3.5e-18 and 6e-21 for double, 3.5e-9 and 1e-11 for float.
+/// For r up to an eighth of a turn on either side: sin(2 pi r) = r (2 pi + tail(r^2)) and cos(2 pi
+/// r) = 1 + r^2 tail(r^2), as polynomials by the Remez algorithm. The tail includes the rounding
+/// error of 2 pi. They are off by 3.5e-18 and 6e-21 for double, 3.5e-9 and 1e-11 for float.
 template <typename T>
 struct EighthOfTurn;
 
 template <>
 struct EighthOfTurn<double> {
-  static constexpr double kFarOff = 0x1.8p52;  // sums with it are rounded to whole numbers
+  static constexpr double kFarOff = 0x1.8p52;  // adding it rounds to whole numbers
   CUTWATER_INLINE static Doubles sine(Doubles r) {
     const Doubles w = r * r;
     const Doubles tail = horner<double>(
@@ -68,7 +68,7 @@ template <typename T>
 CUTWATER_INLINE inline SineCosine<Lanes<T>> sineCosineOfTurns(Lanes<T> t) {
   const Lanes<T> farOff = broadcast(EighthOfTurn<T>::kFarOff);
   const Lanes<T> one = broadcast(T(1));
-  const Lanes<T> fraction = t - ((t + farOff) - farOff);  // exactly, as is all of the reduction
+  const Lanes<T> fraction = t - ((t + farOff) - farOff);  // exact, as is all of the reduction
   const Lanes<T> quarter = (fraction * broadcast(T(4)) + farOff) - farOff;  // -2 .. 2
   const Lanes<T> rest = fraction - quarter * broadcast(T(0.25));
   const Lanes<T> sine = EighthOfTurn<T>::sine(rest);
