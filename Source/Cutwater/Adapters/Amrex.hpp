@@ -23,7 +23,7 @@ namespace cutwater {
 
 namespace detail {
 
-/// In 2D, the point of the plane at z.
+/// The point; in 2D, in the plane at z.
 inline Vec3<amrex::Real> amrexPoint(const amrex::RealArray& p, [[maybe_unused]] amrex::Real z) {
 #if AMREX_SPACEDIM == 3
   return {p[0], p[1], p[2]};
@@ -32,7 +32,7 @@ inline Vec3<amrex::Real> amrexPoint(const amrex::RealArray& p, [[maybe_unused]] 
 #endif
 }
 
-/// In 2D, one layer in the plane at z; cells are as thin as numbers can tell.
+/// The level; in 2D, one layer in the plane at z, as thin as the smallest normal number.
 inline Level<amrex::Real> amrexLevel(const amrex::Geometry& geometry, Centering centering,
                                      [[maybe_unused]] amrex::Real z) {
 #if AMREX_SPACEDIM == 3
@@ -46,7 +46,7 @@ inline Level<amrex::Real> amrexLevel(const amrex::Geometry& geometry, Centering 
 #endif
 }
 
-/// Of a Box or an Array4; one layer in 2D.
+/// The indices of a Box or an Array4; one layer in 2D.
 template <typename Extent>
 IndexBox amrexIndices(const Extent& extent) {
   const auto lo = amrex::lbound(extent);
@@ -54,14 +54,14 @@ IndexBox amrexIndices(const Extent& extent) {
   return {{lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z}};
 }
 
-/// An Array4 has x fastest and no gaps.
+/// In an Array4 x varies fastest, without gaps.
 template <typename Value>
 GridView<Value> amrexView(const amrex::Array4<Value>& array) {
   const auto lo = amrex::lbound(array);
   return GridView<Value>::contiguous(&array(lo.x, lo.y, lo.z), amrexIndices(array));
 }
 
-/// SET where a cell of the box, x fastest, is marked.
+/// Sets the tags of the box's marked cells; x varies fastest in `marks`.
 inline void setTags(const amrex::Array4<amrex::TagBox::TagType>& tags, const IndexBox& box,
                     const std::vector<std::uint8_t>& marks) {
   auto mark = marks.begin();
@@ -76,8 +76,8 @@ inline void setTags(const amrex::Array4<amrex::TagBox::TagType>& tags, const Ind
 
 }  // namespace detail
 
-/// A FluidDomain as AMReX's implicit function, negative in the fluid: for EB2::makeShop() and
-/// whatever else takes one. In 2D it is that of the plane at z.
+/// A FluidDomain as AMReX's implicit function, negative in the fluid, for EB2::makeShop() and other
+/// functions that take one. In 2D it is evaluated in the plane at z.
 class AmrexFunction {
  public:
   explicit AmrexFunction(FluidDomain<amrex::Real> domain, amrex::Real z = 0)
@@ -93,9 +93,9 @@ class AmrexFunction {
   amrex::Real z_;
 };
 
-/// A FluidDomain as the geometry shop of EB2::Build(). Beyond what a shop around AmrexFunction
-/// does, boxes are classified with certainty, without sampling, and edges are cut where the surface
-/// crosses them, without iteration. In 2D it is that of the plane at z.
+/// A FluidDomain as the geometry shop of EB2::Build(). Unlike a shop around AmrexFunction, it
+/// classifies boxes with certainty, without sampling, and cuts edges where the surface crosses
+/// them, without iteration. In 2D it is evaluated in the plane at z.
 ///
 ///     const AmrexShop shop({hull, FluidSide::Outside, {0.1, 0.1, 0.1}});
 ///     amrex::EB2::Build(shop, geometry, 0, 0);
@@ -103,7 +103,7 @@ class AmrexFunction {
 /// Copies share the solid. Its functions may be called from within a parallel region.
 class AmrexShop {
  public:
-  /// What EB2 asks of a shop, by the names of its own.
+  /// What EB2 requires of a shop, under EB2's names.
   using FunctionType = AmrexFunction;
   using EdgeArray = amrex::Array4<amrex::Real>;
   using EdgeArrays = amrex::Array<EdgeArray, AMREX_SPACEDIM>;
@@ -112,7 +112,7 @@ class AmrexShop {
   using NodeArray = amrex::Array4<amrex::Real const>;
 
   // NOLINTBEGIN(readability-identifier-naming)
-  /// What getBoxType() answers, by AMReX's names: all fluid, cut or left open, all body.
+  /// Results of getBoxType(), under AMReX's names: all fluid, cut or undecided, all body.
   static constexpr int allregular = -1;
   static constexpr int mixedcells = 0;
   static constexpr int allcovered = 1;
@@ -124,7 +124,7 @@ class AmrexShop {
   /// Its functions run on the host only.
   static constexpr bool isGPUable() noexcept { return false; }
 
-  /// Of a box of nodes: allregular and allcovered only if no surface touches it.
+  /// Classifies a box of nodes: allregular and allcovered only if no surface touches it.
   int getBoxType(const amrex::Box& nodes, const amrex::Geometry& geometry,
                  amrex::RunOn /*runOn*/) const {
     const NodeLevelSet<amrex::Real> levelSet(domain_, levelOf(geometry));
@@ -138,7 +138,7 @@ class AmrexShop {
     }
   }
 
-  /// The level set at nodes, those beyond the box `within` as its nearest node.
+  /// Sets the level set at nodes; those outside the box `within` get the value of its nearest node.
   void fillFab(amrex::BaseFab<amrex::Real>& levelSet, const amrex::Geometry& geometry,
                amrex::RunOn /*runOn*/, const amrex::Box& within) const {
     const NodeLevelSet<amrex::Real> nodes(domain_, levelOf(geometry), detail::amrexIndices(within));
@@ -146,8 +146,8 @@ class AmrexShop {
     nodes.fill(detail::amrexIndices(array), detail::amrexView(array));
   }
 
-  /// Where edges along each axis are cut: coordinates on it; NaN for those of another type than
-  /// irregular.
+  /// Sets where edges along each axis are cut, as coordinates on it; NaN for edges whose type is
+  /// not irregular.
   void getIntercept(const EdgeArrays& intercepts, const TypeArrays& types,
                     const NodeArray& levelSet, const amrex::Geometry& geometry,
                     amrex::RunOn /*runOn*/, const amrex::Box& within) const {
@@ -158,8 +158,8 @@ class AmrexShop {
     }
   }
 
-  /// After AMReX has covered cells by setting nodes to 0: the surface moves to these, and to a
-  /// body's nodes where no intercept was known.
+  /// Called after AMReX has covered cells by setting nodes to 0: moves the surface to these nodes,
+  /// and to the body's nodes where no intercept was known.
   void updateIntercept(const EdgeArrays& intercepts, const TypeArrays& types,
                        const NodeArray& levelSet, const amrex::Geometry& geometry) const {
     const NodeLevelSet<amrex::Real> nodes(domain_, levelOf(geometry));
@@ -208,9 +208,9 @@ class AmrexShop {
   amrex::Real z_;
 };
 
-/// Sets the tags of cells that are to be refined, and leaves others as they are: what an
-/// AmrCore::ErrorEst() is to do. `level` is the number of the geometry's level. The same tags
-/// whatever the grids; in 2D, those of the plane at z.
+/// Sets the tags of cells to be refined and leaves others unchanged, as AmrCore::ErrorEst()
+/// requires. `level` is the number of the geometry's level. The tags do not depend on the grids; in
+/// 2D they are those of the plane at z.
 /// @throws Error as tag().
 inline void tagCells(const Refinement<amrex::Real>& refinement,
                      const SignedDistanceFunction<amrex::Real>& solid, amrex::TagBoxArray& tags,

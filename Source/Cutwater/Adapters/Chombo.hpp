@@ -9,8 +9,8 @@
 
 namespace cutwater {
 
-/// A FluidDomain as Chombo's implicit function, negative in the fluid. In 2D it is that of the
-/// plane at z. Boxes are classified with certainty, which Chombo asks for through
+/// A FluidDomain as Chombo's implicit function, negative in the fluid. In 2D it is evaluated in the
+/// plane at z. Boxes are classified with certainty, which Chombo requests through
 /// fastIntersection() and InsideOutside().
 ///
 ///     const ChomboIF function({hull, FluidSide::Outside, {0.1, 0.1, 0.1}});
@@ -19,21 +19,21 @@ class ChomboIF final : public BaseIF {
  public:
   explicit ChomboIF(FluidDomain<Real> domain, Real z = 0) : domain_(std::move(domain)), z_(z) {}
 
-  // Forms that follow from those below.
+  // Overloads that follow from those below.
   using BaseIF::fastIntersection;
   using BaseIF::InsideOutside;
   using BaseIF::value;
 
   Real value(const RealVect& point) const override { return domain_.levelSet(pointOf(point)); }
 
-#ifndef USE_STCVECTOR  // with which it is the type above
+#ifndef USE_STCVECTOR  // otherwise it is the type above
   Real value(const IndexTM<Real, GLOBALDIM>& point) const override {
     return domain_.levelSet(pointOf(point));
   }
 #endif
 
-  /// The value, or a first derivative. Those of higher order are Chombo's, which ends the program:
-  /// a signed distance need not have any.
+  /// The value, or a first derivative. Higher orders are left to Chombo, which ends the program: a
+  /// signed distance need not have such derivatives.
   Real value(const IndexTM<int, GLOBALDIM>& derivative,
              const IndexTM<Real, GLOBALDIM>& point) const override {
     int order = 0;
@@ -51,7 +51,7 @@ class ChomboIF final : public BaseIF {
     return true;
   }
 
-  /// Regular and Covered only if no surface touches the closed box.
+  /// Returns Regular and Covered only if no surface touches the closed box.
   GeometryService::InOut InsideOutside(const RealVect& low, const RealVect& high) const override {
     switch (domain_.classify(Box<Real>{pointOf(low), pointOf(high)})) {
       case FluidClass::Fluid:

@@ -18,7 +18,7 @@ namespace cutwater {
 
 namespace detail {
 
-/// In 2D, the point of the plane at z.
+/// The point; in 2D, in the plane at z.
 template <int dim>
 Vec3<double> dealiiPoint(const dealii::Point<dim>& p, double z) {
   if constexpr (dim == 3) return {p[0], p[1], p[2]};
@@ -29,13 +29,13 @@ Vec3<double> dealiiPoint(const dealii::Point<dim>& p, double z) {
 
 /// Options of DealIIFunction and DealIIClassifier; lengths in the units of the mesh.
 struct DealIIOptions {
-  /// Of the plane that a function or classifier in 2D is about.
+  /// The plane in which functions and classifiers in 2D are evaluated.
   double z = 0;
-  /// Half-width of the centred differences of the gradient that make a Hessian. 0: there is none,
-  /// and hessian() is deal.II's, which says so. The error is that of the gradient over this width
-  /// plus the width's square times the fourth derivative, so state one for smooth solids only,
-  /// about 1e-4 of their radii of curvature: at edges and far away from a solid distances have
-  /// kinks.
+  /// Half-width of the centred differences of the gradient that give the Hessian. 0: there is none,
+  /// and hessian() is that of deal.II, which reports this. The error is that of the gradient
+  /// divided by this width, plus the width's square times the fourth derivative. Set it for smooth
+  /// solids only, to about 1e-4 of their radii of curvature: at edges and far away from a solid,
+  /// distances have kinks.
   double hessianStep = 0;
 };
 
@@ -52,7 +52,7 @@ class DealIIFunction : public dealii::Function<dim> {
     return domain_.levelSet(pointOf(p));
   }
 
-  /// In the calling thread: deal.II calls it from its own.
+  /// Runs in the calling thread, since deal.II calls it from its own threads.
   /// @throws Error if the lists differ in size.
   void value_list(const std::vector<dealii::Point<dim>>& points, std::vector<double>& values,
                   unsigned int /*component*/ = 0) const override {
@@ -82,7 +82,7 @@ class DealIIFunction : public dealii::Function<dim> {
       before[i] -= step;
       after[i] += step;
       const auto difference = domain_.gradient(pointOf(after)) - domain_.gradient(pointOf(before));
-      // Both orders of a mixed derivative go into the one entry it has.
+      // A mixed derivative has a single entry, to which both orders contribute.
       for (int j = 0; j < dim; ++j) {
         result[i][j] += difference[j] / (2 * step) * (i == j ? 1 : 0.5);
       }
@@ -99,11 +99,11 @@ class DealIIFunction : public dealii::Function<dim> {
   DealIIOptions options_;
 };
 
-/// Where cells lie, as NonMatching::MeshClassifier tells it (inside is fluid), but with certainty:
-/// that one looks at faces only, at few points of each, and misses what does not show there.
+/// Locates cells as NonMatching::MeshClassifier does (inside is fluid), but with certainty: that
+/// class examines only a few points of each face, and misses what does not show there.
 ///
-/// A cell is its bounding box, which is exact for boxes; one of another shape can only be called
-/// intersected without need, unless a mapping bends it beyond its corners.
+/// A cell is represented by its bounding box. This is exact for boxes; other cells may be called
+/// intersected unnecessarily, but are not missed unless a mapping bends them beyond their corners.
 template <int dim>
 class DealIIClassifier {
   static_assert(dim == 2 || dim == 3);
@@ -115,12 +115,12 @@ class DealIIClassifier {
   explicit DealIIClassifier(FluidDomain<double> domain, const DealIIOptions& options = {})
       : domain_(std::move(domain)), options_(options) {}
 
-  /// Of a closed box: inside and outside only if no surface touches it.
+  /// Locates a closed box: inside and outside only if no surface touches it.
   [[nodiscard]] Location location(const dealii::BoundingBox<dim>& box) const {
     return asLocation(domain_.classify(boxOf(box)));
   }
 
-  /// Asks about all active cells, in parallel. To be called again when the mesh has changed.
+  /// Classifies all active cells, in parallel. Call it again whenever the mesh has changed.
   void reclassify(const dealii::Triangulation<dim>& triangulation) {
     std::vector<Box<double>> boxes(triangulation.n_active_cells());
     for (const auto& cell : triangulation.active_cell_iterators()) {
@@ -130,14 +130,14 @@ class DealIIClassifier {
     domain_.classify(boxes, classes_);
   }
 
-  /// What reclassify() found out about an active cell; unassigned if it was not asked.
+  /// What reclassify() found for an active cell; unassigned if the cell was not among them.
   template <typename Cell>
   [[nodiscard]] Location location(const Cell& cell) const {
     const std::size_t index = cell->active_cell_index();
     return index < classes_.size() ? asLocation(classes_[index]) : Location::unassigned;
   }
 
-  /// How many cells are called intersected although that could not be decided.
+  /// The number of cells that are called intersected because their location could not be decided.
   [[nodiscard]] std::size_t undecided() const {
     std::size_t count = 0;
     for (const auto kind : classes_) count += kind == FluidClass::Unknown ? 1 : 0;

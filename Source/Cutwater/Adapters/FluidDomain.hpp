@@ -4,53 +4,53 @@
 
 namespace cutwater {
 
-/// Which side of a solid's surface a host code computes its flow on.
+/// The side of a solid's surface on which an application computes the flow.
 enum class FluidSide : std::uint8_t {
   Outside,  ///< around the solid: a hull, a wing
-  Inside,   ///< within it: the solid is the shape of a room, a pipe's bore
+  Inside,   ///< within it: the solid is the shape of a room or of the bore of a pipe
 };
 
-/// Where a closed box lies, as a flow code sees it.
+/// Where a closed box lies, in terms of the flow.
 enum class FluidClass : std::uint8_t {
-  Fluid,    ///< certainly no surface in the box, and it is fluid
-  Body,     ///< certainly no surface in the box, and there is no fluid
+  Fluid,    ///< certainly no surface in the box, which is all fluid
+  Body,     ///< certainly no surface in the box, which has no fluid
   Cut,      ///< certainly some surface in the box
-  Unknown,  ///< neither proven: to be treated as Cut
+  Unknown,  ///< nothing proven: treat as Cut
 };
 
-/// A solid and the side of it that is fluid: what every adapter is made from. Its level set is
-/// negative in the fluid, as AMReX, Chombo and deal.II have it, positive in the body and +0 on the
+/// A solid and the side of it that is fluid, from which every adapter is constructed. Its level set
+/// is negative in the fluid, as in AMReX, Chombo and deal.II, positive in the body and +0 on the
 /// surface.
 ///
 /// Copies share the solid. All queries are const and thread-safe.
 template <std::floating_point T>
 class FluidDomain {
  public:
-  /// @throws Error unless `fluidPoint` certainly is fluid: with the wrong side, a solid in other
-  /// units or a surface turned inside out, a host would only find its domain covered.
+  /// @throws Error unless `fluidPoint` certainly is fluid. With the wrong side, a solid in other
+  /// units or a surface turned inside out, an application would merely find its domain covered.
   FluidDomain(Solid<T> solid, FluidSide side, const Vec3<T>& fluidPoint);
 
   [[nodiscard]] const Solid<T>& solid() const { return solid_; }
   [[nodiscard]] FluidSide side() const { return side_; }
 
-  /// The solid's signed distance, or its negative. What it means is told by solid().guarantee().
+  /// The solid's signed distance, or its negative; solid().guarantee() states what it means.
   [[nodiscard]] T levelSet(const Vec3<T>& point) const;
 
-  /// The same for many points, in parallel; the same bits as one by one.
+  /// The same for many points, in parallel; the results are the same to the bit.
   /// @throws Error if the spans differ in size.
   void levelSets(std::span<const Vec3<T>> points, std::span<T> values,
                  const ParallelOptions& options = {}) const;
 
-  /// The level set where the solid's signed distance is this. From 0, so that it is +0 on the
-  /// surface for either side.
+  /// The level set for this signed distance from the solid. Subtracts it from 0 instead of negating
+  /// it, so that the level set is +0 on the surface for either side.
   [[nodiscard]] T asLevelSet(T distance) const {
     return side_ == FluidSide::Inside ? distance : T(0) - distance;
   }
 
-  /// Gradient of the level set: out of the fluid. Zero where it is not defined.
+  /// Gradient of the level set, which points out of the fluid. Zero where it is not defined.
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& point) const;
 
-  /// Whether the box is all fluid, all body or cut; as certain as
+  /// Whether the box is all fluid, all body or cut, with the certainty of
   /// SignedDistanceFunction::classify().
   [[nodiscard]] FluidClass classify(const Box<T>& box, BoxHint* hint = nullptr) const;
 

@@ -23,10 +23,10 @@ Index3 clamped(const Index3& index, const IndexBox& within) {
           std::clamp(index.k, within.lo.k, within.hi.k)};
 }
 
-/// The part of a block of nodes that stands in a box, or its layer nearest to it, which is told
-/// instead of the block's other nodes. Indices count from the block's lowest node.
+/// The part of a block of nodes that lies in a box or, if none does, the layer nearest to it. It
+/// also stands for the block's other nodes. Indices are relative to the block's lowest node.
 struct InnerBlock {
-  IndexBox nodes;  ///< where the part stands
+  IndexBox nodes;  ///< the nodes whose positions the part has
   Triple first{};
   Triple last{};
   Triple size{};  ///< of the whole block
@@ -53,7 +53,7 @@ T& valueAt(const GridView<T>& view, std::int64_t i, std::int64_t j, std::int64_t
   return view.data[i * view.stride[0] + j * view.stride[1] + k * view.stride[2]];
 }
 
-/// Turns distances within into the level set, then copies that outwards.
+/// Turns the distances of the inner part into the level set, then copies that outwards.
 template <std::floating_point T>
 void finish(const FluidDomain<T>& domain, const InnerBlock& inner, const GridView<T>& values) {
   for (auto k = inner.first[2]; k <= inner.last[2]; ++k) {
@@ -110,7 +110,7 @@ T NodeLevelSet<T>::intercept(const NodeEdge<T>& edge) const {
   if (edge.atNode == 0) return atNode;
   if (edge.atNext == 0) return atNext;
 
-  // From the lower to the upper node, as edgeCrossings() has it, so that digits agree.
+  // From the lower to the upper node, as in edgeCrossings(), so that digits agree.
   Segment<T> segment{position(edge.node), position(edge.node)};
   segment.start[axis] = atNode;
   segment.end[axis] = atNext;
@@ -118,7 +118,7 @@ T NodeLevelSet<T>::intercept(const NodeEdge<T>& edge) const {
   std::optional<T> found;
   domain_.solid().crossings(segment, [&](const Crossing<T>& crossing) {
     found = crossing.point[axis];
-    return !isFluidFirst;  // up to the last one, if that is nearest to the fluid
+    return !isFluidFirst;  // goes on to the last one if that is nearest to the fluid
   });
   if (!found) return isFluidFirst ? atNext : atNode;
   return std::min(std::max(*found, std::nextafter(atNode, atNext)), std::nextafter(atNext, atNode));

@@ -20,47 +20,47 @@ struct NodeEdge {
     ++(axis == 0 ? result.i : axis == 1 ? result.j : result.k);
     return result;
   }
-  /// Just one end is fluid.
+  /// Whether exactly one end is fluid.
   [[nodiscard]] bool isCut() const { return (atNode < 0) != (atNext < 0); }
 };
 
-/// The level set at the nodes of a block-structured mesh: what cut-cell generators ask.
+/// The level set at the nodes of a block-structured mesh, as cut-cell generators query it.
 ///
-/// Nodes beyond the box `within` stand where its nearest node does, so that bodies which reach the
-/// domain's faces go on behind them unchanged.
+/// Nodes outside the box `within` take the position of its nearest node, so that bodies that reach
+/// the faces of the domain continue beyond them unchanged.
 ///
-/// Values follow the generators' rule, too, that a node where the level set is 0 belongs to the
-/// body and that the surface stands there.
+/// Values also follow the generators' rule that a node where the level set is 0 belongs to the
+/// body, and that the surface passes through it.
 template <std::floating_point T>
 class NodeLevelSet {
  public:
-  /// The domain must outlive it. @throws Error if the level is not one of nodes, or `within` is
-  /// empty.
+  /// The domain must outlive this object. @throws Error if the level is not one of nodes, or
+  /// `within` is empty.
   NodeLevelSet(const FluidDomain<T>& domain, const Level<T>& level,
                const IndexBox& within = everywhere());
 
-  /// Every index that there is: no node is beyond it.
+  /// All possible indices: no node is outside.
   static constexpr IndexBox everywhere() {
     constexpr auto kLeast = std::numeric_limits<std::int32_t>::min();
     constexpr auto kMost = std::numeric_limits<std::int32_t>::max();
     return {{kLeast, kLeast, kLeast}, {kMost, kMost, kMost}};
   }
 
-  /// Of the closed box that the nodes span; of one of zero thickness if there is one layer of them.
+  /// Classifies the closed box that the nodes span; its thickness is zero for one layer of nodes.
   [[nodiscard]] FluidClass classify(const IndexBox& nodes) const;
 
-  /// Sets `values`, whose data is that of the lowest node. In parallel, but serial inside an active
-  /// parallel region.
+  /// Sets `values`, whose `data` points at the value of the lowest node. Runs in parallel, but
+  /// serially inside an active parallel region.
   void fill(const IndexBox& nodes, const GridView<T>& values) const;
 
-  /// Where the surface cuts an edge: the coordinate on its axis. NaN unless it is cut; that of a
-  /// node where the level set is 0. Else strictly between the nodes and, of several crossings, the
-  /// one nearest to the fluid's node; the body's node if there is none, because the host has
-  /// changed the values.
+  /// The coordinate, on the axis of an edge, at which the surface cuts it. NaN unless the edge is
+  /// cut; that of a node where the level set is 0. Otherwise that of the crossing nearest to the
+  /// fluid's node, strictly between the nodes; that of the body's node if there is none because the
+  /// application has changed the values.
   [[nodiscard]] T intercept(const NodeEdge<T>& edge) const;
 
-  /// The same once the host has set some nodes to 0, which moves the surface there. `before`: where
-  /// the edge was cut; if it was not, which is NaN, it is now at the body's node.
+  /// The same after the application has set some nodes to 0, which moves the surface there.
+  /// `before`: the previous intercept; if it is NaN (not cut), the new one is at the body's node.
   [[nodiscard]] T intercept(const NodeEdge<T>& edge, T before) const;
 
  private:
