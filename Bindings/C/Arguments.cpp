@@ -9,7 +9,7 @@ namespace cutwater::binding {
 
 namespace {
 
-// Fixed: a failure for want of memory can be told, too, and nothing is left when the thread ends.
+// Of fixed size: running out of memory can be reported too, and nothing remains after the thread.
 constinit thread_local std::array<char, 1024> message{};
 
 void append(std::size_t& length, const char* text) noexcept {

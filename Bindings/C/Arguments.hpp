@@ -12,16 +12,16 @@
 
 #include "cutwater.h"
 
-/// What C hands over, checked and as the library has it; and errors on their way back to C.
+/// Checks arguments from C and converts them to the library's types; reports errors back to C.
 namespace cutwater::binding {
 
-/// Keeps the error's message for this thread, and gives its status.
+/// Stores the error's message for this thread and returns its status.
 cw_status statusOf(const char* function, const std::exception_ptr& error) noexcept;
 
-/// The message kept last in this thread.
+/// The last message stored in this thread.
 const char* lastError() noexcept;
 
-/// Runs the body of a function of the interface, which no exception may leave.
+/// Runs the body of a function of the interface and lets no exception escape.
 template <typename Body>
 cw_status guarded(const char* function, Body body) noexcept {
   try {
@@ -32,8 +32,8 @@ cw_status guarded(const char* function, Body body) noexcept {
   }
 }
 
-/// @throws Error unless count is not negative, and no more than memory can hold of what `bytes` is
-/// the size of, and there is an array if it is not 0.
+/// @throws Error if count is negative or exceeds the number of elements of size `bytes` that memory
+/// can hold, or if the array is missing and count is not 0.
 void requireArray(const char* name, const void* data, std::int64_t count, std::size_t bytes);
 
 template <typename Value>
@@ -46,10 +46,10 @@ std::span<const Vec3<double>> pointsOf(const char* name, const double* data, std
 std::span<const Box<double>> boxesOf(const char* name, const double* data, std::int64_t count);
 Vec3<double> vectorOf(const char* name, const double* data);
 
-/// @throws Error for an array that is missing, or an index or patch out of range.
+/// @throws Error if an array is missing, or an index or patch is out of range.
 PolygonSoup soupOf(const cw_mesh& mesh);
 
-/// @throws Error also for strides that put indices on top of each other along an axis.
+/// @throws Error also for strides that map different indices along an axis to the same element.
 Patch<double> patchOf(const cw_grid& grid);
 
 }  // namespace cutwater::binding

@@ -31,7 +31,7 @@ const Solid<double>& solidOf(const cw_solid* handle) {
   return handle->solid;
 }
 
-/// Calls make(), and hands what it gives to the caller; NULL if it throws.
+/// Calls make() and passes its result to the caller, or NULL if it throws.
 template <typename Make>
 cw_status create(const char* function, cw_solid** result, Make make) {
   if (result != nullptr) *result = nullptr;
@@ -154,7 +154,7 @@ cw_status cw_closest_points(const cw_solid* solid, const double* points, int64_t
     const auto& shape = solidOf(solid);
     const auto queries = pointsOf("points", points, count);
     const auto answers = arrayOf("nearest", nearest, count);
-    // By pieces large enough for many threads, and small beside the caller's own arrays.
+    // In pieces large enough for many threads, and small compared with the caller's own arrays.
     constexpr std::size_t kPiece = 1U << 16U;
     std::vector<SurfacePoint<double>> found(std::min(kPiece, queries.size()));
     for (std::size_t first = 0; first < queries.size(); first += kPiece) {
@@ -190,7 +190,7 @@ cw_status cw_fill(const cw_solid* solid, const cw_grid* grid, double band, doubl
     require(grid != nullptr, "the grid is NULL");
     require(distances != nullptr || patches != nullptr, "both arrays are NULL");
     const auto patch = patchOf(*grid);
-    // Signed and unsigned of one size may alias: kNone is -1.
+    // Signed and unsigned integers of the same size may alias: kNone is -1.
     auto* const ids = reinterpret_cast<std::uint32_t*>(patches);
     fill(shape, patch,
          {.distance = viewOf(distances, *grid, patch.indices),
