@@ -13,8 +13,8 @@
 /// error it has created no handle, but may have written part of the output arrays. A handle never
 /// changes: any number of threads may use it at once, provided that none frees it. Batches and
 /// cw_fill() use `threads` threads (0: as many as OpenMP would), but only one if the caller is in a
-/// parallel region; answers are the same to the bit with any number. NULL is an error unless
-/// allowed.
+/// parallel region; answers are the same to the bit with any number. NULL is refused unless
+/// stated otherwise.
 
 #ifdef __cplusplus
 extern "C" {
@@ -128,7 +128,7 @@ typedef struct cw_grid {
 /// Evaluates the solid at all indices of a patch of a grid. `band` > 0 limits values to a band of
 /// this half-width around the surface, in cells of the smallest spacing h: beyond it they are
 /// exactly +band h or -band h. 0: values everywhere. `patches` receives the patch of the nearest
-/// surface point, -1 beyond the band. Either array may be NULL; both point at index lo.
+/// surface point, -1 beyond the band. Either array may be NULL; both point at the value of lo.
 cw_status cw_fill(const cw_solid* solid, const cw_grid* grid, double band, double* distances,
                   int32_t* patches, int threads);
 

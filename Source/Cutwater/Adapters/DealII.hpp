@@ -29,7 +29,7 @@ Vec3<double> dealiiPoint(const dealii::Point<dim>& p, double z) {
 
 /// Options of DealIIFunction and DealIIClassifier; lengths in the units of the mesh.
 struct DealIIOptions {
-  /// The plane in which functions and classifiers in 2D are evaluated.
+  /// Of the plane in which functions and classifiers in 2D are evaluated.
   double z = 0;
   /// Half-width of the centred differences of the gradient that give the Hessian. 0: there is none,
   /// and hessian() is that of deal.II, which reports this. The error is that of the gradient

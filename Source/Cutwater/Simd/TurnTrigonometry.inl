@@ -22,9 +22,10 @@ CUTWATER_INLINE inline Lanes<T> horner(Lanes<T> w, T first, Others... others) {
   }
 }
 
-/// For r up to an eighth of a turn on either side: sin(2 pi r) = r (2 pi + tail(r^2)) and cos(2 pi
-/// r) = 1 + r^2 tail(r^2), as polynomials by the Remez algorithm. The tail includes the rounding
-/// error of 2 pi. They are off by 3.5e-18 and 6e-21 for double, 3.5e-9 and 1e-11 for float.
+/// For r up to an eighth of a turn on either side: sin(2 pi r) = r (2 pi + tail(r^2)) and
+/// cos(2 pi r) = 1 + r^2 tail(r^2), as polynomials by the Remez algorithm. The tail includes the
+/// rounding error of 2 pi. They are off by 3.5e-18 and 6e-21 for double, 3.5e-9 and 1e-11 for
+/// float.
 template <typename T>
 struct EighthOfTurn;
 
