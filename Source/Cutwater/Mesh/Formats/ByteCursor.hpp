@@ -25,7 +25,7 @@ enum class ScalarType : std::uint8_t {
 [[nodiscard]] std::uint64_t sizeOf(ScalarType type);
 [[nodiscard]] bool isInteger(ScalarType type);
 
-/// Reads binary numbers of either byte order; never beyond the end of the file.
+/// Reads binary numbers of either byte order, never beyond the end of the file.
 class ByteCursor final : public Cursor {
  public:
   ByteCursor(const Content& content, std::endian order) : Cursor(content), order_(order) {}
@@ -34,7 +34,7 @@ class ByteCursor final : public Cursor {
   [[nodiscard]] Place place() const override { return {Place::Unit::Byte, record_}; }
   void beginRecord() { record_ = position(); }
 
-  /// Begins a record there.
+  /// Goes to the position and begins a record there.
   void seek(std::uint64_t position);
   void skip(std::uint64_t count);
 
@@ -52,7 +52,7 @@ class ByteCursor final : public Cursor {
   /// Fails if the value does not fit; `type` must be an integer type.
   std::int64_t integer(ScalarType type);
 
-  /// Bytes behind the data: padding is fine, anything else means that a count is too small.
+  /// Checks bytes behind the data: padding is fine, anything else means that a count is too small.
   void requireOnlyPadding();
 
  private:

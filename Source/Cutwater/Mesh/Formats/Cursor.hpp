@@ -6,7 +6,7 @@
 
 namespace cutwater::formats {
 
-/// Where something stands in a file: a line, counted from 1, or a byte, counted from 0.
+/// A position in a file: a line, counted from 1, or a byte, counted from 0.
 struct Place {
   enum class Unit : std::uint8_t { Line, Byte } unit = Unit::Byte;
   std::uint64_t value = 0;
@@ -18,8 +18,8 @@ struct Content {
   std::string_view bytes;
 };
 
-/// What every way of walking through a file has in common: it knows where it is, how much is left,
-/// and how to complain.
+/// What all ways of walking through a file have in common: the current position, the number of
+/// bytes left, and error messages.
 class Cursor {
  public:
   explicit Cursor(const Content& content) : content_(&content) {}
@@ -29,15 +29,15 @@ class Cursor {
   [[nodiscard]] std::uint64_t position() const { return position_; }
   [[nodiscard]] std::uint64_t bytesLeft() const { return bytes().size() - position_; }
 
-  /// @throws Error(File) "name: line 7: message", here or at another place.
+  /// @throws Error(File) "name: line 7: message", for the current position or another one.
   [[noreturn]] void fail(const std::string& message) const { failAt(place(), message); }
   [[noreturn]] void failAt(const Place& where, const std::string& message) const;
-  /// @throws Error(Limit), worded likewise.
+  /// @throws Error(Limit), with the same wording.
   [[noreturn]] void failLimit(const std::string& message) const;
 
-  /// The one check of what a file promises: fails unless `count` records of at least
-  /// `smallestRecord` bytes can still follow. Text may end without its last separator: one byte
-  /// short is enough. Nothing is reserved from a count that did not pass here.
+  /// The only check of the counts that a file declares: fails unless `count` records of at least
+  /// `smallestRecord` bytes can still follow. Text may end without its last separator, so one byte
+  /// less is enough. Nothing is reserved for a count that has not passed this check.
   std::uint64_t requireRecords(std::int64_t count, std::uint64_t smallestRecord,
                                const char* what) const;
 
@@ -55,7 +55,7 @@ class Cursor {
   std::uint64_t position_ = 0;
 };
 
-/// A piece of a file as it may stand in a message: short, printable; and between quotes.
+/// A piece of a file as it appears in messages: short and printable; the second adds quotes.
 [[nodiscard]] std::string shortened(std::string_view text);
 [[nodiscard]] std::string quoted(std::string_view text);
 

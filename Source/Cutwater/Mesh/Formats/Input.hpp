@@ -9,20 +9,20 @@
 
 namespace cutwater::formats {
 
-/// Bytes gathered in chunks while their number is not known, then joined: twice the final size at
-/// the worst moment, where doubling a vector would take three times.
+/// Bytes gathered in chunks while their number is unknown, then joined: this takes at most twice
+/// the final size, whereas doubling a vector would take three times.
 class Gathering {
  public:
-  /// A chunk to be filled from its beginning, and how long it is.
+  /// A chunk to be filled from its beginning, and its size.
   struct Chunk {
     char* data;
     std::size_t size;
   };
   Chunk next();
-  /// The last chunk holds so many bytes.
+  /// Sets how many bytes the last chunk holds.
   void filled(std::size_t bytes);
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  /// Everything in one piece; the chunks are gone afterwards.
+  /// Everything in one piece; the chunks are released.
   [[nodiscard]] std::unique_ptr<char[]> joined() &&;
 
  private:
@@ -45,13 +45,13 @@ struct Bytes {
 void requireSize(const std::string& name, std::uint64_t size, std::uint64_t maxBytes);
 
 /// The whole file, also from a pipe.
-/// @throws Error(File) for what cannot be read, Error(Limit) beyond `maxBytes`.
+/// @throws Error(File) if it cannot be read, Error(Limit) beyond `maxBytes`.
 [[nodiscard]] Bytes loadFile(const std::filesystem::path& path, std::uint64_t maxBytes);
 
 [[nodiscard]] bool isGzip(std::string_view bytes);
 
-/// Inflates a gzip file: all of its members, one behind the other.
-/// @throws Error(File) where the stream is truncated or corrupt, and in a library built without
+/// Inflates a gzip file: all of its members, one after another.
+/// @throws Error(File) if the stream is truncated or corrupt, or if the library was built without
 /// zlib; Error(Limit) beyond `maxBytes`.
 [[nodiscard]] Bytes gunzip(const std::string& name, std::string_view compressed,
                            std::uint64_t maxBytes);

@@ -6,10 +6,10 @@
 
 namespace cutwater::formats {
 
-/// The file's bytes, read-only: mapped into memory where it is a regular file and the system can,
-/// so that all processes of a node share one copy; else read. They begin at a multiple of
-/// BlockWriter::kAlignment.
-/// @throws Error(File) for what cannot be read.
+/// The file's bytes, read-only: mapped into memory if it is a regular file and the system supports
+/// that, so that all processes of a node share one copy; otherwise read. They begin at a multiple
+/// of BlockWriter::kAlignment.
+/// @throws Error(File) if it cannot be read.
 [[nodiscard]] Block mapFile(const std::filesystem::path& path);
 
 }  // namespace cutwater::formats

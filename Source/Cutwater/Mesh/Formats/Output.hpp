@@ -11,7 +11,7 @@
 
 namespace cutwater::formats {
 
-/// Puts text and numbers, little-endian unless told otherwise, together and passes them on in large
+/// Assembles text and numbers (little-endian unless stated otherwise) and passes them on in large
 /// pieces.
 class Output {
  public:

@@ -20,7 +20,7 @@ struct PlyElement {
   std::vector<PlyProperty> properties;
 };
 
-/// What a PLY file says about the data behind its header; names are parts of the file.
+/// What a PLY header states about the data behind it; names are views of the file.
 struct PlyHeader {
   bool ascii = false;
   std::endian order = std::endian::little;

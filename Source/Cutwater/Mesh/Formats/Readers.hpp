@@ -4,8 +4,8 @@
 
 namespace cutwater::formats {
 
-/// Each feeds the whole content to the builder and returns what that makes of it; all of them
-/// throw Error(File) with the line or byte.
+/// Each passes the whole content to the builder and returns its result; all throw Error(File) with
+/// the line or byte.
 SurfaceFile readAsciiStl(const Content& content, SoupBuilder& builder);
 SurfaceFile readBinaryStl(const Content& content, SoupBuilder& builder);
 SurfaceFile readObj(const Content& content, SoupBuilder& builder);
@@ -13,7 +13,7 @@ SurfaceFile readPly(const Content& content, SoupBuilder& builder);
 SurfaceFile readOff(const Content& content, SoupBuilder& builder);
 SurfaceFile readVtk(const Content& content, SoupBuilder& builder);
 
-/// A function above.
+/// The type of the functions above.
 using Reader = SurfaceFile (*)(const Content& content, SoupBuilder& builder);
 
 struct Detected {
@@ -21,14 +21,14 @@ struct Detected {
   Reader reader;
 };
 
-/// Which reader the content calls for; the file's name plays no role.
-/// @throws Error(File) for content that is none of the formats.
+/// Returns the format and the reader for the content; the file's name is ignored.
+/// @throws Error(File) for content in none of the formats.
 [[nodiscard]] Detected detectFormat(const Content& content);
 
-/// The statements of OBJ, by their first word.
+/// Whether a word begins a statement of OBJ.
 [[nodiscard]] bool isObjStatement(std::string_view word);
 
-/// The number of triangles in a binary STL's header, whether it is one or not. Needs 84 bytes.
+/// The triangle count in a binary STL's header, whether it is one or not. Needs 84 bytes.
 [[nodiscard]] std::uint32_t binaryStlCount(std::string_view bytes);
 
 inline constexpr std::uint64_t kBinaryStlHeader = 84;
