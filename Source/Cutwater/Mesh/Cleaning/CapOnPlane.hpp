@@ -9,20 +9,21 @@ namespace cutwater {
 struct CapOptions {
   /// Points at most this far from the plane count as on it (a length).
   double tolerance = 0;
-  /// The patch of the caps; a patch of this name is continued.
+  /// The patch of the caps; an existing patch of this name is extended.
   std::string patch = "cap";
 };
 
-/// Closes openings on a plane: half models at their plane of symmetry, inlets and outlets of ducts.
+/// Closes openings in a plane: half models at their plane of symmetry, inlets and outlets of ducts.
 ///
 /// Every rim whose points all lie on the plane is filled with triangles between its points,
-/// oriented against the faces beside it; none moves. A rim within another that runs the other way
-/// round leaves a hole in the cap: an annulus, a cavity that is cut open. Rims that meet themselves
-/// or one another in the plane, or go on outside of it, are left as they are, with all that is
-/// within the former, and reported. Rims follow from the orientation of faces: clean() first.
+/// oriented consistently with the adjacent faces; no point moves. A rim within another that runs
+/// the other way round leaves a hole in the cap, as for an annulus or a cavity that is cut open.
+/// Rims that meet themselves or one another in the plane, with everything within them, and rims
+/// that continue outside the plane are left as they are and reported. Rims follow from the
+/// orientation of faces: run clean() first.
 ///
 /// @throws Error(Argument) for a plane or tolerance that is not finite, a zero normal, or a soup
-/// that does not pass PolygonSoup::validate(). The soup is then as it was.
+/// that does not pass PolygonSoup::validate(). The soup is then unchanged.
 OpeningReport capOnPlane(PolygonSoup& soup, const SurfacePlane& plane,
                          const CapOptions& options = {});
 

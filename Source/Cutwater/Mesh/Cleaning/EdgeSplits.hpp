@@ -6,18 +6,18 @@
 
 namespace cutwater::detail {
 
-/// Points to be put into edges: into all polygons that have the edge, so that what was closed stays
+/// Points to be inserted into edges: into all polygons that have the edge, so what was closed stays
 /// closed.
 class EdgeSplits {
  public:
-  /// Puts `point` into the edge between two others. `along` tells its place among those put there:
-  /// it grows from `from` to `to`.
+  /// Inserts `point` into the edge between two others. `along` orders the points inserted there: it
+  /// grows from `from` to `to`.
   void add(std::uint32_t from, std::uint32_t to, std::uint32_t point, double along);
 
   [[nodiscard]] bool empty() const { return splits_.empty(); }
 
-  /// The soup with the points in the edges. Triangles become several, but for those in `whole` (per
-  /// polygon); these and larger polygons get more corners.
+  /// Returns the soup with the points in the edges. Triangles are split, except those in `whole`
+  /// (per polygon); these and larger polygons get more corners.
   [[nodiscard]] PolygonSoup appliedTo(const PolygonSoup& soup, const std::vector<bool>& whole);
 
  private:
@@ -32,7 +32,7 @@ class EdgeSplits {
   void appendInner(std::uint32_t from, std::uint32_t to, std::vector<std::uint32_t>& chain) const;
 
   std::vector<Split> splits_;
-  std::vector<bool> isLower_;  // per point: whether an edge to be split has it for its lower end
+  std::vector<bool> isLower_;  // per point: whether it is the lower end of an edge to be split
 };
 
 }  // namespace cutwater::detail

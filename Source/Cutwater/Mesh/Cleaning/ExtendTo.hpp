@@ -14,32 +14,33 @@ struct ExtendOptions {
   std::string apron = "apron";    ///< and of what reaches out to the box: extendToBox() only
 };
 
-/// Makes a solid of a surface such as a terrain: its rims are carried on along an axis (0, 1, 2) to
+/// Makes a solid of a surface such as a terrain: its rims are extended along an axis (0, 1, 2) to
 /// the plane where that coordinate is `level`, beyond the surface on either side, and closed there.
 ///
-/// From every rim vertical walls lead to the plane, two triangles per edge; a hole in the surface
-/// becomes a shaft. The result is closed and oriented, with its faces outward: the solid lies
-/// between the surface and the plane. Points of the surface do not move.
+/// Vertical walls lead from every rim to the plane, with two triangles per edge; a hole in the
+/// surface becomes a shaft. The result is closed and oriented, with its faces outward: the solid
+/// lies between the surface and the plane. Points of the surface do not move.
 ///
 /// @throws Error(Argument) unless the level lies beyond all points of faces, and for a soup that
-/// does not pass PolygonSoup::validate(); Error(Topology) if there is no rim, if faces disagree
-/// about their orientation (clean() first), or if rims meet when seen along the axis. The soup is
-/// then as it was.
+/// does not pass PolygonSoup::validate(); Error(Topology) if there is no rim, if the orientations
+/// of faces disagree (run clean() first), or if rims meet when seen along the axis. The soup is
+/// then unchanged.
 OpeningReport extendTo(PolygonSoup& soup, int axis, double level,
                        const ExtendOptions& options = {});
 
-/// Which end of a box along an axis.
+/// One of the two ends of a box along an axis.
 enum class BoxEnd : std::uint8_t { Lower, Upper };
 
-/// The same for a surface that ends short of the sides of a domain: first an apron is laid from its
-/// outer rim to the four sides of the box along the axis, then all is carried on to the box's end.
+/// The same for a surface that ends short of the sides of a domain: first an apron connects its
+/// outer rim to the four sides of the box along the axis, then the whole is extended to the box's
+/// end.
 ///
-/// The apron is as high at each point of the sides as the nearest point of the rim, at distances
-/// along the sides of about the rim's mean edge; seen along the axis it lies outside of the rim.
-/// A surface that reaches the sides or beyond needs no apron: use extendTo(), and the domain cuts
-/// off what is outside of it.
+/// At each of its points on the sides, the apron is as high as the nearest point of the rim; these
+/// points are about a mean edge of the rim apart. Seen along the axis, the apron lies outside the
+/// rim. A surface that reaches the sides or beyond needs no apron: use extendTo(), and the domain
+/// cuts off what is outside.
 ///
-/// @throws Error as extendTo(); of kind Topology unless one rim is around all others and lies
+/// @throws Error as extendTo(); of kind Topology also unless one rim surrounds all others and lies
 /// within the sides of the box.
 OpeningReport extendToBox(PolygonSoup& soup, const Box<double>& box, int axis,
                           BoxEnd end = BoxEnd::Lower, const ExtendOptions& options = {});

@@ -16,8 +16,8 @@ struct SurfacePlane {
 /// What capOnPlane(), mirrorAt(), extendTo() or extendToBox() did.
 struct OpeningReport {
   Findings<Vec3<double>> closed;  ///< openings: a point of the rim of each
-  /// Rims in the plane that are as they were, because they meet themselves or one another or go on
-  /// outside of the plane: a point of each.
+  /// Rims in the plane that were left as they are, because they meet themselves or one another or
+  /// continue outside the plane: a point of each.
   Findings<Vec3<double>> left;
   std::size_t rimEdges = 0;     ///< of the openings that are closed now
   std::size_t pointsMoved = 0;  ///< onto the plane
@@ -28,7 +28,7 @@ struct OpeningReport {
   SurfaceMeasure before;
   SurfaceMeasure after;
 
-  /// A line each, ended by '\n', of what there is to tell.
+  /// The results that apply, one line each, ended by '\n'.
   [[nodiscard]] std::string text() const;
 };
 

@@ -20,12 +20,12 @@ struct PlanarFilling {
 };
 
 /// Fills loops of points in a plane, seen along `axis`, which must not lie in the plane. A loop is
-/// the boundary of a region of its own, or, if the smallest loop around it is the boundary of one
-/// and runs the other way, a hole in that. Triangles face to the side from which their region's
-/// boundary runs counter-clockwise.
+/// the boundary of a region of its own, unless the smallest loop around it is such a boundary and
+/// runs the other way: then it is a hole in that region. Triangles face the side from which their
+/// region's boundary runs counter-clockwise.
 ///
-/// Decisions are exact; positions are about 1 in size. n log n to find what meets, the number of
-/// loops times n for their nesting, and what clipEars() takes, after holes were joined to the
+/// Decisions are exact; positions must be about 1 in size. n log n to find what meets, the number
+/// of loops times n for their nesting, and the cost of clipEars(), after holes are joined to the
 /// boundary around them, from right to left (Eberly, "Triangulation by ear clipping", 2002).
 [[nodiscard]] PlanarFilling fillLoops(std::span<const Vec3<double>> positions,
                                       std::span<const Loop> loops, int axis);

@@ -11,7 +11,7 @@
 namespace cutwater::detail {
 
 /// Points seen along an axis: their other two coordinates, u and v, and exact decisions about them.
-/// Points are named by their numbers; coordinates are about 1 in size.
+/// Points are given by their indices; coordinates must be about 1 in size.
 class PlanarView {
  public:
   PlanarView(std::span<const Vec3<double>> positions, int axis)
@@ -22,21 +22,21 @@ class PlanarView {
   [[nodiscard]] const Vec3<double>& position(std::uint32_t i) const { return positions_[i]; }
   [[nodiscard]] int axis() const { return axis_; }
 
-  /// 1 if a, b, c turn left, seen against the axis; -1 if right, 0 if they lie on a line.
+  /// 1 if a, b, c turn left, seen against the axis; -1 if right, 0 if they are collinear.
   [[nodiscard]] int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return crossSign(positions_[a], positions_[b], positions_[a], positions_[c], axis_);
   }
 
-  /// Whether the closed segments ab and cd meet anywhere but in an end that they share.
+  /// Whether the closed segments ab and cd meet anywhere except at an end that they share.
   [[nodiscard]] bool meet(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const;
 
   /// Whether the loop runs around the point, which is on none of its edges.
   [[nodiscard]] bool isAround(std::span<const std::uint32_t> loop, std::uint32_t point) const;
 
-  /// 1 if a loop that does not meet itself runs counter-clockwise seen against the axis, else -1.
+  /// 1 if a loop that does not meet itself runs counter-clockwise, seen against the axis; else -1.
   [[nodiscard]] int orientation(std::span<const std::uint32_t> loop) const;
 
-  /// The place in the loop of the point with the largest u, and of these v.
+  /// The index in the loop of the point with the largest u, and among equals the largest v.
   [[nodiscard]] std::size_t lastOf(std::span<const std::uint32_t> loop) const;
 
  private:

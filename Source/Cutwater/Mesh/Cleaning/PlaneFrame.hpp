@@ -10,11 +10,11 @@
 
 namespace cutwater::detail {
 
-/// A plane with a unit normal, and how far from it counts as on it. Exact for normals along an
-/// axis.
+/// A plane with a unit normal, and the distance up to which points count as on it. Exact for
+/// normals along an axis.
 class PlaneFrame {
  public:
-  /// @throws Error(Argument) unless the plane is finite, its normal not zero, 0 <= tolerance < inf.
+  /// @throws Error(Argument) unless the plane is finite, its normal nonzero, 0 <= tolerance < inf.
   PlaneFrame(const char* caller, const SurfacePlane& plane, double tolerance);
 
   [[nodiscard]] double height(const Vec3<double>& p) const { return dot(p - point_, normal_); }
@@ -25,7 +25,7 @@ class PlaneFrame {
   /// The nearest point of the plane, and the mirror image.
   [[nodiscard]] Vec3<double> foot(const Vec3<double>& p) const;
   [[nodiscard]] Vec3<double> image(const Vec3<double>& p) const;
-  /// The axis that the normal is nearest to.
+  /// The axis closest to the normal.
   [[nodiscard]] int axis() const;
 
  private:

@@ -8,11 +8,11 @@ namespace cutwater {
 
 /// A loop of edges around an opening of a surface.
 struct Rim {
-  std::vector<std::uint32_t> points;  ///< in order, against the faces beside it; none comes twice
+  std::vector<std::uint32_t> points;  ///< in order, opposite to the adjacent faces; all distinct
   Box<double> box;                    ///< of these
 };
 
-/// A plane across an axis (0, 1, 2).
+/// A plane perpendicular to an axis (0, 1, 2).
 struct AxisPlane {
   int axis = 0;
   double at = 0;  ///< the coordinate along the axis
@@ -20,14 +20,15 @@ struct AxisPlane {
   bool operator==(const AxisPlane&) const = default;
 };
 
-/// The openings of a surface, by the loops that together run along every edge that faces pass more
-/// often one way than the other. Rims follow from the orientation of faces: clean() first. One that
-/// touches itself at a point comes as several. n log n for n corners.
+/// Finds the openings of a surface, as loops that together run along every edge that faces pass
+/// more often one way than the other. Rims follow from the orientation of faces: run clean() first.
+/// A rim that touches itself at a point is split into several. n log n for n corners.
 /// @throws Error(Argument) for a soup that does not pass PolygonSoup::validate().
 [[nodiscard]] std::vector<Rim> findRims(const PolygonSoup& soup);
 
-/// The plane across an axis that all points of the rim are within `tolerance` (a length) of, if
-/// there is one: half way between the farthest of them; of several the one they are nearest to.
+/// The plane perpendicular to an axis that has all points of the rim within `tolerance` (a length),
+/// if there is one: half way between the farthest of them. If there are several, the one to which
+/// they are nearest.
 [[nodiscard]] std::optional<AxisPlane> planeOf(const Rim& rim, double tolerance = 0);
 
 }  // namespace cutwater

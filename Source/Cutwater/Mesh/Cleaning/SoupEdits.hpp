@@ -13,25 +13,25 @@ namespace cutwater::detail {
 /// The diagonal of the polygon's box.
 [[nodiscard]] double extentOf(const PolygonSoup& soup, std::size_t polygon);
 
-/// Leaves out the polygons that are not to be kept. Allocates nothing.
+/// Removes the polygons that are not to be kept. Allocates nothing.
 void keepPolygons(PolygonSoup& soup, const std::vector<bool>& keep);
 
 /// Reverses the polygon; its first corner stays the first.
 void turnPolygon(PolygonSoup& soup, std::size_t polygon);
 
-/// The edges that polygons pass more often one way than the other, see findOpenEdges(); the face
-/// is that of a polygon.
+/// The edges that polygons pass more often one way than the other, see findOpenEdges(); `triangle`
+/// is here the index of a polygon.
 [[nodiscard]] std::vector<OpenEdge> openEdgesOf(const PolygonSoup& soup);
 
-/// Loops that together run along every open edge as often as it is open, against the faces beside
-/// it; none passes a point twice. As many of the edges must begin as end at every point.
+/// Loops that together run along every open edge as often as it is open, opposite to the adjacent
+/// faces; none passes a point twice. At every point, as many of the edges must begin as end.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> loopsAround(std::span<const OpenEdge> edges);
 
 /// The id of the patch of this name; a new one if there is none.
 [[nodiscard]] std::uint32_t patchNamed(PolygonSoup& soup, const std::string& name);
 
-/// Every polygon in turn, edited by `edit(i, corners, result)`, which adds what there is to be
-/// instead to `result`: points, patches and order stay.
+/// Rebuilds a soup polygon by polygon: `edit(i, corners, result)` adds what replaces the polygon to
+/// `result`. Points, patches and order stay.
 template <typename Edit>
 PolygonSoup rebuilt(const PolygonSoup& soup, Edit edit) {
   PolygonSoup result;

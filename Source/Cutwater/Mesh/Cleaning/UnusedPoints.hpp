@@ -4,7 +4,7 @@
 
 namespace cutwater {
 
-/// Removes the points that are no corner of any polygon; the others keep their order. Linear time.
+/// Removes the points that no polygon uses; the others keep their order. Linear time.
 Correction removeUnusedPoints(PolygonSoup& soup);
 
 }  // namespace cutwater
