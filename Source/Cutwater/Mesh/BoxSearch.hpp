@@ -5,7 +5,7 @@
 
 namespace cutwater {
 
-/// A box as the vector code reads it, in the tree's frame; see BoxSearch.inl.
+/// A box in the form that the vector code reads, in the tree's frame; see BoxSearch.inl.
 struct TreeBox {
   TreeBox(const OrientedBox<double>& box, const BvhFrame& frame);
 
@@ -17,11 +17,11 @@ struct TreeBox {
   bool isAligned = false;  ///< the axes are those of the frame, and not stored
   Vec3<float> axes[3];
   Vec3<float> halfAxes[3];  ///< the axes times the half lengths
-  /// How much farther apart, in double precision, a triangle is to be that QueryBox finds apart,
-  /// and how much deeper in one that it finds to meet the box.
+  /// How much farther apart a triangle must be for QueryBox, in double precision, to find it apart,
+  /// too; and how much deeper in the box for QueryBox to find that they meet.
   float rounding = 0;
   float depth = 0;
-  /// How far boxes within this one, once rounded, may reach beyond it.
+  /// How far boxes within this one may reach beyond it after rounding.
   float reach = 0;
 };
 
@@ -31,11 +31,11 @@ struct ExactOverlap {
   void* context;
 };
 
-/// Whether the box meets triangles of the surface, in the surface's units: what
-/// QueryBox::overlapWith() tells about each of them, the most certain of it.
+/// Whether the box meets triangles of the surface, in the surface's units: the most certain of the
+/// results of QueryBox::overlapWith() for these triangles.
 ///
-/// All triangles that boxes within this one meet are below a node of the tree: the root, number 0,
-/// or what `node` is then.
+/// `node` is one below which all triangles lie that the box can meet, at first the root, number 0.
+/// It is updated for queries with boxes within this one.
 template <std::floating_point T>
 [[nodiscard]] BoxOverlap overlapOf(const TriangleSearch& tree, const TriangleSurface<T>& surface,
                                    const OrientedBox<double>& box, std::uint32_t& node);

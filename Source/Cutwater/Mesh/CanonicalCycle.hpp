@@ -9,8 +9,9 @@
 
 namespace cutwater::detail {
 
-/// A cycle of distinct corners from its least one, towards the lesser of that one's neighbours: the
-/// same for every rotation and for both orientations. `Id`: indices, or handles of a mesh.
+/// A cycle of distinct corners, starting at the least one and running towards the lesser of its two
+/// neighbours: the same for every rotation and for both orientations. `Id`: indices, or handles of
+/// a mesh.
 template <typename Id>
 class CanonicalCycle {
  public:

@@ -8,12 +8,12 @@
 
 namespace cutwater {
 
-/// What the children of a node lie in besides their boxes: triangles, each with all that is within
+/// Enclosures of a node's children besides their boxes: for each, a triangle and everything within
 /// some distance of it.
 ///
-/// Boxes are no good around slivers that share a vertex: those of the node's frame all begin at
-/// that vertex and widen outward, so that a point beside it lies in the boxes of about half of a
-/// node's children; triangles meet at the vertex only. Lengths are those of the node's frame.
+/// Boxes are a poor fit around slivers that share a vertex: in the node's frame they all begin at
+/// that vertex and widen outward, so a point beside it lies in the boxes of about half of a node's
+/// children, whereas the triangles meet only at the vertex. Lengths are in the node's frame.
 struct alignas(64) ChildHulls {
   TrianglePacket triangles;  ///< by lane
   TrianglePacket::Lanes thickness;
@@ -27,8 +27,8 @@ struct HullArrays {
   std::vector<std::uint32_t> ofNode;  ///< index of its hulls, or kNone; empty if there are none
 };
 
-/// Finds hulls for the nodes where they enclose the children much more tightly than boxes do: by
-/// their summed area, as boxes are judged.
+/// Finds hulls for the nodes where they enclose the children much more tightly than boxes do,
+/// measured by summed area, as for boxes.
 template <std::floating_point T>
 [[nodiscard]] HullArrays buildHulls(std::span<const Vec3<T>> positions,
                                     std::span<const std::array<std::uint32_t, 3>> triangles,

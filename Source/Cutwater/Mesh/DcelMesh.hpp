@@ -14,15 +14,16 @@
 namespace cutwater {
 
 /// A surface mesh as a doubly connected edge list: every face is a cycle of half-edges, every
-/// half-edge knows its origin, its face and its twin.
+/// half-edge stores its origin, its face and its twin.
 ///
-/// Any soup is accepted: polygons of one corner or more, degenerate, non-manifold, mis-oriented,
-/// with unused vertices. A half-edge has a twin only where exactly one half-edge runs the opposite
-/// way and none the same way; check() (MeshReport.hpp) tells where that fails. The half-edges of a
-/// face are contiguous, so that next() and prev() are arithmetic; all is in flat arrays of 32-bit
-/// indices, about 75 bytes per triangle plus 24 (float) or 48 (double) of geometry.
+/// Any soup is accepted, with polygons of one corner or more, degenerate, non-manifold or
+/// mis-oriented faces, and unused vertices. A half-edge has a twin only where exactly one half-edge
+/// runs the opposite way and none the same way; check() (MeshReport.hpp) reports where that fails.
+/// The half-edges of a face are contiguous, so next() and prev() are arithmetic. All data is in
+/// flat arrays of 32-bit indices, about 75 bytes per triangle plus 24 (float) or 48 (double) of
+/// geometry.
 ///
-/// Immutable; all functions are thread-safe, and none but those that visit edges allocates.
+/// Immutable. All functions are thread-safe, and only those that visit edges allocate memory.
 /// Positions are rounded to T first: all geometry is that of the rounded mesh, computed in double.
 ///
 ///     for (FaceId face : mesh.faces(vertex)) sum += mesh.normal(face);
@@ -30,13 +31,13 @@ template <std::floating_point T>
 class DcelMesh {
  public:
   /// Builds the mesh in linear time, whatever the valence of its vertices.
-  /// @throws Error(Argument) where the soup's arrays contradict each other, a polygon has no
-  /// corners, a corner is no point, or a coordinate is not finite as a T or its square as a
-  /// double; Error(Limit) beyond 2^32 - 2 points or corners.
+  /// @throws Error(Argument) if the soup's arrays contradict each other, a polygon has no corners,
+  /// a corner is not the index of a point, or a coordinate is not finite as a T or its square not
+  /// as a double; Error(Limit) for more than 2^32 - 2 points or corners.
   explicit DcelMesh(const PolygonSoup& soup);
 
   // The whole mesh.
-  /// All of a kind, in ascending order.
+  /// All handles of one kind, in ascending order.
   [[nodiscard]] IdRange<VertexId> vertices() const { return {0, size32(positions_)}; }
   [[nodiscard]] IdRange<HalfEdgeId> halfEdges() const { return {0, size32(origins_)}; }
   [[nodiscard]] IdRange<FaceId> faces() const { return {0, size32(patches_)}; }
@@ -45,7 +46,7 @@ class DcelMesh {
   [[nodiscard]] Box<T> boundingBox() const;
 
   // One half-edge.
-  /// Its face, which is to its left seen from outside, and its two ends.
+  /// The half-edge's face, which lies to its left seen from outside, and its two ends.
   [[nodiscard]] FaceId face(HalfEdgeId e) const { return faceOf_[index(e)]; }
   [[nodiscard]] VertexId origin(HalfEdgeId e) const { return origins_[index(e)]; }
   [[nodiscard]] VertexId target(HalfEdgeId e) const { return origin(next(e)); }
@@ -70,21 +71,21 @@ class DcelMesh {
   [[nodiscard]] std::span<const VertexId> vertices(FaceId face) const {
     return slice(origins_, faceOffsets_, index(face));
   }
-  /// The faces across the half-edges that have a twin, in their order; a face that shares two
-  /// edges comes twice.
+  /// The faces across the half-edges that have a twin, in their order; a face that shares two edges
+  /// appears twice.
   [[nodiscard]] auto neighbours(FaceId face) const {
     const auto across = [this](HalfEdgeId e) { return hasTwin(e) ? this->face(twin(e)) : kNoFace; };
     return MappedRange(halfEdges(face).begin(), halfEdges(face).end(), across);
   }
-  /// The face as triangles, oriented like it: itself, if it is one; see triangulate(). None if it
-  /// has fewer than three distinct corners.
+  /// The face as triangles with its orientation: the face itself if it is a triangle; see
+  /// triangulate(). Empty if the face has fewer than three distinct corners.
   [[nodiscard]] std::span<const TriangleCorners> triangles(FaceId face) const {
     return slice(triangles_, triangleOffsets_, index(face));
   }
   [[nodiscard]] std::uint32_t patch(FaceId face) const { return patches_[index(face)]; }
 
-  // Around a vertex; complete at non-manifold vertices, too, in ascending order of half-edges.
-  /// The half-edges that begin at it, and their faces.
+  // Around a vertex, in ascending order of half-edges; complete at non-manifold vertices, too.
+  /// The half-edges that begin at the vertex, and their faces.
   [[nodiscard]] std::span<const HalfEdgeId> outgoing(VertexId vertex) const {
     return slice(outgoing_, outgoingOffsets_, index(vertex));
   }
@@ -95,41 +96,41 @@ class DcelMesh {
   }
   [[nodiscard]] const Vec3<T>& position(VertexId vertex) const { return positions_[index(vertex)]; }
 
-  /// All half-edges between two distinct vertices, of either direction.
+  /// All half-edges between two distinct vertices, in either direction.
   struct Edge {
     VertexId lower;
     VertexId upper;
     std::span<const HalfEdgeId> halfEdges;  ///< valid during the visit
   };
-  /// Visits every undirected edge once: by the lower, then in the order of appearance. Linear time.
+  /// Visits every undirected edge once, by lower vertex, then in order of appearance. Linear time.
   void visitEdges(FunctionRef<void(const Edge&)> visit) const;
-  /// The same for the edges without twins only: rims, and edges of many faces or of two that run
-  /// the same way.
+  /// The same, but only for edges without twins: rims, and edges of more than two faces or of two
+  /// that run the same way.
   void visitEdgesWithoutTwins(FunctionRef<void(const Edge&)> visit) const;
 
   // Geometry. Lengths in the units of the positions.
 
-  /// The unit normal by Newell's method, that of the best plane of a non-planar face; zero for a
-  /// face of no area. Also its pseudonormal.
+  /// The unit normal by Newell's method: for a non-planar face, that of the best plane; zero for a
+  /// face without area. Also the face's pseudonormal.
   [[nodiscard]] Vec3<T> normal(FaceId face) const { return normals_[index(face)]; }
   /// The sum of the areas of its triangles.
   [[nodiscard]] T area(FaceId face) const;
-  /// The centre of area; the mean of the corners where there is none.
+  /// The centroid of the area; the mean of the corners if there is no area.
   [[nodiscard]] Vec3<T> centroid(FaceId face) const;
-  /// The angle-weighted pseudonormal (Baerentzen & Aanaes 2005), a unit vector; zero where all
-  /// faces have no area or cancel.
+  /// The angle-weighted pseudonormal (Baerentzen & Aanaes 2005): a unit vector, or zero where no
+  /// face has area or the faces cancel.
   [[nodiscard]] Vec3<T> pseudonormal(VertexId vertex) const {
     return pseudonormals_[index(vertex)];
   }
-  /// The direction of the sum of the two faces' unit normals, a unit vector or zero; the face's own
-  /// where there is no twin.
+  /// The direction of the sum of the two faces' unit normals: a unit vector, or zero; the normal of
+  /// the one face where there is no twin.
   [[nodiscard]] Vec3<T> pseudonormal(HalfEdgeId e) const;
-  /// Of all triangles; linear time.
+  /// The sum over all triangles; linear time.
   [[nodiscard]] double totalArea() const;
-  /// By the divergence theorem: positive where faces are counter-clockwise seen from outside. Means
-  /// something for closed meshes only. Linear time.
+  /// By the divergence theorem: positive where faces are counter-clockwise seen from outside.
+  /// Meaningful for closed meshes only. Linear time.
   [[nodiscard]] double signedVolume() const;
-  /// Both of them.
+  /// Both the area and the volume.
   [[nodiscard]] SurfaceMeasure measure() const;
 
  private:

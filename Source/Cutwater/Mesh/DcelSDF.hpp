@@ -8,15 +8,15 @@
 
 namespace cutwater {
 
-/// A closed DCEL mesh as a signed distance function without a tree: every query tries every face.
+/// A closed DCEL mesh as a signed distance function without a tree: every query tests every face.
 ///
-/// For small meshes, and as the plain definition of what MeshSDF answers: the same values to the
-/// bit. Faces may be polygons of any size.
+/// For small meshes, and as the plain definition of MeshSDF's results: both return the same values
+/// to the bit. Faces may be polygons of any size.
 template <std::floating_point T>
 class DcelSDF final : public TriangleSurfaceSDF<T> {
  public:
   /// @throws Error(Topology) with a one-line report unless the mesh, once its shells are oriented,
-  /// is closed: as many faces run one way along each edge as the other.
+  /// is closed: along each edge, as many faces run one way as the other.
   explicit DcelSDF(DcelMesh<T> mesh);
 
   [[nodiscard]] const DcelMesh<T>& mesh() const { return *mesh_; }
@@ -27,7 +27,7 @@ class DcelSDF final : public TriangleSurfaceSDF<T> {
   [[nodiscard]] BoxOverlap overlapWith(const OrientedBox<double>& box,
                                        std::uint32_t& place) const override;
   void around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const override;
-  // Never asked: the surface is closed.
+  // Never called: the surface is closed.
   [[nodiscard]] bool isSurrounded(const Vec3<T>&) const override { return false; }
   [[nodiscard]] bool isDecided(const Box<double>&) const override { return true; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;

@@ -10,7 +10,7 @@
 
 namespace cutwater::detail {
 
-/// Union-find with path halving; the least member stands for its set.
+/// Union-find with path halving; the least member represents its set.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) {
@@ -22,9 +22,9 @@ class DisjointSets {
     b = find(b);
     parent_[std::max(a, b)] = std::min(a, b);
   }
-  /// Right once all has been united: every set has exactly one.
+  /// Valid once everything has been united: every set has exactly one root.
   [[nodiscard]] bool isRoot(std::uint32_t a) const { return parent_[a] == a; }
-  /// The member that stands for the set of `a`.
+  /// The member that represents the set of `a`.
   std::uint32_t find(std::uint32_t a) {
     while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
     return a;

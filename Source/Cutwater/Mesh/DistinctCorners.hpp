@@ -8,7 +8,7 @@
 
 namespace cutwater::detail {
 
-/// Leaves out repeats (a a) and spikes (a b a): edges of no extent, or passed to and fro.
+/// Leaves out repeats (a a) and spikes (a b a): edges of no extent, or traversed to and fro.
 void takeDistinct(std::span<const std::uint32_t> polygon, std::vector<std::uint32_t>& corners);
 
 }  // namespace cutwater::detail

@@ -7,12 +7,13 @@
 
 namespace cutwater {
 
-// Signs of small determinants of coordinates, never wrong: J. R. Shewchuk, "Adaptive precision
+// Signs of small determinants of coordinates, always correct: J. R. Shewchuk, "Adaptive precision
 // floating-point arithmetic and fast robust geometric predicates", Discrete Comput. Geom. 18
-// (1997). A filter in double decides nearly all; then twice the precision; then exact expansions.
+// (1997). A filter in double decides nearly all cases, then twice the precision, then exact
+// expansions.
 //
-// Coordinates are to be scaled by a power of two so that the surface's largest is about 1; they may
-// be up to 2^60. Bits below 2^-340 count as zero, for the same coordinate always alike.
+// Coordinates must be scaled by a power of two so that the surface's largest is about 1; they may
+// be up to 2^60. Bits below 2^-340 count as zero, consistently for each coordinate.
 
 /// 1 if `p` lies on the side of the plane of (a, b, c) to which (b - a) x (c - a) points, -1 if on
 /// the other side, 0 if in the plane, or if a, b, c are collinear.
@@ -24,21 +25,21 @@ namespace cutwater {
 [[nodiscard]] int crossSign(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c,
                             const Vec3<double>& d, int axis);
 
-/// How the directed segment passes the triangle: 1 from back to front, that is, along the normal
-/// (b - a) x (c - a); -1 from front to back; 0 not at all.
+/// How the directed segment passes through the triangle: 1 from back to front, that is, along the
+/// normal (b - a) x (c - a); -1 from front to back; 0 if it does not.
 ///
-/// No case is degenerate: the answer is that for the segment moved by (e, e^2, e^3), e > 0 smaller
-/// than anything else (simulation of simplicity; Edelsbrunner and Muecke, ACM Trans. Graph. 9
-/// (1990)). So a segment through an edge or a vertex of a closed surface meets each sheet exactly
-/// once, and never one in whose plane it lies.
+/// There are no degenerate cases: the result is that for the segment moved by (e, e^2, e^3), e > 0
+/// smaller than anything else (simulation of simplicity; Edelsbrunner and Muecke, ACM Trans. Graph.
+/// 9 (1990)). So a segment through an edge or a vertex of a closed surface passes through each
+/// sheet exactly once, and never through one in whose plane it lies.
 [[nodiscard]] int passage(const Segment<double>& segment,
                           const std::array<Vec3<double>, 3>& triangle);
 
-/// On which side of the triangle's plane the point lies, moved as passage() moves segments: as
-/// orientation(), but 0 for triangles without area only.
+/// The side of the triangle's plane on which the point lies, moved as passage() moves segments:
+/// like orientation(), but 0 only for triangles without area.
 [[nodiscard]] int sideOf(const Vec3<double>& point, const std::array<Vec3<double>, 3>& triangle);
 
-/// Whether the point lies on the closed triangle; never on one without area.
+/// Whether the point lies on the closed triangle; false for triangles without area.
 [[nodiscard]] bool isOnTriangle(const Vec3<double>& point,
                                 const std::array<Vec3<double>, 3>& triangle);
 

@@ -1,4 +1,4 @@
-// Private: whether a geometry file's numbers can be what they stand for.
+// Private: checks whether the numbers in a geometry file can be valid.
 #pragma once
 
 #include <Cutwater/Mesh/MeshLayout.hpp>
@@ -11,14 +11,14 @@ inline void requireIntact(bool ok, const char* what) {
   if (!ok) failDamaged(what);
 }
 
-/// Of what the header tells: frames, and the number of elements of each array as far as it follows
-/// from others.
+/// Checks what the header states: the frames, and the number of elements of each array as far as it
+/// follows from others.
 template <std::floating_point T>
 void checkLayout(const MeshLayout<T>& layout);
 
-/// Of the arrays, which must lie within the block: every index and whatever else queries rely on so
-/// as not to read beyond arrays or go on for ever. What floating-point numbers say is not looked
-/// at, but for positions: damage to them is for the checksum to find.
+/// Checks the arrays, which must lie within the block: every index, and whatever else queries rely
+/// on to stay within arrays and to terminate. Floating-point values are not checked, except for
+/// positions: damage to them is for the checksum to find.
 template <std::floating_point T>
 void checkArrays(const MeshLayout<T>& layout, const Block& block, std::uint64_t patches,
                  int threads);

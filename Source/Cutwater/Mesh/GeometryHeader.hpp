@@ -29,37 +29,37 @@ struct GeometryHead {
 };
 static_assert(sizeof(GeometryHead) == 64);
 
-/// Whether they begin like a geometry file, as far as they go.
+/// Whether the bytes begin like a geometry file, as far as they go; false if there are none.
 [[nodiscard]] bool isGeometry(std::span<const std::byte> bytes);
-/// Zeros stand for what is beyond the end.
+/// Reads the head; fields beyond the end keep their initial values.
 [[nodiscard]] GeometryHead geometryHead(std::span<const std::byte> bytes);
 
-/// All of a MeshSDF but its block.
+/// Everything in a MeshSDF except its block.
 template <std::floating_point T>
 struct MeshRecord {
   MeshLayout<T> layout;
   MeshSDFOptions options;
   SignReport signs;
   RigidTransform<T> placement;
-  std::uint64_t patches = 0;  ///< ids of polygons' patches are below; there may be fewer names
+  std::uint64_t patches = 0;  ///< patch ids of polygons are below this; there may be fewer names
   std::uint64_t source = 0;
 };
 
-/// The header for this block: a multiple of 64 bytes.
+/// Returns the header for this block; its size is a multiple of 64 bytes.
 template <std::floating_point T>
 [[nodiscard]] std::vector<std::byte> geometryHeader(const MeshRecord<T>& record,
                                                     std::span<const std::byte> block);
 
-/// What a geometry file consists of. The block is a part of the bytes.
+/// The contents of a geometry file. The block is a part of the file's bytes.
 template <std::floating_point T>
 struct Geometry {
   MeshRecord<T> record;
   Block block;
 };
 
-/// Reads the header, and checks all that can be told from it and the number of bytes; the block's
-/// checksum and contents if that is wanted.
-/// @throws Error(File) that says what is wrong, but not with which file.
+/// Reads the header and checks everything that follows from it and from the number of bytes; on
+/// request, also the block's checksum and contents.
+/// @throws Error(File) that states what is wrong, but not in which file.
 template <std::floating_point T>
 [[nodiscard]] Geometry<T> readGeometry(const Block& bytes, const MeshViewOptions& options);
 

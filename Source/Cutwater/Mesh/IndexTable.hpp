@@ -14,8 +14,9 @@ namespace cutwater::detail {
 /// At most 11 bytes per item, and 16 while it grows.
 class IndexTable {
  public:
-  /// The index of the item equal to number `candidate`, or `candidate` itself, which is then kept.
-  /// `hashOf(i)` hashes item i, `equal(i)` compares it with the candidate.
+  /// Returns the index of the item that equals item `candidate`; if there is none, keeps
+  /// `candidate` and returns it. `hashOf(i)` hashes item i, `equal(i)` compares it with the
+  /// candidate.
   template <typename HashOf, typename Equal>
   std::uint32_t findOrInsert(std::uint32_t candidate, HashOf hashOf, Equal equal) {
     if (4 * (size_ + 1) > 3 * slots_.size()) grow(hashOf);
@@ -27,14 +28,14 @@ class IndexTable {
     return slot;
   }
 
-  /// The index of the item with this hash that is `equal`; kNone if there is none.
+  /// Returns the index of the item with this hash for which `equal` holds, or kNone.
   template <typename Equal>
   [[nodiscard]] std::uint32_t lookUp(std::uint64_t hash, Equal equal) const {
     return slots_.empty() ? kNone : slots_[slotOf(hash, equal)];
   }
 
  private:
-  // A quarter of the slots is free: the walk ends.
+  // A quarter of the slots is free, so the walk ends.
   template <typename Equal>
   [[nodiscard]] std::size_t slotOf(std::uint64_t hash, Equal equal) const {
     std::size_t i = hash & (slots_.size() - 1);
@@ -52,7 +53,7 @@ class IndexTable {
     }
   }
 
-  std::vector<std::uint32_t> slots_;  // a power of two of them
+  std::vector<std::uint32_t> slots_;  // their number is a power of two
   std::size_t size_ = 0;
 };
 
@@ -64,7 +65,7 @@ constexpr std::uint64_t mixed(std::uint64_t bits) {
   return bits ^ (bits >> 33U);
 }
 
-/// Equal for equal points, also where -0 stands for 0.
+/// The same for equal points; -0 equals 0.
 inline std::uint64_t hashOf(const Vec3<double>& p) {
   std::uint64_t hash = 0;
   for (int axis = 0; axis < 3; ++axis) {

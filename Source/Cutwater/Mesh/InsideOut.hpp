@@ -6,17 +6,18 @@
 
 namespace cutwater {
 
-/// How shells within other closed shells are to be oriented.
+/// How shells inside other closed shells are oriented.
 enum class NestedShells : std::uint8_t {
-  /// A shell that stands against the one around it is a cavity and stays one.
+  /// A shell oriented opposite to the one around it is a cavity and stays one.
   AsTheyAre,
-  /// By turns: the outermost are solids, what is within one shell is a cavity, within two a solid.
+  /// Alternating: the outermost are solids, a shell within one shell is a cavity, within two a
+  /// solid.
   Cavities,
   /// All face outward: parts of an assembly, whose union is meant.
   Solids,
 };
 
-/// Triangles each of which agrees with those around which way to look, as far as they can.
+/// Triangles whose orientations agree with those of their neighbours, as far as possible.
 struct AgreeingTriangles {
   std::span<const Vec3<double>>
       positions;  ///< about 1 in size: volumes neither over- nor underflow
@@ -25,7 +26,8 @@ struct AgreeingTriangles {
   std::span<const OpenEdge> openEdges;
 };
 
-/// The shells that stand inside out and are to be turned as a whole, ascending: see orientShells().
+/// Returns the shells that are inside out and must be turned as a whole, ascending: see
+/// orientShells().
 [[nodiscard]] std::vector<std::uint32_t> insideOutShells(
     const AgreeingTriangles& surface, NestedShells nested = NestedShells::AsTheyAre);
 

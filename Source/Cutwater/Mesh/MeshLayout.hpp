@@ -9,7 +9,7 @@
 
 namespace cutwater {
 
-/// Where the arrays of a MeshSDF lie in its block, and what is known of them besides.
+/// Where the arrays of a MeshSDF lie in its block, and values that belong to them.
 template <std::floating_point T>
 struct MeshLayout {
   typename TriangleSurfaceData<T>::Sections surface;
@@ -25,15 +25,15 @@ struct MeshLayout {
   Section insideOut;                  ///< see ShellOrientation
   Section patchNames;                 ///< characters; each name is ended by a zero
 
-  /// The tree that lies in a block; a view of it.
+  /// A view of the tree that lies in a block.
   [[nodiscard]] TriangleTree tree(const Block& block) const {
     return {frame, block.array<BvhNode<TriangleTree::kArity>>(nodes),
             block.array<std::uint32_t>(slots), depth};
   }
 };
 
-/// Calls visit(type, section) for all arrays in their order in the block, where the elements'
-/// `type` is a std::type_identity.
+/// Calls visit(type, section) for all arrays in their order in the block; `type` is a
+/// std::type_identity of the element type.
 template <std::floating_point T, typename Visit>
 void visitArrays(MeshLayout<T>& layout, Visit visit) {
   constexpr std::type_identity<std::uint32_t> kIndices;

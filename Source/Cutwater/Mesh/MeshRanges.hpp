@@ -22,12 +22,12 @@ using TriangleCorners = std::array<VertexId, 3>;
 inline constexpr HalfEdgeId kNoHalfEdge{kNone};
 inline constexpr FaceId kNoFace{kNone};
 
-/// One of the three.
+/// One of the three handle types.
 template <typename Id>
 concept MeshId =
     std::same_as<Id, VertexId> || std::same_as<Id, HalfEdgeId> || std::same_as<Id, FaceId>;
 
-/// The handle's place in arrays of the mesh's size.
+/// The handle's index into arrays of the mesh.
 template <MeshId Id>
 [[nodiscard]] constexpr std::uint32_t index(Id id) {
   return static_cast<std::uint32_t>(id);
@@ -68,17 +68,17 @@ class IdRange {
   std::uint32_t last_;
 };
 
-/// What `map` makes of the elements of a range, without those that it maps to "none".
+/// The elements of a range as mapped by `map`, without those that it maps to "none".
 ///
-/// A view: it holds iterators into the mesh, which must outlive it. (std::views would do, at a
-/// third of a second of compile time for every file that sees a mesh.)
+/// A view: it holds iterators into the mesh, which must outlive it. (std::views would do, but costs
+/// a third of a second of compile time for every file that includes a mesh.)
 template <std::forward_iterator Source, typename Map>
 class MappedRange {
  public:
-  /// What `map` gives.
+  /// The result of `map`.
   using Id = decltype(std::declval<const Map&>()(*std::declval<Source>()));
 
-  /// Skips what is mapped to "none".
+  /// Skips elements that are mapped to "none".
   class Iterator {
    public:
     using value_type = Id;

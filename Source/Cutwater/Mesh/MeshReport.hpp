@@ -14,14 +14,14 @@ template <typename Place>
 struct Findings {
   static constexpr std::size_t kExamples = 8;
 
-  std::size_t count = 0;        ///< of all
+  std::size_t count = 0;        ///< in total
   std::vector<Place> examples;  ///< at most kExamples
 
-  /// Counts one more.
+  /// Adds one finding.
   void add(const Place& place) {
     if (count++ < kExamples) examples.push_back(place);
   }
-  /// Appends what was found later.
+  /// Appends later findings.
   void add(const Findings& later) {
     count += later.count;
     for (const auto& place : later.examples) {
@@ -64,31 +64,31 @@ struct MeshReport {
   /// The number of handles, summed over the components; for closed, oriented manifolds only.
   std::optional<long long> genus;
   double area = 0;
-  double volume = 0;  ///< signed; means something for closed meshes only
+  double volume = 0;  ///< signed; meaningful for closed meshes only
 
   /// No edge with an odd number of faces.
   [[nodiscard]] bool isClosed() const { return oddEdges == 0 && faces > 0; }
-  /// As many faces run one way along each edge as the other, but for the odd one.
+  /// Along each edge, as many faces run one way as the other, apart from an odd one.
   [[nodiscard]] bool isOriented() const { return unbalancedEdges == 0; }
   [[nodiscard]] bool isManifold() const { return !nonManifoldEdges && !nonManifoldVertices; }
-  /// Every half-edge has a twin (those from a vertex to itself aside): what signs by pseudonormals
-  /// need. Fans may still touch at a vertex: ask isManifold().
+  /// Every half-edge has a twin (except those from a vertex to itself), as signs by pseudonormals
+  /// require. Fans may still touch at a vertex: see isManifold().
   [[nodiscard]] bool isClosedOriented() const {
     return faces > 0 && !boundaryEdges && !nonManifoldEdges && !misorientedEdges;
   }
   /// Closed and oriented, but with the normals pointing into the solid.
   [[nodiscard]] bool isInsideOut() const { return isClosedOriented() && volume < 0; }
-  /// Nothing to complain about: none of the findings, and not inside out.
+  /// There are no findings, and the mesh is not inside out.
   [[nodiscard]] bool isClean() const;
 
   /// One line: "closed, oriented, manifold; 12 triangles, 1 component" or
   /// "not closed; 3 open edges, 1 duplicate face; 11 triangles, 1 component".
   [[nodiscard]] std::string summary() const;
-  /// A line per property and per kind of defect with its first places, each ended by '\n'.
+  /// One line per property and per kind of defect with its first places, each ended by '\n'.
   [[nodiscard]] std::string table() const;
 };
 
-/// Looks for every defect, in linear time. Nothing found is an error.
+/// Looks for all defects, in linear time. Defects are reported, never thrown.
 template <std::floating_point T>
 [[nodiscard]] MeshReport check(const DcelMesh<T>& mesh);
 

@@ -10,8 +10,9 @@
 
 namespace cutwater {
 
-/// An edge that triangles pass more often in one direction than in the other: the rim of a hole, a
-/// seam between two orientations, a sheet that ends at another. What the winding number depends on.
+/// An edge that triangles run along more often in one direction than in the other: the rim of a
+/// hole, a seam between two orientations, a sheet that ends at another. Winding numbers depend on
+/// these.
 struct OpenEdge {
   std::uint32_t lower;        ///< vertex
   std::uint32_t upper;        ///< vertex, a higher index
@@ -19,25 +20,26 @@ struct OpenEdge {
   std::uint32_t triangle;     ///< the first that has the edge
 };
 
-/// A triangle's passage along an edge, as the edge's lower vertex sees it.
+/// A triangle's passage along an edge, seen from the edge's lower vertex.
 struct EdgePass {
   std::uint32_t upper;  ///< vertex
   std::uint32_t triangle;
   std::int32_t direction;  ///< 1: from the lower vertex to the upper one; else -1
 };
 
-/// Visits every edge that has a half-edge without a neighbour, with those half-edges in the order
-/// of their triangles: by lower vertex, then by upper vertex; n log n. With no `neighbours` at all,
-/// every edge.
+/// Visits every edge that has a half-edge without a neighbour, by lower vertex, then by upper
+/// vertex, with those half-edges in the order of their triangles; n log n. Visits every edge if
+/// `neighbours` is empty.
 void visitEdgesWithoutNeighbours(
     std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t vertexCount,
     std::span<const std::array<std::uint32_t, 3>> neighbours,
     FunctionRef<void(std::uint32_t lower, std::span<const EdgePass> passes)> visit);
 
-/// All of them, by lower vertex, then by upper vertex; n log n. None: the surface is closed.
+/// Returns all open edges, by lower vertex, then by upper vertex; n log n. A closed surface has
+/// none.
 ///
-/// Where `neighbours` tells the triangle across an edge of exactly two that run opposite ways, the
-/// edge is passed over: it is not open. It may be left out.
+/// `neighbours`, which may be left out, gives the triangles across edges of exactly two that run
+/// opposite ways: these edges are not open and are skipped.
 [[nodiscard]] std::vector<OpenEdge> findOpenEdges(
     std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t vertexCount,
     std::span<const std::array<std::uint32_t, 3>> neighbours = {});

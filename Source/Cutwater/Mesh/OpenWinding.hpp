@@ -6,16 +6,16 @@
 
 namespace cutwater {
 
-/// The winding number of a surface that is not closed. Caps close its holes: how often the two
-/// together surround a point is an integer, counted without error along a segment; what the caps
-/// contribute to it, a smooth function but for them, is subtracted. So the cost is that of the
-/// holes, not of the surface, and nothing is approximated near its triangles.
+/// The winding number of a surface that is not closed. Caps close its holes. The winding number of
+/// both together is an integer, counted without error along a segment; the contribution of the
+/// caps, which is smooth away from them, is subtracted. So the cost is that of the holes, not of
+/// the surface, and nothing is approximated near its triangles.
 ///
-/// A view of arrays in a block. Queries are given the surface, and how to find its triangles;
+/// A view of arrays in a block. Queries take the surface and a function that finds its triangles;
 /// points are in its scaled units.
 class OpenWinding {
  public:
-  /// What counts as inside: see WindingNumber::kThreshold.
+  /// The threshold for inside: see WindingNumber::kThreshold.
   static constexpr double kThreshold = WindingNumber<double>::kThreshold;
 
   /// Whether the winding number exceeds kThreshold; decided with certainty.
@@ -23,21 +23,21 @@ class OpenWinding {
   [[nodiscard]] bool isInside(const TriangleSurface<T>& surface, TrianglesAlong along,
                               const Vec3<double>& p) const;
 
-  /// Within `tolerance`; see WindingNumber::estimate().
+  /// An estimate within `tolerance`; see WindingNumber::estimate().
   template <std::floating_point T>
   [[nodiscard]] WindingNumber<double>::Estimate estimate(const TriangleSurface<T>& surface,
                                                          TrianglesAlong along,
                                                          const Vec3<double>& p,
                                                          double tolerance) const;
 
-  /// A bound of its gradient away from the surface's triangles.
+  /// A bound on its gradient away from the surface's triangles.
   [[nodiscard]] double gradientBound(const Box<double>& box) const;
 
  private:
   friend class OpenWindingData;
 
-  /// On an edge of a cap, which may be anywhere, its solid angle is no number: the winding number
-  /// is that of a point beside.
+  /// On an edge of a cap, which may be anywhere, its solid angle is undefined: the winding number
+  /// there is that of a nearby point.
   static constexpr int kAttempts = 4;
   [[nodiscard]] static Vec3<double> nudged(const Vec3<double>& p, int attempt);
 
@@ -53,13 +53,14 @@ class OpenWinding {
 /// The arrays of an OpenWinding, fresh from a surface.
 class OpenWindingData {
  public:
-  /// None: for a closed surface.
+  /// Empty: for a closed surface.
   OpenWindingData() = default;
-  /// From the surface's positions and what findOpenEdges() finds in its triangles.
+  /// Built from the surface's positions and the open edges that findOpenEdges() finds in its
+  /// triangles.
   template <std::floating_point T>
   OpenWindingData(std::span<const Vec3<T>> positions, std::span<const OpenEdge> edges);
 
-  /// Beyond this distance from the surface's box nothing counts as inside.
+  /// No point farther than this from the surface's box counts as inside.
   [[nodiscard]] double reach() const;
 
   /// Where the arrays will lie in the block.

@@ -4,16 +4,17 @@
 
 namespace cutwater {
 
-/// Where a segment passes a triangle.
+/// Where a segment passes through a triangle.
 struct Passage {
   double parameter = 0;  ///< 0 at the segment's start, 1 at its end
   std::uint32_t triangle = kNone;
   int direction = 0;  ///< 1 from back to front, -1 from front to back
 };
 
-/// The passages of a segment through a surface one after the other, by their parameters as
-/// computed (of equals the lowest triangle first). That each is there is exact, its parameter is
-/// rounded. Found in batches of fixed size, so that nothing is allocated however many there are.
+/// The passages of a segment through a surface, one after the other, in the order of their computed
+/// parameters (of equal ones, the lowest triangle first). Which passages there are is exact; their
+/// parameters are rounded. They are found in batches of fixed size, so nothing is allocated however
+/// many there are.
 template <std::floating_point T>
 class PassageWalk {
  public:
@@ -21,7 +22,7 @@ class PassageWalk {
               TrianglesAlong along)
       : surface_(surface), segment_(segment), along_(along) {}
 
-  /// The next passage; none (no triangle) after the last.
+  /// Returns the next passage; after the last, one without a triangle.
   [[nodiscard]] Passage next();
 
  private:
@@ -36,7 +37,7 @@ class PassageWalk {
   std::array<Passage, kBatch> batch_;  // in order
   std::size_t count_ = 0;
   std::size_t at_ = 0;
-  Passage last_{.parameter = -1, .triangle = 0, .direction = 0};  // of all batches before
+  Passage last_{.parameter = -1, .triangle = 0, .direction = 0};  // of all earlier batches
   bool isComplete_ = false;  // nothing is left beyond the batch
 };
 

@@ -9,18 +9,18 @@
 
 namespace cutwater {
 
-/// Which way a polygon faces, and how large it is.
+/// The direction that a polygon faces, and its size.
 struct PolygonArea {
   Vec3<double> normal;  ///< a unit vector; zero for a polygon of no area
   double area = 0;      ///< of its projection along the normal: its area, if it is planar
 };
 
 /// Newell's method, relative to the first corner: the sum of cross products is the normal of the
-/// best plane of a non-planar polygon, and right for concave ones.
+/// best plane of a non-planar polygon, and correct for concave ones.
 ///
-/// Right for needles, too: where the products cancel, they are formed in twice the precision, from
-/// differences without error. A sum below 2^-98 of its terms is rounding and counts as no area. No
-/// size of polygon over- or underflows.
+/// It is accurate for needles, too: where the products cancel, they are formed in twice the
+/// precision, from differences without error. A sum below 2^-98 of its terms is rounding and counts
+/// as no area. No polygon is so large or small that it over- or underflows.
 [[nodiscard]] PolygonArea polygonArea(std::span<const Vec3<double>> corners);
 
 /// The power of two that brings the polygon's largest extent from its first corner into [1, 2); 1
@@ -36,12 +36,12 @@ template <std::floating_point T>
 template <std::floating_point T>
 [[nodiscard]] std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<T>> positions);
 
-/// The box of each triangle; its corners are numbers of positions.
+/// The box of each triangle, whose corners are indices of positions.
 template <std::floating_point T>
 [[nodiscard]] std::vector<Box<double>> triangleBoxes(
     std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// What a triangle contributes to the surface around it.
+/// The contribution of a triangle to the surface around it.
 struct TriangleShape {
   Vec3<double> normal;           ///< as polygonArea()
   double area = 0;               ///< as polygonArea()

@@ -7,23 +7,23 @@
 
 namespace cutwater {
 
-/// Normals of a triangle mesh with which dot(p - c, n) has the sign of the distance, for c the
-/// closest point of p, whether in a triangle, on an edge or at a vertex.
+/// Normals of a triangle mesh for which dot(p - c, n) has the sign of the distance, where c is the
+/// point closest to p, be it in a triangle, on an edge or at a vertex.
 ///
 /// J. A. Baerentzen, H. Aanaes, "Signed distance computation using the angle weighted
 /// pseudonormal", IEEE Trans. Vis. Comput. Graph. 11 (2005). All are unit vectors, or zero where
-/// only rounding is left of the sum; triangles of no area contribute nothing.
+/// nothing but rounding is left of the sum; triangles without area contribute nothing.
 template <std::floating_point T>
 struct Pseudonormals {
   std::vector<Vec3<T>> triangles;
   std::vector<Vec3<T>> vertices;  ///< sums of triangle normals times angles
 
-  /// Of the edge between two triangles: the direction of the sum of their normals.
+  /// The normal of the edge between two triangles: the direction of the sum of their normals.
   static Vec3<T> edge(const Vec3<T>& one, const Vec3<T>& other);
 };
 
-/// In linear time, in parallel; computed in double and rounded once. The same bits whatever the
-/// number of threads, on one type of CPU (atan2).
+/// Computes them in linear time, in parallel, in double with one rounding at the end. Gives the
+/// same bits for any number of threads, on one type of CPU (atan2).
 template <std::floating_point T>
 [[nodiscard]] Pseudonormals<T> pseudonormals(std::span<const Vec3<T>> points,
                                              std::span<const TriangleCorners> triangles);

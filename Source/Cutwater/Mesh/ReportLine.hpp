@@ -7,7 +7,7 @@
 
 namespace cutwater::detail {
 
-/// A line of a report: a name, and what there is to say in a column of its own.
+/// A line of a report: a name, and its value in a column of its own.
 inline std::string reportLine(std::string_view name, const std::string& value) {
   constexpr std::size_t kColumn = 40;
   std::string result(name);

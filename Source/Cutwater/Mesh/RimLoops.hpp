@@ -11,9 +11,9 @@
 
 namespace cutwater::detail {
 
-/// The boundary of what would close a surface: every open edge the other way round, as often as it
-/// is open. As many begin as end at each vertex, so whoever follows them from a vertex comes back
-/// to it.
+/// The boundary of the faces that would close a surface: every open edge in the opposite direction,
+/// as often as it is open. At each vertex as many edges begin as end, so a walk along them returns
+/// to the vertex where it started.
 class RimLoops {
  public:
   explicit RimLoops(std::span<const OpenEdge> edges) {
@@ -43,7 +43,7 @@ class RimLoops {
     place_.assign(vertices_.size(), kNone);
   }
 
-  /// The vertices that edges begin at, in ascending order: loops refer to this list.
+  /// The vertices at which edges begin, in ascending order: loops contain indices into this list.
   [[nodiscard]] const std::vector<std::uint32_t>& vertices() const { return vertices_; }
 
   /// Visits loops that together use every edge once; none passes a vertex twice.
@@ -76,11 +76,11 @@ class RimLoops {
   }
 
   std::vector<std::uint32_t> vertices_;
-  std::vector<std::uint32_t> targets_;  // of the edges, by the vertex they begin at
+  std::vector<std::uint32_t> targets_;  // of the edges, by the vertex at which they begin
   std::vector<std::size_t> next_;       // per vertex: the first edge not yet used ...
   std::vector<std::size_t> ends_;       // ... and the end of its edges
   std::vector<std::uint32_t> path_;
-  std::vector<std::uint32_t> place_;  // per vertex: in the path
+  std::vector<std::uint32_t> place_;  // per vertex: its index in the path
 };
 
 }  // namespace cutwater::detail

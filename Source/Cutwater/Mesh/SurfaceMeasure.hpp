@@ -7,23 +7,24 @@
 
 namespace cutwater {
 
-/// How large a surface is.
+/// The area and the volume of a surface.
 struct SurfaceMeasure {
   double area = 0;
-  /// By the divergence theorem: positive where faces are counter-clockwise seen from outside. Means
-  /// something for closed surfaces only.
+  /// By the divergence theorem: positive where faces are counter-clockwise seen from outside.
+  /// Meaningful for closed surfaces only.
   double volume = 0;
 
   bool operator==(const SurfaceMeasure&) const = default;
 };
 
-/// Of `count` triangles. The volume is made of tetrahedra with a corner at `center`: one in their
-/// midst, or they would cancel far from the origin. Summed in twice the precision; linear time.
+/// Measures `count` triangles. The volume is a sum of tetrahedra with an apex at `center`, which
+/// should lie amid the triangles: far from the origin, terms would otherwise cancel. Sums are
+/// formed in twice the precision; linear time.
 [[nodiscard]] SurfaceMeasure measureTriangles(
     std::size_t count, const Vec3<double>& center,
     FunctionRef<std::array<Vec3<double>, 3>(std::size_t)> cornersOf);
 
-/// Of the polygons as triangulate() cuts them.
+/// Measures the polygons as triangulate() cuts them.
 [[nodiscard]] SurfaceMeasure measure(const PolygonSoup& soup);
 
 }  // namespace cutwater

@@ -8,16 +8,16 @@
 
 namespace cutwater {
 
-/// Whether two triangles of a mesh, as closed sets, meet in a point of no vertex and no edge that
-/// they share. Corners are shared if they have the same number; two triangles with the same three
-/// corners meet. Touching counts, of another vertex, too, that has the same position.
+/// Whether two triangles of a mesh, as closed sets, meet at a point that is not on a vertex or an
+/// edge that they share. Corners are shared if they have the same index; two triangles with the
+/// same three corners meet. Touching counts, also at another vertex with the same position.
 ///
-/// Exact, see ExactPredicates.hpp, also for how to scale. Both triangles must have area.
+/// Exact; see ExactPredicates.hpp, also for the scaling. Both triangles must have area.
 [[nodiscard]] bool intersect(std::span<const Vec3<double>> positions,
                              const std::array<std::uint32_t, 3>& a,
                              const std::array<std::uint32_t, 3>& b);
 
-/// Exactly: false if the three points lie on a line.
+/// Returns false if the three points are collinear; exact.
 [[nodiscard]] bool hasArea(const std::array<Vec3<double>, 3>& triangle);
 
 }  // namespace cutwater

@@ -5,7 +5,7 @@
 
 namespace cutwater {
 
-/// The triangles of a surface, as the vector code reads them.
+/// The triangles of a surface in the form that the vector code reads.
 template <std::floating_point T>
 struct TriangleArrays {
   const Vec3<T>* positions;
@@ -27,7 +27,8 @@ struct TriangleArrays {
   [[nodiscard]] Vec3<T> closestPoint(std::uint32_t id, const Vec3<T>& p) const;
 };
 
-/// What the search for the nearest triangle of a surface reads; a view of arrays in a block.
+/// The data that the search for the nearest triangle of a surface reads; a view of arrays in a
+/// block.
 ///
 /// Whole loops are compiled for each instruction set, from one source: TriangleSearch.inl.
 struct TriangleSearch {
@@ -37,21 +38,21 @@ struct TriangleSearch {
   const ChildHulls* hulls = nullptr;
   const std::uint32_t* hullsOfNode = nullptr;  ///< null: there are none
   BvhFrame frame;
-  bool isSmall = false;  ///< and stays in a processor's second cache
+  bool isSmall = false;  ///< stays in a processor's second-level cache
 
   TriangleSearch() = default;
   TriangleSearch(const TriangleTree& tree, std::span<const TrianglePacket> leaves,
                  std::span<const ChildHulls> childHulls, std::span<const std::uint32_t> ofNode);
 
-  /// Lets all triangles compete that may be the nearest to `p`, or tie with it within rounding, if
-  /// that is within `reach`. `best` is surface.nothing(p), or what is known already.
+  /// Considers all triangles that may be the nearest to `p`, or tie with it within rounding, if
+  /// that is within `reach`. `best` starts as surface.nothing(p), or as what is known already.
   template <std::floating_point T>
   void nearest(const TriangleSurface<T>& surface, const Vec3<T>& p,
                typename TriangleSurface<T>::Nearest& best, double reach = kAnywhere) const;
   static constexpr double kAnywhere = 0x1p62;
 
-  /// The same for many points, each with its own `bests`. Neighbours in the span are best close to
-  /// each other in space.
+  /// The same for many points, each with its own element of `bests`. Neighbours in the span should
+  /// be close to each other in space.
   template <std::floating_point T>
   void nearest(const TriangleSurface<T>& surface, std::span<const Vec3<T>> points,
                std::span<typename TriangleSurface<T>::Nearest> bests) const;

@@ -13,20 +13,20 @@
 
 namespace cutwater {
 
-/// The arrays of a TriangleSurface, fresh from a mesh.
+/// The arrays of a TriangleSurface, made from a mesh.
 template <std::floating_point T>
 class TriangleSurfaceData {
  public:
-  /// Any mesh will do. Faces of more than three corners are triangulated, those of fewer than three
-  /// distinct corners left out; the rest is oriented (see Shells.hpp).
+  /// Accepts any mesh. Faces with more than three corners are triangulated, those with fewer than
+  /// three distinct corners are left out, and the rest is oriented (see Shells.hpp).
   /// @throws Error(Topology) if no triangle is left.
   explicit TriangleSurfaceData(const DcelMesh<T>& mesh);
 
   /// The same triangles between vertices that have moved to `positions`, in the mesh's own units:
-  /// all that a mesh of those triangles would give, and the same bits, without half-edges.
-  /// Triangles keep their order and their neighbours; only which shells stand inside out is
-  /// decided anew. `signs` and `insideOut` (see ShellOrientation) are what is known of `before`,
-  /// which must live as long as this.
+  /// everything that a mesh of those triangles would give, to the bit, without half-edges.
+  /// Triangles keep their order and their neighbours; only which shells are inside out is decided
+  /// anew. `signs` and `insideOut` (see ShellOrientation) are those of `before`, which must outlive
+  /// this object.
   TriangleSurfaceData(const TriangleSurface<T>& before, const SignReport& signs,
                       std::span<const std::uint32_t> insideOut, std::span<const Vec3<T>> positions);
 
@@ -44,18 +44,18 @@ class TriangleSurfaceData {
   [[nodiscard]] Sections addTo(BlockWriter& writer) const;
 
   [[nodiscard]] std::span<const Vec3<T>> positions() const { return positions_; }
-  /// Corners of each: indices of positions().
+  /// Corners of each triangle: indices of positions().
   [[nodiscard]] std::span<const std::array<std::uint32_t, 3>> triangles() const {
     return triangles_.view();
   }
   [[nodiscard]] const ShellOrientation& orientation() const { return orientation_; }
-  /// None, if the surface is closed.
+  /// Empty if the surface is closed.
   [[nodiscard]] std::span<const OpenEdge> openEdges() const { return openEdges_; }
 
  private:
   using Corners = typename TriangleSurface<T>::Corners;
 
-  /// An array of its own, or somebody else's that stays as it is.
+  /// An array of its own, or a view of another array, which is left unchanged.
   template <typename Record>
   class Kept {
    public:
@@ -65,7 +65,7 @@ class TriangleSurfaceData {
     [[nodiscard]] std::span<const Record> view() const {
       return others_.empty() ? std::span<const Record>(own_) : others_;
     }
-    /// To be changed; copies it first.
+    /// The array for modification; copies a viewed array first.
     [[nodiscard]] std::vector<Record>& own() {
       if (!others_.empty()) own_.assign(others_.begin(), others_.end());
       others_ = {};
@@ -80,12 +80,12 @@ class TriangleSurfaceData {
   void takeOriented(const DcelMesh<T>& triangles);
   void take(const DcelMesh<T>& triangles);
   void takePositions(std::span<const Vec3<T>> positions);
-  /// Which shells stand inside out; turns them.
+  /// Finds the shells that are inside out and turns them.
   void orientAgain(std::span<const Vec3<T>> positions, const SignReport& signs,
                    std::span<const std::uint32_t> wereInsideOut);
   void turnShells(const ConnectedShells& shells, std::span<const std::uint32_t> chosen);
   void findEdges();
-  /// What follows from triangles and positions.
+  /// Computes what follows from triangles and positions.
   void measureTriangles();
   void markSlivers();
 

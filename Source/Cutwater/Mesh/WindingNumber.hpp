@@ -7,20 +7,20 @@
 
 namespace cutwater {
 
-/// The generalised winding number of any triangles: the solid angle they span at a point, signed by
-/// their orientation, over 4 pi. Of a closed surface it is 1 inside and 0 outside (n within n
-/// shells); a hole or an overlap changes it smoothly but for a jump of 1 at every triangle
-/// (Jacobson, Kavan and Sorkine-Hornung 2013, "Robust inside-outside segmentation using generalized
-/// winding numbers").
+/// The generalised winding number of arbitrary triangles: the solid angle that they span at a
+/// point, signed by their orientation, over 4 pi. For a closed surface it is 1 inside and 0 outside
+/// (n within n shells). With holes or overlaps it varies smoothly, except for a jump of 1 at every
+/// triangle (Jacobson, Kavan and Sorkine-Hornung 2013, "Robust inside-outside segmentation using
+/// generalized winding numbers").
 ///
-/// Over a tree, as in Barill et al. 2018, "Fast winding numbers for soups and clouds", but with
-/// bounds for everything that is left out or rounded, so that decisions are certain. A view of
-/// arrays that somebody else owns. Positions are to be scaled by a power of two so that the largest
+/// It is computed over a tree, as in Barill et al. 2018, "Fast winding numbers for soups and
+/// clouds", but with bounds for everything that is left out or rounded, so decisions are certain. A
+/// view of arrays owned elsewhere. Positions must be scaled by a power of two so that the largest
 /// coordinate is about 1; points and boxes are in these units. Queries allocate nothing.
 template <std::floating_point T>
 class WindingNumber {
  public:
-  /// Of a triangle: indices of positions.
+  /// Corners of a triangle: indices of positions.
   using Corners = std::array<std::uint32_t, 3>;
 
   /// |winding number - value| <= error, rounding included.
@@ -29,13 +29,14 @@ class WindingNumber {
     double error = 0;
   };
 
-  /// What counts as inside: a little more than half. On the plane of a flat hole the winding number
-  /// is exactly 1/2, and grids like to have points there; no sum ends such a tie before the last
-  /// triangle. This moves the sheet that closes a hole by about a 2000th of the hole's radius.
+  /// Points with a larger winding number count as inside: slightly more than half. In the plane of
+  /// a flat hole the winding number is exactly 1/2, and grids tend to have points there; no sum
+  /// resolves such a tie before the last triangle. This moves the sheet that closes a hole by about
+  /// a 2000th of the hole's radius.
   static constexpr double kThreshold = 0.5 + 0x1p-12;
 
   WindingNumber() = default;
-  /// The last three as buildWindingMoments() made them from the others.
+  /// The last three are made from the others by buildWindingMoments().
   WindingNumber(std::span<const Vec3<T>> positions, std::span<const Corners> triangles,
                 const WindingTree& tree, std::span<const WindingMoments> moments,
                 std::span<const WindingEdges> edges, std::span<const OpenEdge> openEdges)
@@ -46,31 +47,32 @@ class WindingNumber {
         edges_(edges),
         openEdges_(openEdges) {}
 
-  /// Within `tolerance`, or as near to it as double precision gets: about 4e-15 a triangle; 1/2 for
-  /// each triangle on whose edge the point lies. Each digit costs several times as much; below 1e-5
-  /// about every triangle is taken. NaN at a point that is not finite.
+  /// Returns an estimate within `tolerance`, or as close to it as double precision allows: about
+  /// 4e-15 per triangle, and 1/2 for each triangle on whose edge the point lies. Each digit costs
+  /// several times as much; below 1e-5 almost every triangle is evaluated. NaN at a point that is
+  /// not finite.
   [[nodiscard]] Estimate estimate(const Vec3<double>& p, double tolerance) const;
 
-  /// Whether the winding number is less than `level`: certified, and the same whatever the tree.
-  /// Nothing where estimate() cannot tell.
+  /// Whether the winding number is less than `level`: certified, and the same for any tree. Returns
+  /// nothing where estimate() cannot decide.
   [[nodiscard]] std::optional<bool> isBelow(const Vec3<double>& p, double level) const;
   [[nodiscard]] bool isInside(const Vec3<double>& p) const {
     return isBelow(p, kThreshold) == false;
   }
 
-  /// From every triangle, in the order of ids.
+  /// The sum over all triangles, in the order of their ids.
   [[nodiscard]] double exactSum(const Vec3<double>& p) const { return sumOfAll(p).value; }
 
-  /// A bound of the winding number's gradient where the box meets no triangle: by the law of Biot
-  /// and Savart it is 1/(4 pi) times the integral of dx cross (x - p) / |x - p|^3 along the open
-  /// edges, each times its multiplicity. 0 for a closed surface; the largest double where the box
-  /// touches (the box of a small piece of) an open edge.
+  /// A bound on the winding number's gradient where the box meets no triangle. By the Biot-Savart
+  /// law, the gradient is 1/(4 pi) times the integral of dx cross (x - p) / |x - p|^3 along the
+  /// open edges, each times its multiplicity. 0 for a closed surface; the largest double where the
+  /// box touches (the box of a small piece of) an open edge.
   [[nodiscard]] double gradientBound(const Box<double>& box) const;
 
-  /// Another, from the triangles' area: at most 2 dA / (4 pi r^3). It is the better one where edges
-  /// are open everywhere, as those of triangles that share no vertices: what they contribute
-  /// cancels, but for the cracks between them. The largest double where the box touches the box of
-  /// a triangle.
+  /// Another bound, from the triangles' area: at most 2 dA / (4 pi r^3). It is the better one where
+  /// edges are open everywhere, as with triangles that share no vertices: the contributions of such
+  /// edges cancel, except for the cracks between them. The largest double where the box touches the
+  /// box of a triangle.
   [[nodiscard]] double gradientBoundByArea(const Box<double>& box) const;
 
  private:
