@@ -9,7 +9,7 @@ namespace cutwater::detail {
 
 namespace {
 
-constexpr std::size_t kSubtree = 32768;  // ranges up to this are a task each
+constexpr std::size_t kSubtree = 32768;  // a range up to this size is one task
 
 struct Task {
   std::uint32_t node;
@@ -22,7 +22,7 @@ class Builder {
   Builder(const BinnedSplits& splits, std::uint32_t leafWidth, std::span<std::uint32_t> order)
       : splits_(splits), leafWidth_(leafWidth), order_(order) {}
 
-  /// Splits the ranges of more than `least` items; returns what is left to be done.
+  /// Splits the ranges of more than `least` items; returns those that remain.
   std::vector<Task> run(const Task& first, std::vector<BinaryNode>& nodes, std::size_t least) {
     std::vector<Task> pending{first};
     std::vector<Task> rest;
@@ -42,7 +42,7 @@ class Builder {
   }
 
  private:
-  /// Ends small ranges: as a leaf, or with all that is below them.
+  /// Finishes small ranges: as a leaf, or with the whole subtree.
   bool isFinished(Task& task, std::vector<BinaryNode>& nodes) {
     const auto count = task.range.count();
     const auto ids = order_.subspan(task.range.begin, count);
@@ -68,7 +68,7 @@ class Builder {
   std::span<std::uint32_t> order_;
 };
 
-/// Appends a subtree whose root is there already.
+/// Appends a subtree whose root already exists.
 void append(std::vector<BinaryNode>& nodes, std::uint32_t root,
             std::span<const BinaryNode> subtree) {
   const auto shift = static_cast<std::uint32_t>(nodes.size()) - 1;
@@ -107,7 +107,7 @@ BinaryBvh buildBinaryBvh(std::span<const Box<double>> boxes, std::uint32_t leafW
   Builder builder(splits, leafWidth, tree.order);
   const auto tasks = builder.run({0, 0, splits.all()}, tree.nodes, kSubtree);
 
-  // Nodes are put together in the order of tasks, whoever made them.
+  // Subtrees are joined in the order of the tasks, whichever threads made them.
   std::vector<std::vector<BinaryNode>> subtrees(tasks.size());
   const auto build = [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {

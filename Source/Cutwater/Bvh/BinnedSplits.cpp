@@ -21,7 +21,7 @@ float largestExtent(const Bounds4& box) {
   return std::max({size[0], size[1], size[2]});
 }
 
-/// Brings a box's longest extent near 1, without overflow on the way.
+/// Scales a box's longest extent to about 1, without intermediate overflow.
 struct Frame {
   Vec3<double> scaledCenter;
   double scale;
@@ -49,18 +49,19 @@ struct BinnedSplits::Bins {
 
 struct BinnedSplits::Choice {
   float cost = std::numeric_limits<float>::infinity();
-  std::size_t smallerHalf = 0;  // items on the side that has fewer
+  std::size_t smallerHalf = 0;  // items on the side with fewer
   std::size_t axis = 3;
   std::size_t position = 0;  // the first bin on the right
 
-  /// Of equal costs the more even split: on a line, where all boxes have no area, all are equal.
+  /// Of equal costs, prefers the more even split: on a line, where boxes have no area, all are
+  /// equal.
   [[nodiscard]] bool isBetterThan(const Choice& other) const {
     return cost < other.cost ||
            (cost == other.cost && other.axis != 3 && smallerHalf > other.smallerHalf);
   }
 };
 
-/// Which bins an item falls into.
+/// Assigns items to bins.
 class BinnedSplits::Binning {
  public:
   explicit Binning(const Bounds4& middles) : lower_(middles.lower) {
@@ -193,7 +194,7 @@ auto BinnedSplits::choose(const Bins& bins) const -> Choice {
   return best;
 }
 
-/// Stable: on each side items keep their order.
+/// Stable: items keep their order on each side.
 auto BinnedSplits::scatter(const ItemRange& range, const Binning& binning, const Choice& choice,
                            std::span<const Bins> chunks) const -> Halves {
   struct Sides {

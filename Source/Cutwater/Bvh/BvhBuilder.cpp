@@ -16,9 +16,9 @@ using detail::BinaryNode;
 
 /// Chooses which binary nodes become children of which K-ary node.
 ///
-/// cost(n, i): the least summed area of K-ary nodes when the subtree of n hangs below its parent in
-/// at most i lanes. It takes one lane as a node of its own, which costs area(n) and shares K lanes
-/// among its two children; or it dissolves, and its children share the i lanes.
+/// cost(n, i) is the least summed area of K-ary nodes when the subtree of n hangs below its parent
+/// in at most i lanes. Either n takes one lane as a node of its own, which costs area(n) and
+/// distributes K lanes among its two children; or it dissolves, and its children share the i lanes.
 template <int K>
 class Collapse {
  public:
@@ -46,15 +46,15 @@ class Collapse {
   }
 
  private:
-  /// Lanes for the left and the right child; 0, 0: not shared, the subtree takes one lane.
+  /// Lanes for the left and the right child; 0, 0: the subtree takes one lane undivided.
   struct Share {
     std::uint8_t left = 0;
     std::uint8_t right = 0;
   };
   struct Row {
-    std::array<float, K> cost{};  // [i - 1]: in at most i lanes. Leaves cost the same everywhere: 0
-    std::array<Share, K> share{};  // how to get there
-    Share own;                     // how a node made of this one shares its K lanes
+    std::array<float, K> cost{};   // [i - 1]: in at most i lanes. 0 for leaves: their cost is fixed
+    std::array<Share, K> share{};  // how this is achieved
+    Share own;                     // division of the K lanes of a node made of this one
   };
 
   void fill(std::size_t n) {
@@ -96,18 +96,18 @@ BvhNode<K> emptyNode() {
   return node;
 }
 
-/// A K-ary node and the binary nodes that it and its children come from.
+/// A K-ary node, given by the binary nodes that it and its children come from.
 struct Source {
   std::uint32_t node;
   int level;  // 1: the root
   std::vector<std::uint32_t> children;
 };
 
-/// The tree without boxes.
+/// Lays out the tree, without boxes.
 template <int K, int W>
 std::vector<Source> layOut(const BinaryBvh& binary, BvhArrays<K, W>& result) {
   const Collapse<K> collapse(binary);
-  // Breadth first: the children of a node are appended together, nodes and leaves each.
+  // Breadth first: the child nodes of a node are appended together, and so are its child leaves.
   std::vector<Source> sources{{.node = 0, .level = 1, .children = {}}};
   result.nodes.push_back(emptyNode<K>());
   for (std::size_t n = 0; n < result.nodes.size(); ++n) {

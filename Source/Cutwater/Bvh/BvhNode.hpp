@@ -8,36 +8,36 @@
 
 namespace cutwater {
 
-/// A point in the frame of a node, and how far rounding may have moved it there.
+/// A point in the frame of a node, and a bound on its rounding error there.
 struct BvhLocalPoint {
   Vec3<float> position;
   float error;  ///< on each axis
 };
 
-/// A node of a K-ary tree: the boxes of its children, in a frame that they share, component by
-/// component, and where the children are.
+/// A node of a K-ary tree. Stores the boxes of its children component by component, in a frame that
+/// they share, and the location of the children.
 ///
-/// Children that are nodes lie next to each other in the tree's array, children that are leaves in
-/// theirs, so the index of a child is its base plus the number of such children in lower lanes.
+/// Child nodes are contiguous in the tree's node array, child leaves in its leaf array, so the
+/// index of a child is the base plus the number of children of its kind in lower lanes.
 template <int K>
 struct alignas(64) BvhNode {
   static_assert(K >= 2 && K <= 16);
-  using Lanes = std::array<float, K>;  ///< a number for each child
+  using Lanes = std::array<float, K>;  ///< one number per child
 
   /// In the node's frame, rounded outward. Unused lanes hold the empty box: +-infinity.
   std::array<Lanes, 3> lower;
   std::array<Lanes, 3> upper;
-  /// A point p of the tree's frame is at axes (p - center). The rows are orthonormal but for their
+  /// Maps a point p of the tree's frame to axes (p - center). The rows are orthonormal up to
   /// rounding to float: a length in the node's frame is at most 1 + 2^-22 times the true one.
   Vec3<float> center;
   std::array<Vec3<float>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::uint32_t firstNode = 0;  ///< index of the first child that is a node
-  std::uint32_t firstLeaf = 0;  ///< and of the first that is a leaf
+  std::uint32_t firstLeaf = 0;  ///< index of the first child that is a leaf
   std::uint16_t nodeMask = 0;   ///< bit k: child k is a node
   std::uint16_t leafMask = 0;   ///< bit k: child k is a leaf
-  std::uint32_t unused = 0;     ///< fills the cache line, for K = 16: equal nodes, equal bytes
+  std::uint32_t unused = 0;     ///< pads the cache line for K = 16: equal nodes have equal bytes
 
-  /// Of the child in a lane: whether it is a leaf, and its index among nodes or among leaves.
+  /// Whether the child in a lane is a leaf, and its index among the nodes or leaves.
   [[nodiscard]] CUTWATER_INLINE bool isLeaf(int lane) const { return (leafMask >> lane & 1) != 0; }
   [[nodiscard]] CUTWATER_INLINE std::uint32_t nodeIndex(int lane) const {
     return firstNode + below(nodeMask, lane);
@@ -55,7 +55,7 @@ struct alignas(64) BvhNode {
     const auto k = static_cast<std::size_t>(lane);
     return {{lower[0][k], lower[1][k], lower[2][k]}, {upper[0][k], upper[1][k], upper[2][k]}};
   }
-  /// The child's box in the tree's frame, for trees that were built without turned frames.
+  /// The child's box in the tree's frame; only for trees built without turned frames.
   [[nodiscard]] CUTWATER_INLINE Box<double> alignedBox(int lane) const {
     const Box<double> local = localBox(lane);
     return {Vec3<double>(center) + local.lower, Vec3<double>(center) + local.upper};
@@ -65,10 +65,10 @@ struct alignas(64) BvhNode {
     return {dot(Vec3<double>(axes[0]), d), dot(Vec3<double>(axes[1]), d),
             dot(Vec3<double>(axes[2]), d)};
   }
-  /// The same in single precision. With u = 2^-24 and |d|_1 the sum of the components' sizes, the
-  /// conversion moves a coordinate by u |d|_1, three products and two sums by 3 u |d|_1, with or
-  /// without fused operations; the rest of 6 u covers this bound's own rounding and that of the sum
-  /// of a coordinate and its error.
+  /// The same in single precision. With u = 2^-24 and |d|_1 the sum of the absolute components, the
+  /// conversion moves a coordinate by u |d|_1, and three products and two sums by 3 u |d|_1, with
+  /// or without fused operations. The rest of 6 u covers the rounding of this bound itself and of
+  /// the sum of a coordinate and its error.
   [[nodiscard]] CUTWATER_INLINE BvhLocalPoint toLocalFloat(const Vec3<double>& p) const {
     const Vec3<float> d(p - Vec3<double>(center));
     const Vec3<float> size = abs(d);
@@ -88,7 +88,7 @@ struct BvhFrame {
   Vec3<double> center;
   double scale = 1;
 
-  /// From the coordinates of the primitives to the tree's, and back.
+  /// Converts from the coordinates of the primitives to those of the tree, and back.
   [[nodiscard]] CUTWATER_INLINE Vec3<double> toFrame(const Vec3<double>& p) const {
     return scale * (p - center);
   }

@@ -11,7 +11,7 @@ namespace {
 
 using detail::NodeChild;
 
-/// What each leaf and each node holds now.
+/// The primitives that each leaf and each node contains.
 template <int K, int W>
 class Contents {
  public:
@@ -39,7 +39,7 @@ class Contents {
   }
 
  private:
-  /// Children take the lanes from the first on.
+  /// Children occupy the lanes from the first on.
   template <typename Self, typename Visit>
   static void forChildren(Self& self, std::size_t n, Visit&& visit) {
     const auto& node = self.arrays_.nodes[n];
@@ -50,7 +50,7 @@ class Contents {
     }
   }
 
-  // First ranges begin at 0 and only tell how many primitives there are.
+  // At first, ranges begin at 0 and only give the number of primitives.
   void fitLeaf(std::size_t i, std::span<const Box<double>> boxes) {
     for (const auto id : arrays_.tree().leaf(static_cast<std::uint32_t>(i))) {
       if (id == kNone) break;

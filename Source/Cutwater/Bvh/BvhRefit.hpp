@@ -4,20 +4,20 @@
 
 namespace cutwater {
 
-/// Fits a tree to primitives that have moved: the boxes of all nodes, and the frame of the whole,
-/// are computed anew, by the rules of the builder, from `boxes`, which are those of the primitives
-/// now, by their ids. Which primitives share a leaf or a node stays, and so do the axes of nodes
-/// that were turned: their boxes are fitted to the primitives' boxes.
+/// Fits a tree to primitives that have moved. Recomputes the boxes of all nodes and the tree's
+/// frame, by the rules of the builder, from `boxes`: the current boxes of the primitives, indexed
+/// by id. The grouping of primitives into leaves and nodes is kept, and so are the axes of turned
+/// nodes, whose boxes are fitted to the boxes of the primitives.
 ///
-/// Queries are right after any motion, but slow if what was near each other is no longer. Nobody
-/// else may use the tree meanwhile. In parallel, by at most so many threads (see ParallelOptions);
-/// the result does not depend on their number. Empty and infinite boxes are the caller's to keep
-/// out.
-/// @throws Error unless there are as many boxes as primitives in the tree.
+/// Queries are correct after any motion, but slow if primitives that were close together no longer
+/// are. No other thread may use the tree during the call. Runs in parallel on at most `threads`
+/// threads (see ParallelOptions); the result does not depend on their number. The caller must
+/// exclude empty and infinite boxes. @throws Error unless there are as many boxes as primitives in
+/// the tree.
 template <int K, int W>
 void refitBvh(BvhArrays<K, W>& arrays, std::span<const Box<double>> boxes, int threads = 0);
 
-/// The same for triangles: turned boxes are fitted to their corners, which is tighter.
+/// The same for triangles: turned boxes are fitted to the triangles' corners, which is tighter.
 template <int K, int W>
 void refitTurnedBvh(BvhArrays<K, W>& arrays, std::span<const Box<double>> boxes, BvhCorners corners,
                     int threads = 0);

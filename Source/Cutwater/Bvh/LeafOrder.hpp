@@ -6,8 +6,8 @@
 
 namespace cutwater::detail {
 
-/// A tree over small primitives, which lie in memory as they do in its leaves: a search reads those
-/// of a leaf from one place, where LinearBVH looks each up by its index.
+/// A tree over small primitives, stored in memory in the order of its leaves. A search reads the
+/// primitives of a leaf from one place, whereas LinearBVH looks each up by its index.
 template <typename P>
 class LeafOrder {
  public:
@@ -20,7 +20,8 @@ class LeafOrder {
     }
   }
 
-  /// BvhTree::nearest(); leaf(primitives, ids) gets those of a leaf, as many as there are.
+  /// BvhTree::nearest(), but leaf(primitives, ids) receives the primitives of a leaf, without
+  /// unused slots.
   template <typename Leaf>
   void nearest(const Vec3<double>& p, double best, double error, Leaf&& leaf) const {
     arrays_.tree().nearest(p, best, error, [&](std::span<const std::uint32_t> slots) {

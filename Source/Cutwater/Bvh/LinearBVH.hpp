@@ -13,68 +13,69 @@ namespace cutwater {
 
 /// A flat K-ary bounding volume hierarchy over primitives of any type.
 ///
-/// All queries are clients of one traversal (see BvhTree) and evaluate the primitives themselves,
-/// so that answers are those of trying all, to the bit. They do not allocate. Values and crossings
-/// are trusted to 16 eps of the coordinates that they come from. Queries at points or along
-/// segments that are not finite find nothing. Over a primitive of the user's they are compiled in
-/// the user's file: their margins have room for what its compiler flags do to them.
+/// All queries use one traversal (see BvhTree) and evaluate the primitives themselves, so results
+/// are bit for bit those of testing every primitive. Queries do not allocate. Values and crossings
+/// are assumed accurate to 16 eps of the coordinates that they are computed from. Queries at points
+/// or along segments that are not finite find nothing. For user-defined primitives, queries are
+/// compiled in the user's translation unit: their margins allow for the effects of its compiler
+/// flags.
 ///
-/// Memory: 24 K + 60 bytes a node (rounded up to cache lines), about one node for every 10 leaves
-/// of 4 primitives, beside the primitives themselves.
+/// Memory: 24 K + 60 bytes per node (rounded up to cache lines), with about one node per 10 leaves
+/// of 4 primitives, in addition to the primitives themselves.
 template <std::floating_point T, Primitive<T> P, int K = 16>
 class LinearBVH {
  public:
-  using Tree = BvhTree<K, 4>;           ///< over leaves of four primitives
-  using Nearest = NearestPrimitive<T>;  ///< what nearest() finds
+  using Tree = BvhTree<K, 4>;           ///< with leaves of four primitives
+  using Nearest = NearestPrimitive<T>;  ///< result of nearest()
 
   /// @throws Error if a bounding box is empty or not finite; Error(Limit) beyond 2^32 - 2.
   explicit LinearBVH(std::vector<P> primitives);
 
-  /// Puts primitives that have moved in the place of those before, each under its index, and fits
-  /// the boxes of the tree to them: see BvhRefit. Much cheaper than building a tree. Nobody else
-  /// may use the tree meanwhile. Returns the primitives before, whose memory may serve for the next
+  /// Replaces the primitives by ones that have moved, each under its index, and fits the boxes of
+  /// the tree to them: see BvhRefit. Much cheaper than building a tree. No other thread may use the
+  /// tree during the call. Returns the previous primitives, whose memory can be reused for the next
   /// step:
   ///
   ///     spare = bvh.primitives();  move(spare);  spare = bvh.refit(std::move(spare));
   ///
   /// @throws Error unless there are as many as before, with boxes that are finite and not empty;
-  /// nothing has changed then.
+  /// the tree is then unchanged.
   std::vector<P> refit(std::vector<P> moved);
 
-  /// The primitive with the least value at `point`, the first of them where values tie. Only values
-  /// not above `limit` count.
+  /// The primitive with the least value at `point`; of equal values, the one with the lowest index.
+  /// Values above `limit` are ignored.
   [[nodiscard]] Nearest nearest(const Vec3<T>& point,
                                 T limit = std::numeric_limits<T>::max()) const;
 
-  /// The primitives with the least values at `point`: as many as `results` has room for, in the
-  /// order of their values, those with equal values in the order of their indices. Only values not
-  /// above `limit` count. Returns how many were found.
+  /// Finds the primitives with the least values at `point`: as many as `results` has room for,
+  /// sorted by value, and by index where values are equal. Values above `limit` are ignored.
+  /// Returns how many were found.
   std::size_t nearest(const Vec3<T>& point, std::span<Nearest> results,
                       T limit = std::numeric_limits<T>::max()) const;
 
-  /// Calls visit(Nearest) for every primitive whose value at `point` is not above `radius`, in no
-  /// order, until it answers false.
+  /// Calls visit(Nearest) for every primitive whose value at `point` is at most `radius`, in no
+  /// particular order, until it returns false.
   template <std::predicate<const NearestPrimitive<T>&> Visit>
   void within(const Vec3<T>& point, T radius, Visit&& visit) const;
 
-  /// Calls visit(index) for every primitive whose bounding box meets `box`, in no order, until it
-  /// answers false.
+  /// Calls visit(index) for every primitive whose bounding box meets `box`, in no particular order,
+  /// until it returns false.
   template <std::predicate<std::uint32_t> Visit>
   void overlapping(const Box<T>& box, Visit&& visit) const;
 
   /// Calls visit(index) for every primitive whose bounding box the segment meets, and for some that
-  /// it misses, about in the order in which it meets their boxes, until it answers false.
+  /// it misses, roughly in the order in which it meets their boxes, until it returns false.
   template <std::predicate<std::uint32_t> Visit>
   void along(const Segment<T>& segment, Visit&& visit) const;
 
-  /// Whether the segment crosses any of the primitives; the first one found is enough.
-  // A template, so that trees of what knows no crossings can be instantiated as a whole: clang 14
-  // would instantiate a constrained member as well.
+  /// Whether the segment crosses any of the primitives; stops at the first one found.
+  // A template, so that trees over primitives without crosses() can be instantiated explicitly:
+  // clang 14 would instantiate a constrained member as well.
   template <Crossable<T> Q = P>
   [[nodiscard]] bool anyHit(const Segment<T>& segment) const;
 
-  /// Calls visit(index) for every primitive that the segment crosses, about in the order in which
-  /// it meets their boxes, until it answers false.
+  /// Calls visit(index) for every primitive that the segment crosses, roughly in the order in which
+  /// it meets their boxes, until it returns false.
   template <std::predicate<std::uint32_t> Visit>
   void allHits(const Segment<T>& segment, Visit&& visit) const requires Crossable<P, T>;
 
@@ -82,14 +83,15 @@ class LinearBVH {
   [[nodiscard]] Tree tree() const { return arrays_.tree(); }
 
  private:
-  /// The primitives' boxes, checked, and how far the farthest of their corners is.
+  /// The validated boxes of the primitives, and the distance of their farthest corner from the
+  /// origin.
   struct Bounds {
     explicit Bounds(std::span<const P> primitives);
     std::vector<Box<double>> boxes;
     double reach = 0;
   };
 
-  /// How far values at points of this size, and bounding boxes, may be off.
+  /// Error bound of bounding boxes, and of values at points of this magnitude.
   [[nodiscard]] CUTWATER_INLINE double error(double size) const {
     return 16 * double{std::numeric_limits<T>::epsilon()} * (size + reach_);
   }

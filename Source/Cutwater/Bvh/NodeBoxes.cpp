@@ -69,12 +69,12 @@ void NodeBoxes::fitAligned() {
   center_ = static_cast<Vec3<float>>(whole.center());
   const Vec3<double> origin(center_);
   for (auto& box : boxes_) box = {box.lower - origin, box.upper - origin};
-  // Conversion to the frame, the difference to its centre, three products and two sums.
+  // Conversion to the frame, the difference from its centre, three products and two sums.
   rounding_ = 0x1p-49 * maxComponent(max(abs(whole.lower), abs(whole.upper)));
 }
 
 void NodeBoxes::turnIfSmaller() {
-  constexpr std::uint32_t kFew = 1024;  // fit into a cache
+  constexpr std::uint32_t kFew = 1024;  // these fit into a cache
   if (end_ - begin_ <= kFew) {
     std::vector<Corners> local;
     local.reserve(end_ - begin_);
@@ -82,7 +82,7 @@ void NodeBoxes::turnIfSmaller() {
     local_ = std::move(local);
   }
   const Axes turned = fittingAxes();
-  // Every sixteenth triangle often is enough to see that nothing is gained.
+  // Every sixteenth triangle is often enough to see that turning gains nothing.
   const bool isLarge = local_.empty();
   if (isLarge && !(summedArea(boxesAlong(turned, 16)) < summedArea(boxes_))) return;
   auto turnedBoxes = boxesAlong(turned, 1);
@@ -140,7 +140,7 @@ NodeBoxes::Axes NodeBoxes::fittingAxes() const {
   const Matrix3d flat = Matrix3d::Identity() - n * n.transpose();
   const Matrix3d covariance = spread - sum * sum.transpose() / samples;
   const Vector3d u = principalAxis(flat * covariance * flat);
-  // Orthonormal whatever the solver made of degenerate matrices.
+  // Orthonormal even where the solver failed on degenerate matrices.
   const Vector3d first = (u - u.dot(n) * n).normalized();
   const Vector3d second = n.cross(first);
   const auto row = [](const Vector3d& v) {
@@ -148,7 +148,7 @@ NodeBoxes::Axes NodeBoxes::fittingAxes() const {
   };
   const Axes axes{row(first), row(second), row(n)};
   const bool valid = std::ranges::all_of(axes, [](const auto& axis) {
-    return std::abs(length(axis) - 1) < 0x1p-20F;  // not if anything is NaN
+    return std::abs(length(axis) - 1) < 0x1p-20F;  // false if anything is NaN
   });
   return valid ? axes : axes_;
 }

@@ -8,22 +8,22 @@
 
 namespace cutwater::detail {
 
-/// A child of a K-ary node: the box of its primitives, and their range in an order of all.
+/// A child of a K-ary node: the box of its primitives, and their range in NodeContents::order.
 struct NodeChild {
   Box<double> box;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
 };
 
-/// What the boxes of a tree are fitted to.
+/// The primitives to which the boxes of a tree are fitted.
 struct NodeContents {
-  std::span<const std::uint32_t> order;  ///< ids, those of each child in a row
+  std::span<const std::uint32_t> order;  ///< ids, contiguous for each child
   std::span<const Box<double>> boxes;    ///< by id
-  const BvhCorners* corners = nullptr;   ///< of triangles; null: only their boxes count
+  const BvhCorners* corners = nullptr;   ///< of triangles; null: only boxes are known
   BvhFrame frame;
 };
 
-/// The frame of a tree over primitives in this box. It depends on nothing else.
+/// The frame of a tree over primitives in this box. It depends only on the box.
 [[nodiscard]] BvhFrame frameOf(const Box<double>& box);
 
 /// The frame of a K-ary node and the boxes of its children in it; see BvhNode.
@@ -31,15 +31,15 @@ class NodeBoxes {
  public:
   using Axes = std::array<Vec3<float>, 3>;
 
-  /// In the frame of the tree, or in one along the mean normal of the triangles and their longest
-  /// extent across it, where the summed area of the boxes is smaller there. The children come in
-  /// order, and leave nothing out.
+  /// Uses the frame of the tree, or one along the mean normal of the triangles and their longest
+  /// extent across it, if the summed area of the boxes is smaller there. The ranges of the children
+  /// must be in order and without gaps.
   NodeBoxes(const NodeContents& contents, std::span<const NodeChild> children);
-  /// In a frame with these axes: fitted to corners of triangles or, if only boxes are known, to
-  /// theirs.
+  /// Uses a frame with these axes. The boxes are fitted to the corners of the triangles or, if only
+  /// boxes are known, to the corners of those.
   NodeBoxes(const NodeContents& contents, std::span<const NodeChild> children, const Axes& axes);
 
-  /// Moves the node's frame and its children's boxes; the lanes beyond stay as they are.
+  /// Writes the node's frame and its children's boxes; unused lanes are left unchanged.
   template <int K>
   void write(BvhNode<K>& node) const {
     node.center = center_;
@@ -59,7 +59,7 @@ class NodeBoxes {
 
   static constexpr Axes kAligned{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-  /// Encloses the child, rounding included.
+  /// The child's box, rounded outward.
   [[nodiscard]] Box<float> box(std::size_t child) const;
   void fitAligned();
   void turnIfSmaller();
@@ -75,7 +75,7 @@ class NodeBoxes {
   Vec3<float> center_;
   Axes axes_ = kAligned;
   std::vector<Box<double>> boxes_;
-  std::vector<Corners> local_;  // corners relative to the centre, if they are few
+  std::vector<Corners> local_;  // corners relative to the centre, if few
   double rounding_ = 0;
 };
 

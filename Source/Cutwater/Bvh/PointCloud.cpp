@@ -8,7 +8,7 @@
 
 namespace cutwater {
 
-/// The least squares that were seen are kept as the distances of neighbors, until the end.
+/// Until the end of a search, the distances in the neighbours hold squares.
 template <std::floating_point T>
 class PointCloud<T>::Tree {
  public:
@@ -22,7 +22,7 @@ class PointCloud<T>::Tree {
   [[nodiscard]] Neighbor<T> nearest(const Vec3<T>& p, T limit) const {
     Neighbor<T> best{.distance = squared(limit)};
     visit(p, limit, [&](std::span<const Vec3<T>> points, std::span<const std::uint32_t> ids) {
-      // Whether a point is nearer than those before it is hard to predict, so only the least of a
+      // Whether a point beats the previous ones is hard to predict, so only the least square of a
       // leaf is compared with the best.
       std::array<T, kLeafWidth> squares;
       T least = std::numeric_limits<T>::max();
@@ -56,7 +56,7 @@ class PointCloud<T>::Tree {
     return static_cast<std::size_t>(last - found.begin());
   }
 
-  /// Tells the squares of their distances.
+  /// Reports squared distances.
   void within(const Vec3<T>& p, T radius, FunctionRef<bool(const Neighbor<T>&)> tell) const {
     const T most = squared(radius);
     visit(p, radius, [&](std::span<const Vec3<T>> points, std::span<const std::uint32_t> ids) {
@@ -68,7 +68,7 @@ class PointCloud<T>::Tree {
       return double{radius};
     });
   }
-  /// Appends them in order.
+  /// Appends the neighbours in order.
   void appendWithin(const Vec3<T>& p, T radius, std::vector<Neighbor<T>>& all) const {
     const auto first = static_cast<std::ptrdiff_t>(all.size());
     within(p, radius, [&](const Neighbor<T>& neighbor) {
@@ -81,7 +81,7 @@ class PointCloud<T>::Tree {
     }
   }
 
-  /// The nearest, with kNone in the rest of the row.
+  /// Fills the row with the nearest points, then with kNone.
   std::size_t fillRow(const Vec3<T>& p, std::span<Neighbor<T>> row, T limit) const {
     if (row.size() > 1) {
       const auto found = nearest(p, row, limit);
@@ -93,7 +93,7 @@ class PointCloud<T>::Tree {
     return found.primitive == kNone ? 0 : 1;
   }
 
-  /// As far as a point's neighbor can be if it is `distance` away from another point.
+  /// Upper bound on the distance from `to` to its neighbour, given that of `from`.
   [[nodiscard]] T limitAfter(T distance, const Vec3<T>& from, const Vec3<T>& to) const {
     const T way = length(to - from);
     const T rounding = 16 * std::numeric_limits<T>::epsilon() *
@@ -103,7 +103,7 @@ class PointCloud<T>::Tree {
 
  private:
   static constexpr std::size_t kLeafWidth = detail::LeafOrder<Vec3<T>>::kWidth;
-  /// Coordinates whose squares, and their sums, are far from overflow.
+  /// The squares of such coordinates, and the sums of these, are far from overflow.
   static constexpr T kFarthest = sizeof(T) == sizeof(float) ? T(0x1p60) : T(0x1p500);
 
   static bool isNear(const Vec3<T>& p) { return maxComponent(abs(p)) <= kFarthest && isFinite(p); }
@@ -119,7 +119,7 @@ class PointCloud<T>::Tree {
     return boxes;
   }
 
-  /// Not less than the square of any distance that is not above the limit.
+  /// At least the square of any distance up to the limit.
   static T squared(T limit) {
     const T reach = std::min(limit, 4 * kFarthest);
     return reach < 0 ? T(-1)
@@ -131,7 +131,7 @@ class PointCloud<T>::Tree {
   void visit(const Vec3<T>& p, T limit, Leaf&& leaf) const {
     if (!isNear(p) || !(limit >= 0)) return;
     const Vec3<double> q(p);
-    // Squares underflow below the second term.
+    // The second term covers the underflow of squares.
     const double error = 8 * double{std::numeric_limits<T>::epsilon()} * (length(q) + reach_) +
                          4 * std::sqrt(double{std::numeric_limits<T>::min()});
     points_.nearest(q, double{limit}, error, leaf);
@@ -144,7 +144,7 @@ class PointCloud<T>::Tree {
 
 namespace {
 
-/// Points that one thread takes one after the other.
+/// Number of points that one thread processes consecutively.
 constexpr std::size_t kBatch = 256;
 
 ParallelOptions inBatches(ParallelOptions options) {
@@ -201,8 +201,8 @@ void PointCloud<T>::nearest(std::span<const Vec3<T>> points, std::size_t count,
       const auto row = results.subspan(n * count, count);
       const auto found = tree_->fillRow(points[n], row, limit);
       if (n + 1 == end) break;
-      // On the way to the next point, which is often near, no distance changes by more than the
-      // way.
+      // From one point to the next, which is often near, no distance changes by more than the
+      // distance between the two.
       limit = found < count ? kAnywhere
                             : tree_->limitAfter(row.back().distance, points[n], points[n + 1]);
       if (!std::isfinite(limit)) limit = kAnywhere;

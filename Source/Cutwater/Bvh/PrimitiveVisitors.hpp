@@ -8,35 +8,34 @@
 
 namespace cutwater {
 
-/// What a type must offer to be put into a LinearBVH: a finite bounding box, and a value at a point
-/// that is at least the distance to that box wherever the point is outside of it. (Any distance or
-/// signed distance is.)
+/// Requirements on the primitives of a LinearBVH: a finite bounding box, and a value at a point
+/// that is at least the distance to that box wherever the point is outside it. (Any distance or
+/// signed distance qualifies.)
 template <typename P, typename T>
 concept Primitive = std::copyable<P> && requires(const P& primitive, const Vec3<T>& point) {
   { primitive.boundingBox() } -> std::convertible_to<Box<T>>;
   { primitive.distance(point) } -> std::convertible_to<T>;
 };
 
-/// A primitive that knows whether a segment meets it. Where it does, the segment must meet the
-/// bounding box, or come as close to it as a few roundings of the coordinates.
+/// A primitive that can test whether a segment crosses it. Where it does, the segment must meet the
+/// bounding box, or come within a few roundings of the coordinates of it.
 template <typename P, typename T>
 concept Crossable = Primitive<P, T> && requires(const P& primitive, const Segment<T>& segment) {
   { primitive.crosses(segment) } -> std::convertible_to<bool>;
 };
 
-/// A primitive, and its value at the point that was asked about.
+/// A primitive, and its value at the query point.
 template <std::floating_point T>
 struct NearestPrimitive {
   std::uint32_t primitive = kNone;  ///< index into primitives(); kNone: none within the limit
   T distance = std::numeric_limits<T>::max();
 };
 
-// What LinearBVH does with the leaves that the traversal visits. Classes, not lambdas: see
-// Inline.hpp.
+// Visitors that LinearBVH passes to the traversal. Classes, not lambdas: see Inline.hpp.
 namespace detail {
 
-/// By value, equals by index. Of the primitives' type, so that what algorithms make of it is no
-/// function that a user's tree shares with one of the library's.
+/// Orders by value, then by index. Depends on the primitives' type, so that instantiations of
+/// algorithms with it are not shared between a user's tree and one of the library's.
 template <std::floating_point T, typename P>
 struct IsBefore {
   CUTWATER_INLINE bool operator()(const NearestPrimitive<T>& a,
@@ -45,14 +44,14 @@ struct IsBefore {
   }
 };
 
-/// Keeps the least value, the first of equals.
+/// Keeps the least value; of equal ones, that with the lowest index.
 template <std::floating_point T, typename P>
 class LeastVisitor {
  public:
   LeastVisitor(std::span<const P> primitives, const Vec3<T>& point, NearestPrimitive<T>& best)
       : primitives_(primitives), point_(point), best_(best) {}
 
-  /// Returns the value that the next one must not exceed.
+  /// Returns the value that further ones must not exceed.
   CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
     for (const auto id : slots) {
       if (id == kNone) break;
@@ -68,7 +67,7 @@ class LeastVisitor {
   NearestPrimitive<T>& best_;
 };
 
-/// The least values so far, in a heap with the greatest of them on top.
+/// The least values so far, in a heap with the greatest on top.
 template <std::floating_point T, typename P>
 class LeastHeap {
  public:
@@ -77,9 +76,9 @@ class LeastHeap {
   CUTWATER_INLINE void offer(const NearestPrimitive<T>& candidate) {
     if (candidate.distance <= limit_) keep(candidate);
   }
-  /// What the next one must not exceed.
+  /// The value that further ones must not exceed.
   [[nodiscard]] CUTWATER_INLINE T limit() const { return limit_; }
-  /// Puts them in order, and returns how many there are.
+  /// Sorts the values, and returns how many there are.
   std::size_t sorted() {
     std::sort_heap(results_.begin(), end(), IsBefore<T, P>());
     return count_;
@@ -104,7 +103,7 @@ class LeastHeap {
   T limit_;
 };
 
-/// Keeps the least values.
+/// Keeps the least values, as many as there is room for.
 template <std::floating_point T, typename P>
 class SeveralLeastVisitor {
  public:
@@ -112,7 +111,7 @@ class SeveralLeastVisitor {
                       std::span<NearestPrimitive<T>> results, T limit)
       : primitives_(primitives), point_(point), least_(results, limit) {}
 
-  /// Returns the value that the next one must not exceed.
+  /// Returns the value that further ones must not exceed.
   CUTWATER_INLINE double operator()(std::span<const std::uint32_t> slots) {
     for (const auto id : slots) {
       if (id == kNone) break;
@@ -128,7 +127,7 @@ class SeveralLeastVisitor {
   LeastHeap<T, P> least_;
 };
 
-/// Tells all values up to a radius.
+/// Reports all values up to a radius.
 template <std::floating_point T, typename P, typename Visit>
 class WithinVisitor {
  public:
@@ -151,7 +150,7 @@ class WithinVisitor {
   Visit& visit_;
 };
 
-/// All primitives of a leaf, one after the other.
+/// Visits all primitives of a leaf in turn.
 template <typename Visit>
 class EachVisitor {
  public:

@@ -7,9 +7,9 @@ namespace cutwater::detail {
 
 namespace {
 
-/// Orders as the number does.
+/// Maps floats to integers of the same order.
 std::uint32_t sortable(float x) {
-  const auto bits = std::bit_cast<std::uint32_t>(x + 0.0F);  // one zero only
+  const auto bits = std::bit_cast<std::uint32_t>(x + 0.0F);  // so that -0 becomes +0
   return (bits >> 31U) != 0 ? ~bits : bits | 0x80000000U;
 }
 
@@ -26,7 +26,7 @@ void SweepSplits::sortAlong(std::size_t axis) {
   const auto own = std::span(keys).first(items_.size());
   for (std::size_t i = 0; i < own.size(); ++i) {
     const float center = items_[i].lower[axis] + items_[i].upper[axis];
-    own[i] = std::uint64_t{sortable(center)} << 32U | i;  // ties by place
+    own[i] = std::uint64_t{sortable(center)} << 32U | i;  // ties are ordered by place
   }
   std::ranges::sort(own);
   for (std::size_t i = 0; i < own.size(); ++i) sorted_[axis][i] = static_cast<Place>(own[i]);
@@ -52,7 +52,7 @@ void SweepSplits::run(std::size_t node, std::vector<BinaryNode>& nodes,
 }
 
 auto SweepSplits::bestSplit(std::size_t begin, std::size_t end) -> Split {
-  // In the middle, if no cost is a number.
+  // Fallback if no cost is a number: split in the middle.
   const auto leaves = (end - begin + leafWidth_ - 1) / leafWidth_;
   Split best{std::numeric_limits<float>::infinity(), 0, begin + leaves / 2 * leafWidth_};
   for (std::size_t axis = 0; axis < 3; ++axis) tryAxis(axis, begin, end, best);
@@ -61,7 +61,7 @@ auto SweepSplits::bestSplit(std::size_t begin, std::size_t end) -> Split {
 
 void SweepSplits::tryAxis(std::size_t axis, std::size_t begin, std::size_t end, Split& best) {
   const auto box = [&](std::size_t i) { return boundsOf(items_[sorted_[axis][i]]); };
-  const std::size_t last = (end - begin - 1) / leafWidth_;  // the last place of a split, in leaves
+  const std::size_t last = (end - begin - 1) / leafWidth_;  // last split position, in leaves
   Bounds4 right;
   auto done = end;
   for (auto leaf = last; leaf > 0; --leaf) {
@@ -89,7 +89,7 @@ void SweepSplits::part(const Split& split, std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
       const Place place = places[i];
       const std::size_t goesLeft = isLeft_[place] ? 1 : 0;
-      places[lefts] = place;  // either is overwritten unless it belongs there
+      places[lefts] = place;  // overwritten later unless it belongs there
       right[rights] = place;
       lefts += goesLeft;
       rights += 1 - goesLeft;

@@ -5,13 +5,13 @@
 
 namespace cutwater::detail {
 
-/// Splits a few items all the way down to leaves, each time the best of all splits into full
-/// leaves. They are sorted along each axis once; splits keep the order.
+/// Splits a few items all the way down to leaves, always by the best split into full leaves. The
+/// items are sorted along each axis once; splits preserve the order.
 class SweepSplits {
  public:
   static constexpr std::size_t kMostItems = 256;
 
-  /// At most kMostItems.
+  /// Takes at most kMostItems items.
   SweepSplits(std::span<const SplitItem> items, std::uint32_t leafWidth);
 
   /// Appends the nodes below `node`, which holds all items, and writes their ids to `order`.
@@ -33,8 +33,8 @@ class SweepSplits {
   std::span<const SplitItem> items_;
   std::size_t leafWidth_;
   std::array<std::array<Place, kMostItems>, 3> sorted_;  // by centre along each axis
-  std::array<float, kMostItems> rightCost_;              // of what follows so many leaves
-  std::array<bool, kMostItems> isLeft_;                  // by place
+  std::array<float, kMostItems> rightCost_;              // of the items after this many leaves
+  std::array<bool, kMostItems> isLeft_;                  // indexed by place
 };
 
 }  // namespace cutwater::detail

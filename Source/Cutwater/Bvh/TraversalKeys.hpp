@@ -13,14 +13,15 @@
 
 namespace cutwater {
 
-/// The limit above all keys. Not infinity, which a user's -ffast-math would be free to ignore.
+/// Upper bound of all keys. Not infinity, which -ffast-math in the user's code could ignore.
 inline constexpr float kMostKey = std::numeric_limits<float>::max();
 
-/// Sums, over the axes, the squared gaps between [first, last] and what a node's children span.
+/// Sums, over the axes, the squared gaps between [first, last] and the extents of a node's
+/// children.
 template <int K>
 class SquaredGaps {
  public:
-  // The lane loop is innermost and writes to an array of its own: so compilers vectorise it.
+  // The lane loop is innermost and writes to an array of its own, so that compilers vectorise it.
   /// Adds the gaps along one axis.
   CUTWATER_INLINE void add(const BvhNode<K>& node, int axis, float first, float last) {
     const auto& lowers = node.lower[static_cast<std::size_t>(axis)];
@@ -32,7 +33,7 @@ class SquaredGaps {
       sums_[k] += gap > 0 ? gap * gap : 0;
     }
   }
-  /// The sums, none above kMostKey.
+  /// Writes the sums, clamped to kMostKey.
   CUTWATER_INLINE void writeTo(typename BvhNode<K>::Lanes& out) const {
     for (std::size_t k = 0; k < K; ++k) out[k] = sums_[k] < kMostKey ? sums_[k] : kMostKey;
   }
@@ -41,8 +42,8 @@ class SquaredGaps {
   typename BvhNode<K>::Lanes sums_{};
 };
 
-/// Squared distances from `p`, in the tree's frame, to boxes; never more than the true ones but for
-/// the rounding of the squares.
+/// Squared distances from `p`, in the tree's frame, to boxes; never more than the true ones except
+/// for the rounding of the squares.
 template <int K>
 struct PointDistances {
   Vec3<double> p;
@@ -59,9 +60,9 @@ struct PointDistances {
   }
 };
 
-/// Squared distances, in the tree's frame, from a box to the boxes of a node's children, or rather
-/// to the box around it in the node's frame; never more than the true ones but for the rounding of
-/// the squares, and 0 where they meet, or might but for rounding.
+/// Squared distances, in the tree's frame, from a box to the boxes of a node's children; strictly,
+/// from its bounding box in the node's frame. Never more than the true ones except for the rounding
+/// of the squares, and 0 where the boxes meet, or might meet within rounding.
 template <int K>
 class BoxDistances {
  public:
@@ -78,7 +79,7 @@ class BoxDistances {
     SquaredGaps<K> gaps;
     for (int axis = 0; axis < 3; ++axis) {
       const Vec3<double> row(node.axes[static_cast<std::size_t>(axis)]);
-      // What the box spans, and more than the rounding of it all.
+      // Half the extent of the box, plus more than all rounding errors.
       const double reach =
           size(dot(row, half_[0])) + size(dot(row, half_[1])) + size(dot(row, half_[2])) + slack_;
       gaps.add(node, axis, outward(center[axis] - reach, -1), outward(center[axis] + reach, 1));
@@ -88,10 +89,10 @@ class BoxDistances {
 
  private:
   CUTWATER_INLINE static double size(double x) { return x < 0 ? -x : x; }
-  /// Rounded to float towards `direction` and on by more than an ulp. Boxes of the tree end at
-  /// about 1, so far beyond it nothing needs to be told apart.
+  /// Rounds to float towards `direction`, and further by more than an ulp. The boxes of the tree
+  /// end at about 1, so values far beyond that need not be distinguished.
   CUTWATER_INLINE static float outward(double value, int direction) {
-    constexpr double kFar = 1e15;  // squares do not overflow
+    constexpr double kFar = 1e15;  // its square does not overflow
     const double margin = 0x1p-23 * size(value) + 0x1p-126;
     return static_cast<float>(std::clamp(value + direction * margin, -kFar, kFar));
   }
@@ -101,7 +102,7 @@ class BoxDistances {
   double slack_;
 };
 
-/// Where along the segment a child's box begins, never less than -1.
+/// The parameter along the segment at which a child's box begins, never less than -1.
 template <int K>
 class FirstParameters {
  public:
