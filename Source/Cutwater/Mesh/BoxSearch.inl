@@ -7,42 +7,42 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-/// By how much an interval is apart from [-reach, reach]; negative where they overlap.
+/// Separation of an interval from [-reach, reach]; negative where they overlap.
 CUTWATER_INLINE inline Floats separation(Floats lower, Floats upper, Floats reach) {
   return most(lower, broadcast(0.0F) - upper) - reach;
 }
 
-// Separating axes (Gottschalk, Lin and Manocha 1996, "OBBTree"): of two convex bodies that are
-// apart, a triangle and a box are so along an axis of the box, the triangle's normal, or a
-// direction across an edge of each. What these separations, relative to the direction's length, may
-// be off by, in units of u R, with u = 2^-24 and R the sum of the packet's radius, of the way to
-// its centre and of the box's half lengths; to first order:
+// Separating axes (Gottschalk, Lin and Manocha 1996, "OBBTree"): a triangle and a box that are
+// disjoint are separated along an axis of the box, the triangle's normal, or a direction across an
+// edge of each. The errors of these separations, relative to the direction's length, are bounded
+// below to first order, in units of u R: u = 2^-24, and R is the sum of the packet's radius, the
+// distance to its centre and the box's half lengths.
 //
-// a corner's coordinates, from the box's centre along its axes: A is rounded, the centre is, and
-// so is their difference, 2; an axis of the box is, 1, and a dot product, 3: 6 for A. An edge's
-// 1 + 4 for lengths up to 2 R makes 10, and the sum 1: 17 for B and C.
+// Coordinates of a corner, from the box's centre along its axes: rounding of A, of the centre and
+// of their difference, 2; of an axis of the box, 1; of a dot product, 3: 6 for A. An edge's 1 + 4
+// for lengths up to 2 R makes 10, and the sum 1: 17 for B and C.
 //
-// Along the box's axes: 17, and 3 for the half length, its product and the difference: 20.
+// Along the box's axes: 17, plus 3 for the half length, its product and the difference: 20.
 //
 // Along the normal, of length 1: it is off by 5 on each axis, by 5 sqrt(3) in all; A by 6 sqrt(3);
 // the dot product by 3, and the box's reach by 9: 31. (B and C have the same height as A.)
 //
-// Across an edge, relative to S, the sum of the components' sizes of AB and AC. AB and AC are off
-// by 5 S in each component, BC by 6 S, and directions, two components, by 12 S, which is as much of
-// R S; corners by 17 of it, dot products by 2, reaches by 3, the difference by 1: 35. (The edge's
-// own two ends count as one: where the direction were exact they would be.)
+// Across an edge, relative to S, the sum of the absolute components of AB and AC: AB and AC are off
+// by 5 S in each component, BC by 6 S, and directions, which have two components, by 12 S, hence 12
+// R S. In units of R S, corners are off by 17, dot products by 2, reaches by 3, the difference by
+// 1: 35. (The edge's own two ends count as one: with an exact direction they would coincide.)
 //
-// So a triangle that is separated by more than kAxisError is apart in truth. One that is separated
-// along no direction by more than -kAxisError meets a box that is smaller by as much, if there is
-// one: the directions are all that can separate them. QueryBox, in double precision, finds the same
-// wherever `rounding` and `depth` are left over: where rounding hides a direction from it, the
-// triangle is within 2^-26 R of a segment or a point, and the directions of these tell.
+// So a triangle separated by more than kAxisError is truly apart. One that no direction separates
+// by more than -kAxisError meets a box that is smaller by that much, if there is one: no other
+// direction can separate them. QueryBox, in double precision, finds the same wherever `rounding`
+// and `depth` are left as margins: where rounding hides a direction from it, the triangle is within
+// 2^-26 R of a segment or a point, and the directions of these decide.
 constexpr float kAxisError = 40;
 
-/// More than what is lost where products underflow.
+/// More than the loss where products underflow.
 constexpr float kTiny = 0x1p-100F;
 
-/// Whether a box meets triangles, leaf by leaf.
+/// Tests whether a box meets triangles, leaf by leaf.
 class BoxVisit {
  public:
   CUTWATER_INLINE BoxVisit(const TriangleSearch& tree, const TreeBox& box,
@@ -50,8 +50,8 @@ class BoxVisit {
       : tree_(tree),
         box_(box),
         exact_(exact),
-        // Half axes are rounded, 1 of the box's size, their products and sums with a row, 6, and
-        // these with a coordinate, 2: see BvhNode::toLocalFloat().
+        // Rounding of half axes, 1 of the box's size, of their products and sums with a row, 6, and
+        // of sums with a coordinate, 2: see BvhNode::toLocalFloat().
         margin_(box.reach + 10 * 0x1p-24F * box.size + kTiny),
         half_{broadcast(box.half.x), broadcast(box.half.y), broadcast(box.half.z)} {
     for (int i = 0; i < 3 && !box.isAligned; ++i) {
@@ -59,7 +59,7 @@ class BoxVisit {
     }
   }
 
-  /// From a node on, or from the one below it that leads to all leaves.
+  /// Starts from a node, or from the one below it that leads to all candidate leaves.
   CUTWATER_INLINE BoxOverlap run(std::uint32_t& start) {
     const Node* first = &tree_.nodes[start];
     std::uint32_t lanes = enter(*first);
@@ -77,13 +77,13 @@ class BoxVisit {
     const Node* node;
     std::uint32_t pending;  // lanes
   };
-  /// About the triangles of a packet, a bit for each: certainly met, and not certainly apart.
+  /// For each triangle of a packet, a bit: certainly met, and not certainly apart.
   struct Verdict {
     std::uint32_t met = 0;
     std::uint32_t open = 0;
   };
 
-  /// What is on the path.
+  /// Visits what is on the path.
   CUTWATER_INLINE BoxOverlap visit() {
     auto result = BoxOverlap::None;
     int depth = 1;
@@ -107,7 +107,7 @@ class BoxVisit {
     return result;
   }
 
-  /// The children whose boxes the box may meet: a bit for each.
+  /// The children whose boxes the box may meet, one bit each.
   CUTWATER_INLINE std::uint32_t enter(const Node& node) const {
     const BvhLocalPoint local = node.toLocalFloat(box_.center);
     Floats lower[3];
@@ -130,7 +130,7 @@ class BoxVisit {
     }
     return lanes & node.childMask();
   }
-  /// How far the box reaches along a direction.
+  /// The half extent of the box along a direction.
   CUTWATER_INLINE float reach(const Vec3<float>& row) const {
     if (box_.isAligned) return dot(abs(row), box_.half);
     const Vec3<float> along{dot(row, box_.halfAxes[0]), dot(row, box_.halfAxes[1]),
@@ -152,7 +152,7 @@ class BoxVisit {
     const Vec3<float> way(box_.center - Vec3<double>(packet.center));
     const float error = kAxisError * 0x1p-24F * (oneNorm(way) + packet.radius + box_.size);
     const float outside = error + box_.rounding;
-    // There is no smaller box to be met where it is flat.
+    // A flat box has no smaller one inside to be met.
     const float inside = box_.leastHalf > error + box_.depth ? error + box_.depth : kFar;
 
     const PackedTriangle t = seen(packedTriangle(rowsOf(packet), kWidth, lane), way);
@@ -182,7 +182,7 @@ class BoxVisit {
              isPositive(broadcast(0.0F) - multiplyAdd(broadcast(inside), scale, edges + tiny))));
     return {met, open};
   }
-  /// From the box's centre, along its axes.
+  /// The triangle relative to the box's centre, along the box's axes.
   CUTWATER_INLINE PackedTriangle seen(const PackedTriangle& t, const Vec3<float>& way) const {
     const Floats3 a = t.a - Floats3{broadcast(way.x), broadcast(way.y), broadcast(way.z)};
     if (box_.isAligned) return {a, t.ab, t.ac, t.normal};
@@ -201,7 +201,7 @@ class BoxVisit {
     const Floats3 size{magnitude(e.x), magnitude(e.y), magnitude(e.z)};
     const auto across =
         [](Floats ex, Floats ey, const Floats3& r, int axis) __attribute__((always_inline)) {
-      // (0, -e.z, e.y) . r and so on
+      // (0, -e.z, e.y) . r and its cyclic permutations
       return axis == 0   ? subtractProduct(ex * r.z, ey, r.y)
              : axis == 1 ? subtractProduct(ex * r.x, ey, r.z)
                          : subtractProduct(ex * r.y, ey, r.x);
@@ -217,7 +217,7 @@ class BoxVisit {
     const Floats z = along(e.x, e.y, 2, multiplyAdd(half_.x, size.y, half_.y * size.x));
     return most(most(x, y), z);
   }
-  /// The triangles that single precision leaves open, in double.
+  /// Tests the triangles that single precision leaves open, in double precision.
   [[gnu::noinline]] BoxOverlap lookCloser(std::uint32_t leaf, std::uint32_t lanes) const {
     auto result = BoxOverlap::None;
     for (; lanes != 0; lanes &= lanes - 1) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Distances of a few neighbouring points to the triangles they share. Compiled once per instruction
-// set.
+// Distances from a few neighbouring points to the triangles they share. Compiled once per
+// instruction set.
 
 #include <Cutwater/Mesh/CandidateList.inl>
 
@@ -9,7 +9,7 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-/// What the distance from many points to one triangle needs again and again.
+/// Triangles with precomputed terms that their distances from many points need.
 template <int kMost>
 class PreparedTriangles {
  public:
@@ -29,8 +29,8 @@ class PreparedTriangles {
       put(24, i, {sizeOf(t.ab), sizeOf(bc), sizeOf(ca)});
     }
   }
-  /// Squared distances to triangle `i`: as packedOffset() finds them, to the same error. `margin`
-  /// is kSideError units of each point.
+  /// Squared distances to triangle `i`, as by packedOffset() and with the same error. `margin` is
+  /// kSideError units of each point.
   CUTWATER_INLINE Floats squaredDistances(int i, const Floats3& p, Floats margin) const {
     const Floats3 v = p - three(0, i);
     const Floats3 ab = three(3, i);
@@ -55,14 +55,14 @@ class PreparedTriangles {
   CUTWATER_INLINE Floats3 three(int row, int i) const {
     return {one(row, i), one(row + 1, i), one(row + 2, i)};
   }
-  /// Of the squared length; 0 without length.
+  /// Inverse of the squared length; 0 without length.
   CUTWATER_INLINE static Floats inverse(const Floats3& edge) {
     const Floats squared = fusedDot(edge, edge);
     const auto hasLength = isPositive(squared - broadcast(0x1p-100F));
     return where(hasLength, broadcast(1.0F), broadcast(0.0F)) /
            where(hasLength, squared, broadcast(1.0F));
   }
-  /// Squared.
+  /// The squared distance to an edge.
   CUTWATER_INLINE static Floats toEdge(const Floats3& v, const Floats3& edge, Floats inverse) {
     const Floats3 rest = offEdge(v, edge, fusedDot(edge, v) * inverse);
     return fusedDot(rest, rest);

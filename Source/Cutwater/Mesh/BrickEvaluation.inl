@@ -1,7 +1,7 @@
 #pragma once
 
-// The full evaluation of a few neighbouring points' candidates, which they mostly share. Compiled
-// once per instruction set.
+// The full evaluation of the candidates of a few neighbouring points, which share most of them.
+// Compiled once per instruction set.
 
 #include <Cutwater/Mesh/ClusterPoints.inl>
 #include <Cutwater/Mesh/TriangleCompetition.inl>
@@ -10,19 +10,19 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-/// Finds what TriangleSurface::compete() finds, to the bit, for the points of a brick.
+/// Computes the same as TriangleSurface::compete(), bit for bit, for the points of a brick.
 template <typename T>
 class BrickEvaluation {
  public:
   using Points = ClusterPoints<T>;
   using Nearest = typename Points::Nearest;
   static constexpr int kBrick = Points::kBrick;
-  static constexpr int kMost = 160;  ///< candidates
+  static constexpr int kMost = 160;  ///< most candidates
 
   CUTWATER_INLINE BrickEvaluation(const TriangleArrays<T>& arrays, const Points& points)
       : arrays_(arrays), points_(points) {}
 
-  /// For points [first, first + used); the rest of the brick repeats the last.
+  /// Starts with points [first, first + used); the rest of the brick repeats the last.
   CUTWATER_INLINE void begin(int first, int used) {
     first_ = first;
     used_ = used;
@@ -34,10 +34,10 @@ class BrickEvaluation {
       z_[i] = p.z;
     }
   }
-  /// Notes a candidate of the points that have a bit.
+  /// Adds a candidate of the points whose bits are set.
   CUTWATER_INLINE void add(std::uint32_t id, std::uint32_t points) {
     int at = count_++;
-    // By their ids: the first of equals wins.
+    // Sorted by id: of equal distances, the first wins.
     for (; at > 0 && ids_[at - 1] > id; --at) {
       ids_[at] = ids_[at - 1];
       wanted_[at] = wanted_[at - 1];
@@ -106,7 +106,7 @@ class BrickEvaluation {
     return load(squared_[n] + first);
   }
 
-  /// On which sides of the triangles that tie with the nearest ones the points lie.
+  /// Determines on which sides of the triangles that tie with the nearest ones the points lie.
   CUTWATER_INLINE void findSides() {
     std::uint32_t behind = 0;
     std::uint32_t before = 0;
@@ -144,8 +144,8 @@ class BrickEvaluation {
   int used_ = 0;
   int count_ = 0;
   std::uint32_t ids_[kMost];
-  std::uint32_t wanted_[kMost];  // by which points
-  std::uint32_t behind_[kMost];  // certainly; those before; the rest has to be found out
+  std::uint32_t wanted_[kMost];  // bit mask of points
+  std::uint32_t behind_[kMost];  // points certainly behind; the rest is in front or uncertain
   std::uint32_t before_[kMost];
   alignas(64) T x_[kBrick];
   alignas(64) T y_[kBrick];

@@ -1,6 +1,6 @@
 #pragma once
 
-// Triangles that may be the nearest to points of a cluster. Compiled once per instruction set.
+// Triangles that may be nearest to points of a cluster. Compiled once per instruction set.
 
 #include <Cutwater/Mesh/ClusterBounds.inl>
 #include <Cutwater/Mesh/PacketDistance.inl>
@@ -9,7 +9,7 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-/// In single precision, relative to the cluster's origin; row by row as in a packet.
+/// Triangles in single precision, relative to the cluster's origin; stored in rows as in a packet.
 template <int kMostOf>
 class CandidateList {
  public:
@@ -19,8 +19,8 @@ class CandidateList {
     count_ = 0;
     radius_ = 0;
   }
-  /// Adds a triangle: its rows are `stride` apart, corners relative to a point that is `shift` from
-  /// the origin, and within `radius` of it.
+  /// Adds a triangle. Its rows are `stride` apart; its corners are relative to a point that is
+  /// `shift` from the origin, and within `radius` of that point.
   CUTWATER_INLINE void add(const float* rows, int stride, const Vec3<float>& shift, float radius,
                            std::uint32_t id) {
     rows_[0][count_] = rows[0] + shift.x;
@@ -32,7 +32,7 @@ class CandidateList {
     const float reach = size.x + size.y + size.z + radius;
     radius_ = reach > radius_ ? reach : radius_;
   }
-  /// Repeats the last one up to a full vector.
+  /// Repeats the last candidate up to a full vector.
   CUTWATER_INLINE void pad() {
     for (int i = count_; i % kFloats != 0; ++i) {
       for (auto& row : rows_) row[i] = row[count_ - 1];
@@ -45,16 +45,16 @@ class CandidateList {
   CUTWATER_INLINE PackedTriangle triangles(int i) const {
     return packedTriangle(rows_[0], kMost, i);
   }
-  /// All corners are within it of the origin, in the sum of components' sizes.
+  /// All corners are within this distance of the origin, in the sum of absolute components.
   CUTWATER_INLINE float radius() const { return radius_; }
-  /// What rounding at a point is measured in; as PacketPoint::unit.
+  /// The unit of rounding errors at a point; see PacketPoint::unit.
   CUTWATER_INLINE float unitAt(const Vec3<float>& p) const {
     const Vec3<float> size = abs(p);
     return 0x1p-24F * (size.x + size.y + size.z + radius_);
   }
 
-  /// Writes which candidates may be the nearest to a point in the box; returns how many. At least
-  /// one, unless there is none, or numbers of a forged file are no numbers.
+  /// Writes the indices of the candidates that may be nearest to a point in the box; returns how
+  /// many. At least one, unless the list is empty or a forged file contains NaN.
   [[gnu::noinline]] int within(const ClusterBox& box, float slack, std::uint16_t* kept) const {
     alignas(64) float squared[kMost];
     alignas(64) float separation[kMost];

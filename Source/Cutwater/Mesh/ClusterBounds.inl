@@ -1,6 +1,6 @@
 #pragma once
 
-// Which triangles and boxes can hold no nearest point of a whole cluster of points. Compiled once
+// Finds triangles and boxes that hold no nearest point for a whole cluster of points. Compiled once
 // per instruction set.
 
 #include <Cutwater/Mesh/PacketDistance.inl>
@@ -15,17 +15,18 @@ struct ClusterBox {
   Vec3<float> half;    ///< extents, rounded upward
 };
 
-/// The test, given one point c of the surface: what is farther than c from each point of the box
-/// can be left out.
+/// The test, given one point c of the surface: whatever is farther than c from each point of the
+/// box can be discarded.
 ///
-/// Let w be any vector and s the least w . (m - x) over all points x of a triangle (or box) and m
-/// the box's middle. Then the distance from m + e is at least (s + w . e) / |w|, and what is to be
-/// shown for all e, s + w . e > |w| |m + e - c|, holds in the box if it does at its 8 corners, as
-/// the right side is convex. The best w is about m less its nearest point; it need not be exact.
+/// Let w be any vector and s the least w . (m - x), where m is the box's middle and x any point of
+/// a triangle (or box). Then the distance from m + e is at least (s + w . e) / |w|. The condition
+/// to be shown for all e, s + w . e > |w| |m + e - c|, holds in the whole box if it does at its 8
+/// corners, as the right side is convex. The best w is about m minus its nearest point; it need not
+/// be exact.
 class ClusterBounds {
  public:
-  /// `off` = m - c, and c may be off the surface by `margin`; that has to contain all that the
-  /// points are off by, too.
+  /// `off` = m - c. `margin` bounds the distance of c from the surface, and must include all errors
+  /// of the points.
   CUTWATER_INLINE ClusterBounds(const Vec3<float>& half, const Vec3<float>& off, float margin)
       : half_(half) {
     // Relative rounding here and in isBeyond(): below 16 u, u = 2^-24, of the lengths |off + e| and
@@ -40,8 +41,8 @@ class ClusterBounds {
     }
   }
 
-  /// A bit for each lane that can be left out. `separation`: not more than s. `length`: |w|.
-  /// `along`: w . e for the box's half extents, one by one.
+  /// Bit mask of the lanes that can be discarded. `separation` is at most s, `length` is |w|;
+  /// `along` holds w . e for the box's half extents one by one.
   CUTWATER_INLINE std::uint32_t isBeyond(Floats separation, Floats length,
                                          const Floats3& along) const {
     const Floats sums[4] = {along.x + along.y, along.x - along.y, along.y - along.x,
@@ -66,7 +67,7 @@ class ClusterBounds {
   static constexpr float kLeast = 0x1p-50F;
 
   Vec3<float> half_;
-  float farther_[8];  // |corner - c|, and the margin
+  float farther_[8];  // |corner - c| plus the margin
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
-// Neighbouring points whose nearest triangles are searched for together. Compiled once per
-// instruction set.
+// Neighbouring points whose nearest triangles are searched together. Compiled once per instruction
+// set.
 
 #include <Cutwater/Mesh/LeafList.inl>
 
@@ -9,8 +9,8 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-/// Some points, relative to their middle; all lengths are those of the tree's frame. They are taken
-/// in groups of consecutive ones, and these in bricks.
+/// Some points, relative to their middle; all lengths are in the tree's frame. Consecutive points
+/// form groups, which are divided into bricks.
 template <typename T>
 class ClusterPoints {
  public:
@@ -22,7 +22,7 @@ class ClusterPoints {
   CUTWATER_INLINE ClusterPoints(const TriangleSearch& tree, const TriangleArrays<T>& arrays)
       : tree_(tree), arrays_(arrays) {}
 
-  /// False: too far away for single precision.
+  /// Returns false if the points are too far away for single precision.
   CUTWATER_INLINE bool place(const Vec3<T>* points, Nearest* bests, int count) {
     points_ = points;
     bests_ = bests;
@@ -53,7 +53,7 @@ class ClusterPoints {
     return true;
   }
 
-  /// Around points [begin, end), `begin` being a multiple of kBrick.
+  /// The box around points [begin, end); `begin` must be a multiple of kBrick.
   CUTWATER_INLINE ClusterBox boxAround(int begin, int end) const {
     ClusterBox box;
     const float* const coordinates[3] = {x_, y_, z_};
@@ -67,7 +67,7 @@ class ClusterPoints {
       const float first = leastOf(lower);
       const float last = -leastOf(broadcast(0.0F) - upper);
       box.middle[axis] = 0.5F * (first + last);
-      // The middle is rounded, and so is the extent.
+      // The middle and the extent are rounded.
       const float size = (first < 0 ? -first : first) + (last < 0 ? -last : last);
       box.half[axis] = 0.5F * (last - first) + 0x1p-22F * size;
     }
@@ -84,16 +84,17 @@ class ClusterPoints {
   CUTWATER_INLINE Vec3<double> middle(const ClusterBox& box) const {
     return origin_ + Vec3<double>(box.middle);
   }
-  /// All are within it of the origin, in the sum of components' sizes.
+  /// All points are within this distance of the origin, in the sum of absolute components.
   CUTWATER_INLINE float reach() const { return reach_; }
   /// The largest of slackOf() for the points.
   CUTWATER_INLINE float slack() const { return slack_; }
-  /// The largest of Nearest::error for the points, and so for any point among them.
+  /// The largest Nearest::error of the points, and so of any point among them.
   CUTWATER_INLINE T error() const { return error_; }
 
-  /// What can hold a nearest point for the box, if `near` is a point of the surface.
+  /// Bounds for triangles and boxes with a nearest point for the box, if `near` is a point of the
+  /// surface.
   CUTWATER_INLINE ClusterBounds boundsFor(const ClusterBox& box, const Vec3<double>& near) const {
-    // The points, the middle and its difference to `near` are rounded to float.
+    // The points, the middle and its difference from `near` are rounded to float.
     return {box.half, Vec3<float>(middle(box) - near),
             slack_ + 0x1p-22F * (box.half.x + box.half.y + box.half.z + reach_)};
   }
@@ -104,7 +105,7 @@ class ClusterPoints {
   }
 
  private:
-  // From there on the rounding is too coarse; points are searched for one by one.
+  // Beyond this the rounding is too coarse, so points are searched one by one.
   static constexpr double kFarAway = 0x1p20;
 
   const TriangleSearch& tree_;

@@ -1,7 +1,7 @@
 #pragma once
 
-// The nearest triangles of neighbouring points, which share most of the work. Compiled once per
-// instruction set.
+// The nearest triangles to neighbouring points, whose searches share most of the work. Compiled
+// once per instruction set.
 
 #include <Cutwater/Mesh/LeafCluster.inl>
 #include <Cutwater/Mesh/TriangleCluster.inl>
@@ -10,10 +10,11 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-// What is done for many points at once is not inlined: that would cost nothing but compile time.
+// Functions that process many points at once are not inlined: inlining would only cost compile
+// time.
 
-/// Collects the leaves of the tree that may hold a nearest triangle of some of the points; goes on
-/// with their triangles if these are few, else with the leaves.
+/// Collects the leaves of the tree that may hold a triangle nearest to some of the points.
+/// Continues with their triangles if these are few, else with the leaves.
 template <typename T>
 class ClusterSearch {
  public:
@@ -27,7 +28,8 @@ class ClusterSearch {
         triangles_(tree, arrays, points_),
         leafwise_(tree, arrays, points_, triangles_) {}
 
-  /// False: they have too little in common; nothing was done for points from `next()` on.
+  /// Returns false if the points have too little in common; those from `next()` on are not
+  /// processed.
   CUTWATER_INLINE bool run(const Vec3<T>* points, Nearest* bests, int count) {
     next_ = 0;
     if (!points_.place(points, bests, count)) return false;
@@ -37,7 +39,7 @@ class ClusterSearch {
       if (!isShared && !collect(points_.boxAround(next_, end))) return false;
       if (!(hasTriangles_ && triangles_.runGroup(next_, end))) {
         if (!leafwise_.runGroup(leaves_, near_, next_, end)) return false;
-        hasTriangles_ = false;  // it uses the list for its own
+        hasTriangles_ = false;  // the leaf-wise search uses the list itself
       }
     }
     return true;
@@ -48,9 +50,10 @@ class ClusterSearch {
   static constexpr int kMostLeaves = 512;
   static constexpr int kFewLeaves = 64;
   static constexpr int kMostWaiting = 256;
-  static constexpr float kWidest = 0.125F;  // half of it; the surface is about 1
+  static constexpr float kWidest = 0.125F;  // half the width; the surface is about 1 wide
 
-  /// All leaves that may hold a triangle nearest to a point in the box. False: too many.
+  /// Collects all leaves that may hold a triangle nearest to a point in the box. Returns false if
+  /// there are too many.
   [[gnu::noinline]] bool collect(const ClusterBox& box) {
     if (maxComponent(box.half) > kWidest) return false;
     leaves_.clear();
@@ -106,7 +109,7 @@ class ClusterSearch {
     }
     return ~beyond & node.childMask();
   }
-  /// w, of the node's frame, times the half extents of the cluster's box.
+  /// Products of w, in the node's frame, with the half extents of the cluster's box.
   CUTWATER_INLINE static Floats3 alongAxes(const Node& node, const Floats3& w,
                                            const Vec3<float>& half) {
     const auto along = [&](int axis) __attribute__((always_inline)) {
@@ -126,7 +129,7 @@ class ClusterSearch {
   int next_ = 0;
   LeafList<kMostLeaves> leaves_;
   bool hasTriangles_ = false;
-  Vec3<double> near_;  // of the surface
+  Vec3<double> near_;  // on the surface
 };
 
 }  // namespace

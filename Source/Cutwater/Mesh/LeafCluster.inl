@@ -1,7 +1,7 @@
 #pragma once
 
-// Nearest triangles of points that share leaves of the tree, but not the triangles. Compiled once
-// per instruction set.
+// Nearest triangles to points that share leaves of the tree, but not triangles. Compiled once per
+// instruction set.
 
 #include <Cutwater/Mesh/TriangleCluster.inl>
 
@@ -9,8 +9,8 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-/// From leaves for all of the points to those for a group, then for a brick. Each point looks at
-/// these as if they were the children of one node.
+/// Narrows the leaves for all points to those for a group, then to those for a brick. Each point
+/// visits the latter as if they were the children of one node.
 template <typename T>
 class LeafCluster {
  public:
@@ -20,8 +20,9 @@ class LeafCluster {
                               const Points& points, TriangleCluster<T>& triangles)
       : tree_(tree), points_(points), triangles_(triangles), search_(tree, arrays) {}
 
-  /// Points [begin, end), whose nearest triangles are in the leaves. `near`: a point of the
-  /// surface. False: there are too many leaves, and what was done for some point does no harm.
+  /// Searches for points [begin, end), whose nearest triangles are in the leaves. `near` is a point
+  /// of the surface. Returns false if there are too many leaves; work already done for a point is
+  /// harmless.
   template <int kMost>
   [[gnu::noinline]] bool runGroup(const LeafList<kMost>& shared, Vec3<double> near, int begin,
                                   int end) {
@@ -40,7 +41,7 @@ class LeafCluster {
   [[gnu::noinline]] void runBrick(Vec3<double>& near, int begin, int end) {
     near = searchFirst(group_, near, (begin + end) / 2);
     const ClusterBox box = points_.boxAround(begin, end);
-    select(group_, box, near, brick_);  // always: they are no more
+    select(group_, box, near, brick_);  // never fails: they are no more than before
     if (brick_.count() <= kFewLeaves &&
         triangles_.collect(brick_, points_.middle(box), points_.boundsFor(box, near)) &&
         triangles_.runGroup(begin, end)) {
@@ -60,7 +61,8 @@ class LeafCluster {
     to.pad();
     return true;
   }
-  /// For a point that is to tell the bounds of others; the point of the surface nearest to it.
+  /// Searches first for a point whose result bounds those of others. Returns the point of the
+  /// surface nearest to it.
   template <int kFrom>
   CUTWATER_INLINE Vec3<double> searchFirst(const LeafList<kFrom>& leaves, const Vec3<double>& near,
                                            int i) {

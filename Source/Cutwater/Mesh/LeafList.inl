@@ -10,15 +10,15 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-/// A node's lanes at a point: by how much each box is missed, in the node's frame. The gap is that
-/// of a smaller distance than the true one.
+/// The gap between a point and the box of each lane, in the node's frame. It never overestimates
+/// the true distance.
 CUTWATER_INLINE inline Floats missed(Floats lower, Floats upper, Floats least, Floats most) {
   const Floats none = broadcast(0.0F);
   return CUTWATER_SIMD::most(least - upper, none) - CUTWATER_SIMD::most(lower - most, none);
 }
 
-/// Their boxes, each in a frame of its own, lane by lane; points are relative to the cluster's
-/// origin.
+/// The boxes of leaves, each in a frame of its own, lane by lane; points are relative to the
+/// cluster's origin.
 template <int kMostOf>
 class LeafList {
  public:
@@ -28,14 +28,15 @@ class LeafList {
   CUTWATER_INLINE int count() const { return count_; }
   CUTWATER_INLINE std::uint32_t leaf(int i) const { return leaves_[i]; }
 
-  /// The leaf in a lane of a node. All points are within `reach` of the origin, in the sum of
-  /// components' sizes.
+  /// Adds the leaf in a lane of a node. All points are within `reach` of the origin, in the sum of
+  /// absolute components.
   CUTWATER_INLINE void add(const Node& node, int lane, const Vec3<double>& origin, float reach) {
     const BvhLocalPoint shift = node.toLocalFloat(origin);
     for (int i = 0; i < 3; ++i) {
       const float lower = lowerSide(node, i)[lane];
       const float upper = upperSide(node, i)[lane];
-      // The error of the origin's position, and the rounding of what follows and of the points.
+      // The error of the origin's position, and the rounding of the following steps and of the
+      // points.
       const float size = magnitudeOf(lower) + magnitudeOf(upper) + magnitudeOf(shift.position[i]);
       const float margin = shift.error + 0x1p-21F * (size + reach);
       rows_[i][count_] = lower - shift.position[i] - margin;
@@ -49,7 +50,7 @@ class LeafList {
     for (int row = 0; row < kRows; ++row) rows_[row][count_] = other.at(row, i);
     leaves_[count_++] = other.leaf(i);
   }
-  /// Boxes at the end that no limit reaches, up to a full vector.
+  /// Pads to a full vector with boxes that no limit reaches.
   CUTWATER_INLINE void pad() {
     for (int i = count_; i % 16 != 0; ++i) {
       for (int row = 0; row < kRows; ++row) rows_[row][i] = 0;
@@ -58,14 +59,14 @@ class LeafList {
   }
   CUTWATER_INLINE float at(int row, int i) const { return rows_[row][i]; }
 
-  /// Squared distances to the boxes of 16 leaves; as Search::enter().
+  /// Squared distances to the boxes of 16 leaves; see Search::enter().
   CUTWATER_INLINE void keys(int first, const Vec3<float>& p, float* keys) const {
     for (int lane = 0; lane < 16; lane += kFloats) {
       const Floats3 w = gap(first + lane, p);
       store(keys + lane, fusedDot(w, w));
     }
   }
-  /// Writes which leaves may hold a nearest point of the box; returns how many.
+  /// Writes the indices of the leaves that may hold a nearest point of the box; returns how many.
   [[gnu::noinline]] int within(const ClusterBox& box, const ClusterBounds& bounds,
                                std::uint16_t* kept) const {
     int found = 0;

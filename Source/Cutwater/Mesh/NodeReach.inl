@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether what is below a node's children may be within reach of a point. Compiled once per
+// Tests whether anything below a node's children may be within reach of a point. Compiled once per
 // instruction set.
 
 #include <Cutwater/Mesh/ChildHulls.hpp>
@@ -12,7 +12,7 @@ namespace {
 
 using Node = BvhNode<16>;
 
-// As plain arrays: the standard library's functions stay out.
+// Accessed as plain arrays, to keep out functions of the standard library.
 static_assert(sizeof(Node) == 448);
 CUTWATER_INLINE inline const float* lowerSide(const Node& node, int axis) {
   return reinterpret_cast<const float*>(&node) + 16 * axis;
@@ -25,18 +25,18 @@ CUTWATER_INLINE inline const float* axisOf(const Node& node, int i) {
   return &node.center.x + 3 * (1 + i);
 }
 
-// As plain arrays, as all that is compiled for an instruction set.
+// Accessed as plain arrays, like everything compiled per instruction set.
 static_assert(sizeof(ChildHulls) == 896);
 CUTWATER_INLINE inline const float* thicknessOf(const ChildHulls& hulls) {
   return reinterpret_cast<const float*>(&hulls + 1) - 16;
 }
 
-/// Raises keys, squared lower bounds of the distances to a node's children, to those of their
-/// hulls. `p` is in the node's frame. Returns the lanes up to the limit.
+/// Raises keys, squared lower bounds of the distances to a node's children, to those of the
+/// children's hulls. `p` is in the node's frame. Returns the lanes up to the limit.
 [[gnu::noinline]] inline std::uint32_t raiseToHulls(const ChildHulls& hulls, const Vec3<double>& p,
                                                     float limit, float* keys) {
   const PacketPoint local = relativeTo(hulls.triangles, p);
-  // Two differences are off by 1 each, the point's place in the node's frame by much less.
+  // Two differences are off by 1 each, the point's position in the node's frame by much less.
   const Floats errorNearby = broadcast((kErrorNearby + 3) * local.unit);
   const Floats errorElsewhere = broadcast((kError + 3) * local.unit);
   std::uint32_t lanes = 0;
@@ -53,14 +53,14 @@ CUTWATER_INLINE inline const float* thicknessOf(const ChildHulls& hulls) {
   return lanes;
 }
 
-/// A point as seen from a node in double precision, for what single precision cannot tell apart.
+/// A point relative to a node in double precision, for cases that single precision cannot resolve.
 class NodePoint {
  public:
-  /// `p` and `reach` in the tree's frame, where the tree is about 1 across.
+  /// `p` and `reach` are in the tree's frame, where the tree is about 1 across.
   CUTWATER_INLINE NodePoint(const Node& node, const Vec3<double>& p, double reach)
       : node_(node), reach_(reach), position_(node.toLocal(p)) {
     const Vec3<double> size = abs(p - Vec3<double>(node.center));
-    // Of places in the node's frame, and of products with vectors of unit length: less than ten
+    // Error of positions in the node's frame, and of products with unit vectors: less than ten
     // roundings to 2^-53 of coordinates of this size.
     error_ = 0x1p-48 * (1 + size.x + size.y + size.z);
   }
@@ -76,8 +76,8 @@ class NodePoint {
     return !isBeyond(gap, dot(gap, gap));
   }
 
-  /// Along the offsets from the triangle's plane and edges, one of which leads to its nearest
-  /// point; any direction makes a bound.
+  /// Tests the offsets from the triangle's plane and edges, one of which leads to its nearest
+  /// point; any direction gives a bound.
   CUTWATER_INLINE bool reachesHull(const ChildHulls& hulls, int lane) const {
     const float* const rows = rowsOf(hulls.triangles) + lane;
     const auto three = [rows](int row) __attribute__((always_inline)) {
@@ -94,7 +94,7 @@ class NodePoint {
   }
 
  private:
-  /// A hull's triangle, and the point as seen from its first corner.
+  /// A hull's triangle, and the point relative to its first corner.
   struct Seen {
     Vec3<double> v, ab, ac;
     double thickness;
@@ -112,9 +112,9 @@ class NodePoint {
     const double nearest = dot(w, seen.v) - (farther > 0 ? farther : 0);
     return isBeyond(w, nearest - (seen.thickness + 8 * error_) * squareRoot(dot(w, w)));
   }
-  /// Given that w . (y - x) >= s for the point y and all points x of something, in the node's
-  /// frame. In the tree's frame, with A the rows of the node's axes, w . (y - x) = (A^T w) . (p -
-  /// A^-1 x), however the axes are rounded: that is no nearer than s / |A^T w|.
+  /// Requires w . (y - x) >= s in the node's frame, where y is the point and x any point of the
+  /// object. With A the rows of the node's axes, w . (y - x) = (A^T w) . (p - A^-1 x) in the tree's
+  /// frame, however the axes are rounded: the object is no nearer than s / |A^T w|.
   CUTWATER_INLINE bool isBeyond(const Vec3<double>& w, double s) const {
     const Vec3<double> inTree = w.x * Vec3<double>(node_.axes[0]) +
                                 w.y * Vec3<double>(node_.axes[1]) +

@@ -1,7 +1,7 @@
 #pragma once
 
-// Distances to the triangles of a packet in single precision, and how far they may be off. Compiled
-// once per instruction set.
+// Distances to the triangles of a packet in single precision, with error bounds. Compiled once per
+// instruction set.
 
 #include <Cutwater/Mesh/TrianglePackets.hpp>
 #include <Cutwater/Simd/Lanes.inl>
@@ -12,10 +12,10 @@ namespace {
 
 constexpr int kWidth = TrianglePacket::kWidth;
 
-/// Above every squared distance.
+/// Larger than every squared distance.
 constexpr float kFar = 0x1p126F;
 
-// As plain arrays: the standard library's functions stay out.
+// Accessed as plain arrays, to keep out functions of the standard library.
 static_assert(sizeof(TrianglePacket) == 832);
 
 /// Triangles, lane by lane, in the order of their rows in a packet.
@@ -42,7 +42,7 @@ CUTWATER_INLINE inline const float* rowsOf(const TrianglePacket& packet) {
 /// A point relative to the centre of a packet, in single precision.
 struct PacketPoint {
   Floats3 position;
-  /// u (|p| + radius), with u = 2^-24: what all rounding is measured in.
+  /// u (|p| + radius), with u = 2^-24: the unit of all rounding errors.
   float unit;
 };
 
@@ -53,46 +53,46 @@ CUTWATER_INLINE inline PacketPoint relativeTo(const TrianglePacket& packet, cons
           0x1p-24F * (size.x + size.y + size.z + packet.radius)};
 }
 
-/// The point from the nearest point of an edge, given the point from the edge's start and its place
-/// along the edge, 0 at the start and 1 at the end.
+/// The vector to the point from the nearest point of an edge. Takes the vector from the edge's
+/// start and the parameter along the edge, 0 at the start and 1 at the end.
 CUTWATER_INLINE inline Floats3 offEdge(const Floats3& v, const Floats3& edge, Floats place) {
   return subtractMultiple(v, least(most(place, broadcast(0.0F)), broadcast(1.0F)), edge);
 }
 CUTWATER_INLINE inline Floats3 offEdge(const Floats3& v, const Floats3& edge) {
-  // A quotient that is not a number, as of an edge without length, counts as 0.
+  // A quotient that is NaN, as for an edge without length, counts as 0.
   return offEdge(v, edge, fusedDot(edge, v) / fusedDot(edge, edge));
 }
 
-/// Positive if `v`, from the edge's start, lies on the inner side of the edge by more than
-/// rounding.
+/// Positive if `v`, the point relative to the edge's start, lies on the inner side of the edge by
+/// more than rounding.
 CUTWATER_INLINE inline Floats inward(const Floats3& v, const Floats3& edge, const Floats3& normal,
                                      Floats margin) {
   return fusedDot(fusedCross(edge, v), normal) - margin * sizeOf(edge);
 }
 
-// How far computed distances may be off, in units of u R, R = |p| + radius. The triangle that the
-// rounded numbers stand for has corners within 7 of the true ones, its plane's tilt included, and
-// the point is within 1. Against that triangle, by first order: the difference to a corner 1; the
-// rest beside an edge 6, its square and root 2, the third edge 1 more; the height 4. In all 17 at
-// most.
+// Error bounds of computed distances, in units of u R with R = |p| + radius. The triangle given by
+// the rounded numbers has corners within 7 of the true ones, including the tilt of its plane, and
+// the point is within 1. Relative to that triangle, to first order: the difference from a corner
+// adds 1; the rest beside an edge 6, its square and root 2, the third edge 1 more; the height 4. In
+// all at most 17.
 //
-// To that come errors along the triangle. An edge's parameter is off by up to 11, which moves the
-// foot along the edge; a side is computed to 12 u R times the edge's length, and as the point has
-// to be inside by that (the margin; the edge's size is up to sqrt(3) lengths) it is never inside
-// falsely, but may be 42 within an edge and count as outside. Both add in quadrature: where the
-// distance d is not small, (53 u R)^2 / 2 d, less than u R from d = 2^-12 R on.
+// Errors along the triangle come on top. An edge's parameter is off by up to 11, which moves the
+// foot along the edge. A side is computed to 12 u R times the edge's length. As the point has to be
+// inside by that much (the margin; the edge's size is up to sqrt(3) lengths), it never counts as
+// inside falsely, but may be 42 within an edge and count as outside. Both add in quadrature: where
+// the distance d is not small they make (53 u R)^2 / 2 d, less than u R from d = 2^-12 R on.
 constexpr float kSideError = 12;
 constexpr float kError = 18;
 constexpr float kErrorNearby = 72;
 constexpr float kNearby = 0x1p-12F / 0x1p-24F;
 
-/// The point from the nearest point of a triangle, in single precision.
+/// The vector to a point from the nearest point of a triangle, in single precision.
 struct PackedOffset {
   Floats squared;  ///< of its length
   Floats3 offset;
 };
 
-/// `unit` is that of the point, see PacketPoint.
+/// `unit` is that of the point: see PacketPoint.
 CUTWATER_INLINE inline PackedOffset packedOffset(const PackedTriangle& t, const Floats3& p,
                                                  float unit) {
   const Floats3 v = p - t.a;
@@ -121,11 +121,11 @@ CUTWATER_INLINE inline PackedOffset packedOffset(const PackedTriangle& t, const 
   return best;
 }
 
-// A triangle's closest point as found is within this many units of the triangle: what a distance
-// may be off by where it is not small, and the shift of a candidate's corners.
+// The computed closest point is within this many units of the triangle: the error of a distance
+// that is not small, plus the shift of a candidate's corners.
 constexpr float kOffsetError = 24;
 
-/// Not more than the least w . (p - x) over the triangle's points x, w being the offset: for
+/// Lower bound on w . (p - x) over the triangle's points x, where w is the offset: for
 /// ClusterBounds. Corners are within 9 u R of the true ones, the point within 1; the rest is the
 /// rounding of the products.
 CUTWATER_INLINE inline Floats packedSeparation(const PackedTriangle& t, const Floats3& p,
@@ -136,7 +136,7 @@ CUTWATER_INLINE inline Floats packedSeparation(const PackedTriangle& t, const Fl
          broadcast(kOffsetError * unit) * squareRoot(off.squared);
 }
 
-/// Squared distances to a packet's triangles from `lane` on.
+/// Squared distances to the triangles of a packet, from `lane` on.
 CUTWATER_INLINE inline Floats packedDistances(const TrianglePacket& packet, int lane,
                                               const PacketPoint& p) {
   return packedOffset(packedTriangle(rowsOf(packet), kWidth, lane), p.position, p.unit).squared;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The nearest triangle of one point. Compiled once per instruction set.
+// The nearest triangle to one point. Compiled once per instruction set.
 
 #include <Cutwater/Mesh/NodeReach.inl>
 #include <Cutwater/Mesh/TriangleCompetition.inl>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFarthest = 0x1p58;
 
-/// A bit for each of 16 squared distances up to the limit.
+/// Bit mask of the 16 squared distances that are at most the limit.
 CUTWATER_INLINE inline std::uint32_t within(const float* squares, float limit) {
   std::uint32_t lanes = 0;
   for (int lane = 0; lane < 16; lane += kFloats) {
@@ -20,21 +20,22 @@ CUTWATER_INLINE inline std::uint32_t within(const float* squares, float limit) {
   return lanes;
 }
 
-/// How much farther than the nearest triangle, in the tree's frame, one may be that is the nearest,
-/// or ties with it, by computed distances; and the rounding of positions in the frames. `size`: of
-/// the point's largest coordinate.
+/// Bound, in the tree's frame, on how much farther than the nearest triangle one may be that is the
+/// nearest, or ties with it, by computed distances; includes the rounding of positions in the
+/// frames. `size` is the magnitude of the point's largest coordinate.
 CUTWATER_INLINE inline double slackOf(double error, double size, const BvhFrame& frame) {
   return 4 * error * frame.scale + 0x1p-49 * (1 + size) + 0x1p-60;
 }
 
-/// Is told what a search opens, and does nothing: the benchmarks have one that counts.
+/// Receives the events of a search and ignores them; the benchmarks have an observer that counts.
 struct NoObserver {
   CUTWATER_INLINE void onNode() const {}
   CUTWATER_INLINE void onLeaf() const {}
   CUTWATER_INLINE void onEvaluation(int /*triangles*/) const {}
 };
 
-/// The search for the triangles nearest to one point, in steps, so that several can take turns.
+/// The search for the triangles nearest to one point, in steps, so that several searches can be
+/// interleaved.
 template <typename T, typename Observer = NoObserver>
 class Search {
  public:
@@ -42,7 +43,7 @@ class Search {
                          Observer observer = {})
       : tree_(tree), surface_(surface), observer_(observer) {}
 
-  /// The nearest triangle is known to be within `reach`, in units of the surface.
+  /// The nearest triangle is known to be within `reach`, in the surface's units.
   CUTWATER_INLINE void start(const Vec3<T>& p, typename TriangleSurface<T>::Nearest& best,
                              double reach) {
     p_ = &p;
@@ -50,8 +51,8 @@ class Search {
     q_ = tree_.frame.toFrame(Vec3<double>(p));
     const double size = maxComponent(abs(q_));
     slack_ = slackOf(double{best.error}, size, tree_.frame);
-    // From there the slack is larger than the tree and all triangles compete: any point as far will
-    // do, and squares do not overflow.
+    // Beyond that, the slack exceeds the tree and all triangles compete: any point as far away is
+    // equivalent, and squares do not overflow.
     if (size > kFarthest) q_ *= kFarthest / size;
     upper_ = reach * tree_.frame.scale;
     setLimit();
@@ -61,7 +62,7 @@ class Search {
     target_ = 0;
   }
 
-  /// Looks at a node or a leaf and finds out the next one. False: there is none.
+  /// Processes a node or a leaf and determines the next one. Returns false if there is none.
   CUTWATER_INLINE bool step() {
     if (isLeaf_) {
       observer_.onLeaf();
@@ -75,8 +76,8 @@ class Search {
     while (depth_ > 0) {
       Level& level = path_[depth_ - 1];
       if (level.pending != 0) {
-        // Which one does not depend on the limit, so that a processor can begin to look at it
-        // while it still works out the limit from the last one.
+        // The choice of lane does not depend on the limit, so that a processor can begin to load it
+        // while it still computes the limit from the last one.
         const int lane = leastLane(level.keys, level.pending);
         level.pending &= ~(1U << lane);
         if (level.keys[lane] <= limit_) {
@@ -85,18 +86,18 @@ class Search {
           return true;
         }
       }
-      // Nothing left, or all were overtaken while they waited.
+      // Nothing is left, or the limit has dropped below the rest meanwhile.
       --depth_;
     }
     return false;
   }
 
-  /// What step() looks at next.
+  /// Prefetches what step() processes next.
   CUTWATER_INLINE void prefetch() const {
     prefetch(isLeaf_, target_);
     if (isLeaf_) __builtin_prefetch(&tree_.slots[target_ * kWidth]);
   }
-  /// What is most likely to come after that.
+  /// Prefetches what most likely comes after that.
   CUTWATER_INLINE void prefetchSecond() const {
     const Level& level = path_[depth_ - 1];
     if (level.pending == 0) return;
@@ -106,15 +107,15 @@ class Search {
     prefetch(isLeaf, isLeaf ? level.node->leafIndex(lane) : level.node->nodeIndex(lane));
   }
 
-  /// Squared distances in the tree's frame beyond it do not matter any more.
+  /// Squared distances in the tree's frame above this no longer matter.
   CUTWATER_INLINE float limit() const { return limit_; }
 
-  /// Notes the triangles of a leaf that may be the nearest.
+  /// Records the triangles of a leaf that may be the nearest.
   CUTWATER_INLINE void look(std::uint32_t leaf) {
     const TrianglePacket& packet = tree_.packets[leaf];
     const PacketPoint local = relativeTo(packet, q_);
     alignas(64) float found[kWidth];
-    // Most leaves hold no candidate: that is found without waiting for the root.
+    // Most leaves hold no candidate: this is found without waiting for the square root.
     const Floats most = broadcast(squaredReach(kErrorNearby * local.unit));
     Floats nearest = broadcast(kFar);
     std::uint32_t lanes = 0;
@@ -168,7 +169,7 @@ class Search {
     isLeaf_ = node.isLeaf(lane);
     target_ = isLeaf_ ? node.leafIndex(lane) : node.nodeIndex(lane);
   }
-  /// The square of what bounds that are off by `error` have to keep within.
+  /// The squared limit for distance bounds that are off by `error`.
   CUTWATER_INLINE float squaredReach(float error) const {
     const double reach = upper_ + slack_ + double{error};
     const double squared = reach * reach * (1 + 0x1p-19);
@@ -176,8 +177,8 @@ class Search {
   }
   CUTWATER_INLINE void setLimit() { limit_ = squaredReach(0); }
 
-  /// Lower bounds of the squared distances to the node's children, but for relative rounding: see
-  /// BvhTree::nearest(). Returns the lanes that are near enough.
+  /// Lower bounds of the squared distances to the node's children, up to relative rounding: see
+  /// BvhTree::nearest(). Returns the lanes within the limit.
   CUTWATER_INLINE std::uint32_t enter(const Node& node, float* keys) const {
     const BvhLocalPoint local = node.toLocalFloat(q_);
     const Floats limit = broadcast(limit_);
@@ -205,7 +206,7 @@ class Search {
     const std::uint32_t index = tree_.hullsOfNode[&node - tree_.nodes];
     return index == kNone ? nullptr : tree_.hulls + index;
   }
-  /// Whether a child may hold one of the nearest triangles, without the rounding of single
+  /// Whether a child may hold one of the nearest triangles, without the rounding errors of single
   /// precision.
   [[gnu::noinline]] bool reaches(const Node& node, int lane) const {
     const NodePoint p(node, q_, upper_ + slack_);
@@ -222,7 +223,7 @@ class Search {
     lowers_[count_] = lower;
     ++count_;
   }
-  /// Forgets candidates that were overtaken.
+  /// Discards candidates whose lower bounds are now too large.
   CUTWATER_INLINE void drop() {
     const auto reach = static_cast<float>((upper_ + slack_) * (1 + 0x1p-20));
     int kept = 0;
@@ -234,8 +235,9 @@ class Search {
     count_ = kept;
   }
 
-  /// Drops candidates that full precision shows to be beyond the nearest, and lets these bound it;
-  /// from then on nodes and leaves are seen in double precision before they are opened.
+  /// Discards candidates that full precision shows to be beyond the nearest, and tightens the upper
+  /// bound with the rest. From then on nodes and leaves are tested in double precision before they
+  /// are opened.
   [[gnu::noinline]] void narrow() {
     drop();
     int places[kMost];
@@ -260,15 +262,15 @@ class Search {
   [[no_unique_address]] Observer observer_;
   const Vec3<T>* p_ = nullptr;
   typename TriangleSurface<T>::Nearest* best_ = nullptr;
-  Vec3<double> q_;    // in the tree's frame, as all lengths below
-  double upper_ = 0;  // the nearest triangle is not farther
+  Vec3<double> q_;    // in the tree's frame, like all lengths below
+  double upper_ = 0;  // upper bound on the distance to the nearest triangle
   double slack_ = 0;
   float limit_ = kFar;  // of keys
-  int count_ = 0;       // candidates: those that may be the nearest, with lower bounds
+  int count_ = 0;       // number of candidates: those that may be the nearest, with lower bounds
   std::uint32_t ids_[kMost];
   float lowers_[kMost];
-  bool isCrowded_ = false;  // more are near than single precision tells apart
-  bool isLeaf_ = false;     // what to look at next
+  bool isCrowded_ = false;  // more are near than single precision can distinguish
+  bool isLeaf_ = false;     // whether the target is a leaf
   std::uint32_t target_ = 0;
   int depth_ = 0;
   Level path_[TriangleTree::kMaxDepth];

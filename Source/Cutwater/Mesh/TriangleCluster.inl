@@ -1,7 +1,6 @@
 #pragma once
 
-// Nearest triangles of points that share few of them. Compiled once per
-// instruction set.
+// Nearest triangles to points that share few of them. Compiled once per instruction set.
 
 #include <Cutwater/Mesh/BrickDistances.inl>
 #include <Cutwater/Mesh/BrickEvaluation.inl>
@@ -10,8 +9,8 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-/// From what may be nearest to any of the points to what may be nearest to a group of them, then to
-/// a brick; each point of a brick with each triangle that is left.
+/// Narrows the triangles that may be nearest to any of the points to those for a group of points,
+/// then to those for a brick; then tests each point of a brick with each remaining triangle.
 template <typename T>
 class TriangleCluster {
  public:
@@ -21,7 +20,8 @@ class TriangleCluster {
                                   const Points& points)
       : tree_(tree), points_(points), evaluation_(arrays, points) {}
 
-  /// The triangles of leaves that may be nearest to a point within the bounds. False: too many.
+  /// Collects the triangles of leaves that may be nearest to a point within the bounds. Returns
+  /// false if there are too many.
   template <int kMost>
   CUTWATER_INLINE bool collect(const LeafList<kMost>& leaves, const Vec3<double>& middle,
                                const ClusterBounds& bounds) {
@@ -32,7 +32,8 @@ class TriangleCluster {
     shared_.pad();
     return shared_.count() > 0;
   }
-  /// Points [begin, end). False: nothing was done, there are too many triangles.
+  /// Processes points [begin, end). Returns false, having done nothing, if there are too many
+  /// triangles.
   [[gnu::noinline]] bool runGroup(int begin, int end) {
     std::uint16_t kept[kMostShared];
     const int count = shared_.within(points_.boxAround(begin, end), points_.slack(), kept);
@@ -97,7 +98,7 @@ class TriangleCluster {
         store(squared[i] + lane, d);
         nearest = least(nearest, d);
       }
-      // The nearest is off by an error, and so is who competes.
+      // The nearest distance has an error, and so do those of its competitors.
       const Floats lower = squareRoot(nearest);
       const Floats isNear = broadcast(kNearby) * unit - lower;
       const Floats error =

@@ -1,7 +1,7 @@
 #pragma once
 
-// TriangleSurface::compete() for many triangles at a time: the same bits. Compiled once per
-// instruction set.
+// TriangleSurface::compete() for many triangles at once, with bitwise equal results. Compiled once
+// per instruction set.
 
 #include <Cutwater/Mesh/ExactPredicates.hpp>
 #include <Cutwater/Mesh/TriangleDistance.inl>
@@ -28,8 +28,8 @@ class Competition {
     };
     forNear(count, tie, best.error, compete);
   }
-  /// Which of them can still win or tie: writes their places, returns how many. None is evaluated
-  /// with more than the precision of T. `best.tie` becomes what they bound it by.
+  /// Writes the places of the triangles that can still win or tie, and returns how many. None is
+  /// evaluated with more than the precision of T. `best.tie` becomes their bound on it.
   CUTWATER_INLINE int narrow(const std::uint32_t* ids, int count, Nearest& best, int* places) {
     best.tie = bound(ids, count, best);
     int kept = 0;
@@ -43,7 +43,7 @@ class Competition {
  private:
   static constexpr int kLanes = kLanesOf<T>;
 
-  /// Returns what no winner is beyond: none is farther than the nearest so far.
+  /// Returns an upper bound on the winner: no winner is farther than the nearest so far.
   CUTWATER_INLINE T bound(const std::uint32_t* ids, int count, const Nearest& best) {
     auto nearest = broadcast(std::numeric_limits<T>::infinity());
     for (int first = 0; first < count; first += kLanes) {
@@ -55,7 +55,7 @@ class Competition {
     const T tie = best.tieAt(leastOf(nearest));
     return tie < best.tie ? tie : best.tie;
   }
-  /// Calls visit(i) for those that may have a squared distance up to the limit.
+  /// Calls visit(i) for triangles whose squared distance may be at most the limit.
   template <typename Visit>
   CUTWATER_INLINE void forNear(int count, T limit, T error, const Visit& visit) const {
     for (int first = 0; first < count; first += kLanes) {
@@ -72,7 +72,7 @@ class Competition {
     isSliver_[i] = t.sliver;
     hasSlivers_ = hasSlivers_ || t.sliver;
   }
-  /// All lanes of a vector alike.
+  /// Sets all lanes of a vector to the same triangle.
   CUTWATER_INLINE void setAll(int first, std::uint32_t id) {
     const Triangle<T> t = arrays_.triangle(id);
     const T values[9] = {t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z, t.c.x, t.c.y, t.c.z};
@@ -115,10 +115,10 @@ class Competition {
       reach_[first + i] = reach[i];
     }
   }
-  /// A bit for every lane that may have a squared distance up to the limit.
+  /// Bit mask of the lanes whose squared distance may be at most the limit.
   ///
-  /// With s the distance to a sliver's edges, r that of the limit and e the error of both, it is
-  /// farther if (s - e)^2 - reach > (r + e)^2; and 2 s e <= (s^2 / (r + e) + (r + e)) e.
+  /// With s the distance to a sliver's edges, r that of the limit and e the error of both, the
+  /// sliver is farther if (s - e)^2 - reach > (r + e)^2; and 2 s e <= (s^2 / (r + e) + (r + e)) e.
   CUTWATER_INLINE std::uint32_t within(int first, T limit, T error) const {
     if (!hasSlivers_) {
       return bits(isAtMost(load(squared_ + first), broadcast(limit)));
@@ -143,8 +143,8 @@ class Competition {
   const Vec3<T>& p_;
   alignas(64) T rows_[9][kMost];  // a, b, c
   alignas(64) T squared_[kMost];  // to the edges, for slivers
-  alignas(64) T reach_[kMost];    // how much less a sliver's squared distance may be
-  alignas(64) T side_[kMost];     // 0: not certain
+  alignas(64) T reach_[kMost];    // how much smaller a sliver's squared distance may be
+  alignas(64) T side_[kMost];     // 0: uncertain
   bool isSliver_[kMost];
   bool hasSlivers_ = false;  // so far
 };

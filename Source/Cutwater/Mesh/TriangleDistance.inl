@@ -1,7 +1,7 @@
 #pragma once
 
-// The squared distance to a triangle, for scalars and for the lanes of vectors from one source: the
-// same bits. Compiled once per instruction set, and for scalars by TriangleDistance.cpp.
+// The squared distance to a triangle. One source serves scalars and vector lanes, with bitwise
+// equal results. Compiled once per instruction set, and for scalars by TriangleDistance.cpp.
 
 #include <Cutwater/Simd/Lanes.inl>
 
@@ -12,13 +12,14 @@ namespace {
 template <typename T>
 struct EdgeDistance {
   Lanes<T> squared;
-  Lanes<T> inner;     ///< positive if the closest point is not one of the ends
-  MaskOf<T> isFirst;  ///< the first end is the nearer one
+  Lanes<T> inner;     ///< positive if the closest point is not an end
+  MaskOf<T> isFirst;  ///< whether the first end is nearer
 };
 
-/// The squared distance to an edge, from the point as seen from its two ends.
+/// The squared distance to an edge, from the point relative to its two ends.
 ///
-/// Symmetric in the ends, but for exact ties, so that both triangles at an edge find the same bits.
+/// Symmetric in the ends, except for exact ties, so that both triangles at an edge compute the same
+/// bits.
 template <typename T>
 CUTWATER_INLINE inline EdgeDistance<T> edgeDistance(const Triple<Lanes<T>>& fromFirst,
                                                     const Triple<Lanes<T>>& fromSecond,
@@ -36,15 +37,15 @@ CUTWATER_INLINE inline EdgeDistance<T> edgeDistance(const Triple<Lanes<T>>& from
   return {dot(rejected, rejected), inner, isFirst};
 }
 
-/// A point and a triangle by their differences, in whatever arithmetic.
+/// A point and a triangle, given by their differences, in any arithmetic.
 template <typename Vector>
 struct SeenTriangle {
   Vector pa, pb, pc;  ///< p - a, ...
   Vector ab, bc, ca;  ///< b - a, ...
 };
 
-/// What decides on the distance to a triangle's plane: it is |height| / |normal|, and counts if the
-/// projection lies strictly inside, where all three sides are positive.
+/// The terms that determine the distance to a triangle's plane. It is |height| / |normal|, and
+/// counts if the projection lies strictly inside, where all three sides are positive.
 template <typename Scalar>
 struct PlaneTerms {
   Scalar sideAB, sideBC, sideCA;
@@ -52,19 +53,18 @@ struct PlaneTerms {
   Scalar height;
 };
 
-/// `from` is the point as seen from the corner nearest to it: so the height loses the fewest
+/// `from` is the point relative to the corner nearest to it, so that the height loses the fewest
 /// digits.
 template <typename Vector>
 CUTWATER_INLINE inline auto planeTerms(const SeenTriangle<Vector>& t, const Vector& from) {
   const Vector normal = cross(t.ca, t.ab);
-  // Into the triangle from its edges: the same for all points.
+  // The directions from the edges into the triangle do not depend on the point.
   return PlaneTerms<decltype(dot(normal, normal))>{
       dot(cross(normal, t.ab), t.pa), dot(cross(normal, t.bc), t.pb),
       dot(cross(normal, t.ca), t.pc), dot(normal, normal), dot(normal, from)};
 }
 
-/// Of a triangle with less than that, squares of areas underflow; its edges are as near as its
-/// plane.
+/// Below this, squares of areas underflow; the triangle's edges are then as near as its plane.
 template <typename T>
 constexpr T kLeastNormalSquared = std::numeric_limits<T>::min() / std::numeric_limits<T>::epsilon();
 
@@ -74,7 +74,7 @@ CUTWATER_INLINE inline Lanes<T> planeDistance(const PlaneTerms<Lanes<T>>& terms)
   const auto side = least(least(terms.sideAB, terms.sideBC), terms.sideCA);
   const auto counts =
       both(isPositive(side), isPositive(terms.normalSquared - broadcast(kLeastNormalSquared<T>)));
-  // Not the square of the height over that: it would underflow before the quotient does.
+  // Not the squared height over the divisor, which would underflow before the quotient does.
   const auto divisor = where(counts, terms.normalSquared, broadcast(T(1)));
   return where(counts, terms.height / divisor * terms.height,
                broadcast(std::numeric_limits<T>::infinity()));
@@ -83,10 +83,10 @@ CUTWATER_INLINE inline Lanes<T> planeDistance(const PlaneTerms<Lanes<T>>& terms)
 template <typename T>
 struct TriangleDistances {
   EdgeDistance<T> ab, bc, ca;
-  Lanes<T> plane;  ///< infinite where it does not count; not for slivers
+  Lanes<T> plane;  ///< infinite where it does not count; unused for slivers
   Lanes<T> normalSquared;
   Lanes<T> longestSquared;  ///< edge
-  Lanes<T> side;            ///< of the sign of orientation(), or 0 where that is not certain
+  Lanes<T> side;            ///< has the sign of orientation(), or is 0 where that is uncertain
 
   [[nodiscard]] CUTWATER_INLINE Lanes<T> edges() const {
     return least(least(ab.squared, bc.squared), ca.squared);
@@ -105,9 +105,9 @@ CUTWATER_INLINE inline TriangleDistances<T> distances(const Triple<Lanes<T>>& p,
   const auto nearest = where(both(isAtMost(toA, toB), isAtMost(toA, toC)), t.pa,
                              where(isAtMost(toB, toC), t.pb, t.pc));
   const auto terms = planeTerms(t, nearest);
-  // With u half the epsilon: the normal's components are within 4 u of the products of the edges'
-  // sizes, which differences, products and sums of the height make 9 u at most. What underflows,
-  // and what orientation() drops from exact products, is far below the rest.
+  // With u half the epsilon: the normal's components are within 4 u of the products of the absolute
+  // edge components, which the differences, products and sums of the height increase to at most 9
+  // u. Underflow, and what orientation() drops from exact products, are far below the rest.
   constexpr T kRounding = 8 * std::numeric_limits<T>::epsilon();
   constexpr T kTiny = sizeof(T) == sizeof(float) ? T(0x1p-100) : T(0x1p-200);
   const auto bound =

@@ -7,8 +7,8 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-/// Searches of several points in turns: while the memory that one needs is on its way, others go
-/// on. Each takes a run of neighbouring points, and the last answer bounds the next.
+/// Interleaves the searches of several points: while one waits for memory, the others proceed. Each
+/// processes a run of neighbouring points, where the last result bounds the next.
 template <typename T>
 class Team {
  public:
@@ -45,7 +45,7 @@ class Team {
   }
 
  private:
-  /// To the next point of the run; false at its end.
+  /// Moves to the next point of the run; returns false at its end.
   CUTWATER_INLINE bool proceed(int i) {
     search_[i].evaluate();
     const std::size_t done = next_[i]++;
@@ -65,13 +65,13 @@ class Team {
   Search<T> search_[kSize];
   std::size_t next_[kSize];
   std::size_t end_[kSize];
-  int active_[kSize];  // those with points left
+  int active_[kSize];  // those with remaining points
 };
 
-// Never inlined, so that the scratch of one is not on the stack beside the other's.
+// Never inlined, so that the scratch memory of the two is never on the stack at once.
 
-/// Returns for how many points, from the first on, a shared search paid; the rest has too little in
-/// common.
+/// Returns the number of points, from the first on, for which a shared search paid off; the rest
+/// have too little in common.
 template <typename T>
 [[gnu::noinline]] std::size_t nearestTogether(const TriangleSearch& tree,
                                               const TriangleArrays<T>& surface,
@@ -105,7 +105,7 @@ CUTWATER_INLINE inline void nearestOfMany(const TriangleSearch& tree,
                                           typename TriangleSurface<T>::Nearest* bests,
                                           std::size_t count) {
   auto done = nearestTogether(tree, surface, points, bests, count);
-  if (tree.isSmall) {  // nothing to wait for
+  if (tree.isSmall) {  // no memory latency to hide
     for (; done < count; ++done) nearestOne(tree, surface, points[done], bests[done]);
   }
   if (done < count) nearestInTurns(tree, surface, points + done, bests + done, count - done);
