@@ -10,7 +10,7 @@
 namespace cutwater {
 namespace {
 
-/// The open edges on the plane, without those of chains that go on elsewhere, which are reported.
+/// The open edges on the plane, except for chains that continue off it, which are reported.
 std::vector<OpenEdge> closedRims(const PolygonSoup& soup, const detail::PlaneFrame& plane,
                                  OpeningReport& report) {
   std::vector<OpenEdge> edges;

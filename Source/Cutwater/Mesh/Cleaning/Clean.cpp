@@ -39,7 +39,7 @@ class Cleaner {
   }
 
  private:
-  /// Returns whether edges may be left that have to be looked at again.
+  /// Returns whether there may be edges left that have to be checked again.
   bool mendFaces() {
     const bool degenerate = note(CleanKind::DegenerateFaces, removeDegenerateFaces(soup_));
     bool equal = note(CleanKind::DuplicateFaces, removeDuplicateFaces(soup_));
@@ -61,7 +61,7 @@ class Cleaner {
     if (found.unorientable > 0) note(CleanKind::UnorientableShells, unorientable);
   }
 
-  /// Adds a step to the report, unless it is repeated and found nothing.
+  /// Adds a step to the report, unless it is a repeated one that found nothing.
   bool note(CleanKind kind, const Correction& correction) {
     const bool found{correction};
     const SurfaceMeasure before = now_;

@@ -19,7 +19,7 @@ bool hasRepeats(std::vector<std::uint32_t> corners) {
   return std::ranges::adjacent_find(corners) != corners.end();
 }
 
-/// A polygon of distinct corners, on a line or not.
+/// A polygon of distinct corners, which may be collinear.
 class Line {
  public:
   Line(const PolygonSoup& soup, Polygon corners) : soup_(soup), corners_(corners) {
@@ -33,7 +33,7 @@ class Line {
     });
   }
 
-  /// Whether all corners lie on it.
+  /// Whether all corners are collinear.
   [[nodiscard]] bool isAll() const {
     return std::ranges::all_of(corners_, [&](std::uint32_t corner) {
       if (corner == corners_[0] || corner == far_) return true;
@@ -43,8 +43,8 @@ class Line {
     });
   }
 
-  /// Splits every edge at the corners in between: once that is done, the polygon runs along each
-  /// of its edges as often one way as the other, and is not missed.
+  /// Splits every edge at the corners in between. Afterwards the polygon passes along each of its
+  /// edges equally often in both directions, so that it can be removed.
   void splitEdges(detail::EdgeSplits& splits) const {
     for (std::size_t k = 0; k < corners_.size(); ++k) {
       const auto from = corners_[k];
@@ -60,7 +60,7 @@ class Line {
   }
 
  private:
-  /// Any order will do, as long as no two are equal.
+  /// Any order will do, as long as no two places are equal.
   [[nodiscard]] std::pair<double, std::uint32_t> placeOf(std::uint32_t corner) const {
     return {soup_.points[corner][axis_], corner};
   }
@@ -71,10 +71,10 @@ class Line {
   std::uint32_t far_ = 0;
 };
 
-/// Leaves out repeated corners, and polygons that have too few without them.
+/// Removes repeated corners, and polygons that have too few corners without them.
 class Tidying {
  public:
-  /// Tells which polygons lost something.
+  /// Reports which polygons were changed.
   Correction run(PolygonSoup& soup) {
     Correction correction;
     auto result = detail::rebuilt(soup, [&](std::size_t i, Polygon corners, PolygonSoup& tidied) {
@@ -118,8 +118,8 @@ class Tidying {
 Correction removeDegenerateFaces(PolygonSoup& soup) {
   PolygonSoup work = soup;
   Correction correction = Tidying().run(work);
-  // Every round splits edges in shorter ones between the same points: it ends. Only faces without
-  // area leave such faces behind, which are not counted again.
+  // Every round splits edges into shorter ones between the same points, so the loop terminates.
+  // Only faces without area leave such faces behind, which are not counted again.
   for (bool first = true;; first = false) {
     detail::EdgeSplits splits;
     std::vector<bool> flat(work.polygonCount());

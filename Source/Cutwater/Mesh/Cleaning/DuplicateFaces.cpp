@@ -12,7 +12,7 @@ namespace {
 
 using Cycle = detail::CanonicalCycle<std::uint32_t>;
 
-/// Faces with the same corners, by orientation: forward, backward.
+/// Number of faces with the same corners, by orientation: forward, backward.
 struct Twins {
   std::array<std::uint32_t, 2> count{};
   std::array<std::uint32_t, 2> seen{};
@@ -25,8 +25,8 @@ bool hasDistinctCorners(std::span<const std::uint32_t> polygon,
   return std::ranges::adjacent_find(sorted) == sorted.end();
 }
 
-/// Removes the faces for which goes(face, twins, way) says so; twins.seen[way] equal ones stand
-/// before the face.
+/// Removes the faces for which goes(face, twins, way) returns true; twins.seen[way] equal ones
+/// precede the face.
 template <typename Goes>
 Correction removeTwins(PolygonSoup& soup, Goes goes) {
   const auto faces = static_cast<std::uint32_t>(soup.polygonCount());
@@ -64,7 +64,7 @@ class OddEdges {
     std::erase_if(edges_, [](const OpenEdge& edge) { return edge.multiplicity % 2 == 0; });
   }
 
-  /// Whether more than half of the polygon's edges are among them.
+  /// Whether more than half of the polygon's edges are odd.
   [[nodiscard]] bool areMostOf(std::span<const std::uint32_t> polygon) const {
     std::size_t odd = 0;
     std::uint32_t from = polygon.back();
@@ -81,7 +81,7 @@ class OddEdges {
   }
 
  private:
-  std::vector<OpenEdge> edges_;  // by their ends
+  std::vector<OpenEdge> edges_;  // sorted by their ends
 };
 
 }  // namespace
@@ -89,7 +89,7 @@ class OddEdges {
 Correction removeDuplicateFaces(PolygonSoup& soup) {
   Correction all = removeTwins(
       soup, [](std::uint32_t, const Twins& twins, std::size_t way) { return twins.seen[way] > 0; });
-  for (;;) {  // every round removes faces: it ends
+  for (;;) {  // terminates, as every round removes faces
     const OddEdges odd(soup);
     const Correction more =
         removeTwins(soup, [&](std::uint32_t face, const Twins& twins, std::size_t way) {

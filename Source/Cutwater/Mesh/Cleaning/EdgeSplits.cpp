@@ -9,11 +9,11 @@
 namespace cutwater::detail {
 namespace {
 
-/// A triangle's three sides, each from its first corner up to its last, with what lies between.
+/// One side of a triangle, from its first corner to its last, with the points in between.
 using Side = std::span<const std::uint32_t>;
 
-/// Cuts the triangle from the middle of the points on its fullest side to the corner across, and so
-/// on with the halves: each part has its corner off the side, and so it has area.
+/// Cuts the triangle from the middle point on its fullest side to the opposite corner, and then
+/// cuts the halves likewise: the corner of each part is off the side, so the part has area.
 void cut(const std::array<Side, 3>& sides, std::uint32_t patch, PolygonSoup& result) {
   const auto fullest = std::ranges::max_element(sides, {}, &Side::size) - sides.begin();
   const auto i = static_cast<std::size_t>(fullest);
@@ -39,7 +39,7 @@ void EdgeSplits::add(std::uint32_t from, std::uint32_t to, std::uint32_t point, 
 }
 
 void EdgeSplits::prepare(std::size_t points) {
-  // The same point may have been put into an edge by both of its faces, a rounding apart.
+  // Both faces of an edge may have added the same point, at places that differ by rounding.
   const auto withPoint = [](const Split& s) { return std::tuple(s.lower, s.upper, s.point); };
   std::ranges::sort(splits_, {}, [&](const Split& s) {
     return std::tuple_cat(withPoint(s), std::tuple(s.along));

@@ -39,7 +39,7 @@ std::vector<Loop> rimsOf(const PolygonSoup& soup) {
   return detail::loopsAround(edges);
 }
 
-/// The filled loops; refuses what cannot be filled.
+/// Fills the loops; throws if one cannot be filled.
 std::vector<std::array<std::uint32_t, 3>> filled(const PolygonSoup& soup,
                                                  std::span<const Loop> loops, int axis) {
   auto filling = detail::fillLoops(normalizedPositions<double>(soup.points), loops, axis);
@@ -53,7 +53,7 @@ std::vector<std::array<std::uint32_t, 3>> filled(const PolygonSoup& soup,
   return std::move(filling.triangles);
 }
 
-/// A point below every point of the rims: there again, where several rims share it.
+/// Adds walls with one point below each point of the rims, shared by all rims that share the point.
 class Walls {
  public:
   Walls(PolygonSoup& soup, int axis, double level)
@@ -104,7 +104,7 @@ void addWallsAndBottom(PolygonSoup& soup, int axis, double level, const ExtendOp
   for (const auto& triangle : filled(soup, feet, axis)) soup.addPolygon(triangle, bottom);
 }
 
-/// Does the work on a copy, and reports what it comes to.
+/// Works on a copy, and reports the result.
 template <typename Work>
 OpeningReport extended(PolygonSoup& soup, Work work) {
   soup.validate();
@@ -124,7 +124,7 @@ OpeningReport extended(PolygonSoup& soup, Work work) {
   return report;
 }
 
-/// A frame around the outer rim, along the sides of the box.
+/// A flat strip between the outer rim and the sides of the box.
 class Apron {
  public:
   Apron(PolygonSoup& soup, const Box<double>& box, int axis)
@@ -142,8 +142,8 @@ class Apron {
   }
 
  private:
-  /// The rim that reaches farthest; that no other leaves it is for the filling of the bottom to
-  /// say.
+  /// The rim that reaches farthest. Whether another rim lies outside it is checked when the bottom
+  /// is filled.
   [[nodiscard]] const Loop& outermost(std::span<const Loop> rims) const {
     return *std::ranges::max_element(rims, {}, [&](const Loop& rim) {
       double most = -Box<double>::kMost;
@@ -195,7 +195,7 @@ class Apron {
     return static_cast<std::uint32_t>(soup_.points.size() - 1);
   }
 
-  /// Seen along the axis.
+  /// Mean length of the rim's edges, seen along the axis.
   [[nodiscard]] double meanEdge(const Loop& rim) const {
     double sum = 0;
     auto from = rim.back();

@@ -11,7 +11,7 @@ class Bridging {
  public:
   Bridging(const PlanarView& view, const Loop& boundary, std::vector<Loop> holes)
       : view_(view), way_(view.orientation(boundary)), ring_(boundary), holes_(std::move(holes)) {
-    // The one that reaches farthest comes first: what it sees beyond is joined already.
+    // The hole that reaches farthest comes first: all that it sees beyond is already joined.
     const auto reach = [&](const Loop& hole) {
       const auto last = hole[view.lastOf(hole)];
       return std::pair(view.u(last), view.v(last));
@@ -35,7 +35,8 @@ class Bridging {
     });
   }
 
-  /// Where the hole hangs on a corner of the ring, the ring goes around it; it must be only one.
+  /// Where the hole touches a corner of the ring, inserts the hole there. Returns false if they
+  /// share more than one corner.
   bool joinAtCorner(const Loop& hole) {
     std::vector<std::pair<std::size_t, std::size_t>> shared;
     for (std::size_t i = 0; i < ring_.size(); ++i) {
@@ -63,7 +64,8 @@ class Bridging {
     return true;
   }
 
-  /// The nearest place in the ring that is seen from the hole's corner; the ring's size if none is.
+  /// The nearest place in the ring that is visible from the hole's corner; the ring's size if there
+  /// is none.
   [[nodiscard]] std::size_t placeFor(const Loop& hole, std::size_t start) const {
     const auto from = hole[start];
     std::vector<std::pair<double, std::size_t>> places;
@@ -85,7 +87,7 @@ class Bridging {
     return ring_.size();
   }
 
-  /// Whether the way from the loop's corner to the point begins on the region's side (O'Rourke,
+  /// Whether the segment from the loop's corner to the point starts on the region's side (O'Rourke,
   /// "Computational geometry in C", 1998, InCone).
   [[nodiscard]] bool isInside(const Loop& loop, std::size_t corner, std::uint32_t to) const {
     const std::size_t n = loop.size();
@@ -114,7 +116,7 @@ class Bridging {
     return std::none_of(holes_.begin() + static_cast<std::ptrdiff_t>(joined_), holes_.end(), meets);
   }
 
-  /// Inserts so many corners of the hole into the ring, behind a place of it.
+  /// Inserts `count` corners of the hole into the ring, after the given place.
   void insert(const Loop& hole, std::size_t start, std::size_t count, std::size_t place) {
     Loop detour;
     for (std::size_t k = 0; k < count; ++k) detour.push_back(hole[(start + k) % hole.size()]);

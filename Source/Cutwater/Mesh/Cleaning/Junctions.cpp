@@ -11,7 +11,8 @@
 namespace cutwater {
 namespace {
 
-/// Rims of a soup, and the points on them; lengths in units in which coordinates are about 1.
+/// Finds points of rims on other edges of rims; lengths are in units in which coordinates are about
+/// 1.
 class JunctionSearch {
  public:
   JunctionSearch(const PolygonSoup& soup, double tolerance)
@@ -82,7 +83,8 @@ Correction splitJunctions(PolygonSoup& soup, double tolerance) {
   Correction correction;
   PolygonSoup work;
   bool changed = false;
-  // The parts of an edge are shorter than the edge and run between the same points: it ends.
+  // The parts of an edge are shorter than the edge and join the same points, so the loop
+  // terminates.
   for (;;) {
     const PolygonSoup& current = changed ? work : soup;
     detail::EdgeSplits splits;

@@ -9,7 +9,7 @@
 namespace cutwater {
 namespace {
 
-/// Returns the points that lie on the plane, and refuses those on both sides of it.
+/// Returns the points that lie on the plane; throws if there are points on both sides of it.
 std::vector<bool> pointsOn(const PolygonSoup& soup, const detail::PlaneFrame& plane) {
   std::vector<bool> on(soup.points.size());
   std::uint32_t above = kNone;

@@ -40,7 +40,7 @@ class Filler {
     std::uint32_t from, to, loop;
   };
 
-  /// Loops that meet themselves or others in more than a corner.
+  /// Finds loops that meet themselves or others in more than a corner.
   void findMeetings() {
     std::vector<Edge> edges;
     std::vector<Box<double>> boxes;
@@ -71,7 +71,7 @@ class Filler {
     return {view_.u(point), view_.v(point), 0};
   }
 
-  /// Which loops are around which; what is within a loop that is left is left, too.
+  /// Finds which loops enclose which. A loop inside one that is left open is left open, too.
   void nest() {
     std::vector<Box<double>> boxes(loops_.size());
     for (std::size_t i = 0; i < loops_.size(); ++i) {
@@ -101,7 +101,7 @@ class Filler {
     return order;
   }
 
-  /// The smallest loop around: the one that most others are around.
+  /// The smallest enclosing loop: the one that most others enclose.
   [[nodiscard]] std::uint32_t parentOf(std::uint32_t i) const {
     return *std::ranges::max_element(around_[i], {},
                                      [&](std::uint32_t k) { return around_[k].size(); });
@@ -126,7 +126,7 @@ class Filler {
     }
   }
 
-  /// Holes share the fate of what they are in.
+  /// Holes are left open where the loop around them is.
   void leaveHoles() {
     for (std::uint32_t i = 0; i < loops_.size(); ++i) {
       if (isHole_[i]) result_.left[i] = result_.left[parentOf(i)];
@@ -135,7 +135,7 @@ class Filler {
 
   PlanarView view_;
   std::span<const Loop> loops_;
-  std::vector<std::vector<std::uint32_t>> around_;  // per loop: those around it
+  std::vector<std::vector<std::uint32_t>> around_;  // for each loop: those that enclose it
   std::vector<bool> isHole_;
   PlanarFilling result_;
 };

@@ -4,7 +4,7 @@
 
 namespace cutwater::detail {
 
-/// Of points on a line: whether p lies between a and b.
+/// Whether p lies between a and b, given that the three are collinear.
 bool PlanarView::isWithin(std::uint32_t p, std::uint32_t a, std::uint32_t b) const {
   return std::min(u(a), u(b)) <= u(p) && u(p) <= std::max(u(a), u(b)) &&
          std::min(v(a), v(b)) <= v(p) && v(p) <= std::max(v(a), v(b));
@@ -13,7 +13,7 @@ bool PlanarView::isWithin(std::uint32_t p, std::uint32_t a, std::uint32_t b) con
 bool PlanarView::meet(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
   if (b == c || b == d) std::swap(a, b);
   if (a == d) std::swap(c, d);
-  if (a == c) {  // along one another, or not at all
+  if (a == c) {  // the two overlap along a line, or do not meet
     return b == d || (turn(a, b, d) == 0 && (isWithin(b, a, d) || isWithin(d, a, b)));
   }
   const int sideC = turn(a, b, c);

@@ -8,7 +8,7 @@ namespace cutwater::detail {
 
 Vec3<double> middleOf(const PolygonSoup& soup, std::size_t polygon) {
   const auto corners = soup.polygon(polygon);
-  const double share = 1 / static_cast<double>(corners.size());  // before adding: no overflow
+  const double share = 1 / static_cast<double>(corners.size());  // applied first: no overflow
   Vec3<double> sum;
   for (const auto corner : corners) sum += share * soup.points[corner];
   return sum;
@@ -25,7 +25,7 @@ void keepPolygons(PolygonSoup& soup, const std::vector<bool>& keep) {
   std::uint64_t end = 0;
   for (std::size_t i = 0; i < keep.size(); ++i) {
     if (!keep[i]) continue;
-    // What is written lies before what is still to be read.
+    // The write position never overtakes the read position.
     const std::uint64_t from = soup.offsets[i];
     const std::uint64_t size = soup.offsets[i + 1] - from;
     std::copy_n(soup.corners.begin() + static_cast<std::ptrdiff_t>(from), size,

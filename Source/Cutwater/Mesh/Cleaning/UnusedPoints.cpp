@@ -10,7 +10,7 @@ Correction removeUnusedPoints(PolygonSoup& soup) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (newIndex[i] == kNone) correction.add(points[i]);
   }
-  // Nothing below allocates: all are gone, or the soup is as it was.
+  // Nothing below allocates: either all are removed, or the soup is unchanged.
   std::uint32_t kept = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (newIndex[i] == kNone) continue;

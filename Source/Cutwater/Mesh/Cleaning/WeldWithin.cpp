@@ -11,8 +11,9 @@
 namespace cutwater {
 namespace {
 
-/// The points that stay, in cells of twice the tolerance: those within the tolerance of a point are
-/// in at most eight cells, and no cell holds more than a few, which are far enough apart.
+/// The points that are kept, in cells of twice the tolerance. Points within the tolerance of a
+/// given one are in at most eight cells, and no cell holds more than a few, as they are far enough
+/// apart.
 class KeptPoints {
  public:
   KeptPoints(std::span<const Vec3<double>> points, double tolerance)
@@ -24,7 +25,7 @@ class KeptPoints {
     scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(tolerance), -1022, 1022));
   }
 
-  /// How far apart two points are; their squares neither over- nor underflow.
+  /// The distance between two points, computed without overflow or underflow of squares.
   [[nodiscard]] double distance(std::uint32_t i, std::uint32_t j) const {
     return length(scale_ * points_[i] - scale_ * points_[j]) / scale_;
   }
@@ -65,11 +66,11 @@ class KeptPoints {
     return {std::floor(p.x / cell_), std::floor(p.y / cell_), std::floor(p.z / cell_)};
   }
 
-  /// Where coordinates have no digits left below the cell's size, all of them are one cell; points
-  /// that differ are then farther apart than the tolerance.
+  /// Where coordinates are too large to resolve the cell size, these cells coincide; points that
+  /// differ are then farther apart than the tolerance.
   [[nodiscard]] Cells cellsAround(double coordinate) const {
     const double own = coordinate / cell_;
-    constexpr double kReach = 0.5001;  // the tolerance, and roundings
+    constexpr double kReach = 0.5001;  // the tolerance plus rounding
     const double last = std::floor(own + kReach);
     Cells cells{{std::floor(own - kReach)}, 1};
     while (cells.at[cells.count - 1] < last && cells.count < 3) {
@@ -87,8 +88,8 @@ class KeptPoints {
   double tolerance_;
   double cell_ = 1;
   double scale_ = 1;
-  detail::IndexTable heads_;         // the first point of every cell, ...
-  std::vector<std::uint32_t> next_;  // ... and from each the next of the same cell
+  detail::IndexTable heads_;         // the first point of each cell
+  std::vector<std::uint32_t> next_;  // the next point of the same cell
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ bool isText(std::string_view bytes) {
   });
 }
 
-// The first word that is not part of a comment; no longer than any keyword.
+// The first word outside comments; no longer than any keyword.
 std::string_view firstWord(std::string_view bytes) {
   constexpr std::string_view kBlanks = " \t\v\f\r\n";
   constexpr std::string_view kEnds = " \t\v\f\r\n#";
@@ -28,14 +28,16 @@ std::string_view firstWord(std::string_view bytes) {
   return bytes.substr(0, std::min(bytes.substr(0, kLongest).find_first_of(kEnds), kLongest));
 }
 
-// OFF, and with texture coordinates, colours or normals STOFF, COFF, NOFF, CNOFF, ...
+// OFF, with optional prefixes for texture coordinates, colours or normals: STOFF, COFF, NOFF,
+// CNOFF, ...
 bool isOffKeyword(std::string_view word) {
   if (word.size() < 3 || !equalIgnoringCase(word.substr(word.size() - 3), "OFF")) return false;
   return word.substr(0, word.size() - 3).find_first_not_of("STCN") == std::string_view::npos;
 }
 
-// A broken file that should have been a binary STL, so that the message can say what is wrong with
-// it. Where it begins with "solid", only a header of one line that is no text tells it from ASCII.
+// Recognises a broken file that should have been a binary STL, so that the message can describe the
+// fault. Where it begins with "solid", it differs from ASCII only by a first header line that is
+// not text.
 bool isBrokenBinaryStl(std::string_view bytes, bool beginsWithSolid) {
   if (bytes.size() < kBinaryStlHeader) return false;
   const std::string_view header = bytes.substr(0, kBinaryStlHeader);
@@ -66,9 +68,9 @@ bool isForeign(std::string_view bytes) {
                      [bytes](const Foreign& foreign) { return bytes.starts_with(foreign.magic); });
 }
 
-// Complete by its own count, and not text: the count of an ASCII file, read from its letters, is
-// always beyond the file's end. The word "solid" in the header proves nothing; but where bytes
-// follow, another format's mark at the beginning does.
+// The file is complete by its own count, and not text: the count of an ASCII file, read from its
+// letters, is always beyond the file's end. The word "solid" in the header proves nothing; but
+// where more bytes follow, another format's mark at the beginning rules out STL.
 bool isCompleteBinaryStl(std::string_view bytes) {
   if (bytes.size() < kBinaryStlHeader + kBinaryStlTriangle) return false;
   const std::uint64_t count = binaryStlCount(bytes);

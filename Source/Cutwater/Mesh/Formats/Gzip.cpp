@@ -42,7 +42,7 @@ class Inflation {
   }
 
  private:
-  // Inflates what there is room for; false at the end.
+  // Inflates as much as there is room for; returns false at the end.
   bool step() {
     constexpr std::size_t kMostAtOnce = std::size_t{1} << 30U;  // zlib counts in 32 bits
     const std::string_view left = compressed_.substr(position_);

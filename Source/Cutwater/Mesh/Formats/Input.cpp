@@ -22,7 +22,7 @@ struct Close {
 }  // namespace
 
 Gathering::Chunk Gathering::next() {
-  // Chunks grow with what is there, so that their number stays small.
+  // Chunks grow with the data read so far, so that their number stays small.
   constexpr std::size_t kSmallest = std::size_t{64} << 10U;
   constexpr std::size_t kLargest = std::size_t{64} << 20U;
   const std::size_t size = std::clamp<std::size_t>(size_ / 8, kSmallest, kLargest);
@@ -58,7 +58,7 @@ Bytes loadFile(const std::filesystem::path& path, std::uint64_t maxBytes) {
   if (std::filesystem::is_directory(path, ignored)) failSystem(name, "cannot read", EISDIR);
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "rb"));
   if (!file) failSystem(name, "cannot open", errno);
-  // A regular file has a size and is read in one go; the gathering takes pipes and growing files.
+  // A regular file has a size and is read in one go; the chunks handle pipes and growing files.
   std::error_code noSize;
   const std::uintmax_t expected = std::filesystem::file_size(path, noSize);
   if (!noSize) requireSize(name, expected, maxBytes);

@@ -7,7 +7,7 @@ namespace cutwater::formats {
 
 namespace {
 
-// More than any file needs; keeps a hostile header from being larger in memory than on disk.
+// More than any file needs; prevents a hostile header from taking more memory than disk space.
 constexpr std::size_t kMostElements = 256;
 constexpr std::size_t kMostProperties = 4096;
 

@@ -12,10 +12,10 @@ template <std::size_t count>
 using Words = std::array<std::string_view, count>;
 
 constexpr Words<6> kRead = {"v", "f", "fo", "g", "o", "usemtl"};
-// Geometry that is no polygon: skipped, and said so.
+// Geometry other than polygons: skipped, with a report.
 constexpr Words<12> kSkipped = {"p",   "l",   "curv", "curv2", "surf", "call",
                                 "csh", "bzp", "bsp",  "cdc",   "cdp",  "res"};
-// What belongs to materials, textures, normals, or to the curves and surfaces skipped.
+// Statements for materials, textures and normals, or for the skipped curves and surfaces.
 constexpr Words<27> kIgnored = {
     "vt",       "vn",   "vp",    "s",     "mg",         "mtllib",    "maplib", "usemap", "bevel",
     "c_interp", "lod",  "ctech", "stech", "shadow_obj", "trace_obj", "cstype", "deg",    "bmat",
@@ -90,8 +90,8 @@ class ObjReader {
     builder_.endPolygon(text_);
   }
 
-  // The first number of "7", "7/2", "7//3" or "7/2/3": counted from 1, or back from the last point
-  // if negative.
+  // The first number of "7", "7/2", "7//3" or "7/2/3": counted from 1 or, if negative, back from
+  // the last point.
   [[nodiscard]] std::int64_t indexOf(std::string_view corner) const {
     const auto slash = std::min(corner.find('/'), corner.size());
     const auto others = corner.substr(slash);
@@ -107,7 +107,7 @@ class ObjReader {
     return index > 0 ? index - 1 : points + index;
   }
 
-  // The group in force names the patch; where there is none the object does, or else the material.
+  // The patch is named after the current group; without one, after the object; else, the material.
   void namePatch() {
     builder_.setPatch(!group_.empty() ? group_ : !object_.empty() ? object_ : material_);
   }

@@ -12,7 +12,7 @@ void requireLine(TextCursor& text, const char* what) {
 }  // namespace
 
 // Geomview's format: the keyword, three counts, a line per point, a line per face. Texture
-// coordinates, colours and normals (ST, C, N before OFF) stand behind the coordinates.
+// coordinates, colours and normals (ST, C, N before OFF) follow the coordinates.
 SurfaceFile readOff(const Content& content, SoupBuilder& builder) {
   TextCursor text(content, {.comments = TextCursor::Comments::Anywhere});
   requireLine(text, "OFF");
@@ -25,7 +25,7 @@ SurfaceFile readOff(const Content& content, SoupBuilder& builder) {
   }
   const std::int64_t pointsPromised = text.toInteger(word);
   const std::int64_t facesPromised = text.integer();
-  text.skipNumbers();                          // the number of edges, which nobody relies on
+  text.skipNumbers();                          // the number of edges, which is unreliable
   constexpr std::uint64_t kSmallestPoint = 6;  // "0 0 0\n"
   constexpr std::uint64_t kSmallestFace = 8;   // "3 0 0 0\n"
   const auto points = text.requireRecords(pointsPromised, kSmallestPoint, "points");

@@ -8,7 +8,7 @@ namespace cutwater::formats {
 
 namespace {
 
-// The numbers of an ASCII body: a line per element, blank lines aside.
+// The numbers of an ASCII body: one line per element, ignoring blank lines.
 class AsciiValues {
  public:
   explicit AsciiValues(const TextCursor& behindHeader) : text_(behindHeader) {}
@@ -52,7 +52,7 @@ class BinaryValues {
   ByteCursor bytes_;
 };
 
-// The body of either encoding.
+// The body in either encoding.
 template <typename Values>
 class PlyBody {
  public:
@@ -111,7 +111,7 @@ class PlyBody {
     }
   }
 
-  // Per property: which coordinate it is, or -1.
+  // For each property: the index of its coordinate, or -1.
   [[nodiscard]] std::vector<int> axisOfProperties(const PlyElement& element) const {
     constexpr std::array<std::string_view, 3> kNames = {"x", "y", "z"};
     std::vector<int> axes(element.properties.size(), -1);

@@ -13,7 +13,7 @@ void expect(TextCursor& text, std::string_view keyword) {
   }
 }
 
-// Normals are not kept, they follow from the corners; but they must look like numbers. Some
+// Normals are discarded, as they follow from the corners; but they must look like numbers. Some
 // programs write NaN for degenerate facets, in Microsoft's old spelling too.
 void skipNormal(TextCursor& text) {
   expect(text, "normal");
@@ -25,7 +25,7 @@ void skipNormal(TextCursor& text) {
   }
 }
 
-// Behind the word "facet".
+// Reads what follows the word "facet".
 void readFacet(TextCursor& text, SoupBuilder& builder) {
   skipNormal(text);
   expect(text, "outer");

@@ -11,8 +11,9 @@ namespace cutwater::formats {
 namespace {
 
 // Legacy VTK, POLYDATA only. Keywords are text; arrays are text or big-endian binary. Up to version
-// 4 a cell is a count and its points; from version 5 on all cells are an array of offsets and one
-// of points. (VTK User's Guide, "VTK File Formats"; version 5.1 as vtkDataWriter writes it.)
+// 4 a cell is a count followed by its points; from version 5 on the cells are an array of offsets
+// and one of points. (VTK User's Guide, "VTK File Formats"; version 5.1 as vtkDataWriter writes
+// it.)
 class VtkReader {
  public:
   VtkReader(const Content& content, SoupBuilder& builder)
@@ -22,7 +23,7 @@ class VtkReader {
     readHeader();
     for (auto keyword = text_.wordOfFileOrNone(); !keyword.empty();
          keyword = text_.wordOfFileOrNone()) {
-      // What follows belongs to points and cells already read, and is not kept.
+      // The data that follow belong to the points and cells already read, and are discarded.
       if (is(keyword, "POINT_DATA") || is(keyword, "CELL_DATA")) break;
       readSection(keyword);
     }
@@ -56,7 +57,7 @@ class VtkReader {
     if (binary_) text_.reportBytes();
   }
 
-  // The format has each section once, and what is reserved for it relies on that.
+  // The format has each section once, and the reserved memory relies on that.
   void requireFirst(std::string_view keyword) {
     for (const auto before : sections_) {
       if (is(keyword, before)) text_.fail("a second " + quoted(keyword));
@@ -115,7 +116,7 @@ class VtkReader {
     }
   }
 
-  // "POLYGONS cells numbers", then per cell the number of its points and the points.
+  // "POLYGONS cells numbers", then for each cell the number of its points and the points.
   void readCellsByCounts(Cells kind, std::int64_t cellsPromised, std::int64_t numbersPromised) {
     constexpr ScalarType kInt = ScalarType::Int32;
     const std::uint64_t fewest = kind == Cells::Skipped ? 1 : 4;
@@ -171,7 +172,7 @@ class VtkReader {
     const auto found = text_.wordOfFile();
     if (!is(found, name)) text_.fail("expected " + quoted(name) + ", found " + quoted(found));
     const ScalarType type = scalarType();
-    // Narrow types would let a small file ask for much memory; VTK does not write them.
+    // Narrow types would let a small file request much memory; VTK does not write them.
     if (!isInteger(type) || sizeOf(type) < 4) text_.fail("expected an array of indices");
     return type;
   }
@@ -197,7 +198,7 @@ class VtkReader {
     }
   }
 
-  // Every second triangle of a strip is turned around.
+  // Every second triangle of a strip has the opposite orientation.
   void readStrip(ScalarType type, std::uint64_t corners) {
     if (corners < 3) cursor().fail("a strip has " + std::to_string(corners) + " points");
     std::array<std::int64_t, 2> last = {integer(type), 0};
@@ -213,14 +214,14 @@ class VtkReader {
     }
   }
 
-  // Up to the next blank line.
+  // Skips to the next blank line.
   void skipMetadata() {
     while (text_.nextLine()) {
       if (text_.word().empty()) return;
     }
   }
 
-  // "FIELD name arrays", then per array "name components tuples type" and the numbers.
+  // "FIELD name arrays", then for each array "name components tuples type" and the numbers.
   void skipFields() {
     static_cast<void>(text_.word());
     const auto arrays = text_.requireRecords(text_.integer(), 8, "arrays");
@@ -271,7 +272,7 @@ class VtkReader {
     return binary_ ? bytes_.integer(type) : text_.toInteger(text_.wordOfFile());
   }
 
-  // Binary data begin behind the line that announces them.
+  // Binary data begin after the line that announces them.
   void beginData() {
     if (binary_) bytes_.seek(text_.nextLineBegin());
   }

@@ -20,7 +20,7 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-// from_chars refuses a leading plus, which printf("%+g") and Fortran write.
+// from_chars rejects a leading plus, which printf("%+g") and Fortran write.
 std::string_view withoutPlus(std::string_view word) {
   const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
   return plus ? word.substr(1) : word;

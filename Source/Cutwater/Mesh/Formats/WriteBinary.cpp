@@ -18,7 +18,7 @@ bool hasLongFaces(const PolygonSoup& soup) {
   return false;
 }
 
-// Most readers know int best; uint is for what does not fit.
+// int is the most widely supported; uint is used only for larger indices.
 const char* indexType(const PolygonSoup& soup) {
   constexpr std::size_t kMostForInt = std::numeric_limits<std::int32_t>::max();
   return soup.points.size() > kMostForInt ? "uint" : "int";
@@ -41,7 +41,7 @@ void writeSingle(Output& out, const Vec3<double>& p, const std::string& name) {
 Vec3<double> facetNormal(const PolygonSoup& soup, std::size_t i) {
   const auto corners = soup.polygon(i);
   const auto& origin = soup.points[corners[0]];
-  // Halved and scaled to the size of 1: nothing overflows, whatever the unit of length.
+  // Halved and scaled to magnitude 1, so that nothing overflows in any unit of length.
   Vec3<double> u = 0.5 * soup.points[corners[1]] - 0.5 * origin;
   Vec3<double> v = 0.5 * soup.points[corners[2]] - 0.5 * origin;
   const double size = std::max(maxComponent(abs(u)), maxComponent(abs(v)));

@@ -16,7 +16,7 @@ void writePoints(Output& out, const PolygonSoup& soup, std::string_view before) 
   for (const auto& point : soup.points) out << before << point << '\n';
 }
 
-// "4 0 1 2 3" per line, which OFF and PLY share.
+// Lines such as "4 0 1 2 3", which OFF and PLY share.
 void writeFaces(Output& out, const PolygonSoup& soup, const std::string& name) {
   constexpr std::size_t kLongestIndex = 11;
   for (std::size_t i = 0; i < soup.polygonCount(); ++i) {

@@ -3,14 +3,14 @@
 
 #include <limits>
 
-// Legacy VTK of version 3, POLYDATA, with the index of each polygon's patch as cell data. (VTK
-// User's Guide, "VTK File Formats".)
+// Legacy VTK, version 3, POLYDATA, with the patch index of each polygon as cell data. (VTK User's
+// Guide, "VTK File Formats".)
 
 namespace cutwater::formats {
 
 namespace {
 
-/// Numbers as text, or big-endian as they are.
+/// Writes numbers as text, or in big-endian binary.
 class VtkNumbers {
  public:
   VtkNumbers(Output& out, bool ascii) : out_(out), ascii_(ascii) {}
