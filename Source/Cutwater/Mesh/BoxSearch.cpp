@@ -10,7 +10,7 @@ namespace cutwater {
 
 namespace {
 
-/// Those of the half axes, as far as they have some.
+/// The directions of the half axes, as far as they have any.
 std::array<Vec3<double>, 3> directionsOf(const OrientedBox<double>& box) {
   std::array<Vec3<double>, 3> result;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -39,7 +39,7 @@ TreeBox::TreeBox(const OrientedBox<double>& box, const BvhFrame& frame)
     : center(frame.toFrame(box.center)), isAligned(QueryBox::isAligned(box)) {
   const auto& [x, y, z] = box.halfAxis;
   Vec3<double> lengths{std::abs(x.x), std::abs(y.y), std::abs(z.z)};
-  double skew = 0;  // what the half axes reach along each other's directions
+  double skew = 0;  // components of the half axes along each other's directions
   if (!isAligned) {
     const auto directions = directionsOf(box);
     for (int i = 0; i < 3; ++i) {
@@ -52,8 +52,8 @@ TreeBox::TreeBox(const OrientedBox<double>& box, const BvhFrame& frame)
       halfAxes[i] = Vec3<float>(frame.scale * lengths[i] * direction);
     }
   }
-  // What QueryBox allows for, several times over, and the rounding of positions in the frame.
-  // Its axes are orthonormal: the boxes differ by what these are not.
+  // Several times what QueryBox allows for, and the rounding of positions in the frame. QueryBox
+  // has orthonormal axes; the boxes differ by the skew of the half axes.
   const double sizeOfAll = oneNorm(box.center) + oneNorm(x) + oneNorm(y) + oneNorm(z);
   const double margin = 16 * 0x1p-48 * (1 + sizeOfAll) + 8 * skew;
   const double scale = frame.scale;
@@ -63,7 +63,8 @@ TreeBox::TreeBox(const OrientedBox<double>& box, const BvhFrame& frame)
   const double inFrame = 0x1p-48 * (1 + oneNorm(center) + double{size});
   rounding = static_cast<float>(scale * margin + inFrame);
   depth = static_cast<float>(scale * (2 * margin + 2 * box.slack) + inFrame);
-  // A box and its image with slack differ by twice the slack, and so do those of one within it.
+  // A box and its image with slack differ by twice the slack, and so do a box within it and its
+  // image.
   reach = static_cast<float>(scale * (margin + 8 * box.slack) + inFrame);
 }
 
@@ -74,7 +75,7 @@ BoxOverlap overlapOf(const TriangleSearch& tree, const TriangleSurface<T>& surfa
   struct Context {
     const TriangleSurface<T>& surface;
     const OrientedBox<double>& box;
-    std::optional<QueryBox> query;  // seldom needed
+    std::optional<QueryBox> query;  // rarely needed
   };
   Context context{surface, box, {}};
   const auto exact = [](void* given, std::uint32_t triangle) {

@@ -24,33 +24,33 @@ struct Ball {
 
 double distanceTo(const Triangle<double>& t, const Vec3<double>& p) {
   if (p == t.a || p == t.b || p == t.c) return 0;
-  // To a point of the triangle, whatever the rounding of weights, which of slivers is large: the
-  // triangle is no farther.
+  // The distance to some point of the triangle, however large the rounding of the weights, as for
+  // slivers: the triangle is no farther.
   const auto w = max(closestBarycentric(p, t, triangleDistance(p, t).part), {});
   const double sum = w.x + w.y + w.z;
   if (!(sum > 0)) return length(p - t.a);
   return length(w.x * (p - t.a) + w.y * (p - t.b) + w.z * (p - t.c)) / sum;
 }
 
-/// How thick the triangle has to be.
+/// The thickness that the triangle needs.
 double thicknessAround(const Corners& corners, std::span<const Ball> balls) {
   const Triangle<double> t{corners[0], corners[1], corners[2], false};
   double thickness = 0;
   for (const auto& ball : balls) {
     thickness = std::max(thickness, distanceTo(t, ball.center) + ball.radius);
   }
-  // Places in frames and distances are off by a few 2^-53 of their sizes.
+  // Positions in frames and distances are off by a few 2^-53 of their magnitudes.
   return thickness + 0x1p-46 * (1 + length(t.a));
 }
 
-/// The ball whose centre is the farthest by some measure.
+/// The centre of the ball whose centre is farthest by some measure.
 template <typename Measure>
 Vec3<double> farthest(std::span<const Ball> balls, Measure&& measure) {
   return std::ranges::max_element(balls, {}, [&](const Ball& b) { return measure(b.center); })
       ->center;
 }
 
-/// The corner across from the shortest side first.
+/// Rotates the corners so that the one opposite the shortest side comes first.
 Corners tipFirst(const Corners& t) {
   const double ab = lengthSquared(t[1] - t[0]);
   const double bc = lengthSquared(t[2] - t[1]);
@@ -60,8 +60,8 @@ Corners tipFirst(const Corners& t) {
   return {t[2], t[0], t[1]};
 }
 
-/// Moves the side across from the tip outward to where the last centre is, and the plane to the
-/// middle of them: so an arc's segment is inside, and a curved patch half as thick.
+/// Moves the side opposite the tip outward to the last centre, and the plane to the middle of the
+/// centres: so an arc's segment is inside, and a curved patch needs half the thickness.
 Corners fitted(const Corners& t, std::span<const Ball> balls) {
   const auto& [b, c, a] = t;
   const Vec3<double> normal = normalized(cross(a - b, c - b));
@@ -94,7 +94,7 @@ Corners around(std::span<const Ball> balls) {
   const auto a = farthest(balls, from(balls.front().center));
   auto b = farthest(balls, from(a));
   const auto c = farthest(balls, offLine(a, b));
-  // Around a fan all corners but one are as far from that one: of these, the other end.
+  // In a fan, all corners but one are equally far from that one: takes the other end of these.
   const auto d = farthest(balls, offLine(b, c));
   b = farthest(balls, offLine(c, d));
   return fitted(tipFirst({b, c, d}), balls);
@@ -104,7 +104,7 @@ float roundedUp(double x) {
   return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
 }
 
-/// Half the surface of all that is within `thickness` of the triangle.
+/// Half the surface area of the set of points within `thickness` of the triangle.
 double hullArea(const Corners& t, double thickness) {
   const double perimeter = length(t[1] - t[0]) + length(t[2] - t[1]) + length(t[0] - t[2]);
   return 0.5 * length(cross(t[1] - t[0], t[2] - t[0])) +
@@ -146,7 +146,8 @@ class Builder {
     bool pays = false;
   };
 
-  /// Where the nodes of each level end; 0 first. Nodes are stored breadth first.
+  /// The end of each level in the array of nodes, after a leading 0. Nodes are stored breadth
+  /// first.
   std::vector<std::size_t> levels() const {
     std::vector<std::size_t> ends{0};
     for (std::size_t end = tree_.nodes().empty() ? 0 : 1; end > ends.back();) {
@@ -159,7 +160,7 @@ class Builder {
     return ends;
   }
 
-  /// Nothing if some child is not made of long triangles.
+  /// Returns nothing if some child does not consist of long triangles.
   std::optional<Candidate> candidateFor(const Node& node) const {
     std::array<std::vector<Ball>, TrianglePacket::kWidth> balls;
     std::array<Corners, TrianglePacket::kWidth> corners;
@@ -180,12 +181,12 @@ class Builder {
       areas += hullArea(stored, thickness);
       result.hulls.thickness[k] = roundedUp(thickness);
     }
-    // A hull costs as much to look at as a leaf, and a box has to be looked at anyway.
+    // Testing a hull costs as much as testing a leaf, and the box has to be tested anyway.
     result.pays = areas < 0.5 * boxes;
     return result;
   }
 
-  /// What is below a child, in the node's frame. False: nothing that hulls are good for.
+  /// Collects what is below a child, in the node's frame. Returns false where hulls are of no use.
   bool collect(const Node& node, int lane, std::vector<Ball>& balls) const {
     if (node.isLeaf(lane)) return collectLeaf(node, lane, balls);
     const auto n = node.nodeIndex(lane);
@@ -196,7 +197,7 @@ class Builder {
     for (std::size_t k = 0; k < count; ++k) {
       for (const auto& corner : triangles.corners(k)) {
         const auto place = node.toLocal(toTree(below, corner));
-        // Axes are orthonormal but for their rounding.
+        // The axes are orthonormal up to rounding.
         const double rounding = 0x1p-20 * (length(corner) + length(place));
         balls.push_back({place, thickness[k] * (1 + 0x1p-20) + rounding});
       }
@@ -207,7 +208,7 @@ class Builder {
     return Vec3<double>(node.center) + p.x * Vec3<double>(node.axes[0]) +
            p.y * Vec3<double>(node.axes[1]) + p.z * Vec3<double>(node.axes[2]);
   }
-  /// False unless triangles are about as long as the leaf.
+  /// Returns false unless the triangles are about as long as the leaf.
   bool collectLeaf(const Node& node, int lane, std::vector<Ball>& balls) const {
     double longest = 0;
     double count = 0;

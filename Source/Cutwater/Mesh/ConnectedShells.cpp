@@ -34,7 +34,7 @@ ConnectedShells connectShells(std::span<const std::array<std::uint32_t, 3>> tria
                                   join(passes.front().triangle, pass.triangle);
                                 }
                               });
-  // A root is the lowest of its shell: what stands before is numbered already.
+  // A root is the lowest triangle of its shell: those before it are already numbered.
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     if (parent[t] != t) {
       parent[t] = parent[parent[t]];

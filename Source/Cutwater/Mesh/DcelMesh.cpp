@@ -12,22 +12,22 @@
 namespace cutwater {
 namespace {
 
-/// Up to so many half-edges leave most vertices.
+/// Most vertices have at most this many outgoing half-edges.
 constexpr std::size_t kFew = 16;
 
-/// Turns counts per bin, with one bin more than there are, into offsets.
+/// Converts counts per bin into offsets; there must be one extra bin at the end.
 void accumulate(std::vector<std::uint32_t>& counts) {
   std::uint32_t sum = 0;
   for (auto& count : counts) sum += std::exchange(count, sum);
 }
 
-/// The half-edges at one vertex, sorted into edges by their other end. Linear: each other end
-/// points to its edge through an array over all vertices, which is reset afterwards.
+/// The half-edges at one vertex, grouped into edges by their other end. Takes linear time: each
+/// other end points to its edge through an array over all vertices, which is reset afterwards.
 class EdgesAtVertex {
  public:
   explicit EdgesAtVertex(std::size_t vertexCount) : edgeTo_(vertexCount, kNone) {}
 
-  /// Visits the edges to higher vertices, of the half-edges that `wanted` answers true for.
+  /// Visits the edges to higher vertices, among the half-edges for which `wanted` returns true.
   template <typename Mesh, typename Visit, typename Wanted>
   void visit(const Mesh& mesh, VertexId vertex, Visit visit, Wanted wanted) {
     for (const HalfEdgeId out : mesh.outgoing(vertex)) {
@@ -56,7 +56,7 @@ class EdgesAtVertex {
     uses_.push_back({edge, e});
   }
 
-  /// Calls visit(other end, half-edges) per edge and forgets them.
+  /// Calls visit(other end, half-edges) for each edge, and clears the edges.
   template <typename Visit>
   void flush(Visit visit) {
     offsets_.assign(otherEnds_.size() + 1, 0);
@@ -165,7 +165,7 @@ void DcelMesh<T>::visitEdgesWithoutTwins(FunctionRef<void(const Edge&)> visit) c
 template <std::floating_point T>
 void DcelMesh<T>::pairTwins() {
   twins_.assign(origins_.size(), kNoHalfEdge);
-  // Edges belong to their lower vertex: threads write to different half-edges.
+  // An edge belongs to its lower vertex, so threads write to different half-edges.
   const auto pairFew = [this](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
       if (outgoing(VertexId{v}).size() <= kFew) pairTwinsAt(VertexId{v});
@@ -190,7 +190,7 @@ void DcelMesh<T>::pairTwins() {
   }
 }
 
-/// By comparing all with all, at a vertex of few half-edges.
+/// Pairs the half-edges at a vertex that has few, by comparing all with all.
 template <std::floating_point T>
 void DcelMesh<T>::pairTwinsAt(VertexId vertex) {
   const auto out = outgoing(vertex);

@@ -14,7 +14,8 @@ struct Point2 {
   bool operator==(const Point2&) const = default;
 };
 
-/// Projects along the largest component of the normal such that "up" sees the polygon's own turn.
+/// Projects along the largest component of the normal, with turns as seen from the side it points
+/// to.
 std::vector<Point2> projected(std::span<const Vec3<double>> corners, const Vec3<double>& normal) {
   const Vec3<double> size = abs(normal);
   const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
@@ -70,8 +71,8 @@ class EarClipper {
     std::uint32_t version = 0;  ///< counts changes of the neighbours
     bool removed = false;
   };
-  /// What there is to clip, in order of preference. Only simple polygons need no more than the
-  /// first; the others see to it that clipping always ends.
+  /// The kinds of corners to clip, in order of preference. Only simple polygons make do with the
+  /// first; the others ensure that clipping always terminates.
   enum class Kind { Convex, Flat, Blocked, Reflex };
   struct Candidate {
     Kind kind;
@@ -79,7 +80,7 @@ class EarClipper {
     std::uint32_t corner;
     std::uint32_t version;
 
-    /// Whether the other is to be clipped first.
+    /// Whether the other candidate is clipped first.
     bool operator<(const Candidate& other) const {
       if (kind != other.kind) return kind > other.kind;
       if (quality != other.quality) return quality < other.quality;
@@ -130,7 +131,7 @@ class EarClipper {
   }
 
   /// Whether another corner lies in the triangle or on its border. Only corners that are not convex
-  /// need a look, and of those the ones in the triangle's range of x.
+  /// need a test, and only those in the triangle's range of x.
   [[nodiscard]] bool isBlocked(std::uint32_t i) const {
     const auto [ia, ib, ic] = triangleAt(i);
     const Point2 a = points_[ia];

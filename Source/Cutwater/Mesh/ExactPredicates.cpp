@@ -12,14 +12,14 @@ int sign(double value) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-/// A number as a sum of doubles without common bits, the least first, none of them zero (Shewchuk
-/// 1997, section 2). At most `Capacity` of them; sums and products are exact.
+/// A number as a sum of doubles without common bits, smallest first, none of them zero (Shewchuk
+/// 1997, section 2). It has at most `Capacity` parts; sums and products are exact.
 template <std::size_t Capacity>
 class Expansion {
  public:
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] double operator[](std::size_t i) const { return parts_[i]; }
-  /// The largest part is larger than all others together.
+  /// The largest part exceeds all others together.
   [[nodiscard]] int signOf() const { return size_ == 0 ? 0 : sign(parts_[size_ - 1]); }
   void push(double part) {
     if (part != 0) parts_[size_++] = part;
@@ -42,7 +42,7 @@ Expansion<2> expansion(DoubleDouble value) {
   return result;
 }
 
-/// Shewchuk's fast-expansion-sum: merge by size, then carry upwards.
+/// Shewchuk's fast-expansion-sum: merges by size, then carries upwards.
 template <std::size_t A, std::size_t B>
 Expansion<A + B> operator+(const Expansion<A>& a, const Expansion<B>& b) {
   Expansion<A + B> result;
@@ -81,7 +81,7 @@ Expansion<2 * A> operator*(const Expansion<A>& a, double factor) {
   return result;
 }
 
-/// By an expansion of two parts, as differences are.
+/// Multiplies by an expansion of two parts, such as a difference.
 template <std::size_t A>
 Expansion<4 * A> operator*(const Expansion<A>& a, const Expansion<2>& b) {
   Expansion<4 * A> result;
@@ -130,8 +130,8 @@ int determinantSign(const DoubleDouble3& u, const DoubleDouble3& v, const Double
   return (x + y + z).signOf();
 }
 
-/// Below this the filters leave the decision to exact arithmetic: far above what coarse() drops
-/// from a product of three numbers up to 2^60, and far below any determinant of consequence.
+/// Below this the filters defer to exact arithmetic. It is far above what coarse() drops from a
+/// product of three numbers up to 2^60, and far below any determinant of consequence.
 constexpr double kTiny = 0x1p-200;
 
 }  // namespace
@@ -158,7 +158,7 @@ int orientation(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>
   const DoubleDouble3 exactU = difference(b, a);
   const DoubleDouble3 exactV = difference(c, a);
   const DoubleDouble3 exactW = difference(p, a);
-  // Each operation is within 2^-100 of its terms, and five of them lie on every path.
+  // Each operation is within 2^-100 of its terms, and there are five of them on every path.
   const double finer = static_cast<double>(dot(cross(exactU, exactV), exactW));
   if (std::abs(finer) > 0x1p-96 * sizes + kTiny) return sign(finer);
   return determinantSign(exactU, exactV, exactW);
@@ -182,8 +182,8 @@ int crossSign(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& 
 
 namespace {
 
-/// Of the first component that is not zero: how a value with this gradient changes when the point
-/// moves by (e, e^2, e^3).
+/// The sign of the first nonzero component. It determines how a value with this gradient changes
+/// when the point moves by (e, e^2, e^3).
 template <typename Component>
 int firstSign(Component&& component) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -192,7 +192,8 @@ int firstSign(Component&& component) {
   return 0;
 }
 
-/// On which side of the edge from `a` to `b` the moved line passes; 0 only if they are parallel.
+/// The side of the edge from `a` to `b` on which the perturbed line passes; 0 only if they are
+/// parallel.
 int sideOfEdge(const Segment<double>& line, const Vec3<double>& a, const Vec3<double>& b) {
   if (const int s = orientation(line.start, line.end, a, b); s != 0) return s;
   return firstSign([&](int axis) { return crossSign(line.start, line.end, a, b, axis); });
@@ -213,7 +214,8 @@ int passage(const Segment<double>& segment, const std::array<Vec3<double>, 3>& t
   const int start = sideOf(segment.start, triangle);
   const int end = sideOf(segment.end, triangle);
   if (start == end) return 0;
-  // A triangle seen edge-on has no inside; an edge parallel to the segment belongs to one.
+  // A triangle seen edge-on has no inside; an edge parallel to the segment belongs to such a
+  // triangle.
   const int first = sideOfEdge(segment, a, b);
   if (first == 0 || first != sideOfEdge(segment, b, c) || first != sideOfEdge(segment, c, a)) {
     return 0;

@@ -14,17 +14,17 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// Of coordinates in scaled units, which begin below 4 (see normalizingScale()): exact predicates
-/// have room for sums and products of numbers that are as small, and do not overflow.
+/// Bound on coordinates in scaled units, which are below 4 initially (see normalizingScale()). Sums
+/// and products of numbers this small do not overflow in the exact predicates.
 constexpr double kFarthest = 8;
 
-/// Whether check(element) holds for all of them; looked at in parallel.
+/// Whether check(element) holds for all elements; runs in parallel.
 template <typename Record, typename Check>
 bool all(std::span<const Record> records, int threads, Check check) {
   std::atomic<bool> result{true};
   parallelFor(records.size(), {.threads = threads, .grain = std::size_t{1} << 16U},
               [&](std::size_t begin, std::size_t end) {
-                bool holds = true;  // no early end: loops without one are vectorised
+                bool holds = true;  // no early exit: loops without one are vectorised
                 for (std::size_t i = begin; i < end; ++i) holds &= check(records[i]);
                 if (!holds) result = false;
               });
@@ -46,8 +46,8 @@ bool canHave(const BvhTree<K, W>& /*tree*/, int depth) {
   return 0 <= depth && depth <= BvhTree<K, W>::kMaxDepth;
 }
 
-/// Breadth first, as the builder lays it out: every node but the root is the child of one before
-/// it, and every leaf of one node.
+/// Checks the builder's breadth-first layout: every node but the root is the child of an earlier
+/// node, and every leaf the child of exactly one.
 template <int K, int W>
 void checkTree(const BvhTree<K, W>& tree) {
   const auto nodes = tree.nodes();
@@ -72,7 +72,7 @@ void checkTree(const BvhTree<K, W>& tree) {
   requireIntact(depth == tree.depth(), "a tree is not as deep as the header tells");
 }
 
-/// Ids of triangles first, at least one, and then none.
+/// Checks that each leaf holds ids of triangles, at least one, followed only by kNone.
 template <int W>
 void checkLeaves(std::span<const std::uint32_t> slots, std::size_t triangles, int threads) {
   std::atomic<bool> isSound{true};

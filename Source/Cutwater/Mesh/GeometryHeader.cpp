@@ -15,7 +15,7 @@ constexpr std::size_t kAlignment = BlockWriter::kAlignment;
 using Head = GeometryHead;
 constexpr std::uint32_t kOtherByteOrder = 0x04030201;
 
-/// Every number a word of eight bytes.
+/// Writes every number as a word of eight bytes.
 class WordWriter {
  public:
   template <typename Number>
@@ -33,7 +33,7 @@ class WordWriter {
   std::vector<std::uint64_t> words_;
 };
 
-/// As many as a WordWriter has written.
+/// Reads as many numbers as a WordWriter has written.
 class WordReader {
  public:
   explicit WordReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -94,7 +94,7 @@ void visitPlacement(Words& words, RigidTransform<T>& placement) {
   placement = RigidTransform<T>(axes, offset);
 }
 
-/// Visits all that the header holds behind its first bytes: one order for writing and reading.
+/// Visits everything in the header after its first bytes, in one order for writing and reading.
 template <typename Words, typename T>
 void visitRecord(Words& words, MeshRecord<T>& record) {
   auto& layout = record.layout;
@@ -133,7 +133,7 @@ constexpr std::size_t roundedUp(std::size_t bytes) {
   return (bytes + kAlignment - 1) / kAlignment * kAlignment;
 }
 
-/// With room for the checksum at its end.
+/// Includes room for the checksum at the end.
 constexpr std::size_t headerBytesFor(std::size_t words) {
   return roundedUp(sizeof(Head) + (words + 1) * sizeof(std::uint64_t));
 }
@@ -142,7 +142,7 @@ constexpr std::size_t headerBytesFor(std::size_t words) {
   throw Error(ErrorKind::File, what);
 }
 
-/// The first bytes, and the checksum of the whole header.
+/// Checks the first bytes, and the checksum of the whole header.
 template <std::floating_point T>
 Head checkedHead(std::span<const std::byte> bytes) {
   if (bytes.empty()) fail("there is nothing in it");
@@ -176,8 +176,8 @@ Head checkedHead(std::span<const std::byte> bytes) {
   return head;
 }
 
-/// Arrays follow each other as a BlockWriter lays them, to the end of the block. No sum can
-/// overflow: an array that is too long for what is left of the block is found before.
+/// Checks that arrays follow each other as a BlockWriter places them, up to the end of the block.
+/// No sum can overflow, as an array too long for the rest of the block is found first.
 template <std::floating_point T>
 void checkSections(MeshLayout<T>& layout, std::uint64_t blockBytes) {
   std::uint64_t at = 0;

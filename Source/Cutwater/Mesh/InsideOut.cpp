@@ -13,20 +13,20 @@ namespace cutwater {
 namespace {
 
 struct Shell {
-  bool closed = true;  // as many triangles run one way along each edge as the other
+  bool closed = true;  // each edge is passed equally often in both directions
   bool turned = false;
   double triangles = 0;
   double volume = 0;
   double area = 0;
-  double sizes = 0;  // sum of products of the edges that the volume is made of
-  // Of unbalanced edges: the sum of their corners, the number of those, and the edges' length.
+  double sizes = 0;  // sum of the products of lengths in the volume's terms
+  // For unbalanced edges: the sum of their corners, the number of these, and the edges' length.
   Vec3<double> corners;
   double cornerCount = 0;
   double rim = 0;
 };
 
-/// Which shells contain a vertex of a given shell: the parity of their passages along a segment
-/// that leads out of the mesh.
+/// Finds the shells that contain a vertex of a given shell, by the parity of their crossings along
+/// a segment that leads out of the mesh.
 class Containment {
  public:
   explicit Containment(const AgreeingTriangles& mesh)
@@ -66,7 +66,7 @@ class Containment {
 
  private:
   std::span<const std::uint32_t> shellOf_;
-  std::vector<std::uint32_t> lowest_;  // vertex of each shell, whichever way its faces are turned
+  std::vector<std::uint32_t> lowest_;  // vertex of each shell, independent of face orientation
   TriangleSurface<double> surface_;
   BvhArrays<16, 4> tree_;
 };
@@ -101,8 +101,8 @@ class InsideOutSearch {
     }
   }
 
-  /// The shells' volumes; of open ones, closed by fans from the middle of their boundary: they
-  /// contribute nothing, seen from there.
+  /// Computes the shells' volumes. Open ones are closed by fans from the middle of their boundary,
+  /// which contribute nothing as seen from there.
   void measure() {
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       auto& shell = shells_[mesh_.shells.shellOf[t]];
@@ -116,13 +116,13 @@ class InsideOutSearch {
     }
   }
 
-  /// Volumes that are only rounding are taken again; sheets have none.
+  /// Recomputes volumes that are within rounding of zero; sheets get none.
   void judge() {
     std::vector<bool> thin(shells_.size());
     bool someAreThin = false;
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       const auto& shell = shells_[s];
-      // A dozen roundings within each term, and one per sum.
+      // A dozen roundings in each term, and one per addition.
       const double rounding = 0x1p-53 * (16 + shell.triangles) * shell.sizes;
       thin[s] = shell.closed && std::abs(shell.volume) <= rounding;
       someAreThin = someAreThin || thin[s];
@@ -136,7 +136,7 @@ class InsideOutSearch {
     }
   }
 
-  /// In twice the precision, for plates a few ulps thick.
+  /// Uses twice the precision, for plates a few ulps thick.
   void measureThin(const std::vector<bool>& thin) {
     std::vector<DoubleDouble> volumes(shells_.size());
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
@@ -210,7 +210,7 @@ class InsideOutSearch {
     const auto first = mesh_.shells.firstTriangles[mesh_.shells.shellOf[triangle]];
     return mesh_.positions[mesh_.triangles[first][0]];
   }
-  /// The first corner, and from there to the others.
+  /// The first corner, and the vectors from there to the others.
   [[nodiscard]] std::array<Vec3<double>, 3> edgesOf(std::size_t triangle) const {
     const auto& [v0, v1, v2] = mesh_.triangles[triangle];
     const auto& a = mesh_.positions[v0];

@@ -27,11 +27,12 @@ class CrossingWalk {
   }
 
  private:
-  /// Passages this close are not told apart by signs between them.
+  /// Signs are evaluated this far from passages; passages closer to each other are not
+  /// distinguished.
   static constexpr double kGap = 0x1p-36;
   static constexpr int kHalvings = 8;
 
-  // Each answers whether to go on.
+  // Each returns whether to continue.
 
   bool report(double parameter, const Vec3<T>& normal, const SurfaceOwner& owner) {
     solid_ = !solid_;
@@ -45,21 +46,22 @@ class CrossingWalk {
   }
 
   bool reportPassage(const Passage& passage) {
-    // Out of the solid, also where a face looks the other way.
+    // The normal points out of the solid, even where the face is turned the other way.
     const bool entering = !solid_;
     const auto normal = unitNormal(field_.surface.triangle(passage.triangle));
     return report(passage.parameter, entering == (passage.direction < 0) ? normal : -normal,
                   field_.surface.owner(passage.triangle));
   }
 
-  /// At an end of the segment that lies on the surface, on its inner side by perturbation.
+  /// Reports an end of the segment that lies on the surface, and on its inner side by perturbation.
   bool reportEnd(double parameter) {
     const auto& p = parameter == 0 ? segment_.start : segment_.end;
     const auto hit = field_.surface.surfacePoint(p, field_.nearest(p));
     return report(parameter, hit.normal, hit.owner);
   }
 
-  /// On a sheet that closes a hole: no triangle, no normal but the segment's own direction.
+  /// Reports a crossing of a sheet that closes a hole. It has no triangle; its normal is along the
+  /// segment.
   bool reportJump(double parameter) {
     const auto direction = normalized(segment_.end - segment_.start);
     const auto p = segment_.at(static_cast<T>(parameter));
@@ -102,7 +104,7 @@ class CrossingWalk {
     return searchJumps(from, to, isInside(to), halvings);
   }
 
-  /// From where the sign is the present one to where it is `solidThere`.
+  /// Searches from a place with the present sign to one where the sign is `solidThere`.
   bool searchJumps(double from, double to, bool solidThere, int halvings) {
     if (solid_ == solidThere) {
       const auto piece = Box<double>{}
@@ -124,7 +126,7 @@ class CrossingWalk {
   [[nodiscard]] double bisected(double from, double to) const {
     for (;;) {
       const double middle = 0.5 * (from + to);
-      // In T's precision, or there would be no end.
+      // Tested in T's precision, so that the loop terminates.
       if (!(static_cast<T>(from) < static_cast<T>(middle) &&
             static_cast<T>(middle) < static_cast<T>(to))) {
         return to;

@@ -29,7 +29,7 @@ class Checker {
  private:
   using Edge = typename DcelMesh<T>::Edge;
 
-  /// The corner of e's face at one end of e, as the half-edge that leaves it.
+  /// The corner of e's face at one end of e, given by the half-edge that leaves it.
   [[nodiscard]] std::uint32_t cornerAt(VertexId end, HalfEdgeId e) const {
     return index(mesh_.origin(e) == end ? e : mesh_.next(e));
   }
@@ -91,7 +91,7 @@ class Checker {
 
   [[nodiscard]] bool hasArea(FaceId face) const {
     if (mesh_.normal(face) != Vec3<T>{}) return true;
-    // The halves of a bow tie may cancel; an area may be too small for its number.
+    // The halves of a bow tie may cancel, and an area may underflow.
     return std::ranges::any_of(mesh_.triangles(face), [this](const TriangleCorners& triangle) {
       std::array<Vec3<double>, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) corners[i] = Vec3<double>(mesh_.position(triangle[i]));

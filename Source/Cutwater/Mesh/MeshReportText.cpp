@@ -23,14 +23,14 @@ std::string text(Id id) {
   return text(std::size_t{index(id)});
 }
 
-/// A kind of defect, in the words of the summary and of the table.
+/// A kind of defect, in the wording of the summary and of the table.
 struct Kind {
   std::string_view singular;
   std::string_view plural;
-  std::string_view places;  ///< what the numbers behind it are
+  std::string_view places;  ///< what the numbers after it denote
 };
 
-/// Calls visit(kind, findings) for all of them, worst first.
+/// Calls visit(kind, findings) for all kinds, worst first.
 template <typename Visit>
 void forAllDefects(const MeshReport& r, Visit visit) {
   visit(Kind{"open edge", "open edges", "vertices"}, r.boundaryEdges);

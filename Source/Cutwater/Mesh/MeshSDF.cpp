@@ -13,7 +13,7 @@ namespace cutwater {
 
 namespace {
 
-/// Each ended by a zero.
+/// Joins the names, each terminated by a zero.
 std::string joined(std::span<const std::string> names) {
   std::string result;
   for (const auto& name : names) result += name + '\0';
@@ -38,7 +38,7 @@ template <std::floating_point T>
 MeshSDF<T>::MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options) : options_(options) {
   std::string names;
   const auto data = [&] {
-    const DcelMesh<T> mesh(soup);  // not needed any longer than this
+    const DcelMesh<T> mesh(soup);  // needed only here
     names = joined(mesh.patchNames());
     return TriangleSurfaceData<T>(mesh);
   }();

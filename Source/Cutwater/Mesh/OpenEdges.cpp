@@ -21,7 +21,7 @@ void visitEdgesWithoutNeighbours(
       }
     }
   };
-  // Sorted by lower vertex by counting, within a vertex by comparing.
+  // Sorted by lower vertex (counting sort), then within each vertex (by comparison).
   std::vector<std::size_t> begin(vertexCount + 1);
   visitHalfEdges([&](std::uint32_t lower, const EdgePass&) { ++begin[lower]; });
   std::size_t count = 0;

@@ -12,7 +12,7 @@ namespace cutwater {
 template <std::floating_point T>
 int OpenWinding::closedWinding(const TriangleSurface<T>& surface, TrianglesAlong along,
                                const Vec3<double>& p) const {
-  const auto& box = surface.box;  // the caps' corners are the surface's
+  const auto& box = surface.box;  // the caps' corners belong to the surface
   if (!box.contains(p)) return 0;
   const auto exit = exitOf(box, p);
   const auto alongCaps = [this](const Segment<double>& segment, TriangleVisitor visit) {
@@ -21,7 +21,7 @@ int OpenWinding::closedWinding(const TriangleSurface<T>& surface, TrianglesAlong
   return windingAlong(surface, exit, along) + windingAlong(triangles_, exit, alongCaps);
 }
 
-/// The point itself, then points beside it by a few of its ulps, in directions that no edge has.
+/// The point itself at first, then points a few of its ulps away, in directions that no edge has.
 Vec3<double> OpenWinding::nudged(const Vec3<double>& p, int attempt) {
   const double step = attempt * 0x1p-50 * std::max(1.0, maxComponent(abs(p)));
   return p + step * Vec3<double>{1, 1.625, -2.3125 + attempt};
@@ -55,7 +55,7 @@ WindingNumber<double>::Estimate OpenWinding::estimate(const TriangleSurface<T>& 
 
 double OpenWinding::gradientBound(const Box<double>& box) const {
   const double byEdges = caps_.gradientBound(box);
-  // Good enough to tell 0 and 1 from 1/2 anywhere in the box.
+  // Sufficient to distinguish 0 and 1 from 1/2 anywhere in the box.
   if (byEdges * box.diagonal() < 0.5) return byEdges;
   return std::min(byEdges, caps_.gradientBoundByArea(box));
 }
@@ -76,8 +76,8 @@ OpenWindingData::OpenWindingData(std::span<const Vec3<T>> positions,
 }
 
 double OpenWindingData::reach() const {
-  // From a distance d the caps, of area A in all, span at most A / d^2: half of the full sphere at
-  // most where d^2 >= A / (2 pi).
+  // At a distance d the caps, of total area A, subtend at most A / d^2: at most half of the full
+  // sphere where d^2 >= A / (2 pi).
   double area = 0;
   for (const auto& [a, b, c] : triangles_) {
     area += 0.5 * length(cross(positions_[b] - positions_[a], positions_[c] - positions_[a]));

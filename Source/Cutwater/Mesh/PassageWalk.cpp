@@ -11,15 +11,15 @@ bool isBefore(const Passage& a, const Passage& b) {
   return a.parameter < b.parameter || (a.parameter == b.parameter && a.triangle < b.triangle);
 }
 
-/// The ratio of the ends' heights over the plane, in twice the precision: differences of heights
-/// are small for segments that graze it.
+/// The ratio of the ends' heights above the plane, in twice the precision, as differences of
+/// heights are small for segments that graze it.
 double parameterOf(const Segment<double>& segment, const std::array<Vec3<double>, 3>& triangle) {
   const auto& [a, b, c] = triangle;
   const auto normal = cross(DoubleDouble3::difference(b, a), DoubleDouble3::difference(c, a));
   const auto start = dot(normal, DoubleDouble3::difference(segment.start, a));
   const auto end = dot(normal, DoubleDouble3::difference(segment.end, a));
   const auto whole = start - end;
-  // Passed although it lies in the plane: by the perturbation alone, anywhere in the triangle.
+  // Crossed although it lies in the plane: by perturbation alone, anywhere in the triangle.
   if (whole == DoubleDouble(0)) return 0;
   return std::clamp(static_cast<double>(start / whole), 0.0, 1.0);
 }
@@ -47,7 +47,7 @@ void PassageWalk<T>::fetch() {
   isComplete_ = count_ < kBatch;
 }
 
-/// Keeps the first of those that have not been returned yet; how far along more are wanted.
+/// Keeps the first passages not yet returned; returns the parameter up to which more are wanted.
 template <std::floating_point T>
 double PassageWalk<T>::insert(const Passage& passage) {
   const auto wanted = [&] { return count_ < kBatch ? 1 : batch_[kBatch - 1].parameter; };

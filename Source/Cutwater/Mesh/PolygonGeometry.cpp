@@ -24,7 +24,7 @@ Vector crossProducts(std::span<const Vec3<double>> corners, double scale, Differ
   return sum;
 }
 
-/// The sum of the lengths' products: what the cross products' rounding is proportional to.
+/// The sum of the products of lengths, to which the rounding of the cross products is proportional.
 double crossProductsSize(std::span<const Vec3<double>> corners, double scale) {
   double sum = 0;
   double previous = 0;
@@ -51,7 +51,7 @@ Vec3<double> scaledAreaVector(std::span<const Vec3<double>> corners, double scal
   return length(precise) > kRounding * size ? precise : Vec3<double>{};
 }
 
-/// The area that `twice`, twice the area of a polygon scaled by `scale`, stands for.
+/// The area that corresponds to `twice`, twice the area of a polygon scaled by `scale`.
 double unscaledArea(double twice, double scale) {
   return 0.5 * twice / scale / scale;
 }
@@ -62,7 +62,8 @@ double unitScale(std::span<const Vec3<double>> corners) {
   double size = 0;
   for (const auto& p : corners) size = std::max(size, maxComponent(abs(p - corners[0])));
   const auto exponent = std::bit_cast<std::uint64_t>(size) >> 52U;
-  // The usual case without calls: the exponents of a number and of its scale sum to twice the bias.
+  // The usual case, without function calls: the exponents of a number and its scale sum to twice
+  // the bias.
   if (exponent - 1 < 2045) return std::bit_cast<double>((2046 - exponent) << 52U);
   return size > 0 ? std::ldexp(1.0, std::min(-std::ilogb(size), 1022)) : 1;
 }
@@ -72,7 +73,7 @@ T normalizingScale(std::span<const Vec3<T>> positions) {
   T largest = 0;
   for (const auto& p : positions) largest = std::max(largest, maxComponent(abs(p)));
   if (!(largest > 0)) return 1;
-  // Up as far as squares of small numbers allow, down to the least scale that is a normal number.
+  // Scales up as far as squares of small numbers allow, and down to the least normal scale.
   constexpr int kMostUp = std::numeric_limits<T>::max_exponent / 2;
   constexpr int kMostDown = std::numeric_limits<T>::max_exponent - 2;
   return std::ldexp(T(1), -std::clamp(std::ilogb(largest), -kMostUp, kMostDown));
@@ -114,8 +115,8 @@ TriangleShape triangleShape(const std::array<Vec3<double>, 3>& corners) {
   const Vec3<double> u = scale * corners[1] - scale * corners[0];
   const Vec3<double> v = scale * corners[2] - scale * corners[1];
   const Vec3<double> w = scale * corners[0] - scale * corners[2];
-  // |u x v| is the same at all corners and has its digits; the dot product needs no more than its
-  // rounding relative to |u| |v|, for it vanishes only where |u x v| does not.
+  // u x v| is the same at all corners and accurate; for the dot product, rounding relative to |u|
+  // |v| is accurate enough, as it vanishes only where |u x v| does not.
   return {twice / twiceArea,
           unscaledArea(twiceArea, scale),
           {std::atan2(twiceArea, -dot(u, w)), std::atan2(twiceArea, -dot(u, v)),

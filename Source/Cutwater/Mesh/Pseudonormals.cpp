@@ -13,16 +13,16 @@ template <std::floating_point T>
 constexpr double kEpsilon = std::numeric_limits<T>::epsilon();
 
 /// The direction of a sum of vectors whose lengths add up to `weight`; zero where only rounding is
-/// left of it, as between two coincident triangles back to back.
+/// left of the sum, as between two coincident triangles back to back.
 template <std::floating_point T>
 Vec3<T> directionOfSum(const Vec3<double>& sum, double weight, double epsilon) {
   return length(sum) > 8 * epsilon * weight ? static_cast<Vec3<T>>(normalized(sum)) : Vec3<T>{};
 }
 
 constexpr std::size_t kBlock = 16384;
-// Of the points; all parts read all triangles.
+// Parts that the points are divided into; all parts read all triangles.
 constexpr std::size_t kMostParts = 8;
-// Neighbours in memory belong to one part.
+// Neighbours in memory belong to the same part.
 constexpr std::size_t kOwned = 64;
 
 struct WeightedSum {
@@ -58,7 +58,7 @@ Pseudonormals<T> pseudonormals(std::span<const Vec3<T>> points,
       }
     };
     parallelFor(block.size(), {.grain = 1024}, measure);
-    // In the order of triangles, whatever the number of threads: each has points of its own.
+    // The order of triangles is kept for any number of threads: each part has its own points.
     const auto add = [&](std::size_t part, std::size_t) {
       for (std::size_t i = 0; i < block.size(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) {

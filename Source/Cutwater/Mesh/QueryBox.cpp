@@ -8,9 +8,9 @@ namespace cutwater {
 
 namespace {
 
-/// Orthonormal axes along the half axes, or any where these are too short to tell.
+/// Orthonormal axes along the half axes; arbitrary where these are too short to determine them.
 std::array<Vec3<double>, 3> axesAlong(const std::array<Vec3<double>, 3>& halfAxes) {
-  std::array<std::size_t, 3> order{0, 1, 2};  // the longest first: its direction is the surest
+  std::array<std::size_t, 3> order{0, 1, 2};  // longest first: its direction is the most accurate
   std::ranges::sort(order, std::greater<>{},
                     [&](std::size_t i) { return lengthSquared(halfAxes[i]); });
   std::array<Vec3<double>, 3> axes;
@@ -25,25 +25,25 @@ std::array<Vec3<double>, 3> axesAlong(const std::array<Vec3<double>, 3>& halfAxe
   const auto across = [&](const Vec3<double>& v) { return v - dot(v, first) * first; };
   auto& second = axes[order[1]];
   second = direction(across(halfAxes[order[1]]), normalized(across(leastAlong)));
-  // Once more: what was left along the first axis by rounding.
+  // Repeated, to remove what rounding left along the first axis.
   second = normalized(across(second));
   axes[order[2]] = cross(first, second);
   return axes;
 }
 
-/// Directions across an edge and one of the box's.
+/// The directions across an edge and each of the box's axes.
 std::array<Vec3<double>, 3> acrossEdges(const Vec3<double>& e) {
   return {{{0, -e.z, e.y}, {e.z, 0, -e.x}, {-e.y, e.x, 0}}};
 }
 
-/// A convex polygon that is clipped: a triangle and six planes make at most nine corners.
+/// A convex polygon to be clipped; a triangle and six planes give at most nine corners.
 class Polygon {
  public:
   explicit Polygon(const QueryBox::Corners& triangle) : count_(3) {
     std::ranges::copy(triangle, corners_.begin());
   }
 
-  /// Leaves what lies at sign * coordinate <= limit. (Sutherland and Hodgman 1974.)
+  /// Keeps the part where sign * coordinate <= limit. (Sutherland and Hodgman 1974.)
   void clip(int axis, double sign, double limit) {
     std::array<Vec3<double>, 9> kept;
     std::size_t found = 0;
@@ -71,13 +71,14 @@ QueryBox::QueryBox(const OrientedBox<double>& box)
     : center_(box.center), axes_(axesAlong(box.halfAxis)) {
   double size = oneNorm(center_);
   for (const auto& half : box.halfAxis) size += oneNorm(half);
-  // Differences, products and sums of coordinates up to about 1, and of the box's own.
+  // Rounding of differences, products and sums of coordinates up to about 1, and of the box's own.
   rounding_ = 0x1p-48 * (1 + size);
   for (int i = 0; i < 3; ++i) {
     const auto& axis = axes_[static_cast<std::size_t>(i)];
     double reach = 0;
     for (const auto& half : box.halfAxis) reach += std::abs(dot(half, axis));
-    // What half axes that are not quite orthogonal add on one side they take away on the other.
+    // Half axes that are not quite orthogonal extend the box on one side and shrink it on the
+    // other.
     const double own = std::abs(dot(box.halfAxis[static_cast<std::size_t>(i)], axis));
     half_[i] = reach + box.slack + rounding_;
     innerHalf_[i] = own - (reach - own) - box.slack - 4 * rounding_;
@@ -138,7 +139,7 @@ double QueryBox::gap(const Corners& triangle, double enough) const {
   double best = length(max(apart, {}));
   if (certain(best) >= enough) return certain(best);
 
-  // Any direction gives a bound: that of the gap gives the gap.
+  // Any direction gives a bound; that of the gap gives the gap itself.
   const auto ask = [&](const Vec3<double>& direction) {
     const double size = length(direction);
     if (size > 0) best = std::max(best, separation(direction, triangle) / size);
@@ -150,7 +151,7 @@ double QueryBox::gap(const Corners& triangle, double enough) const {
   for (const auto& corner : triangle) ask(corner - max(-half_, min(half_, corner)));
   if (certain(best) >= enough) return certain(best);
 
-  // Else an edge is nearest to a corner of the box; projections to the one and the other lead
+  // Otherwise an edge is nearest to a corner of the box; alternating projections onto the two lead
   // there.
   constexpr int kMostSteps = 16;
   const Triangle<double> t{a, b, c, isSliver(a, b, c)};

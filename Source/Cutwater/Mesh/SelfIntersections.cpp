@@ -28,8 +28,8 @@ void requireTriangles(std::span<const Vec3<T>> positions, std::span<const Corner
 
 class Search {
  public:
-  /// `faces`: of which face a triangle is part, ascending; none: each is one of its own. The boxes
-  /// and the tree may be in units of their own.
+  /// `faces` gives the face of each triangle, ascending; if empty, each triangle is a face of its
+  /// own. The boxes and the tree may be in units of their own.
   Search(std::span<const Vec3<double>> positions, std::span<const Corners> triangles,
          std::span<const std::uint32_t> faces, std::span<const Box<double>> boxes, const Tree& tree)
       : positions_(positions), triangles_(triangles), faces_(faces), boxes_(boxes), tree_(tree) {
@@ -40,8 +40,9 @@ class Search {
   }
 
   SelfIntersections run(const SelfIntersectionOptions& options) const {
-    // Ranges are handed out in ascending order and done to their end, or up to the limit. So, where
-    // the limit ends it all, those done hold the first examples, and the count is the limit.
+    // Ranges are handed out in ascending order and processed to their end, or up to the limit. So,
+    // where the limit ends the search, the processed ranges hold the first examples, and the count
+    // is the limit.
     const std::size_t limit = std::max(options.limit, Findings<FacePair>::kExamples);
     std::vector<Findings<FacePair>> found((triangles_.size() + kGrain - 1) / kGrain);
     std::atomic<std::size_t> total{0};
@@ -69,7 +70,7 @@ class Search {
            faceOf(triangle) != faceOf(triangle - 1);
   }
 
-  /// The pairs whose first face starts in the range; tells how many.
+  /// Finds the pairs whose first face starts in the range; returns their number.
   std::size_t searchRange(std::size_t begin, std::size_t end, std::size_t limit,
                           Findings<FacePair>& found) const {
     std::vector<std::uint32_t> partners;
@@ -86,7 +87,7 @@ class Search {
     return found.count;
   }
 
-  /// Adds the faces of later triangles that this one meets; they stay in order, each once.
+  /// Adds the faces of later triangles that this one meets, in order and without duplicates.
   void collectPartners(std::uint32_t triangle, std::vector<std::uint32_t>& partners) const {
     if (flat_[triangle]) return;
     const std::size_t before = partners.size();

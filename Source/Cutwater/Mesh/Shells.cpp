@@ -47,7 +47,7 @@ class ShellSearch {
  private:
   using Edge = typename DcelMesh<T>::Edge;
 
-  /// The other half-edge of edges with two faces, whichever way it runs.
+  /// Finds the other half-edge of edges with two faces, in either direction.
   void pairHalfEdges() {
     for (const HalfEdgeId e : mesh_.halfEdges()) partners_.push_back(mesh_.twin(e));
     mesh_.visitEdgesWithoutTwins([&](const Edge& edge) {
@@ -58,9 +58,9 @@ class ShellSearch {
     });
   }
 
-  /// Faces connected across edges with two faces agree which way to look, as far as they can. Of a
-  /// face's neighbours the lowest comes first, whichever way the face is turned: a piece that
-  /// cannot be oriented stays as it is the next time.
+  /// Orients faces connected across edges with two faces consistently, as far as possible. Visits a
+  /// face's neighbours in ascending order, whichever way the face is turned, so that a piece that
+  /// cannot be oriented is left unchanged the next time.
   void orientPieces() {
     std::vector<bool> seen(mesh_.faces().size());
     std::vector<HalfEdgeId> edges;
@@ -109,8 +109,8 @@ class ShellSearch {
     result_.turnedFaces += count;
   }
 
-  /// The faces' triangles such that they agree; their neighbours only where that changes no face,
-  /// and faces are triangles.
+  /// Takes the faces' triangles in consistent orientation; takes their neighbours only if no face
+  /// changes and all faces are triangles.
   void takeTriangles() {
     triangles_.reserve(mesh_.faces().size());
     faceOf_.reserve(mesh_.faces().size());

@@ -20,7 +20,7 @@ void SolidAngleSum::addNearby(const std::array<Vec3<double>, 3>& triangle, const
   }
 }
 
-/// In twice the precision, for a point very close to an edge, a vertex or the triangle itself.
+/// Uses twice the precision, for a point very close to an edge, a vertex or the triangle itself.
 void SolidAngleSum::addClosely(const std::array<Vec3<double>, 3>& triangle) {
   const int side = -sideOf(p_, triangle);
   if (side == 0) return;
@@ -35,7 +35,7 @@ void SolidAngleSum::addClosely(const std::array<Vec3<double>, 3>& triangle) {
       static_cast<double>(la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
   const auto im = side * std::abs(static_cast<double>(dot(a, cross(b, c))));
   const double largest = std::max(std::abs(re), std::abs(im));
-  // About a hundred roundings of 2^-102. Nearer than that to an edge the answer is open: a solid
+  // About a hundred roundings of 2^-102. Closer to an edge the result is undetermined: the solid
   // angle of a triangle is at most half a turn.
   const bool representable = std::min({la.high, lb.high, lc.high}) > 0x1p-300;
   if (!representable || !(largest > 0x1p-84 * size)) {
@@ -46,7 +46,7 @@ void SolidAngleSum::addClosely(const std::array<Vec3<double>, 3>& triangle) {
   error_ += 0x1p-50 + 0x1p-94 * size / largest;
 }
 
-/// By a power of two, to about 1. One factor is between 2^-320 and 2^190, so nothing is lost
+/// Scales to about 1 by a power of two. One factor is between 2^-320 and 2^190, so nothing is lost
 /// before.
 void SolidAngleSum::rescale(double magnitude) {
   const int exponent = -std::ilogb(magnitude);

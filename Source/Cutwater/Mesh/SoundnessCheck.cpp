@@ -11,8 +11,8 @@ namespace cutwater {
 
 namespace {
 
-/// Where to probe: half of the places evenly spread over the list of triangles, so that small parts
-/// count as much as large ones, half over the area.
+/// Places to probe: half are spread evenly over the list of triangles, so that small parts count as
+/// much as large ones, and half over the area.
 template <std::floating_point T>
 class Places {
  public:
@@ -33,7 +33,7 @@ class Places {
   [[nodiscard]] Place operator[](std::size_t i) const {
     auto [share, b, c] = evenlySpread(i / 2);
     if (b + c > 1) b = 1 - b, c = 1 - c;
-    // Off the edges: what is just beside them may be beyond the next triangle.
+    // Away from the edges: a point just beside one may be beyond the next triangle.
     constexpr double kInward = 0.125;
     return {i % 2 == 0 ? byCount(share) : byArea(share), b + kInward * (1.0 / 3 - b),
             c + kInward * (1.0 / 3 - c)};
@@ -51,7 +51,7 @@ class Places {
     return static_cast<std::uint32_t>(std::min(triangle, areas_.size() - 1));  // shares round to 1
   }
 
-  std::vector<double> areas_;  // twice that of all triangles up to this one
+  std::vector<double> areas_;  // twice the total area of the triangles up to this one
 };
 
 }  // namespace
@@ -94,7 +94,7 @@ SoundnessProbes probeSoundness(const TriangleSurface<T>& surface, TrianglesAlong
   using Place = typename Places<T>::Place;
   const Places<T> places(surface);
   const std::size_t shells = std::min(count, always.size());
-  // Shells and places in turn, then the rest of the places.
+  // Alternates shells and places, then takes the remaining places.
   const auto placeOf = [&](std::size_t i) {
     if (i >= 2 * shells) return places[i - shells];
     return i % 2 == 0 ? Place{always[i / 2 * always.size() / shells]} : places[i / 2];

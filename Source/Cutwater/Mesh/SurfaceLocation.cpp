@@ -20,7 +20,7 @@ Segment<double> exitOf(const Box<double>& box, const Vec3<double>& point) {
     const double down = point[axis] - box.lower[axis];
     if (std::min(up, down) >= shortest) continue;
     shortest = std::min(up, down);
-    const double margin = 1 + box.upper[axis] - box.lower[axis];  // any that rounding leaves
+    const double margin = 1 + box.upper[axis] - box.lower[axis];  // any that survives rounding
     exit.end = point;
     exit.end[axis] = up <= down ? box.upper[axis] + margin : box.lower[axis] - margin;
   }

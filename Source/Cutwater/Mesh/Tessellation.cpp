@@ -38,7 +38,8 @@ PolygonSoup icosahedron() {
       soup.points.insert(soup.points.end(), {{a, b, 0}, {0, a, b}, {b, 0, a}});
     }
   }
-  // Every triple at mutual distance 2, the edge length, is a face; outwards if its volume is > 0.
+  // Every triple at mutual distance 2, the edge length, is a face; it faces outwards if its volume
+  // is > 0.
   const auto near = [&](std::uint32_t i, std::uint32_t k) {
     return lengthSquared(soup.points[i] - soup.points[k]) < 4.5;
   };
@@ -55,7 +56,7 @@ PolygonSoup icosahedron() {
   return soup;
 }
 
-/// Cuts every triangle in four; the new points are not yet on the sphere.
+/// Cuts every triangle into four; the new points are not yet on the sphere.
 PolygonSoup quartered(const PolygonSoup& soup) {
   PolygonSoup result;
   result.points = soup.points;
@@ -77,7 +78,7 @@ PolygonSoup quartered(const PolygonSoup& soup) {
   return result;
 }
 
-/// The (n + 1)^3 places of a box, of which only those on its sides become points.
+/// The (n + 1)^3 lattice places of a box, of which only those on its sides become points.
 class BoxLattice {
  public:
   BoxLattice(PolygonSoup& soup, const Box<double>& box, int n) : soup_(soup), box_(box), n_(n) {}

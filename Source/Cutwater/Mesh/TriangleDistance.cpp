@@ -12,7 +12,7 @@ namespace cutwater {
 
 namespace {
 
-// Two kinds of arithmetic for one algorithm: that of T, and one with about twice the digits.
+// One algorithm in two kinds of arithmetic: that of T, and one with about twice the digits.
 
 template <std::floating_point T>
 struct Plain {
@@ -37,7 +37,7 @@ struct Wide<double> {
   }
 };
 
-/// The triangle's plane: normal of twice the area's length.
+/// A normal of the triangle whose length is twice the area.
 template <typename Arithmetic, typename T>
 auto planeNormal(const Triangle<T>& t) {
   return cross(Arithmetic::difference(t.a, t.c), Arithmetic::difference(t.b, t.a));
@@ -69,8 +69,8 @@ T sliverPlaneDistance(const Vec3<T>& p, const Triangle<T>& t) {
                                                            between(p, t.c),   between(t.b, t.a),
                                                            between(t.c, t.b), between(t.a, t.c)};
   const auto terms = scalar::planeTerms(seen, between(p, t.vertex(nearestVertex(p, t))));
-  // Of a triangle less wide than a few eps of its length the edges are as near as the plane, and
-  // even so many digits may not tell what is inside.
+  // Where a triangle is narrower than a few eps of its length, its edges are as near as its plane,
+  // and even this precision may not determine what is inside.
   const T leastArea = 4 * std::numeric_limits<T>::epsilon() * longestSquared(t.a, t.b, t.c);
   const auto isInside = [](Scalar side) { return side > Scalar(0); };
   if (!isInside(terms.sideAB) || !isInside(terms.sideBC) || !isInside(terms.sideCA) ||
@@ -112,7 +112,7 @@ Vec3<T> faceBarycentric(const Vec3<T>& p, const Triangle<T>& t) {
   return {a, b, std::max(T(0), T(1) - a - b)};
 }
 
-/// The point's place on the edge, from 0 at `from` to 1 at `to`.
+/// The point's parameter along the edge, from 0 at `from` to 1 at `to`.
 template <std::floating_point T>
 T edgeParameter(const Vec3<T>& p, const Vec3<T>& from, const Vec3<T>& to) {
   return std::clamp(dot(to - from, p - from) / lengthSquared(to - from), T(0), T(1));

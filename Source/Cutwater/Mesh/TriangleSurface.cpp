@@ -58,8 +58,8 @@ int TriangleSurface<T>::pseudonormalSide(const Vec3<T>& p, const Nearest& neares
   const auto t = triangle(nearest.triangle);
   const auto part = triangleDistance(p, t).part;
   if (part == TrianglePart::Face) return sideOfPlane(p, t) < 0 ? -1 : 1;
-  // The base point is a vertex of the feature, the nearer one of an edge: from anywhere else more
-  // digits would cancel.
+  // The base point is a vertex of the feature; for an edge, the nearer one. From any other point
+  // more digits would cancel.
   const int first = firstVertex(part);
   Vec3<T> from = p - t.vertex(first);
   if (featureOf(part) == Feature::Edge) {
@@ -75,7 +75,7 @@ SurfacePoint<T> TriangleSurface<T>::surfacePoint(const Vec3<T>& p, const Nearest
   const auto t = triangle(nearest.triangle);
   const auto part = triangleDistance(p, t).part;
   const auto weights = closestBarycentric(p, t, part);
-  // From the heaviest vertex, so that a vertex is found exactly.
+  // Relative to the vertex of largest weight, so that a vertex is found exactly.
   const int base = weights.x >= weights.y && weights.x >= weights.z ? 0
                    : weights.y >= weights.z                         ? 1
                                                                     : 2;

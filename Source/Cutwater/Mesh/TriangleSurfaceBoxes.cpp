@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-// What a mesh answers about boxes.
+// Box queries of meshes.
 
 namespace cutwater {
 
 namespace {
 
-// Words of a hint: the class, plus one, of all boxes within; where their triangles are.
+// Words of a hint: the class plus one of all boxes within; the location of their triangles.
 constexpr std::size_t kKnown = 0;
 constexpr std::size_t kPlace = 1;
 
@@ -30,7 +30,7 @@ auto TriangleSurfaceSDF<T>::scaled(const OrientedBox<T>& box) const
   }
   result.slack = scale * double{box.slack};
   const double far = maxComponent(abs(result.center));
-  // Cheaper than the radius, which is less.
+  // Cheaper than the radius, which is smaller.
   double size = result.slack;
   for (const auto& half : result.halfAxis) size += 2 * maxComponent(abs(half));
   if (far + size < kTooLarge) return result;
@@ -54,8 +54,8 @@ double TriangleSurfaceSDF<T>::gapTo(const OrientedBox<double>& box, double limit
 
 template <std::floating_point T>
 Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
-  // The distance to the triangles changes at most as fast as the point, and is at most that to any
-  // one point of them; the sign is what its own bound allows.
+  // The distance to the triangles changes at most as fast as the point moves, and is at most that
+  // to any one of their points; the sign is whatever its own bound allows.
   auto promise = localGuarantee();
   promise.lipschitz = T(1);
   const auto hit = localClosestPoint(box.center);
@@ -68,7 +68,7 @@ Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHin
     const auto reaches = q->distancesFrom(scale * Vec3<double>(hit.point));
     most = std::min(most, static_cast<T>(reaches.upper / scale) + rounding);
     const T distance = std::abs(hit.distance) + rounding;
-    // Farther away the ball around the box is as good, and more triangles compete.
+    // Farther away the ball around the box is as good, and more triangles would compete.
     constexpr T kFar = 4;
     if (distance > box.innerRadius() && distance < kFar * box.radius()) {
       least =
@@ -100,7 +100,7 @@ BoxClass TriangleSurfaceSDF<T>::classOfClear(const OrientedBox<T>& box, const Ve
                                              const Nearest& nearest, BoxHint* hint) const {
   const auto found = side(p, nearest) < 0 ? BoxClass::Inside : BoxClass::Outside;
   if (hint == nullptr || !signs_.isClosed()) return found;
-  // Of boxes within this one the same is found if there is room even for their rounding.
+  // Boxes within this one get the same class if there is room even for their rounding.
   const auto q = scaled(box);
   const double room = std::sqrt(double{nearest.distanceSquared}) - 8 * double{nearest.error};
   const double rounding = 4 * q->slack + 0x1p-40 * (1 + maxComponent(abs(q->center)));
@@ -122,7 +122,7 @@ void TriangleSurfaceSDF<T>::localClasses(std::span<const OrientedBox<T>> boxes,
                                          std::span<BoxClass> classes,
                                          std::span<BoxHint> hints) const {
   const auto hint = [&](std::size_t i) { return hints.empty() ? nullptr : &hints[i]; };
-  // What no triangle meets, to be asked for a sign together.
+  // Boxes that no triangle meets; their signs are queried together.
   Scratch<std::size_t, kBatch> clear;
   Scratch<Vec3<T>, kBatch> p;
   Scratch<Nearest, kBatch> nearest;

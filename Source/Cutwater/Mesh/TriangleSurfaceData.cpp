@@ -15,7 +15,7 @@ namespace cutwater {
 
 namespace {
 
-/// The mesh's faces as triangles; `polygons` tells which face each is part of.
+/// The mesh's faces as triangles; `polygons` receives the face that each is part of.
 template <std::floating_point T>
 PolygonSoup trianglesOf(const DcelMesh<T>& mesh, std::vector<std::uint32_t>& polygons) {
   PolygonSoup soup;
@@ -180,7 +180,7 @@ template <std::floating_point T>
 void TriangleSurfaceData<T>::markSlivers() {
   const auto triangles = this->triangles();
   slivers_.assign((triangles.size() + 31) / 32, 0);
-  // By words: no two threads write to the same one.
+  // In whole words, so that no two threads write to the same one.
   parallelFor(slivers_.size(), {.grain = 512}, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = 32 * begin; i < std::min(32 * end, triangles.size()); ++i) {
       const auto& [a, b, c] = triangles[i];

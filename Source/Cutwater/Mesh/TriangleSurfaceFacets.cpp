@@ -1,7 +1,7 @@
 #include <Cutwater/Mesh/QueryBox.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
 
-// What a mesh shows of its triangles.
+// Access to the triangles of meshes.
 
 namespace cutwater {
 

@@ -10,13 +10,13 @@ namespace cutwater {
 
 namespace {
 
-/// From there the whole surface, of size 1, is a point within rounding, but squares do not yet
-/// overflow: points beyond are pulled in along their ray.
+/// From this distance on, the whole surface, of size 1, is a point within rounding, but squares do
+/// not yet overflow. Points beyond are pulled in along their ray.
 template <std::floating_point T>
 constexpr T kFarthest = T(0x1p60);
 
-/// The least depth of a point inside a closed surface, so that one whose distance rounds to 0 keeps
-/// its sign: far below any error, but not 0 when it is divided by a surface's scale.
+/// The least depth of a point inside a closed surface, so that a point whose distance rounds to 0
+/// keeps its sign: far below any error, but still not 0 after division by a surface's scale.
 template <std::floating_point T>
 constexpr T kLeastDepth = T(sizeof(T) == sizeof(float) ? 0x1p-63 : 0x1p-511);
 
@@ -171,7 +171,7 @@ template <std::floating_point T>
 Vec3<T> TriangleSurfaceSDF<T>::localGradient(const Vec3<T>& point) const {
   const auto hit = localClosestPoint(point);
   const Vec3<T> away = hit.distance < 0 ? hit.point - point : point - hit.point;
-  // On the surface the direction is lost to rounding: the pseudonormal is what it tends to.
+  // On the surface the direction is lost to rounding; its limit is the pseudonormal.
   return std::abs(hit.distance) > 64 * hit.tolerance ? normalized(away) : hit.normal;
 }
 
@@ -183,7 +183,7 @@ SurfaceOwner TriangleSurfaceSDF<T>::localOwner(const Vec3<T>& point) const {
 template <std::floating_point T>
 bool TriangleSurfaceSDF<T>::isJumpFree(const Box<double>& box) const {
   if (signs_.isClosed()) return true;
-  // Where pseudonormals change their mind away from an open surface is not known.
+  // Where the sign by pseudonormals flips away from an open surface is not known.
   return signs_.scheme == SignScheme::WindingNumber && isDecided(box);
 }
 
@@ -197,7 +197,7 @@ template <std::floating_point T>
 CrossingCount TriangleSurfaceSDF<T>::localCrossings(const Segment<T>& segment,
                                                     CrossingVisitor<T> visit) const {
   const Segment<T> pulledIn{scaled(segment.start), scaled(segment.end)};
-  // Parameters for ends that were pulled in by different factors; 1 and 1, but for the farthest.
+  // Parameters for ends that were pulled in by different factors; both are 1 except for far ends.
   const auto factor = [this](const Vec3<T>& from, const Vec3<T>& to) {
     const bool isFar = maxComponent(abs(to)) >= kFarthest<T>;
     return isFar ? kFarthest<T> / surface_.scale / maxComponent(abs(from)) : T(1);
@@ -222,7 +222,7 @@ template <std::floating_point T>
 Guarantee<T> TriangleSurfaceSDF<T>::localGuarantee() const {
   auto result = Guarantee<T>::exact(surface_.size / surface_.scale);
   if (signs_.isSound()) return result;
-  // The distance to the nearest triangle, be it surface of the union or not.
+  // The distance to the nearest triangle, whether or not it is on the surface of the union.
   result.outside = result.inside = Quality::LowerBound;
   if (signs_.isClosed()) return result;
   // The sign jumps where the sheet of winding number 1/2 closes a hole.

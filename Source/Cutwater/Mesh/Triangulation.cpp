@@ -10,7 +10,7 @@
 namespace cutwater {
 namespace {
 
-/// One polygon at a time; keeps its scratch memory.
+/// Triangulates one polygon at a time; reuses its scratch memory.
 class Triangulator {
  public:
   Triangulator(const PolygonSoup& soup, Triangulation& result) : soup_(soup), result_(result) {}
@@ -42,7 +42,7 @@ class Triangulator {
   }
 
  private:
-  /// The corners at a size near 1, so that no product over- or underflows.
+  /// Takes the corners at a size near 1, so that no product over- or underflows.
   void takeCorners() {
     corners_.clear();
     for (const std::uint32_t id : ids_) corners_.push_back(soup_.points[id]);
@@ -69,7 +69,7 @@ class Triangulator {
     result_.mostWarped = polygon;
   }
 
-  /// Along the diagonal whose worse triangle is the better one; triangles turned over are worst.
+  /// Splits along the diagonal whose worse triangle is better; inverted triangles are worst.
   void splitQuad(const Vec3<double>& normal) {
     const std::array<detail::PlaceTriangle, 4> halves{{{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}};
     std::array<double, 4> quality{};

@@ -9,7 +9,7 @@ namespace cutwater {
 
 namespace {
 
-/// Moments of a triangle or of all below a node, about their common centroid.
+/// Moments of a triangle, or of all triangles below a node, about their common centroid.
 struct Part {
   double area = 0;
   Vec3<double> center;
@@ -30,7 +30,7 @@ Part partOf(const std::array<Vec3<double>, 3>& triangle) {
   return part;
 }
 
-/// Adds moments to those about `sum.center`: the parallel axis theorem.
+/// Adds moments to those about `sum.center`, by the parallel axis theorem.
 void accumulate(Part& sum, const Part& part) {
   const Vec3<double> d = part.center - sum.center;
   const Vec3<double>& n = part.normal;
@@ -46,7 +46,7 @@ void accumulate(Part& sum, const Part& part) {
   sum.second += part.second + part.area * lengthSquared(d);
 }
 
-/// The moments of all about their common centroid.
+/// The moments of all parts about their common centroid.
 Part combined(std::span<const Part> parts) {
   Part sum;
   Vec3<double> moment;
@@ -62,13 +62,13 @@ Part combined(std::span<const Part> parts) {
   return sum;
 }
 
-/// Rounded up, and by 2^-16 more: above what all rounding in making and using moments amounts to.
+/// Rounds up, and by 2^-16 more: above all rounding in computing and using moments.
 float above(double bound) {
   return std::nextafter(static_cast<float>(bound * (1 + 0x1p-16)),
                         std::numeric_limits<float>::max());
 }
 
-/// No triangle, and far from everything.
+/// A lane without triangles, far from everything.
 WindingMoments emptyMoments() {
   WindingMoments moments{};
   for (auto& lanes : moments.center) lanes.fill(0x1p30F);
@@ -77,7 +77,7 @@ WindingMoments emptyMoments() {
 
 void setLane(WindingMoments& moments, std::size_t lane, const Vec3<double>& center, double radius,
              const Part& part) {
-  // About the centre in single precision.
+  // About the centre as rounded to single precision.
   Part moved;
   moved.center = center;
   accumulate(moved, part);
@@ -91,7 +91,7 @@ void setLane(WindingMoments& moments, std::size_t lane, const Vec3<double>& cent
   for (std::size_t i = 2; i < 5; ++i) {
     moments.first[i][lane] = static_cast<float>(moved.first[i + 1]);
   }
-  // From here down nothing underflows to where FarField's rounding bound would not hold.
+  // Lower limits, so that nothing underflows to where FarField's rounding bound would not hold.
   moments.radius[lane] = above(std::max(radius, 0x1p-30));
   moments.second[lane] = above(moved.second + 0x1p-60 * moved.area);
   moments.area[lane] = above(moved.area + 0x1p-90);
@@ -120,14 +120,14 @@ class MomentsBuilder {
   static void forLanes(std::uint32_t mask, Visit visit) {
     for (; mask != 0; mask &= mask - 1) visit(std::countr_zero(mask));
   }
-  /// Calls visit(triangle id) for those of a leaf.
+  /// Calls visit(triangle id) for the triangles of a leaf.
   template <typename Visit>
   void forTriangles(const Node& node, int lane, Visit visit) const {
     for (const auto id : tree_.leaf(node.leafIndex(lane))) {
       if (id != kNone) visit(id);
     }
   }
-  /// Calls visit(triangle id) for those in leaves of the node itself.
+  /// Calls visit(triangle id) for the triangles in leaves of the node itself.
   template <typename Visit>
   void forTriangles(const Node& node, Visit visit) const {
     forLanes(node.leafMask, [&](int lane) { forTriangles(node, lane, visit); });
@@ -144,7 +144,7 @@ class MomentsBuilder {
     const Node& node = tree_.nodes()[n];
     std::vector<Part> lanes;
     const auto add = [&](int lane, const Part& part, auto radius) {
-      // As it will be stored.
+      // Rounded, as it will be stored.
       const Vec3<double> center(static_cast<Vec3<float>>(part.center));
       setLane(result_.moments[n], static_cast<std::size_t>(lane), center, radius(center), part);
       lanes.push_back(part);
@@ -174,8 +174,8 @@ class MomentsBuilder {
     return result;
   }
 
-  /// Of a ball about `center` that holds all triangles below a node: through the corners of those
-  /// in its leaves; for a node below it around that one's ball or its box.
+  /// The radius of a ball about `center` that holds all triangles below a node. It encloses the
+  /// corners of triangles in the node's leaves and, for each child node, its ball or its box.
   double radius(std::uint32_t n, const Vec3<double>& center) const {
     const Node& node = tree_.nodes()[n];
     const auto& moments = result_.moments[n];
@@ -195,7 +195,7 @@ class MomentsBuilder {
   void takeOpenEdges() {
     auto& edges = result_.openEdges;
     edges = findOpenEdges(triangles_, positions_.size());
-    std::vector<std::uint32_t> owner(triangles_.size(), kNone);  // the node whose leaf has it
+    std::vector<std::uint32_t> owner(triangles_.size(), kNone);  // the node whose leaf contains it
     for (std::uint32_t n = 0; n < tree_.nodes().size(); ++n) {
       forTriangles(tree_.nodes()[n], [&](auto id) { owner[id] = n; });
     }

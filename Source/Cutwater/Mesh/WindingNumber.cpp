@@ -13,23 +13,23 @@ namespace {
 constexpr double kInverse4Pi = 0.25 / std::numbers::pi;
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-/// isBelow() starts with it: most points see nearly 0 or 1, and need no better.
+/// The first threshold of isBelow(): at most points the number is near 0 or 1, and this is enough.
 constexpr double kFirstThreshold = 0.02;
-/// Moments in single precision are never that good, but for very few: all others are opened.
+/// Moments in single precision are almost never this accurate: nearly all nodes are opened.
 constexpr double kNegligible = 0x1p-60;
 
-/// The sum over nodes that are seen from afar.
+/// The sum over nodes that are far away.
 ///
 /// A point x = c + u of a triangle adds n . g(x) dA, where g = -grad 1/r, r = |x - q|. About c, at
-/// distance D, the term of degree k of its Taylor series is at most (k + 1) |u|^k / D^(k + 2): for
-/// k! times it is a (k + 1)-linear symmetric form, whose norm is its largest value on equal
-/// arguments (Banach); along a unit vector v at the angle t from x - q the (k + 1)-th derivative of
-/// 1/r is +-(k + 1)! P_(k+1)(cos t) / r^(k + 2), and no Legendre polynomial exceeds 1. Used are k =
-/// 0 and 1. With |u| <= R < D the others add up to at most
+/// distance D, the term of degree k of its Taylor series is at most (k + 1) |u|^k / D^(k + 2). This
+/// is because k! times the term is a (k + 1)-linear symmetric form, whose norm is its largest value
+/// on equal arguments (Banach); along a unit vector v at the angle t from x - q the (k + 1)-th
+/// derivative of 1/r is +-(k + 1)! P_(k+1)(cos t) / r^(k + 2), and no Legendre polynomial exceeds
+/// 1. The terms for k = 0 and 1 are used. With |u| <= R < D the others add up to at most
 ///
 ///     sum over k >= 2 of (k + 1) |u|^k / D^(k+2)  <=  |u|^2 (3 - 2 R / D) / (D^2 (D - R)^2),
 ///
-/// of which the integral of |u|^2 leaves a bound for the node.
+/// and the integral of |u|^2 turns this into a bound for the node.
 class FarField {
  public:
   using Lanes = WindingMoments::Lanes;
@@ -39,8 +39,8 @@ class FarField {
         rest_(q - Vec3<double>(q_)),
         threshold_(static_cast<float>(4 * std::numbers::pi * std::min(threshold, 1e6))) {}
 
-  /// Adds the lanes of a node, but for those that could be wrong by more than the threshold: these
-  /// get the key 0, the others kMostKey.
+  /// Adds the lanes of a node, except those whose error may exceed the threshold: these get the key
+  /// 0, the others kMostKey.
   void add(const WindingMoments& node, Lanes& keys) {
     Lanes value;
     Lanes error;
@@ -57,13 +57,13 @@ class FarField {
   [[nodiscard]] double error() const { return kInverse4Pi * (1 + 0x1p-20) * error_; }
 
  private:
-  /// Times 4 pi. A plain loop over 16 lanes, inlined where its results are known to overlap
-  /// nothing: compilers make vector instructions of it.
+  /// Computes values times 4 pi. A plain loop over 16 lanes, inlined where its results are known to
+  /// overlap nothing, so that compilers vectorise it.
   ///
-  /// With u = 2^-24, moments in single precision and what is computed from them here are within 60
-  /// u of area / D^2 (D > 2^-30: below nothing is accepted); the rounding of q to the tree's frame
-  /// moves the field by at most 2^-53 |q| times 16 area / D^3 as D - R > D / 2, less than 32 u area
-  /// / D^2.
+  /// With u = 2^-24, moments in single precision and the results computed from them here are within
+  /// 60 u of area / D^2 (D > 2^-30: nothing is accepted below). The rounding of q to the tree's
+  /// frame moves the field by at most 2^-53 |q| times 16 area / D^3, as D - R > D / 2; that is less
+  /// than 32 u area / D^2.
   CUTWATER_INLINE void evaluate(const WindingMoments& node, Lanes& value, Lanes& error) const {
     for (std::size_t k = 0; k < value.size(); ++k) {
       const float x = (node.center[0][k] - q_.x) - rest_.x;
@@ -97,7 +97,7 @@ Vec3<double> gapBetween(const Box<double>& a, const Box<double>& b) {
   return max(max(a.lower - b.upper, b.lower - a.upper), Vec3<double>{});
 }
 
-/// In the tree's frame, grown by more than the rounding.
+/// The box in the tree's frame, grown by more than the rounding.
 Box<double> toFrame(const Box<double>& box, const BvhFrame& frame) {
   const Vec3<double> lower = frame.toFrame(box.lower);
   const Vec3<double> upper = frame.toFrame(box.upper);
@@ -113,8 +113,8 @@ std::array<Vec3<double>, 3> WindingNumber<T>::triangle(std::uint32_t id) const {
           Vec3<double>(positions_[v[2]])};
 }
 
-/// Opens nodes that could be wrong by more than the threshold. Opening the same share of error
-/// costs about the same anywhere, so one threshold for all nodes is near the best.
+/// Opens nodes whose error may exceed the threshold. Opening the same share of error costs about
+/// the same anywhere, so one threshold for all nodes is nearly optimal.
 template <std::floating_point T>
 auto WindingNumber<T>::sum(const Vec3<double>& p, double threshold) const -> Estimate {
   FarField far(tree_.frame().toFrame(p), threshold);
@@ -133,8 +133,9 @@ auto WindingNumber<T>::sum(const Vec3<double>& p, double threshold) const -> Est
   return {far.value() + near.turns(), far.error() + near.error()};
 }
 
-/// Of the winding number, from the total area, for points so far away that single precision might
-/// overflow; the largest double nearer by. All triangles are within 2 of the frame's origin.
+/// Bound on the winding number, from the total area, for points so far away that single precision
+/// might overflow; the largest double for nearer points. All triangles are within 2 of the frame's
+/// origin.
 template <std::floating_point T>
 double WindingNumber<T>::farBound(const Vec3<double>& p) const {
   if (moments_.empty()) return 0;
@@ -166,7 +167,7 @@ std::optional<bool> WindingNumber<T>::isBelow(const Vec3<double>& p, double leve
     if (std::abs(value - level) > error) return value < level;
     threshold /= 8;
   }
-  // On an edge, or so near to the level that rounding decides: in the order of ids.
+  // On an edge, or so near the level that rounding decides: sums in the order of ids.
   const auto [value, error] = sumOfAll(p);
   if (error > 0.25) return std::nullopt;
   return value < level;
@@ -187,7 +188,7 @@ std::span<const OpenEdge> WindingNumber<T>::edgesOf(std::size_t node) const {
 }
 
 /// Bounds the integral of 1 / |x - p|^2 along the edge, for all p in the box. An edge that is long
-/// for its distance is taken in pieces.
+/// relative to its distance is divided into pieces.
 template <std::floating_point T>
 double WindingNumber<T>::inverseSquare(const OpenEdge& edge, const Box<double>& box) const {
   constexpr int kPieces = 16;
@@ -229,7 +230,7 @@ double WindingNumber<T>::gradientBound(const Box<double>& box) const {
       if (!(openLength > 0)) continue;
       const Box<double> child = node.alignedBox(static_cast<int>(k));
       const double gapSquared = lengthSquared(gapBetween(child, local));
-      // Opened, it would be less by a factor of 4 at most.
+      // Opening it would reduce the bound by a factor of at most 4.
       if (gapSquared > lengthSquared(child.size())) {
         farEdges += openLength / gapSquared;
       } else {
@@ -266,7 +267,7 @@ double WindingNumber<T>::gradientBoundByArea(const Box<double>& box) const {
       const auto gap = length(gapBetween(Box<double>{}.extend(a).extend(b).extend(c), box));
       near += 0.5 * length(cross(b - a, c - a)) / (gap * gap * gap);
     }
-    return near < kLargest ? 0.0F : -1.0F;  // or the box touches one: no need to go on
+    return near < kLargest ? 0.0F : -1.0F;  // else the box touches a triangle: stop
   };
   tree_.traverse(keys, leaf, 0.0F);
   const double bound = 2 * kInverse4Pi * (1 + 0x1p-30) * (near + tree_.frame().scale * far);
