@@ -13,8 +13,8 @@ namespace {
 template <std::floating_point T>
 constexpr T kEps = std::numeric_limits<T>::epsilon();
 
-// Rounded to double or float, the inverse of a map that is not close to singular is then exact to
-// the last place.
+// In this type, the inverse of a map that is not close to singular is exact to the last place once
+// rounded to double or float.
 using Accurate = long double;
 using Matrix = Eigen::Matrix<Accurate, 3, 3>;
 
@@ -113,8 +113,8 @@ Guarantee<T> Affine<T>::localGuarantee() const {
   auto promise = this->operand().guarantee();
   promise.outside = std::min(promise.outside, Quality::LowerBound);
   promise.inside = std::min(promise.inside, Quality::LowerBound);
-  // Difference, products and sums move the point by less than 8 eps / leastStretch; the rounding
-  // before that of the inverse counts if the map is close to singular.
+  // The difference, products and sums move the point by less than 8 eps / leastStretch; the earlier
+  // rounding of the inverse counts if the map is close to singular.
   const T ofInverse =
       static_cast<T>(std::numeric_limits<Accurate>::epsilon() / Accurate{kEps<T>}) * condition_;
   promise.ulps += 2 + (8 + 16 * ofInverse) * promise.lipschitz.value_or(T(1));

@@ -9,12 +9,12 @@ namespace cutwater {
 ///
 ///     f(p) = g(A^-1 (p - offset)) s        a lower bound if the operand's value is one
 ///
-/// with s the least singular value of A: no distance shrinks by more. (Without it values are no
-/// bound where A makes the solid smaller.) For rigid motions, uniform scaling and mirrors there are
-/// operators that keep values exact.
+/// where s is the smallest singular value of A: no distance shrinks by more. (Without it, values
+/// would not be bounds where A makes the solid smaller.) For rigid motions, uniform scaling and
+/// mirroring there are operators that keep values exact.
 ///
-/// @throws Error unless the map is finite, and invertible in T: its condition number is less than
-/// 1 / (64 eps).
+/// @throws Error unless the map is finite and invertible in T: its condition number must be less
+/// than 1 / (64 eps).
 template <std::floating_point T>
 class Affine final : public PointMap<T> {
  public:
@@ -31,7 +31,7 @@ class Affine final : public PointMap<T> {
   [[nodiscard]] Guarantee<T> localGuarantee() const override;
   [[nodiscard]] Box<T> localBoundingBox() const override;
 
-  /// The image under the inverse's matrix; a parallelepiped in general.
+  /// The image of the box under the matrix of the inverse; a parallelepiped in general.
   [[nodiscard]] OrientedBox<T> image(const OrientedBox<T>& box) const;
   [[nodiscard]] static bool isRectangular(const OrientedBox<T>& box);
 

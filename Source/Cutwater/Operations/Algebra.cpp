@@ -20,8 +20,9 @@ namespace cutwater::detail {
 
 namespace {
 
-/// Operands that are combinations of the same kind give way to their own operands: a long chain of
-/// `|` is one wide union, not a deep one. A moved one stays, so that moving changes no digit.
+/// Operands that are combinations of the same kind are replaced by their own operands: a long chain
+/// of `|` is one wide union, not a deep one. A moved combination stays as it is, so that moving
+/// changes no digit.
 template <typename Kind, std::floating_point T>
 Solid<T> combined(const std::vector<Solid<T>>& operands) {
   const auto asSameKind = [](const Solid<T>& operand) {
@@ -81,9 +82,9 @@ Solid<T> intersectSmoothly(const std::vector<Solid<T>>& operands, const Smoothin
   return SmoothCombination<T>(SmoothCombination<T>::Result::Intersection, operands, smoothing);
 }
 
-/// Subtracting a constant commutes with least and greatest, to the bit; with a complement it
-/// changes sign. Done operand by operand, the bounding box stays finite where only the operands'
-/// values are exact, e.g. outside of a difference.
+/// Subtracting a constant commutes with least and greatest values, to the bit; under a complement
+/// it changes sign. Done operand by operand, it keeps the bounding box finite where only the
+/// operands' values are exact, e.g. outside a difference.
 template <std::floating_point T>
 Solid<T> offsetOf(const Solid<T>& a, T distance) {
   const auto eachOffset = [distance](std::vector<Solid<T>> operands) {
@@ -142,8 +143,7 @@ Solid<T> foldOf(Solid<T> a, const Vec3<T>& point, const Vec3<T>& normal) {
   return Fold<T>(std::move(a), point, normal);
 }
 
-/// A complement is inverted as the complement of the image of what it leaves out, which may be
-/// bounded.
+/// A complement is inverted as the complement of its operand's image, which may be bounded.
 template <std::floating_point T>
 Solid<T> inversionOf(const Solid<T>& a) {
   const auto* const rest = a.template as<Complement<T>>();

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-/// Solids as algebra: operators and functions that take shapes and Solids alike and give Solids.
+/// Operators and functions that combine solids: they take shapes and Solids alike and return
+/// Solids.
 ///
 ///     const auto body = rounded(hull, 0.1) | translated(mast, {2, 0, 0}) - hatch;
 ///
@@ -19,7 +20,7 @@ namespace cutwater {
 
 namespace detail {
 
-// On Solids; out of line, so that a user's file parses no operator it does not use.
+// Work on Solids; out of line, so that a user's file parses no operator it does not use.
 template <std::floating_point T>
 [[nodiscard]] Solid<T> unite(const std::vector<Solid<T>>& operands);
 template <std::floating_point T>
@@ -76,7 +77,7 @@ requires detail::SameScalar<A, B>
   return detail::unite<detail::ScalarOf<A>>({a, b});
 }
 
-/// All points common to a and b; of intersections likewise.
+/// All points common to a and b. An intersection of intersections is one intersection, likewise.
 template <SolidLike A, SolidLike B>
 requires detail::SameScalar<A, B>
 [[nodiscard]] detail::SolidOf<A> operator&(const A& a, const B& b) {
@@ -114,7 +115,7 @@ requires(detail::SameScalar<A, Others>&&...)
     [[nodiscard]] detail::SolidOf<A> unionOf(const A& first, const Others&... others) {
   return detail::unite<detail::ScalarOf<A>>({first, others...});
 }
-/// @throws Error if there is none.
+/// @throws Error if the list is empty.
 template <std::floating_point T>
 [[nodiscard]] Solid<T> unionOf(const std::vector<Solid<T>>& solids) {
   return detail::unite<T>(solids);
@@ -126,15 +127,15 @@ requires(detail::SameScalar<A, Others>&&...)
     [[nodiscard]] detail::SolidOf<A> intersectionOf(const A& first, const Others&... others) {
   return detail::intersect<detail::ScalarOf<A>>({first, others...});
 }
-/// @throws Error if there is none.
+/// @throws Error if the list is empty.
 template <std::floating_point T>
 [[nodiscard]] Solid<T> intersectionOf(const std::vector<Solid<T>>& solids) {
   return detail::intersect<T>(solids);
 }
 
 /// The union with a fillet where the two meet, e.g. smoothUnion(a, b, {.reach = 0.1}); see
-/// SmoothCombination. With reach 0 these are the plain operators. They are not associative: of
-/// more than two solids use the ...Of forms, whose result does not depend on the order.
+/// SmoothCombination. With reach 0 these are the plain operators. They are not associative: for
+/// more than two solids, use the ...Of forms, whose result does not depend on the order.
 /// @throws Error unless the reach is finite and not negative.
 template <SolidLike A, SolidLike B>
 requires detail::SameScalar<A, B>
@@ -154,7 +155,7 @@ requires detail::SameScalar<A, B>
                                                   const Smoothing<detail::ScalarOf<A>>& smoothing) {
   return smoothIntersection(a, ~b, smoothing);
 }
-/// @throws Error also if there is none.
+/// @throws Error also if the list is empty.
 template <std::floating_point T>
 [[nodiscard]] Solid<T> smoothUnionOf(const std::vector<Solid<T>>& solids,
                                      const Smoothing<T>& smoothing) {
@@ -172,7 +173,7 @@ template <SolidLike A>
   return detail::offsetOf<detail::ScalarOf<A>>(a, distance);
 }
 
-/// The same, by the name it has among modellers: growing rounds the edges with this radius.
+/// The same, under its usual name in modelling: growing rounds the edges with this radius.
 template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> rounded(const A& a, detail::ScalarOf<A> radius) {
   return offset(a, radius);
@@ -184,8 +185,8 @@ template <SolidLike A>
   return detail::scaledBy<detail::ScalarOf<A>>(a, factor);
 }
 
-/// The mirror image in the plane through `point`; see Mirror. Mirrored twice in a plane, a solid is
-/// itself.
+/// The mirror image in the plane through `point`; see Mirror. Mirroring twice in the same plane
+/// gives the original solid.
 template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> mirrored(const A& a, const Vec3<detail::ScalarOf<A>>& normal,
                                           const Vec3<detail::ScalarOf<A>>& point = {}) {
@@ -211,21 +212,21 @@ template <SolidLike A>
   return detail::elongationOf<detail::ScalarOf<A>>(a, half);
 }
 
-/// Between a (t = 0) and b (t = 1): (1 - t) a + t b; see Blend.
+/// A solid between a (t = 0) and b (t = 1): (1 - t) a + t b; see Blend.
 template <SolidLike A, SolidLike B>
 requires detail::SameScalar<A, B>
 [[nodiscard]] detail::SolidOf<A> blended(const A& a, const B& b, detail::ScalarOf<A> t) {
   return detail::blendOf<detail::ScalarOf<A>>(a, b, t);
 }
 
-/// The part on the side that the normal looks to, and its mirror image; see Fold.
+/// The part on the side that the normal points to, together with its mirror image; see Fold.
 template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> folded(const A& a, const Vec3<detail::ScalarOf<A>>& normal,
                                         const Vec3<detail::ScalarOf<A>>& point = {}) {
   return detail::foldOf<detail::ScalarOf<A>>(a, point, normal);
 }
 
-/// All of the solid and all of its mirror image: exact outside wherever the plane is.
+/// The whole solid united with its whole mirror image: exact outside, wherever the plane is.
 template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> unfolded(const A& a, const Vec3<detail::ScalarOf<A>>& normal,
                                           const Vec3<detail::ScalarOf<A>>& point = {}) {
@@ -260,7 +261,7 @@ template <SolidLike A, typename Function>
   return detail::displacementOf<T>(a, FunctionSDF<T, Function>(std::move(h), promise), limits);
 }
 
-/// The solid seen from p + v(p); see Warp.
+/// The solid evaluated at p + v(p) instead of p; see Warp.
 ///
 ///     warped(beam, [](const Vec3<double>& p) { return Vec3<double>{0.1 * std::sin(p.z), 0, 0}; },
 ///            {.lipschitz = 0.1, .amplitude = 0.1})
@@ -280,7 +281,7 @@ template <SolidLike A>
   return result;
 }
 
-/// A copy turned about the coordinate axis 0, 1 or 2 through the origin; shares the geometry.
+/// A copy rotated about the coordinate axis 0, 1 or 2 through the origin; shares the geometry.
 template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> rotated(const A& a, detail::ScalarOf<A> degrees, int axis) {
   detail::SolidOf<A> result = a;
@@ -288,7 +289,7 @@ template <SolidLike A>
   return result;
 }
 
-/// A copy turned about any axis through any point.
+/// A copy rotated about any axis through any point.
 template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> rotated(const A& a, detail::ScalarOf<A> degrees,
                                          const Vec3<detail::ScalarOf<A>>& axis,

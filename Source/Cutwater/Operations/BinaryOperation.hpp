@@ -7,10 +7,10 @@
 
 namespace cutwater {
 
-/// Two operands, whose values at the point a subclass combines into its own.
+/// Base of shapes with two operands, whose values at a point a subclass combines into its own.
 ///
-/// The patch at a surface point is that of the operand whose value there is nearest to zero; of
-/// equal ones the first.
+/// The patch at a surface point is that of the operand whose value there is nearer to zero, or of
+/// the first one if both are equally near.
 template <std::floating_point T>
 class BinaryOperation : public SignedDistanceFunction<T> {
  protected:
@@ -20,7 +20,7 @@ class BinaryOperation : public SignedDistanceFunction<T> {
   [[nodiscard]] const Solid<T>& first() const { return operands_[0]; }
   [[nodiscard]] const Solid<T>& second() const { return operands_[1]; }
   [[nodiscard]] const Solid<T>& operand(std::size_t i) const { return operands_[i]; }
-  /// Beyond it both values are at least the distance to it.
+  /// A box outside which both values are at least the distance to it.
   [[nodiscard]] Box<T> clearanceOfBoth() const {
     return detail::clearanceBoxOf<T>(operands_, /*least=*/true);
   }
@@ -28,9 +28,9 @@ class BinaryOperation : public SignedDistanceFunction<T> {
     return patches_.counted(owner, operand);
   }
 
-  /// The value, from those of the two.
+  /// The value, given those of the two operands.
   [[nodiscard]] virtual T combined(T a, T b) const = 0;
-  /// Encloses combined(), exact and as computed, for all values of the two in these intervals.
+  /// Encloses combined(), both exact and as computed, for all operand values in these intervals.
   [[nodiscard]] virtual Interval<T> combined(const Interval<T>& a, const Interval<T>& b) const = 0;
 
   [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;

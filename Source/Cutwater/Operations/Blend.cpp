@@ -43,7 +43,7 @@ Guarantee<T> Blend<T>::localGuarantee() const {
 
 template <std::floating_point T>
 Box<T> Blend<T>::localBoundingBox() const {
-  // Where both are positive, so is the blend.
+  // Where both values are positive, so is the blend.
   return this->first().boundingBox().extend(this->second().boundingBox());
 }
 

@@ -10,7 +10,7 @@ namespace cutwater {
 ///     f(p) = (1 - t) a(p) + t b(p)
 ///
 /// The solid is where the value is negative. Values are lower bounds on both sides if the operands'
-/// Lipschitz constants L are such that (1 - t) L_a + t L_b is at most 1.
+/// Lipschitz constants satisfy (1 - t) L_a + t L_b <= 1.
 ///
 /// @throws Error unless 0 <= t <= 1.
 template <std::floating_point T>

@@ -11,17 +11,17 @@ namespace cutwater {
 
 namespace {
 
-/// Of the least of two functions.
+/// The guarantee of the least of two functions.
 template <std::floating_point T>
 Guarantee<T> united(const Guarantee<T>& a, const Guarantee<T>& b) {
   auto both = detail::common(a, b);
-  // Deep in one operand the surface may be farther than that operand's own.
+  // Deep inside one operand, the surface may be farther than that operand's own.
   both.inside = std::min(both.inside, Quality::LowerBound);
   return both;
 }
 
-/// Closest points are found so many at a time: a nested combination has its own scratch on the
-/// stack.
+/// Closest points are found this many at a time; few, as each nested combination has its own
+/// scratch on the stack.
 constexpr std::size_t kFew = 64;
 
 BoxClass opposite(BoxClass c) {
@@ -56,7 +56,7 @@ auto Combination<T>::decide(const Vec3<T>& p, Interval<T> wanted) const -> Decis
   constexpr T kInf = std::numeric_limits<T>::infinity();
   Decision least{kNone, kInf};
   const bool isAllWanted = wanted.upper == kInf;
-  // Values that are beyond the least so far only have to be known to be.
+  // Values beyond the least so far only need to be known to be so.
   const auto ask = [&](std::size_t i) {
     const T value = sidedValue(i, p, wanted);
     if (value < least.value || (value == least.value && i < least.operand)) least = {i, value};
@@ -75,7 +75,7 @@ auto Combination<T>::decide(const Vec3<T>& p, Interval<T> wanted) const -> Decis
     askFirst();
     for (std::size_t i = 1; i < operands_.size(); ++i) ask(i);
   }
-  // All broke their promise of a number, or are beyond what is wanted.
+  // No operand gave a number, against its promise, or all values are beyond what is wanted.
   if (least.operand == kNone && isAllWanted) askFirst();
   return {least.operand, side() * least.value};
 }
@@ -203,8 +203,8 @@ void Combination<T>::askDeciding(std::span<const Vec3<T>> points,
   for (std::size_t i = 0; i < order.size(); ++i) found[order[i]] = answers[i];
 }
 
-/// Calls ask(operand) for all operands, but for those of which a lower bound in the box is
-/// certainly above the limit that it returns.
+/// Calls ask(operand) for all operands except those whose lower bound in the box is certainly above
+/// the limit that ask() returns.
 template <std::floating_point T>
 template <typename Ask>
 void Combination<T>::forEachNear(const OrientedBox<T>& box, double limit, Ask&& ask) const {
@@ -222,7 +222,7 @@ Interval<T> Combination<T>::localBounds(const OrientedBox<T>& box, BoxHint*) con
   const bool least = decides_ == Decides::Least;
   const auto decided = [least](T a, T b) { return least ? std::min(a, b) : std::max(a, b); };
   std::optional<Interval<T>> found;
-  // Answers up to where another operand's bound would change the result.
+  // Returns the limit up to which another operand's bound would change the result.
   const auto ask = [&](std::size_t i) {
     const auto other = this->boundsOf(operands_[i], box);
     const auto before = found.value_or(other);
@@ -232,7 +232,7 @@ Interval<T> Combination<T>::localBounds(const OrientedBox<T>& box, BoxHint*) con
     return static_cast<double>(least ? result.upper : -result.lower);
   };
   forEachNear(box, std::numeric_limits<double>::infinity(), ask);
-  return {found->lower + T(0), found->upper + T(0)};  // of zeros, -0 is not the less
+  return {found->lower + T(0), found->upper + T(0)};  // -0 becomes +0
 }
 
 template <std::floating_point T>
@@ -253,11 +253,11 @@ template <std::floating_point T>
 BoxClass Combination<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   const auto seen = [this](BoxClass c) { return decides_ == Decides::Least ? c : opposite(c); };
   const auto around = box.bounds();
-  std::size_t reaching = 0;  // operands into the box; all others are outside
+  std::size_t reaching = 0;  // operands not outside the box
   std::size_t cut = 0;
   bool isInside = false;
   const auto ask = [&](std::size_t i) {
-    // If two do, it only matters whether another contains the box.
+    // If there are two, it only matters whether another one contains the box.
     if (reaching >= 2 && !mayContain(i, around)) return 0.0;
     const auto c = seen(this->classOf(operands_[i], box));
     reaching += c != BoxClass::Outside;
@@ -268,10 +268,10 @@ BoxClass Combination<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint)
   forEachNear(box, 0, ask);
   if (isInside) return seen(BoxClass::Inside);
   if (reaching == 0) return seen(BoxClass::Outside);
-  // With all others away, the surface of the one that cuts is that of the whole.
+  // As all others are outside, the surface of the one that cuts is that of the whole.
   if (reaching == 1 && cut == 1) return BoxClass::Cut;
   if (reaching == 1) return SignedDistanceFunction<T>::localClassify(box, hint);
-  // Bounds would show it free of surface only where those of an operand do.
+  // Bounds would show that the box is free of surface only where those of an operand do.
   if (!box.isWithin(guarantee_.domain)) return BoxClass::Unknown;
   return this->holdsNearestPoint(box) || this->holdsBothSides(box) ? BoxClass::Cut
                                                                    : BoxClass::Unknown;

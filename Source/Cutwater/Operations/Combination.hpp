@@ -8,32 +8,32 @@
 
 namespace cutwater {
 
-/// What union and intersection share: the value of the operand that decides, which is the least or
-/// the greatest; of equal ones the first.
+/// Base of union and intersection. The value is that of the deciding operand, which is the one with
+/// the least or the greatest value; the first such one if values are equal.
 ///
-/// Closest point, owner and gradient are those of the deciding operand: SurfaceOwner::object is its
-/// index, patches are counted through the operands' tables one after the other. A closest point
-/// that lies within another operand, and so not on the surface, is replaced by a projection along
+/// Closest point, owner and gradient are those of the deciding operand. SurfaceOwner::object is its
+/// index; patches are numbered through the operands' tables one after the other. A closest point
+/// that lies inside another operand, and so not on the surface, is replaced by a projection along
 /// the gradient.
 ///
-/// A query costs one per operand if there are few. Of many, those with a finite clearanceBox() are
-/// found by a tree over their boxes, and most are not asked; so are, in an intersection, the
-/// complements of such, which differences take away. Answers are the same, to the bit: see
-/// OperandTree.
+/// With few operands, a query costs one query of each. With many, a tree over their boxes finds
+/// those with a finite clearanceBox(), and most of them are skipped. In an intersection this
+/// includes complements of such operands, which differences subtract. Results are the same, to the
+/// bit: see OperandTree.
 ///
-/// A least value is exact outside and a lower bound inside, a greatest the other way round, as far
-/// as the operands are.
+/// The least value is exact outside and a lower bound inside, the greatest the other way round,
+/// provided that the operands' values are.
 template <std::floating_point T>
 class Combination : public SignedDistanceFunction<T> {
  public:
-  /// Which of the values it has.
+  /// Which of the operands' values decides.
   enum class Decides : std::uint8_t { Least, Greatest };
 
   [[nodiscard]] const std::vector<Solid<T>>& operands() const { return operands_; }
   [[nodiscard]] Decides decides() const { return decides_; }
 
  protected:
-  /// `beginning`: a combination of the first of the operands, whose tree may serve; or null.
+  /// `beginning`: a combination of the first of these operands, whose tree may be reused; or null.
   /// @throws Error unless there is at least one operand.
   Combination(const char* name, Decides decides, std::vector<Solid<T>> operands,
               const Combination* beginning);
@@ -62,7 +62,7 @@ class Combination : public SignedDistanceFunction<T> {
     for (const auto& operand : operands_) visit(operand);
   }
 
-  /// -1 turns a greatest into a least; exact.
+  /// Factor, 1 or -1, that turns a greatest value into a least one; exact.
   [[nodiscard]] T side() const { return decides_ == Decides::Least ? T(1) : T(-1); }
   struct Decision {
     std::size_t operand;
@@ -71,24 +71,26 @@ class Combination : public SignedDistanceFunction<T> {
   [[nodiscard]] Decision decide(const Vec3<T>& p) const {
     return decide(p, Interval<T>::everything());
   }
-  /// `wanted` as for localSignedDistanceWithin(), of the values times side().
+  /// `wanted`: as for localSignedDistanceWithin(), but for values times side().
   [[nodiscard]] Decision decide(const Vec3<T>& p, Interval<T> wanted) const;
-  /// The operand's value times side(), if that is wanted.
+  /// The operand's value times side(), if it is within `wanted`.
   [[nodiscard]] T sidedValue(std::size_t operand, const Vec3<T>& p,
                              const Interval<T>& wanted) const {
     const auto ofOperand = decides_ == Decides::Least ? wanted : -wanted;
     return side() * operands_[operand].signedDistanceWithin(p, ofOperand);
   }
-  /// The deciding value, if that of the operands that are always asked is known.
+  /// The deciding value, given that of the operands that are always evaluated.
   [[nodiscard]] T decidingValue(const Vec3<T>& p, T ofAlwaysAsked) const;
-  /// Whether an operand whose value is to be the least may be negative in all of the box.
+  /// Whether an operand of a union may be negative in the whole box; always true for intersections.
   [[nodiscard]] bool mayContain(std::size_t operand, const Box<T>& box) const;
   template <typename Ask>
   void forEachNear(const OrientedBox<T>& box, double limit, Ask&& ask) const;
-  /// Each point's closest point on the operand that decides there, as that operand tells it.
+  /// Finds each point's closest point on the operand that decides there, as that operand returns
+  /// it.
   void askDeciding(std::span<const Vec3<T>> points, std::span<const Decision> decisions,
                    std::span<SurfacePoint<T>> found) const;
-  /// From the closest point of the operand that decides at `p`, and the value there.
+  /// The closest point to `p`, given the one found on the deciding operand and the value there,
+  /// `residual`.
   [[nodiscard]] SurfacePoint<T> checked(const Vec3<T>& p, const Decision& decision,
                                         SurfacePoint<T> found, T residual) const;
 

@@ -46,8 +46,8 @@ SurfacePoint<T> Complement<T>::turned(SurfacePoint<T> found) {
 template <std::floating_point T>
 CrossingCount Complement<T>::localCrossings(const Segment<T>& segment,
                                             CrossingVisitor<T> visit) const {
-  // An end of value 0 is outside of the operand and of this: the two do not have the same
-  // crossings, and only a search by this function's own values has the right number.
+  // A segment end of value 0 is outside both the operand and its complement: the two do not have
+  // the same crossings, and only a search by this function's own values finds the right number.
   if (operand().signedDistance(segment.start) == 0 || operand().signedDistance(segment.end) == 0) {
     return SignedDistanceFunction<T>::localCrossings(segment, visit);
   }

@@ -6,9 +6,9 @@ namespace cutwater {
 
 /// All points that are not in the operand.
 ///
-///     f(p) = -g(p)        as good inside as the operand is outside, and the other way round
+///     f(p) = -g(p)        as good inside as the operand is outside, and vice versa
 ///
-/// Points of value 0 are outside of both, as they are of any solid.
+/// Points of value 0 are outside both, as for any solid.
 template <std::floating_point T>
 class Complement final : public UnaryOperation<T> {
  public:

@@ -16,7 +16,7 @@ Interval<T> Displacement<T>::combined(const Interval<T>& a, const Interval<T>& b
   const auto outward = [](T bound) {
     return std::isfinite(bound) ? 2 * std::numeric_limits<T>::epsilon() * std::abs(bound) : T(0);
   };
-  // Of infinite ends the lower are all -inf, the upper all inf.
+  // Infinite lower ends are all -inf, and upper ends inf.
   const Interval<T> sum{a.lower + b.lower, a.upper + b.upper};
   return {sum.lower - outward(sum.lower), sum.upper + outward(sum.upper)};
 }

@@ -5,17 +5,17 @@
 
 namespace cutwater {
 
-/// The operand with a function of the user's own added to its value: roughness, waves.
+/// The operand with a user-defined function added to its value, e.g. for roughness or waves.
 ///
 ///     f(p) = g(p) + h(p)        Lipschitz constant L_g + L_h
 ///
 /// The solid is where the value is negative: the surface moves out by about -h. Values are lower
-/// bounds of the distance only if the constant is at most 1; for boxes and crossings, any constant
-/// will do. Patches are the operand's.
+/// bounds of the distance only if the constant is at most 1; box queries and crossings work with
+/// any constant. Patches are the operand's.
 template <std::floating_point T>
 class Displacement final : public BinaryOperation<T> {
  public:
-  /// |h| <= amplitude everywhere, which may be infinite.
+  /// `amplitude`: a bound of |h| everywhere; may be infinite.
   Displacement(Solid<T> operand, Solid<T> h, T amplitude);
 
  private:
@@ -37,12 +37,12 @@ extern template class Displacement<double>;
 
 namespace detail {
 
-/// @throws Error, as from the operator `name`, unless the limits are finite or none, and not
-/// negative.
+/// @throws Error, as from the operator `name`, unless the Lipschitz constant is finite and no limit
+/// is negative.
 template <std::floating_point T>
 void requireLimits(const char* name, const FunctionLimits<T>& limits);
 
-/// What a function within the limits promises as a solid, if its value at the origin is this.
+/// Guarantee, as a solid, of a function within these limits that has this value at the origin.
 template <std::floating_point T>
 [[nodiscard]] Guarantee<T> guaranteeOf(const FunctionLimits<T>& limits, T atOrigin);
 

@@ -19,7 +19,7 @@ Vec3<T> Elongation<T>::mapped(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 OrientedBox<T> Elongation<T>::mapped(const OrientedBox<T>& box) const {
-  // Axis by axis the map is monotone: the image of an axis-aligned box is one.
+  // The map is monotone along each axis: the image of an axis-aligned box is such a box.
   const auto around = box.bounds();
   return OrientedBox<T>::of({mapped(around.lower), mapped(around.upper)});
 }
@@ -35,9 +35,9 @@ Vec3<T> Elongation<T>::pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) con
 
 template <std::floating_point T>
 Vec3<T> Elongation<T>::localGradient(const Vec3<T>& p) const {
-  // The gap shows the operand's plane of symmetry, where it may have no gradient; across the gap
-  // values do not change, so here there is one. Differences may reach beyond the gap: of them, too,
-  // only what is along it counts.
+  // In the gap, the operand is evaluated on its plane of symmetry, where it may have no gradient.
+  // Values do not change across the gap, so this solid has one there. Differences may reach beyond
+  // the gap, so their component across it is dropped, too.
   const auto ofOperand = this->operand().gradient(mapped(p));
   return pulledBack(
       p, ofOperand == Vec3<T>{} ? SignedDistanceFunction<T>::localGradient(p) : ofOperand);
@@ -49,7 +49,7 @@ Guarantee<T> Elongation<T>::localGuarantee() const {
   promise.outside = std::min(promise.outside, Quality::LowerBound);
   promise.inside = std::min(promise.inside, Quality::LowerBound);
   promise.ulps += promise.lipschitz.value_or(T(1));  // of the difference
-  // No point moves farther away, so that the domain's box holds its own image if it holds 0.
+  // No point moves farther away, so the domain's box contains its own image if it contains 0.
   if (!promise.domain.contains({})) promise.domain = {};
   return promise;
 }
@@ -71,7 +71,8 @@ Box<T> Elongation<T>::localBoundingBox() const {
 
 template <std::floating_point T>
 Box<T> Elongation<T>::localClearanceBox() const {
-  // Along each axis the image of a point beyond is as far beyond the operand's box, or farther.
+  // Along each axis, the image of a point beyond the box is at least as far beyond the operand's
+  // box.
   const auto box = this->operand().clearanceBox();
   auto promise = localGuarantee();
   promise.size += length(half_);

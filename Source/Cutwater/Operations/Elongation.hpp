@@ -4,12 +4,13 @@
 
 namespace cutwater {
 
-/// The operand cut at the planes x = 0, y = 0 and z = 0, its parts moved apart by `half` to either
-/// side, and the gaps filled with the sections: a ball becomes a capsule, a ring a link.
+/// The operand cut at the planes x = 0, y = 0 and z = 0, with its parts moved apart by `half` to
+/// either side and the gaps filled with the cross-sections: a ball becomes a capsule, a ring a
+/// link.
 ///
 ///     f(p) = g(p - clamp(p, -half, half))        a lower bound if the operand's value is one
 ///
-/// Outside it is in fact exact for an exact operand that is convex and symmetric about the planes.
+/// Outside, it is in fact exact for an exact operand that is convex and symmetric about the planes.
 /// @throws Error unless `half` is finite and not negative on any axis.
 template <std::floating_point T>
 class Elongation final : public PointMap<T> {

@@ -47,7 +47,7 @@ Vec3<T> Fold<T>::pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const {
 
 template <std::floating_point T>
 SurfacePoint<T> Fold<T>::localClosestPoint(const Vec3<T>& p) const {
-  // The operand's, unless that is on the part that is not kept.
+  // The operand's closest point, unless it is on the part that is not kept.
   const auto promise = localGuarantee();
   auto found = this->operand().closestPoint(mapped(p));
   if (plane_.height(p) < 0) found = plane_.image(found, p);
@@ -71,7 +71,7 @@ Guarantee<T> Fold<T>::localGuarantee() const {
   auto promise = this->operand().guarantee();
   const auto box = this->operand().boundingBox();
   const T size = length(box.lower) + length(box.upper) + length(plane_.point());
-  const T rounding = 2 * promise.error(size);  // of the box, which is grown by as much
+  const T rounding = 2 * promise.error(size);  // of the box, which is grown by this much
   const T height = !box.empty() && isFinite(box) ? leastHeight(box) : -Box<T>::kMost;
   if (!(height >= -rounding && std::isfinite(rounding)))
     promise.outside = std::min(promise.outside, lower);

@@ -4,14 +4,14 @@
 
 namespace cutwater {
 
-/// The part of the operand on the side of a plane that the normal looks to, together with its
-/// mirror image: symmetric about the plane, at the price of one query.
+/// The part of the operand on the side of a plane that the normal points to, together with its
+/// mirror image: symmetric about the plane, at the cost of one query.
 ///
 ///     f(p) = g(p),            (p - point) . normal >= 0
 ///     f(p) = g(mirrored p)    otherwise
 ///
 /// A lower bound if the operand's value is one. Exact outside if the operand is and its bounding
-/// box lies on the side that is kept; inside as well if the box does not touch the plane.
+/// box lies on the kept side; exact inside as well if the box does not touch the plane.
 /// @throws Error unless point and normal are finite and the normal is not zero.
 template <std::floating_point T>
 class Fold final : public PointMap<T> {
@@ -29,10 +29,10 @@ class Fold final : public PointMap<T> {
   [[nodiscard]] Box<T> localBoundingBox() const override;
   [[nodiscard]] Box<T> localClearanceBox() const override;
 
-  /// Which side all of a box is on, rounding considered: 1 the one that is kept, -1 the other, 0
-  /// unknown.
+  /// The side on which the whole box lies, allowing for rounding: 1 for the kept one, -1 for the
+  /// other, 0 if unknown.
   [[nodiscard]] int sideOf(const OrientedBox<T>& box) const;
-  /// Of the box's corners, on the side that is kept.
+  /// The least height of the box's corners above the plane, positive on the kept side.
   [[nodiscard]] T leastHeight(const Box<T>& box) const;
 
   detail::MirrorPlane<T> plane_;

@@ -85,7 +85,7 @@ T GradedValue<T>::unlimited(T value) const {
 template <std::floating_point T>
 T GradedValue<T>::at(const Vec3<T>& p) const {
   if (isConstant()) return start_;
-  // In this order, what is not a number gives the least.
+  // In this order, NaN gives the least.
   return std::min(most_, std::max(least_, unlimited(field_->signedDistance(p))));
 }
 

@@ -4,8 +4,8 @@
 
 namespace cutwater {
 
-/// Numbers that depend on the value of a solid, e.g. the distance to a plane: `start` where it is 0
-/// or less, `end` where it is `over` or more, linear in between.
+/// A number that depends on the value of a solid, e.g. the distance to a plane: `start` where the
+/// value is 0 or less, `end` where it is `over` or more, and linear in between.
 template <std::floating_point T>
 struct GradedRamp {
   T start;
@@ -13,44 +13,44 @@ struct GradedRamp {
   T over;
 };
 
-/// What is known of a number that is a function of position.
+/// Known properties of a number that is a function of position.
 template <std::floating_point T>
 struct GradedLimits {
   /// |h(p) - h(q)| <= lipschitz |p - q|, between the limits below.
   T lipschitz;
-  /// Where the function is less or more, the number is that.
+  /// The function's values are clamped to this range.
   T least;
   T most;
-  /// The function's rounding: at most ulps eps (|p| + |h(p)|).
+  /// Bound of the function's rounding: ulps eps (|p| + |h(p)|).
   T ulps = 8;
 };
 
-/// A number, constant or by the place: a radius, a thickness, a level, a weight. A value: copies
-/// share what it depends on.
+/// A number that is constant or depends on position: a radius, a thickness, a level, a weight. A
+/// value type: copies share what it depends on.
 ///
-///     TpmsSolid<double>(field, TpmsPart::Wall, 0.3)  // a number is one, too
+///     TpmsSolid<double>(field, TpmsPart::Wall, 0.3)  // a plain number will do
 ///     GradedValue<double>::byValueOf(part, {.start = 0.2, .end = 0.6, .over = 10})
 ///
-/// Places are in the frame of the shape it is given to, and move along with it.
+/// Positions are in the frame of the shape that it is given to, and move along with it.
 template <std::floating_point T>
 class GradedValue {
  public:
   /// The same everywhere. @throws Error unless it is finite.
-  GradedValue(T value);  // NOLINT(google-explicit-constructor): where it is constant, it is that
+  GradedValue(T value);  // NOLINT(google-explicit-constructor): conversion is intended
 
-  // Out of line: inlined, g++ 12 takes what is not there for uninitialised.
+  // Out of line: when inlined, g++ 12 takes an empty optional for uninitialised.
   GradedValue(const GradedValue&);
   GradedValue(GradedValue&&) noexcept;
   GradedValue& operator=(const GradedValue&);
   GradedValue& operator=(GradedValue&&) noexcept;
   ~GradedValue();
 
-  /// By the value of a solid, which need not be a distance.
+  /// Depends on the value of a solid, which need not be a distance.
   /// @throws Error unless the ramp is finite and 0 < over, and the solid's values are continuous
   /// with a Lipschitz constant.
   [[nodiscard]] static GradedValue byValueOf(Solid<T> solid, const GradedRamp<T>& ramp);
-  /// By its magnitude: the distance to the surface, as the solid's values tell it, on both sides
-  /// alike. @throws Error as above.
+  /// Depends on the magnitude of that value: the distance to the surface, as the solid's values
+  /// give it, on both sides alike. @throws Error as above.
   [[nodiscard]] static GradedValue byDistanceTo(Solid<T> solid, const GradedRamp<T>& ramp);
 
   /// Any function of position. It is called from several threads at once and must not throw.
@@ -64,17 +64,16 @@ class GradedValue {
     return byField(FunctionSDF<T, Function>(std::move(function), promise), limits);
   }
 
-  /// The number at a place, its gradient there, and whether it is the same everywhere.
+  /// The number at a point, its gradient there, and whether it is the same everywhere.
   [[nodiscard]] T at(const Vec3<T>& p) const;
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& p) const;
   [[nodiscard]] bool isConstant() const { return !field_; }
   [[nodiscard]] T least() const { return least_; }
   [[nodiscard]] T most() const { return most_; }
-  /// What is known of the numbers as values of a function: their Lipschitz constant, rounding and
-  /// domain.
+  /// Guarantee of the numbers as values of a function: its Lipschitz constant, rounding and domain.
   [[nodiscard]] const Guarantee<T>& guarantee() const { return known_; }
   [[nodiscard]] T lipschitz() const { return *known_.lipschitz; }
-  /// Within the ball of this radius about p.
+  /// Lipschitz constant within the ball of this radius about p.
   [[nodiscard]] T lipschitzWithin(const Vec3<T>& p, T radius) const;
 
  private:
@@ -88,7 +87,7 @@ class GradedValue {
 
   std::optional<Solid<T>> field_;
   bool isByDistance_ = false;
-  // start + slope * the field's value, or its magnitude, within these limits
+  // start + slope * (the field's value or its magnitude), clamped to least_ and most_
   T start_;
   T slope_ = 0;
   T least_;

@@ -10,7 +10,7 @@ namespace {
 
 template <std::floating_point T>
 constexpr T kEps = std::numeric_limits<T>::epsilon();
-/// Nearer to the origin, squares of image points would overflow.
+/// Any nearer to the origin, squares of image points would overflow.
 template <std::floating_point T>
 constexpr T kNearest = sizeof(T) == sizeof(float) ? T(0x1p-60) : T(0x1p-500);
 
@@ -51,9 +51,9 @@ void Inversion<T>::deriveGuarantee() {
     guarantee_.lipschitz = std::max(*promise.lipschitz / divisor_, T(1));
   }
   if (promise.domain != Box<T>::everywhere()) guarantee_.domain = {};
-  // D is off by u eps (1/r + size), which moves the value by 1 / (1/r + D)^2 times that, at most
-  // min(r^2, 1/D(0)^2), or where R decides by r / R. With min(r^2, 1/D(0)^2) <= r / D(0), that is
-  // u eps r (1 + size / D(0) + size / R) + u eps / R.
+  // D has an error of u eps (1/r + size), which changes the value by 1 / (1/r + D)^2 times that,
+  // which is at most min(r^2, 1/D(0)^2), or by r / R where R decides. With
+  // min(r^2, 1/D(0)^2) <= r / D(0), the sum is u eps r (1 + size / D(0) + size / R) + u eps / R.
   constexpr T kMost = 64;
   T growth = promise.size > 0 ? promise.size / distanceAtOrigin_ : T(0);
   if (!(growth <= kMost)) {
@@ -69,7 +69,7 @@ void Inversion<T>::deriveGuarantee() {
 
 template <std::floating_point T>
 void Inversion<T>::deriveBoundingBox() {
-  // Nothing of the operand is nearer to the origin than this.
+  // No part of the operand is nearer to the origin than this.
   const auto box = this->operand().boundingBox();
   T nearest = box.empty() ? Box<T>::kInf : length(max(Vec3<T>{}, max(box.lower, -box.upper)));
   if (this->operand().signedDistance({}) > 0) nearest = std::max(nearest, distanceAtOrigin_);
@@ -136,8 +136,8 @@ Vec3<T> Inversion<T>::localGradient(const Vec3<T>& p) const {
   const T side = value < 0 ? T(-1) : T(1);
   const T distance = bound(value, radius);
 
-  // Of D: the inversion mirrors directions and stretches by 1 / r^2.
-  Vec3<T> slope = -outward;  // r^2 times it, for 1/r - R
+  // The gradient of D: the inversion mirrors directions and stretches by 1 / r^2.
+  Vec3<T> slope = -outward;  // times r^2; here that of 1/r - R
   if (distance == std::abs(value) / divisor_) {
     const Vec3<T> there = (side / divisor_) * this->operand().gradient(q);
     slope = there - (2 * dot(there, outward)) * outward;

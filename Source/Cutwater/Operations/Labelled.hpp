@@ -4,8 +4,8 @@
 
 namespace cutwater {
 
-/// The operand under a name: patches that all have one name take the new one, others are prefixed
-/// with it, as in "mast/shroud". Nothing else changes.
+/// The operand under a name. If all its patches share one name, they take the new one; otherwise
+/// each name is prefixed with it, as in "mast/shroud". Nothing else changes.
 ///
 /// @throws Error if the name is empty.
 template <std::floating_point T>

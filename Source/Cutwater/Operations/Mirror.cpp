@@ -25,7 +25,7 @@ T MirrorPlane<T>::height(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 Vec3<T> MirrorPlane<T>::image(const Vec3<T>& p) const {
-  // The distance, twice, rounds by 8 eps of |p - point|, the unit normal by another 4.
+  // Twice the distance is rounded by 8 eps of |p - point|; the unit normal adds another 4.
   return p - (2 * height(p)) * normal_;
 }
 
@@ -40,7 +40,7 @@ OrientedBox<T> MirrorPlane<T>::image(const OrientedBox<T>& box) const {
   result.center = image(box.center);
   for (auto& half : result.halfAxis) half = imageOfDirection(half);
   const T size = length(box.center) + box.radius() + length(point_);
-  result.slack += 42 * kEps<T> * size;  // of centre, half axes and the points they stand for
+  result.slack += 42 * kEps<T> * size;  // of the centre, half axes and points they stand for
   return result;
 }
 

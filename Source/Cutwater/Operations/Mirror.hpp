@@ -7,7 +7,7 @@ namespace cutwater {
 
 namespace detail {
 
-/// A plane as a mirror.
+/// A mirror plane.
 template <std::floating_point T>
 class MirrorPlane {
  public:
@@ -15,19 +15,19 @@ class MirrorPlane {
   /// @throws Error unless both are finite and the normal is not zero.
   MirrorPlane(const char* name, const Vec3<T>& point, const Vec3<T>& normal);
 
-  /// The mirror image; moved by rounding of at most 14 eps (|p| + |point|).
+  /// The mirror image of p. Rounding moves it by at most 14 eps (|p| + |point|).
   [[nodiscard]] Vec3<T> image(const Vec3<T>& p) const;
   [[nodiscard]] Vec3<T> imageOfDirection(const Vec3<T>& v) const;
-  /// Encloses the images, and what is computed for them.
+  /// Encloses the images of all points of the box, both exact and as computed.
   [[nodiscard]] OrientedBox<T> image(const OrientedBox<T>& box) const;
   [[nodiscard]] SurfacePoint<T> image(SurfacePoint<T> found, const Vec3<T>& from) const;
   [[nodiscard]] AffineMap<T> map() const;
 
-  /// How far p is on the side the normal looks to.
+  /// Height of p above the plane, positive on the side that the normal points to.
   [[nodiscard]] T height(const Vec3<T>& p) const;
   [[nodiscard]] const Vec3<T>& point() const { return point_; }
   [[nodiscard]] const Vec3<T>& normal() const { return normal_; }
-  /// Points of this length have images no longer than that and this together.
+  /// The image of p has a length of at most |p| + reach().
   [[nodiscard]] T reach() const;
 
   bool operator==(const MirrorPlane&) const = default;
@@ -46,7 +46,7 @@ extern template class MirrorPlane<double>;
 ///
 ///     f(p) = g(p - 2 ((p - point) . normal) normal)        keeps what the operand guarantees
 ///
-/// The normal need not have unit length. Exact about planes x = 0, y = 0 and z = 0.
+/// The normal need not have unit length. Exact for the planes x = 0, y = 0 and z = 0.
 /// @throws Error unless point and normal are finite and the normal is not zero.
 template <std::floating_point T>
 class Mirror final : public PointMap<T> {

@@ -54,8 +54,8 @@ template <std::floating_point T>
 Box<T> Offset<T>::localBoundingBox() const {
   const auto promise = this->operand().guarantee();
   const auto box = this->operand().boundingBox();
-  // {g < distance} stays within the distance of the solid only if g is no less than that outside;
-  // it stays as deep below the surface only if g is no deeper than that inside.
+  // {g < distance} stays within the distance of the solid only if g is no less than the distance
+  // outside; it stays as deep below the surface only if g is no deeper than that inside.
   if (box.empty())
     return promise.outside == Quality::Exact || distance_ <= 0 ? box : box.everywhere();
   if (distance_ > 0 && promise.outside != Quality::Exact) return Box<T>::everywhere();

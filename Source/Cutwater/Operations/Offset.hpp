@@ -5,13 +5,14 @@
 
 namespace cutwater {
 
-/// The operand grown by a distance, its convex edges rounded; shrunk, if the distance is negative.
+/// The operand grown by a distance, with its convex edges rounded; or shrunk, if the distance is
+/// negative.
 ///
 ///     f(p) = g(p) - distance
 ///
-/// Growing keeps the values outside exact, shrinking those inside; the others become lower bounds
-/// if the operand's Lipschitz constant is at most 1, and are good for their sign only if it is not.
-/// Where the operand's own values are no exact distances, the solid is {g < distance}.
+/// Growing keeps the values outside exact, and shrinking those inside. The others become lower
+/// bounds if the operand's Lipschitz constant is at most 1; if not, only their sign is right. Where
+/// the operand's own values are not exact distances, the solid is {g < distance}.
 ///
 /// @throws Error unless the distance is finite.
 template <std::floating_point T>

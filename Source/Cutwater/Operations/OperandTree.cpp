@@ -10,8 +10,8 @@ namespace cutwater::detail {
 
 namespace {
 
-/// From so many on the search costs no more than asking all, even if they are spheres, which are
-/// the cheapest to ask.
+/// From this many operands, the search costs no more than evaluating all, even if they are spheres,
+/// which are the cheapest to evaluate.
 constexpr std::size_t kFewest = 16;
 
 }  // namespace
@@ -19,7 +19,7 @@ constexpr std::size_t kFewest = 16;
 template <std::floating_point T>
 OperandBound<T> boundOf(const Solid<T>& operand, bool isNegated) {
   if (!isNegated) return {operand.guarantee(), operand.clearanceBox()};
-  // The negative of a complement is positive outside of the solid within.
+  // The negative of a complement is positive outside the complement's operand.
   const auto* const rest = operand.template as<Complement<T>>();
   return {swapped(operand.guarantee()),
           rest != nullptr ? operand.placement().toWorld(rest->operand().clearanceBox())
@@ -77,7 +77,7 @@ void OperandTree<T>::build(std::span<const OperandBound<T>> operands) {
     always_.resize(operands.size());
     std::iota(always_.begin(), always_.end(), 0U);
   } else {
-    constexpr std::size_t kMany = 4096;  // fewer take less time than to wake threads
+    constexpr std::size_t kMany = 4096;  // fewer take less time than waking threads
     arrays_ = buildBvh<16, 4>(boxes, boxes.size() < kMany ? 1 : 0);
   }
 }

@@ -7,37 +7,37 @@
 
 namespace cutwater::detail {
 
-/// What is known of one function among several whose least value is wanted.
+/// Known properties of one function among several whose least value is sought.
 template <std::floating_point T>
 struct OperandBound {
   Guarantee<T> guarantee;
-  Box<T> box;  ///< beyond it a value is at least the distance to it: see clearanceBox()
+  Box<T> box;  ///< outside it, a value is at least the distance to it: see clearanceBox()
 };
 
-/// Of the operand's own function or of its negative.
+/// The bound of the operand's own function, or of its negative.
 template <std::floating_point T>
 [[nodiscard]] OperandBound<T> boundOf(const Solid<T>& operand, bool isNegated);
 
-/// Finds the functions that may have the least value at a point, or matter to it in a box, by a
+/// Finds the functions that may have the least value at a point, or may matter to it in a box, by a
 /// tree over their boxes.
 ///
-/// In the tree are functions whose values are at least the distance to a box, as exact distances
-/// are and the lower bounds of most operators, too. All others, e.g. affine images, planes and
-/// whatever is infinite, are always to be asked; so are all if there are few.
+/// The tree holds functions whose values are at least the distance to a box, as exact distances and
+/// the lower bounds of most operators are. All others, e.g. affine images, planes and anything
+/// infinite, are always evaluated; so are all functions if there are few.
 ///
-/// What is left out could not have changed the result by a single bit. For boxes that holds if
+/// Skipped functions could not have changed the result by a single bit. For boxes, this holds if
 /// bounds() and classify() of the functions are no worse than the defaults of
 /// SignedDistanceFunction.
 template <std::floating_point T>
 class OperandTree {
  public:
   OperandTree() = default;
-  /// `beginning`: of the first of the operands, or null. It is kept, and the operands that have
-  /// come since are always asked, until a search among them would be worth a new tree: so a chain
-  /// of a | b | c ... does not build a tree at every step.
+  /// `beginning`: the tree of the first of these operands, or null. It is reused, and operands
+  /// added since are always evaluated, until there are enough of them to be worth a new tree: a
+  /// chain of a | b | c ... does not build a tree at every step.
   OperandTree(std::span<const OperandBound<T>> operands, const OperandTree* beginning);
 
-  /// Those to be asked wherever the point is, in order.
+  /// Operands to be evaluated wherever the point is, in order.
   [[nodiscard]] std::span<const std::uint32_t> always() const { return always_; }
 
   [[nodiscard]] bool asksFirst() const { return !always_.empty() && always_.front() == 0; }
@@ -45,30 +45,31 @@ class OperandTree {
     return always().subspan(asksFirst() ? 1 : 0);
   }
 
-  /// Whether the tree can tell anything about points within `radius` of p: there is one, and
-  /// squares of distances do not overflow.
+  /// Whether the tree can be used for points within `radius` of p: it is not empty, and squares of
+  /// distances do not overflow.
   [[nodiscard]] bool helpsAt(const Vec3<T>& p, T radius = 0) const {
     return !ids_.empty() && maxComponent(abs(p)) + radius < kFarthest;
   }
 
   /// Calls ask(operand) for every operand in the tree whose value at p may be as low as the least,
-  /// those with the nearest boxes first. It returns the least value so far, and `least` is that of
-  /// the others.
+  /// nearest boxes first. `least` is the least value of the other operands; ask() returns the least
+  /// so far.
   template <typename Ask>
   void forLeastAt(const Vec3<T>& p, T least, Ask&& ask) const {
-    // Half of it is what the guarantees allow for.
+    // Twice what the guarantees allow for.
     const double error = 2 * rounding(p, T(0), ulps_);
     visit(p, least, error,
           [&](std::uint32_t operand) { return static_cast<double>(ask(operand)); });
   }
 
   /// Calls ask(operand) for every operand in the tree whose lower bound in the box may be as low as
-  /// a limit, which it returns (kStopTraversal: no other is wanted): for all others the bound is
-  /// certainly above it. `limit`: at first.
+  /// a limit; for all others the bound is certainly above it. The limit is `limit` at first, then
+  /// what ask() returned last (kStopTraversal: no more operands are wanted).
   ///
-  /// By default that bound is value - radius at the centre, less rounding: of the value, of what
-  /// the interval encloses, and of the box on its way through frames within frames, each of which
-  /// adds to the ulps of the guarantee. In sum less than 8 times what the guarantee allows for.
+  /// By default, that bound is value - radius at the centre, less the rounding of the value, of
+  /// what the interval encloses, and of the box as it passes through nested frames, each of which
+  /// adds to the ulps of the guarantee. In sum, this is less than 8 times what the guarantee allows
+  /// for.
   template <typename Ask>
   void forBoundsIn(const OrientedBox<T>& box, double limit, Ask&& ask) const {
     const T radius = box.radius();
@@ -81,7 +82,7 @@ class OperandTree {
   }
 
  private:
-  /// Squares of sums of a few such numbers are finite.
+  /// Squares of sums of a few numbers of this size are finite.
   static constexpr T kFarthest = sizeof(T) == sizeof(float) ? T(0x1p60) : T(0x1p500);
 
   [[nodiscard]] static bool isBounded(const OperandBound<T>& operand);
@@ -89,7 +90,7 @@ class OperandTree {
   void build(std::span<const OperandBound<T>> operands);
 
   [[nodiscard]] double rounding(const Vec3<T>& p, T radius, T ulps) const {
-    // Below the second term squares underflow.
+    // The second term is where squares begin to underflow.
     const double size = length(Vec3<double>(p)) + double{radius} + double{size_};
     return double{ulps} * double{std::numeric_limits<T>::epsilon()} * size +
            4 * std::sqrt(double{std::numeric_limits<T>::min()});
@@ -111,8 +112,8 @@ class OperandTree {
   std::vector<std::uint32_t> always_;
   std::vector<std::uint32_t> ids_;  // operands by their place in the tree
   BvhArrays<16, 4> arrays_;
-  std::size_t late_ = 0;  // always asked although a bound is known: those that came since
-  T ulps_ = 0;            // of all in the tree, the largest
+  std::size_t late_ = 0;  // bounded operands in always_: those added since the tree was built
+  T ulps_ = 0;            // the largest in the tree
   T size_ = 0;
 };
 

@@ -51,7 +51,7 @@ template <std::floating_point T>
 BoxClass PointMap<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   const auto byValues = SignedDistanceFunction<T>::localClassify(box, hint);
   if (byValues != BoxClass::Unknown) return byValues;
-  // Of a box around the image only that it is free of surface is certain.
+  // The mapped box only encloses the image: its class is certain only if it is free of surface.
   const auto ofImage = this->classOf(this->operand(), mapped(box));
   return ofImage == BoxClass::Cut ? BoxClass::Unknown : ofImage;
 }

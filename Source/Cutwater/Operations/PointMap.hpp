@@ -4,10 +4,10 @@
 
 namespace cutwater {
 
-/// The operand, asked at another point: f(p) = factor g(q(p)).
+/// The operand evaluated at another point: f(p) = factor g(q(p)).
 ///
-/// A subclass states the map q and what follows from it. Owners, patches and bounds are then those
-/// of the operand at q; closest points and crossings are found by values.
+/// A subclass defines the map q and its properties. Owners, patches and bounds are then those of
+/// the operand at q; closest points and crossings are found from values.
 template <std::floating_point T>
 class PointMap : public UnaryOperation<T> {
  protected:
@@ -15,10 +15,10 @@ class PointMap : public UnaryOperation<T> {
 
   /// q(p).
   [[nodiscard]] virtual Vec3<T> mapped(const Vec3<T>& p) const = 0;
-  /// Encloses the image of every point of the box, and what is computed for it.
+  /// Encloses the image of every point of the box, both exact and as computed.
   [[nodiscard]] virtual OrientedBox<T> mapped(const OrientedBox<T>& box) const = 0;
-  /// The gradient at p of the operand's function at q(p), from its gradient there: that of q,
-  /// transposed, times `gradient`.
+  /// The gradient of g(q(p)) at p, given that of g at q(p): the transposed derivative of q times
+  /// `gradient`.
   [[nodiscard]] virtual Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const = 0;
   [[nodiscard]] virtual T factor() const { return 1; }
 

@@ -54,7 +54,8 @@ void Repetition<T>::deriveGuarantee() {
   }
   if (guarantee_.domain != Box<T>::everywhere()) guarantee_.domain = {};
 
-  // A point seen from the nearest copy is no farther from it than the point is, or a period.
+  // In the nearest copy's frame, the point is no farther from the origin than before, or than a
+  // period.
   const auto& box = tiles_.box();
   T size = 0;
   for (int axis = 0; axis < 3 && !box.empty(); ++axis) {
@@ -87,7 +88,7 @@ auto Repetition<T>::decide(const Vec3<T>& p, const Decision& central) const -> D
   if (box.empty()) return best;
   const Vec3<T> start = tiles_.seenFrom(central.copy, p);
   const T farthest = stretch_ * length(max(abs(start - box.lower), abs(box.upper - start)));
-  // Whether a copy at least so far away may have the least value, but for rounding.
+  // Whether a copy at least this far away may have the least value, apart from rounding.
   const auto mayDecide = [&](T gapSquared) {
     const T limit = std::max(std::min(best.value, farthest), T(0));
     return gapSquared <= limit * limit;
@@ -166,7 +167,7 @@ Box<T> Repetition<T>::localBoundingBox() const {
 
 template <std::floating_point T>
 Box<T> Repetition<T>::localClearanceBox() const {
-  // Values less than the distance to a copy's bounding box are not taken.
+  // Values less than the distance to a copy's bounding box are replaced by it.
   return tiles_.box().empty() ? Box<T>::everywhere() : localBoundingBox();
 }
 

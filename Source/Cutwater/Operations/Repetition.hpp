@@ -9,19 +9,21 @@ namespace cutwater {
 ///
 ///     f(p) = min_n g(p - n period)
 ///
-/// The nearest copy is found whatever the operand's shape: not only the one whose bounding box is
-/// centred nearest to the point, but all whose bounding box is nearer than the best so far. Outside
-/// it is as good as the operand; inside, too, if the bounding boxes of neighbours keep apart, else
-/// a lower bound. Where the operand's values outside are no exact distances, those less than the
-/// distance to its bounding box count as that.
+/// The nearest copy is found whatever the operand's shape: not only the copy whose bounding box is
+/// centred nearest to the point is tried, but every copy whose bounding box is nearer than the best
+/// value so far. Values outside are as good as the operand's. So are values inside if the bounding
+/// boxes of neighbours keep apart; otherwise they are lower bounds. Where the operand's values
+/// outside are not exact distances, any less than the distance to its bounding box is replaced by
+/// that distance.
 ///
-/// A query costs one of the operand if that fills its box well and copies keep apart, a few if not:
-/// at most as many as bounding boxes are within the distance to the nearest copy. With periods of
-/// very different length, or far away from a sheet or block of copies, those may be many.
+/// A query costs one query of the operand if it fills its box well and copies keep apart, and a few
+/// otherwise: at most one for each bounding box within the distance to the nearest copy. With
+/// periods of very different lengths, or far away from a sheet or block of copies, these may be
+/// many.
 ///
-/// @throws Error unless periods are finite and not negative, one is positive, the bounding box is
-/// finite along it, and there is one copy where it is 0. Error of kind Limit, if more than 10^5
-/// bounding boxes overlap at one point.
+/// @throws Error unless periods are finite and not negative, at least one is positive, the bounding
+/// box is finite along repeated axes, and there is only one copy along axes of period 0. Error of
+/// kind Limit if more than 10^5 bounding boxes overlap at one point.
 template <std::floating_point T>
 class Repetition final : public UnaryOperation<T> {
  public:
@@ -38,22 +40,22 @@ class Repetition final : public UnaryOperation<T> {
   [[nodiscard]] Box<T> localBoundingBox() const override;
   [[nodiscard]] Box<T> localClearanceBox() const override;
 
-  /// The copy that decides, by the multiples of the period.
+  /// The deciding copy, as multiples of the period.
   struct Decision {
     Vec3<T> copy;
     T value;
   };
   void checkArguments() const;
   void deriveGuarantee();
-  /// Of the copy that sees the point at `local`, from the operand's value.
+  /// The value of the copy in whose frame the point is `local`, given the operand's value there.
   [[nodiscard]] T valueFrom(const Vec3<T>& local, T value) const;
-  /// The copy of least value, if that of the central one is known.
+  /// The copy with the least value, given the value of the central one.
   [[nodiscard]] Decision decide(const Vec3<T>& p, const Decision& central) const;
   [[nodiscard]] Decision decide(const Vec3<T>& p) const;
 
   detail::Tiles<T> tiles_;  // of the operand's box
   Guarantee<T> guarantee_;
-  T stretch_ = 1;  // no value is more than so many times the distance
+  T stretch_ = 1;  // no value is more than this many times the distance
   bool isClamped_ = false;
 };
 

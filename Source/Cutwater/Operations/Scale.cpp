@@ -63,7 +63,7 @@ SurfacePoint<T> Scale<T>::grown(SurfacePoint<T> found, const Vec3<T>& p) const {
   found.normal = mirrored(found.normal);
   found.distance *= std::abs(factor_);
   found.tolerance *= std::abs(factor_);
-  // Three more roundings: of the query point, of the point found and of the value.
+  // Three more roundings: the query point, the point found and the value.
   found.tolerance += 4 * std::numeric_limits<T>::epsilon() * (length(p) + length(found.point));
   return found;
 }

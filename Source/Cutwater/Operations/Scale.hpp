@@ -39,7 +39,7 @@ class Scale final : public UnaryOperation<T> {
   [[nodiscard]] Vec3<T> mirrored(const Vec3<T>& direction) const;
   [[nodiscard]] Box<T> image(const Box<T>& box) const;
   [[nodiscard]] OrientedBox<T> shrunk(const OrientedBox<T>& box) const;
-  /// What the operand found for `p`, at this one's size.
+  /// The operand's result for `p`, scaled to this solid's size.
   [[nodiscard]] SurfacePoint<T> grown(SurfacePoint<T> found, const Vec3<T>& p) const;
 
   T factor_;

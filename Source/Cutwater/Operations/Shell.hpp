@@ -9,9 +9,9 @@ namespace cutwater {
 ///
 ///     f(p) = |g(p)| - halfThickness
 ///
-/// Outside of the wall, in the hollow too, the value is exact if the operand's is on both sides,
-/// inside the wall a lower bound; where the operand's is not exact, the wall is
-/// {|g| < halfThickness}, and values are lower bounds if its Lipschitz constant is at most 1.
+/// If the operand's value is exact on both sides, the shell's is exact outside the wall, including
+/// in the hollow, and a lower bound inside the wall. If not, the wall is {|g| < halfThickness}, and
+/// values are lower bounds if the operand's Lipschitz constant is at most 1.
 ///
 /// @throws Error unless 0 < halfThickness < infinity.
 template <std::floating_point T>

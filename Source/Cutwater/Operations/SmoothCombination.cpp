@@ -10,7 +10,7 @@ namespace cutwater {
 
 namespace {
 
-/// A value and the operand it is of; ordered by both.
+/// A value and its operand; ordered by both.
 template <std::floating_point T>
 struct Ranked {
   T value;
@@ -21,8 +21,8 @@ struct Ranked {
   }
 };
 
-/// The first few, in order, of those offered one by one: a queue of fixed size, because queries do
-/// not allocate.
+/// The first few, in order, of those offered one by one: a queue of fixed size, because queries
+/// must not allocate.
 template <std::floating_point T>
 class FewLeast {
  public:
@@ -145,7 +145,7 @@ T SmoothCombination<T>::folded(Each&& each, Visit&& visit) const {
     return sum ? sum->value() : std::numeric_limits<T>::quiet_NaN();
   }
 
-  // The first few in one pass; if all of them count, the next few in another, and so on.
+  // Takes the first few in one pass; if all of them count, the next few in another, and so on.
   std::optional<Ranked<T>> last;
   for (T limit = kInf<T>; true; limit = sum->value() + smoothing_.reach) {
     FewLeast<T> few;
@@ -182,7 +182,7 @@ T SmoothCombination<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 void SmoothCombination<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                                 std::span<T> distances) const {
-  constexpr std::size_t kFew = 8;  // operands: so many rows are kept on the stack
+  constexpr std::size_t kFew = 8;  // operands: this many rows are kept on the stack
   constexpr std::size_t kMost = 256;
   if (operands_.size() > kFew) {
     return SignedDistanceFunction<T>::localSignedDistances(points, distances);
@@ -224,7 +224,7 @@ SurfaceOwner SmoothCombination<T>::localOwner(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 Interval<T> SmoothCombination<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
-  // The smooth least grows with each of its arguments.
+  // The smooth minimum grows with each of its arguments.
   const auto end = [&](bool isLower) {
     const auto each = [&](T limit, auto&& ask) {
       forEachIn(box, limit, [&](std::size_t i) {

@@ -8,25 +8,27 @@ namespace cutwater {
 
 /// The union or intersection of any number of solids, with rounded edges where they meet.
 ///
-/// The operands' values at the point are folded by a smooth minimum in ascending order, of equal
-/// ones the first operand first; an intersection is the complement of the union of the complements.
-/// Every operand within reach counts, however many there are. Exponential sums over all operands in
-/// their order.
+/// The operands' values at the point are combined by a smooth minimum in ascending order; equal
+/// ones in the order of the operands. An intersection is the complement of the union of the
+/// complements. Every operand within reach counts, however many there are. Exponential sums over
+/// all operands in their order.
 ///
-/// The solid is where the value is negative. A union is larger than the plain one: its value is
-/// less by at most k/4 (quadratic), k/6 (cubic), k (1 - sqrt(1/2)) (circular) for two operands,
-/// less than k for any number, k ln N for Exponential. The value is a lower bound of the distance
-/// on both sides if the operands' Lipschitz constants are at most 1, which the weights keep.
+/// The solid is where the value is negative. A union is larger than the plain one: with reach k,
+/// its value is lower by at most k/4 (Quadratic), k/6 (Cubic) or k (1 - sqrt(1/2)) (Circular) for
+/// two operands, by less than k for any number, and by at most k ln N for Exponential. The value is
+/// a lower bound of the distance on both sides if the operands' Lipschitz constants are at most 1,
+/// which the weights preserve.
 ///
-/// Patches are those of the operand that is least, or greatest. Cost: one per operand; of many,
-/// those out of reach are not asked where the rules of OperandTree allow, unless Exponential.
+/// Patches are those of the operand with the least, or greatest, value. A query costs one query of
+/// each operand. If there are many, those out of reach are skipped where the rules of OperandTree
+/// allow, unless the kind is Exponential.
 template <std::floating_point T>
 class SmoothCombination final : public SignedDistanceFunction<T> {
  public:
-  /// What it is without the fillets.
+  /// What the result is without the fillets.
   enum class Result : std::uint8_t { Union, Intersection };
 
-  /// @throws Error unless there is an operand, and the reach is finite and more than 0.
+  /// @throws Error unless there is at least one operand, and the reach is finite and more than 0.
   SmoothCombination(Result result, std::vector<Solid<T>> operands, const Smoothing<T>& smoothing);
 
  private:
@@ -49,20 +51,20 @@ class SmoothCombination final : public SignedDistanceFunction<T> {
   void deriveGuarantee();
   void deriveBoxes();
 
-  /// -1 turns an intersection into a union of complements; exact.
+  /// Factor, 1 or -1, that turns an intersection into a union of complements; exact.
   [[nodiscard]] T side() const { return result_ == Result::Union ? T(1) : T(-1); }
   [[nodiscard]] bool isExponential() const { return smoothing_.kind == SmoothKind::Exponential; }
 
-  /// Calls ask(operand) for all whose value at p, times side(), may be as low as the limit that it
-  /// returns.
+  /// Calls ask(operand) for all operands whose value at p, times side(), may be as low as the limit
+  /// that ask() returns.
   template <typename Ask>
   void forEachAt(const Vec3<T>& p, T limit, Ask&& ask) const;
-  /// The same with a lower bound in the box.
+  /// The same for a lower bound in the box.
   template <typename Ask>
   void forEachIn(const OrientedBox<T>& box, T limit, Ask&& ask) const;
-  /// The smooth least of the values; each(limit, ask) calls ask(operand, value), at least for all
-  /// values up to the limit that it returns, and visit(operand, weight) is called for those that
-  /// count, in order. NaN if there is no number.
+  /// The smooth minimum of the values; NaN if none is a number. each(limit, ask) calls ask(operand,
+  /// value) at least for all values up to the limit that ask() returns; visit(operand, weight) is
+  /// called for the operands that count, in order.
   template <typename Each, typename Visit>
   [[nodiscard]] T folded(Each&& each, Visit&& visit) const;
   template <typename Visit>

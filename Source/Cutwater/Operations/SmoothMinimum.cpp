@@ -16,7 +16,7 @@ T SmoothMinimum<T>::add(T value) {
       return h * h / 2;
     case SmoothKind::Circular: {
       const T root = std::sqrt(1 + h * (2 - h));
-      sum_ += reach_ * (h * h / (1 + h + root));  // the difference above without cancellation
+      sum_ += reach_ * (h * h / (1 + h + root));  // the difference documented, without cancellation
       return (1 - (1 - h) / root) / 2;
     }
     default:
@@ -55,8 +55,8 @@ T SmoothMinimum<T>::mostAdded(const Smoothing<T>& smoothing, std::size_t count) 
 
 template <std::floating_point T>
 T SmoothMinimum<T>::ulps(const Smoothing<T>& smoothing, std::size_t count) {
-  // Half an ulp of what is added, at most k, and of `apart`; twice that for the polynomial. Of the
-  // exponential: argument, exp, product and sum, each an ulp of the sum, and the logarithm.
+  // Half an ulp of what is subtracted, at most k, and of `apart`; twice that for the polynomial.
+  // For the exponential: argument, exp, product and sum, an ulp of the sum each, and the logarithm.
   const T steps = static_cast<T>(count - 1);
   return smoothing.kind == SmoothKind::Exponential ? 4 * steps + 8 : 3 * steps;
 }

@@ -69,7 +69,7 @@ BoxClass SymmetricDifference<T>::localClassify(const OrientedBox<T>& box, BoxHin
   if (range.upper < 0) return BoxClass::Inside;
   const auto promise = localGuarantee();
   if (!box.isWithin(promise.domain)) return BoxClass::Unknown;
-  // The nearest point of one surface is on no other that is farther away.
+  // The nearest point of one surface lies on no other surface that is farther away.
   const T gap = std::abs(std::abs(this->first().signedDistance(box.center)) -
                          std::abs(this->second().signedDistance(box.center)));
   const bool isOfOne = gap > 4 * promise.error(length(box.center) + box.radius());
@@ -80,7 +80,7 @@ BoxClass SymmetricDifference<T>::localClassify(const OrientedBox<T>& box, BoxHin
 template <std::floating_point T>
 Guarantee<T> SymmetricDifference<T>::localGuarantee() const {
   auto promise = detail::common(this->first().guarantee(), this->second().guarantee());
-  // Each side has points within and outside of each operand.
+  // Each side has points inside and outside each operand.
   promise.inside = promise.outside = std::min(promise.inside, promise.outside);
   return promise;
 }

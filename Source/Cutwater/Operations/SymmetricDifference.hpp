@@ -8,9 +8,9 @@ namespace cutwater {
 ///
 ///     f(p) = max(min(a, b), -max(a, b))        |f| = min(|a|, |b|): exact if both operands are
 ///
-/// The surface is that of both operands together. Where the two coincide it is not one: there a
-/// value of 0 remains although both sides are outside, as between two solids that touch in a union,
-/// and values near by are lower bounds only. A box is never called cut because of such a place.
+/// The surface is that of both operands together, except where the two coincide: there a value of 0
+/// remains although both sides are outside, as between two solids that touch in a union, and nearby
+/// values are only lower bounds. A box is never classified as cut because of such a place.
 template <std::floating_point T>
 class SymmetricDifference final : public BinaryOperation<T> {
  public:
@@ -27,11 +27,11 @@ class SymmetricDifference final : public BinaryOperation<T> {
   [[nodiscard]] Box<T> localBoundingBox() const override;
   [[nodiscard]] Box<T> localClearanceBox() const override { return this->clearanceOfBoth(); }
 
-  /// Of the two values, the one nearer to zero, whose surface is the nearest.
+  /// The operand whose value is nearer to zero, and whose surface is therefore the nearest.
   struct Nearest {
     std::size_t operand;
-    T value;     ///< of the whole
-    bool turns;  ///< within the other operand, where normals look the other way
+    T value;     ///< of the symmetric difference
+    bool turns;  ///< inside the other operand, where normals are reversed
   };
   [[nodiscard]] Nearest nearest(const Vec3<T>& p) const;
 };

@@ -18,48 +18,49 @@ struct Repeats {
 
 namespace detail {
 
-/// Where copies are, and which of them may be nearest to a point: each lies in a box that the
-/// period moves. A copy is known by the multiples of the period.
+/// Positions of copies, and which of them may be nearest to a point. Each copy lies in the
+/// original's box moved by multiples of the period; these multiples identify it.
 template <std::floating_point T>
 class Tiles {
  public:
-  /// `box`: of the original; all of the following does nothing sensible if it is empty.
+  /// `box`: that of the original. If it is empty, none of the following gives anything sensible.
   Tiles(const Repeats<T>& repeats, const Box<T>& box) : repeats_(repeats), box_(box) {}
 
   [[nodiscard]] const Repeats<T>& repeats() const { return repeats_; }
   [[nodiscard]] const Box<T>& box() const { return box_; }
   [[nodiscard]] bool isRepeated(int axis) const { return repeats_.period[axis] > 0; }
-  /// Around all copies; infinite where they are endless.
+  /// Box around all copies; infinite where they are endless.
   [[nodiscard]] Box<T> boxOfAll() const;
 
-  /// Where p is, seen from a copy.
+  /// Position of p in the frame of a copy.
   [[nodiscard]] CUTWATER_INLINE Vec3<T> seenFrom(const Vec3<T>& copy, const Vec3<T>& p) const {
     return p - placeOf(copy);
   }
-  /// By how much a copy is moved.
+  /// Displacement of a copy from the original.
   [[nodiscard]] CUTWATER_INLINE Vec3<T> placeOf(const Vec3<T>& copy) const {
     const auto& d = repeats_.period;
     return {copy.x * d.x, copy.y * d.y, copy.z * d.z};
   }
-  /// From the original's box, axis by axis; 0 within.
+  /// Distance from the original's box along each axis; 0 inside.
   [[nodiscard]] CUTWATER_INLINE Vec3<T> gaps(const Vec3<T>& local) const {
     return max(max(box_.lower - local, local - box_.upper), Vec3<T>{});
   }
   /// The copy whose box is centred nearest to p.
   [[nodiscard]] Vec3<T> central(const Vec3<T>& p) const;
 
-  /// Calls visit(copy) for copies from central(p) on outwards, that one first, unless all of those
-  /// in the direction have boxes so far from p that isNear(square of the distance) is false.
+  /// Calls visit(copy) for copies from central(p) outwards, that one first. Stops in a direction
+  /// where the boxes of all further copies are so far from p that isNear(square of the distance) is
+  /// false.
   template <typename IsNear, typename Visit>
   void outwards(const Vec3<T>& p, IsNear&& isNear, Visit&& visit) const {
     outwards(p, central(p), isNear, visit);
   }
-  /// The same, if the central one is known.
+  /// The same, given the central copy.
   template <typename IsNear, typename Visit>
   void outwards(const Vec3<T>& p, const Vec3<T>& start, IsNear&& isNear, Visit&& visit) const;
 
  private:
-  /// Whether there is a copy of this index.
+  /// Whether a copy with this index exists.
   [[nodiscard]] bool isWithin(int axis, T index) const {
     if (!isRepeated(axis)) return index == 0;
     const auto count = repeats_.count[static_cast<std::size_t>(axis)];
@@ -70,8 +71,8 @@ class Tiles {
     const T gap = std::max({box_.lower[axis] - local, local - box_.upper[axis], T(0)});
     return gap * gap;
   }
-  /// Calls visit(index) from `start` on outwards, at first there, as long as it returns true in
-  /// that direction.
+  /// Calls visit(index) for `start`, then outwards in both directions, in each as long as it
+  /// returns true.
   template <typename Visit>
   void alongAxis(int axis, T start, Visit&& visit) const {
     visit(start);

@@ -7,7 +7,7 @@ namespace cutwater {
 template <std::floating_point T>
 T UnaryOperation<T>::operandValueWithin(const Vec3<T>& q, T factor,
                                         const Interval<T>& wanted) const {
-  // Quotient and product are rounded; the product may underflow.
+  // The quotient and the product are rounded; the product may underflow.
   const auto outward = [](T end) {
     return 4 * std::numeric_limits<T>::epsilon() * std::abs(end) + std::numeric_limits<T>::min();
   };

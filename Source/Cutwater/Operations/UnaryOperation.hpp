@@ -7,7 +7,7 @@
 
 namespace cutwater {
 
-/// One operand, whose patches are those of the whole.
+/// Base of shapes with one operand, whose patches are theirs, too.
 template <std::floating_point T>
 class UnaryOperation : public SignedDistanceFunction<T> {
  protected:
@@ -15,9 +15,9 @@ class UnaryOperation : public SignedDistanceFunction<T> {
 
   [[nodiscard]] const Solid<T>& operand() const { return operand_; }
 
-  /// factor g(q), if that is wanted: see localSignedDistanceWithin().
+  /// factor g(q), if it is within `wanted`: see localSignedDistanceWithin().
   [[nodiscard]] T operandValueWithin(const Vec3<T>& q, T factor, const Interval<T>& wanted) const;
-  /// The operand's answers for many points of its own frame, from within a parallel region.
+  /// The operand's results at many points of its own frame, from within a parallel region.
   void operandValues(std::span<const Vec3<T>> points, std::span<T> distances) const {
     operand_.signedDistances(points, distances, {.threads = 1});
   }
@@ -25,8 +25,8 @@ class UnaryOperation : public SignedDistanceFunction<T> {
     operand_.closestPoints(points, results, {.threads = 1});
   }
 
-  /// Calls batch(images, index of the first) for pieces of the points as image(p) maps them into
-  /// the operand's frame.
+  /// Maps the points into the operand's frame by image(p), and calls batch(images, index of the
+  /// first) for one piece of them after the other.
   template <typename Image, typename Batch>
   static void forImages(std::span<const Vec3<T>> points, const Image& image, const Batch& batch) {
     constexpr std::size_t kMost = 256;

@@ -13,7 +13,7 @@ namespace cutwater {
 template <std::floating_point T>
 class Union final : public Combination<T> {
  public:
-  /// `beginning`: if given, of the first of the operands; it only saves time.
+  /// `beginning`: if given, a union of the first of these operands; it only saves time.
   explicit Union(std::vector<Solid<T>> operands, const Union* beginning = nullptr)
       : Combination<T>("Union", Combination<T>::Decides::Least, std::move(operands), beginning) {}
 };

@@ -39,7 +39,7 @@ template <std::floating_point T>
 Guarantee<T> Warp<T>::localGuarantee() const {
   auto promise = this->operand().guarantee();
   const T stretch = 1 + limits_.lipschitz;
-  // |p + v(p)| <= stretch |p| + |v(0)|, and v's rounding moves the point.
+  // |p + v(p)| <= stretch |p| + |v(0)|, and the rounding of v moves the point.
   promise.ulps = stretch * (promise.ulps + (limits_.ulps + 1) * promise.lipschitz.value_or(T(1)));
   promise.size += length(shift({}));
   if (promise.lipschitz) promise.lipschitz = *promise.lipschitz * stretch;

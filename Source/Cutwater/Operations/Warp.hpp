@@ -5,14 +5,13 @@
 
 namespace cutwater {
 
-/// The operand, seen from points that are shifted by a function of the user's own: bent, twisted,
-/// swirled.
+/// The operand evaluated at points that a user-defined function shifts: bent, twisted, swirled.
 ///
 ///     f(p) = g(p + v(p))        Lipschitz constant L_g (1 + L_v)
 ///
-/// The solid is where the value is negative: the surface moves by about -v. With a constant of more
-/// than 1 values are no bounds of the distance, but boxes and crossings are certain all the same.
-/// Patches are the operand's.
+/// The solid is where the value is negative: the surface moves by about -v. If the constant is more
+/// than 1, values are not bounds of the distance, but box queries and crossings are certain all the
+/// same. Patches are the operand's.
 template <std::floating_point T>
 class Warp : public PointMap<T> {
  protected:
