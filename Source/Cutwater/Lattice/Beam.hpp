@@ -9,25 +9,26 @@
 namespace cutwater {
 
 /// A straight beam of a lattice: a body of revolution about the line between two nodes, as a
-/// primitive for LinearBVH. The values are those of the shape of that kind, whose formulas it
-/// shares, at well below half the memory: nothing is virtual, and there is no placement.
+/// primitive for LinearBVH. Its values are those of the corresponding shape, whose formulas it
+/// shares, but it takes well below half the memory: nothing is virtual, and there is no placement.
 template <std::floating_point T, typename Profile>
 class Beam {
  public:
-  /// The bits of signedDistance() of the shape, without a placement. `p` is finite.
+  /// The signedDistance() of the shape without a placement, to the bit. `p` must be finite.
   [[nodiscard]] T distance(const Vec3<T>& p) const;
-  /// Of the distance; zero where there is none.
+  /// Gradient of the distance; zero where it is undefined.
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& p) const;
-  /// That of the shape: tight, but for rounding, at the ends of round beams and around flat caps.
+  /// Bounding box of the shape: tight, apart from rounding, at the ends of round beams and around
+  /// flat caps.
   [[nodiscard]] Box<T> boundingBox() const;
-  /// That of the farthest point from the origin, or more: see Guarantee.
+  /// Distance of the farthest point from the origin, or more: see Guarantee.
   [[nodiscard]] T size() const { return size_; }
 
   [[nodiscard]] const detail::RotationAxis<T>& axis() const { return axis_; }
   [[nodiscard]] const Profile& profile() const { return profile_; }
 
  protected:
-  /// From a to b.
+  /// A beam from a to b.
   Beam(const detail::RotationAxis<T>& axis, const Profile& profile, const Vec3<T>& a,
        const Vec3<T>& b);
 
@@ -45,7 +46,7 @@ class CapsuleBeam : public Beam<T, detail::CapsuleProfile<T>> {
   CapsuleBeam(const Vec3<T>& a, const Vec3<T>& b, T radius);
 };
 
-/// A beam with the surface of a ConeSphere: the hull of a ball about each node.
+/// A beam with the surface of a ConeSphere: the convex hull of a ball about each node.
 template <std::floating_point T>
 class ConeSphereBeam : public Beam<T, detail::ConeSphereProfile<T>> {
  public:
@@ -63,7 +64,8 @@ class CappedConeBeam : public Beam<T, detail::FrustumProfile<T>> {
   CappedConeBeam(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
 };
 
-/// A frustum with a cap at each end: see BeamCap. With flat ends, the surface of a CappedCone.
+/// A frustum with a cap at each end: see BeamCap. If both ends are flat, its surface is that of a
+/// CappedCone.
 template <std::floating_point T>
 class CappedBeam : public Beam<T, detail::CappedFrustumProfile<T>> {
  public:

@@ -5,7 +5,7 @@
 
 namespace cutwater {
 
-/// What a beam is between its two nodes.
+/// The body of a beam between its two nodes.
 enum class BeamBody : std::uint8_t {
   ConeSphere,  ///< the convex hull of a ball about each node; its caps do not matter
   Frustum,     ///< a cone cut off flat at both nodes, to which caps are added
@@ -18,7 +18,8 @@ enum class BeamCap : std::uint8_t {
   Sphere,      ///< all of that ball
 };
 
-/// Nodes, and straight beams that join them: what a BeamLattice is made from. One unit of length.
+/// Nodes, and straight beams that join them: the input of a BeamLattice. All lengths have the same
+/// unit.
 struct BeamGraph {
   struct Beam {
     std::array<std::uint32_t, 2> nodes;
@@ -28,7 +29,7 @@ struct BeamGraph {
 
     bool operator==(const Beam&) const = default;
   };
-  /// A ball around a node, of a radius of its own.
+  /// A ball about a node, with a radius of its own.
   struct Ball {
     std::uint32_t node;  ///< its index in `nodes`
     double radius;       ///< in the unit of length
@@ -36,7 +37,7 @@ struct BeamGraph {
     bool operator==(const Ball&) const = default;
   };
 
-  /// Positions; beams and balls name them by their index.
+  /// Positions; beams and balls refer to them by index.
   std::vector<Vec3<double>> nodes;
   std::vector<Beam> beams;
   std::vector<Ball> balls;
@@ -44,8 +45,8 @@ struct BeamGraph {
   bool operator==(const BeamGraph&) const = default;
 };
 
-/// The beams of an array of cells, one for each strut, all of this radius: the same solid as
-/// CellArray, which needs no memory for it.
+/// The beams of an array of cells, one for each strut, all with this radius: the same solid as
+/// CellArray, which does not store them.
 /// @throws Error unless there are cells along each axis, and their sizes are positive and finite;
 /// of kind Limit beyond 2^31 beams.
 [[nodiscard]] BeamGraph beamsOf(const UnitCell& cell, const Repeats<double>& cells, double radius);

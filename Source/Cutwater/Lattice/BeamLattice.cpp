@@ -20,7 +20,7 @@ class BeamTree {
   BeamTree(std::vector<Kind> beams, std::vector<std::uint32_t> ids)
       : ids_(std::move(ids)), tree_(std::move(beams)) {}
 
-  /// The better of the one told and the best in the tree.
+  /// The better of `other` and the best in the tree.
   [[nodiscard]] NearestBeam<T> nearer(const NearestBeam<T>& other, const Vec3<T>& p) const;
   /// Null if the beam is not in this tree.
   [[nodiscard]] const Kind* find(std::uint32_t beam) const;
@@ -85,7 +85,7 @@ class SortedBeams {
   std::vector<std::uint32_t> cappedIds;
 
  private:
-  /// What is wrong with a beam is told with its index.
+  /// Reports what is wrong with a beam together with its index.
   template <typename Add>
   static void tryTo(std::uint32_t i, Add&& add) {
     try {

@@ -14,22 +14,22 @@ struct NearestBeam {
   T value = std::numeric_limits<T>::infinity();
 };
 
-/// The union of the beams and balls of a graph, each with radii of its own: exact outside, and a
-/// lower bound inside, where beams overlap.
+/// The union of the beams and balls of a graph, each with its own radii: exact outside, and a lower
+/// bound inside, where beams overlap.
 ///
-/// Values are those of the nearest beam, to the bit, as if all had been tried; it is found by a
-/// tree, in microseconds among a million. Closest points tell the beam as `owner.face`: the index
-/// of a beam of the graph, or the number of beams and the index of a ball. Copies share the beams.
+/// Values are those of the nearest beam, to the bit, as if all had been tried; a tree finds it in
+/// microseconds among a million. Closest points state the beam as `owner.face`: the index of a beam
+/// of the graph, or the number of beams plus the index of a ball. Copies share the beams.
 ///
-/// @throws Error, naming the beam, unless there is one, and each joins nodes that there are, with
-/// finite coordinates and radii that are finite and not negative, one of them positive; the nodes
-/// of a frustum must differ, and a ball's radius must be positive.
+/// @throws Error, naming the beam, unless there is at least one beam or ball, all refer to existing
+/// nodes with finite coordinates, and radii are finite and not negative, at least one of each beam
+/// positive; the nodes of a frustum must differ, and a ball's radius must be positive.
 template <std::floating_point T>
 class BeamLattice final : public SignedDistanceFunction<T> {
  public:
   explicit BeamLattice(const BeamGraph& graph);
 
-  /// Unless `p` is finite, none.
+  /// The nearest beam to `p`; none unless `p` is finite.
   [[nodiscard]] NearestBeam<T> nearestBeam(const Vec3<T>& p) const;
 
  private:
@@ -45,7 +45,7 @@ class BeamLattice final : public SignedDistanceFunction<T> {
   [[nodiscard]] Box<T> localBoundingBox() const override { return box_; }
 
   [[nodiscard]] NearestBeam<T> localNearest(const Vec3<T>& p) const;
-  /// The same, if the value is certainly not above `limit`, up to rounding.
+  /// The same, found sooner if the value is not above `limit`.
   [[nodiscard]] NearestBeam<T> localNearest(const Vec3<T>& p, T limit) const;
   [[nodiscard]] Vec3<T> gradientOf(std::uint32_t beam, const Vec3<T>& p) const;
 

@@ -9,7 +9,7 @@ namespace {
 
 using BoundBeams = std::uint32_t(const BeamPacket&, const Vec3<double>&, double, BeamBounds&);
 
-/// What lanes without a beam hold: a ball of a radius less than any other.
+/// Lanes without a beam hold a ball with a radius less than any other.
 constexpr float kNoRadius = -0x1p90F;
 
 }  // namespace

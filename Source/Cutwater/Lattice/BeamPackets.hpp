@@ -5,10 +5,10 @@
 
 namespace cutwater {
 
-/// The cone-spheres of a leaf in single precision, component by component: what a search looks at
-/// before it evaluates the few that may be the nearest in full.
+/// The cone-spheres of a leaf in single precision, component by component. A search reads these
+/// before it evaluates in full the few that may be the nearest.
 ///
-/// Lengths are those of the tree's frame. Unused lanes are far away from everything.
+/// Lengths are in the tree's frame. Unused lanes are far away from everything.
 struct alignas(64) BeamPacket {
   static constexpr int kWidth = 16;
   using Lanes = std::array<float, kWidth>;
@@ -20,8 +20,8 @@ struct alignas(64) BeamPacket {
   Lanes narrowing;  ///< by how much the radius shrinks per length
   Lanes cosine;     ///< of the angle between the axis and the flank; rounded down
   Vec3<float> center;
-  float reach = 0;                         ///< more than coordinates, lengths and radii
-  std::array<std::uint32_t, 12> unused{};  ///< to the end of the cache line: equal bytes
+  float reach = 0;                         ///< exceeds coordinates, lengths and radii
+  std::array<std::uint32_t, 12> unused{};  ///< pads the cache line with known bytes
 };
 
 /// The tree of round beams.
@@ -35,13 +35,13 @@ template <std::floating_point T>
 /// Bounds of the values of a packet's beams at a point, in the tree's frame.
 struct BeamBounds {
   alignas(64) std::array<float, BeamPacket::kWidth> lower;
-  /// The least value of all is not above it: the one told, or what this packet's beams say.
+  /// Upper bound of the least value of all: the one passed in, or one from this packet's beams.
   double least;
 };
 
-/// Bounds the values at `q`, which is not more than 2^58 away, in the tree's frame. Returns a bit
-/// for each lane whose value may be within `slack` of the least. Compiled for each instruction set,
-/// from one source: BeamPackets.inl.
+/// Bounds the values at `q`, whose coordinates in the tree's frame must not exceed 2^58. Returns a
+/// bit for each lane whose value may be within `slack` of the least. Compiled for each instruction
+/// set from one source: BeamPackets.inl.
 [[nodiscard]] std::uint32_t boundBeams(const BeamPacket& packet, const Vec3<double>& q,
                                        double slack, BeamBounds& bounds);
 

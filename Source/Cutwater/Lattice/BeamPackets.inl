@@ -9,30 +9,32 @@ namespace {
 
 constexpr int kWidth = BeamPacket::kWidth;
 
-// As plain arrays: the standard library's functions stay out.
+// Accessed as plain arrays, which keeps the standard library's functions out.
 static_assert(sizeof(BeamPacket) == 10 * 64 + 64);
 
-// With a the distance to the axis, from its point at h, and r(h) the radius there, a - r(h) is not
-// less than the value v, which is the least of that over all h; and with h the nearest point's,
+// Let a be the distance from the point of the axis at h, and r(h) the radius there. Then a - r(h)
+// is not less than the value v, which is its least over all h; and if h is that of the nearest
+// point,
 //
 //     cosine a - r(h) <= v        a - the larger radius <= v
 //
-// The first is v beside the cone. Beside the balls it follows from v being there the projection
-// onto a unit vector, and the cone's normal another one.
+// Beside the cone, the first one is v. Beside the balls it holds because v is the projection onto a
+// unit vector there, and the cone's normal is another such vector.
 //
-// What computed bounds may be off by, in units of u R, with u = 2^-24 and R the sum of the packet's
-// reach and the way to its centre: the start is rounded, the point and their difference are, 3; the
-// direction is, 1, and a dot product, 3: 7 for h, and 1 more at the end of the axis. From the point
-// at that h, 3 for the difference, 1 for the direction, 2 for product and difference, 3 for the
-// length: 9 for a. The radius has 4: 15 for a - r(h), with the ends. For the lower bounds h has to
-// be the nearest point's: 8 for a and 8 for r more, and 2 for the cosine and the difference: 33.
+// The error of computed bounds is given in units of u R, with u = 2^-24 and R the sum of the
+// packet's reach and the distance to its centre. The start, the point and their difference are
+// rounded: 3; the direction: 1; a dot product: 3. That is 7 for h, and 1 more at the end of the
+// axis. From the point at that h: 3 for the difference, 1 for the direction, 2 for product and
+// difference, 3 for the length: 9 for a. The radius has 4: 15 for a - r(h), with the ends. For the
+// lower bounds, h has to be that of the nearest point: 8 more for a and 8 for r, and 2 for the
+// cosine and the difference: 33.
 constexpr float kUpperError = 16;
 constexpr float kLowerError = 36;
 
-/// Above all sums of distances.
+/// Larger than all sums of distances.
 constexpr float kFar = 0x1p100F;
 
-/// Rounded up, and on by more than an ulp.
+/// Rounded up, by more than an ulp.
 CUTWATER_INLINE inline float roundedUp(double x) {
   const double size = x < 0 ? -x : x;
   return static_cast<float>(x + 0x1p-22 * size + 0x1p-100);

@@ -7,8 +7,8 @@ namespace cutwater {
 
 namespace {
 
-/// Of balls about the nodes, which holds the beam between them, also if it is stored in single
-/// precision.
+/// Box of balls about the nodes. It encloses the beam between them, even if that is stored in
+/// single precision.
 Box<double> boxOf(const Vec3<double>& a, const Vec3<double>& b,
                   const std::array<double, 2>& radii) {
   constexpr double kRounding = 0x1p-22;

@@ -5,16 +5,16 @@
 
 namespace cutwater {
 
-/// The beams and balls of a graph without those that certainly lie outside of a solid, as the class
-/// of the box around each tells, and without nodes that are not needed any more.
+/// The beams and balls of a graph, without those that certainly lie outside a solid, judging by the
+/// class of the box around each, and without nodes that are no longer needed.
 ///
-/// What is left has the same points in common with the solid: a lattice is clipped by it at the
-/// memory of the part that stays,
+/// What is left has the same points in common with the solid. A lattice can thus be clipped by it
+/// with no more memory than the remaining part takes:
 ///
 ///     BeamLattice<double>(beamsWithin(graph, part)) & part
 ///
-/// and there may be no beam at all. The order is kept.
-/// @throws Error if a beam or ball has no such node.
+/// There may be no beam left at all. The order is kept.
+/// @throws Error if a beam or ball refers to a node that does not exist.
 [[nodiscard]] BeamGraph beamsWithin(const BeamGraph& graph, const Solid<double>& solid,
                                     const ParallelOptions& options = {});
 

@@ -13,7 +13,7 @@ auto CappedFrustumProfile<T>::nearestBoundary(const ProfilePoint<T>& p) const ->
     best = {length(ProfilePoint<T>{p.radial - f.radiusA(), p.axial}), Side::RimA};
     offer(length(ProfilePoint<T>{p.radial - f.radiusB(), fromB(p).axial}), Side::RimB);
   }
-  // Of a half circle seen from the other side, its end is nearest: a rim.
+  // Seen from the other side, the nearest point of a half circle is its end: a rim.
   if (!isRoundA()) {
     offer(length(f.fromDiscA(p)), Side::FlatA);
   } else if (p.axial < 0) {

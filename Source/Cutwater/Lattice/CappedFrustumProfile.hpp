@@ -7,9 +7,9 @@ namespace cutwater::detail {
 
 /// Signed distance in the half-plane of a frustum with caps: see BeamCap.
 ///
-/// A half ball meets the frustum in a disc that is no surface, so distances are those to the sides
-/// that are left: exact. A whole ball is united with that by the least value: exact outside, and a
-/// lower bound inside where the ball swells out of the frustum.
+/// A half ball meets the frustum in a disc that is not part of the surface, so distances are those
+/// to the remaining sides: exact. A whole ball is united with these by the least value: exact
+/// outside, and a lower bound inside where the ball bulges out of the frustum.
 template <std::floating_point T>
 class CappedFrustumProfile {
  public:
@@ -18,7 +18,7 @@ class CappedFrustumProfile {
 
   [[nodiscard]] T distance(const ProfilePoint<T>& p) const { return nearestSide(p).distance; }
   [[nodiscard]] ProfilePoint<T> gradient(const ProfilePoint<T>& p) const;
-  /// Around the body of revolution, as computed.
+  /// Box around the body of revolution, as computed.
   [[nodiscard]] Box<T> box(const RotationAxis<T>& axis) const;
   [[nodiscard]] T largestRadius() const { return frustum_.largestRadius(); }
 
@@ -29,7 +29,7 @@ class CappedFrustumProfile {
     Side side;
   };
   [[nodiscard]] Nearest nearestSide(const ProfilePoint<T>& p) const;
-  /// Unsigned, of the sides without whole balls.
+  /// The nearest side, without whole balls; its distance is unsigned.
   [[nodiscard]] Nearest nearestBoundary(const ProfilePoint<T>& p) const;
   [[nodiscard]] bool isInside(const ProfilePoint<T>& p) const;
 

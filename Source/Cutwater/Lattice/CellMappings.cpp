@@ -10,15 +10,15 @@ bool isPositive(double value) {
   return value > 0 && std::isfinite(value);
 }
 
-/// Of the unit square to the unit disc.
+/// From the unit square to the unit disc.
 Vec3<double> onUnitDisc(const Vec3<double>& u) {
   const double a = 2 * u.x - 1;
   const double b = 2 * u.y - 1;
   return {a * std::sqrt(1 - b * b / 2), b * std::sqrt(1 - a * a / 2), 0};
 }
 
-/// How far a sphere has fallen back from its tangent plane, at a distance from the point of
-/// contact. In this form, the radius may be infinite.
+/// Distance of a sphere from its tangent plane, at this distance from the point of contact. In this
+/// form, the radius may be infinite.
 double sag(double radius, double distance) {
   const double ratio = distance / radius;
   return distance * ratio / (1 + std::sqrt(std::max(0.0, 1 - ratio * ratio)));

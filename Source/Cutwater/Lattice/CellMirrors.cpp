@@ -21,8 +21,8 @@ constexpr std::array<ChamberWall, 4> kSort{
 constexpr std::array<ChamberWall, 4> kFcc{
     {{{1, -1, 0}, 0}, {{0, 1, -1}, 0}, {{0, 1, 1}, 0}, {{-1, -1, 0}, -0.5}}};
 
-// Struts reach up to 1.5 from their middles, which are in [0, 1); chambers are in [-1/2, 1/2].
-// Farther copies do not meet them.
+// Struts reach up to 1.5 from their midpoints, which are in [0, 1); chambers are in [-1/2, 1/2].
+// Copies farther away do not meet them.
 constexpr int kFirst = -3;
 constexpr int kAcross = 6;
 
@@ -36,7 +36,7 @@ std::optional<CellStrut> clipped(const CellStrut& strut, CellFold fold) {
   for (const auto& wall : wallsOf(fold)) {
     const double from = wall.height(strut.a);
     const double change = wall.height(strut.b) - from;
-    // Along a wall: on it within rounding, or beyond.
+    // Parallel to a wall: on it within rounding, or beyond.
     if (std::abs(change) < kShortest) {
       if (from < -kShortest) return {};
     } else if (change > 0) {

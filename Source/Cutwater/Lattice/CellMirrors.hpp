@@ -12,13 +12,13 @@ namespace cutwater {
 struct CellStrut {
   Vec3<double> a, b;
 
-  /// Half-way between its ends.
+  /// The point half-way between its ends.
   [[nodiscard]] Vec3<double> middle() const { return 0.5 * (a + b); }
 };
 
-/// Mirrors that a lattice may have, as a rule by which points are folded into one chamber between
-/// them. A fold never moves two points apart, and so the strut nearest to a folded point has an
-/// image in the chamber: what is there tells the distance to all of the endless lattice.
+/// Mirrors that a lattice may have, given as a rule that folds points into one chamber between
+/// them. A fold never moves two points apart, so the strut nearest to a folded point has an image
+/// in the chamber: what is there determines the distance to the whole endless lattice.
 enum class CellFold : std::uint8_t {
   None,
   Octant,  ///< planes through faces and middles of cells: x, y, z in [0, 1/2]
@@ -31,7 +31,7 @@ enum class CellFold : std::uint8_t {
 
 namespace detail {
 
-/// A side of the chamber: normal . x >= offset in it, and a mirror of the lattice.
+/// A side of the chamber, and a mirror of the lattice: normal . x >= offset in the chamber.
 struct ChamberWall {
   Vec3<double> normal;
   double offset;
@@ -43,15 +43,15 @@ struct ChamberWall {
 };
 [[nodiscard]] std::span<const ChamberWall> wallsOf(CellFold fold);
 
-/// What lies in the chamber of one strut of the lattice.
+/// The part of one strut of the lattice that lies in the chamber.
 struct ChamberStrut {
   CellStrut part;
-  std::uint32_t strut;  ///< index of the strut that the whole is a copy of
-  Vec3<double> middle;  ///< of the whole
+  std::uint32_t strut;  ///< index of the strut of which the whole is a copy
+  Vec3<double> middle;  ///< of the whole strut
 };
 
-/// All that lies in the chamber of copies of the struts, which are those of a UnitCell, in all
-/// cells. Not for CellFold::None.
+/// The parts that lie in the chamber of all copies, in all cells, of a UnitCell's struts. Not for
+/// CellFold::None.
 [[nodiscard]] std::vector<ChamberStrut> strutsInChamber(std::span<const CellStrut> struts,
                                                         CellFold fold);
 

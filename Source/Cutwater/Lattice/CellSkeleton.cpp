@@ -7,7 +7,7 @@ namespace {
 
 template <std::floating_point T>
 const Repeats<T>& checked(const Repeats<T>& cells) {
-  // Far within that, squares of lengths neither overflow nor underflow.
+  // Well within these limits, squares of lengths neither overflow nor underflow.
   constexpr T kLargest = sizeof(T) == sizeof(float) ? T(1e15) : T(1e100);
   for (int axis = 0; axis < 3; ++axis) {
     const T size = cells.period[axis];

@@ -7,13 +7,13 @@
 
 namespace cutwater::detail {
 
-/// The skeleton of cells that fill space, or a box, along each axis: by folding where the cell has
-/// mirrors, else by a search of neighbouring cells. So is what folding finds beyond the ends of a
-/// finite array.
+/// The skeleton of cells, endless or finite in number along each axis: found by folding where the
+/// cell has mirrors, and otherwise by a search of neighbouring cells. The search also takes over
+/// where folding finds a strut beyond the ends of a finite array.
 template <std::floating_point T>
 class CellSkeleton {
  public:
-  /// @throws Error unless periods are positive and finite, and ordinary in size.
+  /// @throws Error unless periods are positive, finite and of ordinary magnitude.
   CellSkeleton(const UnitCell& cell, const Repeats<T>& cells);
 
   [[nodiscard]] T distance(const Vec3<T>& p) const;
@@ -27,7 +27,7 @@ class CellSkeleton {
  private:
   /// Whether a strut of the endless lattice is certainly part of the array.
   [[nodiscard]] bool contains(const Vec3<T>& middle) const;
-  /// By how much middles of struts may be off and still tell what cell they are in, in cells.
+  /// Error of a strut's midpoint, in cells, up to which it still determines the cell.
   [[nodiscard]] static T clearance(const UnitCell& cell);
 
   Repeats<T> cells_;

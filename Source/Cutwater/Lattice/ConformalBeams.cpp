@@ -59,7 +59,7 @@ class StrutMapper {
   void addBeam(const std::array<std::uint32_t, 2>& nodes, double atA, double atB) {
     graph_.beams.push_back({nodes, {atA, atB}});
   }
-  /// Whether all places are those of a beam from the first to the last, or nearly.
+  /// Whether all places are, at least nearly, those of a beam from the first to the last.
   [[nodiscard]] bool isOneBeam() const {
     constexpr double kSame = 1e-9;  // of the beam's length
     const auto& [a, atA] = places_.front();

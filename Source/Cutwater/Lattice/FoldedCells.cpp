@@ -14,7 +14,7 @@ struct Folded {
   Vec3<T> side{1, 1, 1};
   std::array<int, 3> from{0, 1, 2};
 
-  /// A direction in the chamber, out there.
+  /// Converts a direction in the chamber to one outside it.
   [[nodiscard]] CUTWATER_INLINE Vec3<T> unfolded(const Vec3<T>& inside) const {
     Vec3<T> out;
     for (int i = 0; i < 3; ++i) {
@@ -25,11 +25,11 @@ struct Folded {
   }
 };
 
-/// The nearest whole number, of ties an even one. So large numbers that neighbours are more than
-/// 1/4 apart are taken to be whole.
+/// The nearest whole number; the even one if two are. Numbers so large that neighbours are more
+/// than 1/4 apart count as whole.
 template <typename T>
 CUTWATER_INLINE inline T rounded(T x) {
-  // Adding it shifts all digits behind the point out.
+  // Adding it shifts out all digits after the point.
   constexpr T kShift = T(1.5) / std::numeric_limits<T>::epsilon();
   constexpr T kLargest = T(0.25) / std::numeric_limits<T>::epsilon();
   const T whole = (x + kShift) - kShift;
@@ -42,14 +42,14 @@ CUTWATER_INLINE inline bool isOdd(T whole) {
   return half != rounded(half);
 }
 
-/// Of what is left of a coordinate; never infinity less infinity.
+/// What is left of each coordinate; never infinity minus infinity.
 template <typename T>
 CUTWATER_INLINE inline Vec3<T> difference(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.x == b.x ? T(0) : a.x - b.x, a.y == b.y ? T(0) : a.y - b.y,
           a.z == b.z ? T(0) : a.z - b.z};
 }
 
-/// A point of a lattice, and where another one is seen from it.
+/// A point of a lattice, and another point relative to it.
 template <typename T>
 struct Place {
   Vec3<T> origin;
@@ -62,10 +62,10 @@ CUTWATER_INLINE inline Place<T> fromNearestWhole(const Vec3<T>& u) {
   return {whole, difference(u, whole)};
 }
 
-/// u, from the nearest point of the face-centred lattice: of whole numbers with an even sum, in
-/// units of 1/2. Where the nearest ones have an odd sum, the one that was rounded most goes the
-/// other way (Conway and Sloane 1982, "Fast quantizing and decoding algorithms for lattice
-/// quantizers and codes": D_n).
+/// u, relative to the nearest point of the face-centred lattice, i.e. of whole numbers with an even
+/// sum, in units of 1/2. If the nearest whole numbers have an odd sum, the one that was rounded
+/// most is rounded the other way (Conway and Sloane 1982, "Fast quantizing and decoding algorithms
+/// for lattice quantizers and codes": D_n).
 template <typename T>
 CUTWATER_INLINE inline Place<T> fromNearestFaceCentred(const Vec3<T>& u) {
   auto [whole, rest] = fromNearestWhole(T(2) * u);
@@ -80,7 +80,7 @@ CUTWATER_INLINE inline Place<T> fromNearestFaceCentred(const Vec3<T>& u) {
   return {T(0.5) * whole, T(0.5) * rest};
 }
 
-/// Without branches, which processors could not foresee.
+/// Without branches, which processors could not predict.
 template <typename T>
 CUTWATER_INLINE inline void sort(Folded<T>& folded, int i, int j) {
   auto& p = folded.point;
@@ -112,7 +112,7 @@ CUTWATER_INLINE inline Folded<T> folded(const Vec3<T>& p, const Vec3<T>& period,
     sort(result, 0, 1);
   }
   if constexpr (kIsFcc) {
-    // Of signs only even numbers change; the last coordinate, which is the least, keeps its own.
+    // Only even numbers of signs change; the last coordinate, which is the least, keeps its own.
     const T parity = result.side.x * result.side.y * result.side.z;
     result.point.z *= parity;
     result.side[result.from[2]] *= parity;

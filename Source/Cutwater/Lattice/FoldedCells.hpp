@@ -6,12 +6,12 @@
 namespace cutwater::detail {
 
 /// The skeleton of an endless lattice that has mirrors: points are folded into a chamber between
-/// them, where a few struts are left to be tried. A query takes nanoseconds, and no memory worth
-/// mentioning.
+/// them, where only a few struts have to be tried. A query takes nanoseconds, and no memory to
+/// speak of.
 template <std::floating_point T>
 class FoldedCells {
  public:
-  /// `fold`: as cell.foldAt(period) tells, and not CellFold::None.
+  /// `fold`: as returned by cell.foldAt(period), and not CellFold::None.
   FoldedCells(const UnitCell& cell, CellFold fold, const Vec3<T>& period);
 
   [[nodiscard]] T distance(const Vec3<T>& p) const;

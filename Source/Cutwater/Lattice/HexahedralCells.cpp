@@ -16,7 +16,8 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31U);
 }
 
-/// In the unit ball, all places alike: the first of a sequence of points of the cube around it.
+/// A point of the unit ball, uniformly distributed: the first that lies in it of a sequence of
+/// points of the cube around it.
 Vec3<double> inUnitBall(const std::array<std::int64_t, 3>& corner, std::uint64_t seed) {
   std::uint64_t state = mixed(seed);
   for (const auto index : corner) state = mixed(state ^ static_cast<std::uint64_t>(index));
@@ -33,7 +34,7 @@ Vec3<double> inUnitBall(const std::array<std::int64_t, 3>& corner, std::uint64_t
 }
 
 Vec3<double> between(const Vec3<double>& a, const Vec3<double>& b, double t) {
-  return (1 - t) * a + t * b;  // to the bit the corners themselves at 0 and 1
+  return (1 - t) * a + t * b;  // a and b themselves, to the bit, at 0 and 1
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Private: whether trilinear hexahedra are turned inside out.
+// Private: whether trilinear hexahedra are inverted.
 
 #include <Cutwater/Lattice/HexahedralCells.hpp>
 
@@ -8,10 +8,10 @@ namespace cutwater::detail {
 
 namespace {
 
-/// The determinant is a polynomial of degree 2 along each axis: its Bernstein coefficients.
+/// Bernstein coefficients of the determinant, a polynomial of degree 2 along each axis.
 using Coefficients = std::array<std::array<std::array<double, 3>, 3>, 3>;
 
-/// From corner `from` along an axis.
+/// The edge from corner `from` along an axis.
 Vec3<double> edge(const std::array<Vec3<double>, 8>& corners, std::size_t from, std::size_t axis) {
   return corners[from | 1U << axis] - corners[from & ~(std::size_t{1} << axis)];
 }
@@ -22,7 +22,7 @@ double determinant(const Vec3<double>& a, const Vec3<double>& b, const Vec3<doub
 
 /// The derivative along an axis is bilinear in the other two, with edges as coefficients. Of three
 /// such factors, two depend on each coordinate; a product of linear Bernstein polynomials with
-/// indices a and b is the quadratic one of index a + b over the binomial coefficient of that.
+/// indices a and b is the quadratic one with index a + b divided by its binomial coefficient.
 Coefficients coefficientsOf(const std::array<Vec3<double>, 8>& corners, double sign) {
   constexpr std::array<double, 3> kPerBinomial{1, 0.5, 1};
   Coefficients result{};
@@ -42,7 +42,7 @@ Coefficients coefficientsOf(const std::array<Vec3<double>, 8>& corners, double s
   return result;
 }
 
-/// Those of the lower or upper half along an axis, by de Casteljau's algorithm.
+/// The coefficients of the lower or upper half along an axis, by de Casteljau's algorithm.
 Coefficients halved(const Coefficients& whole, int axis, bool isUpper) {
   Coefficients half{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -61,7 +61,8 @@ Coefficients halved(const Coefficients& whole, int axis, bool isUpper) {
   return half;
 }
 
-/// `least`: what counts as positive, in spite of rounding. `halvings`: at most so many times.
+/// `least`: values above it count as positive in spite of rounding. `halvings`: the most that are
+/// allowed.
 bool isAbove(const Coefficients& coefficients, double least, int halvings) {
   bool isAbove = true;
   for (std::size_t i = 0; i < 27; ++i) {

@@ -20,7 +20,7 @@ constexpr std::array<Vec3<double>, 3> kFaces{{{0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 
 constexpr std::array<Vec3<double>, 4> kCornerAndFaces{
     {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}}};
 
-/// From each of these nodes to each of those, in whatever cell, that is as far or nearer.
+/// Struts from each node of `from` to each node of `to`, in any cell, no farther than `farthest`.
 Struts joined(std::span<const Vec3<double>> from, std::span<const Vec3<double>> to,
               double farthest) {
   Struts struts;

@@ -8,9 +8,9 @@
 
 namespace cutwater::detail {
 
-/// Values at many points, by valueWithin(point, limit): the value, found sooner if it is not above
-/// the limit. Points that follow each other are often near, and on the way from one to the next no
-/// value changes by more than the way, as the Lipschitz constant is 1.
+/// Computes the values at many points by valueWithin(point, limit), which returns the value, sooner
+/// if it is not above the limit. Consecutive points are often close together, and as the Lipschitz
+/// constant is 1, no value changes by more than the distance from one to the next.
 template <std::floating_point T, typename ValueWithin>
 void valuesInTurn(std::span<const Vec3<T>> points, std::span<T> values,
                   const Guarantee<T>& guarantee, const ValueWithin& valueWithin) {

@@ -17,8 +17,8 @@ class PackedBed<T>::Tree {
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// The ball with the least value, the first of them where values tie; found sooner if that is
-  /// not above `limit`. `error`: of a value.
+  /// The ball with the least value, the first one where values tie; found sooner if that value is
+  /// not above `limit`. `error`: that of a value.
   [[nodiscard]] Nearest nearest(const Vec3<T>& p, T limit, T error) const {
     Nearest best{.value = limit};
     balls_.nearest(Vec3<double>(p), double{limit}, 2 * double{error},

@@ -18,15 +18,15 @@ struct Ball {
 /// The union of many balls, such as a bed of particles: exact outside, and a lower bound inside,
 /// where balls overlap.
 ///
-/// Values are those of a Sphere each, to the bit, as if all had been tried; the nearest is found by
-/// a tree, in about a microsecond among a million. Closest points tell the ball as `owner.face`, by
-/// its index. It takes 45 to 50 bytes a ball in double precision, where a union of Spheres takes
+/// Values are those of a Sphere for each ball, to the bit, as if all had been tried; a tree finds
+/// the nearest in about a microsecond among a million. Closest points state the index of the ball
+/// as `owner.face`. A ball takes 45 to 50 bytes in double precision; in a union of Spheres it takes
 /// 500 and more. Copies share the balls.
 template <std::floating_point T>
 class PackedBed final : public SignedDistanceFunction<T> {
  public:
-  /// @throws Error, naming the ball, unless there is one, centres are finite, and all radii are
-  /// positive and finite; Error(Limit) beyond 2^32 - 2 balls.
+  /// @throws Error, naming the ball, unless there is at least one, centres are finite, and all
+  /// radii are positive and finite; Error(Limit) beyond 2^32 - 2 balls.
   explicit PackedBed(std::span<const Ball<T>> balls);
 
   [[nodiscard]] std::size_t size() const;

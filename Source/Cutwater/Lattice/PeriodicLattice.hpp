@@ -4,13 +4,12 @@
 
 namespace cutwater {
 
-/// A lattice without end: unit cells of this size at all multiples of it.
+/// An endless lattice: unit cells of this size at all multiples of it.
 ///
-/// The library chooses how: by folding, in a few nanoseconds, where the cell has mirrors (see
-/// CellFold), and equal sizes along the axes that they exchange; otherwise by a search of
-/// neighbouring cells.
+/// Distances are found by folding, in a few nanoseconds, if the cell has mirrors (see CellFold) and
+/// equal sizes along the axes that they exchange; otherwise by a search of neighbouring cells.
 ///
-/// @throws Error unless sizes are positive and ordinary.
+/// @throws Error unless sizes are positive and of ordinary magnitude.
 template <std::floating_point T>
 class PeriodicLattice final : public StrutLattice<T> {
  public:

@@ -4,7 +4,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// In the tree's frame: beyond it, rounding is larger than the tree, and any beam may be the
+/// In the tree's frame. Beyond it, rounding exceeds the size of the tree, and any beam may be the
 /// nearest as computed.
 constexpr double kFarthest = 0x1p58;
 
@@ -33,7 +33,7 @@ RoundBeamTree<T>::RoundBeamTree(std::vector<ConeSphereBeam<T>> beams) : beams_(s
 template <std::floating_point T>
 class RoundBeamTree<T>::Search {
  public:
-  /// `error`: twice what values may be off by.
+  /// `error`: twice the error of values.
   Search(const RoundBeamTree& tree, const Vec3<T>& point, T limit, double error)
       : tree_(tree), point_(point), best_{.primitive = kNone, .distance = limit} {
     const auto& frame = tree.arrays_.frame;
@@ -44,7 +44,7 @@ class RoundBeamTree<T>::Search {
 
   [[nodiscard]] bool isFar() const { return maxComponent(abs(q_)) > kFarthest; }
 
-  /// Returns the value that none needs to exceed.
+  /// Returns the limit that no further value needs to exceed.
   double operator()(std::span<const std::uint32_t> slots) {
     const auto leaf =
         static_cast<std::size_t>(slots.data() - tree_.arrays_.slots.data()) / BeamPacket::kWidth;
@@ -91,7 +91,7 @@ class RoundBeamTree<T>::Search {
 
   const RoundBeamTree& tree_;
   Vec3<T> point_;
-  Vec3<double> q_;  // in the tree's frame, as all lengths below
+  Vec3<double> q_;  // in the tree's frame, like all lengths below
   double slack_ = 0;
   BeamBounds bounds_;
   std::size_t count_ = 0;
@@ -102,7 +102,8 @@ class RoundBeamTree<T>::Search {
 template <std::floating_point T>
 NearestPrimitive<T> RoundBeamTree<T>::nearest(const Vec3<T>& point, T limit) const {
   const Vec3<double> p(point);
-  // A value is off by less than 8 eps of the sizes; twice, as two are compared, and half as much.
+  // The error of a value is less than 8 eps of the sizes; twice that, as two are compared, and half
+  // as much again.
   const double error = 24 * double{std::numeric_limits<T>::epsilon()} * (length(p) + size_);
   Search search(*this, point, limit, error);
   if (search.isFar()) return search.resultOfAll();

@@ -6,7 +6,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// How many cells along each axis have a copy of the strut; 0: endless.
+/// The number of cells along each axis that have a copy of the strut; 0: endless.
 std::array<std::uint32_t, 3> copiesOf(const CellStrut& strut,
                                       const std::array<std::uint32_t, 3>& cells) {
   auto count = cells;
@@ -45,7 +45,7 @@ template <std::floating_point T>
 SkeletonPoint<T> SearchedCells<T>::nearest(const Vec3<T>& p) const {
   SkeletonPoint<T> best;
   T least = std::numeric_limits<T>::infinity();
-  // What is nearer by rounding alone does not count: from far away, that may be all cells.
+  // Cells that are nearer by rounding alone do not count: from far away, they may be all cells.
   const auto isNear = [&](T gapSquared) {
     return gapSquared < least * (1 - 8 * std::numeric_limits<T>::epsilon());
   };

@@ -6,20 +6,20 @@
 
 namespace cutwater::detail {
 
-/// The skeleton of an array of cells, of any kind, finite or endless: cells are tried from the
-/// nearest on outwards, while the box around a cell's struts is nearer than the best so far.
-/// Without memory, as the struts of one cell are those of all.
+/// The skeleton of an array of cells of any kind, finite or endless: cells are tried from the
+/// nearest outwards, while the box around a cell's struts is nearer than the best so far. No memory
+/// is needed for the cells, as the struts of one are those of all.
 ///
-/// A strut is part of the array if its middle lies in the closed box of the cells, so that one on a
-/// face that cells share is there once.
+/// A strut is part of the array if its midpoint lies in the closed box of the cells, so that one on
+/// a face shared by cells occurs once.
 template <std::floating_point T>
 class SearchedCells {
  public:
-  /// `cells`: with positive periods.
+  /// `cells`: must have positive periods.
   SearchedCells(const UnitCell& cell, const Repeats<T>& cells);
 
   [[nodiscard]] SkeletonPoint<T> nearest(const Vec3<T>& p) const;
-  /// Around all struts; infinite where cells are endless.
+  /// Box around all struts; infinite where cells are endless.
   [[nodiscard]] Box<T> box() const;
 
  private:
@@ -28,8 +28,8 @@ class SearchedCells {
     Vec3<T> middle;
     std::uint32_t strut;
   };
-  /// Struts that as many cells have: those with middles in lower faces, which are the upper faces
-  /// of the cells before, are in one more along an axis.
+  /// Struts that occur in equally many cells: those with midpoints in lower faces, which are the
+  /// upper faces of the previous cells, occur in one more along an axis.
   struct Group {
     Tiles<T> tiles;
     std::vector<Strut> struts;

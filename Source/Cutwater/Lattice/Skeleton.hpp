@@ -17,7 +17,7 @@ struct SkeletonPoint {
 
 namespace detail {
 
-/// A strut's axis, made ready for distances.
+/// A strut's axis, prepared for computing distances.
 template <std::floating_point T>
 struct StrutAxis {
   Vec3<T> start;
@@ -27,7 +27,7 @@ struct StrutAxis {
   StrutAxis(const Vec3<double>& a, const Vec3<double>& b)
       : start(a), along(b - a), perSquare(static_cast<T>(1 / lengthSquared(b - a))) {}
 
-  /// From the nearest point of the axis to p.
+  /// The vector from the nearest point of the axis to p.
   [[nodiscard]] CUTWATER_INLINE Vec3<T> awayFrom(const Vec3<T>& p) const {
     const Vec3<T> d = p - start;
     const T place = std::min(std::max(dot(d, along) * perSquare, T(0)), T(1));
@@ -35,7 +35,7 @@ struct StrutAxis {
   }
 };
 
-/// Component by component.
+/// Product and quotient, component by component.
 template <std::floating_point T>
 [[nodiscard]] CUTWATER_INLINE constexpr Vec3<T> times(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};

@@ -17,7 +17,7 @@ Vec3<double> reflected(const Vec3<double>& v, const Vec3<double>& normal) {
   return squared > 0 ? v - (2 * dot(normal, v) / squared) * normal : v;
 }
 
-/// Made a unit vector across `tangent`.
+/// The part of v across `tangent`, as a unit vector.
 Vec3<double> across(const Vec3<double>& tangent, const Vec3<double>& v) {
   return normalized(v - dot(tangent, v) * tangent);
 }
@@ -47,7 +47,7 @@ Vec3<double> Spine::Span::derivative(double t) const {
 double Spine::Span::arc(double from, double to) const {
   const double half = 0.5 * (to - from);
   const double middle = 0.5 * (to + from);
-  const double offset = std::sqrt(0.6) * half;  // Gauss and Legendre's formula of three places
+  const double offset = std::sqrt(0.6) * half;  // Gauss-Legendre quadrature with three points
   const auto speed = [&](double t) { return norm(derivative(t)); };
   return half / 9 * (5 * speed(middle - offset) + 8 * speed(middle) + 5 * speed(middle + offset));
 }
@@ -69,8 +69,8 @@ Spine::Spine(std::span<const Vec3<double>> points, const Vec3<double>& side) {
 }
 
 void Spine::bend() {
-  // The second derivatives at inner points solve a tridiagonal system: eliminated from the first on
-  // (Thomas's algorithm), then filled in from the last.
+  // The second derivatives at inner points solve a tridiagonal system: eliminated from the first
+  // onwards (Thomas's algorithm), then filled in from the last.
   std::vector<double> diagonal;
   std::vector<Vec3<double>> right;
   for (std::size_t i = 1; i < spans_.size(); ++i) {
@@ -108,7 +108,7 @@ void Spine::sample(const Vec3<double>& side) {
       const double arc = span.arc(from, to);
       const auto before = samples_.back();
       frame = moved(before.frame, span, to);
-      // Between samples, a curve that one can follow turns by much less than a right angle.
+      // Between samples, an acceptable curve turns by much less than a right angle.
       require(arc > 0 && dot(frame.tangent, before.frame.tangent) > 0,
               "Spine: need a curve that does not turn on the spot", Named{"at", frame.point});
       const bool isLast = step + 1 == kSteps && i + 1 < spans_.size();

@@ -15,28 +15,28 @@ struct SpineFrame {
   Vec3<double> binormal;
 };
 
-/// A smooth curve through points, with a frame that follows it without turning about it.
+/// A smooth curve through points, with a frame that follows it without rotating about it.
 ///
-/// The curve is the natural cubic spline over the lengths of the chords, known by its arc length;
-/// it is straight at its ends, and goes on straight beyond them. The frame is the
+/// The curve is the natural cubic spline over the lengths of the chords, parametrised by arc
+/// length; it is not curved at its ends, and continues straight beyond them. The frame is the
 /// rotation-minimizing one, by double reflection at 32 places per chord (Wang, Juettler, Zheng and
 /// Liu 2008, "Computation of rotation minimizing frames"), whose error falls with the fourth power
 /// of the step.
 class Spine {
  public:
-  /// `side`: where the normal at the first point looks to, as far as the curve's direction lets it;
-  /// zero: along the coordinate axis that is most across.
-  /// @throws Error unless there are two points, all are finite, each differs from the next, `side`
-  /// is not along the curve, and the curve does not turn on the spot.
+  /// `side`: the direction of the normal at the first point, as far as the curve's direction
+  /// allows; if zero, the coordinate axis that is most nearly perpendicular to the curve.
+  /// @throws Error unless there are at least two points, all are finite, each differs from the
+  /// next, `side` is not along the curve, and the curve does not turn on the spot.
   explicit Spine(std::span<const Vec3<double>> points, const Vec3<double>& side = {});
 
   /// Arc length from the first point to the last.
   [[nodiscard]] double length() const { return samples_.back().arc; }
-  /// At this arc length from the first point. Accurate to about 1e-9 of a chord.
+  /// The frame at this arc length from the first point. Accurate to about 1e-9 of a chord.
   [[nodiscard]] SpineFrame frameAt(double arc) const;
 
  private:
-  /// A cubic of a parameter in [0, chord], by its ends and second derivatives there.
+  /// A cubic in a parameter in [0, chord], given by its ends and the second derivatives there.
   struct Span {
     Vec3<double> begin, end;
     Vec3<double> bendAtBegin, bendAtEnd;
@@ -44,7 +44,7 @@ class Spine {
 
     [[nodiscard]] Vec3<double> point(double t) const;
     [[nodiscard]] Vec3<double> derivative(double t) const;
-    /// From one parameter to another.
+    /// Arc length from one parameter to another.
     [[nodiscard]] double arc(double from, double to) const;
   };
   struct Sample {

@@ -8,7 +8,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// Nodes of the endless lattice: each kind, in units of the period, stands in all cells.
+/// Nodes of the endless lattice: each kind, in units of the period, occurs in all cells.
 class NodeTable {
  public:
   NodeTable(const CellCounts& cells, FunctionRef<std::uint32_t(const Vec3<double>&)> addNode)
@@ -34,7 +34,7 @@ class NodeTable {
     if (kind == kinds_.end()) kinds_.push_back(inCell);
     return static_cast<std::size_t>(index);
   }
-  /// The place of a node among all that there may be: struts end in [-1, 2]^3.
+  /// The number of a node among all possible ones: struts end in [-1, 2]^3.
   [[nodiscard]] std::uint64_t keyOf(std::size_t kind, const Vec3<double>& cell) const {
     std::uint64_t key = kind;
     for (int axis = 0; axis < 3; ++axis) {
@@ -53,8 +53,8 @@ class NodeTable {
   std::unordered_map<std::uint64_t, std::uint32_t> known_;
 };
 
-/// Whether a strut with this middle is one of the block; those in the last faces of closed rows
-/// are in the first, too.
+/// Whether a strut with this midpoint is one of the block; those in the last faces of closed rows
+/// are also in the first.
 bool contains(const CellCounts& cells, const Vec3<double>& middle) {
   for (int axis = 0; axis < 3; ++axis) {
     const double count = cells.count[static_cast<std::size_t>(axis)];
@@ -82,7 +82,7 @@ void forEachStrut(const UnitCell& cell, const CellCounts& cells,
                   FunctionRef<std::uint32_t(const Vec3<double>&)> addNode,
                   FunctionRef<void(const StrutCopy&)> visit) {
   NodeTable table(cells, addNode);
-  // Struts with middles in lower faces are those in the upper faces of the cells before.
+  // Struts with midpoints in lower faces are those in the upper faces of the previous cells.
   const auto last = [&](std::size_t axis) {
     return cells.count[axis] - (cells.closed[axis] ? 1 : 0);
   };

@@ -16,7 +16,7 @@ StrutLattice<T>::StrutLattice(UnitCell cell, const Repeats<T>& cells, Thickness<
   if (!thickness_.isConstant()) guarantee_.outside = Quality::LowerBound;
   guarantee_.domain = radii.domain;
   guarantee_.ulps += radii.ulps;
-  // Of an endless lattice, no strut is farther from a point than a few cells.
+  // No strut of an endless lattice is farther from a point than a few cells.
   const auto box = skeleton_.box();
   guarantee_.size = radii.size;
   for (int axis = 0; axis < 3; ++axis) {

@@ -5,26 +5,25 @@
 
 namespace cutwater {
 
-/// All points within a radius of the struts of repeated unit cells. What PeriodicLattice and
-/// CellArray share.
+/// All points within a radius of the struts of repeated unit cells. Base of PeriodicLattice and
+/// CellArray.
 ///
 ///     f(p) = |p - nearest point of the skeleton| - radius
 ///
 /// The union of a capsule about each strut: exact outside, and a lower bound inside, where struts
-/// overlap. Of a graded lattice, whose radius depends on the place, the solid is all points that
-/// are nearer to the skeleton than the radius that they themselves are told, and
+/// overlap. If the lattice is graded, i.e. its radius depends on position, the solid is all points
+/// that are nearer to the skeleton than the radius at these points, and
 ///
 ///     f(p) = (|p - nearest point of the skeleton| - radius(p)) / (1 + L)
 ///
-/// with L the Lipschitz constant of the radius: a lower bound on both sides.
+/// where L is the Lipschitz constant of the radius: a lower bound on both sides.
 ///
-/// Nothing is stored but the struts of one cell. Cells begin at the origin of the lattice's own
-/// frame.
+/// Only the struts of one cell are stored. Cells begin at the origin of the lattice's own frame.
 template <std::floating_point T>
 class StrutLattice : public SignedDistanceFunction<T> {
  public:
-  /// The nearest point of the struts' axes, about the solid where it stands now. Unless `p` is
-  /// finite, none.
+  /// The nearest point of the struts' axes, with the solid in its current placement; none unless
+  /// `p` is finite.
   [[nodiscard]] SkeletonPoint<T> skeletonPoint(const Vec3<T>& p) const;
 
   [[nodiscard]] const UnitCell& cell() const { return cell_; }
@@ -32,8 +31,8 @@ class StrutLattice : public SignedDistanceFunction<T> {
   [[nodiscard]] const Thickness<T>& thickness() const { return thickness_; }
 
  protected:
-  /// @throws Error unless sizes are positive and ordinary; of kind Limit beyond 2^20 cells along an
-  /// axis.
+  /// @throws Error unless sizes are positive and of ordinary magnitude; of kind Limit beyond 2^20
+  /// cells along an axis.
   StrutLattice(UnitCell cell, const Repeats<T>& cells, Thickness<T> thickness);
 
  private:
@@ -45,7 +44,7 @@ class StrutLattice : public SignedDistanceFunction<T> {
   [[nodiscard]] Box<T> localBoundingBox() const final;
   [[nodiscard]] std::string localName() const final;
 
-  /// The value at p, if the skeleton is so far away from there.
+  /// The value at p, given the distance to the skeleton.
   [[nodiscard]] T value(const Vec3<T>& p, T distance) const {
     return thickness_.isConstant() ? distance - thickness_.most() : gradedValue(p, distance);
   }

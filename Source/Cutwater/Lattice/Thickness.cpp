@@ -34,7 +34,7 @@ template <std::floating_point T>
 Thickness<T> Thickness<T>::byDistanceToCellCenter(T atCenter, T atCorners) {
   constexpr T kCornerDistance = std::numbers::sqrt3_v<T> / 2;  // in units of the cell
   Thickness result(atCenter);
-  (void)Thickness(atCorners);  // refuses it
+  (void)Thickness(atCorners);  // throws if invalid
   result.byCell_ = {atCenter, (atCorners - atCenter) / kCornerDistance,
                     std::min(atCenter, atCorners), std::max(atCenter, atCorners)};
   return result;
@@ -53,7 +53,7 @@ template <std::floating_point T>
 T Thickness<T>::at(const Vec3<T>& point, const Vec3<T>& inCells) const {
   if (!byCell_) return byPlace_.at(point);
   const T radius = byCell_->start + byCell_->slope * length(fromCellCenter(inCells));
-  // In this order, what is not a number gives the least radius.
+  // In this order, NaN gives the least radius.
   return std::min(byCell_->most, std::max(byCell_->least, radius));
 }
 
@@ -69,7 +69,7 @@ Vec3<T> Thickness<T>::gradient(const Vec3<T>& point, const Vec3<T>& cellSize) co
 template <std::floating_point T>
 Guarantee<T> Thickness<T>::guarantee(T cellSize) const {
   if (!byCell_) return byPlace_.guarantee();
-  // A coordinate in cells is off by two roundings of itself, along each axis.
+  // A coordinate in cells has an error of two roundings of itself, along each axis.
   constexpr T kUlps = 4;
   const T constant = std::abs(byCell_->slope) / cellSize;
   return {

@@ -4,22 +4,23 @@
 
 namespace cutwater {
 
-/// The radius of struts, constant or by their place. A value: copies share what it depends on.
+/// The radius of struts, constant or dependent on position. A value type: copies share what it
+/// depends on.
 ///
-///     CellArray<double>(cell, cells, 0.4)  // a number is a thickness, too
+///     CellArray<double>(cell, cells, 0.4)  // a plain number will do
 ///     CellArray<double>(cell, cells, Thickness<double>::byDistanceTo(part, {1, 0.4, 10}))
 ///
-/// Places are in the frame of the lattice, and solids and functions given here move along with it.
+/// Positions are in the frame of the lattice; solids and functions given here move along with it.
 template <std::floating_point T>
 class Thickness {
  public:
   /// The same everywhere. @throws Error unless 0 < radius < infinity.
-  Thickness(T radius);  // NOLINT(google-explicit-constructor): where it is constant, it is that
+  Thickness(T radius);  // NOLINT(google-explicit-constructor): conversion is intended
   [[nodiscard]] static Thickness constant(T radius) { return radius; }
 
-  /// Radii of the place, in units of length. @throws Error unless 0 < least.
+  /// Radii that depend on position, in units of length. @throws Error unless 0 < least.
   explicit Thickness(GradedValue<T> radius);
-  /// By the distance to the surface of a solid, as its values tell it, on both sides alike.
+  /// Depends on the distance to the surface of a solid, as its values give it, on both sides alike.
   /// @throws Error unless its radii and length are positive and finite, and the solid has a
   /// Lipschitz constant.
   [[nodiscard]] static Thickness byDistanceTo(Solid<T> solid, const GradedRamp<T>& ramp) {
@@ -33,28 +34,28 @@ class Thickness {
     return Thickness(GradedValue<T>::by(std::move(radius), limits));
   }
 
-  /// By the distance to the centre of the cell, in units of the cell, so that it is continuous from
-  /// cell to cell, whatever their shape; linear.
+  /// Depends linearly on the distance to the centre of the cell, in units of the cell, so that it
+  /// is continuous from cell to cell, whatever their shape.
   /// @throws Error unless both are positive and finite.
   [[nodiscard]] static Thickness byDistanceToCellCenter(T atCenter, T atCorners);
 
-  /// The radius at a point, whose coordinates in units of cells are these: whole numbers at the
-  /// corners of cells.
+  /// The radius at a point. `inCells`: its coordinates in units of cells, which are whole numbers
+  /// at the corners of cells.
   [[nodiscard]] T at(const Vec3<T>& point, const Vec3<T>& inCells) const;
-  /// Its gradient there, in an array of cells of this size.
+  /// The gradient of the radius at a point, in an array of cells of this size.
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& point, const Vec3<T>& cellSize) const;
 
   /// Whether the radius is the same everywhere, and its range otherwise.
   [[nodiscard]] bool isConstant() const { return !byCell_ && byPlace_.isConstant(); }
   [[nodiscard]] T least() const;
   [[nodiscard]] T most() const;
-  /// What is known of radii as values of a function: its Lipschitz constant, rounding and domain,
-  /// in cells that are nowhere shorter than this.
+  /// Guarantee of radii as values of a function: its Lipschitz constant, rounding and domain, in
+  /// cells that are nowhere shorter than this.
   [[nodiscard]] Guarantee<T> guarantee(T cellSize) const;
 
  private:
   GradedValue<T> byPlace_;
-  /// start + slope * the distance to the centre of the cell instead, within these limits.
+  /// Used instead: start + slope * (distance to the centre of the cell), clamped to these limits.
   struct ByCell {
     T start;
     T slope;

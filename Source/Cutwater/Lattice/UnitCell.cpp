@@ -18,7 +18,7 @@ bool isSame(const Vec3<double>& a, const Vec3<double>& b) {
   return maxComponent(abs(a - b)) <= UnitCell::kSame;
 }
 
-/// The copy whose middle lies in the cell.
+/// The copy whose midpoint lies in the cell.
 CellStrut inCell(const CellStrut& strut) {
   const auto middle = strut.middle();
   Vec3<double> cell;
@@ -87,7 +87,8 @@ bool UnitCell::has(CellFold fold) const {
 }
 
 CellFold UnitCell::foldAt(const Vec3<double>& size) const {
-  // Mirrors that are not across an axis need equal sizes along those that they exchange.
+  // Mirrors that are not perpendicular to an axis need equal sizes along the axes that they
+  // exchange.
   const bool isSquare = size.x == size.y;
   const bool isCube = isSquare && size.y == size.z;
   if (isCube && has(CellFold::Sort)) return CellFold::Sort;
@@ -100,7 +101,7 @@ std::vector<CellStrut> UnitCell::closedStruts() const {
   std::vector<CellStrut> found;
   for (const auto& strut : struts_) {
     const auto middle = strut.middle();
-    // Those in the lower faces are in the upper ones, too.
+    // Struts in the lower faces are in the upper ones, too.
     for (int i = 0; i < 8; ++i) {
       const Vec3<double> place{1.0 * (i & 1), 1.0 * (i >> 1 & 1), 1.0 * (i >> 2 & 1)};
       if (maxComponent(middle + place) <= 1 + kSame) {

@@ -10,24 +10,24 @@ namespace cutwater {
 /// A pattern of straight struts that repeats with period 1 along each axis, without a size or
 /// thickness of its own.
 ///
-/// A strut belongs to the cell [0, 1)^3 that its middle lies in, and may reach beyond; one in a
-/// face or edge of the cell is shared with its neighbours, and is there once per period.
+/// A strut belongs to the cell [0, 1)^3 that its midpoint lies in, and may reach beyond it. A strut
+/// in a face or edge of the cell is shared with neighbours, and occurs once per period.
 ///
-/// What mirrors the pattern has is found out: they decide how fast distances to the endless
+/// The mirrors of the pattern are detected: they determine how fast distances to the endless
 /// lattice are.
 class UnitCell {
  public:
-  /// A pattern of one's own. Struts that are copies of others, turned round or moved by whole
-  /// periods, count once; those that overlap in part count twice in lengthPerCell().
-  /// @throws Error unless there is a strut and all have finite ends in [-1, 2]^3, that are more
-  /// than 1e-6 apart.
+  /// A custom pattern. Struts that are copies of others, reversed or moved by whole periods, count
+  /// once; those that overlap in part count twice in lengthPerCell().
+  /// @throws Error unless there is at least one strut, and all have finite ends in [-1, 2]^3 that
+  /// are more than 1e-6 apart.
   UnitCell(std::string name, std::span<const CellStrut> struts);
-  /// The same by nodes, and the two nodes of each strut.
-  /// @throws Error also if there is no such node.
+  /// The same, given by nodes and the two nodes of each strut.
+  /// @throws Error also if a strut refers to a node that does not exist.
   UnitCell(std::string name, std::span<const Vec3<double>> nodes,
            std::span<const std::array<std::uint32_t, 2>> struts);
 
-  // The usual ones. C are the corners of the cube, B its centre, F the centres of its faces.
+  // Common patterns. C are the corners of the cube, B its centre, F the centres of its faces.
   static UnitCell simpleCubic();          ///< the edges
   static UnitCell bcc();                  ///< C-B
   static UnitCell fcc();                  ///< C-F, the diagonals of faces
@@ -48,15 +48,15 @@ class UnitCell {
   static UnitCell reentrant(double height);
   static UnitCell srs();           ///< the labyrinth of a gyroid; it has no mirrors
   static UnitCell weairePhelan();  ///< edges of the foam of Weaire and Phelan
-  /// All of them, reentrant(0.7).
+  /// All of them, with reentrant(0.7).
   static std::vector<UnitCell> all();
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// Those that repeat: none is a copy of another.
+  /// The struts that repeat: none is a copy of another.
   [[nodiscard]] std::span<const CellStrut> struts() const { return struts_; }
-  /// All of the lattice whose middles lie in the closed cube [0, 1]^3.
+  /// All struts of the lattice whose midpoints lie in the closed cube [0, 1]^3.
   [[nodiscard]] std::vector<CellStrut> closedStruts() const;
-  /// Of all struts(), in units of the cell.
+  /// Total length of struts(), in units of the cell.
   [[nodiscard]] double lengthPerCell() const;
 
   /// Whether the fold maps the lattice into itself, in cubic cells.
@@ -64,7 +64,7 @@ class UnitCell {
   /// The fold with the smallest chamber that the lattice has, if cells are stretched to this size.
   [[nodiscard]] CellFold foldAt(const Vec3<double>& size) const;
 
-  /// Middles of struts within that of a face of the cell are taken to lie in it.
+  /// Midpoints of struts within this distance of a face of the cell count as lying in it.
   static constexpr double kSame = 1e-9;
 
  private:
