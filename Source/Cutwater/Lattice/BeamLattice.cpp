@@ -85,7 +85,7 @@ class SortedBeams {
   std::vector<std::uint32_t> cappedIds;
 
  private:
-  /// Reports what is wrong with a beam together with its index.
+  /// Adds the index of a beam to errors about it.
   template <typename Add>
   static void tryTo(std::uint32_t i, Add&& add) {
     try {

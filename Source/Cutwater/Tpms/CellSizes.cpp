@@ -70,7 +70,7 @@ template <std::floating_point T>
 T CellSizes<T>::mostPerLength(const Interval<T>& places) const {
   constexpr T kOutward = 1 + 8 * std::numeric_limits<T>::epsilon();
   if (isConstant()) return perLength_.upper;
-  // Linear between knots: the most is at a knot or an end.
+  // Linear between knots, so the most is at a knot or an end.
   T most = std::max(perLengthAt(places.lower), perLengthAt(places.upper));
   for (const auto& knot : knots_) {
     if (places.contains(knot.place)) most = std::max(most, knot.perLength);

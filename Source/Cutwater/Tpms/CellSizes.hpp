@@ -7,25 +7,26 @@
 
 namespace cutwater {
 
-/// The size that cells have at a place along an axis.
+/// The size of cells at a place along an axis.
 template <std::floating_point T>
 struct CellSizeAt {
   T place;
   T size;
 };
 
-/// Sizes of cells along an axis, by the place. A value.
+/// Sizes of cells along an axis, depending on the place. A value type.
 ///
 /// Between the places given, 1/size is linear; beyond them it is constant. The number of cells up
 /// to x is then the integral of 1/size, in closed form. (x/size(x), which is easily mistaken for
-/// it, is distorted the more the larger x is.)
+/// it, is the more distorted the larger x is.)
 template <std::floating_point T>
 class CellSizes {
  public:
   /// @throws Error unless 0 < size < infinity.
-  CellSizes(T size);  // NOLINT(google-explicit-constructor): where it is constant, it is that
+  CellSizes(T size);  // NOLINT(google-explicit-constructor): conversion is intended
   /// Places in ascending order.
-  /// @throws Error unless there is one, places ascend and are finite, and sizes are as above.
+  /// @throws Error unless there is at least one, places ascend and are finite, and sizes are as
+  /// above.
   explicit CellSizes(const std::vector<CellSizeAt<T>>& sizes);
 
   /// The number of cells from 0, or from the first place, to x.
@@ -35,7 +36,7 @@ class CellSizes {
 
   /// Whether all cells have the same size.
   [[nodiscard]] bool isConstant() const { return knots_.size() == 1; }
-  /// Cells per length, the least and the most of all.
+  /// Cells per length: the least and the most anywhere.
   [[nodiscard]] const Interval<T>& perLength() const { return perLength_; }
   /// The place farthest from 0.
   [[nodiscard]] T reach() const;

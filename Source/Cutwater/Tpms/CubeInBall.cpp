@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRounding = 1e-12;
 
-/// By a multiplier m.
+/// With a given multiplier m.
 bool isOnOneSideBy(double m, const CubeInBall& part, const TpmsPattern& pattern,
                    const PatternExpansion& f, double side) {
   const double corner = std::numbers::sqrt3 * part.half;
@@ -17,8 +17,8 @@ bool isOnOneSideBy(double m, const CubeInBall& part, const TpmsPattern& pattern,
   const double value = side * f.value - m * room - third - kRounding;
   if (!(value > 0)) return false;
   const Vec3<double> slope = side * f.gradient + 2 * m * part.center;
-  // The least eigenvalue with which a quadratic function stays positive, in the cube if what the
-  // slope takes there leaves something, and otherwise everywhere.
+  // The least eigenvalue with which a quadratic function stays positive: in the cube, if something
+  // is left of the value after what the slope takes there, and otherwise everywhere.
   const double rest = value - oneNorm(slope) * part.half;
   const double needed =
       rest > 0 ? -2 * rest / (corner * corner) : lengthSquared(slope) / (2 * value);

@@ -11,19 +11,20 @@ struct CubeInBall {
   double radius;        ///< of the ball
 };
 
-/// Whether F > 0, or F < 0 for the side -1, is certain in all of that; f is F about the middle of
-/// the cube, c.
+/// Whether F > 0 (for side 1) or F < 0 (for side -1) is certain in all of this part; f is F
+/// expanded about the centre of the cube, c.
 ///
-/// With corners a away, v = y - c, and the ball's radius r about x = c - w: in the ball
-/// r^2 - |y - x|^2 >= 0, of which any multiple m >= 0 may be taken away from F (the S-procedure:
-/// Boyd and Vandenberghe 2004, "Convex Optimization", appendix B). With the value, slope and second
-/// derivatives A of F at c, and a bound T of the third ones, what is left is at least
+/// Let corners be at the distance a from c, v = y - c, and r the ball's radius about x = c - w. In
+/// the ball, r^2 - |y - x|^2 >= 0, so any multiple m >= 0 of it may be subtracted from F (the
+/// S-procedure: Boyd and Vandenberghe 2004, "Convex Optimization", appendix B). With the value,
+/// gradient and second derivatives A of F at c, and a bound T of the third derivatives, the rest is
+/// at least
 ///
 ///     F - m (r^2 - |w|^2) - T a^3 / 6 + (grad F + 2 m w) v + v (A + 2 m) v / 2
 ///
-/// and m is 0, or what leaves no slope along w. As the second makes up for the sphere's curvature,
-/// large cubes are free where the sphere touches the surface, too: what is too large for them are
-/// third derivatives.
+/// where m is 0, or the value that leaves no slope along w. As the latter makes up for the sphere's
+/// curvature, large cubes are free even where the sphere touches the surface; only third
+/// derivatives limit their size.
 [[nodiscard]] bool isOnOneSide(const CubeInBall& part, const TpmsPattern& pattern,
                                const PatternExpansion& f, double side);
 

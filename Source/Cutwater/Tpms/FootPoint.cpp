@@ -7,7 +7,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// a x = b, by Cramer's rule; a is symmetric.
+/// Solves a x = b by Cramer's rule; a is symmetric.
 Vec3<double> solved(const SymmetricMatrix& a, const Vec3<double>& b) {
   const double d = determinant(a);
   return Vec3<double>{dot(b, cross(a[1], a[2])), dot(a[0], cross(b, a[2])),
@@ -16,7 +16,7 @@ Vec3<double> solved(const SymmetricMatrix& a, const Vec3<double>& b) {
 }
 
 /// The step of Newton's method for y - x + m grad F(y) = 0, F(y) = 0; where curvature would lead to
-/// the farthest point instead, as if there were none.
+/// the farthest point instead, it is ignored.
 Vec3<double> stepTowards(const Vec3<double>& x, const Vec3<double>& y, const PatternExpansion& f) {
   constexpr double kLongest = 0.5;
   const Vec3<double> away = y - x;
@@ -54,7 +54,7 @@ double freeRadiusAt(const TpmsPattern& pattern, const Vec3<double>& towardsX, do
 std::optional<FootPoint> footPoint(const TpmsPattern& pattern, const Vec3<double>& x,
                                    const Vec3<double>& start) {
   constexpr int kMostSteps = 30;
-  constexpr double kArrived = 2e-14;  // some roundings of a coordinate in the cell
+  constexpr double kArrived = 2e-14;  // a few roundings of a coordinate in the cell
   Vec3<double> y = start;
   for (int i = 0; i < kMostSteps; ++i) {
     PatternExpansion f{};

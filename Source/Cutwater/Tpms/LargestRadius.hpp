@@ -6,16 +6,16 @@
 
 namespace cutwater::detail {
 
-/// The largest radius r with r K(r) <= change, where K(r), the most that a function changes per
-/// length within the ball of this radius, grows with it; K may be infinite, and jump. To rounding.
+/// The largest radius r with r K(r) <= change, up to rounding. K(r) is the most that a function
+/// changes per length within the ball of radius r; it grows with r, may be infinite, and may jump.
 ///
-/// As a function of the ball's centre it is 1-Lipschitz if the change is that function's value: a
-/// ball within another one has no larger K.
+/// As a function of the ball's centre, the radius is 1-Lipschitz if `change` is that function's
+/// value: a ball inside another one has no larger K.
 template <std::floating_point T, typename MostChange>
 [[nodiscard]] T largestRadius(const MostChange& mostChange, T change) {
   constexpr T kMost = std::numeric_limits<T>::max();
   if (!(change > 0)) return 0;
-  // As far as a ball might reach by what the function changes by within this one.
+  // How far a ball could reach at the rate of change within this one.
   const auto reach = [&](T radius) {
     const T most = mostChange(radius);
     return most <= kMost ? change / most : T(0);
@@ -26,8 +26,8 @@ template <std::floating_point T, typename MostChange>
   T high = reachOfLow;
   T reachOfHigh = reach(high);
   if (reachOfHigh >= high) return high;
-  // reach() falls, and the answer is where it passes below the radius itself: between a radius and
-  // its reach. By secants, or halves where these come no nearer, as where it jumps.
+  // reach() decreases, and the result is where it falls below the radius itself: between a radius
+  // and its reach. Found by secants, or by halving where these make no progress, e.g. at a jump.
   constexpr int kMostSteps = 200;
   bool isSlow = false;
   for (int step = 0; step < kMostSteps; ++step) {

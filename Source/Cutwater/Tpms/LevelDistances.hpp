@@ -4,8 +4,8 @@
 
 namespace cutwater::detail {
 
-/// psi = absolute |F| + plain F + level h, or half F where that is more: which part of space is
-/// meant is where psi < 0. Each factor is -1, 0 or 1, and psi changes no faster than F and h do.
+/// psi = absolute |F| + plain F + level h, or half F if that is more: the part is where psi < 0.
+/// Each factor is -1, 0 or 1, and psi changes no faster than F and h do.
 template <std::floating_point T>
 struct PartTerms {
   T absolute;
@@ -14,15 +14,15 @@ struct PartTerms {
   T half;
 };
 
-/// What the distance to a level of a pattern follows from. Slopes are per radian of the axis with
-/// the smallest cells.
+/// Quantities from which the distance to a level of a pattern follows. Slopes are per radian of the
+/// axis with the smallest cells.
 template <std::floating_point T>
 struct LevelTerms {
   PartTerms<T> part;
-  Vec3<T> weight;    ///< of each axis: the smallest cell by that axis' own
-  T levelSlope;      ///< at most, of the level h
-  T leastSlope;      ///< slopes below are taken for that: it keeps rounding small
-  T perLipschitz;    ///< 1 / (the most that F's slope may be, and the level's)
+  Vec3<T> weight;    ///< of each axis: the smallest cell size over its own
+  T levelSlope;      ///< an upper bound, of the level h
+  T leastSlope;      ///< replaces slopes below it: keeps rounding small
+  T perLipschitz;    ///< 1 / (the largest slope of F plus that of the level)
   T twiceCurvature;  ///< 2 H
   T lengthPerRadian;
 };
@@ -35,19 +35,19 @@ struct alignas(64) LevelBatch {
 
   std::array<Row, 3> turns;
   Row level;     ///< h at each
-  Row distance;  ///< the answer
+  Row distance;  ///< the result
 };
 
-/// A lower bound of the distance to psi = 0, with the sign of psi. With s the slope of psi, which
-/// is at most |grad F| and the level's, F can change by no more than s r + H r^2 / 2 and by no more
-/// than L r over a distance r, so
+/// A lower bound of the distance to psi = 0, with the sign of psi. Let s bound the slope of psi:
+/// |grad F| plus the slope of the level. Over a distance r, psi can change by no more than s r + H
+/// r^2 / 2, and by no more than L r, so
 ///
 ///     max(|psi| / L, (sqrt(s^2 + 2 H |psi|) - s) / H)
 ///
-/// is one. As functions of the place both are 1-Lipschitz: with d the second, |psi| = s d + H d^2 /
-/// 2 gives (s + H d) grad d = grad |psi| - d grad s, where |grad |psi|| <= s and |grad s| <= H. So
-/// is the product with the sign, as both vanish where it changes. Compiled for each instruction
-/// set, from one source: LevelDistances.inl.
+/// is such a bound. As functions of position, both terms are 1-Lipschitz: with d the second,
+/// |psi| = s d + H d^2 / 2 gives (s + H d) grad d = grad |psi| - d grad s, where |grad |psi|| <= s
+/// and |grad s| <= H. So is the product with the sign, as both vanish where the sign changes.
+/// Compiled for each instruction set from one source: LevelDistances.inl.
 template <std::floating_point T>
 void levelDistances(TpmsKind kind, const LevelTerms<T>& terms, LevelBatch<T>& batch, int count);
 

@@ -10,7 +10,7 @@ namespace {
 using detail::LevelTerms;
 using detail::TpmsKind;
 
-// As plain rows: the standard library's functions stay out.
+// Accessed as plain rows, which keeps the standard library's functions out.
 static_assert(sizeof(detail::LevelBatch<double>) == 5 * 64 * sizeof(double));
 static_assert(sizeof(detail::LevelBatch<float>) == 5 * 64 * sizeof(float));
 constexpr int kRow = 64;
@@ -22,7 +22,7 @@ CUTWATER_INLINE inline Lanes<T> distanceFrom(const LevelTerms<T>& terms,
   const auto& part = terms.part;
   const Real whole = broadcast(part.absolute) * magnitude(sample.value) +
                      broadcast(part.plain) * sample.value + broadcast(part.level) * level;
-  // Less than any level, unless only a half is meant.
+  // Less than any level, unless only one half is meant.
   const T bottom = part.half == 0 ? T(-0x1p60) : T(0);
   const Real psi = most(whole, broadcast(part.half) * sample.value + broadcast(bottom));
 

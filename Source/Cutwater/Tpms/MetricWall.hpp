@@ -5,19 +5,18 @@
 
 namespace cutwater {
 
-/// The wall of even thickness about the surface F = 0 of a pattern in cubic cells: every point
-/// within half a thickness, which is a length, of the surface. Endless, without memory.
+/// The wall of even thickness about the surface F = 0 of a pattern in cubic cells: all points
+/// within half the thickness, which is a length, of the surface. Endless, with nothing stored.
 ///
-///     f(p) = (d(p) - h(p)) / (1 + L_h)        d: the distance to the surface, h: half the
-///     thickness
+///     f(p) = (d(p) - h(p)) / (1 + L_h)        d: distance to the surface, h: half thickness
 ///
-/// It is d itself that is found, not a bound of it: the zero set of a bound would be a wall that is
-/// too thick, by 3 to 16 % for the gyroid. Beyond one and a half times the half thickness lower
-/// bounds of d take its place. Values are lower bounds of the distance, and 1-Lipschitz, but for
-/// tolerance(). A value takes about a microsecond where the surface curves less sharply than the
+/// The distance d itself is found, not a bound of it: the zero set of a bound would be a wall that
+/// is too thick, by 3 to 16 % for the gyroid. Beyond one and a half times the half thickness, lower
+/// bounds of d are used instead. Values are lower bounds of the distance and 1-Lipschitz, apart
+/// from tolerance(). A value takes about a microsecond if the surface curves less sharply than the
 /// wall is thick. Otherwise, up to walls that leave next to nothing of a channel, it takes 10 to 60
-/// in the mean, and up to a millisecond or two where a ball about the point touches the surface in
-/// many places.
+/// microseconds on average, and up to a millisecond or two where a ball about the point touches the
+/// surface in many places.
 template <std::floating_point T>
 class MetricWall final : public SignedDistanceFunction<T> {
  public:
@@ -28,8 +27,8 @@ class MetricWall final : public SignedDistanceFunction<T> {
   [[nodiscard]] const TpmsPattern& pattern() const { return pattern_; }
   [[nodiscard]] T cellSize() const { return cellSize_; }
   [[nodiscard]] const GradedValue<T>& halfThickness() const { return halfThickness_; }
-  /// To what distances are certain: rounding, nearly, where the surface curves less sharply than
-  /// the wall is thick, and 10^-4 of a cell otherwise.
+  /// The tolerance to which distances are certain: nearly rounding if the surface curves less
+  /// sharply than the wall is thick, and 10^-4 of a cell otherwise.
   [[nodiscard]] T tolerance() const;
 
  private:

@@ -25,13 +25,13 @@ struct alignas(64) PatternBatch {
   static constexpr int kMost = 64;
   using Row = std::array<T, kMost>;
 
-  std::array<Row, 3> turns;     ///< where, in turns
+  std::array<Row, 3> turns;     ///< positions, in turns
   Row value;                    ///< F there
   std::array<Row, 3> gradient;  ///< per radian
 };
 
-/// Sets what lies beyond the first `count` numbers, up to the end of a vector, to anything but what
-/// takes long.
+/// Pads the rows after the first `count` numbers, up to the end of a vector, with numbers that are
+/// fast to evaluate.
 template <std::floating_point T, std::size_t kMost>
 void padRows(std::initializer_list<std::array<T, kMost>*> rows, int count) {
   const auto begin = static_cast<std::size_t>(count);
@@ -39,7 +39,7 @@ void padRows(std::initializer_list<std::array<T, kMost>*> rows, int count) {
   for (auto* row : rows) std::fill(row->begin() + begin, row->begin() + end, T(0));
 }
 
-/// Fills in values and gradients of the first `count` points. Compiled for each instruction set,
+/// Fills in values and gradients of the first `count` points. Compiled for each instruction set
 /// from one source: PatternBatch.inl.
 template <std::floating_point T>
 void samplePattern(TpmsKind kind, PatternBatch<T>& batch, int count);

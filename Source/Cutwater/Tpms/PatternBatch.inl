@@ -6,12 +6,12 @@ namespace cutwater::CUTWATER_SIMD {
 
 namespace {
 
-// As plain rows: the standard library's functions stay out.
+// Accessed as plain rows, which keeps the standard library's functions out.
 static_assert(sizeof(detail::PatternBatch<double>) == 7 * 64 * sizeof(double));
 static_assert(sizeof(detail::PatternBatch<float>) == 7 * 64 * sizeof(float));
 constexpr int kRow = 64;
 
-/// For lanes beyond the last point there is room in the row, and what is in it does not matter.
+/// The row has room for lanes beyond the last point; their contents do not matter.
 template <typename Formula, typename T>
 CUTWATER_INLINE inline void fillRows(T* rows, int count) {
   for (int i = 0; i < count; i += kLanesOf<T>) {

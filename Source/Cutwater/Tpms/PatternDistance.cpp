@@ -19,11 +19,11 @@ struct Cube {
   [[nodiscard]] double distance() const {
     return length(max(abs(center) - Vec3<double>{half, half, half}, {}));
   }
-  /// From a place to its farthest corner.
+  /// Distance from a place to the farthest corner.
   [[nodiscard]] double farthestFrom(const Vec3<double>& place) const {
     return length(abs(center - place) + Vec3<double>{half, half, half});
   }
-  /// Its octants, from the one that is farthest from the origin to the nearest.
+  /// The octants by rank, from the one that is farthest from the origin to the nearest.
   [[nodiscard]] Cube octant(int rank) const {
     Vec3<double> to;
     for (int axis = 0; axis < 3; ++axis) {
@@ -39,7 +39,8 @@ struct Cube {
 /// One search around a point.
 class SurfaceSearch {
  public:
-  /// Of a ball of radius `reach`, where one of radius `free` is known to hold no surface.
+  /// Searches a ball of radius `reach`, in which one of radius `free` is known to contain no
+  /// surface.
   SurfaceSearch(const PatternDistance& pattern, const Vec3<double>& point, double reach,
                 double free)
       : pattern_(pattern), point_(point), best_(reach) {
@@ -50,8 +51,8 @@ class SurfaceSearch {
     const Cube all{{}, best_};
     if (isSettledFrom({})) return best_;
     side_ = pattern_.pattern_.value(point_ / kTwoPi<double>) < 0 ? -1 : 1;
-    // Depth first: at most seven octants wait on each level, and of a cube as small as a quarter of
-    // the tolerance no octants are asked: 2^-40 of the first, by PatternDistance's constructor.
+    // Depth first: at most seven octants wait on each level, and cubes as small as a quarter of the
+    // tolerance are not divided: 2^-40 of the first, by PatternDistance's constructor.
     constexpr std::size_t kDeepest = 40;
     std::array<Cube, 7 * kDeepest + 8> pending;
     std::size_t size = 0;
@@ -60,7 +61,7 @@ class SurfaceSearch {
       const Cube cube = pending[--size];
       if (isPassed(cube)) continue;
       if (kSqrt3 * cube.half < 0.25 * pattern_.tolerance_) {
-        best_ = std::min(best_, length(cube.center));  // as good as surface
+        best_ = std::min(best_, length(cube.center));  // counts as surface
         continue;
       }
       size += openOctants(cube, std::span(pending).subspan(size));
@@ -74,14 +75,14 @@ class SurfaceSearch {
     double radius;
   };
 
-  /// There must not be surface within it that is nearer than the tolerance allows.
+  /// Surface within this radius would be nearer than the tolerance allows.
   [[nodiscard]] double radius() const { return best_ - pattern_.tolerance_; }
 
   void addFreeBall(const Ball& ball) {
     if (freeCount_ < free_.size()) free_[freeCount_++] = ball;
   }
 
-  /// Farther than what is searched, or within a ball that is free.
+  /// Whether the cube is beyond what is searched, or inside a free ball.
   [[nodiscard]] bool isPassed(const Cube& cube) const {
     if (cube.distance() >= radius()) return true;
     return std::any_of(free_.begin(), free_.begin() + freeCount_, [&](const Ball& ball) {
@@ -89,7 +90,8 @@ class SurfaceSearch {
     });
   }
 
-  /// Those of a cube's octants that may hold surface that is nearer, the nearest last; how many.
+  /// Finds the octants of a cube that may contain nearer surface, the nearest last, and returns
+  /// their number.
   std::size_t openOctants(const Cube& cube, std::span<Cube> open) {
     std::array<Vec3<double>, 8> places;
     std::size_t count = 0;
@@ -112,13 +114,14 @@ class SurfaceSearch {
     return left;
   }
 
-  /// At a place on the other side: there is surface on the way.
+  /// Handles a place on the other side: there is surface on the way.
   void passSurface(const Vec3<double>& place) {
     best_ = std::min(best_, length(place));
     isSettled_ = isSettled_ || isSettledFrom(place);
   }
 
-  /// Looks for a foot from a place, relative to the point. Whether it is certainly the nearest.
+  /// Looks for a foot point from a place, relative to the point. Returns whether it is certainly
+  /// the nearest.
   bool isSettledFrom(const Vec3<double>& start) {
     const auto foot = footPoint(pattern_.pattern_, point_, point_ + start);
     if (!foot) return false;
@@ -132,7 +135,7 @@ class SurfaceSearch {
   const PatternDistance& pattern_;
   Vec3<double> point_;
   double best_;
-  double side_ = 1;  // of the point: the sign of F
+  double side_ = 1;  // the sign of F at the point
   bool isSettled_ = false;
   std::array<Ball, 12> free_{};
   std::size_t freeCount_ = 0;

@@ -8,9 +8,9 @@ namespace cutwater::detail {
 
 namespace {
 
-/// For differences of gradients, in radians.
+/// Step of differences of gradients, in radians.
 constexpr double kStep = 1e-5;
-/// The place and one a step along each axis.
+/// The place itself, and one a step away along each axis.
 constexpr std::size_t kSamples = 4;
 static_assert(PatternExpansion::kMostAtOnce * kSamples == PatternBatch<double>::kMost);
 
@@ -59,7 +59,7 @@ double determinant(const SymmetricMatrix& a) {
 }
 
 bool isPositiveDefinite(double factor, const SymmetricMatrix& a, double shift) {
-  // By Sylvester's criterion. A matrix that is nearly singular is not certain: its minors may be
+  // By Sylvester's criterion. A nearly singular matrix is not certain: its minors may be mere
   // rounding.
   constexpr double kRounding = 1e-13;
   SymmetricMatrix b{factor * a[0], factor * a[1], factor * a[2]};

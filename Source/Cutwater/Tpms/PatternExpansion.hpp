@@ -10,7 +10,7 @@ namespace cutwater::detail {
 /// A symmetric matrix, by columns.
 using SymmetricMatrix = std::array<Vec3<double>, 3>;
 
-/// A pattern about a place, in radians:
+/// Expansion of a pattern about a point, in radians:
 ///
 ///     |F(q + v) - (F + g v + v A v / 2)| <= T |v|^3 / 6       T: TpmsPattern::thirdDerivative()
 struct PatternExpansion {
@@ -18,13 +18,13 @@ struct PatternExpansion {
 
   double value;
   Vec3<double> gradient;
-  SymmetricMatrix second;  ///< eigenvalues are off by at most secondError()
+  SymmetricMatrix second;  ///< error of eigenvalues: at most secondError()
 
-  /// Second derivatives are differences of gradients: what those miss.
+  /// The error of second derivatives, which are differences of gradients.
   [[nodiscard]] static double secondError(const TpmsPattern& pattern);
 };
 
-/// About up to kMostAtOnce places, as many as there is room for results.
+/// Expands a pattern about up to kMostAtOnce points: as many as `results` has room for.
 void expandPattern(const TpmsPattern& pattern, std::span<const Vec3<double>> places,
                    std::span<PatternExpansion> results);
 

@@ -13,14 +13,14 @@ struct Sample {
   Triple<Real> gradient;
 };
 
-/// Of the three angles at a point.
+/// Sines and cosines of the three angles at a point.
 template <typename T>
 struct Angles {
   using Real = Lanes<T>;
   Real sx, cx, sy, cy, sz, cz;
 };
 
-/// At points side by side, whose x, y and z in turns are in rows of this length.
+/// At consecutive points, whose x, y and z in turns are in rows of this length.
 template <typename T>
 CUTWATER_INLINE inline Angles<T> anglesInRows(const T* turns, int row) {
   const auto x = sineCosineOfTurns<T>(load(turns));
@@ -45,7 +45,7 @@ CUTWATER_INLINE inline Angles<T> anglesAtPoint(const T* turns) {
           broadcast(cosines[1]), broadcast(sines[2]),   broadcast(cosines[2])};
 }
 
-/// Of twice the angles.
+/// Sines and cosines of twice the angles.
 template <typename T>
 struct TwiceAngles {
   using Real = Lanes<T>;

@@ -12,7 +12,7 @@ using detail::kTwoPi;
 
 namespace {
 
-/// Slopes of less than this part of the greatest are taken for that: it keeps the rounding of
+/// Slopes below this fraction of the greatest are replaced by it, which keeps the rounding of
 /// distances within 16 times that of levels.
 constexpr double kLeastSlope = 1.0 / 16;
 
@@ -129,10 +129,10 @@ void TpmsField<T>::distances(const detail::PartTerms<T>& part, const GradedValue
 
 template <std::floating_point T>
 Guarantee<T> TpmsField<T>::guarantee(const GradedValue<T>& level) const {
-  // A level is off by some 20 eps, what is taken for its slope is at least 1/16 of the greatest: 64
-  // eps of a cell is more than what that gives. The place is off by what the map makes of it. A
-  // level's own rounding counts as much as its slope is less than the field's, which is at least
-  // 1/16 of what it is in the largest cells.
+  // A level has an error of some 20 eps, and the slope that is used is at least 1/16 of the
+  // greatest: 64 eps of a cell exceeds the resulting error. The place has the error of the map. A
+  // level's own rounding counts in proportion to the inverse slope of the field, which is at least
+  // 1/16 of that in the largest cells.
   Guarantee<T> promise{Quality::LowerBound, Quality::LowerBound, T(1), true};
   const auto ofSlope = [&](const GradedValue<T>& graded, T factor) {
     const T perLevel = factor * 16 * map_.size() / static_cast<T>(kTwoPi<T> * from_.lipschitz());

@@ -6,57 +6,58 @@
 
 namespace cutwater {
 
-/// From one pattern to another: (1 - w) F1 + w F2.
+/// A transition from one pattern to another: (1 - w) F1 + w F2.
 template <std::floating_point T>
 struct TpmsTransition {
   TpmsPattern from;
   TpmsPattern to;
-  /// Between 0, where it is `from` alone, and 1.
+  /// From 0, which gives `from` alone, to 1.
   GradedValue<T> weight;
 };
 
-/// A pattern in space: a level function of the place, with what is certain about its changes. A
-/// value.
+/// A pattern in space: a level function of position, with guaranteed bounds of its changes. A value
+/// type.
 ///
 ///     TpmsField<double>(TpmsPattern::gyroid(), 5)                       // cubic cells
 ///     TpmsField<double>(TpmsPattern::gyroid(), TpmsMap<double>::cylindrical({5, 12, 5}))
 ///     TpmsField<double>(TpmsTransition<double>{gyroid, schwarzP, weight}, 5)
 ///
-/// There are two ways to tell how far a level is at least. A bare pattern, one in cells of constant
-/// size along each axis, knows its second derivatives: see LevelDistances. Otherwise it is the
-/// radius of the largest ball in which what the pattern changes by at most, as seen from there
-/// through the map, does not reach the level.
+/// Lower bounds of the distance to a level are found in two ways. For a bare pattern, i.e. a single
+/// one in cells of constant size along each axis, they follow from its second derivatives: see
+/// LevelDistances. Otherwise the bound is the radius of the largest ball in which the pattern, as
+/// seen through the map, cannot change by enough to reach the level.
 template <std::floating_point T>
 class TpmsField {
  public:
-  /// @throws Error if all cells are not of ordinary size.
+  /// @throws Error if cells of constant size are not of ordinary size.
   TpmsField(TpmsPattern pattern, TpmsMap<T> map);
   /// @throws Error unless weights are within [0, 1].
   TpmsField(TpmsTransition<T> transition, TpmsMap<T> map);
 
-  /// The level function F at a place.
+  /// The level function F at a point.
   [[nodiscard]] T value(const Vec3<T>& p) const;
 
-  /// Lower bounds of the distance to psi = 0, with the sign of psi; of the field F and a level h,
-  /// by the place. 1-Lipschitz.
+  /// Lower bound of the distance to psi = 0, with the sign of psi, for the field F and a level h,
+  /// which may depend on position. 1-Lipschitz.
   [[nodiscard]] T distance(const detail::PartTerms<T>& part, const GradedValue<T>& level,
                            const Vec3<T>& p) const;
   /// The same, to the bit, for 64 points or fewer.
   void distances(const detail::PartTerms<T>& part, const GradedValue<T>& level,
                  std::span<const Vec3<T>> points, std::span<T> result) const;
-  /// What these bounds promise.
+  /// The guarantee of these bounds.
   [[nodiscard]] Guarantee<T> guarantee(const GradedValue<T>& level) const;
 
   /// Whether distances follow from second derivatives.
   [[nodiscard]] bool isBare() const { return bare_.has_value(); }
   [[nodiscard]] const TpmsPattern& pattern() const { return from_; }
   [[nodiscard]] const TpmsMap<T>& map() const { return map_; }
-  /// The least of the patterns' own; between two patterns channels may break up before.
+  /// The least TpmsPattern::pinch() of the patterns; between two patterns, channels may break up
+  /// earlier.
   [[nodiscard]] double pinch(TpmsChannel channel) const;
   [[nodiscard]] std::string name() const;
 
  private:
-  /// Of a pattern in cells of constant size.
+  /// Data of a pattern in cells of constant size.
   struct Bare {
     Vec3<T> rates;  // cells per length
     Vec3<T> weight;

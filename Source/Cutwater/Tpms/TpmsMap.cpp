@@ -60,7 +60,7 @@ Vec3<T> TpmsMap<T>::toCells(const Vec3<T>& p) const {
 template <std::floating_point T>
 T TpmsMap<T>::lipschitzWithin(const Vec3<T>& center, T radius, T lipschitz, T along) const {
   if (!deformation_) return kTwoPi<T> * turnsWithin(center, radius, lipschitz, along);
-  // The ball's image lies in one of this radius about the centre's.
+  // The ball's image lies in a ball about its centre's image, larger by this factor.
   const T stretch = (1 + deformation_->lipschitz()) * kOutward<T>;
   const auto image = center + deformation_->shiftAt(center);
   return kTwoPi<T> * stretch * turnsWithin(image, stretch * radius, lipschitz, along);

@@ -11,16 +11,16 @@ namespace cutwater {
 /// Cells around the z axis.
 template <std::floating_point T>
 struct CylindricalCells {
-  /// Of a cell, in the direction of the radius.
+  /// Size of a cell in the direction of the radius.
   T radialSize;
-  /// Whole cells, so that both ends of a turn join.
+  /// A whole number, so that both ends of a turn join.
   int cellsPerTurn;
   T axialSize;
-  /// By how much of a turn cells wind around the axis per length of it.
+  /// The turns by which cells wind around the axis per length along it.
   T turnsPerLength = 0;
 };
 
-/// From places to coordinates in cells: how a pattern lies in space. A value.
+/// Maps points to coordinates in cells: how a pattern lies in space. A value type.
 template <std::floating_point T>
 class TpmsMap {
  public:
@@ -32,24 +32,26 @@ class TpmsMap {
   explicit TpmsMap(std::array<CellSizes<T>, 3> sizes);
   /// (rho, phi, z) -> (rho / radialSize, n (phi + c z), z / axialSize), with phi in turns. The
   /// pattern is squeezed together at the axis, where values of solids are 0.
-  /// @throws Error unless sizes are positive, there is a cell per turn, and all are finite.
+  /// @throws Error unless sizes are positive, there is at least one cell per turn, and all are
+  /// finite.
   [[nodiscard]] static TpmsMap cylindrical(const CylindricalCells<T>& cells);
 
-  /// The same with places shifted first, by p + v(p).
+  /// The same map of shifted points, p + v(p).
   /// @throws Error as DeformationField::check() does.
   [[nodiscard]] TpmsMap deformed(const DeformationField<T>& field) const;
 
-  /// A place in cells: what the pattern is evaluated at, in turns.
+  /// The coordinates of a point in cells, at which the pattern is evaluated, in turns.
   [[nodiscard]] Vec3<T> toCells(const Vec3<T>& p) const;
 
-  /// A pattern as seen through the map, within a ball: how fast its value may change per length, if
-  /// per radian it changes by no more than `lipschitz`, and along an axis by no more than `along`.
-  /// Infinite where the ball holds a point of the axis of cylindrical cells.
+  /// Bound of how fast a pattern, as seen through the map, may change per length within a ball, if
+  /// it changes by no more than `lipschitz` per radian, and by no more than `along` per radian
+  /// along an axis. Infinite if the ball contains a point of the axis of cylindrical cells.
   [[nodiscard]] T lipschitzWithin(const Vec3<T>& center, T radius, T lipschitz, T along) const;
 
-  /// Cells per length along each axis, if that is all there is to the map.
+  /// Cells per length along each axis, if the map consists of nothing else.
   [[nodiscard]] std::optional<Vec3<T>> constantRates() const;
-  /// An upper bound of the rounding of toCells(), as that of the place: ulps() eps (|p| + size()).
+  /// An upper bound of the rounding of toCells(), as an error of the point:
+  /// ulps() eps (|p| + size()).
   [[nodiscard]] T ulps() const;
   [[nodiscard]] T size() const;
 

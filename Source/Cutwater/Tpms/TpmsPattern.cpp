@@ -4,10 +4,11 @@
 
 namespace cutwater {
 
-/// In the order of TpmsKind. Third derivatives: F is a sum of waves |c| cos(k x + phase); in the
-/// direction u they add at most sum |c| |k u|^3, of which this is the greatest over all u. As the
-/// derivative is symmetric, none in three different directions is greater. Bounds are given as they
-/// were found; what proves them leaves a margin, which is added where they are used.
+/// In the order of TpmsKind. Third derivatives: F is a sum of waves |c| cos(k x + phase), whose
+/// third derivatives in the direction u add up to at most sum |c| |k u|^3; the constant is the
+/// greatest of this over all u. As the derivative is symmetric, it is no greater in three different
+/// directions. Bounds are given as they were found; their proof leaves a margin, which is added
+/// where they are used.
 struct detail::TpmsFacts {
   const char* name;
   double lipschitz;
@@ -147,7 +148,7 @@ TpmsSample<T> TpmsPattern::sample(const Vec3<T>& turns) const {
 }
 
 double TpmsPattern::lipschitz() const {
-  // Branch and bound ends within 6e-6 of the maximum, with IWP within 1e-4.
+  // Branch and bound ends within 6e-6 of the maximum, for IWP within 1e-4.
   return facts().lipschitz + (kind_ == detail::TpmsKind::Iwp ? 1e-4 : 7e-6);
 }
 

@@ -10,7 +10,7 @@
 
 namespace cutwater {
 
-/// The two channels that a triply periodic surface F = 0 parts space into.
+/// The two channels into which a triply periodic surface F = 0 divides space.
 enum class TpmsChannel : std::uint8_t {
   A,  ///< F > 0
   B,  ///< F < 0
@@ -33,9 +33,9 @@ struct TpmsSample {
 ///
 ///     gyroid            sin x cos y + sin y cos z + sin z cos x       with x, y, z in radians
 ///
-/// Coordinates are in turns, so that the cubic cell is [0, 1]^3 and the period 1 along each axis;
-/// what is per radian is smaller by 2 pi than per turn. The constants, and how they were proven, by
-/// branch and bound, hold for F as it is written here.
+/// Coordinates are in turns, so the cubic cell is [0, 1]^3 and the period is 1 along each axis;
+/// derivatives per radian are smaller than those per turn by a factor of 2 pi. The constants below,
+/// which were proven by branch and bound, hold for F as written here.
 class TpmsPattern {
  public:
   // c and s are cosines and sines, c2 and s2 those of twice the angle;
@@ -55,7 +55,7 @@ class TpmsPattern {
   /// "gyroid", "Schwarz P" and so on.
   [[nodiscard]] std::string name() const;
 
-  /// F at a point in turns; nothing is lost far away but what the coordinates have lost.
+  /// F at a point in turns. Far away, no accuracy is lost beyond that of the coordinates.
   template <std::floating_point T>
   [[nodiscard]] T value(const Vec3<T>& turns) const;
   template <std::floating_point T>

@@ -23,7 +23,7 @@ const detail::PartTerms<T>& termsOf(TpmsPart part) {
   return kTerms<T>[static_cast<std::size_t>(part)];
 }
 
-/// Levels between which the part is what it should be.
+/// Levels between which the part is intact.
 template <std::floating_point T>
 Interval<T> levelsOf(TpmsPart part, const TpmsField<T>& field) {
   const auto a = static_cast<T>(field.pinch(TpmsChannel::A));

@@ -4,30 +4,30 @@
 
 namespace cutwater {
 
-/// What of a field F is solid, with a level h; in units of F.
+/// The part of a field F that is solid, with a level h in units of F.
 enum class TpmsPart : std::uint8_t {
   Wall,      ///< |F| < h
   Channels,  ///< |F| > h: all that is not wall
-  ChannelA,  ///< F > h; with h = 0 the half of space, a network
+  ChannelA,  ///< F > h; with h = 0, half of space, a network
   ChannelB,  ///< F < -h
   WallInA,   ///< 0 < F < h: the half of the wall on the side of A
   WallInB,   ///< -h < F < 0
 };
 
-/// A triply periodic wall or network: endless, without memory, by levels of a field.
+/// A triply periodic wall or network, defined by levels of a field: endless, with nothing stored.
 ///
 ///     const TpmsSolid<double> wall(TpmsField<double>(TpmsPattern::gyroid(), 5), TpmsPart::Wall,
 ///     0.3);
 ///
-/// Values are lower bounds of the distance, and 1-Lipschitz; boxes are certain. Those of the parts
-/// of one field and level are the same but for their sign where parts meet, so that solids fit to
-/// the bit: a point belongs to one of them alone, or lies within rounding of both.
+/// Values are lower bounds of the distance, and 1-Lipschitz; box queries are certain. Where parts
+/// of one field and level meet, their values are the same apart from the sign, so the solids fit to
+/// the bit: a point belongs to only one of them, or lies within rounding of both.
 template <std::floating_point T>
 class TpmsSolid final : public SignedDistanceFunction<T> {
  public:
-  /// @throws Error unless the level leaves the part as it should be: walls need 0 < h, and h less
-  /// than where the channels beside them break up, TpmsPattern::pinch(); a channel needs h between
-  /// that and where the other one does.
+  /// @throws Error unless the level leaves the part intact: a wall needs 0 < h, and h less than
+  /// TpmsPattern::pinch(), where the channels beside it break up; a channel needs h less than its
+  /// own pinch() and more than minus the other's.
   TpmsSolid(TpmsField<T> field, TpmsPart part, GradedValue<T> level);
 
   [[nodiscard]] const TpmsField<T>& field() const { return field_; }

@@ -9,12 +9,12 @@ namespace cutwater::detail {
 /// Radians in a turn, which is a period of a pattern and a cell of its map.
 template <std::floating_point T>
 inline constexpr T kTwoPi = 2 * std::numbers::pi_v<T>;
-/// Makes up for some roundings of a number that something must not exceed.
+/// Factor that makes up for a few roundings of an upper bound.
 template <std::floating_point T>
 inline constexpr T kOutward = 1 + 16 * std::numeric_limits<T>::epsilon();
 
-/// The gradient of a value among cells of this size by differences. Steps are short of the
-/// default's, as values have kinks, and of cells: sizes in guarantees are larger.
+/// The gradient, by differences, of a value among cells of this size. Steps are smaller than the
+/// default's, as values have kinks, and relative to cells, as sizes in guarantees are larger.
 template <std::floating_point T, typename Value>
 [[nodiscard]] Vec3<T> gradientAmongCells(const Value& value, const Vec3<T>& p, T cellSize) {
   constexpr T kStep = sizeof(T) == sizeof(float) ? T(4e-4) : T(2e-7);

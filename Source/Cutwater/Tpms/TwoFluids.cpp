@@ -9,7 +9,7 @@ namespace cutwater {
 
 template <std::floating_point T>
 TpmsChannels<T> TpmsChannels<T>::of(const TpmsField<T>& field, const GradedValue<T>& level) {
-  const TpmsSolid<T> wall(field, TpmsPart::Wall, level);  // refuses levels
+  const TpmsSolid<T> wall(field, TpmsPart::Wall, level);  // throws for invalid levels
   return {TpmsSolid<T>(field, TpmsPart::ChannelA, level),
           TpmsSolid<T>(field, TpmsPart::ChannelB, level)};
 }
@@ -37,11 +37,11 @@ TwoFluids<T> twoFluids(const Solid<T>& domain, const TpmsChannels<T>& channels,
 
 namespace {
 
-/// Patches of what twoFluidsIn() makes, besides those of the channels.
+/// Patches of the results of twoFluidsIn(), besides those of the channels.
 constexpr auto kOutside = "outside";
 constexpr auto kCaps = "caps";
 
-/// All that is beyond the point along the direction.
+/// All points beyond the place along the direction.
 template <std::floating_point T>
 Solid<T> beyond(int axis, T place, T direction) {
   Vec3<T> point;

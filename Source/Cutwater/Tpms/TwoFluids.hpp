@@ -7,28 +7,28 @@
 
 namespace cutwater {
 
-/// The two channels on either side of a wall, endless.
+/// The two endless channels on either side of a wall.
 template <std::floating_point T>
 struct TpmsChannels {
   Solid<T> a;
   Solid<T> b;
 
-  /// Beside a wall |F| <= h. @throws Error as TpmsSolid does for that wall.
+  /// The channels beside a wall |F| <= h. @throws Error as TpmsSolid does for that wall.
   [[nodiscard]] static TpmsChannels of(const TpmsField<T>& field, const GradedValue<T>& level);
-  /// Beside a wall of even thickness.
+  /// The channels beside a wall of even thickness.
   [[nodiscard]] static TpmsChannels of(const MetricWall<T>& wall);
 };
 
-/// Where a channel is closed: solid fills it there.
+/// A region in which a channel is closed, i.e. filled with solid.
 template <std::floating_point T>
 struct ClosedEnd {
   Solid<T> region;
   TpmsChannel channel;
 };
 
-/// A domain in three parts: the fluids in both channels, and the solid between. Every point of the
-/// domain is inside of one of them alone, or has the value 0 in two: they share their decisions to
-/// the bit, and so do their boxes.
+/// A domain in three parts: the fluids in both channels, and the solid between them. Every point of
+/// the domain is inside exactly one of them, or has the value 0 in two: they share their decisions
+/// to the bit, as do their box queries.
 template <std::floating_point T>
 struct TwoFluids {
   Solid<T> a;
@@ -36,12 +36,12 @@ struct TwoFluids {
   Solid<T> b;
 };
 
-/// Of any domain, with the channels closed where `ends` say.
+/// The three parts of any domain, with the channels closed as stated in `ends`.
 template <std::floating_point T>
 [[nodiscard]] TwoFluids<T> twoFluids(const Solid<T>& domain, const TpmsChannels<T>& channels,
                                      const std::vector<ClosedEnd<T>>& ends = {});
 
-/// How a heat exchanger in a box is passed through.
+/// The flow through a heat exchanger in a box.
 template <std::floating_point T>
 struct CrossFlow {
   /// A flows along this axis: at its ends the box is open for A, and closed for B.
@@ -49,28 +49,30 @@ struct CrossFlow {
   /// B flows along this one, and A is closed off at its ends. The sides of the third axis are
   /// closed for both.
   int axisOfB = 1;
-  /// Of what closes them.
+  /// Thickness of the caps that close the channels.
   T capThickness;
 };
 
-/// The sides of the box are the patch "outside", of a fluid where it comes in and goes out; what
-/// closes the channels is "caps".
+/// The sides of the box are the patch "outside", which on a fluid is where it flows in and out; the
+/// caps that close the channels are the patch "caps".
 ///
-/// @throws Error unless the axes are two of 0, 1 and 2, and caps are thinner than half the box.
+/// @throws Error unless the axes are two different ones of 0, 1 and 2, and caps are thinner than
+/// half the box.
 template <std::floating_point T>
 [[nodiscard]] TwoFluids<T> twoFluidsIn(const Box<T>& box, const TpmsChannels<T>& channels,
                                        const CrossFlow<T>& flow);
 
-/// A cylinder about the z axis as a heat exchanger: A passes from end to end, B through its mantle.
+/// A cylinder about the z axis as a heat exchanger: A flows from end to end, B through the lateral
+/// surface.
 template <std::floating_point T>
 struct CylinderFlow {
   T radius;
   Interval<T> z;
-  /// Of what closes the ends for B, and the mantle for A.
+  /// Thickness of the caps that close the ends for B, and the lateral surface for A.
   T capThickness;
 };
 
-/// Patches as in a box.
+/// Patches are as for a box.
 ///
 /// @throws Error unless caps are thinner than the radius and half the height.
 template <std::floating_point T>
