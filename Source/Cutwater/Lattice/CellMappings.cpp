@@ -10,7 +10,7 @@ bool isPositive(double value) {
   return value > 0 && std::isfinite(value);
 }
 
-/// From the unit square to the unit disc.
+/// Maps the unit square to the unit disc.
 Vec3<double> onUnitDisc(const Vec3<double>& u) {
   const double a = 2 * u.x - 1;
   const double b = 2 * u.y - 1;

@@ -42,7 +42,7 @@ CUTWATER_INLINE inline bool isOdd(T whole) {
   return half != rounded(half);
 }
 
-/// What is left of each coordinate; never infinity minus infinity.
+/// The difference of each coordinate; never infinity minus infinity.
 template <typename T>
 CUTWATER_INLINE inline Vec3<T> difference(const Vec3<T>& a, const Vec3<T>& b) {
   return {a.x == b.x ? T(0) : a.x - b.x, a.y == b.y ? T(0) : a.y - b.y,

@@ -4,8 +4,8 @@ namespace cutwater::detail {
 
 namespace {
 
-/// In the tree's frame. Beyond it, rounding exceeds the size of the tree, and any beam may be the
-/// nearest as computed.
+/// A length in the tree's frame, beyond which rounding exceeds the size of the tree, and any beam
+/// may be the nearest as computed.
 constexpr double kFarthest = 0x1p58;
 
 template <std::floating_point T>

@@ -14,7 +14,7 @@ namespace cutwater {
 template <std::floating_point T>
 class Thickness {
  public:
-  /// The same everywhere. @throws Error unless 0 < radius < infinity.
+  /// A radius that is the same everywhere. @throws Error unless 0 < radius < infinity.
   Thickness(T radius);  // NOLINT(google-explicit-constructor): conversion is intended
   [[nodiscard]] static Thickness constant(T radius) { return radius; }
 

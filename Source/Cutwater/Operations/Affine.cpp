@@ -13,8 +13,8 @@ namespace {
 template <std::floating_point T>
 constexpr T kEps = std::numeric_limits<T>::epsilon();
 
-// In this type, the inverse of a map that is not close to singular is exact to the last place once
-// rounded to double or float.
+// Computed in this type and rounded to double or float, the inverse of a map that is not close to
+// singular is exact to the last place.
 using Accurate = long double;
 using Matrix = Eigen::Matrix<Accurate, 3, 3>;
 

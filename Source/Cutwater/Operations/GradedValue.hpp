@@ -35,7 +35,7 @@ struct GradedLimits {
 template <std::floating_point T>
 class GradedValue {
  public:
-  /// The same everywhere. @throws Error unless it is finite.
+  /// A number that is the same everywhere. @throws Error unless it is finite.
   GradedValue(T value);  // NOLINT(google-explicit-constructor): conversion is intended
 
   // Out of line: when inlined, g++ 12 takes an empty optional for uninitialised.

@@ -47,7 +47,7 @@ class SmoothMinimum {
       : reach_(smoothing.reach), kind_(smoothing.kind), least_(first) {}
 
   /// Takes in another number and returns its weight w; earlier weights are multiplied by 1 - w.
-  /// Unless Exponential, once w is 0, it is 0 for all numbers that are no less.
+  /// Unless Exponential, if w is 0, so is the weight of every number that is not less.
   T add(T value);
 
   [[nodiscard]] T value() const {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRounding = 1e-12;
 
-/// With a given multiplier m.
+/// isOnOneSide() with a given multiplier m.
 bool isOnOneSideBy(double m, const CubeInBall& part, const TpmsPattern& pattern,
                    const PatternExpansion& f, double side) {
   const double corner = std::numbers::sqrt3 * part.half;

@@ -20,7 +20,7 @@ struct Angles {
   Real sx, cx, sy, cy, sz, cz;
 };
 
-/// At consecutive points, whose x, y and z in turns are in rows of this length.
+/// The angles at consecutive points, whose x, y and z in turns are in rows of this length.
 template <typename T>
 CUTWATER_INLINE inline Angles<T> anglesInRows(const T* turns, int row) {
   const auto x = sineCosineOfTurns<T>(load(turns));
@@ -29,7 +29,7 @@ CUTWATER_INLINE inline Angles<T> anglesInRows(const T* turns, int row) {
   return {x.sine, x.cosine, y.sine, y.cosine, z.sine, z.cosine};
 }
 
-/// At one point, in all lanes. Its sines and cosines are found in neighbouring lanes.
+/// The angles at one point, in all lanes. Its sines and cosines are found in neighbouring lanes.
 template <typename T>
 CUTWATER_INLINE inline Angles<T> anglesAtPoint(const T* turns) {
   constexpr int kRoom = kLanesOf<T> < 4 ? 4 : kLanesOf<T>;

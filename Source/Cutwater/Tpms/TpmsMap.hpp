@@ -36,7 +36,7 @@ class TpmsMap {
   /// finite.
   [[nodiscard]] static TpmsMap cylindrical(const CylindricalCells<T>& cells);
 
-  /// The same map of shifted points, p + v(p).
+  /// The same map, applied to shifted points p + v(p).
   /// @throws Error as DeformationField::check() does.
   [[nodiscard]] TpmsMap deformed(const DeformationField<T>& field) const;
 
