@@ -7,8 +7,8 @@ namespace cutwater::detail {
 
 namespace {
 
-/// Points of a tile, as powers of two: large ones are left out at the price of one value, small
-/// ones are work for more threads.
+/// Points of a tile, as powers of two: a large tile can be skipped at the cost of one value, small
+/// tiles keep more threads busy.
 constexpr int kBandTileBits = 12;
 constexpr int kFullTileBits = 9;
 

@@ -4,9 +4,9 @@
 
 namespace cutwater::detail {
 
-/// How fill() goes through a patch: in tiles, blocks of indices about as long in space on each
-/// axis. Points in small blocks are evaluated together, because the answer of one tells much about
-/// the next.
+/// The order in which fill() visits a patch: tile by tile, where a tile is a block of indices about
+/// as long in space on each axis. Points in small blocks are evaluated together, because the value
+/// at one tells much about the next.
 template <std::floating_point T>
 class BlockFill {
  public:
@@ -15,7 +15,7 @@ class BlockFill {
             const FillTargets<T>& targets, T limit);
 
   [[nodiscard]] std::size_t tileCount() const { return tiles_.count(); }
-  /// So many tiles at least should be filled in one go: enough for full batches.
+  /// The least number of tiles to fill in one go, so that batches are full.
   [[nodiscard]] std::size_t grain() const;
   /// Fills the tiles numbered [begin, end); threads may fill different tiles at the same time.
   void fillTiles(std::size_t begin, std::size_t end) const;

@@ -7,10 +7,10 @@ namespace cutwater {
 
 namespace {
 
-/// Cells that a thread looks at in one go.
+/// Cells that a thread processes in one go.
 constexpr std::size_t kTogether = 1024;
 
-/// Rows of some neighbouring cells.
+/// The rows of some neighbouring cells.
 struct Rows {
   std::vector<std::size_t> lengths;
   std::vector<std::uint32_t> patches;
@@ -23,7 +23,7 @@ void addRow(const SignedDistanceFunction<T>& solid, const Box<T>& box, Rows& row
   auto& patches = rows.patches;
   const auto begin = static_cast<std::ptrdiff_t>(patches.size());
   const bool isAll = solid.facetsIn(box, [&](const SurfaceFacet<T>& facet) {
-    // Mostly one patch, and few ever.
+    // There is mostly one patch, and never many.
     const auto place = std::lower_bound(patches.begin() + begin, patches.end(), facet.owner.patch);
     if (place == patches.end() || *place != facet.owner.patch) {
       patches.insert(place, facet.owner.patch);

@@ -9,7 +9,8 @@ struct CellPatches {
   /// Row n is patches[offsets[n]] ... patches[offsets[n + 1] - 1].
   std::vector<std::uint64_t> offsets{0};
   std::vector<std::uint32_t> patches;  ///< each once in a row, ascending
-  /// No patch that meets a cell is left out: all of the surface was seen, and no mere samples.
+  /// Whether no patch that meets a cell is missing: the rows come from the whole surface rather
+  /// than from samples.
   bool isComplete = true;
 
   /// The patches in one cell.
@@ -25,12 +26,12 @@ struct CellPatchesOptions {
   Progress progress = {};
 };
 
-/// All patches that meet each cell, see patchNames(); rows of cells that are certainly Inside or
-/// Outside are empty. Rows are those of mesh.cells().
+/// Returns all patches that meet each cell (see patchNames()), one row for each of mesh.cells().
+/// Rows of cells that are certainly Inside or Outside are empty.
 ///
-/// Made from facetsIn(): complete for meshes, their motions, unions, intersections and complements,
-/// with a patch that comes within rounding of a cell, or lies within another operand there, perhaps
-/// named as well. Of other solids, patches that 27 samples of a cell find.
+/// Based on facetsIn(). Complete for meshes, their motions, unions, intersections and complements;
+/// a patch that comes within round-off of a cell, or lies inside another operand there, may be
+/// listed as well. For other solids, lists the patches that 27 samples of a cell find.
 /// @throws Error if `threads` is negative.
 template <std::floating_point T>
 [[nodiscard]] CellPatches cellPatches(const SignedDistanceFunction<T>& solid,

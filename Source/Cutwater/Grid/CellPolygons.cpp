@@ -12,7 +12,7 @@ constexpr bool has(unsigned mask, int bit) {
   return ((mask >> static_cast<unsigned>(bit)) & 1U) != 0;
 }
 
-/// Where the border of a face, counter-clockwise, goes from inside to outside or the other way.
+/// The places where the border of a face, counter-clockwise, passes from inside to outside or back.
 struct FaceCuts {
   std::array<int, 4> corners;
   std::array<bool, 4> inside;
@@ -27,7 +27,7 @@ struct FaceCuts {
   [[nodiscard]] int edge(std::size_t n) const {
     return cubeEdgeBetween(corners[n], corners[next(n)]);
   }
-  /// Where the inside part that is left at n was entered: cuts go from there to n.
+  /// Where the border entered the inside part that it leaves at n: the cut leads from there to n.
   [[nodiscard]] std::size_t partner(std::size_t n, bool joined) const {
     const std::size_t step = joined ? 1 : 3;
     for (n = (n + step) % 4; !enters(n);) n = (n + step) % 4;
@@ -35,7 +35,7 @@ struct FaceCuts {
   }
 };
 
-/// Masks of the faces that a corner of a polygon lies in.
+/// Mask of the faces that a corner of a polygon lies in.
 unsigned facesOf(int corner) {
   unsigned faces = 0;
   const bool isEdge = corner < 12;
@@ -79,7 +79,7 @@ bool isAmbiguous(unsigned inside, int face) {
 }
 
 int findPolygons(unsigned inside, unsigned joined, std::array<CellPolygon, 4>& polygons) {
-  // Each cut edge is left on one of its faces and entered on the other.
+  // At each cut edge, the border of one of its faces leaves the solid, that of the other enters it.
   std::array<std::uint8_t, 12> next{};
   unsigned cut = 0;
   for (int face = 0; face < 6; ++face) {
@@ -104,7 +104,7 @@ int findPolygons(unsigned inside, unsigned joined, std::array<CellPolygon, 4>& p
   return count;
 }
 
-/// What the signs of corners alone tell.
+/// What follows from the signs of the corners alone.
 struct CellCase {
   unsigned ambiguous = 0;
   int count = 0;

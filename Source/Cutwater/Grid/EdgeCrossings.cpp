@@ -12,11 +12,11 @@ namespace {
 using Wide = std::array<std::int64_t, 3>;
 
 /// Nodes along each side of a block that is handed to a thread, as a power of two; it is halved
-/// until nothing in it can be cut, or one node is left. Blocks begin at multiples of their size,
-/// for all patches alike: what is asked about an edge does not depend on the patch.
+/// until nothing in it can be cut, or one node is left. In all patches, blocks begin at multiples
+/// of their size, so the queries about an edge do not depend on the patch.
 constexpr int kTileBits = 5;
 
-/// What is written about an edge.
+/// The values to write for an edge.
 template <std::floating_point T>
 struct EdgeRecord {
   std::uint32_t count = 0;
@@ -48,7 +48,7 @@ class EdgeWalk {
     lower_ = {lo.i, lo.j, lo.k};
     upper_ = {hi.i, hi.j, hi.k};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      firstTile_[axis] = lower_[axis] >> kTileBits;  // of negative ones, too: rounds down
+      firstTile_[axis] = lower_[axis] >> kTileBits;  // rounds down, negative ones as well
       tiles_[axis] = static_cast<std::size_t>((upper_[axis] >> kTileBits) - firstTile_[axis] + 1);
     }
   }
@@ -68,7 +68,7 @@ class EdgeWalk {
   [[nodiscard]] const EdgeCrossingReport& report() const { return report_; }
 
  private:
-  /// Edges that begin at the nodes from `first` on, so many along each axis.
+  /// Processes the edges that begin at the nodes from `first` on, 2^bits along each axis.
   void walk(const Wide& first, int bits, BoxHint hint) {
     const std::int64_t width = std::int64_t{1} << bits;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -134,7 +134,7 @@ class EdgeWalk {
                    static_cast<std::size_t>(node[2] - lower_[2]));
   }
 
-  /// Of nodes beyond the last index: of that.
+  /// Position of a node; that of the last index if the node is beyond it.
   [[nodiscard]] Vec3<T> position(const Wide& node) const {
     static constexpr std::int64_t kLast = std::numeric_limits<std::int32_t>::max();
     const auto index = [](std::int64_t i) { return static_cast<std::int32_t>(std::min(i, kLast)); };

@@ -7,17 +7,17 @@
 
 namespace cutwater {
 
-/// Arrays about the edges along one axis; those without data are left out. The edge at a node's
-/// index leads from it to the next node on the axis: there is one edge less than nodes.
+/// Arrays for the edges along one axis; those without data are skipped. The edge at a node's index
+/// leads from that node to the next one on the axis: there is one edge less than nodes.
 template <std::floating_point T>
 struct EdgeCrossingTargets {
-  /// How many times the surface is crossed: odd exactly if the values at the nodes differ in sign.
+  /// Number of crossings with the surface: odd exactly if the values at the nodes differ in sign.
   GridView<std::uint32_t> count = {};
-  /// The axis' coordinate of the first and the last crossing, between those of the nodes; NaN where
-  /// there is none. The same where there is one.
+  /// Coordinate, along the axis, of the first and the last crossing, between those of the nodes;
+  /// NaN where there is none. The two are equal where there is only one crossing.
   GridView<T> first = {};
   GridView<T> last = {};
-  /// Their patches, see patchNames(); kNone where there is none.
+  /// Patches at these crossings, see patchNames(); kNone where there is no crossing.
   GridView<std::uint32_t> firstPatch = {};
   GridView<std::uint32_t> lastPatch = {};
 };
@@ -29,7 +29,7 @@ struct EdgeCrossingOptions {
   Progress progress = {};
 };
 
-/// What edgeCrossings() met.
+/// What edgeCrossings() found.
 struct EdgeCrossingReport {
   std::size_t crossed = 0;  ///< edges with at least one crossing
   /// Edges that come so close to the surface that an even number of further crossings could not be
@@ -37,11 +37,11 @@ struct EdgeCrossingReport {
   std::size_t unresolved = 0;
 };
 
-/// Crossings of all edges between neighbouring nodes of a patch with the surface, as
-/// SignedDistanceFunction::crossings() tells them for each edge. `targets`: of edges along x, y and
-/// z. An edge's values depend on the edge alone, not on the patch or the number of threads. Blocks
-/// of edges that classify() proves free of surface are settled in one go, so that the price is that
-/// of the edges near the surface. Serial inside an active parallel region.
+/// Finds the crossings of the surface with all edges between neighbouring nodes of a patch, as
+/// SignedDistanceFunction::crossings() reports them for each edge. `targets`: for the edges along
+/// x, y and z. An edge's values depend on the edge alone, not on the patch or the number of
+/// threads. Blocks of edges that classify() proves free of surface are settled in one go, so the
+/// cost is that of the edges near the surface. Serial inside an active parallel region.
 /// @throws Error if the patch's level is not one of nodes, or `threads` is negative.
 template <std::floating_point T>
 EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,

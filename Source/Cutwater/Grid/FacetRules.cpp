@@ -43,8 +43,8 @@ template <std::floating_point T>
 T DirectionSpread<T>::bound() const {
   T widest = 0;
   for (std::size_t i = 0; i < kAxes; ++i) widest = std::max(widest, most_[i] - least_[i]);
-  // The direction farthest from all axes lies between (1, 0, 0), (1, 1, 0) and (1, 1, 1), at
-  // (1, sqrt(2) - 1, sqrt(3) - sqrt(2)): 0.8864 of its length is along each.
+  // The direction farthest from all axes lies between (1, 0, 0), (1, 1, 0) and (1, 1, 1), at (1,
+  // sqrt(2) - 1, sqrt(3) - sqrt(2)): its component along each is 0.8864 of its length.
   constexpr T kLeastCosine = T(0.8864);
   return widest / kLeastCosine;
 }
@@ -107,7 +107,7 @@ bool FacetRules<T>::askOf(const Facet& facet, int level) const {
     return a != Vec3<T>{} && b != Vec3<T>{} && dot(a, b) < sharpest_;
   };
   const auto& [first, second, third] = facet.across;
-  // What has no area has no normal, and is itself an edge between its neighbours.
+  // A facet without area has no normal, and is itself an edge between its neighbours.
   if (facet.normal == Vec3<T>{}) {
     return bends(first, second) || bends(second, third) || bends(third, first);
   }
@@ -138,7 +138,7 @@ void FacetRules<T>::lookAround(T reach, std::span<const Box<T>> cells,
     if (maxComponent(larger.size()) > (2 * (reach + kMargin) + kTogether) * width) break;
     surroundings_ = larger;
   }
-  // What facetsIn() adds to a cell's region by rounding is in this one, too.
+  // Facets that facetsIn() adds to a cell's region by round-off are in this one, too.
   around_.clear();
   isAllAround_ = solid_.facetsIn(surroundings_.grown(kMargin * width), [&](const Facet& facet) {
     if (facet.normal != Vec3<T>{}) around_.add(facet);

@@ -7,8 +7,8 @@
 
 namespace cutwater::detail {
 
-/// How far some unit vectors differ: an upper bound of the length between any two of them, at most
-/// 13 % too large, whatever their order.
+/// Spread of a set of unit vectors: an upper bound on the distance between any two of them, at most
+/// 13 % too large, whatever the order in which they are added.
 template <std::floating_point T>
 class DirectionSpread {
  public:
@@ -16,8 +16,8 @@ class DirectionSpread {
   [[nodiscard]] T bound() const;
 
  private:
-  /// Axes, x, y and z first, diagonals of faces and of the cube: no direction is farther than 28
-  /// degrees from all.
+  /// The axes x, y and z, then the diagonals of the faces and of the cube: every direction is
+  /// within 28 degrees of one of them.
   static constexpr std::size_t kAxes = 13;
 
   std::array<T, kAxes> least_{};
@@ -25,49 +25,50 @@ class DirectionSpread {
   bool empty_ = true;
 };
 
-/// Those of a refinement's rules that ask about the surface within a cell, facet by facet.
+/// The rules of a refinement that depend on the surface within a cell, facet by facet.
 template <std::floating_point T>
 class FacetRules {
  public:
   /// Both must outlive it.
   FacetRules(const SignedDistanceFunction<T>& solid, const Refinement<T>& rules);
 
-  /// Whether any of them applies to cells of the level.
+  /// Whether any of the rules applies to cells of the level.
   [[nodiscard]] bool matter(int level) const;
-  /// Asks for some of the cells of the level to be divided, of those that the surface may meet and
-  /// no other rule divides. Best for neighbours, one after the other.
+  /// Marks cells of the level for refinement, among those that the surface may meet and no other
+  /// rule divides. Most efficient if consecutive cells are neighbours.
   void ask(int level, std::span<const Box<T>> cells, std::span<CellVerdict> verdicts);
 
  private:
   using Facet = SurfaceFacet<T>;
   using Width = std::optional<typename Refinement<T>::Width>;
-  /// Neighbours for which facets around them are looked up together, along an axis.
+  /// Number of neighbours along an axis whose surrounding facets are looked up together.
   static constexpr T kTogether = 8;
-  /// Of a cell's width: larger than what is rounding in coordinates, as a rule.
+  /// As a fraction of a cell's width: normally larger than the round-off in coordinates.
   static constexpr T kMargin = T(0x1p-10);
 
   [[nodiscard]] static bool isOpen(const CellVerdict& verdict) {
     return mayBeCut(verdict.kind) && !verdict.isRefined;
   }
-  /// By the facets in the cell, which are kept.
+  /// Applies the rules to the facets in the cell, and keeps these.
   [[nodiscard]] bool askWithin(int level, const Box<T>& cell);
   [[nodiscard]] bool askOf(const Facet& facet, int level) const;
-  /// Of cells of the level, the largest number of gaps and walls; negative if there is none.
+  /// The largest number of cells that the rules on gaps and walls require at the level; negative if
+  /// none applies.
   [[nodiscard]] T reachOf(int level) const;
-  /// Keeps the facets around the first of some cells and as many of the next ones as are near.
+  /// Stores the facets around the first of the cells and as many of the next ones as are near.
   void lookAround(T reach, std::span<const Box<T>> cells, std::span<const CellVerdict> verdicts);
   [[nodiscard]] bool isNarrow(const Width& rule, Facing facing, int level, const Box<T>& cell);
-  /// The same by what facetsIn() shows of a box around the cell.
+  /// The same for the facets that facetsIn() visits in a box around the cell.
   [[nodiscard]] bool seesFacing(const Box<T>& region, Facing facing, T least);
 
   const SignedDistanceFunction<T>& solid_;
   const Refinement<T>& rules_;
-  T mostTurn_ = 2;             // length between two normals
+  T mostTurn_ = 2;             // distance between two normals
   T sharpest_ = -1;            // cosine of the angle between two normals
   FacetTree<T> own_;           // facets of the cell
   DirectionSpread<T> spread_;  // of their normals
-  Box<T> surroundings_;        // of some cells
-  bool isAllAround_ = false;   // all facets there are known:
+  Box<T> surroundings_;        // region around some cells
+  bool isAllAround_ = false;   // all facets there are in around_
   FacetTree<T> around_;
   FacetTree<T> other_;  // one of them
 };

@@ -6,8 +6,8 @@ namespace cutwater::detail {
 
 namespace {
 
-/// At least the computed dot product of any vectors in the boxes: in the same order, as rounding
-/// keeps the order of sums and products.
+/// An upper bound on the computed dot product of any two vectors in the boxes. Terms are added in
+/// the same order, as rounding preserves the order of sums and products.
 template <std::floating_point T>
 T mostDot(const Box<T>& a, const Box<T>& b) {
   const auto along = [&](int i) {
@@ -41,7 +41,7 @@ std::size_t FacetTree<T>::divide(std::size_t begin, std::size_t end) {
     node.normals.extend(facets_[i].normal);
   }
   if (end - begin <= kLeaf) return number;
-  // Halved along its longest side, or that of the normals, which are of length 1.
+  // Halves it along its longest side, or that of the box of normals, which have length 1.
   const auto size = node.corners.size();
   int axis = 0;
   for (int i = 1; i < 3; ++i) axis = size[i] > size[axis] ? i : axis;
@@ -69,8 +69,8 @@ bool FacetTree<T>::mayFace(const Node& a, const Node& b, T side, T least) {
   return mayBeBefore(a, b) && mayBeBefore(b, a);
 }
 
-/// Whether they face each other: with their fronts if side is 1, their backs if it is -1; at least
-/// so far apart somewhere.
+/// Whether two facets face each other, with their fronts if side is 1 or their backs if it is -1,
+/// and are at least `least` apart somewhere.
 template <std::floating_point T>
 bool FacetTree<T>::face(const Facet& a, const Facet& b, T side, T least) {
   if (!(dot(a.normal, b.normal) < kFacing)) return false;

@@ -6,29 +6,29 @@
 
 namespace cutwater::detail {
 
-/// On which side facets face each other.
+/// The sides on which facets face each other.
 enum class Facing : std::uint8_t {
   Fronts,  ///< with a gap between them
   Backs,   ///< with a wall between them
 };
 
-/// Facets in a binary tree of boxes around their corners and around their normals: finds pairs that
-/// face each other without looking at all.
+/// A binary tree of facets, with boxes around their corners and around their normals. Finds pairs
+/// that face each other without visiting all of them.
 template <std::floating_point T>
 class FacetTree {
  public:
   using Facet = SurfaceFacet<T>;
 
-  /// Normals must not be zero. Keeps its room for the next time.
+  /// Removes all facets, but keeps the memory. Normals of facets must not be zero.
   void clear() { facets_.clear(); }
   void add(const Facet& facet) { facets_.push_back(facet); }
-  /// After the last facet is added.
+  /// To be called once the last facet has been added.
   void build();
   [[nodiscard]] bool empty() const { return facets_.empty(); }
 
-  /// Whether one of these facets and another one that may matter face each other, within 60
-  /// degrees, and are at least `least` apart somewhere. `mayMatter(box)` is asked of boxes around
-  /// others, `matters(facet)` of those that face one of these, until it says so.
+  /// Whether one of these facets faces, within 60 degrees, one of the others that matters, with the
+  /// two at least `least` apart somewhere. Calls `mayMatter(box)` for boxes around others and
+  /// `matters(facet)` for those that face one of these, until it returns true.
   template <typename MayMatter, typename Matters>
   [[nodiscard]] bool isFaced(const FacetTree& others, Facing facing, T least,
                              const MayMatter& mayMatter, const Matters& matters) const {
@@ -45,12 +45,12 @@ class FacetTree {
   struct Node {
     Box<T> corners;
     Box<T> normals;
-    std::size_t begin = 0;  // of its facets
+    std::size_t begin = 0;  // range of its facets
     std::size_t end = 0;
-    std::size_t upper = 0;  // its second child, the first one follows it; 0: it is a leaf
+    std::size_t upper = 0;  // its second child (the first one follows it); 0 for a leaf
   };
 
-  /// One pair of nodes, their children, and so on.
+  /// Recursive traversal of pairs of nodes.
   template <typename MayMatter, typename Matters>
   struct Search {
     const FacetTree& own;
@@ -82,7 +82,7 @@ class FacetTree {
   };
 
   std::size_t divide(std::size_t begin, std::size_t end);
-  /// Certainly true if a pair of their facets faces each other.
+  /// Certainly true if any of their facets face each other.
   [[nodiscard]] static bool mayFace(const Node& a, const Node& b, T side, T least);
   [[nodiscard]] static bool face(const Facet& a, const Facet& b, T side, T least);
 

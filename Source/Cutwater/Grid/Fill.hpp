@@ -8,15 +8,15 @@ namespace cutwater {
 
 /// Options of fill().
 struct FillOptions {
-  /// Half-width of the band around the surface in which values are told, in cells of the smallest
-  /// spacing h. Beyond it they are exactly +band * h or -band * h. 0: values everywhere.
+  /// Half-width of the band around the surface in which values are computed, in cells of the
+  /// smallest spacing h. Beyond it they are exactly +band * h or -band * h. 0: values everywhere.
   double band = 0;
   /// At most this many threads; 0: as many as there are. See ParallelOptions.
   int threads = 0;
   Progress progress = {};
 };
 
-/// The arrays that one pass over a patch fills; those without data are left out. They must not
+/// The arrays that one pass over a patch fills; those without data are skipped. They must not
 /// overlap.
 template <std::floating_point T>
 struct FillTargets {
@@ -25,19 +25,19 @@ struct FillTargets {
   GridView<std::uint32_t> patch = {};
 };
 
-/// Evaluates the solid at every index of the patch: at centres of cells or at nodes, as its level
-/// says. Each value depends on its index alone: it has the same bits as when asked for by itself,
+/// Evaluates the solid at every index of the patch: at cell centres or nodes, depending on its
+/// level. Each value depends on its index alone: it has the same bits as when computed by itself,
 /// whatever the patch, the band around it and the number of threads. Serial inside an active
 /// parallel region.
 ///
-/// With a band, the price is about two values for each index in it: blocks of indices that the
+/// With a band, the cost is about two evaluations for each index in it: blocks of indices that the
 /// solid's Lipschitz constant, or without one its bounds(), proves to be beyond are not evaluated.
 /// @throws Error if the band is negative or not finite, or `threads` is negative.
 template <std::floating_point T>
 void fill(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
           const FillTargets<T>& targets, const FillOptions& options = {});
 
-/// The distance alone.
+/// Fills the distance only.
 template <std::floating_point T>
 void fill(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
           const GridView<T>& distance, const FillOptions& options = {}) {

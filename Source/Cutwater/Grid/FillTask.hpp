@@ -6,14 +6,14 @@
 
 namespace cutwater::detail {
 
-/// What one call of fill() is about, for all of its tiles. Everything that is referred to outlives
-/// it.
+/// The arguments of one call of fill(), shared by all of its tiles. Everything it refers to
+/// outlives it.
 template <std::floating_point T>
 struct FillTask {
   const SignedDistanceFunction<T>& solid;
   const Patch<T>& patch;
   const FillTargets<T>& targets;
-  T limit;  ///< values beyond become +-limit; may be infinite
+  T limit;  ///< values beyond it become +-limit; may be infinite
   TileOrder order;
   Guarantee<T> promise = solid.guarantee();
 

@@ -53,7 +53,7 @@ T HalvedBox<T>::face(int axis, std::int32_t index) const {
   const T upper = box_.upper[axis];
   const double part = std::ldexp(index, -halvings_[static_cast<std::size_t>(axis)]);
   if (part == 1) return upper;
-  // The same for the same part of the box, whatever the generation; never decreasing with it.
+  // Depends on the fraction of the box alone, not on the generation, and never decreases with it.
   return std::min(static_cast<T>(lower + part * (double{upper} - double{lower})), upper);
 }
 

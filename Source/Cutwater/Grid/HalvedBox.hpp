@@ -7,19 +7,19 @@
 
 namespace cutwater::detail {
 
-/// A box divided into equal cells, generation by generation: each halves them along the axes that
-/// they are longest along, so that they are about cubes before long, and divided by eight from then
+/// A box divided into equal cells, generation by generation. Each generation halves the cells along
+/// their longest axes, so that they soon become nearly cubic and are divided into eight from then
 /// on. The closed cells of a generation cover the box, and share no more than their faces, to the
 /// bit.
 template <std::floating_point T>
 class HalvedBox {
  public:
-  /// One cell.
+  /// Starts with one cell.
   explicit HalvedBox(const Box<T>& box) : box_(box) {}
 
-  /// The next generation. False, and nothing done, if indices have no room for it.
+  /// Moves to the next generation. Returns false, and does nothing, if its indices would overflow.
   bool divide();
-  /// Of one cell of the generation before, by the last division.
+  /// Number of children that the last division gave each cell.
   [[nodiscard]] int children() const { return 1 << halved_; }
   [[nodiscard]] Index3 child(const Index3& parent, int number) const;
   [[nodiscard]] Box<T> cell(const Index3& index) const;
@@ -33,10 +33,10 @@ class HalvedBox {
   int halved_ = 0;                  // axes
 };
 
-/// Of the product of the cell's or box's sides, relative to their exact product.
+/// Relative error bound of the product of the sides of a cell or box.
 inline constexpr double kVolumeError = 0x1p-50;
 
-/// Rounded: see kVolumeError.
+/// Volume of a box, rounded: see kVolumeError.
 template <std::floating_point T>
 CUTWATER_INLINE inline double volumeOf(const Box<T>& box) {
   const Vec3<double> size = Vec3<double>(box.upper) - Vec3<double>(box.lower);

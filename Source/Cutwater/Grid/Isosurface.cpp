@@ -15,12 +15,12 @@ using detail::cornerOf;
 using detail::NodeOffset;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Triangles of a mesh, from the polygons of cells.
+/// Makes the triangles of a mesh from the polygons of cells.
 class PolygonMesher {
  public:
   explicit PolygonMesher(const std::vector<Vec3<double>>& points) : points_(points) {}
 
-  /// `ids`: of the polygon's corners. `middle`: of the point in its middle, where it needs one.
+  /// `ids`: points at the polygon's corners. `middle`: the point in its middle, if it needs one.
   void add(const detail::CellPolygon& polygon, std::span<const std::uint32_t> ids,
            const std::uint32_t* middle, std::vector<Triangle>& triangles) const {
     const auto n = static_cast<std::size_t>(polygon.count);
@@ -44,7 +44,7 @@ class PolygonMesher {
   const std::vector<Vec3<double>>& points_;
 };
 
-/// What closes the surface where the grid ends: the inside parts of its six sides.
+/// The polygons that close the surface where the grid ends: the inside parts of its six sides.
 template <std::floating_point T>
 class GridEnds {
  public:
@@ -105,10 +105,10 @@ class GridEnds {
   std::map<NodeOffset, std::uint32_t> nodes_;
 };
 
-/// The mesh in a block.
+/// The part of the mesh in a block.
 struct MeshPart {
   std::vector<Triangle> triangles;
-  std::vector<Vec3<double>> features;  // numbered on from the points of all blocks
+  std::vector<Vec3<double>> features;  // numbered after the points of all blocks
   std::vector<std::size_t> fans;       // triangles whose last corner is a feature
 };
 
@@ -126,7 +126,7 @@ class BlockMesher {
     auto middle = blocks_.firstPoint(n) + static_cast<std::uint32_t>(block.edgePointCount());
     for (const auto& [cell, inside, joined] : block.cutCells()) {
       const NodeOffset inGrid{first[0] + cell[0], first[1] + cell[1], first[2] + cell[2]};
-      // Cells that share two sides of polygons could be joined twice.
+      // Cells whose polygons share two sides could be joined twice.
       const bool maySharpen = features_.areWanted() && detail::ambiguousFaces(inside) == 0;
       std::array<detail::CellPolygon, 4> polygons;
       const int count = detail::surfacePolygons(inside, joined, polygons);
@@ -147,7 +147,7 @@ class BlockMesher {
   }
 
  private:
-  /// A fan about the feature, if there is one.
+  /// Adds a fan about the feature, if there is one.
   bool addSharp(std::span<const std::uint32_t> ids, const NodeOffset& cell, unsigned inside,
                 MeshPart& part) const {
     std::array<Vec3<double>, detail::CellPolygon::kMost> positions;
@@ -169,7 +169,7 @@ class BlockMesher {
     return true;
   }
 
-  /// Whether all nodes of the cell beyond a face have the same sign, and there is one.
+  /// Whether there is a cell beyond the face, with all its nodes of the same sign.
   [[nodiscard]] bool isUncutBeyond(const detail::CellFace& face, const NodeOffset& cell,
                                    unsigned inside) const {
     const auto axis = static_cast<std::size_t>(face.axis);
@@ -191,7 +191,7 @@ class BlockMesher {
   const detail::SurfaceGrid<T>& grid_;
 };
 
-/// Puts the parts together, and their features behind the points.
+/// Joins the parts, and appends their features to the points.
 std::vector<Triangle> joined(std::vector<MeshPart>& parts, std::vector<Vec3<double>>& points) {
   const std::size_t edgePoints = points.size();
   std::vector<Triangle> result;
@@ -223,7 +223,7 @@ void addTriangles(const std::vector<Triangle>& triangles, PolygonSoup& soup) {
   }
 }
 
-/// Of the first `count` triangles the solid's patches, and one of their own for the others.
+/// Gives the first `count` triangles the patches of the solid, and the others a patch of their own.
 template <std::floating_point T>
 void setPatches(const SignedDistanceFunction<T>& solid, PolygonSoup& soup, std::size_t count,
                 int threads) {

@@ -12,28 +12,30 @@ struct IsosurfaceOptions {
   /// Points of the mesh are within this of the surface, in units of the largest spacing.
   double tolerance = 1e-3;
   /// Where gradients in a cell differ by more than this, in degrees, the solid has an edge or a
-  /// corner, and the mesh gets one, too, if it lies within that cell. 180: none.
+  /// corner, and so does the mesh, if it lies within that cell. 180: none.
   double featureAngle = 180;
   /// At most this many threads; 0: as many as there are. See ParallelOptions.
   int threads = 0;
   Progress progress = {};
 };
 
-/// The surface of the solid as triangles, by marching cubes over the nodes of a patch, closed where
-/// it ends: a surface without boundary, each edge with two triangles and each point with one fan,
-/// whose normals look out of the solid. Every solid will do, also if only its signs are known.
+/// Triangulates the surface of the solid by marching cubes over the nodes of a patch, and closes it
+/// where the patch ends. The result has no boundary: each edge has two triangles, each point one
+/// fan, and normals point out of the solid. Works for every solid, even if only its signs are
+/// known.
 ///
-/// Points lie on edges between nodes of different sign, on either side of which the sign certainly
-/// changes within the tolerance; where a cell alone does not tell what belongs together, the sign
-/// in the middle of its face does. What is thinner than the spacing may be lost between nodes, and
-/// edges of the solid are cut off by as much. Blocks of cells that classify() proves to be free of
-/// surface are not evaluated, so the price is about that of the cells near it.
+/// Points lie on edges between nodes of different sign, and the sign certainly changes within the
+/// tolerance of each. Where the signs of a cell are ambiguous, the sign in the middle of its face
+/// decides. Parts thinner than the spacing may be lost between nodes, and edges of the solid are
+/// cut off by as much. Blocks of cells that classify() proves to be free of surface are not
+/// evaluated, so the cost is about that of the cells near it.
 ///
-/// With a `featureAngle` the mesh follows edges and corners, by points that are the solid's own
-/// closest points.
+/// With a `featureAngle` the mesh follows edges and corners, by means of closest points on the
+/// solid.
 ///
-/// Patches are the solid's, by the owner of each triangle's middle; one more, "end of grid", for
-/// what closes the surface there. The same mesh for any number of threads.
+/// Patches are those of the solid, given by the owner of each triangle's middle; one more, "end of
+/// grid", holds the triangles that close the surface there. The mesh is the same for any number of
+/// threads.
 /// @throws Error unless the patch's level is one of nodes, and there are two along each axis, the
 /// tolerance is between 1e-9 and 0.5, and `threads` is not negative; of kind Limit beyond 2^32 - 2
 /// points or triangles, or 2^31 nodes along an axis.
@@ -41,7 +43,7 @@ template <std::floating_point T>
 [[nodiscard]] PolygonSoup isosurface(const SignedDistanceFunction<T>& solid, const Patch<T>& nodes,
                                      const IsosurfaceOptions& options = {});
 
-/// The nodes of a grid of cubes around a box, with at least one cell more on each side.
+/// The nodes of a grid of cubes around a box, with a margin of at least one cell on each side.
 /// @throws Error unless the box is finite and not empty, the spacing is positive and finite, and
 /// there are less than 2^31 nodes along each axis.
 template <std::floating_point T>

@@ -8,16 +8,16 @@
 
 namespace cutwater {
 
-/// A cell of an octree's level as one number: bits of its coordinates in turns, x lowest. Those of
-/// a cell's eight children are 8 code ... 8 code + 7. (Morton 1966.)
+/// A cell of an octree's level as one number that interleaves the bits of its coordinates, x
+/// lowest. The codes of a cell's eight children are 8 code ... 8 code + 7. (Morton 1966.)
 using MortonCode = std::uint64_t;
 
-/// Coordinates of no more bits have a code.
+/// The number of bits that coordinates with a code may have.
 inline constexpr int kMortonBits = 21;
 
 namespace detail {
 
-/// Bits of x, each followed by two zeros.
+/// The bits of x, each followed by two zeros.
 constexpr std::uint64_t spread(std::uint64_t x) {
   x = (x | x << 32U) & 0x001f00000000ffffU;
   x = (x | x << 16U) & 0x001f0000ff0000ffU;
@@ -35,7 +35,7 @@ constexpr std::uint64_t gathered(std::uint64_t x) {
   return (x | x >> 32U) & 0x1fffffU;
 }
 
-/// Each value once, in order.
+/// Sorts the values and removes duplicates.
 inline void sortUnique(std::vector<std::uint64_t>& values) {
   std::ranges::sort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());

@@ -28,7 +28,7 @@ Octree<T>::Octree(const SignedDistanceFunction<T>& solid, const OctreeDomain<T>&
 template <std::floating_point T>
 std::optional<std::size_t> Octree<T>::find(const Index3& index, int level) const {
   if (!this->domain().indices(level).contains(index)) return {};
-  // Codes on a level that all cells have, of the first cell in each.
+  // Codes of the first cell in each, on a level as fine as that of any cell.
   const int finest = std::max(level, this->deepest());
   const auto placeOf = [=](const OctreeCell& cell) { return detail::placeOf(cell, finest); };
   const auto place = mortonCode(index) << 3 * (finest - level);
@@ -48,7 +48,7 @@ std::optional<std::size_t> Octree<T>::find(const Vec3<T>& point) const {
   if (!(maxComponent(abs(place)) <= kMost)) return {};
   const Index3 index{static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y),
                      static_cast<std::int32_t>(place.z)};
-  // The quotient is rounded, and so are the faces: it may be a cell off.
+  // Both the quotient and the faces are rounded, so the index may be off by one.
   const auto box = level.cell(index);
   const auto step = [&](int axis) {
     return point[axis] < box.lower[axis] ? -1 : point[axis] >= box.upper[axis] ? 1 : 0;

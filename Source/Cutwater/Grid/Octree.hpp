@@ -7,12 +7,12 @@
 
 namespace cutwater {
 
-/// Which neighbours differ by one level at most.
+/// Which neighbours differ by at most one level.
 enum class Balance : std::uint8_t {
   None,
   Face,
-  Edge,    ///< those that share an edge as well
-  Corner,  ///< and those that share a corner
+  Edge,    ///< also those that share an edge
+  Corner,  ///< also those that share a corner
 };
 
 /// Options of an Octree.
@@ -25,9 +25,9 @@ struct OctreeOptions {
 
 /// An AMR mesh around a surface: the leaves of octrees, which cover the domain without overlap.
 ///
-/// Cells are divided from the roots down as the refinement's rules ask, which are those of tag();
-/// then as few more as it takes to balance the mesh. It is the same for any number of threads, and
-/// knows nothing of the solid but each cell's kind: classify() of its box.
+/// Cells are divided from the roots down according to the refinement's rules, just as in tag();
+/// then as few more as it takes to balance the mesh. The mesh is the same for any number of
+/// threads. All it stores of the solid is each cell's kind: classify() of its box.
 template <std::floating_point T>
 class Octree : public OctreeCells<T> {
  public:
@@ -35,10 +35,10 @@ class Octree : public OctreeCells<T> {
   Octree(const SignedDistanceFunction<T>& solid, const OctreeDomain<T>& domain,
          const Refinement<T>& refinement, const OctreeOptions& options = {});
 
-  /// Place in cells() of the cell that holds that cell of a level, or is the first one in it;
-  /// nothing outside of the domain. `level` is from 0 to domain().deepest().
+  /// Index in cells() of the cell that contains the given cell of a level, or is the first one in
+  /// it; nothing outside the domain. `level` is from 0 to domain().deepest().
   [[nodiscard]] std::optional<std::size_t> find(const Index3& index, int level) const;
-  /// Of the cell that holds the point; of those that share it, the one on the upper side.
+  /// Index of the cell that contains the point; if several share it, of the one on the upper side.
   [[nodiscard]] std::optional<std::size_t> find(const Vec3<T>& point) const;
 };
 

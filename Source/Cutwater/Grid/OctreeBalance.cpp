@@ -8,7 +8,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// Neighbours of a cell, and itself: 27 offsets in {-1, 0, 1}^3, as bits.
+/// A set of neighbours of a cell and the cell itself: 27 offsets in {-1, 0, 1}^3, as bits.
 using Neighbours = std::uint32_t;
 
 constexpr Index3 offsetOf(int neighbour) {
@@ -18,7 +18,7 @@ constexpr int neighbourAt(const Index3& offset) {
   return offset.i + 1 + 3 * (offset.j + 1) + 9 * (offset.k + 1);
 }
 
-/// The parent's neighbours that hold a neighbour of one of its children, and itself.
+/// The parent itself and those of its neighbours that hold a neighbour of the given child.
 constexpr Neighbours aroundChild(int child, Balance balance) {
   const int most = balance == Balance::Face ? 1 : balance == Balance::Edge ? 2 : 3;
   Neighbours result = 1U << neighbourAt({0, 0, 0});
@@ -33,7 +33,7 @@ constexpr Neighbours aroundChild(int child, Balance balance) {
   return result;
 }
 
-/// Cells a level above that must be divided because these are.
+/// Cells one level above that must be divided because these are.
 OctreeCodes wantedAbove(const OctreeCodes& divided, Balance balance, const IndexBox& above) {
   std::array<Neighbours, 8> around{};
   for (int child = 0; child < 8; ++child) {

@@ -62,7 +62,7 @@ void OctreeBuilder<T>::divide() {
 template <std::floating_point T>
 Progress OctreeBuilder<T>::progressOf(int level) const {
   if (!options_.progress) return {};
-  // Each level has some times the cells of the one before: as if twice as many.
+  // Each level has several times as many cells as the one before: progress assumes twice as many.
   const double width = std::ldexp(1.0, std::max(level, 1) - 1 - deepest_);
   const double first = level == 0 ? 0 : width;
   return [=, this](double fraction) { options_.progress(first + fraction * width); };
@@ -72,7 +72,7 @@ template <std::floating_point T>
 std::vector<BoxHint> OctreeBuilder<T>::judge(int level, Cells& cells,
                                              std::span<const BoxHint> parents,
                                              const Progress& progress) const {
-  // Cells of the finest level have no children to tell.
+  // Cells of the finest level have no children that need hints.
   std::vector<BoxHint> hints(level < deepest_ ? cells.codes.size() : 0);
   const auto before = [&](std::size_t first, std::span<BoxHint> some) {
     for (std::size_t i = 0; i < some.size(); ++i) {
@@ -95,9 +95,9 @@ template <std::floating_point T>
 auto OctreeBuilder<T>::cellsOf(int level) const -> Cells {
   const auto& known = found_[static_cast<std::size_t>(level)];
   Cells cells;
-  Cells more;  // that the rules did not ask for
+  Cells more;  // cells that the rules did not ask for
   std::vector<std::size_t> places;
-  std::size_t next = 0;  // of those known
+  std::size_t next = 0;  // position in those known
   for (const auto parent : divided_[static_cast<std::size_t>(level) - 1]) {
     const bool isKnown = next < known.codes.size() && known.codes[next] == 8 * parent;
     for (MortonCode child = 0; child < 8; ++child) {

@@ -13,11 +13,11 @@ class OctreeBuilder {
                 const OctreeOptions& options)
       : judge_(judge), domain_(domain), options_(options) {}
 
-  /// In the order of their codes; no finer than that level.
+  /// Returns the leaves in the order of their codes, none finer than level `deepest`.
   [[nodiscard]] std::vector<OctreeCell> run(int deepest);
 
  private:
-  /// Cells of a level in order, and what is known of them.
+  /// Cells of a level in order, with their verdicts.
   struct Cells {
     OctreeCodes codes;
     std::vector<CellVerdict> verdicts;
@@ -28,9 +28,10 @@ class OctreeBuilder {
   };
 
   [[nodiscard]] Cells roots() const;
-  /// Those that the rules alone ask for, level by level.
+  /// Divides the cells that the rules alone ask for, level by level.
   void divide();
-  /// `parents`: hints, one for each eight cells, or none. Returns those for the cells' children.
+  /// `parents`: hints, one for every eight cells, or none. Returns the hints for the cells'
+  /// children.
   std::vector<BoxHint> judge(int level, Cells& cells, std::span<const BoxHint> parents,
                              const Progress& progress) const;
   [[nodiscard]] Progress progressOf(int level) const;

@@ -9,7 +9,7 @@
 
 namespace cutwater {
 
-/// A cell of an octree mesh: a level's cell by its global index.
+/// A cell of an octree mesh, given by its level and its global index there.
 struct OctreeCell {
   Index3 index;
   std::uint8_t level = 0;
@@ -18,25 +18,27 @@ struct OctreeCell {
   bool operator==(const OctreeCell&) const = default;
 };
 
-/// Cells of an octree mesh in their order: all of them, or a stretch of them, such as one rank of
-/// many holds.
+/// The cells of an octree mesh in order: all of them, or a contiguous part, such as that of one MPI
+/// rank.
 template <std::floating_point T>
 class OctreeCells {
  public:
-  /// `deepest`: the finest level that there may be cells of, in the whole mesh.
-  /// @throws Error unless cells are within the domain and no finer, stand in the order of their
-  /// Morton codes, and do not overlap.
+  /// `deepest`: the finest level that cells may have, in the whole mesh.
+  /// @throws Error unless the cells are within the domain, no finer than that, in the order of
+  /// their Morton codes, and do not overlap.
   OctreeCells(const OctreeDomain<T>& domain, int deepest, std::vector<OctreeCell> cells);
 
   [[nodiscard]] const OctreeDomain<T>& domain() const { return domain_; }
-  /// In the order of their Morton codes: neighbours in space are mostly neighbours in the list.
+  /// The cells, in the order of their Morton codes: neighbours in space are mostly neighbours in
+  /// the list.
   [[nodiscard]] std::span<const OctreeCell> cells() const { return cells_; }
-  /// The finest level that there may be cells of.
+  /// The finest level that cells may have.
   [[nodiscard]] int deepest() const { return static_cast<int>(levels_.size()) - 1; }
-  /// How many cells there are of each kind.
+  /// Number of cells of the given kind.
   [[nodiscard]] std::size_t count(BoxClass kind) const;
 
-  /// Where a cell is, to the bit what its level says: see Level::position() and Level::cell().
+  /// Centre and box of a cell, with the bits that its level gives: see Level::position() and
+  /// Level::cell().
   [[nodiscard]] Vec3<T> center(const OctreeCell& cell) const {
     return levels_[cell.level].position(cell.index);
   }
@@ -52,7 +54,7 @@ class OctreeCells {
 
 namespace detail {
 
-/// Code of the cell's first cell on a level that is as fine, or finer.
+/// Code of the first cell within this one on a level that is as fine or finer.
 constexpr MortonCode placeOf(const OctreeCell& cell, int level) {
   return mortonCode(cell.index) << 3 * (level - cell.level);
 }

@@ -10,7 +10,7 @@ namespace cutwater {
 
 namespace {
 
-/// Bytes of one cell and its values, without gaps.
+/// The bytes of one cell and its values, without padding.
 template <std::floating_point T>
 class Record {
  public:

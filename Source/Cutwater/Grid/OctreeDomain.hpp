@@ -4,8 +4,8 @@
 
 namespace cutwater {
 
-/// The domain of an octree mesh: a box of equal cubes, each the root of an octree. Level 0 are the
-/// cubes themselves; cells of each further level are half as wide.
+/// The domain of an octree mesh: a box of equal cubes, each the root of an octree. The cubes
+/// themselves are level 0; cells of each further level are half as wide.
 template <std::floating_point T>
 class OctreeDomain {
  public:
@@ -13,10 +13,10 @@ class OctreeDomain {
   /// least one root and fewer than 2^21 along each axis.
   OctreeDomain(const Vec3<T>& origin, T spacing, const Index3& roots);
 
-  /// Cells of a level have the bits of their coordinates from their global index alone.
+  /// The grid of a level. The bits of a cell's coordinates depend on its global index alone.
   [[nodiscard]] Level<T> level(int level) const;
   [[nodiscard]] IndexBox indices(int level) const;
-  /// No cell can be finer.
+  /// The finest level that any cell can have.
   [[nodiscard]] int deepest() const;
   [[nodiscard]] Box<T> box() const;
 

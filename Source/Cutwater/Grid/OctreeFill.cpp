@@ -8,7 +8,7 @@ namespace cutwater {
 
 namespace {
 
-/// A batch's scratch fits the L1 cache.
+/// Small enough that a batch's scratch memory fits the L1 cache.
 constexpr std::size_t kBatch = 256;
 
 template <typename Value>
@@ -17,7 +17,7 @@ void checkLength(const char* message, std::span<Value> array, std::size_t cells)
           Named{"cells", cells});
 }
 
-/// Of a batch of cells from `first` on.
+/// Fills the values of a batch of cells from `first` on.
 template <std::floating_point T>
 void fillBatch(const SignedDistanceFunction<T>& solid, std::span<const Vec3<T>> centers,
                const OctreeTargets<T>& targets, std::size_t first) {

@@ -6,18 +6,18 @@
 namespace cutwater {
 
 /// The arrays that one pass over an octree mesh fills, one value per cell in the order of cells();
-/// empty ones are left out.
+/// empty ones are skipped.
 template <std::floating_point T>
 struct OctreeTargets {
   std::span<T> distance = {};  ///< signedDistance() at the centre, to the bit
-  /// Of the surface point that is the closest to the centre: its normal, unit and out of the solid,
-  /// and its patch, see patchNames().
+  /// Unit normal, out of the solid, and patch (see patchNames()) of the surface point closest to
+  /// the centre.
   std::span<Vec3<T>> normal = {};
   std::span<std::uint32_t> patch = {};
 
-  /// Nothing is asked for.
+  /// Whether all arrays are empty.
   [[nodiscard]] bool isEmpty() const { return distance.empty() && normal.empty() && patch.empty(); }
-  /// @throws Error if an array is neither empty nor of so many values.
+  /// @throws Error if an array is neither empty nor of `cells` values.
   void check(std::size_t cells) const;
 };
 

@@ -7,11 +7,12 @@ namespace cutwater {
 
 namespace {
 
-/// Cells that are looked at in one go.
+/// Cells that a thread processes in one go.
 constexpr std::size_t kGrain = std::size_t{1} << 14U;
 
-/// A node has one index more along each axis than there are cells, too many for a Morton code:
-/// blocks of 2^18 nodes row by row, at most nine along each axis, and codes within a block.
+/// There is one node index more along each axis than there are cells, too many for a Morton code.
+/// So keys number blocks of 2^18 nodes along each axis row by row, at most nine along each axis,
+/// and use Morton codes within a block.
 constexpr int kBlockBits = 18;
 constexpr std::int32_t kInBlock = (1 << kBlockBits) - 1;
 constexpr std::uint64_t kBlocks = (std::uint64_t{1} << (kMortonBits - kBlockBits)) + 1;
@@ -33,9 +34,9 @@ Index3 nodeOf(std::uint64_t key) {
           first(number / (kBlocks * kBlocks)) + inBlock.k};
 }
 
-/// Place of the first value that is not less, as std::lower_bound(), which is likely near `near`:
-/// that is approached by ever longer steps. (Bentley and Yao 1976, "An almost optimal algorithm for
-/// unbounded searching".)
+/// Place of the first value that is not less, as by std::lower_bound(). It is probably close to
+/// `near`, so the search starts there, with ever longer steps. (Bentley and Yao 1976, "An almost
+/// optimal algorithm for unbounded searching".)
 std::size_t seek(std::span<const std::uint64_t> sorted, std::uint64_t value, std::size_t near) {
   const auto size = sorted.size();
   std::size_t low = std::min(near, size);
@@ -61,7 +62,7 @@ Index3 lowerCorner(const OctreeCell& cell, int deepest) {
   return {cell.index.i << shift, cell.index.j << shift, cell.index.k << shift};
 }
 
-/// Where each corner is looked for next: the same corner of the next cell is mostly near.
+/// Where the search for each corner starts: the same corner of the next cell is mostly near.
 std::array<std::size_t, 8> allAt(std::size_t place) {
   std::array<std::size_t, 8> places{};
   places.fill(place);
@@ -142,7 +143,7 @@ void OctreeNodes<T>::corners(std::size_t count, const CellAt& cellAt,
 template <std::floating_point T>
 template <typename Visit>
 void OctreeNodes<T>::forCorners(std::size_t n, const Visit& visit) const {
-  // Every third bit of a code is one coordinate's.
+  // Every third bit of a code belongs to the same coordinate.
   constexpr MortonCode kFirst = 0x1249249249249249U;
   const auto& cell = mesh_.cells()[n];
   const int shift = mesh_.deepest() - cell.level;
@@ -156,7 +157,7 @@ void OctreeNodes<T>::forCorners(std::size_t n, const Visit& visit) const {
     const auto x = corner & 1U;
     const auto y = corner >> 1U & 1U;
     const auto z = corner >> 2U;
-    // Adds the width to a coordinate's bits; ones between them carry over.
+    // Adds the width to a coordinate's bits; ones between them pass on the carry.
     const auto moved = [&](MortonCode bits, MortonCode step) {
       return ((places_[n] | ~bits) + step) & bits;
     };

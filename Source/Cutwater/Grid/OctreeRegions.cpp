@@ -9,7 +9,7 @@ namespace cutwater {
 
 namespace detail {
 
-/// Sets that grow together (Tarjan 1975), each known by its first member.
+/// Disjoint sets that can be merged (Tarjan 1975), each represented by its first member.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) {
@@ -33,8 +33,8 @@ class DisjointSets {
 
 namespace {
 
-/// Calls visit(neighbour) for those across a cell's faces that are no finer than it: of two
-/// neighbours one sees the other, or both do.
+/// Calls visit(neighbour) for the neighbours across a cell's faces that are no finer than the cell:
+/// of two neighbours, at least one sees the other.
 template <std::floating_point T, typename Visit>
 void forCoarserNeighbours(const Octree<T>& mesh, const OctreeCell& cell, const Visit& visit) {
   for (int face = 0; face < 6; ++face) {
@@ -77,7 +77,7 @@ auto FluidRegions<T>::contactsOf(const Octree<T>& mesh) -> std::vector<Contact> 
     if (!isFluid(n)) continue;
     forCoarserNeighbours(mesh, cells[n], [&](std::size_t other) {
       if (!isFluid(other) || !(isOutside(n) || isOutside(other))) return;
-      // Of two cells of one level, each sees the other.
+      // Two cells of one level see each other.
       if (cells[other].level == cells[n].level && other < n) return;
       contacts.push_back({n, static_cast<std::uint32_t>(other)});
     });
@@ -90,11 +90,11 @@ void FluidRegions<T>::numberRegions(const Octree<T>& mesh, detail::DisjointSets&
   struct Found {
     FluidRegion<T> region;
     std::uint32_t first;
-    int level;  // of the largest cell
+    int level;  // that of the largest cell
   };
   const auto cells = mesh.cells();
   std::vector<Found> found;
-  std::vector<std::uint32_t> numbers(cells.size(), kNone);  // by the set's first cell
+  std::vector<std::uint32_t> numbers(cells.size(), kNone);  // indexed by the set's first cell
   for (std::uint32_t n = 0; n < cells.size(); ++n) {
     if (cells[n].kind != BoxClass::Outside) continue;
     auto& number = numbers[sets.find(n)];
@@ -123,7 +123,7 @@ void FluidRegions<T>::numberRegions(const Octree<T>& mesh, detail::DisjointSets&
 template <std::floating_point T>
 void FluidRegions<T>::assignCutCells(const Octree<T>& mesh, std::span<const Contact> contacts) {
   const auto cells = mesh.cells();
-  // Regions are numbered by size, so the least number is the largest.
+  // Regions are numbered by size, so the largest has the least number.
   const auto assign = [&](std::uint32_t n, std::uint32_t from) {
     if (mayBeCut(cells[n].kind)) regionOf_[n] = std::min(regionOf_[n], regionOf_[from]);
   };

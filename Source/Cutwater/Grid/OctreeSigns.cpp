@@ -8,10 +8,10 @@ namespace cutwater::detail {
 
 namespace {
 
-/// Points or edges that are asked about together.
+/// Points or edges that are queried together.
 constexpr std::size_t kBatch = 256;
 
-/// Places of values that are not 0.
+/// Indices of the values that are not 0.
 template <typename Value>
 std::vector<std::size_t> placesOf(const std::vector<std::atomic<Value>>& values) {
   std::vector<std::size_t> places;
@@ -21,7 +21,7 @@ std::vector<std::size_t> placesOf(const std::vector<std::atomic<Value>>& values)
   return places;
 }
 
-/// Calls visit(some of the places) until it has seen all, in parallel.
+/// Calls visit(part of the places) until all have been visited, in parallel.
 template <typename Visit>
 void forBatches(std::span<const std::size_t> places, ParallelOptions options, const Visit& visit) {
   options.grain = kBatch;
@@ -95,8 +95,8 @@ void OctreeSigns<T>::markEdges(int level, const ParallelOptions& options) {
   for (auto& mark : edges_) mark.store(kFree, std::memory_order_relaxed);
   const auto promise = solid_.guarantee();
   const auto domain = mesh_.domain().box();
-  // With values that are farther apart than the Lipschitz constant allows on either side of the
-  // surface, an edge with ends of one sign is free of it.
+  // An edge whose ends have one sign is free of the surface if the Lipschitz constant does not
+  // allow the value to reach 0 on the way between their two values.
   T enough = std::numeric_limits<T>::infinity();
   if (promise.lipschitz && OrientedBox<T>::of(domain).isWithin(promise.domain)) {
     constexpr T kOutward = 1 + 8 * std::numeric_limits<T>::epsilon();

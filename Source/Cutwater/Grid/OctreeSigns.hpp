@@ -6,7 +6,7 @@
 
 namespace cutwater::detail {
 
-/// An edge of a cell: from a corner, see Box::corner(), along an axis to another.
+/// An edge of a cell: from one corner, see Box::corner(), along an axis to another.
 struct CellEdge {
   int from;
   int axis;
@@ -28,15 +28,15 @@ inline constexpr std::array<CellEdge, 12> kCellEdges{{{0, 0},
                                                       {2, 2},
                                                       {3, 2}}};
 
-/// What an edge passes through between two crossings.
+/// The part of an edge between two crossings.
 template <std::floating_point T>
 struct EdgeStretch {
   Vec3<T> middle;
-  T distance;  ///< the value there, not 0
+  T distance;  ///< the value at the middle, not 0
 };
 
-/// Nothing if the middle is not on the side that the first crossing leads to: where the edge but
-/// touches the surface, or runs along it, crossings are of one place, up to rounding.
+/// Returns nothing if the middle is not on the side that the first crossing leads to: where the
+/// edge only touches the surface, or runs along it, the crossings coincide up to round-off.
 template <std::floating_point T>
 [[nodiscard]] std::optional<EdgeStretch<T>> stretchBetween(const SignedDistanceFunction<T>& solid,
                                                            const Segment<T>& edge,
@@ -48,39 +48,39 @@ template <std::floating_point T>
   return EdgeStretch<T>{middle, distance};
 }
 
-/// What corners and edges of a cell tell of the surface.
+/// What is known about the surface at the corners and edges of a cell.
 struct CellSigns {
   unsigned inside = 0;  ///< a bit for each corner with a negative value
-  /// Of kCellEdges: 0 if there is none, 1 if its ends are on different sides, 2 if it also passes
-  /// through something between crossings.
+  /// For each of kCellEdges: 0 if there is no crossing, 1 if its ends are on different sides, 2 if
+  /// it also passes through something between crossings.
   std::array<std::uint8_t, 12> crossings{};
 
   [[nodiscard]] bool isInside(int corner) const { return (inside >> corner & 1U) != 0; }
 };
 
 /// Signs at the corners of those cells of an octree mesh that the surface may meet, and how often
-/// it crosses their edges. Corners and edges are asked about once, however many cells share them.
+/// it crosses their edges. Each corner and edge is queried once, however many cells share it.
 template <std::floating_point T>
 class OctreeSigns {
  public:
-  /// Values at all corners. Solid and mesh must outlive it.
+  /// Evaluates the solid at all corners. Solid and mesh must outlive this object.
   OctreeSigns(const SignedDistanceFunction<T>& solid, const OctreeCells<T>& mesh,
               const ParallelOptions& options);
 
-  /// Cells of a level that the surface may meet: their places in cells(), ascending.
+  /// Cells of a level that the surface may meet: their indices in mesh.cells(), ascending.
   [[nodiscard]] std::span<const std::size_t> cells(int level) const {
     return cells_[static_cast<std::size_t>(level)];
   }
-  /// Asks about the edges of cells(level); nothing is known of those of other levels any more.
+  /// Queries the edges of cells(level), and forgets those of other levels.
   void askEdges(int level, const ParallelOptions& options);
-  /// Of some of these cells.
+  /// Writes the signs of some of these cells.
   void signs(std::span<const std::size_t> cells, std::span<CellSigns> result) const;
 
-  /// Cells that are best asked about together.
+  /// Number of cells that are best queried together.
   static constexpr std::size_t kMost = 64;
 
  private:
-  /// What is to be done about an edge; later what CellSigns tells.
+  /// What remains to be done for an edge; later its value in CellSigns::crossings.
   using Mark = std::uint8_t;
   static constexpr Mark kFree = 0;
   static constexpr Mark kToClassify = 1;  ///< its ends are on one side
@@ -92,13 +92,13 @@ class OctreeSigns {
                 const Visit& visit) const;
   void evaluate(const ParallelOptions& options);
   void markEdges(int level, const ParallelOptions& options);
-  /// Some edges by their numbers.
+  /// Queries some edges, given by their numbers.
   void ask(int level, std::span<const std::size_t> edges);
   /// See CellSigns.
   [[nodiscard]] Mark crossingsOf(const Segment<T>& edge) const;
   [[nodiscard]] Segment<T> edge(std::size_t number, int level) const;
   [[nodiscard]] bool isInside(std::size_t node) const { return values_[node] < 0; }
-  /// Of the edge that begins at a node.
+  /// Number of the edge that begins at a node.
   [[nodiscard]] static std::size_t edgeNumber(std::uint64_t node, int axis) {
     return 3 * node + static_cast<std::size_t>(axis);
   }
@@ -107,7 +107,7 @@ class OctreeSigns {
   const OctreeCells<T>& mesh_;
   OctreeNodes<T> nodes_;
   std::vector<std::vector<std::size_t>> cells_;  // of each level
-  std::vector<T> values_;                        // of all nodes; 0 of those that are no corners
+  std::vector<T> values_;                        // at all nodes; 0 where not needed
   std::vector<std::atomic<Mark>> edges_;         // by their numbers
 };
 

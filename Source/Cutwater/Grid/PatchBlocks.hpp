@@ -7,13 +7,13 @@
 
 namespace cutwater::detail {
 
-/// Neighbouring indices of a patch.
+/// A block of neighbouring indices of a patch.
 struct GridBlock {
   Offset first{};
   Offset size{};
 };
 
-/// A patch divided into numbered blocks of one shape, x fastest; those at its ends are cut off.
+/// A patch divided into numbered blocks of one shape, x fastest; blocks at its ends are truncated.
 class PatchBlocks {
  public:
   PatchBlocks(const IndexBox& indices, const Offset& shape);

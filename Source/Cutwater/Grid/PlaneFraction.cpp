@@ -7,8 +7,8 @@ namespace cutwater::detail {
 
 namespace {
 
-/// In [0, 1]^3, of <m, x> < a, for 0 <= m, in ascending order and with the sum 1, and 0 <= a <=
-/// 1/2.
+/// The fraction of [0, 1]^3 in which <m, x> < a, for 0 <= m in ascending order with sum 1, and 0 <=
+/// a <= 1/2.
 double halfFraction(const std::array<double, 3>& m, double a) {
   const auto& [m1, m2, m3] = m;
   if (a < m1) return a * a * a / (6 * m1 * m2 * m3);
@@ -20,7 +20,7 @@ double halfFraction(const std::array<double, 3>& m, double a) {
   return (a * a * (3 - 2 * a) + cut(m1) + cut(m2) + cut(m3)) / (6 * m1 * m2 * m3);
 }
 
-/// Below it, differences of cubes are too coarse: such a part of the gradient counts as none.
+/// Below it, differences of cubes are too inaccurate: such a component of the gradient counts as 0.
 constexpr double kSmallest = 1e-5;
 
 }  // namespace
@@ -33,7 +33,7 @@ double planeFraction(double value, const Vec3<double>& gradient) {
   std::array<double, 3> m{parts.x, parts.y, parts.z};
   std::ranges::sort(m);
   if (m[0] < kSmallest) m[0] = 0;
-  // By symmetry about the origin.
+  // Uses the symmetry about the origin.
   const double a = 0.5 - std::abs(value) / whole;
   const double fraction = a > 0 ? std::clamp(halfFraction(m, a), 0.0, 0.5) : 0;
   return value < 0 ? 1 - fraction : fraction;

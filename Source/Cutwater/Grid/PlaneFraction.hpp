@@ -4,12 +4,12 @@
 
 namespace cutwater::detail {
 
-/// The fraction of the unit cube about the origin in which value + <gradient, x> < 0. Where there
-/// is no gradient, that of the value alone: 1 if it is negative, else 0.
+/// The fraction of the unit cube about the origin in which value + <gradient, x> < 0. Without a
+/// gradient, 1 if the value is negative, else 0.
 ///
 /// Scardovelli & Zaleski, "Analytical relations connecting linear interfaces and volume fractions
-/// in rectangular grids", J. Comput. Phys. 164 (2000), section 3. To about 10^-5 where the plane is
-/// nearly parallel to an axis.
+/// in rectangular grids", J. Comput. Phys. 164 (2000), section 3. Accurate to about 10^-5 where the
+/// plane is nearly parallel to an axis.
 [[nodiscard]] double planeFraction(double value, const Vec3<double>& gradient);
 
 }  // namespace cutwater::detail

@@ -23,7 +23,7 @@ void PointBatch<T>::writeDistances() {
 
 template <std::floating_point T>
 void PointBatch<T>::writeWithOwners() {
-  // The closest point tells the distance as well.
+  // The closest point also gives the distance.
   Scratch<SurfacePoint<T>, kMost> hits;
   task_.solid.closestPoints(points_.first(count_), hits.first(count_), {.threads = 1});
   for (std::size_t i = 0; i < count_; ++i) {

@@ -7,11 +7,11 @@
 
 namespace cutwater::detail {
 
-/// Points of a patch that are evaluated together, and where their values go.
+/// Points of a patch that are evaluated together, and the offsets at which to write their values.
 template <std::floating_point T>
 class PointBatch {
  public:
-  /// A batch's scratch fits the L1 cache.
+  /// Small enough that a batch's scratch memory fits the L1 cache.
   static constexpr std::size_t kMost = 256;
 
   explicit PointBatch(const FillTask<T>& task) : task_(task) {}
@@ -21,9 +21,9 @@ class PointBatch {
     offsets_[count_] = offset;
     if (++count_ == kMost) flush();
   }
-  /// Evaluates and writes what was added.
+  /// Evaluates the added points and writes their values.
   void flush();
-  /// Writes what is known to be beyond the limit.
+  /// Writes a value that is known to be beyond the limit.
   void writeBeyond(const Offset& offset, T sign) const {
     writeDistance(offset, std::copysign(task_.limit, sign));
     if (task_.targets.patch.data != nullptr) writeOwner(offset, kNone);
@@ -32,7 +32,7 @@ class PointBatch {
  private:
   void writeDistances();
   void writeWithOwners();
-  /// Of those within the limit.
+  /// Writes the owners of those within the limit.
   void writeOwners(std::span<const T> distances);
   void writeDistance(const Offset& offset, T distance) const {
     if (task_.targets.distance.data == nullptr) return;

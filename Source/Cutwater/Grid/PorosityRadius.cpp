@@ -10,7 +10,7 @@ namespace cutwater {
 
 namespace {
 
-/// Porosities that were seen, and on which side of the wanted one they certainly are.
+/// The porosities computed so far, and on which side of the target they certainly are.
 template <std::floating_point T>
 class Trials {
  public:
@@ -18,13 +18,13 @@ class Trials {
          const VolumeOptions& options)
       : porosity_(porosity), solidOf_(solidOf), box_(box), options_(options) {}
 
-  /// Less, greater, or, if that is not decided, equivalent to the wanted one.
+  /// Less or greater than the target, or equivalent if that is undecided.
   std::weak_ordering compare(T radius) {
     return sideOf(tryAt(radius, options_, [this](const Interval<double>& volume) {
       return std::is_neq(sideOf(porosityOf(volume)));
     }));
   }
-  /// To be compared with others.
+  /// Computes a porosity to be compared with others.
   void sample(T radius) {
     auto coarse = options_;
     coarse.fraction = std::max(coarse.fraction, 0.01);
@@ -32,7 +32,7 @@ class Trials {
   }
 
   [[nodiscard]] int count() const { return static_cast<int>(seen_.size()); }
-  /// Whether no two are certainly out of the order of the radii.
+  /// Whether no two of them are certainly out of order with their radii.
   [[nodiscard]] bool areOrdered(bool isGrowing) const {
     for (const auto& a : seen_) {
       for (const auto& b : seen_) {
@@ -73,7 +73,7 @@ class Trials {
   std::vector<Seen> seen_;
 };
 
-/// Bisection of a range whose ends are on two sides, as far as sides are decided.
+/// Bisection of a range whose ends are on different sides, as far as sides are decided.
 template <std::floating_point T>
 class Bisection {
  public:
@@ -101,7 +101,7 @@ class Bisection {
     return std::is_lt(side) ? std::weak_ordering::greater : std::weak_ordering::less;
   }
 
-  /// Moves an end, where porosities are on that side, towards a radius that is not decided.
+  /// Moves an end, where porosities are on that side, towards an undecided radius.
   void narrow(T& end, T open, std::weak_ordering side) {
     while (std::abs(open - end) > T(0.5) * width_) {
       const T middle = middleOf(end, open);

@@ -7,35 +7,36 @@ namespace cutwater {
 
 /// Options of porosityRadius().
 struct PorosityRadiusOptions {
-  /// Ends once the radius is known to within this fraction of the range that was given.
+  /// The search ends once the radius is known to within this fraction of the given range.
   double tolerance = 0.001;
-  /// What each solid's volume takes at most. `fraction` is how closely porosities are told apart:
-  /// where one is as near to the wanted one as that, nothing is decided about its radius.
+  /// Limits on computing each solid's volume. `fraction` is the resolution in porosity: a radius
+  /// whose porosity is as near to the target as that remains undecided.
   VolumeOptions volume = {.fraction = 1e-3, .isEstimated = false};
-  /// Radii all over the range whose porosities are compared, to within 0.01, to see whether the
-  /// family is monotone; none if that is known.
+  /// Number of radii spread over the range whose porosities, to within 0.01, are compared to see
+  /// whether the family is monotone; 0 if it is known to be.
   int samples = 8;
 };
 
-/// What is known of the radius that gives a porosity.
+/// Result of porosityRadius().
 template <std::floating_point T>
 struct PorosityRadius {
-  /// The porosities at both ends certainly lie on the two sides of the wanted one.
+  /// The porosities at its two ends certainly lie on either side of the target.
   Interval<T> radius;
-  /// Porosities of no two radii that were tried are certainly in the other order than those at the
-  /// ends of the range. If some are, radii beyond the interval may give the same porosity.
+  /// True unless two of the radii tried have porosities that are certainly in the opposite order to
+  /// those at the ends of the range. If false, radii beyond the interval may give the same
+  /// porosity.
   bool looksMonotone = true;
   int solids = 0;  ///< tried
 };
 
-/// Encloses the radius, or another number that a family of solids depends on, with which the box
-/// has this porosity: that of some beams of a lattice, say. Certain for families whose volume
-/// within the box is a continuous function of the radius, and there is but one such radius if it is
-/// monotone, growing or not. By bisection: each radius is certainly too small, too large, or not
-/// decided; the bisection then goes on on both sides of those that are not.
+/// Encloses the radius, or another parameter of a family of solids, at which the box has the given
+/// porosity: the radius of a lattice's beams, for example. Certain if the volume within the box is
+/// a continuous function of the radius; if it is also monotone, increasing or decreasing, there is
+/// only one such radius. Works by bisection: each radius is certainly too small, certainly too
+/// large, or undecided; bisection continues on both sides of the undecided ones.
 /// @throws Error as solidVolume(), unless the range is finite and not empty and the tolerance
-/// within (0, 1), and if porosities at the ends of the range are not certainly on two sides of the
-/// wanted.
+/// within (0, 1), and if the porosities at the ends of the range are not certainly on either side
+/// of the target.
 template <std::floating_point T>
 [[nodiscard]] PorosityRadius<T> porosityRadius(double porosity,
                                                FunctionRef<Solid<T>(T radius)> solidOf,

@@ -11,12 +11,13 @@
 
 namespace cutwater {
 
-/// What a mesh generator refines, and to which level: 0 is the coarsest, and cells of each further
-/// level are half as wide. A cell of a level below is divided as soon as one rule asks for it.
+/// The rules by which a mesh is refined, each with a level: 0 is the coarsest, and cells of each
+/// further level are half as wide. A cell coarser than a rule's level is divided if that rule
+/// applies to it; one rule is enough.
 ///
-/// All but the bands are about cells that the surface may meet: see BoxClass. What they say of its
-/// facets is complete for meshes, their motions, unions, intersections and complements; of other
-/// solids they see samples: see SignedDistanceFunction::facetsIn().
+/// All rules except the bands apply to cells that the surface may meet: see BoxClass. Rules on its
+/// facets see all of them for meshes, their motions, unions, intersections and complements; for
+/// other solids they see samples: see SignedDistanceFunction::facetsIn().
 template <std::floating_point T>
 struct Refinement {
   struct Band {
@@ -24,7 +25,7 @@ struct Refinement {
     int level;
   };
   struct Patch {
-    std::uint32_t patch;  ///< of patchNames()
+    std::uint32_t patch;  ///< index in patchNames()
     int level;
   };
   struct Angle {
@@ -36,53 +37,53 @@ struct Refinement {
     int level;
   };
 
-  /// Of cells that the surface meets, certainly or possibly.
+  /// Level of cells that the surface certainly or possibly meets.
   int cut = 0;
-  /// Of cells with a point within a distance of the surface, as far as distanceBounds() can rule it
-  /// out: all cells where the solid's guarantee tells nothing of distances.
+  /// Cells with a point within a distance of the surface, unless distanceBounds() rules that out:
+  /// all cells where the solid's guarantee says nothing about distances.
   std::vector<Band> bands{};
-  /// Of cells that a patch meets, beyond `cut`.
+  /// Cells that a patch meets, in addition to `cut`.
   std::vector<Patch> patches{};
-  /// Of cells in which normals differ by more than the angle; of some that differ by a seventh less
-  /// than it, or by a third less if it is near 180 degrees.
+  /// Cells in which normals differ by more than the angle; also some in which they differ by up to
+  /// a seventh less, or up to a third less if the angle is near 180 degrees.
   std::optional<Angle> curvature{};
-  /// Of cells that meet an edge at which the surface bends by more than the angle.
+  /// Cells that meet an edge at which the surface bends by more than the angle.
   std::optional<Angle> edges{};
-  /// Of cells from which another sheet that faces this one, within 60 degrees, is fewer cells away:
-  /// gaps with too few cells across. Cells are counted along axes.
+  /// Cells from which another sheet that faces this one, within 60 degrees, is fewer than `cells`
+  /// cells away: gaps with too few cells across. Cells are counted along the axes.
   std::optional<Width> gaps{};
   /// The same for walls: the sheets stand back to back.
   std::optional<Width> walls{};
 
-  /// The finest level that is asked for.
+  /// The finest level of any rule.
   [[nodiscard]] int deepest() const;
   /// @throws Error if a level is negative, or a distance or width is negative or not finite, or an
   /// angle is not within (0, 180).
   void check() const;
 };
 
-/// What is decided about a cell.
+/// The decision about a cell.
 struct CellVerdict {
   BoxClass kind = BoxClass::Unknown;
   bool isRefined = false;
 };
 
-/// Decides about cells one by one: the same for the same cell, whatever is asked about others, and
-/// by whom. So the marks of patches, octrees and ranks agree.
+/// Decides which cells are refined. The verdict on a cell depends on that cell alone, not on which
+/// others are judged or by whom, so the marks of patches, octrees and ranks agree.
 template <std::floating_point T>
 class CellJudge {
  public:
   /// Both must outlive it. @throws Error as Refinement::check().
   CellJudge(const SignedDistanceFunction<T>& solid, const Refinement<T>& refinement);
 
-  /// Of at most kMost cells of one level. Hints are of boxes around the cells at first, of the
-  /// cells in the end.
+  /// Judges at most kMost cells of one level. On entry, hints are of boxes around the cells; on
+  /// return, of the cells themselves.
   void judge(int level, std::span<const Box<T>> cells, std::span<BoxHint> hints,
              std::span<CellVerdict> verdicts) const;
   static constexpr std::size_t kMost = 256;
 
-  /// Cells of one level, and where hints come from and go: to be told for the cells from `first`
-  /// on, and told of them. Those before are of boxes around the cells.
+  /// Cells of one level, with callbacks for the hints of the cells from `first` on: hintsBefore
+  /// supplies hints of boxes around the cells, hintsAfter receives those of the cells themselves.
   struct Cells {
     int level = 0;
     Level<T> grid;
@@ -90,13 +91,14 @@ class CellJudge {
     FunctionRef<void(std::size_t first, std::span<BoxHint>)> hintsBefore;
     FunctionRef<void(std::size_t first, std::span<const BoxHint>)> hintsAfter;
   };
-  /// Of any number of cells, in parallel; see parallelFor(). Hints are asked for and told by
-  /// several threads, for stretches that have no cell in common.
+  /// Judges any number of cells, in parallel; see parallelFor(). Several threads call the
+  /// callbacks, for ranges that have no cell in common.
   void judge(const Cells& cells, std::span<CellVerdict> verdicts,
              const ParallelOptions& options) const;
 
  private:
-  /// How near to the surface cells of the level are refined; negative if they are not.
+  /// Distance from the surface within which cells of the level are refined; negative if they are
+  /// not.
   [[nodiscard]] T reachOf(int level) const;
   void judgeNearness(T reach, std::span<const Box<T>> cells, std::span<BoxHint> hints,
                      std::span<CellVerdict> verdicts) const;

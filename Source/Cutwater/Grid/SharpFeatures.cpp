@@ -11,8 +11,8 @@ namespace cutwater::detail {
 
 namespace {
 
-/// How far beyond its cell an edge may be whose nearest point in the cell stands for it, in
-/// diagonals of the cell.
+/// How far outside a cell an edge may pass and still be represented by the nearest point in the
+/// cell, in cell diagonals.
 constexpr double kFarthest = 0.25;
 
 Vec3<double> fromEigen(const Eigen::Vector3d& v) {
@@ -22,22 +22,22 @@ Eigen::Vector3d toEigen(const Vec3<double>& v) {
   return {v.x, v.y, v.z};
 }
 
-/// The points of a line in a box, by the slab method: from + t along, for t in the interval.
+/// The part of a line in a box, by the slab method: from + t along, for t in the interval.
 Interval<double> partIn(const Box<double>& box, const Vec3<double>& from,
                         const Vec3<double>& along) {
   Interval<double> part{-Box<double>::kInf, Box<double>::kInf};
   for (int axis = 0; axis < 3; ++axis) {
     const double a = (box.lower[axis] - from[axis]) / along[axis];
     const double b = (box.upper[axis] - from[axis]) / along[axis];
-    // What is not a number, 0 / 0, bounds nothing.
+    // NaN, from 0 / 0, bounds nothing.
     part.lower = std::max(part.lower, std::min(a, b));
     part.upper = std::min(part.upper, std::max(a, b));
   }
   return part;
 }
 
-/// Where planes meet: the points that have the least sum of squared distances from them. Directions
-/// in which planes hardly bind it, as along an edge, are free.
+/// Where planes meet: the points with the least sum of squared distances from them. Directions that
+/// the planes hardly constrain, as along an edge, are free.
 class PlanesMeeting {
  public:
   explicit PlanesMeeting(const Vec3<double>& center) : center_(center) {}
@@ -47,9 +47,10 @@ class PlanesMeeting {
     matrix_ += n * n.transpose();
     right_ += n * dot(normal, point - center_);
   }
-  /// The one nearest to the center; of a line that passes through the box, one in it.
+  /// The point nearest to the centre; if the points form a line that passes through the box, one in
+  /// it.
   [[nodiscard]] Vec3<double> pointIn(const Box<double>& box) const {
-    // Normals 30 degrees apart: the lesser eigenvalue is 0.07 of the larger one.
+    // For normals 30 degrees apart, the smaller eigenvalue is 0.07 of the larger one.
     constexpr double kLeast = 0.02;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix_);
     const auto& values = solver.eigenvalues();
@@ -74,8 +75,8 @@ class PlanesMeeting {
   Eigen::Vector3d right_ = Eigen::Vector3d::Zero();
 };
 
-/// The face of the cell next to which a point lies that is outside: in the pyramid over that face
-/// to the middle of the cell beyond. Pyramids of all cells are apart.
+/// The face of the cell beyond which an outside point lies: in the pyramid from that face to the
+/// middle of the cell beyond. Pyramids of different cells do not overlap.
 std::optional<CellFace> faceBefore(const Box<double>& cell, const Vec3<double>& point) {
   std::optional<CellFace> face;
   double beyond = 0;
@@ -118,7 +119,7 @@ std::optional<Vec3<double>> SharpFeatures<T>::pointIn(
   if (!(least < leastCosine_)) return std::nullopt;
   PlanesMeeting planes(center);
   for (std::size_t i = 0; i < points.size(); ++i) planes.add(points[i], normals[i]);
-  // On its way to the surface the point may move a little.
+  // The point may move a little on its way to the surface.
   const auto within = cell.grown(-0.01 * (cell.upper.x - cell.lower.x));
   auto meeting = planes.pointIn(within);
   const auto isAllowed = [&](const Vec3<double>& place) {
@@ -154,7 +155,7 @@ void joinFeatures(std::vector<std::array<std::uint32_t, 3>>& triangles,
   for (const auto n : fans) {
     const auto [u, v, feature] = triangles[n];
     const auto other = byEdge.find(key(v, u));
-    if (other == byEdge.end() || other->second < n) continue;  // the first of the two turns both
+    if (other == byEdge.end() || other->second < n) continue;  // the first of the two flips both
     const auto next = triangles[other->second][2];
     const auto before = area(u, v, feature) + area(v, u, next);
     const bool isFolded =

@@ -13,23 +13,23 @@ struct CellFace {
   bool isUpper;
 };
 
-/// Edges and corners of a solid, which marching cubes would cut off: where normals at the points of
-/// a cell's polygon differ, the planes through these points meet in one more.
+/// Restores edges and corners of a solid, which marching cubes would cut off: where normals at the
+/// points of a cell's polygon differ, the planes through these points meet in a further point.
 ///
 /// L. P. Kobbelt, M. Botsch, U. Schwanecke and H.-P. Seidel, "Feature sensitive surface extraction
 /// from volume data", SIGGRAPH 2001.
 template <std::floating_point T>
 class SharpFeatures {
  public:
-  /// `degrees`: normals that differ by more make an edge; 180 or more: there are none.
+  /// `degrees`: normals that differ by more make an edge; 180 or more: no edges.
   SharpFeatures(const SignedDistanceFunction<T>& solid, double degrees);
 
   [[nodiscard]] bool areWanted() const { return leastCosine_ > -1; }
-  /// The surface's point nearest to where the planes meet, if that is in the cell, or beyond one of
-  /// its faces in the quarter of a neighbour that is nearest to that face, where the neighbour has
-  /// no surface of its own: elsewhere, triangles might cross those of other cells. Of a line where
-  /// planes meet, what is in the cell will do; and where it passes close by, the nearest in the
-  /// cell.
+  /// Returns the surface point nearest to where the planes meet, if that is in the cell, or beyond
+  /// one of its faces in the quarter of a neighbour that is nearest to that face and has no surface
+  /// of its own: elsewhere, triangles might cross those of other cells. If the planes meet in a
+  /// line, any part of it in the cell will do, or, if it only passes close by, the nearest point in
+  /// the cell.
   [[nodiscard]] std::optional<Vec3<double>> pointIn(
       std::span<const Vec3<double>> points, const Box<double>& cell,
       FunctionRef<bool(const CellFace&)> isFreeBeyond) const;
@@ -39,9 +39,9 @@ class SharpFeatures {
   double leastCosine_;
 };
 
-/// Of the triangles at `fans`, whose last corner is a feature, two that share the edge of their
-/// first two corners are turned, so that their features are joined by an edge instead, unless that
-/// would fold one of them over.
+/// Flips the common edge of any two of the triangles at `fans`, whose last corner is a feature,
+/// that share their first two corners. An edge then joins their features instead. No edge is
+/// flipped if that would fold a triangle over.
 void joinFeatures(std::vector<std::array<std::uint32_t, 3>>& triangles,
                   std::span<const std::size_t> fans, std::span<const Vec3<double>> points);
 

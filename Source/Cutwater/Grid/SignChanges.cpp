@@ -7,25 +7,25 @@ namespace cutwater::detail {
 
 namespace {
 
-/// kappa1 of the method; measured on distances from balls: smaller ones pay for nearly linear
-/// values.
+/// kappa1 of the method, tuned on distances from balls: smaller values pay off where values are
+/// nearly linear.
 constexpr double kTruncation = 0.02;
 
-/// Where the sign changes, as far as is known: between a and b.
+/// The interval from a to b in which the sign is known to change.
 struct Bracket {
   double a = 0;
   double b = 1;
   double valueA;
   double valueB;
 
-  /// Where to look next; `slack` is how far from the middle that may be, so that the number of
+  /// Where to evaluate next; `slack` is how far from the middle that may be, so that the number of
   /// steps stays bounded.
   [[nodiscard]] double next(double slack) const {
     const double middle = 0.5 * (a + b);
     const double width = b - a;
     double guess = (valueB * a - valueA * b) / (valueB - valueA);
     if (!std::isfinite(guess)) guess = middle;
-    // Truncated towards the middle, then projected to what the bound allows.
+    // Truncated towards the middle, then projected onto the range that the bound allows.
     const double towards = std::copysign(
         std::min(kTruncation * width * width, std::abs(middle - guess)), middle - guess);
     return middle + std::clamp(guess + towards - middle, -slack, slack);
@@ -56,7 +56,7 @@ std::vector<double> locate(const SignedDistanceFunction<T>& solid,
   std::vector<double> next(changes.size());
   std::vector<Vec3<T>> points;
   std::vector<T> values;
-  // After so many halvings of 1, and one step more, brackets are narrow enough.
+  // After this many halvings of 1, and one more step, brackets are narrow enough.
   double reach = std::exp2(std::ceil(std::log2(1 / tolerance))) * tolerance;
   while (!open.empty()) {
     points.clear();

@@ -6,7 +6,7 @@ namespace cutwater {
 
 namespace {
 
-/// Above the rounding of the box's volume, a quotient and a difference.
+/// Exceeds the rounding error of the box's volume, a quotient and a difference.
 constexpr double kRoundUp = 1 + 4 * detail::kVolumeError;
 
 }  // namespace

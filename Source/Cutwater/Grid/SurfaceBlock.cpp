@@ -8,7 +8,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// The cube's corner of the other sign that is nearest to a point of the unit cube.
+/// The corner of the wanted sign that is nearest to a point of the unit cube.
 int nearestCorner(unsigned inside, bool wanted, const Vec3<double>& p) {
   int best = -1;
   double least = 4;
@@ -84,7 +84,7 @@ typename SurfaceBlock<T>::Row SurfaceBlock<T>::cutEdges(std::uint32_t j, std::ui
   if (next[1] >= nodes_[1] || next[2] >= nodes_[2]) return 0;
   const unsigned row = rows_[k][j];
   const unsigned other = axis == 0 ? row >> 1U : rows_[next[2]][next[1]];
-  const unsigned begins = axis == 0 ? nodes_[0] - 1 : own_[0];  // so many nodes begin such edges
+  const unsigned begins = axis == 0 ? nodes_[0] - 1 : own_[0];  // nodes that begin such edges
   return static_cast<Row>((row ^ other) & ((1U << begins) - 1U));
 }
 

@@ -8,22 +8,23 @@
 
 namespace cutwater::detail {
 
-/// A node by its offset from the first one of the grid, or from that of a block.
+/// A node, given by its offset from the first node of the grid or of a block.
 using NodeOffset = std::array<std::uint32_t, 3>;
 
-/// A cube's corner, as CellPolygons numbers them, of the cell whose lowest node this is.
+/// A corner, as numbered in CellPolygons, of the cell whose lowest node is `cell`.
 [[nodiscard]] inline NodeOffset cornerOf(const NodeOffset& cell, int corner) {
   return {cell[0] + static_cast<std::uint32_t>(corner & 1),
           cell[1] + static_cast<std::uint32_t>((corner >> 1) & 1),
           cell[2] + static_cast<std::uint32_t>(corner >> 2)};
 }
 
-/// The nodes whose signs a grid asks for, and how closely the surface is to be found between them.
+/// The nodes at which the solid's sign is sampled, and how accurately the surface is located
+/// between them.
 template <std::floating_point T>
 struct SurfaceGrid {
   const SignedDistanceFunction<T>& solid;
   const Patch<T>& nodes;
-  double tolerance;  ///< in units of an edge
+  double tolerance;  ///< in units of an edge's length
 
   [[nodiscard]] std::uint32_t count(std::size_t axis) const {
     return static_cast<std::uint32_t>(nodes.indices.length(static_cast<int>(axis)));
@@ -35,11 +36,11 @@ struct SurfaceGrid {
   [[nodiscard]] bool isJoined(const NodeOffset& cell, int face) const;
 };
 
-/// The part of an isosurface in up to 8^3 cells: signs of its nodes, and where the surface cuts the
-/// edges that begin at them.
+/// The part of an isosurface in up to 8^3 cells: the signs at its nodes, and the points where the
+/// surface cuts the edges that begin at them.
 ///
-/// Edges are numbered by their lower nodes, row by row; those along x, y, z of a row one after the
-/// other. A block has those of its first 8 nodes along each axis, or all where the grid ends.
+/// Edges are numbered by their lower nodes, row by row: in each row those along x, then y, then z.
+/// A block has the edges of its first 8 nodes along each axis, or of all where the grid ends.
 template <std::floating_point T>
 class SurfaceBlock {
  public:
@@ -48,7 +49,8 @@ class SurfaceBlock {
   /// The block of the cells from `first` on. Evaluates the solid; points() are complete after that.
   SurfaceBlock(const SurfaceGrid<T>& grid, const NodeOffset& first);
 
-  /// Points on the surface: of all cut edges, then of polygons that need one in their middle.
+  /// Points on the surface: one on each cut edge, then those in the middle of polygons that need
+  /// one.
   [[nodiscard]] std::span<const Vec3<double>> points() const { return points_; }
   void releasePoints() { points_ = {}; }
 
@@ -56,7 +58,7 @@ class SurfaceBlock {
   [[nodiscard]] bool isInside(const NodeOffset& node) const {
     return ((rows_[node[2]][node[1]] >> node[0]) & 1U) != 0;
   }
-  /// Index among points() of a cut edge that begins at a node of this block's own.
+  /// Index in points() of the point on a cut edge that begins at one of this block's own nodes.
   [[nodiscard]] std::uint32_t edgePoint(const NodeOffset& node, int axis) const;
 
   /// A cell through which the surface goes.
@@ -65,15 +67,15 @@ class SurfaceBlock {
     unsigned inside;  ///< mask of corners
     unsigned joined;  ///< mask of ambiguous faces
   };
-  /// All of them, in order.
+  /// All cut cells, in order.
   [[nodiscard]] std::vector<CutCell> cutCells() const;
-  /// Number of points() before the first in the middle of a polygon.
+  /// Number of points() on edges; those in the middle of polygons follow.
   [[nodiscard]] std::size_t edgePointCount() const { return edgePoints_; }
 
  private:
   using Row = std::uint16_t;  // a bit for each node along x
 
-  /// Of the solid, at all nodes; x fastest.
+  /// Values of the solid at all nodes, x fastest.
   using Values = std::array<T, std::size_t{kCells + 1} * (kCells + 1) * (kCells + 1)>;
   static double valueAt(const Values& values, const NodeOffset& node) {
     return static_cast<double>(values[node[0] + (kCells + 1) * (node[1] + (kCells + 1) * node[2])]);
@@ -81,13 +83,13 @@ class SurfaceBlock {
 
   void sample(const SurfaceGrid<T>& grid, Values& values);
   void numberEdges();
-  /// Which edges of a row along x, y or z, of this block's own, are cut; by their lower nodes.
+  /// The cut edges among this block's own edges along the axis in a row: a bit for each lower node.
   [[nodiscard]] Row cutEdges(std::uint32_t j, std::uint32_t k, int axis) const;
   void findEdgePoints(const SurfaceGrid<T>& grid, const Values& values);
-  /// Finds which of their faces are joined, and the points in the middle of those polygons that
-  /// have no triangulation of their own; no other cells have such.
+  /// Finds which faces of ambiguous cells are joined, and the points in the middle of polygons that
+  /// cannot be triangulated without one; only these cells have such polygons.
   void settleAmbiguousCells(const SurfaceGrid<T>& grid, const Values& values);
-  /// From the middle of the polygon to a corner of the cell of the other sign.
+  /// The segment from the middle of the polygon to a corner of the cell with the other sign.
   [[nodiscard]] SignChange<T> throughMiddle(const CellPolygon& polygon, const CutCell& cut,
                                             const SurfaceGrid<T>& grid, const Values& values) const;
   [[nodiscard]] NodeOffset inGrid(const NodeOffset& node) const {
@@ -95,12 +97,12 @@ class SurfaceBlock {
   }
 
   NodeOffset first_;
-  NodeOffset nodes_{};  ///< how many there are
-  NodeOffset own_{};    ///< how many of them begin edges of this block
+  NodeOffset nodes_{};  ///< their number along each axis
+  NodeOffset own_{};    ///< number of those that begin edges of this block
   std::array<std::array<Row, kCells + 1>, kCells + 1> rows_{};
   std::array<std::array<std::uint16_t, kCells + 1>, kCells + 1> firstPoint_{};  // of a row
   std::size_t edgePoints_ = 0;
-  std::vector<unsigned> joined_;  // of the cut cells with ambiguous faces, in order
+  std::vector<unsigned> joined_;  // for the cut cells with ambiguous faces, in order
   std::vector<Vec3<double>> points_;
 };
 

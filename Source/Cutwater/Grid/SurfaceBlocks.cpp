@@ -8,7 +8,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// Blocks along each side of what a thread classifies in one go, as a power of two.
+/// Blocks along each side of the cube that a thread classifies in one go, as a power of two.
 constexpr int kTileBits = 2;
 
 }  // namespace
@@ -63,7 +63,7 @@ SurfaceBlocks<T>::SurfaceBlocks(const SurfaceGrid<T>& grid, const ParallelOption
 template <std::floating_point T>
 void SurfaceBlocks<T>::classify(const SurfaceGrid<T>& grid, const NodeOffset& first, int bits,
                                 BoxHint hint) {
-  NodeOffset last{};  // the first block beyond
+  NodeOffset last{};  // one past the last block
   NodeOffset lower{};
   NodeOffset upper{};
   for (std::size_t axis = 0; axis < 3; ++axis) {

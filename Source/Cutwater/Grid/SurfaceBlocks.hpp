@@ -5,8 +5,8 @@
 
 namespace cutwater::detail {
 
-/// All blocks of a grid that the surface may go through; what is certainly free of it is not
-/// evaluated.
+/// All blocks of a grid that the surface may pass through; blocks that are certainly free of it are
+/// not evaluated.
 template <std::floating_point T>
 class SurfaceBlocks {
  public:
@@ -14,7 +14,7 @@ class SurfaceBlocks {
   SurfaceBlocks(const SurfaceGrid<T>& grid, const ParallelOptions& options);
 
   [[nodiscard]] std::span<const SurfaceBlock<T>> blocks() const { return blocks_; }
-  /// Index of a block's first point among those of all blocks.
+  /// Index of a block's first point among the points of all blocks.
   [[nodiscard]] std::uint32_t firstPoint(std::size_t block) const { return firstPoint_[block]; }
   [[nodiscard]] std::size_t pointCount() const { return firstPoint_.back(); }
   /// Moves the points of all blocks, in order, to the end of `points`.
@@ -22,14 +22,14 @@ class SurfaceBlocks {
 
   [[nodiscard]] bool isInside(const NodeOffset& node) const;
   /// Index of the point on the cut edge that begins at this node.
-  /// @throws Error if its block was said to be free of surface.
+  /// @throws Error if its block was classified as free of surface.
   [[nodiscard]] std::uint32_t edgePoint(const NodeOffset& node, int axis) const;
 
  private:
   static constexpr std::uint32_t kOutside = 0xffffffff;
   static constexpr std::uint32_t kInside = 0xfffffffe;
 
-  /// Classifies the blocks in the cube of 2^bits blocks along each side, from this one on.
+  /// Classifies the blocks in a cube of 2^bits blocks along each side, from `first` on.
   void classify(const SurfaceGrid<T>& grid, const NodeOffset& first, int bits, BoxHint hint);
   /// The block that a node's edges belong to.
   [[nodiscard]] std::uint32_t blockOf(const NodeOffset& node) const;

@@ -38,7 +38,7 @@ class Tagging {
       cells[count] = patch_.level.cell(patch_.indices.at(i, j, k));
       around.extend(cells[count++]);
     });
-    // What is found out about all of them helps with each.
+    // The hint found for all of them together helps with each one.
     BoxHint hint;
     static_cast<void>(solid_.classify(around, &hint));
     Scratch<BoxHint, kBlockCells> hints;

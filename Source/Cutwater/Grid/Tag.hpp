@@ -13,11 +13,10 @@ struct TagOptions {
   Progress progress = {};
 };
 
-/// Marks the cells of a patch that are to be refined with 1, the others with 0; `level` is the
-/// number of the patch's level in the hierarchy. What it says of a cell depends on the cell alone,
-/// not on the patch it is asked in, and is what Octree decides. Serial inside an active parallel
-/// region.
-/// @throws Error as Refinement::check(), or if the level is negative or `threads` is.
+/// Tags the cells of a patch that should be refined with 1, the others with 0; `level` is the
+/// number of the patch's level in the hierarchy. A cell's tag depends on that cell alone, not on
+/// the patch, and agrees with what Octree decides. Serial inside an active parallel region.
+/// @throws Error as Refinement::check(), or if `level` or `threads` is negative.
 template <std::floating_point T>
 void tag(const Refinement<T>& refinement, const SignedDistanceFunction<T>& solid,
          const Patch<T>& patch, int level, const GridView<std::uint8_t>& tags,

@@ -8,7 +8,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// The same value at all indices of a block.
+/// Writes the same value at all indices of a block.
 template <typename Value>
 void fillBlock(const GridView<Value>& view, const GridBlock& block, Value value) {
   if (view.data == nullptr) return;
@@ -110,7 +110,7 @@ void TileFill<T>::judge(std::span<Block> blocks) const {
       lower[axis] = first[axis] - tile_.first[axis];
       upper[axis] = lower[axis] + size[axis] - 1;
     }
-    // Coordinates grow with the index, rounding included: no position is outside.
+    // Coordinates grow with the index, even when rounded, so no position is outside.
     blocks[i].box = {position(lower), position(upper)};
     centers[i] = blocks[i].box.center();
   }

@@ -8,7 +8,8 @@ namespace cutwater::detail {
 /// Fills tiles of a patch, one at a time; their points are evaluated in batches.
 ///
 /// With a band, a tile is divided into ever smaller blocks as long as the value in a block's middle
-/// does not prove that all of it is beyond the band. Blocks of one size are asked about together.
+/// does not prove that the whole block is beyond the band. Blocks of one size are evaluated
+/// together.
 template <std::floating_point T>
 class TileFill {
  public:
@@ -19,21 +20,21 @@ class TileFill {
   void finish() { batch_.flush(); }
 
  private:
-  /// Smaller blocks are not divided: values in more places would cost more than they save.
+  /// Blocks of this size are not divided: further evaluations would cost more than they save.
   static constexpr int kLeafBits = 6;
-  /// Others are, in so many halvings.
+  /// Larger blocks are divided by this many halvings at a time.
   static constexpr int kDivisionBits = 3;
   static constexpr std::size_t kMostBlocks = std::size_t{1} << (TileOrder::kMostBits - kLeafBits);
 
-  /// Points that are neighbours in the tile's order, and what is known of them.
+  /// A block of points that are neighbours in the tile's order, and what is known about it.
   struct Block {
     GridBlock indices;
-    std::uint32_t number;   // of its first point in the tile's order
+    std::uint32_t number;   // of its first point, in the tile's order
     Box<T> box = {};        // around its positions
-    bool isBeyond = false;  // all of it
+    bool isBeyond = false;  // as a whole
     T sign = 1;             // on which side
-    Vec3<T> center = {};    // within the radius of it, all is beyond,
-    T beyondSquared = -1;   // which is the root of this, if it is positive
+    Vec3<T> center = {};    // all is beyond within a radius of it;
+    T beyondSquared = -1;   // that radius squared, if positive
   };
   using Blocks = Scratch<Block, kMostBlocks>;
 
@@ -41,15 +42,15 @@ class TileFill {
   [[nodiscard]] Vec3<T> position(const Offset& inTile) const {
     return {positions_[inTile[0]].x, positions_[inTile[1]].y, positions_[inTile[2]].z};
   }
-  /// What the tile has of 2^bits points from `number` on; of size 0 if nothing.
+  /// The part of the tile that the 2^bits points from `number` on cover; of size 0 if none.
   [[nodiscard]] GridBlock indicesOf(std::uint32_t number, int bits) const;
   void fillBand();
-  /// Writes blocks that are beyond, adds the points of those that are small, divides the others
-  /// into `parts` of 2^bits points; returns how many.
+  /// Writes the blocks of 2^bits points that are beyond the band, adds the points of small ones,
+  /// and divides the others into `parts`; returns the number of parts.
   std::size_t settle(std::span<const Block> blocks, int bits, Blocks& parts);
-  /// Which of the blocks are beyond the limit.
+  /// Determines which of the blocks are beyond the limit.
   void judge(std::span<Block> blocks) const;
-  /// From the value in the middle.
+  /// Draws the conclusion from the value in the middle.
   void conclude(Block& block, const OrientedBox<T>& box, T atCenter) const;
   void addPoints(const Block& block, int bits);
 

@@ -6,7 +6,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// The axis to double next: the shortest in space of those that are worth it.
+/// The axis to double next: the shortest in space among those worth doubling.
 std::optional<std::size_t> shortest(const Offset& shape, const std::array<double, 3>& spacing,
                                     const std::array<std::size_t, 3>& lengths) {
   std::optional<std::size_t> best;
@@ -22,7 +22,7 @@ std::optional<std::size_t> shortest(const Offset& shape, const std::array<double
 TileOrder::TileOrder(const std::array<double, 3>& spacing,
                      const std::array<std::size_t, 3>& lengths, int bits) {
   shapes_[0] = {1, 1, 1};
-  std::array<std::size_t, kMostBits> axes{};  // which axis each bit of a number counts along
+  std::array<std::size_t, kMostBits> axes{};  // the axis that each bit of a number counts along
   for (; bits_ < bits; ++bits_) {
     const auto level = static_cast<std::size_t>(bits_);
     const auto axis = shortest(shapes_[level], spacing, lengths);

@@ -5,28 +5,28 @@
 
 namespace cutwater::detail {
 
-/// An index, counted from the lowest one of a patch.
+/// An index relative to the lowest one of a patch.
 using Offset = std::array<std::uint32_t, 3>;
 
-/// How the points of a tile of a grid are numbered so that neighbours are near in number, too: each
-/// run of 2^n points that begins at a multiple of 2^n is a block, about as long in space on each
-/// axis, however the spacings differ. (A Z-order of the axes' bits; Morton 1966.)
+/// Numbers the points of a grid's tile so that neighbours have similar numbers: each run of 2^n
+/// points that begins at a multiple of 2^n is a block, about as long in space on each axis, however
+/// the spacings differ. (A Z-order of the axes' bits; Morton 1966.)
 class TileOrder {
  public:
   static constexpr int kMostBits = 12;
   static constexpr std::uint32_t kLongest = 64;  ///< tile, on any axis
 
-  /// For tiles of up to 2^bits points, not longer than `lengths` needs.
+  /// For tiles of up to 2^bits points, no longer than `lengths` requires.
   TileOrder(const std::array<double, 3>& spacing, const std::array<std::size_t, 3>& lengths,
             int bits);
 
-  /// log2 of the tile's points.
+  /// log2 of the number of points in a tile.
   [[nodiscard]] int bits() const { return bits_; }
   /// Extents of a block of 2^bits points.
   [[nodiscard]] const Offset& shape(int bits) const {
     return shapes_[static_cast<std::size_t>(bits)];
   }
-  /// Where in the tile the point with this number is.
+  /// Offset within the tile of the point with this number.
   [[nodiscard]] Offset offset(std::uint32_t number) const {
     const Offset& low = low_[number % kTable];
     const Offset& high = high_[number / kTable];

@@ -8,12 +8,12 @@ namespace cutwater::detail {
 
 namespace {
 
-/// Whether the corners that have a bit are connected along edges of the cube.
+/// Whether the corners whose bits are set are connected along edges of the cube.
 bool areConnected(unsigned corners) {
   unsigned reached = corners & -corners;
   for (unsigned before = 0; before != reached;) {
     before = reached;
-    // One step along each axis.
+    // Takes one step along each axis.
     const unsigned x = (reached & 0x55U) << 1U | (reached & 0xaaU) >> 1U;
     const unsigned y = (reached & 0x33U) << 2U | (reached & 0xccU) >> 2U;
     const unsigned z = (reached & 0x0fU) << 4U | (reached & 0xf0U) >> 4U;
@@ -38,14 +38,14 @@ auto UnresolvedCell<T>::find(bool isCut) -> std::optional<Finding> {
   if (result.kind == UnresolvedKind::MultiCut && thickest_.distance != 0) {
     result.depth = 2 * std::abs(thickest_.distance);
     result.point = thickest_.middle;
-    // An edge may pass through walls and slits in turns, whatever its ends are.
+    // An edge may pass through walls and slits alternately, whatever the signs at its ends.
     result.isSolid = thickest_.distance < 0;
     return result;
   }
   samplePoints();
   for (std::size_t i = 0; i < count_; ++i) {
     const T depth = depthAt(i, result.isSolid);
-    // What is hidden is as deep as its deepest place; between sheets the narrowest matters.
+    // A hidden part is as deep as its deepest place; between sheets the narrowest place counts.
     if (i > 0 && (isHidden ? depth <= result.depth : depth >= result.depth)) continue;
     result.depth = depth;
     result.point = points_[i];
@@ -90,7 +90,7 @@ UnresolvedKind UnresolvedCell<T>::hiddenKind() const {
 
 template <std::floating_point T>
 bool UnresolvedCell<T>::isMultiCut(bool& isSolid) const {
-  // Of a connected solid the fluid is on two sides: it is a wall.
+  // If the fluid's corners are not connected, there is fluid on two sides of the solid: a wall.
   isSolid = !areConnected(~signs_.inside & 0xffU);
   if (isSolid || !areConnected(signs_.inside)) return true;
   const auto twice = std::ranges::find_if(signs_.crossings, [](auto n) { return n > 1; });
@@ -116,7 +116,7 @@ void UnresolvedCell<T>::samplePoints() {
     const auto size = box_.size();
     auto p =
         box_.lower + Vec3<T>{size.x * part(n % 3), size.y * part(n / 3 % 3), size.z * part(n / 9)};
-    // From the surface to the cell and back: where it meets the cell, both come together.
+    // Alternates between the surface and the cell: where they meet, the two points converge.
     for (int step = 0; step < kMostSteps; ++step) {
       const auto hit = solid_.closestPoint(p);
       if (!isFinite(hit.point)) break;
@@ -141,7 +141,7 @@ T UnresolvedCell<T>::depthAt(std::size_t point, bool isSolid) const {
       reach = std::min(reach, (box_.lower[axis] - from[axis]) / direction[axis]);
     }
   }
-  // The point itself is off the surface by rounding.
+  // The point itself is off the surface by round-off.
   const T skipped = box_.diagonal() * T(0x1p-20);
   if (!(reach > skipped)) return 0;
   T depth = reach;
@@ -150,7 +150,7 @@ T UnresolvedCell<T>::depthAt(std::size_t point, bool isSolid) const {
                      depth = skipped + crossing.parameter * (reach - skipped);
                      return false;
                    });
-  // Where it but touches the cell's faces, there is nothing behind the point.
+  // Where the surface only touches the cell's faces, there is nothing behind the point.
   const T within = solid_.signedDistance(from + depth / 2 * direction);
   return within != 0 && (within < 0) == isSolid ? depth : 0;
 }

@@ -5,7 +5,7 @@
 
 namespace cutwater::detail {
 
-/// The surface in one cell against the signs at its corners.
+/// Compares the surface in one cell with the signs at its corners.
 template <std::floating_point T>
 class UnresolvedCell {
  public:
@@ -18,7 +18,8 @@ class UnresolvedCell {
     T depth = 0;  ///< as a length
     Vec3<T> point = {};
   };
-  /// Nothing if corners tell it all. `isCut`: some surface is certainly in the cell.
+  /// Returns nothing if the corners resolve the surface. `isCut`: the cell certainly contains some
+  /// surface.
   [[nodiscard]] std::optional<Finding> find(bool isCut);
 
  private:
@@ -27,19 +28,19 @@ class UnresolvedCell {
   [[nodiscard]] bool mayMeet(const Box<T>& part) const { return mayBeCut(solid_.classify(part)); }
   [[nodiscard]] UnresolvedKind hiddenKind() const;
   [[nodiscard]] bool isMultiCut(bool& isSolid) const;
-  /// Notes the first crossings of the edges, and what these pass through between two of them.
+  /// Notes crossings of the edges, up to kMostPoints, and the thickest stretch between two of them.
   void walkEdges();
-  /// Notes points of the surface in the cell, from samples.
+  /// Notes surface points in the cell, found by sampling.
   void samplePoints();
   void note(const Vec3<T>& point, const Vec3<T>& normal);
-  /// Of the solid or the fluid behind a noted point: along the normal, to the other side or out of
-  /// the cell.
+  /// Depth of the solid or fluid behind a noted point: along the normal, to its other side or to
+  /// where the cell ends.
   [[nodiscard]] T depthAt(std::size_t point, bool isSolid) const;
 
   const SignedDistanceFunction<T>& solid_;
   Box<T> box_;
   CellSigns signs_;
-  EdgeStretch<T> thickest_{};  // twice as thick as its distance
+  EdgeStretch<T> thickest_{};  // its thickness is twice its distance
   std::size_t count_ = 0;
   std::array<Vec3<T>, kMostPoints> points_;
   std::array<Vec3<T>, kMostPoints> normals_;

@@ -8,7 +8,7 @@ namespace cutwater {
 
 namespace {
 
-/// Asks about cells of a mesh by their places.
+/// Inspects cells of a mesh, given by their indices.
 template <std::floating_point T>
 class Inspection {
  public:
@@ -38,10 +38,10 @@ class Inspection {
 
  private:
   static constexpr auto kTogether = detail::OctreeSigns<T>::kMost;
-  /// Share of the corners in the time it takes; most else are the edges.
+  /// Share of the corners in the total time; the edges take most of the rest.
   static constexpr double kCorners = 0.4;
 
-  /// Of all work, as far as progress is concerned.
+  /// Options that report progress for this part of all work.
   [[nodiscard]] ParallelOptions part(double first, double width) const {
     ParallelOptions options{.threads = options_.threads};
     if (!options_.progress) return options;
@@ -71,7 +71,7 @@ class Inspection {
     if (!found) return;
     const T size = mesh_.domain().level(cell.level).spacing().x;
     const T depth = found->depth / size;
-    // No depth at all is as good as one that no level resolves.
+    // Zero depth counts as a depth that no level resolves.
     const T halvings = std::ceil(std::log2(std::clamp(1 / depth, T(1), T(1 << kMortonBits))));
     const int level = cell.level + static_cast<int>(halvings);
     features.push_back({place, found->kind, found->isSolid, depth, found->point,

@@ -10,12 +10,12 @@ namespace cutwater::detail {
 
 namespace {
 
-/// A batch's scratch fits the L1 and L2 caches.
+/// Small enough that a batch's scratch memory fits the L1 and L2 caches.
 constexpr std::size_t kBatch = 256;
 /// Cells that are divided at once.
 constexpr std::size_t kChunk = 8192;
 
-/// Of sums of the volumes of cells, batch by batch, relative to the exact ones.
+/// Relative error of sums of cell volumes, batch by batch.
 constexpr double kSumError = kVolumeError + kBatch * 0x1p-53 + 0x1p-52;
 
 }  // namespace
@@ -26,7 +26,7 @@ VolumeSearch<T>::VolumeSearch(const SignedDistanceFunction<T>& solid, const Box<
     : solid_(solid), options_(options), grid_(box), boxVolume_(0) {
   require(!box.empty() && isFinite(box), "solidVolume: need a finite box",
           Named{"lower", box.lower}, Named{"upper", box.upper});
-  // No product of sides overflows, nor, of a cell's, underflows.
+  // Products of the box's sides must not overflow, and those of a cell's sides not underflow.
   const Vec3<double> size = Vec3<double>(box.upper) - Vec3<double>(box.lower);
   require(1e-80 <= std::min({size.x, size.y, size.z}) && maxComponent(size) <= 1e80,
           "solidVolume: need sides from 1e-80 to 1e80", Named{"size", size});
@@ -80,7 +80,7 @@ bool VolumeSearch<T>::divideAll(FunctionRef<bool(const Interval<double>&)> isEno
     const auto some = std::span(open_).subspan(done, std::min({kChunk, room, open_.size() - done}));
     classifyChildren(some);
     done += some.size();
-    // Those beyond will not be divided.
+    // Cells for which there is no room will not be divided.
     const auto left = std::min(open_.size() - done, room - some.size());
     keepOpen(some, room - some.size() - left);
   }
@@ -115,7 +115,7 @@ void VolumeSearch<T>::classifyChildren(std::span<const OpenCell> parents) {
                   classifyBatch(parents, first, std::min(kBatch, count - first));
                 }
               });
-  // In their order, whoever has classified them.
+  // Added in order, whichever thread classified them.
   for (const auto& batch : decided_) {
     inside_ += batch.inside;
     outside_ += batch.outside;
@@ -162,7 +162,7 @@ void VolumeSearch<T>::keepOpen(std::span<const OpenCell> parents, std::size_t mo
 
 template <std::floating_point T>
 Interval<double> VolumeSearch<T>::volume() const {
-  // Whole boxes are not known better than to kSumError, either; and sums must not cross.
+  // The box's own volume is known only to within kSumError, too; and the bounds must not cross.
   const double lower = std::max(0.0, double(inside_) * (1 - kSumError));
   const double upper = boxVolume_ * (1 + kSumError) - double(outside_) * (1 - kSumError);
   return {lower, std::max(lower, upper)};

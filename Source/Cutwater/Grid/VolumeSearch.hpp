@@ -8,7 +8,7 @@
 
 namespace cutwater::detail {
 
-/// Bounds of a volume from cells of a HalvedBox, coarse ones first: see solidVolume().
+/// Bounds a volume by the cells of a HalvedBox, coarse ones first: see solidVolume().
 template <std::floating_point T>
 class VolumeSearch {
  public:
@@ -16,29 +16,31 @@ class VolumeSearch {
   VolumeSearch(const SignedDistanceFunction<T>& solid, const Box<T>& box,
                const VolumeOptions& options);
 
-  /// Until that is enough, too; it is asked after every few thousand cells.
+  /// Runs until the options or isEnough() end the search; isEnough() is called after every few
+  /// thousand cells.
   VolumeBounds run(FunctionRef<bool(const Interval<double>& volume)> isEnough);
 
  private:
-  /// A cell that is not decided, and what is known of it.
+  /// An undecided cell, and what is known about it.
   struct OpenCell {
     Index3 index;
     BoxHint hint;
   };
 
   void start();
-  /// Divides open cells of one generation and keeps those of the next. False if that is the end.
+  /// Divides the open cells of one generation and keeps those of the next. Returns false if the
+  /// search is over.
   bool divideAll(FunctionRef<bool(const Interval<double>&)> isEnough);
   void classifyChildren(std::span<const OpenCell> parents);
   void classifyBatch(std::span<const OpenCell> parents, std::size_t first, std::size_t count);
-  /// Open ones among the children that were classified, as far as there is room for `most`.
+  /// Keeps the open ones among the classified children, up to a total of `most`.
   void keepOpen(std::span<const OpenCell> parents, std::size_t most);
   [[nodiscard]] Box<T> childBox(std::span<const OpenCell> parents, std::size_t child) const;
 
   [[nodiscard]] Interval<double> volume() const;
   [[nodiscard]] bool isWithinTolerance() const;
 
-  /// Adds what the planes through these cells leave inside.
+  /// Adds the volume inside the planes that cut these cells.
   void estimate(std::size_t count, FunctionRef<Box<T>(std::size_t)> cellOf);
   [[nodiscard]] double estimateBatch(std::size_t begin, std::size_t end,
                                      FunctionRef<Box<T>(std::size_t)> cellOf) const;
@@ -60,7 +62,7 @@ class VolumeSearch {
 
   std::vector<OpenCell> open_;
   std::vector<OpenCell> next_;
-  // Of the children of some thousand cells.
+  // For the children of a few thousand cells.
   std::vector<BoxClass> classes_;
   std::vector<BoxHint> hints_;
   std::vector<Decided> decided_;  // of each batch
