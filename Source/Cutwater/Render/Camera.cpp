@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Whether the two span no plane, up to rounding; both are unit vectors.
+/// Whether two unit vectors are parallel, up to rounding.
 bool parallel(const Vec3<double>& a, const Vec3<double>& b) {
   return length(cross(a, b)) < 1e-12;
 }
@@ -46,7 +46,7 @@ View View::fromAngles(double azimuth, double elevation) {
   const Vec3<double> along{cosine(azimuth), sine(azimuth), 0};
   const double c = cosine(elevation);
   const double s = sine(elevation);
-  // Seen from above or below, too, what lies ahead of the viewer is up.
+  // The direction ahead of the viewer is up, also in views from above or below.
   const Vec3<double> back{c * along.x, c * along.y, s};
   return {back, {-s * along.x, -s * along.y, c}};
 }
@@ -68,7 +68,8 @@ namespace detail {
 
 namespace {
 
-/// Of the corners of a box: coordinates about its centre to the right, up and towards the viewer.
+/// Visits the corners of a box, with coordinates about its centre to the right, up and towards the
+/// viewer.
 template <typename Visit>
 void forCorners(const Box<double>& box, const View& view, Visit visit) {
   const auto right = view.right();
@@ -78,7 +79,7 @@ void forCorners(const Box<double>& box, const View& view, Visit visit) {
   }
 }
 
-/// Half the frame at a distance of 1.
+/// The size of a pixel at a distance of 1.
 double pixelAtOne(const Frame& frame, double fieldOfView) {
   return 2 * std::tan(0.5 * fieldOfView * kDegree) / std::max(frame.width, frame.height);
 }

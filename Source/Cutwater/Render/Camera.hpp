@@ -6,7 +6,7 @@
 
 namespace cutwater {
 
-/// The directions in which a solid is seen.
+/// The directions from which a solid is viewed.
 struct View {
   Vec3<double> back;  ///< unit, from the solid towards the viewer
   Vec3<double> up;    ///< unit, upwards in the picture, at a right angle to `back`
@@ -14,22 +14,23 @@ struct View {
   /// Unit, to the right in the picture.
   [[nodiscard]] Vec3<double> right() const { return cross(up, back); }
 
-  /// From this side, of any length. Where `up` points along it, y is up instead (or z, for that).
+  /// The view from a side, given by a vector of any length. If `up` is parallel to it, y is up
+  /// instead (or z, if `side` is along y).
   /// @throws Error unless both are finite and not zero.
   static View from(const Vec3<double>& side, const Vec3<double>& up = {0, 0, 1});
   /// The viewer's direction in degrees: azimuth from +x towards +y, elevation above the xy plane.
   /// @throws Error unless the angles are finite and |elevation| <= 90.
   static View fromAngles(double azimuth, double elevation);
-  /// From "+x", "-x", "+y", "-y", "+z", "-z", with z upwards (y, where z is along the view), or
-  /// "iso": from +x, -y and +z alike.
+  /// The view from "+x", "-x", "+y", "-y", "+z" or "-z", with z upwards (y for views along z), or
+  /// "iso": equally from +x, -y and +z.
   /// @throws Error for any other name.
   static View named(std::string_view name);
 };
 
-/// Where the viewer's eye is, for a picture in perspective.
+/// The position of the viewer's eye, for a picture in perspective.
 struct Eye {
   Vec3<double> position;
-  Vec3<double> target;  ///< what is in the middle of the picture
+  Vec3<double> target;  ///< the point in the middle of the picture
   Vec3<double> up{0, 0, 1};
 };
 
@@ -43,25 +44,26 @@ struct Ray {
   [[nodiscard]] Vec3<double> at(double along) const { return origin + along * direction; }
 };
 
-/// How many pixels of a picture there are, and which of them is where.
+/// The centre and size of a frame in a picture, in pixels.
 struct Frame {
   double centerX, centerY;  ///< in pixels
-  double width, height;     ///< of what the box must fit into
+  double width, height;     ///< of the frame that the box must fit into
 };
 
 /// The line of sight of every point of a picture, in its continuous pixel coordinates.
 class Camera {
  public:
-  /// Shows a box as large as the frame allows. `fieldOfView`: the angle of the frame's longer side
-  /// in degrees, for perspective; 0: orthographic.
+  /// Shows a box as large as the frame allows. `fieldOfView`: angle that the frame's longer side
+  /// subtends, in degrees, for perspective; 0: orthographic.
   Camera(const View& view, const Box<double>& box, const Frame& frame, double fieldOfView);
   Camera(const Eye& eye, const Frame& frame, double fieldOfView);
 
-  /// Turns to a part of the picture, in its pixels, and shows that as large as the frame allows.
+  /// Returns a camera turned to a part of the picture, in its pixels, which it shows as large as
+  /// the frame allows.
   [[nodiscard]] Camera zoomed(const Frame& part, const Frame& frame) const;
 
   [[nodiscard]] Ray ray(double x, double y) const;
-  /// Where a ray begins to see: -infinity if the viewer is far away.
+  /// Distance along a ray from which on it can see anything: -infinity for an orthographic view.
   [[nodiscard]] double nearest() const;
   /// The size of a pixel at this distance along a ray, in the units of the solid.
   [[nodiscard]] double pixelSize(double along) const;
@@ -72,8 +74,8 @@ class Camera {
   View view_;
   bool perspective_;
   Vec3<double> origin_;       // the eye, or the point in the middle of the picture
-  double pixel_;              // its size; in perspective, at a distance of 1
-  double centerX_, centerY_;  // the pixel of the origin, or of what lies straight ahead of it
+  double pixel_;              // size of a pixel; in perspective, at a distance of 1
+  double centerX_, centerY_;  // pixel of the origin, or of the direction straight ahead
 };
 
 }  // namespace detail

@@ -2,28 +2,29 @@
 
 #include <Cutwater/Sdf/Guarantee.hpp>
 
-/// How render() works inside; for its parts only.
+/// Internals of render(), for its own parts only.
 namespace cutwater::detail {
 
-/// How far the surface is away for certain, as a solid's guarantee has it: the value where that is
-/// a distance or a lower bound of one, the value over the Lipschitz constant where there is one.
+/// A certain lower bound on the distance to the surface, from a solid's guarantee: the value where
+/// that is a distance or a lower bound of one, the value over the Lipschitz constant where there is
+/// one.
 template <std::floating_point T>
 class CertainDistance {
  public:
-  /// `box`: where it is asked for. `sheets`: values of both signs are distances.
+  /// `box`: the region of all queries. `sheets`: values of both signs are distances.
   CertainDistance(const Guarantee<T>& guarantee, const Box<double>& box, bool sheets);
 
-  /// Whether values tell anything but their sign.
+  /// Whether values give more than their sign.
   [[nodiscard]] bool isKnown() const { return factor_ > 0; }
-  /// Whether it is the distance, up to rounding.
+  /// Whether the bound is the distance, up to rounding.
   [[nodiscard]] bool isExact() const { return exact_; }
-  /// From a point with this value; not positive within rounding of the surface, or inside. If
-  /// rounding may be more than `most`, none is allowed for.
+  /// The bound at a point with this value; not positive inside or within round-off of the surface.
+  /// If the effect of rounding may exceed `most`, rounding is ignored.
   [[nodiscard]] double operator()(T value, const Vec3<T>& p, double most) const {
     const double size{sheets_ && value < 0 ? -value : value};
     return factor_ * (size - rounding(p, most));
   }
-  /// Whether the point is inside by more than rounding; as above.
+  /// Whether the point is inside by more than rounding; `most` as above.
   [[nodiscard]] bool isInside(T value, const Vec3<T>& p, double most) const {
     return static_cast<double>(value) < -rounding(p, most);
   }

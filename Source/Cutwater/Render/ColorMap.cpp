@@ -11,14 +11,14 @@ namespace {
 
 using detail::Lch;
 
-/// Lightness and hue go straight from `near` to `far`; chroma bulges by `bulge` in the middle.
+/// Lightness and hue vary linearly from `near` to `far`; chroma is larger by `bulge` in the middle.
 Lch along(const Lch& near, const Lch& far, double bulge, double t) {
   const auto mix = [t](double a, double b) { return a + t * (b - a); };
   return {mix(near.lightness, far.lightness),
           mix(near.chroma, far.chroma) + bulge * 4 * t * (1 - t), mix(near.hue, far.hue)};
 }
 
-constexpr int kSteps = 512;  // per side: finer than 8 bits show
+constexpr int kSteps = 512;  // per side: finer than 8 bits resolve
 
 std::array<Rgb, kSteps + 1> side(const Lch& near, const Lch& far, double bulge) {
   std::array<Rgb, kSteps + 1> colors;

@@ -4,9 +4,9 @@
 
 namespace cutwater {
 
-/// The colour of a signed distance: blue inside, darker the deeper; from cream to a warm brown
-/// outside. Lightness falls linearly with the distance on either side, in Oklab, so that equal
-/// steps of distance look equal, also in grey; a step in lightness at 0 shows the surface.
+/// The colour of a signed distance: blue inside, darker with depth; from cream to a warm brown
+/// outside. On either side, lightness in Oklab falls linearly with the distance, so that equal
+/// steps of distance look equal, even in grey; a step in lightness at 0 shows the surface.
 ///
 /// @param fraction from -1, deepest inside, to 1, farthest outside; 0 is outside.
 [[nodiscard]] Rgb signedDistanceColor(double fraction);

@@ -36,7 +36,7 @@ std::vector<CutPlane> sidesOf(const Box<double>& box) {
   return sides;
 }
 
-/// Leaves of the range what the plane keeps; whether the ray now comes in through it.
+/// Clips the range to the part that the plane keeps; returns whether the ray now enters through it.
 bool clipTo(const CutPlane& plane, const Ray& ray, RayRange& range) {
   const double speed = dot(plane.normal, ray.direction);  // outwards
   const double height = plane.beyond(ray.origin);

@@ -94,7 +94,7 @@ void Image::drawStrokes(std::span<const Stroke> strokes, double width, const Rgb
     bounds.y1 = std::max(std::min(bounds.y1, height_), bounds.y0);
     return bounds;
   };
-  // The nearest stroke of each pixel; one is near only to pixels about it.
+  // Finds the nearest stroke to each pixel; a stroke is only near pixels around it.
   const auto all = inPicture(strokes);
   const auto columns = static_cast<std::size_t>(all.x1 - all.x0);
   std::vector<float> distances(columns * static_cast<std::size_t>(all.y1 - all.y0),

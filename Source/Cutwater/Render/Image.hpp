@@ -7,7 +7,7 @@
 
 namespace cutwater {
 
-/// A colour as the screen shows it (sRGB), each component from 0 to 255.
+/// A screen colour (sRGB), each component from 0 to 255.
 struct Rgb {
   std::uint8_t red = 0;
   std::uint8_t green = 0;
@@ -16,7 +16,7 @@ struct Rgb {
   bool operator==(const Rgb&) const = default;
 };
 
-/// `paint` over `base`; opacity from 0 (base) to 1 (paint).
+/// The colour of `paint` over `base`; opacity from 0 (base) to 1 (paint).
 [[nodiscard]] Rgb blended(const Rgb& base, const Rgb& paint, double opacity);
 
 /// A straight line on a picture, in pixels.
@@ -25,9 +25,9 @@ struct Stroke {
   double x1, y1;
 };
 
-/// A picture to draw on: x to the right, y downwards, pixel (0, 0) at the top left. Drawing in
-/// continuous coordinates takes pixel (x, y) as the square [x, x + 1] x [y, y + 1]; what lies
-/// outside the picture is left out.
+/// A picture to draw on: x to the right, y downwards, pixel (0, 0) at the top left. In continuous
+/// coordinates, pixel (x, y) is the square [x, x + 1] x [y, y + 1]. Anything outside the picture is
+/// not drawn.
 class Image {
  public:
   /// The largest width and height.
@@ -36,13 +36,13 @@ class Image {
   /// @throws Error unless 1 <= width, height <= kMaxSize.
   Image(int width, int height, const Rgb& background = {255, 255, 255});
 
-  /// Where nothing is drawn, what is behind the picture shows. Its pixels have an opacity.
+  /// A picture that is transparent where nothing is drawn: its pixels have an opacity.
   /// @throws Error as above.
   [[nodiscard]] static Image transparent(int width, int height);
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
-  /// Row by row from the top.
+  /// The pixels, row by row from the top.
   [[nodiscard]] std::span<const Rgb> pixels() const { return pixels_; }
 
   /// From 0, transparent, to 255, row by row; empty if the picture is opaque everywhere.
@@ -52,14 +52,14 @@ class Image {
   [[nodiscard]] const Rgb& at(int x, int y) const { return pixels_[index(x, y)]; }
   [[nodiscard]] Rgb& at(int x, int y) { return pixels_[index(x, y)]; }
 
-  /// Puts paint over the pixel, which must be in the picture; coverage from 0 to 1.
+  /// Paints over the pixel, which must be in the picture; coverage from 0 to 1.
   void paint(int x, int y, const Rgb& color, double coverage);
 
   /// Fills the pixels [x0, x1) x [y0, y1).
   void fillRectangle(int x0, int y0, int x1, int y1, const Rgb& color);
 
-  /// Lines with round ends, anti-aliased, in one coat: where they overlap nothing is painted twice.
-  /// `width` in pixels.
+  /// Draws anti-aliased lines with round ends, in one coat: pixels where they overlap are painted
+  /// once. `width` in pixels.
   void drawStrokes(std::span<const Stroke> strokes, double width, const Rgb& color);
 
  private:

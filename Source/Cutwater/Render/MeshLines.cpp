@@ -9,7 +9,7 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-/// What of a line lies in the area. (Liang and Barsky 1984.)
+/// The part of a line that lies in the area. (Liang and Barsky 1984.)
 std::optional<Stroke> clipped(const Stroke& line, const PlotArea& area) {
   const Point from{line.x0, line.y0};
   const Point way{line.x1 - line.x0, line.y1 - line.y0};
@@ -38,8 +38,8 @@ class Lines {
   Lines(const SlicePlane<T>& plane, const SliceWindow<T>& window, const PlotArea& area)
       : plane_(plane), normal_(cross(plane.right, plane.up)), window_(window), area_(area) {}
 
-  /// Of the faces towards lower coordinates, and of those others that have a bit for their axis:
-  /// what lies beyond has the rest.
+  /// Adds the cell's faces towards lower coordinates, and those upper ones whose axis has its bit
+  /// set: the cells beyond add the others.
   void add(const Box<T>& cell, unsigned upperFaces) {
     unsigned above = 0;
     for (int i = 0; i < 8; ++i) {

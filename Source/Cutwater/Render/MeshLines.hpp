@@ -5,10 +5,11 @@
 
 #include <vector>
 
-/// How renderSlice() works inside; for its parts only.
+/// Internals of renderSlice(), for its own parts only.
 namespace cutwater::detail {
 
-/// Where the faces of a mesh's cells meet the plane, as lines on the plot, each once.
+/// The intersections of the faces of a mesh's cells with the plane, as lines on the plot, each
+/// once.
 template <std::floating_point T>
 [[nodiscard]] std::vector<Stroke> meshLines(const Octree<T>& mesh, const SlicePlane<T>& plane,
                                             const SliceWindow<T>& window, const PlotArea& area);

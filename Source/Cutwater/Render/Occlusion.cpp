@@ -7,7 +7,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// Heights above the surface in units of the radius, and what each counts.
+/// Heights above the surface in units of the radius, and their weights.
 constexpr std::array kHeights{1.0, 0.6, 0.35, 0.18, 0.08};
 constexpr std::array kWeights{0.30, 0.25, 0.20, 0.15, 0.10};
 
@@ -35,7 +35,7 @@ std::vector<float> Occlusion<T>::openness(std::span<const Foot> feet) const {
   return open;
 }
 
-/// What part of the way to the surface is free, at a height above it. What was cut away is.
+/// The fraction of the height above the surface that is free. What was cut away counts as free.
 template <std::floating_point T>
 double Occlusion<T>::freePart(T value, const Vec3<T>& p, double height) const {
   double free = distance_(value, p, 0);

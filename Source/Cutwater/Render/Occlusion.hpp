@@ -7,15 +7,15 @@
 #include <span>
 #include <vector>
 
-/// How render() works inside; for its parts only.
+/// Internals of render(), for its own parts only.
 namespace cutwater::detail {
 
-/// How much light from around comes to points of a surface.
+/// Computes how much ambient light reaches points of a surface.
 ///
 /// A. Evans, "Fast approximations for global illumination on dynamic scenes", ACM SIGGRAPH 2006
-/// courses: in the open, the distance to the surface grows as one leaves it along the normal; what
-/// it lacks tells how much stands around. Where values are mere bounds, this is more than there is;
-/// where only signs are known, only what the normal runs into counts.
+/// courses: in the open, the distance to the surface grows like the distance along the normal; any
+/// shortfall measures the geometry around. Where values are only bounds, this overestimates the
+/// occlusion; where only signs are known, only what the normal itself meets counts.
 template <std::floating_point T>
 class Occlusion {
  public:
@@ -25,13 +25,13 @@ class Occlusion {
     Vec3<double> normal;
   };
 
-  /// Looks as far as `radius`. Solid and region must live as long as this.
+  /// Takes into account geometry within `radius`. Solid and region must outlive this object.
   Occlusion(const SignedDistanceFunction<T>& solid, const CertainDistance<T>& distance,
             const KeptRegion& region, double radius)
       : solid_(solid), distance_(distance), region_(region), radius_(radius) {}
 
-  /// From 0, enclosed, to 1, in the open; for each of the points, which is best close to the
-  /// others.
+  /// Returns the openness of each point, from 0, enclosed, to 1, in the open. Most efficient for
+  /// points close to each other.
   [[nodiscard]] std::vector<float> openness(std::span<const Foot> feet) const;
 
  private:

@@ -4,7 +4,7 @@
 
 #include <array>
 
-/// Colours by how they look; for the parts of this folder only.
+/// Colours by their appearance; for use within this folder only.
 namespace cutwater::detail {
 
 /// A colour by lightness, chroma and hue (degrees) in Oklab.
@@ -18,7 +18,7 @@ struct Lch {
 using Light = std::array<double, 3>;
 
 [[nodiscard]] Light toLight(const Rgb& color);
-/// Of more than 1 the screen shows 1.
+/// Values above 1 are shown as 1.
 [[nodiscard]] Rgb toRgb(const Light& light);
 
 }  // namespace cutwater::detail

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLooks = 120;  // along the longer side
 
-/// Of one row: the first and the last point that sees something, if any does.
+/// The first and the last point of a row that see something, if any does.
 struct Stretch {
   int first = 0;
   int last = -1;
@@ -59,7 +59,7 @@ std::optional<Frame> partInSight(SampleTracer trace, const Frame& frame,
     y1 = row;
   }
   if (x1 < 0) return {};
-  // What is seen may end anywhere before the next point.
+  // The visible part may end anywhere before the next point.
   return Frame{left + 0.5 * (x0 + x1 + 1) * spacing, top + 0.5 * (y0 + y1 + 1) * spacing,
                (x1 - x0 + 2) * spacing, (y1 - y0 + 2) * spacing};
 }

@@ -6,11 +6,11 @@
 
 #include <optional>
 
-/// How render() works inside; for its parts only.
+/// Internals of render(), for its own parts only.
 namespace cutwater::detail {
 
-/// The part of a frame in which anything is seen, found by a few thousand rays, and a little more;
-/// nothing if there is none.
+/// The part of a frame in which anything is visible, with a small margin, found by a few thousand
+/// rays; nothing if no ray sees anything.
 [[nodiscard]] std::optional<Frame> partInSight(SampleTracer trace, const Frame& frame,
                                                const ParallelOptions& options);
 

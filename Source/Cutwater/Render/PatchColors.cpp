@@ -11,8 +11,8 @@ namespace {
 
 using detail::Lch;
 
-/// Hues in an order that sets neighbours apart; lightness varies with them as it does in pigments,
-/// so that the colours stay apart for those who see fewer hues.
+/// Hues in an order that keeps neighbours distinct. Lightness varies with hue as in pigments, so
+/// that the colours remain distinct for people who see fewer hues.
 constexpr std::array<Lch, 12> kPatches{{{0.64, 0.100, 250},
                                         {0.74, 0.125, 65},
                                         {0.68, 0.105, 150},

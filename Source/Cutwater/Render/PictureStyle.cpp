@@ -13,7 +13,7 @@ int PictureStyle::px(double length) const {
 }
 
 TextStyle PictureStyle::text(double capHeight, TextAnchor anchor) const {
-  const double height = std::max(capHeight * scale_, 7.0);  // smaller cannot be read
+  const double height = std::max(capHeight * scale_, 7.0);  // smaller text is illegible
   return {.capHeight = height,
           .weight = std::max(0.12 * height, 1.0),
           .color = kInk,

@@ -3,7 +3,7 @@
 #include <Cutwater/Render/Image.hpp>
 #include <Cutwater/Render/StrokeFont.hpp>
 
-/// What pictures with text and lines on them have in common; for the parts of this folder only.
+/// Common style of pictures with text and lines; for use within this folder only.
 namespace cutwater::detail {
 
 inline constexpr Rgb kInk{38, 42, 48};
@@ -21,22 +21,21 @@ struct PlotArea {
   int width, height;
 };
 
-/// Sizes of text and lines. All follow the size of the picture, so that a large one looks like a
-/// small one.
+/// Sizes of text and lines. All scale with the picture, so that a large one looks like a small one.
 class PictureStyle {
  public:
   PictureStyle(int width, int height);
 
-  /// Thickness of lines and text relative to their usual one.
+  /// Scale of lines and text relative to their usual thickness.
   [[nodiscard]] double scale() const { return scale_; }
-  /// A length in whole pixels.
+  /// A scaled length in whole pixels.
   [[nodiscard]] int px(double length) const;
   [[nodiscard]] TextStyle text(double capHeight, TextAnchor anchor) const;
   [[nodiscard]] TextStyle upwardsText(double capHeight) const;
 
   void drawLine(Image& image, const Stroke& line, double width, const Rgb& color = kInk) const;
   void drawFrame(Image& image, const PlotArea& area) const;
-  /// A heading from (x, y) on, smaller where it would not fit into the picture.
+  /// Draws a heading from (x, y) on, smaller if it would not fit into the picture otherwise.
   void drawHeading(Image& image, double x, double y, std::string_view title) const;
 
  private:

@@ -8,10 +8,10 @@ namespace cutwater::detail {
 
 namespace {
 
-constexpr int kTile = 16;         // its square is kMostRays
-constexpr double kStep = 2;       // pixels behind the tangent plane, and more: not the same sheet
-constexpr double kCrease = 0.94;  // cosine of an angle that shows
-constexpr std::uint32_t kWanted = 0;  // any but kNone, until it is known which
+constexpr int kTile = 16;             // its square is kMostRays
+constexpr double kStep = 2;           // pixels from the tangent plane; beyond: another sheet
+constexpr double kCrease = 0.94;      // cosine of a visible angle
+constexpr std::uint32_t kWanted = 0;  // placeholder other than kNone until the number is known
 constexpr Rgb kLine{28, 32, 38};
 constexpr double kLineOpacity = 0.62;
 
@@ -85,7 +85,7 @@ PixelSamples::Difference PixelSamples::difference(const SurfaceSample& a, const 
                                                   const PicturePoint& atB) const {
   if (!a.isHit() && !b.isHit()) return Difference::None;
   if (a.isHit() != b.isHit()) return Difference::Step;
-  // A sheet goes on where either point is near the other's tangent plane.
+  // Both are on one sheet if either point is near the other's tangent plane.
   const auto p = camera_.ray(atA.x, atA.y).at(static_cast<double>(a.along));
   const auto q = camera_.ray(atB.x, atB.y).at(static_cast<double>(b.along));
   const double height = std::min(std::abs(dot(q - p, Vec3<double>(a.normal))),
@@ -155,7 +155,7 @@ void PixelSamples::traceFinely(SampleTracer trace, std::size_t first, std::size_
   trace(points, 1.0 / kSide, std::span(fine_).subspan(first * kSquare, points.size()));
 }
 
-/// Whether a sample nearly meets what the next one beyond does not meet, either.
+/// Whether a sample nearly meets a part, and the next sample beyond that part misses, too.
 bool PixelSamples::hidesBetween(int x, int y) const {
   const auto& sample = fineSample(x, y);
   if (sample.passed == kNone) return false;
@@ -168,7 +168,7 @@ bool PixelSamples::hidesBetween(int x, int y) const {
 }
 
 void PixelSamples::showWhatIsThin() {
-  std::vector<std::size_t> shown;  // decided before any is, as they are looked at by others
+  std::vector<std::size_t> shown;  // collected first, as decisions depend on neighbours
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     const auto samples = std::span(fine_).subspan(i * kSquare, kSquare);
     if (std::any_of(samples.begin(), samples.end(), [](auto& s) { return s.isHit(); })) continue;
@@ -191,7 +191,7 @@ bool PixelSamples::isNearRefined(int x, int y) const {
   return false;
 }
 
-/// A line lies on the nearer of two surfaces, and on both sides of a border of patches.
+/// Lines are drawn on the nearer of two surfaces, and on both sides of a border between patches.
 bool PixelSamples::isOnLine(int x, int y, int reach, SurfaceMatcher areOne) const {
   const auto& here = fineSample(x, y);
   if (!here.isHit()) return false;

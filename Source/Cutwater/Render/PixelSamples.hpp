@@ -8,34 +8,36 @@
 #include <span>
 #include <vector>
 
-/// How render() works inside; for its parts only.
+/// Internals of render(), for its own parts only.
 namespace cutwater::detail {
 
-/// Colour of what is seen at a point of the picture.
+/// Returns the colour of the surface seen at a point of the picture.
 using SampleShader = FunctionRef<Rgb(const SurfaceSample&, const PicturePoint&)>;
-/// Whether two surfaces are one to the viewer: no line divides them unless an edge does.
+/// Whether two surfaces count as one for the viewer: no line is drawn between them unless there is
+/// an edge.
 using SurfaceMatcher = FunctionRef<bool(std::uint32_t, std::uint32_t)>;
 
-/// What is seen through the pixels of an area: one sample each, and kSide^2 where neighbours
-/// differ: at silhouettes, steps in depth, creases and borders of patches, and where the solid
-/// comes close to a ray that misses it.
+/// Samples of what is visible through the pixels of an area: one per pixel, but kSide^2 where
+/// neighbours differ: at silhouettes, steps in depth, creases and borders of patches, and where the
+/// solid comes close to a ray that misses it.
 ///
-/// Of a pixel with so many samples that all miss, those see what passes them that have no sample
-/// which hits it on its other side: thin parts are not lost, and seem once or twice as wide as the
-/// samples are apart; silhouettes do not grow.
+/// If all kSide^2 samples of a pixel miss, one that narrowly misses a part counts as seeing it,
+/// unless the next sample on the part's other side hits. So thin parts are not lost, and appear one
+/// or two sample spacings wide; silhouettes do not grow.
 class PixelSamples {
  public:
   static constexpr int kSide = 3;
 
-  /// The area must lie in a picture. The same samples whatever the threads.
+  /// The area must lie in a picture. Samples do not depend on the number of threads.
   PixelSamples(const Camera& camera, const PlotArea& area, SampleTracer trace,
                const ParallelOptions& options);
 
-  /// Paints the samples, with fine lines along what divides them. `lineWidth` in pixels, at most 1.
+  /// Paints the samples, with fine lines along silhouettes and borders. `lineWidth` in pixels, at
+  /// most 1.
   void draw(Image& image, SampleShader shade, SurfaceMatcher areOne, double lineWidth,
             const ParallelOptions& options) const;
 
-  /// What each of so many patches takes of the picture, in parts of a pixel: kSide^2 are one.
+  /// The area that each of `count` patches covers in the picture, in units of 1 / kSide^2 pixel.
   [[nodiscard]] std::vector<std::size_t> areasOfPatches(std::size_t count) const;
 
   /// The sample in the middle of a pixel, counted from the area's corner.
@@ -43,7 +45,7 @@ class PixelSamples {
 
  private:
   static constexpr int kSquare = kSide * kSide;
-  /// An edge is a border and a crease.
+  /// An edge is both a border and a crease.
   enum class Difference : std::uint8_t { None, Crease, Border, Edge, Step };
 
   [[nodiscard]] std::size_t index(int x, int y) const {
@@ -55,7 +57,7 @@ class PixelSamples {
   }
   [[nodiscard]] bool isRefined(int x, int y) const { return refined_[index(x, y)] != kNone; }
   [[nodiscard]] bool isNearRefined(int x, int y) const;
-  /// Of the picture divided into kSide times as many columns and rows.
+  /// A point of the fine grid, which has kSide times as many columns and rows as the picture.
   [[nodiscard]] PicturePoint finePoint(int x, int y) const;
   [[nodiscard]] const SurfaceSample& fineSample(int x, int y) const;
   [[nodiscard]] Difference difference(const SurfaceSample& a, const PicturePoint& atA,
@@ -64,7 +66,7 @@ class PixelSamples {
   [[nodiscard]] bool differsFromNeighbours(int x, int y) const;
   void tracePixels(SampleTracer trace, const ParallelOptions& options);
   void refine(SampleTracer trace, const ParallelOptions& options);
-  /// Of pixels [first, first + count) of those that have more samples.
+  /// Traces the samples of refined pixels [first, first + count).
   void traceFinely(SampleTracer trace, std::size_t first, std::size_t count);
   [[nodiscard]] std::pair<int, int> fineCorner(std::size_t pixel) const;
   void showWhatIsThin();
@@ -74,10 +76,10 @@ class PixelSamples {
 
   const Camera& camera_;
   PlotArea area_;
-  std::vector<SurfaceSample> samples_;  // of the pixels' middles, row by row
-  std::vector<std::uint32_t> refined_;  // of each pixel: which of those that have more
-  std::vector<std::size_t> pixels_;     // those, in the order of their samples
-  std::vector<SurfaceSample> fine_;     // theirs, kSquare each
+  std::vector<SurfaceSample> samples_;  // at the pixels' centres, row by row
+  std::vector<std::uint32_t> refined_;  // for each pixel: its number among refined ones
+  std::vector<std::size_t> pixels_;     // the refined ones, in the order of their samples
+  std::vector<SurfaceSample> fine_;     // samples of these, kSquare each
 };
 
 }  // namespace cutwater::detail

@@ -28,13 +28,14 @@ using detail::SurfaceSample;
 
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
 constexpr double kUsualFieldOfView = 30;
-/// Around the solid, of the picture: rays that pass it by this much or less know that they do.
+/// Margin around the solid, as a fraction of the picture: rays that pass it within this margin
+/// detect that.
 constexpr double kRoom = 0.01;
-constexpr double kOcclusion = 0.07;   // how far to look for it, in diagonals of what is shown
-constexpr int kMostLooks = 3;         // to find what is in sight
-constexpr double kLargeEnough = 0.6;  // of the frame: a further look would find no better
+constexpr double kOcclusion = 0.07;   // range, in diagonals of the shown part
+constexpr int kMostLooks = 3;         // to find the visible part
+constexpr double kLargeEnough = 0.6;  // of the frame: a further look would not help
 constexpr double kLineWidth = 0.7;    // pixels
-constexpr double kUnit = 1e-6;        // by how much a length may differ from 1
+constexpr double kUnit = 1e-6;        // tolerance on lengths of unit vectors
 
 bool isProper(const Box<double>& box) {
   return isFinite(box) && !box.empty() && std::isfinite(box.diagonal()) && box.diagonal() > 0;
@@ -73,13 +74,14 @@ void check(const RenderOptions& options) {
   checkDirections(options);
 }
 
-/// What is looked into: all of the solid, with some room around, or what of that is in the region.
+/// The box to search: the whole solid with some margin around it, or its intersection with the
+/// region.
 template <std::floating_point T>
 Box<double> lookedInto(const SignedDistanceFunction<T>& solid, const RenderOptions& options,
                        double room) {
   const auto bounds = solid.boundingBox();
   require(!bounds.empty(), "render: the solid is empty");
-  // Infinite sides stay where they are.
+  // Infinite sides are unchanged.
   auto box = Box<double>{Vec3<double>(bounds.lower), Vec3<double>(bounds.upper)}.grown(room);
   require(options.region || isFinite(box),
           "render: the solid is unbounded, so say which region to show");
@@ -88,7 +90,7 @@ Box<double> lookedInto(const SignedDistanceFunction<T>& solid, const RenderOptio
   return box;
 }
 
-/// What the cuts leave of that.
+/// The part of the search box that the cuts leave.
 template <std::floating_point T>
 Box<double> whatIsLeft(const SignedDistanceFunction<T>& solid, const RenderOptions& options) {
   const auto rest =
@@ -110,7 +112,7 @@ double largestPixel(const Camera& camera, const Box<double>& box) {
   return camera.pixelSize(length(box.center() - camera.ray(0, 0).origin) + box.diagonal());
 }
 
-/// Colours of patches; those of one name have one.
+/// Colours of patches; those with the same name share one.
 class PatchTable {
  public:
   explicit PatchTable(std::span<const std::string> names) {
@@ -122,18 +124,18 @@ class PatchTable {
     }
   }
 
-  /// Each once.
+  /// The names, each once.
   [[nodiscard]] std::span<const std::string> names() const { return names_; }
   [[nodiscard]] Rgb color(std::uint32_t patch) const {
     return patchColor(patch < ranks_.size() ? ranks_[patch] : 0);
   }
 
-  /// Two patches of one name.
+  /// Whether two patches have the same name.
   [[nodiscard]] bool areOne(std::uint32_t a, std::uint32_t b) const {
     return a < ranks_.size() && b < ranks_.size() && ranks_[a] == ranks_[b];
   }
 
-  /// The largest ones in sight first.
+  /// Entries for the visible patches, largest first.
   [[nodiscard]] std::vector<LegendEntry> legend(const PixelSamples& samples) const {
     std::vector<std::size_t> areas(names_.size());
     const auto ofPatches = samples.areasOfPatches(ranks_.size());
@@ -151,7 +153,7 @@ class PatchTable {
 
  private:
   std::vector<std::string> names_;
-  std::vector<std::size_t> ranks_;  // of each patch: which of the names it has
+  std::vector<std::size_t> ranks_;  // index of each patch's name
 };
 
 template <std::floating_point T>
@@ -161,7 +163,7 @@ auto calls(const SphereTracer<T>& tracer) {
   };
 }
 
-/// From within a solid nothing is in sight.
+/// From inside a solid nothing is visible.
 template <std::floating_point T>
 void checkEye(const SignedDistanceFunction<T>& solid, const KeptRegion& region,
               const Camera& camera) {
@@ -171,13 +173,13 @@ void checkEye(const SignedDistanceFunction<T>& solid, const KeptRegion& region,
           "render: the viewer is within the solid", Named{"eye", eye});
 }
 
-/// The camera turned to what is in sight of the solid, which may be much less than its box.
+/// The camera turned to the visible part of the solid, which may be much smaller than its box.
 template <std::floating_point T>
 Camera aimed(Camera camera, const SignedDistanceFunction<T>& solid, const KeptRegion& region,
              const Frame& frame, const RenderOptions& options) {
   for (int look = 0; look < kMostLooks; ++look) {
     const SphereTracer<T> tracer(solid, region, camera, {.sheets = options.sheets});
-    // Parts that these few rays cannot know of might be beyond the picture then.
+    // These few rays could miss parts, which might then end up outside the picture.
     if (!tracer.knowsDistances()) break;
     const auto part = partInSight(calls(tracer), frame, {.threads = options.threads});
     if (!part) break;

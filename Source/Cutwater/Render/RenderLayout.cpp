@@ -17,16 +17,16 @@ constexpr double kRow = 23;     // of the legend
 constexpr double kSwatch = 14;  // side of its squares
 constexpr double kMostLegend = 300;
 constexpr double kTriad = 38;      // length of an arrow
-constexpr double kTriadRoom = 62;  // from the edges of the picture to where they begin
+constexpr double kTriadRoom = 62;  // from the edges of the picture to their origin
 constexpr double kScaleBar = 190;  // at most
 constexpr double kThickLine = 2.4;
 
 constexpr std::array<Rgb, 3> kAxisColors{{{196, 57, 51}, {63, 140, 66}, {45, 98, 180}}};
 
-/// The text, or so much of it as fits, and two points.
+/// The text, or as much of it as fits, followed by two dots.
 std::string shortened(const std::string& text, double capHeight, double room) {
   if (textLength(text, capHeight) <= room) return text;
-  std::size_t least = 0;  // by bisection: the longer, the longer
+  std::size_t least = 0;  // by bisection: length grows with the number of characters
   std::size_t most = text.size();
   while (least < most) {
     const auto middle = least + (most - least + 1) / 2;
@@ -110,7 +110,7 @@ void RenderLayout::drawAxes(Image& image, const View& view) const {
 void RenderLayout::drawScaleBar(Image& image, double pixelSize, const std::string& unit) const {
   const double most = style_.px(kScaleBar) * pixelSize;
   if (!(std::isfinite(most) && most > 0)) return;
-  const double length = roundStep(0.4 * most);  // of 1, 2 and 5 the next is at most 2.5 times it
+  const double length = roundStep(0.4 * most);  // 1, 2, 5: factors of at most 2.5
   const double right = area_.x0 + area_.width - style_.px(kMargin);
   const double left = right - length / pixelSize;
   const double y = image.height() - style_.px(32);

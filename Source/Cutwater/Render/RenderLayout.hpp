@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// How render() works inside; for its parts only.
+/// Internals of render(), for its own parts only.
 namespace cutwater::detail {
 
 struct LegendEntry {
@@ -15,10 +15,10 @@ struct LegendEntry {
   Rgb color;
 };
 
-/// Where things stand on a picture of a solid, and what is written around it.
+/// The layout of a picture of a solid, and the annotations around it.
 class RenderLayout {
  public:
-  /// What there is room to be left for.
+  /// The parts that need room.
   struct Parts {
     bool title = false;
     bool axes = false;
@@ -28,23 +28,24 @@ class RenderLayout {
   RenderLayout(int width, int height, const Parts& parts);
 
   [[nodiscard]] double scale() const { return style_.scale(); }
-  /// Where the solid may be seen.
+  /// The area in which the solid may be visible.
   [[nodiscard]] const PlotArea& area() const { return area_; }
-  /// What all of it is to be fitted to, with some room around.
+  /// The frame into which the whole solid must fit, with some margin around it.
   [[nodiscard]] Frame frame() const;
 
   void drawTitle(Image& image, const std::string& title) const;
-  /// As many as there is room for, and how many more there are.
+  /// Draws as many entries as there is room for, and the number of the others.
   void drawLegend(Image& image, std::span<const LegendEntry> entries) const;
-  /// Three arrows along the coordinate axes, those towards the viewer over those that point away.
+  /// Draws three arrows along the coordinate axes, those towards the viewer over those that point
+  /// away.
   void drawAxes(Image& image, const View& view) const;
-  /// A line of a round length, in a picture whose pixels have this size.
+  /// Draws a line of a round length, in a picture whose pixels have this size.
   void drawScaleBar(Image& image, double pixelSize, const std::string& unit) const;
 
  private:
   PictureStyle style_;
   PlotArea area_;
-  int strip_ = 0;  // height of what is kept free for axes and scale bar
+  int strip_ = 0;  // height reserved for axes and scale bar
 };
 
 }  // namespace cutwater::detail

@@ -20,7 +20,7 @@ constexpr double kHatchWidth = 1.3;  // the same
 constexpr double kHatchOpacity = 0.30;
 constexpr Rgb kHatchInk{70, 52, 30};
 
-/// A direction as the viewer sees it: to the right, up, towards the viewer.
+/// A direction in the viewer's frame: to the right, up, towards the viewer.
 Vec3<double> seen(const View& view, double right, double up, double back) {
   return normalized(right * view.right() + up * view.up + back * view.back);
 }

@@ -4,19 +4,19 @@
 #include <Cutwater/Render/Oklch.hpp>
 #include <Cutwater/Render/SurfaceSample.hpp>
 
-/// How render() works inside; for its parts only.
+/// Internals of render(), for its own parts only.
 namespace cutwater::detail {
 
 /// Light from the sky around the viewer, brighter from above, a lamp over the viewer's left
 /// shoulder, and a weak one from the other side.
 class Shading {
  public:
-  /// `scale`: of lines on the picture; see PictureStyle.
+  /// `scale`: scale of lines on the picture; see PictureStyle.
   Shading(const View& view, double scale);
 
-  /// A surface of this colour.
+  /// Shades a surface of this colour.
   [[nodiscard]] Rgb surface(const SurfaceSample& sample, const Rgb& color) const;
-  /// The face of a cut, flat and hatched, so that it does not look like a surface.
+  /// Shades the face of a cut, flat and hatched, so that it does not look like a surface.
   [[nodiscard]] Rgb cutFace(const Rgb& color, const PicturePoint& at) const;
 
  private:

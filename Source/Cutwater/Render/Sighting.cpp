@@ -7,9 +7,10 @@ namespace cutwater::detail {
 
 namespace {
 
-/// How far from a sheet another may lie to be the same, or a point beyond a cut, in pixels.
+/// Distance, in pixels, within which two sheets coincide, or a point beyond a cut still counts as
+/// on it.
 constexpr double kSamePlace = 1e-3;
-/// Of a ray's direction: slower towards the surface than this, it runs along it.
+/// A ray whose direction has a smaller component towards the surface runs along it.
 constexpr double kSlowest = 0.02;
 
 SurfaceSample sampleOf(const Ray& ray, double along, Vec3<double> normal, std::uint32_t surface) {
@@ -52,8 +53,8 @@ SurfaceSample Sighting<T>::near(const Ray& ray, const RayRange& range, double al
   return sampleOf(ray, along, normal, sheets_ ? sheetAt(nearest, ray, along) : nearest.owner.patch);
 }
 
-/// Of sheets that lie on each other, nearest to the same points but for rounding: the patch of
-/// one that looks at the viewer if there is one, and of such the first.
+/// The patch to show where sheets coincide, up to rounding of their closest points: the first of
+/// those that face the viewer, or of all if none does.
 template <std::floating_point T>
 std::uint32_t Sighting<T>::sheetAt(const SurfacePoint<T>& nearest, const Ray& ray,
                                    double along) const {

@@ -4,29 +4,29 @@
 #include <Cutwater/Render/SurfaceSample.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
-/// How render() works inside; for its parts only.
+/// Internals of render(), for its own parts only.
 namespace cutwater::detail {
 
-/// What rays see, from what queries tell of the surface about them.
+/// Determines what rays see, from the results of queries about the surface near them.
 template <std::floating_point T>
 class Sighting {
  public:
-  /// Solid, region and camera must live as long as this. `sheets`: see RenderOptions.
+  /// Solid, region and camera must outlive this object. `sheets`: see RenderOptions.
   Sighting(const SignedDistanceFunction<T>& solid, const KeptRegion& region, const Camera& camera,
            bool sheets)
       : solid_(solid), region_(region), camera_(camera), sheets_(sheets) {}
 
-  /// The face of the cut through which a ray comes in.
+  /// The face of the cut through which a ray enters.
   [[nodiscard]] SurfaceSample atCut(const RayRange& range) const;
-  /// What a ray crosses at this distance along it.
+  /// The surface that a ray crosses at this distance along it.
   [[nodiscard]] SurfaceSample atCrossing(const Ray& ray, double along,
                                          const Crossing<T>& crossing) const;
-  /// A ray is near enough to the surface at this distance along it, and this is the point of it
-  /// nearest to there.
+  /// For a ray that is near enough to the surface at this distance along it; `nearest` is the
+  /// surface point nearest to there.
   [[nodiscard]] SurfaceSample near(const Ray& ray, const RayRange& range, double along,
                                    const SurfacePoint<T>& nearest) const;
-  /// A ray sees nothing, and is nearest to the surface at this distance along it. Empty if the
-  /// surface is farther than `reach`, in pixels, or cut away.
+  /// For a ray that sees nothing, and is nearest to the surface at this distance along it. Empty if
+  /// the surface is farther than `reach`, in pixels, or cut away.
   [[nodiscard]] SurfaceSample passing(const Ray& ray, double along, const SurfacePoint<T>& nearest,
                                       double reach) const;
 

@@ -17,7 +17,7 @@ using detail::PlotArea;
 using detail::SliceField;
 using detail::SliceLayout;
 
-constexpr double kLinesOutside = 16;  // about as many, or a little fewer
+constexpr double kLinesOutside = 16;  // about this many, or slightly fewer
 constexpr double kLinesInside = 8;
 constexpr double kMostLines = 1000;
 constexpr Rgb kMeshInk{40, 44, 52};
@@ -79,7 +79,7 @@ PlotArea fitted(const PlotArea& room, const SliceWindow<T>& window) {
   return {room.x0 + (room.width - width) / 2, room.y0 + (room.height - height) / 2, width, height};
 }
 
-/// Each side of the surface has lines of its own, so that a thin body shows some, too.
+/// Each side of the surface has its own line spacing, so that a thin body has some lines, too.
 LineSpacing lineSpacing(double least, double greatest, double wanted) {
   const double range = std::max({greatest, -least, 1e-30});
   LineSpacing spacing{wanted, wanted};

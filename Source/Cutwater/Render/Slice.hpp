@@ -37,22 +37,23 @@ struct SliceWindow {
 /// Options of renderSlice().
 template <std::floating_point T>
 struct SliceOptions {
-  /// What is shown, in full and to scale. Without it: the solid's bounding box with some room.
+  /// The part that is shown, in full and to scale. Without it: the solid's bounding box with some
+  /// margin.
   std::optional<SliceWindow<T>> window = {};
   int width = 1600;   ///< of the picture, pixels
   int height = 1000;  ///< of the picture, pixels
   std::string title = {};
   std::string unit = {};  ///< of lengths, e.g. "m"
-  T isolineSpacing = 0;   ///< distance between iso-distance lines; 0: a round number that suits
-  /// Whose cells are outlined where the plane cuts them; or null.
+  T isolineSpacing = 0;   ///< distance between iso-distance lines; 0: a suitable round number
+  /// Mesh whose cells are outlined where the plane cuts them; or null.
   const Octree<T>* mesh = nullptr;
   int threads = 0;  ///< see ParallelOptions
   Progress progress = {};
 };
 
-/// A picture of the signed distance in a plane: its colours, lines of equal distance, the outline
-/// of the solid, axes and a colour bar. One query per pixel; the outline's edges are smooth because
-/// the distance tells how much of a pixel it covers.
+/// Renders a picture of the signed distance in a plane: colours, lines of equal distance, the
+/// outline of the solid, axes and a colour bar. Takes one query per pixel; the outline is smooth
+/// because the distance determines how much of a pixel it covers.
 /// @throws Error if the picture is smaller than 320 x 240 pixels or larger than Image allows, a
 /// window is empty or not finite, or the solid is unbounded and no window is given.
 template <std::floating_point T>

@@ -15,7 +15,7 @@ constexpr Rgb kOuterLine{70, 40, 20};
 constexpr double kOutlineWidth = 2.2;  // pixels, at scale 1
 constexpr double kIsolineWidth = 1.0;
 constexpr double kIsolineOpacity = 0.30;
-// Least changes of the value along the plane, per unit of length, that lines are drawn for.
+// Least change of the value along the plane, per unit of length, for which lines are drawn.
 constexpr double kLeastSlope = 0.3;
 constexpr double kLeastOutlineSlope = 0.1;
 
@@ -60,8 +60,8 @@ SliceField<T>::SliceField(const SignedDistanceFunction<T>& solid, const SlicePla
   }
 }
 
-/// Change of the value per pixel. In the plane it may be far below 1 per unit of length: a surface
-/// that meets the plane at a flat angle.
+/// Change of the value per pixel. It may be far below 1 per unit of length, where a surface meets
+/// the plane at a shallow angle.
 template <std::floating_point T>
 double SliceField<T>::slope(int x, int y) const {
   return 0.5 * std::hypot(value(x + 1, y) - value(x - 1, y), value(x, y + 1) - value(x, y - 1));
@@ -72,13 +72,14 @@ Rgb SliceField<T>::color(int x, int y, const LineSpacing& spacing, double scale)
   const double v = value(x, y);
   if (!std::isfinite(v)) return kUndefined;
   auto result = signedDistanceColor(v < 0 ? -v / least_ : greatest_ > 0 ? v / greatest_ : 0);
-  // Differences vanish on the ridges of a distance and where it is constant: with a floor the
-  // outline does not swell there, and lines of equal distance, which have no place there, fade.
+  // Differences vanish on the ridges of a distance and where it is constant. A lower limit keeps
+  // the outline from swelling there, and lets lines of equal distance fade, which do not belong
+  // there.
   const double least = kLeastSlope * pixel_;
   const double change = slope(x, y);
   const double step = v < 0 ? spacing.inside : spacing.outside;
   const double line = std::round(v / step) * step;
-  if (line != 0) {  // the line at 0 is the outline's
+  if (line != 0) {  // the line at 0 is the outline
     const double shown =
         coverage(std::abs(v - line) / std::max(change, least), kIsolineWidth * scale);
     result = blended(result, v < 0 ? kInnerLine : kOuterLine,

@@ -5,10 +5,10 @@
 
 #include <vector>
 
-/// How renderSlice() works inside; for its parts only.
+/// Internals of renderSlice(), for its own parts only.
 namespace cutwater::detail {
 
-/// Values at the centres of a plot's pixels and of one more around, and what a pixel looks like.
+/// Values at the centres of a plot's pixels and of one more on each side, and the pixels' colours.
 template <std::floating_point T>
 class SliceField {
  public:
@@ -18,8 +18,8 @@ class SliceField {
   [[nodiscard]] double least() const { return least_; }        ///< at most 0
   [[nodiscard]] double greatest() const { return greatest_; }  ///< at least 0
 
-  /// Draws the plot with lines of equal distance. `scale`: thickness of lines relative to their
-  /// usual one.
+  /// Draws the plot with lines of equal distance. `scale`: relative to the usual thickness of
+  /// lines.
   void draw(Image& image, const LineSpacing& spacing, double scale) const;
 
  private:

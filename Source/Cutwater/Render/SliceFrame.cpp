@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kZeroLine = 2.2;
 
-/// Position on the colour bar of a value, and the other way round.
+/// Maps a value to its position on the colour bar, and back.
 class BarScale {
  public:
   BarScale(const PlotArea& bar, const Interval<double>& values)
@@ -26,7 +26,7 @@ class BarScale {
     if (value < 0) return zero_ + (bottom_ - zero_) * (value / values_.lower);
     return values_.upper > 0 ? zero_ - (zero_ - top_) * (value / values_.upper) : zero_;
   }
-  /// What signedDistanceColor() takes.
+  /// The argument of signedDistanceColor().
   [[nodiscard]] double fractionAt(double y) const {
     return y < zero_ ? (zero_ - y) / (zero_ - top_) : (zero_ - y) / (bottom_ - zero_);
   }
@@ -38,7 +38,7 @@ class BarScale {
   double zero_ = 0;
 };
 
-/// As many as there is room for, those nearest to 0 first.
+/// Keeps as many ticks as there is room for, those nearest to 0 first.
 std::vector<Tick> uncrowded(std::vector<Tick> ticks, const BarScale& scale, double room) {
   std::stable_sort(ticks.begin(), ticks.end(), [](const Tick& a, const Tick& b) {
     return std::abs(a.value) < std::abs(b.value);

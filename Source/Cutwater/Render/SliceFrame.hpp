@@ -7,10 +7,10 @@
 #include <array>
 #include <string>
 
-/// How renderSlice() works inside; for its parts only.
+/// Internals of renderSlice(), for its own parts only.
 namespace cutwater::detail {
 
-/// Between lines of equal distance.
+/// The spacing of lines of equal distance.
 struct LineSpacing {
   double inside;
   double outside;
@@ -21,22 +21,23 @@ Interval<double> axisRange(const SliceWindow<T>& window, std::size_t i) {
   return {static_cast<double>(window.lower[i]), static_cast<double>(window.upper[i])};
 }
 
-/// What stands around a plot.
+/// The annotations around a plot.
 class SliceLayout {
  public:
   SliceLayout(int width, int height);
 
-  /// Thickness of lines and text relative to their usual one.
+  /// Scale of lines and text relative to their usual thickness.
   [[nodiscard]] double scale() const { return style_.scale(); }
-  /// Where a plot may stand.
+  /// The area in which a plot may be placed.
   [[nodiscard]] PlotArea room() const { return room_; }
 
-  /// A frame with ticks, numbers and labels to the left and below.
+  /// Draws a frame with ticks, numbers and labels to the left and below.
   void drawAxes(Image& image, const PlotArea& plot, const std::array<Interval<double>, 2>& ranges,
                 const std::array<std::string, 2>& labels) const;
 
-  /// To the right. The scale is linear on either side of 0; a thin body keeps a readable side of
-  /// its own. Ticks stand at lines of equal distance, as many of them as there is room for.
+  /// Draws the colour bar to the right. The scale is linear on either side of 0; each side stays
+  /// readable, even for a thin body. Ticks are at lines of equal distance, as many as there is room
+  /// for.
   void drawColorBar(Image& image, const PlotArea& plot, const Interval<double>& values,
                     const LineSpacing& spacing, const std::string& label) const;
 

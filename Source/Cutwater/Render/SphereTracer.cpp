@@ -10,16 +10,17 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/// Of an exact distance; and of a mere bound, which may be less than the distance.
+/// Thresholds, in pixels, for an exact distance and for a bound, which may be less than the
+/// distance.
 constexpr double kNearEnough = 1.0 / 40;
 constexpr double kNearEnoughByBound = 1.0 / 320;
-/// Sheets have no crossings to ask about: a ray along one sees it from this much farther with every
-/// so many steps, which bounds their number.
+/// For sheets crossings() is of no use. Instead, the threshold for a ray along one grows every this
+/// many steps, which bounds their number.
 constexpr int kStepsOfPatience = 1024;
-/// Most that may be left for rounding, in pixels: more would show.
+/// The largest allowance for rounding, in pixels: more would be visible.
 constexpr double kBlur = 0.25;
-/// Half the diagonal of a square, and a sixth more: of two steps past a point the nearer end is at
-/// most 1.16 times as far from it as the ray.
+/// Half the diagonal of a square, and a sixth more: when a ray steps past a point, the nearer end
+/// of the step is at most 1.16 times as far from it as the ray.
 constexpr double kReach = 0.5 * 1.42 * 1.17;
 
 }  // namespace
@@ -74,14 +75,14 @@ class SphereTracer<T>::Packet {
   struct Line {
     Ray ray;
     RayRange range;
-    double along;           // nothing is seen up to here
-    double nearest = kInf;  // in pixels, of those steps
+    double along;           // nothing visible up to here
+    double nearest = kInf;  // least distance so far, in pixels
     double nearestAlong = 0;
   };
 
   [[nodiscard]] Vec3<T> at(const Vec3<double>& p) const { return Vec3<T>(p); }
 
-  /// Values where the active rays are.
+  /// Evaluates the solid at the current points of the active rays.
   void evaluate() {
     for (std::size_t k = 0; k < active_.size(); ++k) {
       const auto& line = lines_[active_[k]];
@@ -91,9 +92,9 @@ class SphereTracer<T>::Packet {
                               std::span(values_).first(active_.size()), {.threads = 1});
   }
 
-  /// Rays that come in through a cut within the solid see its face. What is within rounding of the
-  /// surface shows the surface. Beside the rim of the face the surface that was cut away may be
-  /// near; it is not seen, and left behind by a step that does not pass what remains.
+  /// Rays that enter through a cut inside the solid see its face; within round-off of the surface
+  /// they see the surface. Beside the rim of the face the surface that was cut away may be near; it
+  /// is not visible, and a step that does not pass the remaining surface leaves it behind.
   void stopAtCuts() {
     if (std::none_of(active_.begin(), active_.end(),
                      [&](auto i) { return lines_[i].range.cut != kNone; })) {
@@ -117,8 +118,8 @@ class SphereTracer<T>::Packet {
     });
   }
 
-  /// Where only signs are known, they tell whether the surface is within rounding of a cut: there
-  /// they change a step before it. The sample is of the surface then.
+  /// Where only signs are known, they show whether the surface is within round-off of a cut: if so,
+  /// they change one step before it. The sample is then of the surface.
   bool touchesCut(std::uint32_t i, double step) {
     const auto& line = lines_[i];
     const double before = line.along - step;
@@ -126,8 +127,8 @@ class SphereTracer<T>::Packet {
            meetsBetween(i, before, line.along + step);
   }
 
-  /// Steps of all rays alike: at equal distances along, they are all within some radius of the one
-  /// that comes in first.
+  /// Advances all rays together: at equal distances along, they are all within some radius of the
+  /// one that enters first.
   void startTogether() {
     if (active_.size() < 2) return;
     const auto& first =
@@ -178,7 +179,7 @@ class SphereTracer<T>::Packet {
     if (t_.options_.sheets) active_.clear();
   }
 
-  /// Whether there is a crossing on a part of a ray: the sample is of the first then.
+  /// Whether there is a crossing on a part of a ray; the sample is then of the first one.
   bool meetsBetween(std::uint32_t i, double from, double to) {
     if (!(from < to)) return false;
     const auto& ray = lines_[i].ray;
@@ -190,7 +191,7 @@ class SphereTracer<T>::Packet {
     return samples_[i].isHit();
   }
 
-  /// Finds out where rays meet the surface, or pass it, from the points of it nearest to them.
+  /// Determines where rays meet the surface, or pass it, from the surface points nearest to them.
   void settle(std::span<const std::uint32_t> which, bool passing) {
     points_.resize(which.size());
     nearest_.resize(which.size());
@@ -221,7 +222,8 @@ class SphereTracer<T>::Packet {
     for (std::size_t k = 0; k < open.size(); ++k) samples_[owners[k]].open = open[k];
   }
 
-  /// Asks keep(k, line, index) for the k-th active ray, and has only these stay active.
+  /// Calls keep(k, line, index) for the k-th active ray, and keeps only those active for which it
+  /// returns true.
   template <typename Keep>
   void keepActive(Keep keep) {
     std::size_t kept = 0;
@@ -236,7 +238,7 @@ class SphereTracer<T>::Packet {
   double reach_;  // in pixels
   std::span<SurfaceSample> samples_;
   std::vector<Line> lines_;
-  std::vector<std::uint32_t> active_;   // rays under way
+  std::vector<std::uint32_t> active_;   // rays still marching
   std::vector<std::uint32_t> arrived_;  // those that see something
   std::vector<std::uint32_t> passing_;  // those that nearly do
   std::vector<Vec3<T>> points_;

@@ -8,9 +8,9 @@ namespace cutwater {
 
 namespace {
 
-// The font: pen strokes for the characters ' ' to '~'. A stroke is a letter for its kind and then
-// points, each two digits (0-9, A-Z) for x and y. The baseline is y = 4, small letters reach to
-// y = C, capitals to y = G, descenders to y = 0.
+// The font: pen strokes for the characters ' ' to '~'. A stroke is a character for its kind
+// followed by points, each with two digits (0-9, A-Z) for x and y. The baseline is y = 4;
+// lower-case letters reach up to y = C, capitals to y = G, descenders down to y = 0.
 //   '-' straight lines from point to point
 //   '~' a smooth curve from the first point to the last: a quadratic B-spline
 //   'o' the same, closed
@@ -136,8 +136,8 @@ void addLines(Glyph& glyph, const std::vector<Point>& points) {
   }
 }
 
-/// Quadratic B-spline with these control points: a parabola per inner control point, from the
-/// middle of one edge to the middle of the next; an open one begins and ends at its end points.
+/// Quadratic B-spline with these control points: a parabola for each inner control point, from the
+/// middle of one edge to the middle of the next; an open curve begins and ends at its end points.
 std::vector<Point> curve(const std::vector<Point>& control, bool closed) {
   std::vector<Point> points;
   const auto n = control.size();

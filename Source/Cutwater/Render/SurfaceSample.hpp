@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-/// How render() works inside; for its parts only.
+/// Internals of render(), for its own parts only.
 namespace cutwater::detail {
 
 /// A point of a picture, in its continuous pixel coordinates.
@@ -16,23 +16,23 @@ struct PicturePoint {
 
 /// What a ray sees.
 struct SurfaceSample {
-  /// Surfaces with this bit are faces of cut planes, others are patches.
+  /// Surfaces with this bit set are faces of cut planes, others are patches.
   static constexpr std::uint32_t kCutFace = 0x80000000U;
 
   float along = std::numeric_limits<float>::infinity();  ///< distance along the ray
   Vec3<float> normal;                                    ///< unit, towards the viewer
-  float open = 1;                 ///< how much of the light from around comes here, 0 to 1
-  std::uint32_t surface = kNone;  ///< what is seen: kNone, a patch, or a face of a cut
-  /// Of a ray that sees nothing: the patch that it nearly meets; the normal points from there to
-  /// it.
+  float open = 1;                 ///< fraction of ambient light that arrives, 0 to 1
+  std::uint32_t surface = kNone;  ///< visible surface: kNone, a patch, or a face of a cut
+  /// For a ray that sees nothing: the patch that it nearly meets; the normal then points from that
+  /// patch to the ray.
   std::uint32_t passed = kNone;
 
   [[nodiscard]] bool isHit() const { return surface != kNone; }
   [[nodiscard]] bool isCut() const { return isHit() && (surface & kCutFace) != 0; }
 };
 
-/// Samples at points of the picture, best close to each other: at most so many. `spacing`: the
-/// distance between the picture's points in pixels.
+/// Samples at most kMostRays points of the picture, most efficiently if they are close to each
+/// other. `spacing`: the distance between the picture's points in pixels.
 inline constexpr std::size_t kMostRays = 256;
 using SampleTracer = FunctionRef<void(std::span<const PicturePoint> points, double spacing,
                                       std::span<SurfaceSample> samples)>;

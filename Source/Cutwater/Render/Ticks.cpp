@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kMostTicks = 10000;
 
-/// Digits behind the point that the multiples of `step` need; for a step like 1/3, that make three.
+/// Decimal places that the multiples of `step` need; for a step like 1/3, those that give three
+/// digits.
 int decimals(double step) {
   const int leading = -static_cast<int>(std::floor(std::log10(step) + 1e-9));
   for (int digits = std::max(leading, 0); digits < leading + 3; ++digits) {
@@ -35,7 +36,7 @@ std::string label(double value, double step, double largest) {
 }  // namespace
 
 double roundStep(double wanted) {
-  constexpr double kLeast = 1e-300;  // below, powers of ten lose their digits
+  constexpr double kLeast = 1e-300;  // below, powers of ten lose digits
   const double target = std::clamp(wanted, kLeast, 1e300);
   const double power = std::pow(10.0, std::floor(std::log10(target)));
   for (const double factor : {1.0, 2.0, 5.0}) {
@@ -49,7 +50,7 @@ std::vector<Tick> ticksBetween(double lower, double upper, double step) {
               (upper - lower) / step <= kMostTicks,
           "ticksBetween: need lower <= upper and a step that is not too small",
           Named{"lower", lower}, Named{"upper", upper}, Named{"step", step});
-  // A tick that rounding put just beyond an end still belongs there.
+  // A tick that rounding moved just beyond an end is still included.
   const double first = std::ceil(lower / step - 1e-9);
   const double last = std::floor(upper / step + 1e-9);
   const double largest = std::max({std::abs(lower), std::abs(upper), step});
