@@ -91,7 +91,7 @@ class Lines {
   BeamGraph graph_;
 };
 
-/// What readBeams() would refuse.
+/// Refuses what readBeams() would refuse.
 void check(const BeamGraph& graph) {
   const auto isRadius = [](double r) { return 0 <= r && std::isfinite(r); };
   const auto isNode = [&](std::uint32_t node) { return node < graph.nodes.size(); };

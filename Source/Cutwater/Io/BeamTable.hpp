@@ -7,8 +7,8 @@
 
 namespace cutwater {
 
-/// Reads the beams of a lattice from a table in text, compressed by gzip or not: a line for each
-/// node, beam and ball, fields separated by commas.
+/// Reads the beams of a lattice from a text table, optionally compressed by gzip: a line for each
+/// node, beam and ball, with fields separated by commas.
 ///
 ///     node, 0, 0, 0
 ///     node, 1, 0, 0
@@ -19,18 +19,19 @@ namespace cutwater {
 ///     # about a node, with its radius
 ///     ball, 1, 0.3
 ///
-/// Nodes count from 0 in the order of their lines and stand before what names them. Empty lines and
-/// those that begin with # are skipped. Numbers are read in the C locale always.
-/// @throws Error(File) "path: line 7: ..." for a line that is none of these, names a node that is
-/// not there, or has a coordinate or radius that is not finite, a negative radius or none above 0,
-/// or a frustum without length; and if there is no beam and no ball. Error(Limit) beyond maxBytes
-/// or 2^32 - 2 lines of a kind; Error(Argument) unless 0 < scale < infinity.
+/// Nodes are numbered from 0 in the order of their lines, and come before the lines that refer to
+/// them. Empty lines and those that begin with # are skipped. Numbers are always read in the C
+/// locale.
+/// @throws Error(File) "path: line 7: ..." for a line that is none of these, refers to a node that
+/// does not exist, or has a coordinate or radius that is not finite, a negative radius, no radius
+/// above 0, or a frustum of length 0; and if there are neither beams nor balls. Error(Limit) beyond
+/// maxBytes or 2^32 - 2 lines of a kind; Error(Argument) unless 0 < scale < infinity.
 [[nodiscard]] BeamGraph readBeams(const std::filesystem::path& path,
                                   const ReadTableOptions& options = {});
 
-/// Writes such a table, which reads back as the same graph, to the bit. (Caps of a beam that is no
-/// frustum, which do not matter, read back as the default.)
-/// @throws Error(File) if it cannot be written, Error(Argument) if it could not be read back.
+/// Writes such a table, which reads back as the same graph, to the bit. (Caps have no meaning for
+/// beams that are not frusta, and read back as the default.)
+/// @throws Error(File) if the file cannot be written, Error(Argument) if it could not be read back.
 void writeBeams(const std::filesystem::path& path, const BeamGraph& graph);
 
 }  // namespace cutwater

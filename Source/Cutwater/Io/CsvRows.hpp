@@ -12,15 +12,15 @@
 
 namespace cutwater::detail {
 
-/// The rows of a table in text, fields separated by commas; blanks around them do not count, nor do
-/// empty lines and those that begin with #. Compressed by gzip or not. Numbers are those of the C
+/// The rows of a text table, optionally compressed by gzip, with fields separated by commas. Blanks
+/// around fields, empty lines and lines that begin with # are ignored. Numbers are read in the C
 /// locale.
 class CsvRows {
  public:
-  /// @throws Error(File) for what cannot be read, Error(Limit) beyond `maxBytes`.
+  /// @throws Error(File) if the file cannot be read, Error(Limit) beyond `maxBytes`.
   CsvRows(const std::filesystem::path& path, std::uint64_t maxBytes);
 
-  /// False at the end of the file.
+  /// Reads the next row. Returns false at the end of the file.
   bool next();
   [[nodiscard]] std::size_t fields() const { return fields_.size(); }
   [[nodiscard]] std::string_view text(std::size_t field) const { return fields_[field]; }
@@ -32,9 +32,9 @@ class CsvRows {
   /// @throws Error(File) with the line, unless it is an index below `count`.
   [[nodiscard]] std::uint32_t index(std::size_t field, std::size_t count, const char* what) const;
 
-  /// @throws Error(File) with the line, unless there are as many fields.
+  /// @throws Error(File) with the line, unless there are `count` fields.
   void requireFields(std::size_t count) const;
-  /// Fails likewise; or with Error(Limit).
+  /// Throw Error(File) with the line, or Error(Limit).
   [[noreturn]] void fail(const std::string& message) const { text_.fail(message); }
   [[noreturn]] void failLimit(const std::string& message) const { text_.failLimit(message); }
 

@@ -6,7 +6,7 @@
 
 namespace cutwater {
 
-/// Writes a picture as a PNG file; a file of that name is replaced only once it is complete.
+/// Writes a picture as a PNG file; an existing file is replaced only once the new one is complete.
 /// @throws Error(File) naming the path if it cannot be written, or if this library was built
 /// without libpng.
 void writePng(const std::filesystem::path& path, const Image& image);

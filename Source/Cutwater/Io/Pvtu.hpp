@@ -9,12 +9,12 @@
 
 namespace cutwater {
 
-/// Writes the file that binds .vtu files, each a piece of one mesh, so that ParaView opens them
-/// together: a VTK parallel unstructured grid (.pvtu). `pieces` are names relative to its folder.
-/// Names and types of the arrays are those of every piece, in which points are of type T; values
-/// are not looked at. The file is replaced only once it is complete.
+/// Writes a VTK parallel unstructured grid (.pvtu), which joins .vtu files, each a piece of one
+/// mesh, so that ParaView opens them together. `pieces` are names relative to its folder. Names and
+/// types of the arrays must be those in every piece, and T the type of its points; values are not
+/// used. An existing file is replaced only once the new one is complete.
 /// @throws Error(File) naming the path if it cannot be written; Error(Argument) if there are no
-/// pieces, the list of arrays is empty, or names are empty or twice the same.
+/// pieces, the list of arrays is empty, or names are empty or occur twice.
 template <std::floating_point T>
 void writePvtu(const std::filesystem::path& path, std::span<const std::string> pieces,
                std::span<const VtkArray> arrays);

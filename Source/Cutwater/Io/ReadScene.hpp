@@ -7,13 +7,13 @@
 
 namespace cutwater {
 
-/// Which solid of a scene, and how much of a file is read.
+/// Which solid of a scene to read, and limits on its size.
 struct ReadSceneOptions {
-  /// The name of the solid that is meant; empty: the one that the file says, or else its last.
+  /// The name of the solid to read; empty: the one that the file selects, or else its last.
   std::string solid = {};
-  /// Refuse scenes of more bytes than this; what is read from files that they name does not count.
+  /// Refuse scenes of more bytes than this, not counting the files that they refer to.
   std::uint64_t maxBytes = std::uint64_t{16} << 20U;
-  /// Refuse conformal cells of more beams than this: a line may ask for any number.
+  /// Refuse conformal cells of more beams than this: a single line may request any number.
   std::uint64_t maxBeams = 10'000'000;
 };
 
@@ -26,18 +26,20 @@ struct ReadSceneOptions {
 ///     to = [0, 0, 4]
 ///     radius = 0.2
 ///
-/// sceneKeys() tells every key. Solids may be named before they are described; all of the file is
-/// checked, but only what is needed is made. Names of files are relative to the scene's folder.
+/// sceneKeys() lists every key. Solids may be used before they are described. The whole file is
+/// checked, but only the solids that are needed are made. File names are relative to the scene's
+/// folder.
 ///
-/// @throws Error(File) "bracket.toml: line 12: ..." for what is no TOML; for keys that are missing,
-/// not known or of another type; and for solids that there are not or that are made of themselves.
-/// Errors of files, shapes and operators get the solid's line in front. Error(Limit) beyond
-/// maxBytes or maxBeams, 100 operators on one another, or 65536 shapes in a solid; Error(Argument)
-/// if the solid that the options name is not there; Error(File) in a library built without toml++.
+/// @throws Error(File) "bracket.toml: line 12: ..." for text that is not TOML; for keys that are
+/// missing, unknown or of the wrong type; and for solids that do not exist or that contain
+/// themselves. Errors of files, shapes and operators are prefixed with the solid's line.
+/// Error(Limit) beyond maxBytes or maxBeams, 100 nested operators, or 65536 shapes in a solid;
+/// Error(Argument) if the solid named in the options does not exist; Error(File) in a library built
+/// without toml++.
 [[nodiscard]] Solid<double> readScene(const std::filesystem::path& path,
                                       const ReadSceneOptions& options = {});
 
-/// All that a scene may hold, each key with its default, as sections in Markdown.
+/// Returns a list of all that a scene may contain, each key with its default, as Markdown sections.
 [[nodiscard]] std::string sceneKeys();
 
 }  // namespace cutwater

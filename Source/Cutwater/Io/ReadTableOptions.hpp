@@ -4,7 +4,7 @@
 
 namespace cutwater {
 
-/// For readers of tables of beams and balls.
+/// Options of readBeams() and readBalls().
 struct ReadTableOptions {
   /// Coordinates and radii are multiplied by this (0.001: a file in millimetres, a model in
   /// metres).

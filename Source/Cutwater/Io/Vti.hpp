@@ -7,14 +7,14 @@
 
 namespace cutwater {
 
-/// Writes arrays over a patch, one value per index, x fastest, as a VTK image (.vti; XML with the
-/// numbers in raw binary behind it), which ParaView and VisIt open: cell data for a level of cells,
-/// point data for one of nodes. The image keeps the level's origin and spacing and the patch's
-/// indices as its extent. The first array is the one shown first. The file is replaced only once it
-/// is complete; the arrays are written from where they are.
+/// Writes arrays over a patch, one value per index, x fastest, as a VTK image (.vti; XML followed
+/// by the numbers in raw binary), which ParaView and VisIt open: cell data for a level of cells,
+/// point data for a level of nodes. The image keeps the level's origin and spacing, and its extent
+/// is the patch's indices. The first array is the one that viewers show first. An existing file is
+/// replaced only once the new one is complete; the arrays are written without a copy.
 /// @throws Error(File) naming the path if it cannot be written; Error(Argument) if the patch or the
-/// list of arrays is empty, an array has another length than the patch, names are empty or twice
-/// the same, or the patch's outermost index leaves no room for the extent.
+/// list of arrays is empty, the length of an array differs from that of the patch, names are empty
+/// or occur twice, or the extent does not fit because of the patch's outermost index.
 template <std::floating_point T>
 void writeVti(const std::filesystem::path& path, const Patch<T>& patch,
               std::span<const VtkArray> arrays);

@@ -23,7 +23,7 @@ std::span<const std::byte> bytesOf(const VtkArray& array) {
   return std::visit([](const auto& values) { return std::as_bytes(values); }, array.values);
 }
 
-/// VTK's name of an array's numbers, and how many belong together.
+/// VTK's name for the type of an array's numbers, and the number of components.
 struct Numbers {
   std::string_view type;
   int components;

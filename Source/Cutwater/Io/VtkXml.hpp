@@ -25,7 +25,7 @@ struct VtkArray {
 
 namespace detail {
 
-/// VTK's name of a type of numbers: "Float64".
+/// VTK's name for a type of numbers, such as "Float64".
 template <typename Number>
 constexpr std::string_view vtkType() {
   if constexpr (std::is_floating_point_v<Number>) {
@@ -38,11 +38,12 @@ constexpr std::string_view vtkType() {
   }
 }
 
-/// What stands before the numbers of a VTK file, element by element: XML that tells where each
-/// array is among the bytes behind it.
+/// Builds the part of a VTK file before the numbers, element by element: XML that gives the
+/// position of each array in the bytes that follow.
 ///
 /// Format: "VTK File Formats", section XML, https://docs.vtk.org; appended data with
-/// encoding="raw": behind an underscore, each array's bytes follow their number as a UInt64.
+/// encoding="raw": after an underscore, each array is stored as its number of bytes, a UInt64,
+/// followed by the bytes.
 class VtkXml {
  public:
   using Attributes = std::initializer_list<std::pair<std::string_view, std::string>>;
@@ -54,24 +55,24 @@ class VtkXml {
   void close(std::string_view element);
   void empty(std::string_view element, Attributes attributes = {});
 
-  /// Arrays must be written in the order in which they are told here.
+  /// Declares an array. Arrays must be written in the order in which they are declared here.
   void array(std::string_view name, std::string_view type, int components, std::uint64_t bytes);
-  /// An element of arrays, of which the first is the one shown first.
+  /// Adds an element with arrays, of which viewers show the first one first.
   void arrays(std::string_view element, std::span<const VtkArray> arrays);
 
-  /// The same of arrays that are in other files: their types only.
+  /// The same for arrays that are in other files: their types only.
   void declarations(std::string_view element, std::span<const VtkArray> arrays);
   void declaration(std::string_view name, std::string_view type, int components);
 
-  /// All of it, up to the first array's bytes.
+  /// Returns everything up to the first array's bytes.
   [[nodiscard]] std::string finished();
-  /// All of a file without arrays of its own.
+  /// Returns the whole text of a file without arrays of its own.
   [[nodiscard]] std::string finishedAlone();
-  /// What stands behind the last array.
+  /// The text that follows the last array.
   static constexpr std::string_view kEnd = "\n  </AppendedData>\n</VTKFile>\n";
 
  private:
-  /// Opens the element that says which array is shown first.
+  /// Opens the element that selects the array to show first.
   void openArrays(std::string_view element, const VtkArray& first);
   void tag(std::string_view element, Attributes attributes, std::string_view end);
 
@@ -82,13 +83,13 @@ class VtkXml {
 };
 
 /// @throws Error(Argument), beginning with `caller`, if there is no array, or names are empty or
-/// twice the same.
+/// occur twice.
 void checkVtkNames(const std::string& caller, std::span<const VtkArray> arrays);
 /// @throws Error(Argument), beginning with `caller`, unless there are arrays, all of `count`
-/// values, and their names are neither empty nor twice the same.
+/// values, with names that are neither empty nor occur twice.
 void checkVtkArrays(const std::string& caller, std::span<const VtkArray> arrays, std::size_t count);
 
-/// The number of bytes; the bytes follow.
+/// Writes the number of bytes that follow.
 void writeVtkSize(OutputFile& file, std::uint64_t bytes);
 void writeVtkArrays(OutputFile& file, std::span<const VtkArray> arrays);
 

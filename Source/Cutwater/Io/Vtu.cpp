@@ -10,14 +10,14 @@ namespace cutwater {
 
 namespace {
 
-/// Records that are made together before they are written, and those that a thread makes at a time.
+/// Records generated together before they are written, and those that a thread generates at a time.
 constexpr std::size_t kStretch = std::size_t{1} << 17U;
 constexpr std::size_t kGrain = std::size_t{1} << 12U;
 
 constexpr std::uint8_t kVoxel = 11;
 constexpr std::size_t kCorners = 8;
 
-/// Writes one mesh, with numbers of nodes of one type.
+/// Writes one mesh, with node numbers of type Index.
 template <std::floating_point T, typename Index>
 class VtuWriter {
  public:
@@ -66,7 +66,7 @@ class VtuWriter {
     return xml.finished();
   }
 
-  /// An array of `count` records that make(number of the first, span of records) fills in.
+  /// Writes an array of `count` records, filled in by make(number of the first, span of records).
   template <typename Record, typename Make>
   void writeRecords(OutputFile& file, std::size_t count, const Make& make) const {
     detail::writeVtkSize(file, count * sizeof(Record));

@@ -9,30 +9,31 @@ namespace cutwater {
 
 /// Options of writeVtu().
 struct VtuOptions {
-  /// Numbers of nodes in 64 bits even where 32 do, for readers that know no others.
+  /// Write node numbers in 64 bits even where 32 would do, for readers that accept no others.
   bool wideIndices = false;
   /// At most this many threads; 0: as many as there are. See ParallelOptions.
   int threads = 0;
 };
 
 /// Writes an octree mesh with arrays of one value per cell, in the order of its cells, as a VTK
-/// unstructured grid (.vtu; XML with the numbers in raw binary behind it), which ParaView and VisIt
+/// unstructured grid (.vtu; XML followed by the numbers in raw binary), which ParaView and VisIt
 /// open. Cells are voxels; those that share a corner share the node, whose coordinates are those of
-/// the finest level to the bit. The first array is the one shown first. The file is replaced only
-/// once it is complete. Of a stretch of a mesh it is one piece: see writePvtu().
+/// the finest level to the bit. The first array is the one that viewers show first. An existing
+/// file is replaced only once the new one is complete. For a part of a mesh, the file is one piece:
+/// see writePvtu().
 ///
-/// Takes the memory of OctreeNodes and a few megabytes: the file is written as it is made, and the
-/// arrays from where they are.
+/// Takes the memory of OctreeNodes and a few megabytes: the file is written as it is generated, and
+/// the arrays without a copy.
 /// @throws Error(File) naming the path if it cannot be written; Error(Argument) if the list of
-/// arrays is empty, an array has another length than the list of cells, or names are empty or twice
-/// the same.
+/// arrays is empty, the length of an array differs from the number of cells, or names are empty or
+/// occur twice.
 template <std::floating_point T>
 void writeVtu(const std::filesystem::path& path, const OctreeCells<T>& mesh,
               std::span<const VtkArray> arrays, const VtuOptions& options = {});
 
 namespace detail {
 
-/// The same into a file that the caller commits.
+/// Writes the same into a file that the caller commits.
 template <std::floating_point T>
 void writeVtu(OutputFile& file, const OctreeCells<T>& mesh, std::span<const VtkArray> arrays,
               const VtuOptions& options);

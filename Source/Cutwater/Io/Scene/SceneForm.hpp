@@ -38,36 +38,36 @@ enum class KeyType : std::uint8_t {
   SizesByPlace,    ///< a number above 0, or a list of places with a size for each
 };
 
-inline const std::string kNothing;  ///< the preset of a key that may be missing
+inline const std::string kNothing;  ///< the default of an optional key
 
 /// A key that a table of a scene file may have.
 struct SceneKey {
   std::string name;
   KeyType type;
   std::string meaning;
-  /// The value of a missing key, in TOML; none: it must be there.
+  /// The default value, in TOML; none: the key is required.
   std::optional<std::string> preset = {};
   std::vector<std::string> choices = {};
   const std::vector<SceneForm>* forms = nullptr;
 };
 
-/// What a table of a scene file may be: a shape, an operator, a mesh, a step of a motion.
+/// A kind of table in a scene file: a shape, an operator, a mesh, a step of a motion.
 struct SceneForm {
   std::string name;
   std::string meaning;
   std::vector<SceneKey> keys;
   Solid<double> (*make)(const SceneRecord&) = nullptr;
-  /// The key by whose value, its name, the form is known: shape = "torus". Without it, the form is
-  /// known by its first key.
+  /// The key whose value, the form's name, identifies the form: shape = "torus". If empty, the form
+  /// is identified by its first key.
   std::string head = {};
-  std::size_t copies = 1;  ///< how often the expression that it makes has each of its operands
+  std::size_t copies = 1;  ///< how often its expression contains each of its operands
 
   [[nodiscard]] const std::string& headKey() const {
     return head.empty() ? keys.front().name : head;
   }
 };
 
-/// Forms under one heading.
+/// Forms listed under one heading.
 struct SceneForms {
   std::string title;
   std::string text;
@@ -83,9 +83,9 @@ const std::vector<SceneForm>& operatorForms();
 
 /// All of the above, in the order of the page.
 const std::vector<SceneForms>& allSceneForms();
-/// Those that every solid takes, ...
+/// The keys that every solid takes, ...
 const std::vector<SceneKey>& commonKeys();
-/// ... and what they do.
+/// ... and their effect.
 Solid<double> placed(Solid<double> solid, const SceneRecord& record);
 
 }  // namespace cutwater::scene

@@ -11,8 +11,8 @@ namespace cutwater::scene {
 namespace {
 
 constexpr const char* kMeant = "solid";
-// Queries go down an expression by calls, and a solid that is named twice is asked twice: each of
-// 50 unions of the one before with itself would be asked 2^50 times.
+// Queries descend an expression by recursive calls, and a solid that is named twice is queried
+// twice: after 50 unions, each of the one before with itself, that makes 2^50 queries.
 constexpr std::size_t kMostNested = 100;
 constexpr std::size_t kMostPieces = 65536;
 
@@ -138,7 +138,7 @@ void SceneGraph::make(const Item& item) {
     const auto& record = item.record;
     context_.solids.emplace(item.name, placed(record.form().make(record), record));
   } catch (const SceneError&) {
-    throw;  // it has a line
+    throw;  // it already has a line
   } catch (const Error& error) {
     throw Error(error.kind(), at(item) + error.what());
   }

@@ -8,8 +8,8 @@
 
 namespace cutwater::scene {
 
-// What lattices of any cells have in common: the unit cell, by the value of the key that tells the
-// form, and the height of re-entrant ones; the radius of struts.
+// Keys that all lattices share: the unit cell, given by the value of the key that identifies the
+// form, the height of re-entrant cells, and the radius of struts.
 SceneKey unitCellKey(const char* name);
 SceneKey reentrantHeightKey();
 UnitCell unitCellOf(const SceneRecord& r, std::string_view key);

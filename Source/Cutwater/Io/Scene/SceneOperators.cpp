@@ -10,7 +10,7 @@ using enum KeyType;
 using Record = SceneRecord;
 using Made = cutwater::Solid<double>;
 
-/// Of a smooth union, intersection or difference.
+/// Keys of a smooth union, intersection or difference.
 std::vector<SceneKey> withFillet(SceneKey operands) {
   return {
       std::move(operands),
@@ -121,7 +121,7 @@ std::vector<SceneForm> walls() {
   };
 }
 
-/// The operand, and a plane by its normal and a point.
+/// Keys of the operand, and of a plane given by its normal and a point.
 std::vector<SceneKey> withPlane(const char* name) {
   return {{name, KeyType::Solid, "the solid"},
           {"normal", Point, "the direction across the plane"},

@@ -25,7 +25,7 @@ bool isOf(const SceneForm& form, const SceneValue::Table& table) {
   return name != nullptr && *name == form.name;
 }
 
-/// A table has none of the forms: why.
+/// Explains why a table has none of the forms.
 [[noreturn]] void failToKnow(const SceneContext& context, const SceneValue::Table& table,
                              std::uint64_t line, const std::string& what,
                              std::span<const SceneForm* const> forms) {

@@ -14,32 +14,32 @@
 
 namespace cutwater::scene {
 
-/// What tables of one file share.
+/// Context shared by the tables of one file.
 struct SceneContext {
   std::string file;                                          ///< its name in messages
-  std::filesystem::path folder;                              ///< names of files are relative to it
+  std::filesystem::path folder;                              ///< file names are relative to it
   std::uint64_t maxBeams = 0;                                ///< of conformal cells
-  std::map<std::string, Solid<double>, std::less<>> solids;  ///< that are made
+  std::map<std::string, Solid<double>, std::less<>> solids;  ///< solids made so far
   std::map<std::string, const SceneRecord*, std::less<>> records;  ///< of all solids
 };
 
-/// A table that has the keys of its form, each of its type. Values of keys that are missing are the
-/// presets. Keys are asked for by the functions of their types.
+/// A table with the keys of its form, each of the right type. Missing keys have their default
+/// values. The value of a key is returned by the function for its type.
 class SceneRecord {
  public:
   /// @throws Error(File) with the line, naming the key, for keys that the form does not have, that
-  /// are missing, or have values of another type.
+  /// are missing, or whose values have the wrong type.
   SceneRecord(const SceneContext& context, const SceneForm& form, const SceneValue::Table& table,
               std::uint64_t line, const std::vector<SceneKey>& more = {});
 
   [[nodiscard]] const SceneForm& form() const { return *form_; }
   [[nodiscard]] std::uint64_t line() const { return line_; }
-  /// Whether there is a value, be it the preset.
+  /// Whether the key has a value, given or by default.
   [[nodiscard]] bool has(std::string_view key) const { return !values_[indexOf(key)].isNothing; }
-  /// Whether the table has it.
+  /// Whether the table contains the key.
   [[nodiscard]] bool isGiven(std::string_view key) const { return values_[indexOf(key)].isGiven; }
 
-  /// Of those that may be something else.
+  /// Whether the value is a number, for keys that also take other values.
   [[nodiscard]] bool isNumber(std::string_view key) const;
   [[nodiscard]] double number(std::string_view key) const;
   [[nodiscard]] std::optional<double> optionalNumber(std::string_view key) const;
@@ -47,7 +47,7 @@ class SceneRecord {
   [[nodiscard]] bool flag(std::string_view key) const;
   [[nodiscard]] const std::string& text(std::string_view key) const;
   [[nodiscard]] std::filesystem::path file(std::string_view key) const;
-  /// Its index among the choices.
+  /// The index of the value among the choices.
   [[nodiscard]] std::size_t choice(std::string_view key) const;
   [[nodiscard]] Vec3<double> point(std::string_view key) const;
   [[nodiscard]] std::vector<Vec3<double>> points(std::string_view key) const;
@@ -59,14 +59,15 @@ class SceneRecord {
   [[nodiscard]] std::vector<std::vector<Vec2<double>>> outlines(std::string_view key) const;
   [[nodiscard]] const Solid<double>& solid(std::string_view key) const;
   [[nodiscard]] std::vector<Solid<double>> solids(std::string_view key) const;
-  /// What the options of readScene() say.
+  /// The limit from the options of readScene().
   [[nodiscard]] std::uint64_t maxBeams() const { return context_->maxBeams; }
-  /// The table of the solid that is named.
+  /// The table of the solid that the key names.
   [[nodiscard]] const SceneRecord& record(std::string_view key) const;
-  /// None where there is no table.
+  /// The tables of the key; empty if there is none.
   [[nodiscard]] std::vector<SceneRecord> parts(std::string_view key) const;
 
-  /// Calls visit(name of a solid, line) for all that are named, in parts as well.
+  /// Calls visit(name of a solid, line) for all solids that the table names, including those in
+  /// parts.
   void forEachReference(FunctionRef<void(const std::string&, std::uint64_t)> visit) const;
 
   /// @throws Error(File), with the line.
@@ -94,7 +95,8 @@ class SceneRecord {
   std::vector<Value> values_;
 };
 
-/// The form that a table has, by the key that tells it. `what` says in messages what it should be.
+/// The form of a table, from the key that identifies it. `what` describes in messages what the
+/// table should be.
 /// @throws Error(File) with the line if it has none, or several.
 [[nodiscard]] const SceneForm& formOf(const SceneContext& context, const SceneValue::Table& table,
                                       std::uint64_t line, const std::string& what,

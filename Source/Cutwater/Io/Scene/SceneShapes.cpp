@@ -46,13 +46,13 @@ SceneKey point(const char* name, const char* meaning, std::optional<std::string>
   return {name, Point, meaning, std::move(preset)};
 }
 
-/// Two points and what else there is.
+/// Keys of two points, followed by `more`.
 Keys betweenEnds(Keys more) {
   Keys keys{point("from", "the middle of one end"), point("to", "of the other")};
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }
-/// Two corners and what else there is.
+/// Keys of two corners, followed by `more`.
 Keys betweenCorners(Keys more) {
   Keys keys{point("lower", "the corner of the least coordinates"), point("upper", "the opposite")};
   keys.insert(keys.end(), more.begin(), more.end());

@@ -53,7 +53,7 @@ CleanOptions cleaningOf(const Record& r) {
           .nested = static_cast<NestedShells>(r.choice("nested"))};
 }
 
-/// Without cleaning, what tells how to clean would do nothing.
+/// Refuses options of cleaning if there is none, as they would have no effect.
 void refuseCleaning(const Record& r) {
   for (const auto& key : cleaningKeys()) {
     if (key.name != "clean" && r.isGiven(key.name)) {

@@ -28,7 +28,7 @@ const TpmsPattern& patternOf(const Record& r, std::string_view key) {
   return allPatterns()[r.choice(key)];
 }
 
-/// A number that depends on the value of a solid, of this type.
+/// The form of a number of this type that depends on the value of a solid.
 SceneForm rampForm(const char* name, KeyType type, std::vector<std::string> presets = {}) {
   SceneForm form{
       .name = name,
@@ -201,7 +201,7 @@ SceneForm evenWallForm() {
           .make = [](const Record& r) -> Made { return evenWall(r); }};
 }
 
-/// What is on both sides of the wall that is named, and where that is moved to.
+/// The channels on both sides of the named wall, moved with the wall.
 TpmsChannels<double> channelsOf(const Record& r) {
   const auto& core = r.record("core");
   const auto sidesOf = [&]() -> TpmsChannels<double> {

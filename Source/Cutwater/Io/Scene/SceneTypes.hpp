@@ -7,19 +7,19 @@
 
 namespace cutwater::scene {
 
-/// Whether a value is of the key's type: numbers are finite then, lists have their lengths. Of
-/// parts, only that they are tables.
+/// Whether a value is of the key's type: numbers must be finite, lists of the right length. Parts
+/// are only checked to be tables.
 [[nodiscard]] bool hasType(const SceneValue& value, const SceneKey& key);
 
-/// What a key takes, in words: "a number above 0".
+/// A description of the values that a key takes: "a number above 0".
 [[nodiscard]] std::string typeText(const SceneKey& key);
 
-/// A value as messages tell it: `the text "abc"`.
+/// A value as it appears in messages: `the text "abc"`.
 [[nodiscard]] std::string textOf(const SceneValue& value);
 
-/// Three numbers, from a value that has them.
+/// The point in a value that has three numbers.
 [[nodiscard]] Vec3<double> pointOf(const SceneValue& value);
-/// The coordinate axis of this name; -1: none.
+/// The coordinate axis of this name; -1 if there is none.
 [[nodiscard]] int axisNamed(const std::string& name);
 
 }  // namespace cutwater::scene

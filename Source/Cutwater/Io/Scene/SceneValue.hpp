@@ -9,7 +9,7 @@
 
 namespace cutwater::scene {
 
-/// A value of a scene file, and the line it stands in.
+/// A value of a scene file, and its line.
 struct SceneValue {
   struct Entry;
   using List = std::vector<SceneValue>;

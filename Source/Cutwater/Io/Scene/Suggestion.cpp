@@ -7,7 +7,7 @@ namespace cutwater::scene {
 
 namespace {
 
-constexpr std::size_t kLongest = 64;  // longer words are no slips
+constexpr std::size_t kLongest = 64;  // longer words are not typing errors
 
 /// Optimal string alignment, row by row of its table.
 std::size_t editDistance(const std::string& a, const std::string& b) {

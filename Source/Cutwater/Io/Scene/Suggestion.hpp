@@ -7,8 +7,9 @@
 
 namespace cutwater::scene {
 
-/// `; is it "radius"?` with the nearest of the words, by the number of characters to insert,
-/// remove, replace or exchange with their neighbour, at most a third of the word's; else nothing.
+/// Returns `; is it "radius"?` with the nearest of the words, by the number of characters to
+/// insert, remove, replace or swap with their neighbour. Returns nothing if that exceeds a third of
+/// the word's length.
 [[nodiscard]] std::string suggestion(const std::string& word,
                                      const std::vector<std::string>& words);
 
