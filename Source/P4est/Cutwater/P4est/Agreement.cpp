@@ -26,8 +26,8 @@ std::optional<Error> errorOf(FunctionRef<void()> work) {
   }
 }
 
-/// The least of all ranks' numbers. Leaves the core to others if it takes long, such as rank 0's
-/// threads, which read a surface while the other ranks wait: MPI's own waiting does not.
+/// The least of all ranks' numbers. During a long wait it yields the core to others, such as rank
+/// 0's threads, which read a surface while the other ranks wait: MPI's own waiting does not.
 int leastOf(int own, MPI_Comm comm) {
   constexpr int kTries = 1000;
   int least = 0;

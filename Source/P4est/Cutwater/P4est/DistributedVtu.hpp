@@ -5,10 +5,10 @@
 
 namespace cutwater {
 
-/// Writes a mesh with arrays of one value for each cell of the rank, as writeVtu() does: every rank
-/// a piece beside `path` ("hull.pvtu": hull_0.vtu, hull_1.vtu, ..., with as many digits as the last
-/// one needs), and rank 0 the file that binds them. Files that were there are replaced once all
-/// ranks have written theirs; pieces of an earlier mesh on more ranks stay. Collective.
+/// Writes a mesh with arrays of one value for each cell of the rank, as writeVtu() does. Every rank
+/// writes a piece beside `path` ("hull.pvtu": hull_0.vtu, hull_1.vtu, ..., with as many digits as
+/// the last one needs), and rank 0 the file that joins them. Existing files are replaced once all
+/// ranks have written theirs; pieces of an earlier mesh on more ranks remain. Collective.
 /// @throws Error, the same on all ranks: as writeVtu().
 template <std::floating_point T>
 void writePvtu(const std::filesystem::path& path, const DistributedOctree<T>& mesh,

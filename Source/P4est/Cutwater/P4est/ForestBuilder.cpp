@@ -8,11 +8,11 @@ namespace cutwater::detail {
 
 namespace {
 
-/// How much longer a cell takes that is yet to be judged than one that is only held.
+/// The cost of a cell that is yet to be judged, relative to one that is only stored.
 constexpr int kWeightToJudge = 16;
 
-/// p4est tells what it does on stdout, unless the program has told it not to. Its last words before
-/// it aborts (it does where there is no memory) go there still.
+/// p4est logs to stdout, unless the program has configured it otherwise. Messages before it aborts
+/// (as when out of memory) still go there.
 void silenceUnlessInitialised() {
   if (sc_package_id < 0 && p4est_package_id < 0) {
     sc_set_log_defaults(nullptr, nullptr, SC_LP_ERROR);
@@ -118,7 +118,7 @@ void ForestBuilder<T>::forQuadrants(const Visit& visit) const {
 
 template <std::floating_point T>
 Index3 ForestBuilder<T>::rootOf(p4est_topidx_t tree) const {
-  // A brick's vertices are at whole numbers; the first of a tree is its lower corner.
+  // A brick's vertices have integer coordinates; the first vertex of a tree is its lower corner.
   const auto& brick = *forest_->connectivity;
   const std::ptrdiff_t vertex = brick.tree_to_vertex[std::ptrdiff_t{P8EST_CHILDREN} * tree];
   const double* lower = brick.vertices + 3 * vertex;

@@ -1,4 +1,4 @@
-// Private: not installed, for it includes p8est.h.
+// Private: not installed, as it includes p8est.h.
 #pragma once
 
 #include <Cutwater/P4est/DistributedOctree.hpp>
@@ -7,7 +7,7 @@
 
 namespace cutwater::detail {
 
-/// Makes p4est's forest, and knows what its quadrants are.
+/// Builds p4est's forest, and gives its quadrants' meaning as cells.
 template <std::floating_point T>
 class ForestBuilder {
  public:
@@ -16,14 +16,14 @@ class ForestBuilder {
                 const DistributedOctreeOptions& options)
       : judge_(judge), domain_(domain), options_(options) {}
 
-  /// Divided, balanced and shared out. Collective.
-  /// @throws Error, the same on all ranks, if the judge does on one.
+  /// Returns the forest, refined, balanced and partitioned. Collective.
+  /// @throws Error, the same on all ranks, if the judge throws on one.
   [[nodiscard]] std::shared_ptr<p8est> run(MPI_Comm comm, int deepest);
-  /// This rank's, with their kinds. Then drops what was kept for each quadrant.
+  /// Returns this rank's cells, with their kinds, and drops the data kept for each quadrant.
   [[nodiscard]] std::vector<OctreeCell> takeCells();
 
  private:
-  /// Kept for each quadrant while the forest is made; goes with it from rank to rank.
+  /// Data of a quadrant while the forest is built; moves with it from rank to rank.
   struct Data {
     BoxHint hint;
     CellVerdict verdict;
@@ -34,7 +34,7 @@ class ForestBuilder {
   static Data& dataOf(p8est_quadrant_t& quadrant) {
     return *static_cast<Data*>(quadrant.p.user_data);
   }
-  // What p4est calls.
+  // Callbacks for p4est.
   static void begin(p8est_t* forest, p4est_topidx_t tree, p8est_quadrant_t* quadrant);
   static void divide(p8est_t* forest, p4est_topidx_t tree, int parentCount,
                      p8est_quadrant_t** parents, int childCount, p8est_quadrant_t** children);
@@ -45,7 +45,7 @@ class ForestBuilder {
   template <typename Visit>
   void forQuadrants(const Visit& visit) const;
   [[nodiscard]] Index3 rootOf(p4est_topidx_t tree) const;
-  /// Judges those of this rank that have not been judged.
+  /// Judges this rank's quadrants that have not been judged yet.
   void judgeNew(int deepest);
   void judge(int level, Quadrants& quadrants);
   void balance();

@@ -10,7 +10,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// MPI counts in int.
+/// MPI's counts are of type int.
 constexpr std::size_t kChunk = std::size_t{1} << 30U;
 
 int rankIn(MPI_Comm comm) {
@@ -48,12 +48,12 @@ NodeMemory::NodeMemory(MPI_Comm comm, std::span<const std::byte> bytes, int rank
 }
 
 NodeMemory::~NodeMemory() {
-  // Who unwinds may be alone.
+  // A rank that unwinds may be the only one.
   if (std::uncaught_exceptions() == exceptions_) free();
 }
 
 void NodeMemory::split(MPI_Comm comm, int ranksPerCopy) {
-  // In the order of ranks: rank 0 is the first of its node, and the first of all writers.
+  // Ordered by rank: rank 0 is the first of its node, and the first of all writers.
   MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, rankIn(comm), MPI_INFO_NULL, &sharers_);
   if (ranksPerCopy > 0) {
     MPI_Comm node = sharers_;
@@ -76,7 +76,7 @@ void NodeMemory::allocate(std::uint64_t size) {
   MPI_Aint length = 0;
   int unit = 0;
   MPI_Win_shared_query(window_, 0, &length, &unit, &memory);
-  // Pages begin at the same bytes on every rank, and so do multiples of less than a page.
+  // Pages begin at the same bytes on every rank, and so do multiples of any alignment below a page.
   auto room = static_cast<std::size_t>(length);
   memory = std::align(kAlignment, size, memory, room);
   bytes_ = {static_cast<std::byte*>(memory), size};

@@ -6,7 +6,7 @@ namespace cutwater {
 
 namespace {
 
-/// On rank 0; no bytes on others.
+/// The mesh's bytes on rank 0; no bytes on other ranks.
 template <std::floating_point T>
 Block bytesOf(MPI_Comm comm, FunctionRef<MeshSDF<T>()> make) {
   int rank = 0;
@@ -35,7 +35,7 @@ SharedGeometry<T>::SharedGeometry(const std::filesystem::path& path, MPI_Comm co
 template <std::floating_point T>
 SharedGeometry<T>::SharedGeometry(MPI_Comm comm, FunctionRef<MeshSDF<T>()> make, int ranksPerCopy)
     : memory_(comm, bytesOf<T>(comm, make).bytes(), ranksPerCopy) {
-  // Who has written a copy looks at all of it; the others need not.
+  // The rank that wrote a copy verifies all of it; the others need not.
   const MeshViewOptions options{.verifyPayload = memory_.isWriter()};
   try {
     agreed(comm, [&] { mesh_.emplace(MeshSDF<T>::view(memory_.block(), options)); });

@@ -11,28 +11,29 @@ namespace cutwater {
 
 /// Options of a SharedGeometry; the same on all ranks.
 struct SharedGeometryOptions {
-  ReadOptions read = {};      ///< of surfaces; geometry files are taken as they are
-  MeshSDFOptions solid = {};  ///< the same
-  /// At most so many ranks of a node look at one copy; 0: all of them. On nodes of several
-  /// memories, the ranks at each may be better off with one of their own.
+  ReadOptions read = {};      ///< for surfaces; geometry files are used as they are
+  MeshSDFOptions solid = {};  ///< likewise
+  /// At most this many ranks of a node share one copy; 0: all of them. On nodes with several
+  /// memories, the ranks at each may do better with a copy of their own.
   int ranksPerCopy = 0;
 };
 
-/// A surface mesh that the ranks of an MPI program have in common: rank 0 reads and builds it, its
-/// bytes are sent once to every node, and the ranks of a node look at one copy of them, in a window
-/// of shared memory (MPI 3). Each rank's mesh gives the same bits as if it had built its own.
+/// A surface mesh that the ranks of an MPI program share: rank 0 reads and builds it, its bytes are
+/// sent once to every node, and the ranks of a node use one copy of them, in a window of shared
+/// memory (MPI 3). Each rank's mesh gives the same bits as if it had built its own.
 ///
 /// Constructor and destructor are collective. Copies of the mesh, and Solids made of it, may
-/// outlive this: then the node's memory stays until the process ends.
+/// outlive this object: the node's memory then remains allocated until the process ends.
 template <std::floating_point T>
 class SharedGeometry {
  public:
-  /// Of a surface or of a file by MeshSDF::save() or `cutwater prepare`, which rank 0 alone opens.
+  /// From a surface or a file written by MeshSDF::save() or `cutwater prepare`, which rank 0 alone
+  /// opens.
   /// @throws Error, the same on all ranks: what readSurface() and MeshSDF throw on rank 0;
-  /// Error(Limit) if a node has no room for a copy.
+  /// Error(Limit) if a node does not have enough memory for a copy.
   SharedGeometry(const std::filesystem::path& path, MPI_Comm comm,
                  const SharedGeometryOptions& options = {});
-  /// Of a mesh that rank 0 alone makes.
+  /// From a mesh that rank 0 alone makes.
   /// @throws Error, the same on all ranks: what `make` throws, and as above.
   SharedGeometry(MPI_Comm comm, FunctionRef<MeshSDF<T>()> make, int ranksPerCopy = 0);
 

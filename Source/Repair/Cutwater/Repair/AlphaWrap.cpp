@@ -7,14 +7,14 @@
 namespace cutwater::detail {
 namespace {
 
-/// CGAL tells it of every facet it looks at; it throws when the time is up.
+/// Visitor that CGAL calls for every facet it processes; throws when the time is up.
 class Watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor {
  public:
   explicit Watch(const Deadline& deadline) : deadline_(&deadline) {}
 
   template <typename Wrapper, typename Gate>
   void before_facet_treatment(const Wrapper&, const Gate&) {
-    constexpr unsigned kEvery = 256;  // asking for the time takes some
+    constexpr unsigned kEvery = 256;  // reading the clock takes time
     if (++facets_ % kEvery == 0) deadline_->check();
   }
 

@@ -7,7 +7,7 @@
 
 namespace cutwater::detail {
 
-/// The alpha wrap of triangles; all are of patch 0. Needs coordinates about 1 in size.
+/// The alpha wrap of triangles, with all faces in patch 0. Needs coordinates of magnitude about 1.
 /// @throws Error(Limit) if the time is up, Error(Topology) where CGAL fails.
 [[nodiscard]] PolygonSoup alphaWrap(const PolygonSoup& triangles, double alpha, double offset,
                                     const Deadline& deadline);

@@ -12,8 +12,8 @@
 
 namespace cutwater::detail {
 
-/// While it lives, CGAL prints nothing about its failures: they are thrown, and said that way.
-/// CGAL's handlers are one per program.
+/// During its lifetime, CGAL prints nothing about failures, which it also throws. CGAL's handlers
+/// are global to the program.
 class QuietCgal {
  public:
   QuietCgal()
@@ -32,7 +32,7 @@ class QuietCgal {
   CGAL::Failure_function warnings_;
 };
 
-/// What `call` gives. @throws Error(Topology) where CGAL finds that it cannot go on.
+/// Returns the result of `call`. @throws Error(Topology) where CGAL fails.
 template <typename Call>
 auto callCgal(const char* caller, Call&& call) {
   const QuietCgal quiet;

@@ -8,7 +8,7 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// A box as something to be found.
+/// The box of a face, as an element of a tree.
 struct BoxedFace {
   Box<double> box;
   [[nodiscard]] const Box<double>& boundingBox() const { return box; }

@@ -8,8 +8,8 @@
 
 namespace cutwater::detail {
 
-/// Pairs of triangles that meet in more than they share, at least one of them among the soup's last
-/// `count` polygons; up to about a million.
+/// Number of pairs of triangles that intersect beyond shared points and edges, at least one of them
+/// among the soup's last `count` polygons; up to about a million.
 [[nodiscard]] std::size_t crossingsOfLast(const PolygonSoup& soup, std::size_t count);
 
 }  // namespace cutwater::detail

@@ -9,12 +9,12 @@
 
 namespace cutwater::detail {
 
-/// When a step that may take long has to end.
+/// The time limit of a step that may take long.
 class Deadline {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// From now on. @throws Error(Argument) unless 0 < seconds; it may be infinite.
+  /// Starts now. @throws Error(Argument) unless 0 < seconds; it may be infinite.
   Deadline(const char* caller, double seconds) : caller_(caller), seconds_(seconds) {
     if (!(seconds > 0)) {
       throw Error(ErrorKind::Argument,

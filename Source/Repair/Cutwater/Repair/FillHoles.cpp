@@ -21,7 +21,7 @@ Edge edgeBetween(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// Fills one rim after the other.
+/// Fills rims one after the other.
 class HoleFiller {
  public:
   HoleFiller(const PolygonSoup& soup, const HoleOptions& options)
@@ -45,7 +45,7 @@ class HoleFiller {
   }
 
  private:
-  /// Returns where the rim belongs in the report.
+  /// Fills a rim, and returns the findings of the report that it belongs to.
   Findings<Vec3<double>>& fill(const Loop& rim, double width, PolygonSoup& result,
                                HoleReport& report) {
     if (rim.size() > options_.mostEdges) return report.tooLong;
@@ -65,7 +65,7 @@ class HoleFiller {
     return report.filled;
   }
 
-  /// None at all if the time is up.
+  /// The triangles that fill a rim; nothing if the time is up.
   [[nodiscard]] std::optional<std::vector<std::array<std::uint32_t, 3>>> trianglesIn(
       const Loop& rim) const {
     std::vector<Vec3<double>> points;
@@ -87,14 +87,14 @@ class HoleFiller {
     return triangles;
   }
 
-  /// A corner beyond the edge of the face that is open there.
+  /// A further corner of the face that has this open edge.
   [[nodiscard]] std::uint32_t cornerBeside(std::uint32_t a, std::uint32_t b) const {
     const auto polygon = soup_.polygon(beside_.at(edgeBetween(a, b)));
     const auto at = std::ranges::find_if(polygon, [&](auto c) { return c != a && c != b; });
     return at == polygon.end() ? a : *at;
   }
 
-  /// Whether their edges within the hole are none of the surface or of another filling.
+  /// Whether no edge of the triangles within the hole belongs to the surface or to another filling.
   [[nodiscard]] bool areNew(std::span<const std::array<std::uint32_t, 3>> triangles) const {
     for (const auto& t : triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -105,7 +105,7 @@ class HoleFiller {
     return true;
   }
 
-  /// The surface's edges both ends of which are on rims.
+  /// Finds the surface's edges with both ends on rims.
   void findEdgesBetween(std::span<const Loop> rims) {
     std::vector<bool> isOnRim(soup_.points.size());
     for (const auto& rim : rims) {
@@ -139,7 +139,7 @@ class HoleFiller {
   const PolygonSoup& soup_;
   const HoleOptions& options_;
   detail::Deadline deadline_;
-  std::map<Edge, std::uint32_t> beside_;  // of open edges: the first polygon that has it
+  std::map<Edge, std::uint32_t> beside_;  // the first polygon at each open edge
   std::set<Edge> edges_;
 };
 

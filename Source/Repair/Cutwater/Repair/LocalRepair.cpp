@@ -10,7 +10,7 @@ namespace {
 
 namespace Processing = CGAL::Polygon_mesh_processing;
 
-/// CGAL asks it before every part that it mends.
+/// Visitor that CGAL queries before every part that it repairs.
 class Watch : public Processing::experimental::Remove_self_intersection_default_visitor<CgalMesh> {
  public:
   explicit Watch(const Deadline& deadline) : deadline_(&deadline) {}

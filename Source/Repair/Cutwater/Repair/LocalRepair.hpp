@@ -7,8 +7,8 @@
 
 namespace cutwater::detail {
 
-/// Triangles without (most of) their self-intersections; all are of patch 0. When the time is up,
-/// what has been done by then.
+/// The triangles without (most of) their self-intersections, all in patch 0. If the time is up,
+/// returns what was achieved until then.
 /// @throws Error(Topology) unless they are an oriented manifold, or where CGAL fails.
 [[nodiscard]] PolygonSoup withoutSelfIntersections(const PolygonSoup& triangles, int rounds,
                                                    const Deadline& deadline);

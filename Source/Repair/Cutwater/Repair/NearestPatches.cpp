@@ -7,7 +7,7 @@
 namespace cutwater::detail {
 
 DistanceRange takeNearestPatches(PolygonSoup& soup, const PolygonSoup& original) {
-  // Signs do not matter here, so that nothing is to be looked at for them.
+  // Signs do not matter here, so skip the work for them.
   const MeshSDF<double> surface(original, {.signs = SignScheme::NearestFeature, .probes = 0});
   soup.patchNames = original.patchNames;
   std::vector<double> distances(soup.polygonCount() + soup.points.size());

@@ -6,14 +6,14 @@
 
 namespace cutwater::detail {
 
-/// How far points of faces and their middles are from another surface.
+/// Range of distances of points and middles of faces from another surface.
 struct DistanceRange {
   double least = 0;
   double greatest = 0;
 };
 
-/// Gives every polygon the patch of what is nearest to its middle on `original`, and tells how far
-/// the polygons are from that. Points and polygons stay.
+/// Gives every polygon the patch of the point on `original` nearest to its middle, and returns the
+/// distances of the polygons from `original`. Points and polygons are unchanged.
 DistanceRange takeNearestPatches(PolygonSoup& soup, const PolygonSoup& original);
 
 }  // namespace cutwater::detail

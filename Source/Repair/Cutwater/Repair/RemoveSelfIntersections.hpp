@@ -10,38 +10,38 @@ namespace cutwater {
 
 /// Options of removeSelfIntersections().
 struct SelfIntersectionRepairOptions {
-  /// How often what is left, or was made by the repair itself, is gone about again.
+  /// Number of rounds, in which intersections that remain, or that the repair itself caused, are
+  /// repaired again.
   int rounds = 7;
-  /// More pairs of faces than this are refused: such a surface wants wrap().
+  /// More pairs of faces than this are refused: use wrap() for such a surface.
   std::size_t mostPairs = 100'000;
-  /// What is not mended by then stays.
+  /// Intersections not repaired within this time remain.
   double seconds = 120;
 };
 
 /// What removeSelfIntersections() did.
 struct SelfIntersectionRepairReport {
   std::size_t pairsBefore = 0;
-  std::size_t pairsAfter = 0;  ///< of faces that meet in more than they share
+  std::size_t pairsAfter = 0;  ///< pairs of faces that intersect beyond shared points and edges
   std::size_t facesBefore = 0;
   std::size_t facesAfter = 0;
-  /// The greatest distance of the result from the surface before, as WrapReport::farthest.
+  /// The greatest distance of the result from the original surface, as WrapReport::farthest.
   double farthest = 0;
   SurfaceMeasure before;
   SurfaceMeasure after;
   double seconds = 0;
 
-  /// A line each, ended by '\n'.
+  /// One finding per line, each ending with '\n'.
   [[nodiscard]] std::string text() const;
 };
 
-/// Mends places where a surface folds over or passes through itself a little: faces around them are
-/// smoothed or cut out, and the hole is filled anew (by CGAL, where it counts as
-/// experimental). Shells that overlap are not made one: signs by winding number see their union as
-/// they are.
+/// Repairs places where a surface folds over or passes slightly through itself: faces around them
+/// are smoothed or cut out, and the hole is filled again (by CGAL, in which this is experimental).
+/// Overlapping shells are not merged: signs by winding number see their union anyway.
 ///
-/// Polygons become triangles; new ones have the patch of what is nearest. If it does not end with
-/// fewer pairs than before, the soup is as it was, as it is if it throws. Not to be called while
-/// other threads use CGAL, whose handlers of errors it replaces meanwhile.
+/// Polygons become triangles; new ones get the patch that is nearest to them. The soup is unchanged
+/// if the result does not have fewer pairs than before, or if it throws. Do not call while other
+/// threads use CGAL, whose error handlers it replaces meanwhile.
 /// @throws Error(Topology) unless the surface is oriented and manifold, open or closed, or if CGAL
 /// fails; Error(Limit) for more than `mostPairs`; Error(Argument) for rounds or seconds that are
 /// not positive, and for a soup that does not pass PolygonSoup::validate().

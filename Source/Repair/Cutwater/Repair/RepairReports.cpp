@@ -1,4 +1,4 @@
-// The lines that the reports of repairs are made of.
+// The text of the reports of repairs.
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/Cleaning/PlacesText.hpp>
 #include <Cutwater/Mesh/ReportLine.hpp>

@@ -7,7 +7,7 @@
 namespace cutwater::detail {
 namespace {
 
-/// CGAL tells it how far it is; it throws when the time is up.
+/// Visitor that CGAL calls as it proceeds; throws when the time is up.
 struct Watch : CGAL::Polygon_mesh_processing::Hole_filling::Default_visitor {
   const Deadline* deadline;
 
@@ -16,7 +16,7 @@ struct Watch : CGAL::Polygon_mesh_processing::Hole_filling::Default_visitor {
   void cubic_step() const { deadline->check(); }
 };
 
-/// CGAL makes triangles of three ints.
+/// CGAL constructs a triangle from three ints.
 struct Triple {
   std::array<std::uint32_t, 3> places;
   Triple(int a, int b, int c)
@@ -24,7 +24,7 @@ struct Triple {
                static_cast<std::uint32_t>(c)} {}
 };
 
-/// Whether the triangle runs from place 0 to place 1, or else back.
+/// Whether the triangle contains the edge from index 0 to index 1 in this direction.
 bool runsAlong(const std::array<std::uint32_t, 3>& t) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (t[k] == 0 && t[(k + 1) % 3] == 1) return true;

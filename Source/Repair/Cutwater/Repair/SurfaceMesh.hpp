@@ -22,7 +22,7 @@ inline std::vector<CgalPoint> cgalPoints(std::span<const Vec3<double>> positions
   return points;
 }
 
-/// Of a soup of triangles.
+/// The faces of a soup of triangles.
 inline std::vector<std::array<std::size_t, 3>> cgalTriangles(const PolygonSoup& soup) {
   std::vector<std::array<std::size_t, 3>> faces;
   faces.reserve(soup.polygonCount());
@@ -33,7 +33,7 @@ inline std::vector<std::array<std::size_t, 3>> cgalTriangles(const PolygonSoup& 
   return faces;
 }
 
-/// All of patch 0. What was removed from the mesh is left out.
+/// The mesh as a soup, all in patch 0. Elements removed from the mesh are left out.
 inline PolygonSoup soupOf(const CgalMesh& mesh) {
   PolygonSoup soup;
   std::vector<std::uint32_t> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices());

@@ -8,10 +8,10 @@
 
 namespace cutwater::detail {
 
-/// The map to coordinates about 1 in size and back; scaling changes no digit.
+/// The map to coordinates of magnitude about 1 and back; its scaling is exact.
 class UnitFrame {
  public:
-  /// Of a box of some extent.
+  /// For a box that is not a point.
   explicit UnitFrame(const Box<double>& box)
       : center_(box.center()), size_(std::exp2(std::ceil(std::log2(box.diagonal())))) {}
 

@@ -19,13 +19,13 @@ void check(const WrapOptions& options, double offset) {
           Named{"offset", offset});
 }
 
-/// Refuses what would be too large or lost in rounding.
+/// Refuses wraps that would be too large, or whose offset would be lost in rounding.
 void checkSize(const PolygonSoup& soup, const WrapOptions& options, double offset, double area) {
   const auto box = soup.boundingBox();
   if (soup.polygonCount() == 0 || box.diagonal() == 0) {
     throw Error(ErrorKind::Topology, "wrap: there is nothing to wrap");
   }
-  // Points lie about half a gap apart on the surface, on both sides where it is a sheet.
+  // Points are about half a gap apart on the surface, on both sides of it if it is a sheet.
   const double expected = 8 * area / (options.gap * options.gap);
   if (expected > static_cast<double>(options.mostTriangles)) {
     throw Error(ErrorKind::Limit,
