@@ -42,7 +42,7 @@ struct Seconds {
 void report(const Options& options, const Octree<double>& mesh, std::uint64_t sum,
             const Seconds& seconds) {
   const auto count = mesh.cells().size();
-  std::error_code ignored;  // of a pipe
+  std::error_code ignored;  // as for a pipe
   const auto size = std::filesystem::file_size(options.output, ignored);
   std::cout << "wrote " << options.output << ": " << counted(count, "cell")
             << (ignored ? "" : ", " + bytes(size)) << '\n';
@@ -55,7 +55,7 @@ void report(const Options& options, const Octree<double>& mesh, std::uint64_t su
             << " cells per second\n";
 }
 
-/// Covers what the point's region of fluid does not reach.
+/// Covers the cells that the point's region of fluid does not reach.
 void keepRegion(const Vec3<double>& keep, const Octree<double>& mesh, MeshFields& fields,
                 bool isShown) {
   const FluidRegions<double> fluid(mesh);
@@ -66,7 +66,7 @@ void keepRegion(const Vec3<double>& keep, const Octree<double>& mesh, MeshFields
             << point(keep) << ", and covered: " << counted(cells.size(), "cell") << '\n';
 }
 
-/// Of each kind the first few.
+/// Reports the first few of each kind.
 void reportFeatures(const SignedDistanceFunction<double>& solid, const Octree<double>& mesh,
                     int threads) {
   using Feature = UnresolvedFeature<double>;

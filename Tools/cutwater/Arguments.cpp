@@ -75,7 +75,7 @@ Box<double> boxOf(const std::string& option, const std::string& text) {
 }
 
 std::vector<std::int32_t> sizes(const std::string& option, const std::string& text) {
-  constexpr auto kMost = std::numeric_limits<std::int32_t>::max() - 1;  // a grid's nodes fit, too
+  constexpr auto kMost = std::numeric_limits<std::int32_t>::max() - 1;  // fits a grid's nodes
   auto values = list<std::int32_t>(text, 'x', [](std::int32_t v) { return 1 <= v && v < kMost; });
   if (values.empty()) refuse(option, text, "positive whole numbers with an x between them");
   return values;

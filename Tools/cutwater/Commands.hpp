@@ -4,7 +4,8 @@ namespace CLI {
 class App;
 }
 
-/// One subcommand per file: each adds itself to the program and runs once it has been parsed.
+/// One subcommand per file: each function adds a subcommand to the program, which runs once it has
+/// been parsed.
 namespace cutwater::tool {
 
 void addInfo(CLI::App& program);

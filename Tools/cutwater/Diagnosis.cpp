@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::size_t kMostPlaces = Findings<FaceId>::kExamples;
 
-/// Around the points that faces have.
+/// The box around the points that faces use.
 Box<double> usedBox(const PolygonSoup& soup) {
   Box<double> box;
   for (const auto corner : soup.corners) box.extend(soup.points[corner]);
   return box;
 }
 
-/// What is known of one surface, defect by defect.
+/// Judges the findings on one surface, defect by defect.
 class Judge {
  public:
   Judge(const PolygonSoup& soup, const Examination& found, const std::optional<SignReport>& signs)
@@ -70,7 +70,7 @@ class Judge {
   void judgeIntersections() {
     const auto& pairs = found_.selfIntersections.pairs;
     if (pairs) {
-      // Every duplicate makes a pair with the face that it equals.
+      // Every duplicate forms a pair with the face that it equals.
       const bool isAllEqual =
           pairs.count == report_.duplicateFaces.count + report_.oppositeFaces.count;
       auto& defect = add(
@@ -197,7 +197,7 @@ class Judge {
     return {mesh_.centroid(face), {index(face)}};
   }
 
-  /// In the midst of what their boxes share.
+  /// The middle of the intersection of their boxes.
   [[nodiscard]] DefectPlace placeOf(const FacePair& pair) const {
     if (pair.first == pair.second) return placeOf(pair.first);
     return {boxOf(pair.first).intersection(boxOf(pair.second)).center(),
@@ -220,7 +220,7 @@ class Judge {
                                                                   : "winding number";
   }
 
-  /// What becomes of the sign where the surface has gaps.
+  /// The consequence of gaps for the sign.
   [[nodiscard]] std::string gapMeaning() const {
     if (!signs_) return "it bounds nothing";
     if (!isUnbalanced()) return "signs go by the " + scheme();

@@ -9,28 +9,28 @@
 #include <string>
 #include <vector>
 
-// What is wrong with a surface, and what that means for who computes with it: facts and judgement,
-// which pages and files show.
+// What is wrong with a surface, and what that means for computing with it: the facts and judgement
+// that pages and files show.
 namespace cutwater::tool {
 
 /// How much a defect matters for signs and distances.
 enum class Severity : std::uint8_t {
-  Error,    ///< the sign is a matter of opinion somewhere, or the surface bounds nothing
-  Warning,  ///< handled, but in a way one should know of
+  Error,    ///< the sign is ambiguous somewhere, or the surface bounds nothing
+  Warning,  ///< handled, but in a way worth knowing
   Note,     ///< harmless
 };
 
-/// Where to look.
+/// The place of a defect.
 struct DefectPlace {
   Vec3<double> point;                ///< the middle of the edge or face, the vertex
-  std::vector<std::uint32_t> faces;  ///< polygons counted from 0, where they tell more
+  std::vector<std::uint32_t> faces;  ///< polygons counted from 0, where they are of use
 };
 
 struct Defect {
   Severity severity{};
   std::string key;      ///< for programs: "openEdges"
   std::string name;     ///< for people: "open edges"
-  std::string meaning;  ///< for signs and distances, a sentence
+  std::string meaning;  ///< consequence for signs and distances, a sentence
   std::size_t count = 0;
   bool isComplete = true;                ///< false: counting was stopped, there are more
   std::vector<DefectPlace> places = {};  ///< the first few
@@ -47,19 +47,20 @@ struct Examination {
 
 [[nodiscard]] Examination examine(const PolygonSoup& soup);
 
-/// All of them, worst first. `signs`: what the surface's MeshSDF says; none if it has no triangles.
+/// Returns all defects, worst first. `signs`: as reported by the surface's MeshSDF; none if it has
+/// no triangles.
 [[nodiscard]] std::vector<Defect> findDefects(const PolygonSoup& soup, const Examination& found,
                                               const std::optional<SignReport>& signs);
 
-/// Whether these keep the surface from bounding a solid without question.
+/// Whether the surface bounds a solid without doubt, given its defects.
 [[nodiscard]] bool isSound(const std::vector<Defect>& defects,
                            const std::optional<SignReport>& signs);
 
-/// In a sentence: what the surface is good for.
+/// A sentence on what the surface is fit for.
 [[nodiscard]] std::string verdict(const std::vector<Defect>& defects,
                                   const std::optional<SignReport>& signs);
 
-/// The axis along which the surface has no extent, but for rounding; if there is one.
+/// The axis along which the surface has no extent, up to rounding, if there is one.
 [[nodiscard]] std::optional<int> flatAxis(const PolygonSoup& soup);
 
 /// "error", "warning" or "note".

@@ -5,22 +5,22 @@
 
 namespace cutwater::tool {
 
-/// To find places in the coordinates of a map, too, millions of metres from their origin.
+/// Enough to locate places even in map coordinates, millions of metres from their origin.
 inline constexpr int kPlaceDigits = 8;
 
-/// A command, and what it is good for.
+/// A command and its purpose.
 struct Advice {
   std::string command;
   std::string purpose;
 };
 
-/// The section "Defects": severity, how many, what, what it means, the first few places.
+/// Adds the section "Defects": severity, count, name, meaning and the first few places.
 void describe(Page& page, const std::vector<Defect>& defects);
 
-/// The section "Next".
+/// Adds the section "Next".
 void describe(Page& page, const std::vector<Advice>& next);
 
-/// What to do with a surface whose file is `file`, as a word of a shell, with its options.
+/// Suggestions on how to use a surface. `file`: its file, as a shell word, and its options.
 [[nodiscard]] std::vector<Advice> usesOf(const std::string& file);
 
 }  // namespace cutwater::tool

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-// Numbers as people read them; the same in every locale.
+// Numbers formatted for people; the same in every locale.
 namespace cutwater::tool {
 
 /// "1 234 567"
@@ -28,9 +28,9 @@ namespace cutwater::tool {
 [[nodiscard]] std::string counted(std::size_t count, const std::string& noun);
 /// "00c0ffee00c0ffee"
 [[nodiscard]] std::string hexadecimal(std::uint64_t value);
-/// A word of a shell's command line: quoted where that is needed.
+/// The text as one word of a shell's command line, quoted where needed.
 [[nodiscard]] std::string shellWord(const std::string& text);
-/// Filled up with blanks to `width`.
+/// Padded with blanks to `width`.
 [[nodiscard]] std::string leftAligned(std::string_view text, std::size_t width);
 [[nodiscard]] std::string rightAligned(std::string_view text, std::size_t width);
 

@@ -29,7 +29,7 @@ void release(void* memory) {
 
 }  // namespace
 
-// The other forms call these.
+// The other forms of operator new and delete call these.
 void* operator new(std::size_t size) {
   return noted(std::malloc(std::max<std::size_t>(size, 1)));
 }

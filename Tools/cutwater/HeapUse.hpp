@@ -4,15 +4,15 @@
 
 namespace cutwater::tool {
 
-/// How many bytes operator new has given out and not got back: exact, whatever the allocator keeps
-/// for later and however small the work. Of the whole program; what libraries take by malloc() is
-/// not counted.
+/// Counts the bytes allocated by operator new and not yet freed. Exact, whatever the allocator
+/// keeps for reuse and however small the work. Covers the whole program, except memory that
+/// libraries take by malloc().
 class HeapUse {
  public:
-  /// Counts from here.
+  /// Starts counting.
   HeapUse();
 
-  /// The most that was in use at a time since the start, beyond what was in use then.
+  /// The peak since the start, in excess of what was in use then.
   [[nodiscard]] std::size_t peak() const;
 
  private:

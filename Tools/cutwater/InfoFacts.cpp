@@ -14,7 +14,7 @@ namespace cutwater::tool {
 
 namespace {
 
-/// Builds the solid; what it is made of is left to `take`.
+/// Builds the solid, and passes it to `take`.
 template <std::floating_point T, typename Take>
 MemoryUse build(const PolygonSoup& soup, const MeshSDFOptions& options, Take take) {
   const HeapUse heap;
@@ -38,7 +38,7 @@ SolidFacts solidOf(const PolygonSoup& soup, const MeshSDFOptions& how, bool inFl
   return facts;
 }
 
-/// Where a repaired surface would go: "hull-repaired.stl" for models/hull.stl.gz.
+/// Suggested file for a repaired surface: "hull-repaired.stl" for models/hull.stl.gz.
 std::string repairedName(const LoadedSurface& surface, const SurfaceOptions& options) {
   constexpr const char* kExtensions[] = {".stl", ".obj", ".ply", ".off", ".ply"};
   std::filesystem::path name = fileName(options);
@@ -48,8 +48,8 @@ std::string repairedName(const LoadedSurface& surface, const SurfaceOptions& opt
   return stem + "-repaired" + (surface.prepared ? ".ply" : kExtensions[format]);
 }
 
-/// Whether signs are a matter of opinion and no other repair would change that. What lies in one
-/// plane, such as an inlet, is left alone.
+/// Whether signs are ambiguous and no other repair would change that. Surfaces in one plane, such
+/// as an inlet, are left alone.
 bool needsWrap(const InfoFacts& facts) {
   const auto isError = [](const Defect& defect) { return defect.severity == Severity::Error; };
   return facts.solid && !flatAxis(facts.surface.soup) &&
@@ -129,7 +129,7 @@ std::string formatOf(const LoadedSurface& surface) {
 std::vector<std::size_t> polygonsPerPatch(const PolygonSoup& soup) {
   std::vector<std::size_t> polygons(soup.patchNames.size());
   for (const auto id : soup.patches) {
-    if (id < polygons.size()) ++polygons[id];  // prepared by programs, patches may have no name
+    if (id < polygons.size()) ++polygons[id];  // files prepared by programs may lack names
   }
   return polygons;
 }

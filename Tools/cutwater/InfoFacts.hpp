@@ -18,11 +18,11 @@ struct InfoOptions : SurfaceOptions {
   bool json = false;
 };
 
-/// What a solid takes, in bytes.
+/// The memory that a solid takes, in bytes.
 struct MemoryUse {
   std::size_t bytes = 0;
   std::size_t bytesPerTriangle = 0;
-  std::size_t peak = 0;  ///< while it was built, besides the soup
+  std::size_t peak = 0;  ///< while it was built, not counting the soup
 };
 
 /// The surface as a MeshSDF.
@@ -34,7 +34,7 @@ struct SolidFacts {
   double seconds = 0;  ///< to build it
 };
 
-/// All that `cutwater info` tells: the page and the JSON are views of it.
+/// Everything that `cutwater info` reports: the page and the JSON are views of it.
 struct InfoFacts {
   InfoOptions options;
   LoadedSurface surface;
@@ -57,21 +57,21 @@ struct InfoFacts {
 /// "binary STL, gzip-compressed"
 [[nodiscard]] std::string formatOf(const LoadedSurface& surface);
 
-/// How many polygons each named patch has.
+/// Number of polygons of each named patch.
 [[nodiscard]] std::vector<std::size_t> polygonsPerPatch(const PolygonSoup& soup);
 
-/// What distances mean, in words.
+/// The meaning of distances, in words.
 [[nodiscard]] std::string meaningOf(const Guarantee<double>& guarantee);
 
-/// "y = 0", if the opening lies in a plane across an axis.
+/// Returns "y = 0", for example, if the opening lies in a plane across an axis.
 [[nodiscard]] std::optional<std::string> planeOf(const Rim& rim, const Treatments& treatments);
 
-/// Ends with '\n'.
+/// The report as a page or as JSON; ends with '\n'.
 [[nodiscard]] std::string pageOf(const InfoFacts& facts);
 [[nodiscard]] std::string jsonOf(const InfoFacts& facts);
 
-/// All that is told of a scene, as a page or in JSON. Ends with '\n'.
-/// @throws Error as loadSolid(), and if it is to be told in single precision.
+/// The report on a scene, as a page or in JSON. Ends with '\n'.
+/// @throws Error as loadSolid(), and if single precision is requested.
 [[nodiscard]] std::string aboutScene(const InfoOptions& options);
 
 }  // namespace cutwater::tool

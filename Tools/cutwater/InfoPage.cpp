@@ -110,7 +110,7 @@ void describeDetails(Page& page, const MeshReport& report) {
   for (std::string_view rest = table; !rest.empty();) {
     const auto line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(line.size() + 1);
-    if (!line.ends_with(" 0")) page.plain(std::string(line));  // defects that there are not
+    if (!line.ends_with(" 0")) page.plain(std::string(line));  // without absent defects
   }
 }
 

@@ -26,7 +26,8 @@ using Json = nlohmann::ordered_json;
                              const std::optional<SignReport>& signs);
 [[nodiscard]] Json signsJson(const SignReport& signs);
 
-/// As text, ended by '\n'. Bytes that are no UTF-8, of files' and patches' names, are replaced.
+/// As text that ends with '\n'. Bytes that are not UTF-8, in names of files and patches, are
+/// replaced.
 [[nodiscard]] std::string dumped(const Json& json);
 
 }  // namespace cutwater::tool

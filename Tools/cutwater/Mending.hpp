@@ -14,7 +14,7 @@ class App;
 
 namespace cutwater::tool {
 
-/// What Cutwater::Repair is to do, after cleaning and closing on planes; all lengths.
+/// The steps for Cutwater::Repair, after cleaning and closing on planes; all sizes are lengths.
 struct MendingOptions {
   struct Wrap {
     double gap = 0;
@@ -27,17 +27,17 @@ struct MendingOptions {
   double seconds = 60;  ///< for each step
 };
 
-/// Whether the program was built with Cutwater::Repair. Without it there are no such options and no
-/// such steps.
+/// Whether the program was built with Cutwater::Repair. Otherwise there are no such options or
+/// steps.
 [[nodiscard]] bool canMend();
 
-/// Adds the options to the command. `options` must live as long as it.
+/// Adds the options to the command, which `options` must outlive.
 void addMendingOptions(CLI::App& command, MendingOptions& options);
 
-/// The options as they are written on a command line, each with a blank before it.
+/// The options as written on a command line, each preceded by a blank.
 [[nodiscard]] std::string commandLine(const MendingOptions& options);
 
-/// Appends holes, self-intersections and the wrap, as far as they are wanted.
+/// Appends the requested steps: holes, self-intersections, wrap.
 void addMendingSteps(const MendingOptions& options, std::vector<RepairStep>& steps);
 
 }  // namespace cutwater::tool

@@ -10,21 +10,21 @@
 
 namespace cutwater::tool {
 
-/// The arrays that were asked for, one value per cell.
+/// The requested arrays, one value per cell.
 class MeshFields {
  public:
   MeshFields(const OctreeCells<double>& mesh, const std::vector<std::string>& names);
 
-  /// All that can be asked for.
+  /// The names of all arrays that can be requested.
   static const std::vector<std::string>& names();
 
   /// Values at the cells' centres.
   [[nodiscard]] OctreeTargets<double> targets() { return {distance_, normal_, patch_}; }
   /// Whether setPatches() is needed.
   [[nodiscard]] bool hasPatches() const { return !patches_.empty(); }
-  /// Patch n of the first 64 is bit n of a cell's number.
+  /// Patch n, of the first 64, is bit n of a cell's number.
   void setPatches(const CellPatches& patches);
-  /// Cells that are to be covered have a class of their own.
+  /// Gives the cells to be covered a class of their own.
   void cover(std::span<const std::size_t> cells);
   [[nodiscard]] std::span<const VtkArray> arrays() const { return arrays_; }
 
@@ -41,7 +41,7 @@ class MeshFields {
   std::vector<VtkArray> arrays_;
 };
 
-/// How many cells a mesh has on each level and of each kind: of BoxClass's numbers.
+/// Number of cells of a mesh on each level and of each kind, indexed by the values of BoxClass.
 struct CellCounts {
   explicit CellCounts(const OctreeCells<double>& mesh);
 
@@ -49,7 +49,7 @@ struct CellCounts {
   std::array<std::uint64_t, 4> ofKind{};
 };
 
-/// Tells the domain, and the counts.
+/// Prints the domain and the counts.
 void report(const CellCounts& counts, const OctreeDomain<double>& domain);
 
 }  // namespace cutwater::tool

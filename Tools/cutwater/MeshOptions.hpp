@@ -7,7 +7,7 @@
 
 namespace cutwater::tool {
 
-/// How an octree mesh around a surface is asked for.
+/// The options that describe an octree mesh around a surface.
 struct MeshOptions {
   GridRequest roots;
   RefinementOptions refinement;
@@ -16,7 +16,7 @@ struct MeshOptions {
 };
 
 /// Adds the rules of refinement, --roots, --box, --margin, --balance and --write. `options` must
-/// live as long as the command.
+/// outlive the command.
 void addMeshOptions(CLI::App& command, MeshOptions& options);
 
 /// @throws Error as gridAround().

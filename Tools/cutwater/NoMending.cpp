@@ -1,4 +1,4 @@
-// In place of Mending.cpp where the program is built without Cutwater::Repair.
+// Replaces Mending.cpp where the program is built without Cutwater::Repair.
 #include "Mending.hpp"
 
 namespace cutwater::tool {

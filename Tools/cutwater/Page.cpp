@@ -6,8 +6,8 @@ namespace cutwater::tool {
 
 namespace {
 
-/// The end of the piece of text from `at` on that stays on one line: a word, a number with blanks
-/// between its digits, what is in parentheses.
+/// The end of the piece of text from `at` on that must stay on one line: a word, a number with
+/// blanks between its digits, text in parentheses.
 std::size_t endOfPiece(const std::string& words, std::size_t at) {
   const auto isDigit = [&](std::size_t i) {
     return i < words.size() && '0' <= words[i] && words[i] <= '9';

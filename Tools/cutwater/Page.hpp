@@ -14,9 +14,10 @@ class Page {
     plain(leftAligned(name, 18) + "  " + value);
   }
   void plain(const std::string& text) { text_ += "  " + text + "\n"; }
-  /// Broken between words, so that lines end before column 100; those after the first are indented.
+  /// Adds text, broken between words so that lines end before column 100. Lines after the first are
+  /// indented.
   void wrapped(const std::string& head, const std::string& words);
-  /// Lines that end with '\n', as the library's reports have them.
+  /// Adds lines that end with '\n', such as those of the library's reports.
   void lines(const std::string& text);
 
   [[nodiscard]] const std::string& text() const { return text_; }

@@ -17,7 +17,7 @@ namespace cutwater::tool {
 struct PictureOptions {
   std::string output;
   int axis = 1;              ///< the plane's normal
-  std::optional<double> at;  ///< on it; without it: the middle of the surface
+  std::optional<double> at;  ///< its position; without it: the middle of the surface
   SliceOptions<double> slice;
 };
 
@@ -25,7 +25,7 @@ struct PictureOptions {
 void addSizeOption(CLI::App& command, int& width, int& height);
 void addPictureOptions(CLI::App& command, PictureOptions& options);
 
-/// Draws and writes it, and tells so unless all is quiet.
+/// Draws and writes the picture, and reports that unless --quiet is given.
 void writePicture(const SignedDistanceFunction<double>& solid, const SurfaceOptions& surface,
                   PictureOptions options);
 

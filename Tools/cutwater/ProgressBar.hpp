@@ -8,7 +8,7 @@
 namespace cutwater::tool {
 
 /// Shows the progress of work that takes longer than a moment, on stderr and only if that is a
-/// terminal. Its line is wiped when the bar goes out of scope.
+/// terminal. Its line is erased when the bar goes out of scope.
 class ProgressBar {
  public:
   /// @param shown  false: never shows anything.
@@ -19,7 +19,7 @@ class ProgressBar {
   ProgressBar(ProgressBar&&) = delete;
   ProgressBar& operator=(ProgressBar&&) = delete;
 
-  /// For the options of the work; empty if nothing is to be shown. The bar must outlive it.
+  /// The callback for the options of the work; empty if nothing is shown. The bar must outlive it.
   [[nodiscard]] Progress callback();
 
  private:

@@ -11,7 +11,7 @@ namespace cutwater::tool {
 
 namespace {
 
-/// What stands before the last colon, and the level behind it.
+/// The text before the last colon, and the level after it.
 struct Leveled {
   std::string what;
   int level;
@@ -52,7 +52,7 @@ RefinementOptions::Patch patchOf(const std::string& text) {
   return {name, level};
 }
 
-/// Adds an option whose text is read by read(text), each time it is given.
+/// Adds an option; read(text) is called each time it is given.
 template <typename Read>
 CLI::Option* addRule(CLI::App& command, const std::string& name, const char* type,
                      const std::string& meaning, const Read& read) {

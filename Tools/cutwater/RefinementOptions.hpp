@@ -10,7 +10,7 @@ class App;
 
 namespace cutwater::tool {
 
-/// What `cutwater amr` refines, as it is told.
+/// The refinement rules given to `cutwater amr`.
 struct RefinementOptions {
   struct Patch {
     std::string name;
@@ -18,11 +18,11 @@ struct RefinementOptions {
   };
 
   Refinement<double> rules;    ///< all but those of patches
-  std::vector<Patch> patches;  ///< by name; repeated names are one patch's
+  std::vector<Patch> patches;  ///< by name; repeated names refer to one patch
 };
 
-/// Adds --level, --band, --patch, --curvature, --edges, --gaps and --walls. `options` must live as
-/// long as the command.
+/// Adds --level, --band, --patch, --curvature, --edges, --gaps and --walls. `options` must outlive
+/// the command.
 void addRefinementOptions(CLI::App& command, RefinementOptions& options);
 
 /// All rules, for a solid with these patches.

@@ -21,7 +21,7 @@ namespace {
 struct Cut {
   int axis;
   double value;
-  std::optional<CutPlane::Keep> keep;  // without it: what is farther from the viewer
+  std::optional<CutPlane::Keep> keep;  // without it: the part farther from the viewer
 };
 
 struct Options {
@@ -122,13 +122,13 @@ void run(Options options) {
   auto& render = options.render;
   const auto* const mesh = solid.as<MeshSDF<double>>();
   render.sheets = mesh != nullptr && !mesh->signReport().isClosed() && !options.solid;
-  // Signs are not looked at then, and these are the quicker ones.
+  // Signs do not matter then, and these are faster to compute.
   if (render.sheets && options.cuts.empty()) {
     Solid<double> quicker(MeshSDF<double>(mesh->soup(), {.signs = SignScheme::NearestFeature}));
     quicker.setPlacement(solid.placement());
     solid = std::move(quicker);
   }
-  // What has no end ends at the box that is to be seen.
+  // An unbounded solid ends at the box that is shown.
   if (!isFinite(solid.boundingBox())) render.region = render.show;
   render.axes = !options.noAxes;
   if (render.title.empty()) render.title = fileName(options.surface);

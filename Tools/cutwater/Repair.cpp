@@ -35,12 +35,12 @@ struct StepDone {
   double seconds = 0;
 };
 
-/// All that `cutwater repair` tells: the page and the JSON are views of it.
+/// Everything that `cutwater repair` reports: the page and the JSON are views of it.
 struct RepairFacts {
   MeshReport before;
   std::size_t pointsBefore = 0;
   std::vector<StepDone> steps;
-  PolygonSoup soup;  ///< as it is written
+  PolygonSoup soup;  ///< as written
   Examination after;
   std::optional<SignReport> signs;
   std::vector<Defect> defects;
@@ -68,7 +68,7 @@ std::vector<Advice> adviceFor(const std::string& output, const std::vector<Defec
 }
 
 RepairFacts repair(const Options& options) {
-  const auto steps = stepsOf(options.repair);  // before any work: an option may be wrong
+  const auto steps = stepsOf(options.repair);  // before any work, as an option may be wrong
   auto soup = load(options.surface).soup;
   const auto before = check(DcelMesh<double>(soup));
   const std::size_t points = soup.points.size();

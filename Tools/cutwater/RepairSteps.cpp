@@ -52,7 +52,7 @@ SurfacePlane planeOf(const OpeningOption& option, const std::string& text) {
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }
 
-/// The text before the first colon, and what is behind it, if there is one.
+/// The text before the first colon, and the text after it, if there is a colon.
 std::pair<std::string, std::optional<std::string>> cutAtColon(const std::string& text) {
   const auto colon = text.find(':');
   if (colon == std::string::npos) return {text, {}};
@@ -146,7 +146,7 @@ void addCleanOptions(CLI::App& command, CleanOptions& options) {
 void addRepairOptions(CLI::App& command, RepairOptions& options) {
   addCleanOptions(command, options.clean);
   for (const auto& kind : kOpenings) {
-    // Called one by one as they are read, so that they act in the order given.
+    // The functions are called as options are read, so that they act in the order given.
     command
         .add_option_function<std::string>(
             kind.name,

@@ -13,32 +13,32 @@ class App;
 
 namespace cutwater::tool {
 
-/// An option of `cutwater repair` that closes openings, as it is written: "--cap", "z=0:inlet".
+/// An option of `cutwater repair` that closes openings, as written: "--cap", "z=0:inlet".
 struct OpeningOption {
   std::string name;
   std::string value;
 };
 
-/// What `cutwater repair` is to do.
+/// The repairs requested from `cutwater repair`.
 struct RepairOptions {
   CleanOptions clean;
-  double tolerance = 0;  ///< of the openings' planes, a length
+  double tolerance = 0;  ///< for the openings' planes, a length
   std::vector<OpeningOption> openings;
   MendingOptions mending;
 };
 
-/// Adds the options to the command. `options` must live as long as it.
+/// Adds the options to the command, which `options` must outlive.
 void addRepairOptions(CLI::App& command, RepairOptions& options);
 
-/// The options as they are written on a command line, each with a blank before it.
+/// The options as written on a command line, each preceded by a blank.
 [[nodiscard]] std::string commandLine(const RepairOptions& options);
 
-/// The steps in their order: cleaning, then openings as they were given, then what Cutwater::Repair
-/// does. A new kind of step is a function here, an option above and a report that StepReport knows.
+/// The steps in order: cleaning, then openings in the order given, then those of Cutwater::Repair.
+/// A new kind of step needs a function here, an option above and a report in StepReport.
 /// @throws CLI::ValidationError for the value of an option that cannot be read.
 [[nodiscard]] std::vector<RepairStep> stepsOf(const RepairOptions& options);
 
-/// The report's lines, each ended by '\n'.
+/// The report's lines, each ending with '\n'.
 [[nodiscard]] std::string text(const StepReport& report);
 
 }  // namespace cutwater::tool

@@ -25,7 +25,7 @@ struct Options {
   std::vector<std::string> write{"distance"};
 };
 
-/// The arrays that were asked for, as a fill takes them and as a file does.
+/// The requested arrays, in the forms that fill() and a file take.
 class Fields {
  public:
   Fields(const IndexBox& box, const std::vector<std::string>& names) {

@@ -24,7 +24,7 @@ double cubeOf(const Vec3<double>& size, const GridRequest& request) {
   return maxComponent(size) / (request.cells.empty() ? kDefaultCells : request.cells[0]);
 }
 
-/// As many cells as cover the length; rounding does not add one.
+/// The number of cells that cover the length; rounding does not add one.
 std::int32_t cellsAlong(double length, double spacing) {
   const double cells = std::max(std::ceil(length / spacing * (1 - 1e-12)), 1.0);
   if (!(cells <= kMostAlongAxis)) {

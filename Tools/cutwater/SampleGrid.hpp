@@ -12,16 +12,16 @@ class App;
 
 namespace cutwater::tool {
 
-/// How the grid around a surface is asked for. At most one of cells, total and spacing.
+/// The options that describe the grid around a surface. At most one of cells, total and spacing.
 struct GridRequest {
-  /// One number: cubes, so many along the longest side. Three: so many along each axis.
+  /// One number: cubes, this many along the longest side. Three: cells along each axis.
   std::vector<std::int32_t> cells;
-  std::optional<double> total;  ///< cubes, about so many in all
+  std::optional<double> total;  ///< cubes, about this many in all
   /// One number or three: sides of a cell.
   std::vector<double> spacing;
   std::optional<Box<double>> box;
-  std::optional<double> margin;  ///< around the surface, where there is no box
-  bool nodes = false;            ///< values at nodes, not at centres of cells
+  std::optional<double> margin;  ///< around the surface, if there is no box
+  bool nodes = false;            ///< values at nodes, not at cell centres
 };
 
 /// The grid that covers the box, or the surface and a margin of a tenth of its diagonal. Cells
@@ -29,7 +29,7 @@ struct GridRequest {
 /// @throws Error(Argument) if the surface has no extent, Error(Limit) if the grid is too large.
 [[nodiscard]] Patch<double> gridAround(const Box<double>& surface, const GridRequest& request);
 
-/// Adds --cells, --spacing and --total. `grid` must live as long as the command.
+/// Adds --cells, --spacing and --total. `grid` must outlive the command.
 void addSizeOptions(CLI::App& command, GridRequest& grid);
 /// Adds --box and --margin, likewise.
 void addPlaceOptions(CLI::App& command, GridRequest& grid);

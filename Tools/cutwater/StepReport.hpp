@@ -15,7 +15,7 @@
 
 namespace cutwater::tool {
 
-/// What a step of a repair found and did: the library's report of it.
+/// The library's report on what a step of a repair found and did.
 #ifdef CUTWATER_HAS_REPAIR
 using StepReport =
     std::variant<CleanReport, OpeningReport, HoleReport, SelfIntersectionRepairReport, WrapReport>;
@@ -23,7 +23,7 @@ using StepReport =
 using StepReport = std::variant<CleanReport, OpeningReport>;
 #endif
 
-/// Part of a repair.
+/// A step of a repair.
 struct RepairStep {
   std::string name;  ///< "clean", or the option that asked for it: "cap z=0:inlet"
   std::function<StepReport(PolygonSoup&)> run;

@@ -37,7 +37,7 @@ void rotate(RigidTransform<double>& placement, const std::string& text) {
   placement.rotate(values[0], Vec3<double>{values[1], values[2], values[3]});
 }
 
-/// The triangles of a prepared file, moved as if they had been read from the file it was made from.
+/// The triangles of a prepared file, moved as if read from the file that it was made from.
 template <std::floating_point T>
 LoadedSurface loadPrepared(const SurfaceOptions& options, const GeometryFileInfo& info) {
   Stopwatch watch;
@@ -55,8 +55,8 @@ LoadedSurface loadPrepared(const SurfaceOptions& options, const GeometryFileInfo
   return surface;
 }
 
-/// The solid in a prepared file, if it can be used as it is: unless it is to be scaled or moved, is
-/// to have other signs, or is of the other precision.
+/// The solid in a prepared file, if it can be used as it is: not if options scale or move it or
+/// request other signs, or if it has the other precision.
 template <std::floating_point T>
 std::optional<MeshSDF<T>> ready(const SurfaceOptions& options) {
   const auto info = geometryFileInfo(options.file);
@@ -69,7 +69,7 @@ std::optional<MeshSDF<T>> ready(const SurfaceOptions& options) {
   return solid;
 }
 
-/// In lower case: ".stl".
+/// The extension in lower case: ".stl".
 std::string extensionOf(const std::string& file) {
   auto extension = std::filesystem::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -105,7 +105,7 @@ void addSurfaceOptions(CLI::App& command, SurfaceOptions& options, Reads reads) 
           },
           "Multiply the file's coordinates first; 0.001: millimetres to metres")
       ->type_name("FACTOR");
-  // Called one by one as they are read, so that motions act in the order given.
+  // The functions are called as options are read, so that motions act in the order given.
   command
       .add_option_function<std::string>(
           "--translate",

@@ -23,10 +23,10 @@ struct PlanarOpenings {
   Box<double> box;
   std::size_t rims = 0;
   std::size_t edges = 0;
-  double spread = 0;  ///< how far from the plane points of the rims are, at most
+  double spread = 0;  ///< largest distance of the rims' points from the plane
 };
 
-/// The number of fewest digits within `tolerance` of the value.
+/// The number with the fewest digits within `tolerance` of the value.
 double roundedWithin(double value, double tolerance) {
   if (std::abs(value) <= tolerance) return 0;
   for (int digits = 1; digits <= 17; ++digits) {
@@ -71,8 +71,8 @@ class Search {
   }
 
  private:
-  /// Takes the least tolerance that leaves the fewest gaps, if that is at most half of them. What
-  /// `mayHelp` rules out is not tried.
+  /// Adopts the smallest tolerance that leaves the fewest gaps, if these are at most half of them.
+  /// Tolerances that `mayHelp` rules out are not tried.
   template <typename MayHelp>
   void closeGaps(std::optional<double> CleanOptions::*tolerance, MayHelp mayHelp) {
     const Trial before = best_;
@@ -88,7 +88,7 @@ class Search {
     }
   }
 
-  /// Each once.
+  /// The points of all rims, each once.
   [[nodiscard]] std::vector<Vec3<double>> rimPoints() const {
     std::vector<std::uint32_t> numbers;
     for (const auto& rim : findRims(best_.soup)) {
@@ -101,7 +101,7 @@ class Search {
     return points;
   }
 
-  /// Tolerances beyond the size of details would destroy them.
+  /// Whether details survive: tolerances beyond their size would destroy them.
   [[nodiscard]] static bool keepsItsShape(const MeshReport& after, const MeshReport& before) {
     constexpr double kLost = 1e-3;
     return std::abs(after.area - before.area) <= kLost * before.area;
@@ -120,7 +120,7 @@ class Search {
     if (whole && whole->gaps() == 0) suggest(*whole);
   }
 
-  /// The planes of the rims, those of most edges first.
+  /// The planes of the rims, those with the most edges first.
   [[nodiscard]] std::vector<PlanarOpenings> planesOf(const std::vector<Rim>& rims) const {
     std::vector<PlanarOpenings> planes;
     for (const auto& rim : rims) {
@@ -141,7 +141,8 @@ class Search {
     return planes;
   }
 
-  /// Whether the openings may be a half model's: in a plane at its end, and as long as it is.
+  /// Whether the openings may be those of a half model: in a plane at its end, and as long as the
+  /// model.
   [[nodiscard]] bool mayBeHalf(const PlanarOpenings& openings) const {
     if (openings.spread > 1e-5 * diagonal_) return false;  // points would be moved onto the plane
     const auto box = best_.soup.boundingBox();
@@ -151,7 +152,7 @@ class Search {
     return away <= 2 * planar_ && 2 * maxComponent(size) >= maxComponent(box.size());
   }
 
-  /// The options and one more for the plane; with a tolerance only where rims need one.
+  /// The options with one more for the plane, and with a tolerance only where rims need one.
   [[nodiscard]] static RepairOptions with(RepairOptions options, const char* option,
                                           const PlanarOpenings& openings) {
     auto plane = openings.plane;
@@ -164,7 +165,7 @@ class Search {
     return options;
   }
 
-  /// Caps in as many planes as it takes, each if it closes something.
+  /// Adds caps in as many planes as it takes, each only if it closes something.
   void cap(const std::vector<PlanarOpenings>& planes) {
     constexpr std::size_t kMostPlanes = 6;
     std::optional<Trial> capped;
@@ -178,7 +179,7 @@ class Search {
     if (capped && 2 * capped->gaps() <= best_.gaps()) suggest(*capped);
   }
 
-  /// Whether caps are what is there already, seen from behind: the openings are those of sheets.
+  /// Whether caps only repeat existing faces from behind: the openings are then those of sheets.
   [[nodiscard]] static bool foldsBack(const Trial& capped, const Trial& before) {
     if (capped.report.oppositeFaces.count > before.report.oppositeFaces.count) return true;
     const DcelMesh<double> mesh(capped.soup);
@@ -195,8 +196,8 @@ class Search {
     return 2 * folds > rimEdges;
   }
 
-  /// For a sheet that shows one side only along an axis, such as a terrain: a solid as deep again
-  /// as it is high.
+  /// Extends a sheet whose faces all point to one side along an axis, such as a terrain, to a solid
+  /// as deep again as it is high.
   void extend() {
     const auto axis = axisSeen();
     if (!axis) return;
@@ -209,7 +210,7 @@ class Search {
     if (extended && extended->gaps() == 0) suggest(*extended);
   }
 
-  /// The axis, z first, along which all faces look to the same side.
+  /// The axis, z first, along which all faces point to the same side.
   [[nodiscard]] std::optional<int> axisSeen() const {
     const DcelMesh<double> mesh(best_.soup);
     for (const int axis : {2, 1, 0}) {
@@ -225,12 +226,12 @@ class Search {
     return {};
   }
 
-  /// What is still open after cleaning, or else after the first repair that was found.
+  /// Fills the holes that remain after cleaning, or else after the first repair found.
   void fillHoles() {
     const bool isDone = !result_.found.empty() && result_.found.front().isClosed;
     if (!canMend() || best_.gaps() == 0 || isDone || flatAxis(best_.soup)) return;
     auto options = result_.found.empty() ? best_.options : result_.found.front().options;
-    const double widest = 0.3 * diagonal_;  // beyond, a flat patch is hardly what was meant
+    const double widest = 0.3 * diagonal_;  // beyond, a flat patch is hardly intended
     options.mending.widestHole = roundedWithin(widest, 0.1 * widest);
     const auto filled = tried(soup_, options);
     if (!filled || 2 * filled->gaps() > best_.gaps()) return;

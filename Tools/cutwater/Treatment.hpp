@@ -8,27 +8,26 @@
 
 #include "RepairSteps.hpp"
 
-// Which repair would help: found by trying it on a copy, so that nothing is promised that does not
-// come about.
+// Finds repairs that help by trying them on a copy, so that only effects that occur are promised.
 namespace cutwater::tool {
 
 /// A repair that was tried.
 struct Treatment {
   RepairOptions options;
-  std::string effect;     ///< what it does and what is left then, in words
-  bool isClosed = false;  ///< no edge is open then, nor has faces in excess
+  std::string effect;     ///< what it does and what remains, in words
+  bool isClosed = false;  ///< afterwards no edge is open or has faces in excess
 };
 
 struct Treatments {
-  std::vector<Treatment> found;  ///< of several the first is recommended, others are alternatives
+  std::vector<Treatment> found;  ///< the first is recommended, others are alternatives
   std::vector<Rim> openings;     ///< after cleaning and welding, the largest first
-  double planeTolerance = 0;     ///< within which openings were taken for plane, a length
+  double planeTolerance = 0;     ///< within which openings count as plane, a length
 };
 
-/// Looks for what `cutwater repair` can do about the surface: cleaning; if it is open, tolerances
+/// Searches for what `cutwater repair` can do for the surface: cleaning; if it is open, tolerances
 /// for welding and junctions that close gaps; then caps, a mirror image or an extension for
-/// openings in planes across an axis. None if cleaning changes nothing and nothing is open, or
-/// nothing helps.
+/// openings in planes across an axis. Finds none if cleaning changes nothing and nothing is open,
+/// or nothing helps.
 [[nodiscard]] Treatments findTreatments(const PolygonSoup& soup);
 
 }  // namespace cutwater::tool

@@ -11,7 +11,7 @@
 
 namespace cutwater::tool {
 
-/// What a repair does, in words, and how often: "faces turned", 3.
+/// The effects of a repair, in words, with their counts: "faces turned", 3.
 using Effects = std::vector<std::pair<std::string, std::size_t>>;
 
 /// A repair, tried on a copy of the surface.
@@ -21,11 +21,12 @@ struct Trial {
   MeshReport report;
   Effects effects;
 
-  /// Edges that make the surface open: those of one face, and others with faces in excess.
+  /// Number of edges that make the surface open: those with one face, and others with faces in
+  /// excess.
   [[nodiscard]] std::size_t gaps() const { return report.oddEdges + report.unbalancedEdges; }
 };
 
-/// What becomes of a surface; nothing if a step refuses it.
+/// Tries a repair on a copy of the surface; returns nothing if a step refuses it.
 [[nodiscard]] std::optional<Trial> tried(const PolygonSoup& soup, const RepairOptions& options);
 
 }  // namespace cutwater::tool
