@@ -15,9 +15,9 @@ namespace cutwater {
 /// further level are half as wide. A cell coarser than a rule's level is divided if that rule
 /// applies to it; one rule is enough.
 ///
-/// All rules except the bands apply to cells that the surface may meet: see BoxClass. Rules on its
-/// facets see all of them for meshes, their motions, unions, intersections and complements; for
-/// other solids they see samples: see SignedDistanceFunction::facetsIn().
+/// All rules except the bands apply to cells that the surface may meet: see BoxClass. Rules on
+/// facets of the surface see all of them for meshes, their motions, unions, intersections and
+/// complements; for other solids they see samples: see SignedDistanceFunction::facetsIn().
 template <std::floating_point T>
 struct Refinement {
   struct Band {
