@@ -93,5 +93,16 @@ TEST(Parallel, ReportsProgressFromTheStartingThread) {
   }
 }
 
+TEST(Parallel, ReportsProgressWithinAnotherRegionToo) {
+  // Each thread of the outer loop starts work of its own, and hears of all of it.
+  std::atomic<int> reports = 0;
+  parallelFor(3, {.threads = 3}, [&](std::size_t begin, std::size_t end) {
+    for (; begin < end; ++begin) {
+      parallelFor(10, {.progress = [&](double) { ++reports; }}, [](std::size_t, std::size_t) {});
+    }
+  });
+  EXPECT_EQ(reports.load(), 3 * (10 + 1));  // after each range, and in the end
+}
+
 }  // namespace
 }  // namespace cutwater

@@ -31,6 +31,7 @@ struct BvhArrays {
 /// so that leaves are full. Then collapses them to K children by dynamic programming, minimising
 /// the summed area of all nodes (Ylitie, Karras and Laine 2017, "Efficient incoherent ray traversal
 /// on GPUs through compressed wide BVHs", section 3).
+/// @throws Error(Limit) for more than 2^32 - 2 boxes.
 template <int K, int W>
 [[nodiscard]] BvhArrays<K, W> buildBvh(std::span<const Box<double>> boxes, int threads = 0);
 

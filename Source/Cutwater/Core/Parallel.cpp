@@ -13,14 +13,6 @@ namespace cutwater {
 
 namespace {
 
-bool onMainThread() {
-#ifdef _OPENMP
-  return omp_get_thread_num() == 0;
-#else
-  return true;
-#endif
-}
-
 /// Assigns ranges to whichever thread asks next, until no work is left or a call fails.
 class Dispenser {
  public:
@@ -31,9 +23,9 @@ class Dispenser {
         options_(options),
         body_(body) {}
 
-  void work() noexcept {
-    // Not OpenMP's own thread number: in a nested serial region every caller is thread 0 of a team.
-    const bool reports = options_.progress != nullptr && onMainThread();
+  /// `isStarter`: of the thread that started the work, which alone reports progress.
+  void work(bool isStarter) noexcept {
+    const bool reports = isStarter && options_.progress != nullptr;
     try {
       for (;;) {
         const auto begin = next_.fetch_add(grain_);
@@ -89,11 +81,11 @@ void parallelFor(std::size_t count, const ParallelOptions& options,
   const auto grain = std::max<std::size_t>(options.grain, 1);
   const int threads = threadsFor((count + grain - 1) / grain, options.threads);
   if (threads == 1) {
-    dispenser.work();
+    dispenser.work(true);  // in a region of the caller's this may be any thread of its team
   } else {
 #ifdef _OPENMP
 #pragma omp parallel num_threads(threads)
-    dispenser.work();
+    dispenser.work(omp_get_thread_num() == 0);
 #endif
   }
   dispenser.finish();

@@ -53,9 +53,9 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   /// of a file, which shows later whether it is still the same. geometryFileInfo() returns it.
   [[nodiscard]] Block toBytes(std::uint64_t source = 0) const;
 
-  /// The mesh that these bytes were made from, without a copy: its results are the same to the bit,
-  /// regardless of who made the bytes and for what. The bytes may be in any memory that begins at a
-  /// multiple of 64: the buffer of a broadcast, a window that MPI processes share, a mapped file.
+  /// The mesh that these bytes were made from, without a copy: its results are the same to the bit.
+  /// The bytes may be in any memory that begins at a multiple of 64: the buffer of a broadcast, a
+  /// window that MPI processes share, a mapped file.
   /// They must not change during the lifetime of this mesh and its copies; refitted() makes a mesh
   /// that no longer needs them.
   /// @throws Error(File) for bytes of another format, version, precision or byte order, and for

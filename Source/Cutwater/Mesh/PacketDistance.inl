@@ -74,7 +74,7 @@ CUTWATER_INLINE inline Floats inward(const Floats3& v, const Floats3& edge, cons
 // the rounded numbers has corners within 7 of the true ones, including the tilt of its plane, and
 // the point is within 1. Relative to that triangle, to first order: the difference from a corner
 // adds 1; the rest beside an edge 6, its square and root 2, the third edge 1 more; the height 4. In
-// all at most 17.
+// all at most 18.
 //
 // Errors along the triangle come on top. An edge's parameter is off by up to 11, which moves the
 // foot along the edge. A side is computed to 12 u R times the edge's length. As the point has to be
@@ -82,7 +82,7 @@ CUTWATER_INLINE inline Floats inward(const Floats3& v, const Floats3& edge, cons
 // inside falsely, but may be 42 within an edge and count as outside. Both add in quadrature: where
 // the distance d is not small they make (53 u R)^2 / 2 d, less than u R from d = 2^-12 R on.
 constexpr float kSideError = 12;
-constexpr float kError = 18;
+constexpr float kError = 19;
 constexpr float kErrorNearby = 72;
 constexpr float kNearby = 0x1p-12F / 0x1p-24F;
 
