@@ -14,7 +14,7 @@ def site_links(text):
     """Links to files that are shown as a page lead to that page."""
     text = re.sub(r"(\]\([./]*Examples/\w+/)main\.\w+\)", r"\1README.md)", text)
     text = re.sub(r"(\]\([./]*)README\.md([#)])", r"\1index.md\2", text)
-    text = re.sub(r"(\]\([./]*Examples)\)", r"\1/index.md)", text)
+    text = re.sub(r"(\]\([./]*Examples)(/README\.md)?\)", r"\1/index.md)", text)
     return re.sub(r"\]\(([./]*)Bindings/C/cutwater\.h\)", r"](\1Docs/reference/C.md)", text)
 
 

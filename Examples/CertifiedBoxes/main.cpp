@@ -84,8 +84,10 @@ bool isCutByPoints(const Solid<double>& solid, const Box<double>& cell) {
   bool inside = false;
   bool outside = false;
   for (int n = 0; n < kPoints * kPoints; ++n) {
-    const Vec3<double> p{cell.lower.x + (n % kPoints + 0.5) / kPoints * size.x,
-                         cell.lower.y + (n / kPoints + 0.5) / kPoints * size.y, cell.center().z};
+    const int column = n % kPoints;
+    const int row = n / kPoints;
+    const Vec3<double> p{cell.lower.x + (column + 0.5) / kPoints * size.x,
+                         cell.lower.y + (row + 0.5) / kPoints * size.y, cell.center().z};
     (solid.signedDistance(p) < 0 ? inside : outside) = true;
   }
   return inside && outside;
@@ -107,25 +109,36 @@ double share(const Solid<double>& solid, double x, double y, double side) {
   constexpr int kSamples = 3;
   int inside = 0;
   for (int n = 0; n < kSamples * kSamples; ++n) {
-    const double u = (n % kSamples + 0.5) / kSamples;
-    const double v = (n / kSamples + 0.5) / kSamples;
-    inside += solid.signedDistance({x + u * side, y + v * side, 0}) < 0 ? 1 : 0;
+    const int column = n % kSamples;
+    const int row = n / kSamples;
+    const Vec3<double> p{x + (column + 0.5) / kSamples * side, y + (row + 0.5) / kSamples * side,
+                         0};
+    inside += solid.signedDistance(p) < 0 ? 1 : 0;
   }
   return static_cast<double>(inside) / (kSamples * kSamples);
 }
 
-/// A cell in the colour of its kind, and the solid's section over it.
-void draw(const Solid<double>& solid, const Box<double>& cell, CellKind kind, int left, int top,
-          int pixels, Image& image) {
+/// A square of the picture, in pixels.
+struct Square {
+  int left, top, side;
+};
+
+void fill(Image& image, const Square& square, CellKind kind) {
   constexpr Rgb kColors[]{{255, 255, 255}, {221, 224, 228}, {150, 190, 226}, {240, 150, 70}};
-  image.fillRectangle(left, top, left + pixels - 1, top + pixels - 1,
+  const auto& [left, top, side] = square;
+  image.fillRectangle(left, top, left + side - 1, top + side - 1,
                       kColors[static_cast<std::size_t>(kind)]);
-  const double side = cell.size().x / pixels;
-  for (int y = 0; y < pixels; ++y) {
-    for (int x = 0; x < pixels; ++x) {
+}
+
+/// The solid's section in a cell.
+void drawSection(Image& image, const Square& square, const Solid<double>& solid,
+                 const Box<double>& cell) {
+  const double pixel = cell.size().x / square.side;
+  for (int y = 0; y < square.side; ++y) {
+    for (int x = 0; x < square.side; ++x) {
       const double inside =
-          share(solid, cell.lower.x + x * side, cell.upper.y - (y + 1) * side, side);
-      image.paint(left + x, top + y, {40, 48, 58}, 0.75 * inside);
+          share(solid, cell.lower.x + x * pixel, cell.upper.y - (y + 1) * pixel, pixel);
+      image.paint(square.left + x, square.top + y, {40, 48, 58}, 0.75 * inside);
     }
   }
 }
@@ -156,7 +169,9 @@ int main(int argc, char** argv) {
       missed += kind == CellKind::Missed ? 1 : 0;
       const bool isCut = kind == CellKind::Seen || kind == CellKind::Missed;
       isRight = isRight && isCut == isCutByPoints(solid, cell);
-      if (argc > 1) draw(solid, cell, kind, i * pixels, (kRows - 1 - j) * pixels, pixels, image);
+      const Square square{i * pixels, (kRows - 1 - j) * pixels, pixels};
+      fill(image, square, kind);
+      if (argc > 1) drawSection(image, square, solid, cell);
     }
   }
   std::printf("%d cells are cut; the signs at their corners show %d of them\n", seen + missed,

@@ -131,8 +131,9 @@ TYPED_TEST(TriangleDistanceTest, NeedlesOfNoWidthAreAsFarAsTheirEdges) {
   std::uniform_real_distribution<float> uniform(0.5F, 1);
   constexpr double kEps{std::numeric_limits<T>::epsilon()};
   double worst = 0;
-  for (double width = kEps; width > std::max(0x1p-240, double{std::numeric_limits<T>::min()});
-       width /= 4) {
+  constexpr double kLeast = std::max(0x1p-240, double{std::numeric_limits<T>::min()});
+  for (int k = 0; std::ldexp(kEps, -k) > kLeast; k += 2) {
+    const double width = std::ldexp(kEps, -k);
     for (int i = 0; i < 60; ++i) {
       const Vec3<double> direction =
           i % 2 == 0 ? Vec3<double>{1, 1, 1}
