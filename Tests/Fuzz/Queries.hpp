@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "Fuzz.hpp"
+#include "Support/Brick.hpp"
 
 namespace cutwater::test {
 
@@ -25,18 +26,6 @@ std::vector<Vec3<T>> probesOf(const MeshSDF<T>& mesh) {
     probes.push_back(T(0.25) * t[0] + T(0.25) * t[1] + T(0.5) * t[2]);
   }
   return probes;
-}
-
-/// Points between two, as many and as close together as searches share leaves of a tree for.
-template <typename T>
-std::vector<Vec3<T>> brickBetween(const Vec3<T>& p, const Vec3<T>& q) {
-  std::vector<Vec3<T>> points;
-  for (int i = 0; i < 128; ++i) {
-    const Vec3<T> part{T(i % 8) / 64, T(i / 8 % 4) / 64, T(i / 32) / 64};
-    points.push_back(
-        {p.x + part.x * (q.x - p.x), p.y + part.y * (q.y - p.y), p.z + part.z * (q.z - p.z)});
-  }
-  return points;
 }
 
 /// Whether squares of the coordinates neither overflow nor vanish; of others there is an answer,

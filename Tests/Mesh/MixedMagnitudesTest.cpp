@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 
+#include "Support/Brick.hpp"
 #include "Support/MixedMagnitudes.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Scale.hpp"
@@ -36,18 +37,6 @@ std::vector<Vec3<T>> placesAround(const PolygonSoup& soup, MixedMagnitudes<T>& s
                                   : T(2) * soups.uniform() * a);
   }
   return places;
-}
-
-/// As many between two as share their searches.
-template <typename T>
-std::vector<Vec3<T>> brickBetween(const Vec3<T>& p, const Vec3<T>& q) {
-  std::vector<Vec3<T>> points;
-  for (int n = 0; n < 128; ++n) {
-    const Vec3<T> part{T(n % 8) / 64, T(n / 8 % 4) / 64, T(n / 32) / 64};
-    points.push_back(
-        {p.x + part.x * (q.x - p.x), p.y + part.y * (q.y - p.y), p.z + part.z * (q.z - p.z)});
-  }
-  return points;
 }
 
 template <typename T>
