@@ -132,6 +132,8 @@ TEST_F(SceneSurfacesTest, MayBePrepared) {
 TEST_F(SceneSurfacesTest, TellTheLineOfFilesThatAreNotThere) {
   const auto message = refusal("\n\n[it]\nmesh = \"none.stl\"");
   EXPECT_TRUE(message.starts_with("line 3: [it]: " + (folder / "none.stl").string())) << message;
+  EXPECT_EQ(refusal("[it]\nmesh = \"two\\nlines.stl\""),
+            "line 2: \"mesh\" of mesh: need the name of a file, found \"two?lines.stl\"");
 }
 
 }  // namespace

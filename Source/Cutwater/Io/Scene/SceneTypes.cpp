@@ -64,6 +64,12 @@ bool isOutline(const SceneValue& value) {
   return isListOf(value, [](const auto& point) { return areNumbers(point, 2, isAny); });
 }
 
+/// Without control characters: errors that name the file stay on one line.
+bool isFileName(const SceneValue& value) {
+  const auto isPrintable = [](char c) { return static_cast<unsigned char>(c) >= ' ' && c != 0x7f; };
+  return isText(value) && std::ranges::all_of(*value.as<std::string>(), isPrintable);
+}
+
 bool areNames(const SceneValue& value) {
   return isListOf(value, isText) && !value.as<SceneValue::List>()->empty();
 }
@@ -93,9 +99,10 @@ bool hasType(const SceneValue& value, const SceneKey& key) {
     case KeyType::Flag:
       return value.as<bool>() != nullptr;
     case KeyType::Text:
-    case KeyType::File:
     case KeyType::Solid:
       return isText(value);
+    case KeyType::File:
+      return isFileName(value);
     case KeyType::Choice:
       return isChoice(value, key.choices);
     case KeyType::Point:
