@@ -77,20 +77,23 @@ bool isSeenFromCorners(const Solid<double>& solid, const Box<double>& cell) {
   return inside != 0 && inside != 8;
 }
 
+/// How much of a square of the plane z = 0 is inside, by so many samples along each side.
+double share(const Solid<double>& solid, double x, double y, double side, int samples) {
+  int inside = 0;
+  for (int row = 0; row < samples; ++row) {
+    for (int column = 0; column < samples; ++column) {
+      const Vec3<double> p{x + (column + 0.5) / samples * side, y + (row + 0.5) / samples * side,
+                           0};
+      inside += solid.signedDistance(p) < 0 ? 1 : 0;
+    }
+  }
+  return static_cast<double>(inside) / (samples * samples);
+}
+
 /// Whether some of many points of the cell's middle are inside, and some outside.
 bool isCutByPoints(const Solid<double>& solid, const Box<double>& cell) {
-  constexpr int kPoints = 60;
-  const auto size = cell.size();
-  bool inside = false;
-  bool outside = false;
-  for (int n = 0; n < kPoints * kPoints; ++n) {
-    const int column = n % kPoints;
-    const int row = n / kPoints;
-    const Vec3<double> p{cell.lower.x + (column + 0.5) / kPoints * size.x,
-                         cell.lower.y + (row + 0.5) / kPoints * size.y, cell.center().z};
-    (solid.signedDistance(p) < 0 ? inside : outside) = true;
-  }
-  return inside && outside;
+  const double inside = share(solid, cell.lower.x, cell.lower.y, cell.size().x, 60);
+  return 0 < inside && inside < 1;
 }
 
 CellKind kindOf(const Solid<double>& solid, const Box<double>& cell) {
@@ -102,20 +105,6 @@ CellKind kindOf(const Solid<double>& solid, const Box<double>& cell) {
     default:
       return isSeenFromCorners(solid, cell) ? CellKind::Seen : CellKind::Missed;
   }
-}
-
-/// How much of a square of the plane z = 0 is inside.
-double share(const Solid<double>& solid, double x, double y, double side) {
-  constexpr int kSamples = 3;
-  int inside = 0;
-  for (int n = 0; n < kSamples * kSamples; ++n) {
-    const int column = n % kSamples;
-    const int row = n / kSamples;
-    const Vec3<double> p{x + (column + 0.5) / kSamples * side, y + (row + 0.5) / kSamples * side,
-                         0};
-    inside += solid.signedDistance(p) < 0 ? 1 : 0;
-  }
-  return static_cast<double>(inside) / (kSamples * kSamples);
 }
 
 /// A square of the picture, in pixels.
@@ -137,7 +126,7 @@ void drawSection(Image& image, const Square& square, const Solid<double>& solid,
   for (int y = 0; y < square.side; ++y) {
     for (int x = 0; x < square.side; ++x) {
       const double inside =
-          share(solid, cell.lower.x + x * pixel, cell.upper.y - (y + 1) * pixel, pixel);
+          share(solid, cell.lower.x + x * pixel, cell.upper.y - (y + 1) * pixel, pixel, 3);
       image.paint(square.left + x, square.top + y, {40, 48, 58}, 0.75 * inside);
     }
   }

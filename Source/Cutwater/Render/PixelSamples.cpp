@@ -11,7 +11,7 @@ namespace {
 constexpr int kTile = 16;             // its square is kMostRays
 constexpr double kStep = 2;           // pixels from the tangent plane; beyond: another sheet
 constexpr double kCrease = 0.94;      // cosine of a visible angle
-constexpr std::uint32_t kWanted = 0;  // placeholder other than kNone until the number is known
+constexpr std::uint32_t kWanted = 0;  // not kNone; a pixel's number follows once all are marked
 constexpr Rgb kLine{28, 32, 38};
 constexpr double kLineOpacity = 0.62;
 

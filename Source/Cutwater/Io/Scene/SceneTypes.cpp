@@ -66,8 +66,7 @@ bool isOutline(const SceneValue& value) {
 
 /// Without control characters: errors that name the file stay on one line.
 bool isFileName(const SceneValue& value) {
-  const auto isPrintable = [](char c) { return static_cast<unsigned char>(c) >= ' ' && c != 0x7f; };
-  return isText(value) && std::ranges::all_of(*value.as<std::string>(), isPrintable);
+  return isText(value) && std::ranges::all_of(*value.as<std::string>(), formats::isPrintable);
 }
 
 bool areNames(const SceneValue& value) {

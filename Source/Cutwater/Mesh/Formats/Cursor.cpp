@@ -31,13 +31,14 @@ std::uint64_t Cursor::requireRecords(std::int64_t count, std::uint64_t smallestR
   return records;
 }
 
+bool isPrintable(char c) {
+  return static_cast<unsigned char>(c) >= ' ' && c != '\x7f';
+}
+
 std::string shortened(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   std::string result;
-  for (const char c : text.substr(0, kLongest)) {
-    const bool printable = static_cast<unsigned char>(c) >= ' ' && c != '\x7f';
-    result += printable ? c : '?';
-  }
+  for (const char c : text.substr(0, kLongest)) result += isPrintable(c) ? c : '?';
   return result + (text.size() > kLongest ? "..." : "");
 }
 

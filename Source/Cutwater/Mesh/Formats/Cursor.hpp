@@ -55,6 +55,9 @@ class Cursor {
   std::uint64_t position_ = 0;
 };
 
+/// Whether the character is not a control character: messages may have it.
+[[nodiscard]] bool isPrintable(char c);
+
 /// A piece of a file as it appears in messages: short and printable; the second adds quotes.
 [[nodiscard]] std::string shortened(std::string_view text);
 [[nodiscard]] std::string quoted(std::string_view text);
