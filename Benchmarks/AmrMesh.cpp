@@ -129,7 +129,8 @@ void run(const char* file, int deepest) {
   const MeshSDF<double> surface(readSurface(file).soup);
   printLevels(surface, deepest);
   std::printf(
-      "\n| level | hints | cells | classes asked per cell | bounds | seconds, one thread |\n"
+      "\n| level | hints | cells | classifications per cell | bounds per cell | seconds, one "
+      "thread |\n"
       "|---:|---|---:|---:|---:|---:|\n");
   for (const int level : {6, 8, 10}) {
     printHints(surface, level, false);

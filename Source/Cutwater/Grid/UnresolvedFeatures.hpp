@@ -21,7 +21,8 @@ struct UnresolvedFeature {
   /// from samples: at its deepest point; for several sheets, on the edge with the widest stretch
   /// from one to the next, or, if there is no such edge, where they are closest.
   T depth;
-  Vec3<T> point;  ///< there: on the surface, or the middle of that stretch
+  /// There: on the surface, or the middle of that stretch; the cell's center if no point was found.
+  Vec3<T> point;
   /// Level on which it would be about one cell wide; at most the domain's finest.
   int level;
 };

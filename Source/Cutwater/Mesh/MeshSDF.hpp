@@ -55,9 +55,8 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
 
   /// The mesh that these bytes were made from, without a copy: its results are the same to the bit.
   /// The bytes may be in any memory that begins at a multiple of 64: the buffer of a broadcast, a
-  /// window that MPI processes share, a mapped file.
-  /// They must not change during the lifetime of this mesh and its copies; refitted() makes a mesh
-  /// that no longer needs them.
+  /// window that MPI processes share, a mapped file. They must not change during the lifetime of
+  /// this mesh and its copies; refitted() makes a mesh that no longer needs them.
   /// @throws Error(File) for bytes of another format, version, precision or byte order, and for
   /// bytes that are damaged, truncated or followed by others; Error(Argument) if they begin
   /// elsewhere: alignedCopy() moves them.

@@ -7,7 +7,7 @@
 namespace cutwater::CUTWATER_SIMD {
 
 inline constexpr int kFloats = 16;
-// Few triangles need doubles at a time: half the width, and not half the latency lost.
+// Half the width: few triangles at a time need doubles, so that packets of eight are rarely full.
 inline constexpr int kDoubles = 4;
 #define CUTWATER_HAS_LEAST_LANE
 using Floats = float __attribute__((vector_size(64)));
