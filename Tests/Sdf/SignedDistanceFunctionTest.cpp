@@ -110,6 +110,80 @@ TYPED_TEST(SignedDistanceFunctionTest, BoxesBeyondTheDomainAreUnknown) {
   EXPECT_EQ(f.bounds({{T(0.9), 0, 0}, {T(1.1), T(0.1), T(0.1)}}), Interval<T>::everything());
 }
 
+/// A ball, promised to be exact within [-2, 2]^3 only; beyond are a steep slab and values that mean
+/// nothing.
+template <typename T>
+class BallAndSlab final : public SignedDistanceFunction<T> {
+ protected:
+  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override {
+    const T ball = length(p) - 1;
+    const T slab = 100 * (std::abs(p.x - T(5.5)) - T(0.4));
+    return maxComponent(abs(p)) > 2 && slab < 0 ? slab : ball;
+  }
+  [[nodiscard]] Guarantee<T> localGuarantee() const override {
+    auto promise = Guarantee<T>::exact(2);
+    promise.domain = {{-2, -2, -2}, {2, 2, 2}};
+    return promise;
+  }
+};
+
+TYPED_TEST(SignedDistanceFunctionTest, PromisesNothingBeyondTheDomain) {
+  using T = TypeParam;
+  const BallAndSlab<T> solid;
+  const auto keep = [](const Crossing<T>&) { return true; };
+  const auto within = solid.crossings({{-2, 0, 0}, {2, T(0.1), 0}}, keep);
+  EXPECT_EQ(within.found, 2U);
+  EXPECT_EQ(within.unresolved, 0U);
+  for (const Segment<T>& segment :
+       {Segment<T>{{4, 0, 0}, {8, 0, 0}}, Segment<T>{{1.5, 0, 0}, {8, 0, 0}}}) {
+    const auto beyond = solid.crossings(segment, keep);
+    EXPECT_EQ(beyond.found, 2U);
+    EXPECT_GE(beyond.unresolved, 1U) << "more cannot be excluded";
+  }
+  EXPECT_TRUE(solid.closestPoint({T(1.5), 0, 0}).exact);
+  const auto beyond = solid.closestPoint({T(6.5), 0, 0});  // the slab is nearer than the ball
+  EXPECT_FALSE(beyond.exact);
+  EXPECT_EQ(beyond.tolerance, std::numeric_limits<T>::infinity());
+}
+
+TYPED_TEST(SignedDistanceFunctionTest, TolerancesIncludeTheRoundingOfThePlacement) {
+  using T = TypeParam;
+  PromisingBall<T> ball;
+  ball.rotate(33, Vec3<T>{1, 2, 3});
+  ball.translate({T(1e4), T(7e3), T(-3e3)});
+  const auto center = Vec3<double>(ball.placement().offset());
+  RandomPoints<T> random(3);
+  for (int n = 0; n < 2000; ++n) {
+    const auto p = ball.placement().offset() + random.next();
+    const auto found = ball.closestPoint(p);
+    const double distance = std::abs(length(Vec3<double>(p) - center) - 1);
+    ASSERT_LE(length(Vec3<double>(found.point) - Vec3<double>(p)) - double{found.tolerance},
+              distance);
+    ASSERT_LE(double{found.tolerance}, 100 * double{ball.guarantee().error(length(p))});
+  }
+}
+
+TYPED_TEST(SignedDistanceFunctionTest, FarBoxesAreNotCut) {
+  using T = TypeParam;
+  const PromisingBall<T> ball;
+  const T far = std::numeric_limits<T>::max() / 4;
+  EXPECT_NE(ball.classify({{far, far, far}, {2 * far, 2 * far, 2 * far}}), BoxClass::Cut);
+}
+
+TYPED_TEST(SignedDistanceFunctionTest, PointsThatAreNotFiniteHaveNoAnswers) {
+  using T = TypeParam;
+  const PromisingBall<T> ball;
+  for (const T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()}) {
+    const Vec3<T> p{0, bad, 0};
+    EXPECT_TRUE(std::isnan(ball.signedDistance(p)));
+    EXPECT_TRUE(std::isnan(ball.gradient(p).x));
+    EXPECT_TRUE(std::isnan(ball.normal(p, T(0.1)).x));
+    EXPECT_TRUE(std::isnan(ball.closestPoint(p).point.x));
+    EXPECT_EQ(ball.closestPoint(p).owner.patch, kNone);
+    EXPECT_EQ(ball.owner(p).patch, kNone);
+  }
+}
+
 TYPED_TEST(SignedDistanceFunctionTest, FindsEveryCrossingInOrder) {
   using T = TypeParam;
   const T k = 100;

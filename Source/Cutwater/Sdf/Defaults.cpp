@@ -149,10 +149,12 @@ std::optional<SurfacePoint<T>> steppedPoint(FunctionRef<T(const Vec3<T>&)> value
 template <std::floating_point T>
 void rate(SurfacePoint<T>& result, const Vec3<T>& p, T residual, const Guarantee<T>& guarantee) {
   if (guarantee.quality(result.distance) == Quality::SignOnly) return;
+  if (!guarantee.domain.contains(p)) return;
   // The surface is no nearer than |value|, and one of its points is this much farther away.
   const T gap = length(result.point - p) - std::abs(result.distance);
   const T rounding = guarantee.error(length(p) + length(result.point));
-  result.exact = std::abs(residual) <= rounding && gap <= 2 * rounding;
+  result.exact = guarantee.domain.contains(result.point) && std::abs(residual) <= rounding &&
+                 gap <= 2 * rounding;
   result.tolerance = std::max(gap, T(0)) + std::abs(residual) + rounding;
 }
 
@@ -166,6 +168,7 @@ class CrossingSearch {
         segment_(segment),
         visit_(visit),
         reach_(length(segment.end - segment.start)),
+        isWithinDomain_(contains(segment.start) && contains(segment.end)),
         error_(field.guarantee.error(std::max(length(segment.start), length(segment.end)))) {}
 
   CrossingCount run() {
@@ -211,20 +214,24 @@ class CrossingSearch {
   };
 
   T valueAt(T parameter) const { return field_.value(segment_.at(parameter)); }
+  bool contains(const Vec3<T>& p) const { return field_.guarantee.domain.contains(p); }
 
+  /// Whether there is a Lipschitz constant for the stretch: only in the guarantee's domain, a box.
+  bool hasConstant(const Stretch& s) const {
+    return field_.guarantee.lipschitz &&
+           (isWithinDomain_ || (contains(segment_.at(s.begin)) && contains(segment_.at(s.end))));
+  }
   /// The most by which the value can change along the stretch.
   T change(const Stretch& s) const {
     return *field_.guarantee.lipschitz * (s.end - s.begin) * reach_;
   }
   bool isFree(const Stretch& s) const {
-    return field_.guarantee.lipschitz && std::abs(s.from) + std::abs(s.to) > change(s) + 2 * error_;
+    return hasConstant(s) && std::abs(s.from) + std::abs(s.to) > change(s) + 2 * error_;
   }
-  bool isWithinRounding(const Stretch& s) const {
-    return field_.guarantee.lipschitz && change(s) <= error_;
-  }
+  bool isWithinRounding(const Stretch& s) const { return hasConstant(s) && change(s) <= error_; }
   bool isWorthHalving(const Stretch& s) {
     if (s.depth < kDepth) return true;
-    if (!field_.guarantee.lipschitz || s.depth == kDeepest || isWithinRounding(s)) return false;
+    if (!hasConstant(s) || s.depth == kDeepest || isWithinRounding(s)) return false;
     const T middle = T(0.5) * (s.begin + s.end);
     return middle > s.begin && middle < s.end && spent_++ < kBudget;
   }
@@ -258,6 +265,7 @@ class CrossingSearch {
   Segment<T> segment_;
   CrossingVisitor<T> visit_;
   T reach_;
+  bool isWithinDomain_;
   T error_;
   CrossingCount count_;
   int spent_ = 0;

@@ -42,14 +42,15 @@ std::optional<SurfacePoint<T>> steppedPoint(FunctionRef<T(const Vec3<T>&)> value
                                             const Guarantee<T>& guarantee);
 
 /// Fills in what is known about how near `result.point` is to the surface point nearest to `p`,
-/// where the function has the value result.distance. `residual` is the value at result.point.
+/// where the function has the value result.distance: nothing if the guarantee does not hold at `p`.
+/// `residual` is the value at result.point.
 template <std::floating_point T>
 void rate(SurfacePoint<T>& result, const Vec3<T>& p, T residual, const Guarantee<T>& guarantee);
 
 /// Finds crossings with the Lipschitz constant: a stretch whose ends have the same sign has none if
 /// |f(a)| + |f(b)| > L |b - a|. Other stretches are halved down to rounding or, if there is no
-/// constant or a budget is used up, to 1/4096 of the segment. A change of sign is then bisected
-/// down to rounding.
+/// constant for them or a budget is used up, to 1/4096 of the segment. A change of sign is then
+/// bisected down to rounding.
 template <std::floating_point T>
 CrossingCount isolatedCrossings(const Field<T>& field, const Segment<T>& segment,
                                 CrossingVisitor<T> visit);

@@ -80,6 +80,7 @@ void SignedDistanceFunction<T>::forBatches(
 
 template <std::floating_point T>
 Vec3<T> SignedDistanceFunction<T>::normal(const Vec3<T>& point, T delta) const {
+  if (!isFinite(point)) return {kNaN<T>, kNaN<T>, kNaN<T>};
   if (!(delta > 0)) return {};
   const auto n = normalized(detail::centredDifferences<T>(
       [this](const Vec3<T>& p) { return signedDistance(p); }, point, delta));
@@ -117,6 +118,10 @@ void SignedDistanceFunction<T>::closestPoints(std::span<const Vec3<T>> points,
 template <std::floating_point T>
 SurfacePoint<T> SignedDistanceFunction<T>::toWorld(SurfacePoint<T> local) const {
   local.point = placement_.toWorld(local.point);
+  // Of the query's point on its way to the shape, and of this one on its way back.
+  if (!placement_.isIdentity()) {
+    local.tolerance += 2 * placementError(length(local.point) + std::abs(local.distance));
+  }
   local.normal = placement_.directionToWorld(local.normal);
   local.distance += T(0);  // -0 becomes +0
   return local;
@@ -124,7 +129,8 @@ SurfacePoint<T> SignedDistanceFunction<T>::toWorld(SurfacePoint<T> local) const 
 
 template <std::floating_point T>
 SurfaceOwner SignedDistanceFunction<T>::owner(const Vec3<T>& surfacePoint) const {
-  return isFinite(surfacePoint) ? localOwner(placement_.toLocal(surfacePoint)) : SurfaceOwner{};
+  if (!isFinite(surfacePoint)) return {.patch = kNone};
+  return localOwner(placement_.toLocal(surfacePoint));
 }
 
 template <std::floating_point T>
@@ -142,7 +148,9 @@ CrossingCount SignedDistanceFunction<T>::crossings(const Segment<T>& segment,
 template <std::floating_point T>
 Interval<T> SignedDistanceFunction<T>::bounds(const Box<T>& box, BoxHint* hint) const {
   if (box.empty() || !isFinite(box)) return Interval<T>::everything();
-  return localBounds(toLocal(OrientedBox<T>::of(box)), hint);
+  const auto range = localBounds(toLocal(OrientedBox<T>::of(box)), hint);
+  // Not a number where squares of coordinates overflow.
+  return range.lower <= range.upper ? range : Interval<T>::everything();
 }
 
 template <std::floating_point T>
@@ -208,12 +216,17 @@ OrientedBox<T> SignedDistanceFunction<T>::toLocal(const OrientedBox<T>& box) con
   OrientedBox<T> local = box;
   local.center = placement_.toLocal(box.center);
   for (auto& half : local.halfAxis) half = placement_.directionToLocal(half);
-  // The translation rounds by an ulp of its result, the rotation (three products and two sums per
-  // component, columns orthonormal to 2 eps) by less than 8. The same again covers the points of
-  // the box and sums of centre and half axes.
-  const T reach = length(box.center) + box.radius() + length(placement_.offset());
-  local.slack += (placement_.isRotated() ? T(28) : T(4)) * kEps<T> * reach;
+  // Once for the centre, once for the other points of the box and for sums of centre and half axes.
+  local.slack += 2 * placementError(length(box.center) + box.radius());
   return local;
+}
+
+/// The most by which rounding moves points, up to this far from the world's origin, on the way to
+/// the shape's frame or back. The translation rounds by an ulp of its result, the rotation (three
+/// products and two sums per component, columns orthonormal to 2 eps) by less than 8.
+template <std::floating_point T>
+T SignedDistanceFunction<T>::placementError(T reach) const {
+  return (placement_.isRotated() ? T(14) : T(2)) * kEps<T> * (reach + length(placement_.offset()));
 }
 
 // --- Defaults ------------------------------------------------------------------------------------
@@ -294,8 +307,9 @@ bool SignedDistanceFunction<T>::holdsNearestPoint(const OrientedBox<T>& box) con
   const T rounding = promise.error(length(box.center) + box.radius());
   const T atCenter = localSignedDistance(box.center);
   const bool sideIsSure = std::abs(atCenter) > rounding || promise.inside == promise.outside;
-  return sideIsSure && promise.quality(atCenter) == Quality::Exact &&
-         std::abs(atCenter) + rounding + box.slack <= box.innerRadius();
+  const T reach = std::abs(atCenter) + rounding + box.slack;
+  return sideIsSure && promise.quality(atCenter) == Quality::Exact && std::isfinite(reach) &&
+         reach <= box.innerRadius();
 }
 
 /// Whether two of its points are certainly on different sides; jumps count as surface. A corner of

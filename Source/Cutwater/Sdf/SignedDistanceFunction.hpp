@@ -196,6 +196,7 @@ class SignedDistanceFunction {
   void describe(std::string& text, int depth) const;
   [[nodiscard]] OrientedBox<T> toLocal(const OrientedBox<T>& box) const;
   [[nodiscard]] SurfacePoint<T> toWorld(SurfacePoint<T> local) const;
+  [[nodiscard]] T placementError(T reach) const;
   /// Calls answer(local points, index of the first) for batches of the points, in parallel, with
   /// the origin in place of points that are not finite; then refuse(index) for each of those.
   void forBatches(std::span<const Vec3<T>> points, ParallelOptions options,
