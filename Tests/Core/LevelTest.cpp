@@ -41,6 +41,19 @@ TYPED_TEST(LevelTest, PatchesAgreeToTheBit) {
               tolerance<T>(100, 1));
 }
 
+// Beyond 2^24, or 2^23 with halves, not every index has a float of its own.
+TYPED_TEST(LevelTest, CellsOfTheHighestIndicesAgreeOnTheirFaces) {
+  using T = TypeParam;
+  for (const auto centering : {Centering::Cell, Centering::Node}) {
+    const Level<T> level({T(-16777.216), 0, 0}, {T(1e-3), 1, 1}, centering);
+    for (const std::int32_t first : {8388607, 16777215, 2147483000}) {
+      for (std::int32_t i = first; i < first + 9; ++i) {
+        EXPECT_EQ(level.cell({i, 0, 0}).upper.x, level.cell({i + 1, 0, 0}).lower.x) << i;
+      }
+    }
+  }
+}
+
 TYPED_TEST(LevelTest, RefusesImpossibleSpacings) {
   using T = TypeParam;
   const T nan = std::numeric_limits<T>::quiet_NaN();

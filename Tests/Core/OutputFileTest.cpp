@@ -1,6 +1,10 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/OutputFile.hpp>
 
+#include <array>
+#include <cstdio>
+#include <memory>
+
 #include <gtest/gtest.h>
 
 #include "Support/TemporaryFolder.hpp"
@@ -51,6 +55,52 @@ TEST(OutputFileTest, FollowsSymbolicLinks) {
   file.commit();
   EXPECT_TRUE(fs::is_symlink(folder / "link.txt"));
   EXPECT_EQ(contentOf(folder / "real.txt"), "new");
+}
+
+TEST(OutputFileTest, FollowsLinksToFilesThatDoNotExistYet) {
+  const TemporaryFolder folder;
+  fs::create_symlink("later.txt", folder / "second");
+  fs::create_symlink("second", folder / "first");
+  OutputFile file(folder / "first");
+  file.write("new");
+  file.commit();
+  EXPECT_TRUE(fs::is_symlink(folder / "first"));
+  EXPECT_TRUE(fs::is_symlink(folder / "second"));
+  EXPECT_EQ(contentOf(folder / "later.txt"), "new");
+}
+
+TEST(OutputFileTest, RefusesLinksWithoutEnd) {
+  const TemporaryFolder folder;
+  fs::create_symlink("loop", folder / "loop");
+  EXPECT_NE(errorOf([&] { OutputFile file(folder / "loop"); }), "");
+  EXPECT_TRUE(fs::is_symlink(folder / "loop"));
+}
+
+// /dev/stdout may lead to one.
+TEST(OutputFileTest, WritesIntoFilesThatHaveNoNameAnyMore) {
+  if (!fs::exists("/proc/self/fd")) GTEST_SKIP() << "no names for open files";
+  const TemporaryFolder folder;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> open(std::fopen((folder / "gone").c_str(), "w+b"),
+                                                       &std::fclose);
+  fs::remove(folder / "gone");
+  const auto link = folder / "link";
+  fs::create_symlink("/proc/self/fd/" + std::to_string(fileno(open.get())), link);
+  OutputFile file(link);
+  file.write("new");
+  file.commit();
+  EXPECT_TRUE(fs::is_symlink(link));
+  std::array<char, 8> content{};
+  EXPECT_EQ(std::fread(content.data(), 1, content.size(), open.get()), 3U);
+  EXPECT_STREQ(content.data(), "new");
+}
+
+TEST(OutputFileTest, WritesTheLongestNames) {
+  const TemporaryFolder folder;
+  const auto path = folder / std::string(255, 'n');
+  OutputFile file(path);
+  file.write("new");
+  file.commit();
+  EXPECT_EQ(contentOf(path), "new");
 }
 
 TEST(OutputFileTest, KeepsThePermissionsOfTheFileItReplaces) {

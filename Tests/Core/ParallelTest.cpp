@@ -48,6 +48,13 @@ TEST(Parallel, UsesAtMostTheThreadsAskedFor) {
   EXPECT_GE(availableThreads(), 1);
 }
 
+TEST(Parallel, StartsNoMoreThreadsThanAProcessCanHave) {
+  std::atomic<std::size_t> items = 0;
+  parallelFor(1U << 20U, {.threads = 1 << 20},
+              [&](std::size_t begin, std::size_t end) { items += end - begin; });
+  EXPECT_EQ(items.load(), 1U << 20U);
+}
+
 TEST(Parallel, RethrowsTheFirstExceptionAndStops) {
   for (const int threads : {1, 3}) {
     std::atomic<int> calls = 0;

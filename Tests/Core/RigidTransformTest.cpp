@@ -74,6 +74,18 @@ TYPED_TEST(RigidTransformTest, TurnsAboutAnyAxisThroughAnyPoint) {
   expectNear(slight.toWorld(Vec3<T>{2, 0, 0}), Vec3<T>{std::sqrt(T(3)), 1, 0}, T(2));
 }
 
+TYPED_TEST(RigidTransformTest, AxesMayHaveAnyLength) {
+  using T = TypeParam;
+  RigidTransform<T> wanted;
+  wanted.rotate(90, 2);
+  for (const T length : {std::numeric_limits<T>::denorm_min(), std::numeric_limits<T>::min(),
+                         T(3e-30), T(1e30), std::numeric_limits<T>::max()}) {
+    RigidTransform<T> t;
+    t.rotate(90, Vec3<T>{0, 0, length});
+    EXPECT_EQ(t, wanted) << length;
+  }
+}
+
 TYPED_TEST(RigidTransformTest, StaysOrthogonalThroughManySmallTurns) {
   using T = TypeParam;
   RigidTransform<T> t;

@@ -65,6 +65,15 @@ TYPED_TEST(FoldTest, KeepsItsGuarantee) {
   expectGuarantee(unfolded(this->cone_, {1, 0, 1}), 3);
 }
 
+TYPED_TEST(FoldTest, HoldsWhatASlightlyTiltedPlaneKeeps) {
+  using T = TypeParam;
+  const T tilt = std::sqrt(std::numeric_limits<T>::epsilon()) / 2;
+  const auto solid = folded(Cuboid<T>({-5, -1, -1}, {-tilt / 4, 1, 1}), {1, tilt, 0});
+  const Vec3<T> p{-tilt / 2, T(0.9), 0};
+  EXPECT_LT(solid.signedDistance(p), T(0));
+  EXPECT_TRUE(solid.boundingBox().contains(p));
+}
+
 TYPED_TEST(FoldTest, TwiceIsOnceToTheBit) {
   using T = TypeParam;
   const auto once = folded(this->cone_, {0, 1, 0});

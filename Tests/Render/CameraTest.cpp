@@ -97,6 +97,15 @@ TEST(CameraTest, AnEyeLooksAtItsTarget) {
   EXPECT_EQ(camera.nearest(), 0);
 }
 
+TEST(CameraTest, DirectionsMayHaveAnyLength) {
+  const auto wanted = View::from({3, 0, 4}, {0, 1, 0});
+  for (const double length : {1e-310, 1e-200, 1e200, 4e307}) {
+    const auto view = View::from({3 * length, 0, 4 * length}, {0, length, 0});
+    expectNear(view.back, wanted.back);
+    expectNear(view.up, wanted.up);
+  }
+}
+
 TEST(CameraTest, RefusesWhatIsNoDirection) {
   EXPECT_THROW(View::from({0, 0, 0}), Error);
   EXPECT_THROW(View::from({1, 0, NAN}), Error);

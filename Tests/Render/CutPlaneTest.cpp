@@ -66,6 +66,14 @@ TEST(CutPlaneTest, TheRestOfTheBox) {
   EXPECT_EQ(region.rest(), (Box<double>{{-0.7, -1, -1}, {1, 1, 0.3}}));
 }
 
+TEST(CutPlaneTest, DirectionsMayHaveAnyLength) {
+  for (const double length : {1e-310, 1e-200, 1e200}) {
+    const auto plane = CutPlane::through({1, 0, 0}, {length, 0, 0});
+    EXPECT_EQ(plane.normal, (Vec3<double>{1, 0, 0}));
+    EXPECT_EQ(plane.offset, 1);
+  }
+}
+
 TEST(CutPlaneTest, Refusals) {
   EXPECT_THROW(CutPlane::across(3, 0), Error);
   EXPECT_THROW(CutPlane::across(0, NAN), Error);

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/RigidTransform.hpp>
 #include <Cutwater/Shapes/ConvexPolyhedron.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/HexagonalPrism.hpp>
@@ -11,6 +12,7 @@
 #include "Support/Guarantee.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
+#include "Support/Scale.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -183,6 +185,48 @@ TYPED_TEST(ConvexPolyhedronTest, KnowsTheRangeInBoxesInsideAndInFrontOfAFace) {
   // The centre is 2 away, and the corners sqrt(0.75) from it.
   expectRange({{T(2.5), T(-0.5), T(-0.5)}, {T(3.5), T(0.5), T(0.5)}}, T(1.5),
               2 + std::sqrt(T(0.75)));
+}
+
+/// A turned cube, two half-spaces for each face, whose normals differ by about as much as `noise`:
+/// as the triangles of a mesh may give them.
+template <typename T>
+HalfSpaces<T> cubeOfPairs(const RigidTransform<double>& turn, double noise,
+                          RandomPoints<double>& random) {
+  HalfSpaces<T> all;
+  for (int side = 0; side < 6; ++side) {
+    for (const double along : {-0.5, 0.5}) {
+      Vec3<double> normal;
+      normal[side / 2] = side % 2 == 0 ? 1 : -1;
+      auto point = normal;
+      point[(side / 2 + 1) % 3] = along;
+      all.push_back(
+          {Vec3<T>(turn.toWorld(point)), Vec3<T>(turn.toWorld(normal) + noise * random.next())});
+    }
+  }
+  return all;
+}
+
+TYPED_TEST(ConvexPolyhedronTest, FacesMayBeGivenTwiceWithRoundedNormals) {
+  using T = TypeParam;
+  RandomPoints<double> random(1, 7);
+  const double eps = std::numeric_limits<T>::epsilon();
+  for (int n = 0; n < scaled(300); ++n) {
+    RigidTransform<double> turn;
+    turn.rotate(180 * random.next().x, random.next());
+    const double noise = std::array{0.5, 1.0, 4.0, 1000.0}[static_cast<std::size_t>(n % 4)] * eps;
+    const ConvexPolyhedron<T> solid(cubeOfPairs<T>(turn, noise, random));
+    const double allowed = 4 * noise + double{solid.guarantee().error(T(2))};
+    for (int i = 0; i < 50; ++i) {
+      auto p = 0.9 * random.next();
+      p[i % 3] = i % 2 == 0 ? 1 : -1;
+      const Vec3<T> there(turn.toWorld(p));
+      ASSERT_NEAR(solid.signedDistance(there), 0, allowed) << turn.toWorld(p) << " of cube " << n;
+      ASSERT_EQ(solid.classify(Box<T>{there, there}.grown(T(0.01))), BoxClass::Cut);
+      // Its gradient points out.
+      EXPECT_GT(dot(Vec3<double>(solid.gradient(Vec3<T>(turn.toWorld(1.01 * p)))), turn.toWorld(p)),
+                0.5);
+    }
+  }
 }
 
 TYPED_TEST(ConvexPolyhedronTest, RefusesImpossibleArguments) {

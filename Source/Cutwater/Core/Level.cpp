@@ -12,23 +12,23 @@ Level<T>::Level(const Vec3<T>& origin, const Vec3<T>& spacing, Centering centeri
 }
 
 template <std::floating_point T>
+Vec3<T> Level<T>::at(const Index3& index, double shift) const {
+  // Sums of an index and the shift are exact as doubles.
+  const auto along = [shift](std::int32_t i) { return static_cast<T>(i + shift); };
+  return {origin_.x + along(index.i) * spacing_.x, origin_.y + along(index.j) * spacing_.y,
+          origin_.z + along(index.k) * spacing_.z};
+}
+
+template <std::floating_point T>
 Vec3<T> Level<T>::position(const Index3& index) const {
-  const T shift = centering_ == Centering::Cell ? T(0.5) : T(0);
-  return {origin_.x + (static_cast<T>(index.i) + shift) * spacing_.x,
-          origin_.y + (static_cast<T>(index.j) + shift) * spacing_.y,
-          origin_.z + (static_cast<T>(index.k) + shift) * spacing_.z};
+  return at(index, centering_ == Centering::Cell ? 0.5 : 0);
 }
 
 template <std::floating_point T>
 Box<T> Level<T>::cell(const Index3& index) const {
   // Computed from the index of each face, so that neighbours agree on their common face to the bit.
-  const T shift = centering_ == Centering::Cell ? T(0) : T(-0.5);
-  const auto face = [&](T side) -> Vec3<T> {
-    return {origin_.x + (static_cast<T>(index.i) + shift + side) * spacing_.x,
-            origin_.y + (static_cast<T>(index.j) + shift + side) * spacing_.y,
-            origin_.z + (static_cast<T>(index.k) + shift + side) * spacing_.z};
-  };
-  return {face(0), face(1)};
+  const double shift = centering_ == Centering::Cell ? 0 : -0.5;
+  return {at(index, shift), at(index, shift + 1)};
 }
 
 template <std::floating_point T>

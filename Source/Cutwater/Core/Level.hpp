@@ -34,6 +34,9 @@ class Level {
   bool operator==(const Level&) const = default;
 
  private:
+  /// origin + (index + shift) spacing.
+  [[nodiscard]] Vec3<T> at(const Index3& index, double shift) const;
+
   Vec3<T> origin_;
   Vec3<T> spacing_;
   Centering centering_;

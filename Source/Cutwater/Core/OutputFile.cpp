@@ -13,28 +13,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A hidden name in the same folder, hence on the same file system, which no other writer uses.
+/// A hidden name in the same folder, hence on the same file system, which no other writer uses. It
+/// does not grow with the target's, which may be as long as the file system allows.
 fs::path nameBeside(const fs::path& target) {
   std::random_device entropy;
-  fs::path name = ".";
-  name += target.filename();
-  name += '.';
-  name += std::to_string(entropy());
-  name += ".part";
-  return target.parent_path() / name;
+  return target.parent_path() / (".cutwater-" + std::to_string(entropy()) + ".part");
+}
+
+/// The path with symbolic links followed, also to a file that does not exist yet. Empty for a link
+/// without end, or to something that has no name, as /dev/stdout may be.
+fs::path resolved(fs::path path) {
+  constexpr int kMostLinks = 40;
+  std::error_code error;
+  for (int n = 0; n < kMostLinks; ++n) {
+    if (!fs::is_symlink(path, error)) return path;
+    path = path.parent_path() / fs::read_symlink(path, error);
+    if (error) return {};
+  }
+  return {};
 }
 
 }  // namespace
 
-OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(path_) {
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(resolved(path_)) {
   std::error_code ignored;
   const auto status = fs::status(path_, ignored);
-  if (fs::exists(status)) {
-    if (const auto resolved = fs::canonical(path_, ignored); !ignored) target_ = resolved;
-  }
-  const bool inPlace = fs::exists(status) && !fs::is_regular_file(status);
+  const bool isNamed = !target_.empty() && fs::exists(target_, ignored) == fs::exists(status);
+  const bool inPlace = !isNamed || (fs::exists(status) && !fs::is_regular_file(status));
   if (!inPlace) temporary_ = nameBeside(target_);
-  const auto& name = inPlace ? target_ : temporary_;
+  const auto& name = inPlace ? path_ : temporary_;
   file_.reset(std::fopen(name.c_str(), inPlace ? "wb" : "wbx"));
   if (!file_) fail("cannot create", errno);
   if (!inPlace && fs::exists(status)) fs::permissions(temporary_, status.permissions(), ignored);

@@ -11,8 +11,8 @@ namespace cutwater {
 
 /// A file that appears under its name only once it is complete: it is written to a temporary file
 /// beside it, which commit() renames. Without commit() nothing remains, and an existing file of
-/// that name is unchanged. Anything existing that is not a regular file (a pipe, a device) is
-/// written in place.
+/// that name is unchanged. Anything existing that is not a regular file with a name (a pipe, a
+/// device, a link to a deleted file) is written in place.
 class OutputFile {
  public:
   /// @throws Error(File) if it cannot be created.

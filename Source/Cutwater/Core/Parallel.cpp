@@ -61,8 +61,10 @@ class Dispenser {
 int threadsFor(std::size_t ranges, int wanted) {
 #ifdef _OPENMP
   if (omp_in_parallel() != 0) return 1;
-  const auto most = static_cast<std::size_t>(wanted > 0 ? wanted : omp_get_max_threads());
-  return static_cast<int>(std::max<std::size_t>(1, std::min(most, ranges)));
+  const int usual = omp_get_max_threads();
+  // Where a thread cannot be had, OpenMP's runtime ends the process.
+  const int most = std::min(wanted > 0 ? wanted : usual, std::max(usual, 4 * omp_get_num_procs()));
+  return static_cast<int>(std::clamp<std::size_t>(ranges, 1, static_cast<std::size_t>(most)));
 #else
   static_cast<void>(ranges);
   static_cast<void>(wanted);

@@ -14,7 +14,8 @@ using Progress = std::function<void(double fraction)>;
 /// Options of all parallel work. No result depends on them.
 struct ParallelOptions {
   /// The maximum number of threads; 0: as many as OpenMP would use. Always 1 inside an active
-  /// parallel region and in a library built without OpenMP.
+  /// parallel region and in a library built without OpenMP; never more than OpenMP would use or, if
+  /// that is more, four for each processor.
   int threads = 0;
   /// Work is distributed in ranges of this many items.
   std::size_t grain = 1;

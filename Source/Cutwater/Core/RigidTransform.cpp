@@ -1,6 +1,7 @@
 #include <Cutwater/Core/AffineMap.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/RigidTransform.hpp>
+#include <Cutwater/Core/UnitVector.hpp>
 
 #include <numbers>
 
@@ -100,11 +101,8 @@ template <std::floating_point T>
 void RigidTransform<T>::rotate(T degrees, const Vec3<T>& axis, const Vec3<T>& through) {
   require(std::isfinite(degrees), "rotate: need a finite angle", Named{"degrees", degrees});
   require(isFinite(through), "rotate: need a finite point", Named{"through", through});
-  const Vec3<double> direction(axis);
-  const double norm = length(direction);
-  require(std::isfinite(norm) && norm > 0, "rotate: need a finite axis that is not zero",
-          Named{"axis", axis});
-  const auto turn = rotationAbout(direction / norm, static_cast<double>(degrees));
+  const auto direction = detail::unitVector("rotate", "axis", Vec3<double>(axis));
+  const auto turn = rotationAbout(direction, static_cast<double>(degrees));
   offset_ -= through;
   applyRotation(cast<T>(turn));
   offset_ += through;

@@ -106,6 +106,12 @@ struct Vec3 {
     const T norm = length(a);
     return norm > 0 ? a / norm : Vec3{};
   }
+  /// Whether `a` points along an axis, up or down, without the least tilt.
+  CUTWATER_INLINE friend constexpr bool isAlong(Vec3 a, int axis) {
+    const bool hasPart = a[axis] != 0;
+    a[axis] = 0;
+    return hasPart && a == Vec3{};
+  }
   CUTWATER_INLINE friend bool isFinite(Vec3 a) {
     return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
   }

@@ -88,7 +88,7 @@ Box<T> Fold<T>::localBoundingBox() const {
   auto kept = this->operand().boundingBox();
   for (int axis = 0; axis < 3; ++axis) {
     const auto& normal = plane_.normal();
-    if (abs(normal)[axis] != 1) continue;
+    if (!isAlong(normal, axis)) continue;
     auto& side = normal[axis] > 0 ? kept.lower : kept.upper;
     side[axis] = normal[axis] > 0 ? std::max(side[axis], plane_.point()[axis])
                                   : std::min(side[axis], plane_.point()[axis]);

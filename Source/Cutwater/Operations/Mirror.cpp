@@ -1,5 +1,6 @@
+#include <Cutwater/Core/UnitVector.hpp>
 #include <Cutwater/Operations/Mirror.hpp>
-#include <Cutwater/Shapes/Direction.hpp>
+#include <Cutwater/Shapes/Arguments.hpp>
 
 namespace cutwater {
 

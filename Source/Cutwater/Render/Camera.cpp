@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/UnitVector.hpp>
 #include <Cutwater/Render/Camera.hpp>
 
 #include <algorithm>
@@ -30,10 +31,8 @@ double sine(double degrees) {
 }  // namespace
 
 View View::from(const Vec3<double>& side, const Vec3<double>& up) {
-  require(isFinite(side) && isFinite(up) && length(side) > 0 && length(up) > 0,
-          "View: need finite directions that are not zero", Named{"side", side}, Named{"up", up});
-  const auto back = normalized(side);
-  auto above = normalized(up);
+  const auto back = detail::unitVector("View", "side", side);
+  auto above = detail::unitVector("View", "up direction", up);
   if (parallel(above, back)) above = {0, 1, 0};
   if (parallel(above, back)) above = {0, 0, 1};
   return {back, normalized(above - dot(above, back) * back)};

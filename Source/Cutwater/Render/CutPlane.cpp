@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/UnitVector.hpp>
 #include <Cutwater/Render/CutPlane.hpp>
 
 #include <algorithm>
@@ -16,10 +17,8 @@ CutPlane CutPlane::across(int axis, double value, Keep keep) {
 }
 
 CutPlane CutPlane::through(const Vec3<double>& point, const Vec3<double>& removed) {
-  require(isFinite(point) && isFinite(removed) && length(removed) > 0,
-          "CutPlane: need a finite point and direction", Named{"point", point},
-          Named{"removed", removed});
-  const auto normal = normalized(removed);
+  require(isFinite(point), "CutPlane: need a finite point", Named{"point", point});
+  const auto normal = detail::unitVector("CutPlane", "direction", removed);
   return {normal, dot(normal, point)};
 }
 

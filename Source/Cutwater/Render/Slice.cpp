@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/UnitVector.hpp>
 #include <Cutwater/Render/MeshLines.hpp>
 #include <Cutwater/Render/Slice.hpp>
 #include <Cutwater/Render/SliceField.hpp>
@@ -120,13 +121,12 @@ SlicePlane<T> SlicePlane<T>::across(int axis, T value) {
 template <std::floating_point T>
 SlicePlane<T> SlicePlane<T>::through(const Vec3<T>& point, const Vec3<T>& right,
                                      const Vec3<T>& up) {
-  require(isFinite(point) && isFinite(right) && isFinite(up), "SlicePlane: need finite vectors",
-          Named{"point", point}, Named{"right", right}, Named{"up", up});
-  const auto a = normalized(right);
-  const auto across = up - dot(up, a) * a;
-  const T limit = T(16) * std::numeric_limits<T>::epsilon() * length(up);
-  require(length(a) > 0 && length(across) > limit, "SlicePlane: the directions span no plane",
-          Named{"right", right}, Named{"up", up});
+  require(isFinite(point), "SlicePlane: need a finite point", Named{"point", point});
+  const auto a = detail::unitVector("SlicePlane", "direction to the right", right);
+  const auto b = detail::unitVector("SlicePlane", "direction up", up);
+  const auto across = b - dot(b, a) * a;
+  require(length(across) > 16 * std::numeric_limits<T>::epsilon(),
+          "SlicePlane: the directions span no plane", Named{"right", right}, Named{"up", up});
   return {point, a, normalized(across), {"a", "b"}};
 }
 

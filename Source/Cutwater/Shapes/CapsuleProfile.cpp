@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Shapes/Arguments.hpp>
 #include <Cutwater/Shapes/CapsuleProfile.hpp>
-#include <Cutwater/Shapes/Direction.hpp>
 
 #include <algorithm>
 

@@ -1,7 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/UnitVector.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
+#include <Cutwater/Shapes/Arguments.hpp>
 #include <Cutwater/Shapes/ConvexPolyhedron.hpp>
-#include <Cutwater/Shapes/Direction.hpp>
 #include <Cutwater/Shapes/HalfSpaceFaces.hpp>
 
 #include <algorithm>
@@ -63,8 +64,10 @@ template <std::floating_point T>
 Vec3<T> ConvexPolyhedron<T>::fromSurface(const Vec3<T>& p) const {
   Vec3<T> best;
   T least = std::numeric_limits<T>::infinity();
+  // Rounding may place a point below the face it lies on, and above a nearly coplanar one.
+  const T rounding = 2 * localGuarantee().error(length(p));
   for (const auto& face : faces_) {
-    if (height(face, p) < 0) continue;
+    if (height(face, p) < -rounding) continue;
     const auto gap = fromFace(face, p);
     const T squared = lengthSquared(gap);
     if (squared < least) least = squared, best = gap;
@@ -93,7 +96,8 @@ Vec3<T> ConvexPolyhedron<T>::localGradient(const Vec3<T>& p) const {
   }
   if (deepest > 0) {
     const auto gap = fromSurface(p);
-    if (gap != Vec3<T>{}) return normalized(gap);
+    // Rounding alone may have decided the direction of a shorter one.
+    if (length(gap) > 2 * localGuarantee().error(length(p))) return normalized(gap);
   }
   return isUnique ? normal : Vec3<T>{};
 }

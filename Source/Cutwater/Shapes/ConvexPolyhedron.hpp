@@ -20,8 +20,8 @@ struct HalfSpace {
 /// on a side of the face that the foot is beyond. Faces are found once, in twice the precision;
 /// half-spaces without a face then cost nothing. A query takes time linear in the number of faces:
 /// use a MeshSDF for thousands.
-/// @throws Error unless all are finite, no normal is zero, and the intersection is bounded and has
-/// an interior.
+/// @throws Error unless all are finite, no normal is zero, and the intersection has an interior and
+/// reaches no farther than 2^30 times the largest coordinate of the points.
 template <std::floating_point T>
 class ConvexPolyhedron final : public SignedDistanceFunction<T> {
  public:

@@ -1,8 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
+#include <Cutwater/Shapes/Arguments.hpp>
 #include <Cutwater/Shapes/BoxDistance.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
-#include <Cutwater/Shapes/Direction.hpp>
 
 namespace cutwater {
 

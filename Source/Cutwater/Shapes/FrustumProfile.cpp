@@ -1,4 +1,4 @@
-#include <Cutwater/Shapes/Direction.hpp>
+#include <Cutwater/Shapes/Arguments.hpp>
 #include <Cutwater/Shapes/FrustumProfile.hpp>
 
 #include <algorithm>

@@ -86,6 +86,10 @@ class ClippedFace {
   }
 
  private:
+  /// Below, planes are so nearly parallel to one line that rounding moves the point they share.
+  static constexpr double kLeastDeterminant = 0x1p-40;
+
+  /// The point that three planes share, where it is well defined.
   [[nodiscard]] std::optional<DoubleDouble3> meetingPoint(std::uint32_t a, std::uint32_t b,
                                                           std::uint32_t c) const {
     const auto& [na, da] = planes_[a];
@@ -93,7 +97,7 @@ class ClippedFace {
     const auto& [nc, dc] = planes_[c];
     const auto bc = cross(nb, nc);
     const auto determinant = dot(na, bc);
-    if (determinant == 0.0) return std::nullopt;
+    if (std::abs(determinant.high) < kLeastDeterminant) return std::nullopt;
     const auto sum = da * bc + db * cross(nc, na) + dc * cross(na, nb);
     return (1.0 / determinant) * sum;
   }

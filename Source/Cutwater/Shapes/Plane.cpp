@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Core/UnitVector.hpp>
 #include <Cutwater/Sdf/Defaults.hpp>
-#include <Cutwater/Shapes/Direction.hpp>
+#include <Cutwater/Shapes/Arguments.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
 
 namespace cutwater {
@@ -39,7 +40,7 @@ template <std::floating_point T>
 Box<T> Plane<T>::localBoundingBox() const {
   auto box = Box<T>::everywhere();
   for (int axis = 0; axis < 3; ++axis) {
-    if (abs(normal_)[axis] != lengthSquared(normal_)) continue;  // not along this axis alone
+    if (!isAlong(normal_, axis)) continue;
     (normal_[axis] > 0 ? box.upper : box.lower)[axis] = point_[axis];
   }
   return localGuarantee().grown(box);

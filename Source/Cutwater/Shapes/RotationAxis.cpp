@@ -1,4 +1,5 @@
-#include <Cutwater/Shapes/Direction.hpp>
+#include <Cutwater/Core/UnitVector.hpp>
+#include <Cutwater/Shapes/Arguments.hpp>
 #include <Cutwater/Shapes/RotationAxis.hpp>
 
 namespace cutwater::detail {

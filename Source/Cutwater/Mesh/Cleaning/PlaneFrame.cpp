@@ -1,3 +1,4 @@
+#include <Cutwater/Core/UnitVector.hpp>
 #include <Cutwater/Mesh/Cleaning/PlaneFrame.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
 
@@ -6,14 +7,11 @@ namespace cutwater::detail {
 PlaneFrame::PlaneFrame(const char* caller, const SurfacePlane& plane, double tolerance)
     : point_(plane.point), tolerance_(tolerance) {
   const std::string name(caller);
-  const double size = maxComponent(abs(plane.normal));
   require(isFinite(plane.point), (name + ": need a finite point").c_str(),
           Named{"point", plane.point});
-  require(size > 0 && isFinite(plane.normal), (name + ": need a finite normal, not zero").c_str(),
-          Named{"normal", plane.normal});
   require(tolerance >= 0 && std::isfinite(tolerance),
           (name + ": need 0 <= tolerance < infinity").c_str(), Named{"tolerance", tolerance});
-  normal_ = normalized(plane.normal / size);
+  normal_ = unitVector(caller, "normal", plane.normal);
 }
 
 int PlaneFrame::axis() const {

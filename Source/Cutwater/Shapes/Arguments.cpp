@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Shapes/Direction.hpp>
+#include <Cutwater/Shapes/Arguments.hpp>
 
 #include <algorithm>
 
@@ -22,18 +22,6 @@ void requireRadii(const char* shape, T radiusA, T radiusB) {
 }
 
 template <std::floating_point T>
-Vec3<T> unitVector(const char* shape, const char* argument, const Vec3<T>& direction) {
-  requireFinite(shape, argument, direction);
-  const T largest = maxComponent(abs(direction));
-  if (!(largest > 0)) {
-    const std::string message = std::string(shape) + ": need a non-zero " + argument;
-    require(false, message.c_str(), Named{argument, direction});
-  }
-  const Vec3<double> scaled = Vec3<double>(direction) / static_cast<double>(largest);
-  return Vec3<T>(scaled / length(scaled));
-}
-
-template <std::floating_point T>
 T distanceBetween(const Vec3<T>& a, const Vec3<T>& b) {
   const Vec3<double> d = Vec3<double>(b) - Vec3<double>(a);
   return static_cast<T>(std::hypot(d.x, d.y, d.z));
@@ -48,8 +36,6 @@ template void requireFinite(const char*, const char*, const Vec3<float>&);
 template void requireFinite(const char*, const char*, const Vec3<double>&);
 template void requireRadii(const char*, float, float);
 template void requireRadii(const char*, double, double);
-template Vec3<float> unitVector(const char*, const char*, const Vec3<float>&);
-template Vec3<double> unitVector(const char*, const char*, const Vec3<double>&);
 template float distanceBetween(const Vec3<float>&, const Vec3<float>&);
 template double distanceBetween(const Vec3<double>&, const Vec3<double>&);
 template float farther(const Vec3<float>&, const Vec3<float>&);

@@ -2,8 +2,8 @@
 
 #include <Cutwater/Core/Vec3.hpp>
 
-/// Checks arguments of shapes that are given by points and directions. `shape` and `argument`
-/// appear in the message of the Error thrown for a bad value.
+/// Checks and measures points and radii given to shapes. `shape` and `argument` appear in the
+/// message of the Error thrown for a bad value.
 namespace cutwater::detail {
 
 template <std::floating_point T>
@@ -12,11 +12,6 @@ void requireFinite(const char* shape, const char* argument, const Vec3<T>& point
 /// @throws Error unless both are finite, none is negative, and one is positive.
 template <std::floating_point T>
 void requireRadii(const char* shape, T radiusA, T radiusB);
-
-/// The unit vector along `direction`, rounded once, whatever the length of `direction`.
-/// @throws Error unless the direction is finite and not zero.
-template <std::floating_point T>
-[[nodiscard]] Vec3<T> unitVector(const char* shape, const char* argument, const Vec3<T>& direction);
 
 /// |b - a|, without intermediate overflow; infinite only if the result is.
 template <std::floating_point T>
