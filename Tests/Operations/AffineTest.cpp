@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Shapes/CappedCone.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
@@ -133,6 +134,24 @@ TYPED_TEST(AffineTest, ClassifiesBoxesOfADiagonalMapAsTheOperandDoes) {
   EXPECT_EQ(flat.classify({{T(-1.5), -y, -y / 2}, {T(1.5), y, y / 2}}), BoxClass::Inside);
   EXPECT_EQ(flat.classify({{T(-1.5), -y, T(0.9)}, {T(1.5), y, T(1.1)}}), BoxClass::Outside);
   EXPECT_EQ(flat.classify({{-5, T(-0.5), T(0.25)}, {5, T(0.5), 1}}), BoxClass::Cut);
+}
+
+TYPED_TEST(AffineTest, ChainsAskTheOperandOnceForAClass) {
+  using T = TypeParam;
+  std::size_t calls = 0;
+  Solid<T> chain = FunctionSDF(
+      [&calls](const Vec3<T>& p) {
+        ++calls;
+        return length(p) - T(1);
+      },
+      Guarantee<T>::exact(1));
+  for (int n = 0; n < 12; ++n) {
+    AffineMap<T> map;
+    map.columns = {Vec3<T>{n % 2 == 0 ? T(2) : T(0.5), 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    chain = transformed(chain, map);
+  }
+  static_cast<void>(chain.classify({{T(0.99), T(-0.5), T(-0.5)}, {T(1.2), T(0.5), T(0.5)}}));
+  EXPECT_LT(calls, 1000U);
 }
 
 TYPED_TEST(AffineTest, RefusesSingularMaps) {

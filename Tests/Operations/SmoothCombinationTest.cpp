@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/Union.hpp>
+#include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
@@ -187,6 +188,21 @@ TYPED_TEST(SmoothCombinationTest, BoundsOfManyAreNoLooserThanTheDefault) {
       EXPECT_TRUE(range.contains(whole.signedDistance(box.corner(corner))));
     }
   }
+}
+
+TYPED_TEST(SmoothCombinationTest, ChainsAskEachOperandOnceForABox) {
+  using T = TypeParam;
+  std::size_t calls = 0;
+  Solid<T> chain = FunctionSDF(
+      [&calls](const Vec3<T>& p) {
+        ++calls;
+        return length(p) - T(1);
+      },
+      Guarantee<T>::exact(1));
+  for (int n = 0; n < 16; ++n)
+    chain = smoothUnion(chain, Sphere<T>({T(n), 0, 0}, 1), {.reach = T(0.1)});
+  EXPECT_EQ(chain.classify({{50, 50, 50}, {51, 51, 51}}), BoxClass::Outside);
+  EXPECT_LT(calls, 100U);
 }
 
 TYPED_TEST(SmoothCombinationTest, TellsPatchesAndBoundingBoxes) {

@@ -102,10 +102,10 @@ CrossingCount Affine<T>::localCrossings(const Segment<T>& segment, CrossingVisit
 
 template <std::floating_point T>
 BoxClass Affine<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
-  const auto found = PointMap<T>::localClassify(box, hint);
-  if (found != BoxClass::Unknown) return found;
   const auto imageOfBox = image(box);
-  return isRectangular(imageOfBox) ? this->classOf(this->operand(), imageOfBox) : found;
+  if (!isRectangular(imageOfBox)) return PointMap<T>::localClassify(box, hint);
+  const auto byValues = SignedDistanceFunction<T>::localClassify(box, hint);
+  return byValues != BoxClass::Unknown ? byValues : this->classOf(this->operand(), imageOfBox);
 }
 
 template <std::floating_point T>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace cutwater {
 
@@ -51,6 +52,9 @@ template <std::floating_point T>
 constexpr T kEps = std::numeric_limits<T>::epsilon();
 
 constexpr auto kIgnore = [](std::size_t, auto) {};
+
+/// What is known about this many operands is kept on the stack.
+constexpr std::size_t kFew = 8;
 
 }  // namespace
 
@@ -182,8 +186,7 @@ T SmoothCombination<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 void SmoothCombination<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                                 std::span<T> distances) const {
-  constexpr std::size_t kFew = 8;  // operands: this many rows are kept on the stack
-  constexpr std::size_t kMost = 256;
+  constexpr std::size_t kMost = 64;  // points at a time: operands may keep rows on the stack, too
   if (operands_.size() > kFew) {
     return SignedDistanceFunction<T>::localSignedDistances(points, distances);
   }
@@ -224,11 +227,19 @@ SurfaceOwner SmoothCombination<T>::localOwner(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 Interval<T> SmoothCombination<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
+  // Each of a few operands is asked once for both ends: in a chain of n smooth combinations, twice
+  // would be 2^n times.
+  std::array<std::optional<Interval<T>>, kFew> known;
+  const auto rangeOf = [&](std::size_t i) {
+    if (i >= kFew) return this->boundsOf(operands_[i], box);
+    if (!known[i]) known[i] = this->boundsOf(operands_[i], box);
+    return *known[i];
+  };
   // The smooth minimum grows with each of its arguments.
   const auto end = [&](bool isLower) {
     const auto each = [&](T limit, auto&& ask) {
       forEachIn(box, limit, [&](std::size_t i) {
-        const auto range = this->boundsOf(operands_[i], box);
+        const auto range = rangeOf(i);
         return ask(i, isLower == (side() > 0) ? side() * range.lower : side() * range.upper);
       });
     };
