@@ -268,6 +268,10 @@ TYPED_TEST(IsosurfaceTest, RefusesWhatItCannotDo) {
   EXPECT_THROW(static_cast<void>(isosurface<T>(ball, flat)), Error);
   const Patch<T> cells{{{0, 0, 0}, {1, 1, 1}}, IndexBox::ofSize(3, 3, 3)};
   EXPECT_THROW(static_cast<void>(isosurface<T>(ball, cells)), Error);
+  const Patch<T> endless{nodes.level,
+                         {{std::numeric_limits<std::int32_t>::min(), 0, 0},
+                          {std::numeric_limits<std::int32_t>::max(), 1, 1}}};
+  EXPECT_THROW(static_cast<void>(isosurface<T>(ball, endless)), Error);
   EXPECT_THROW(static_cast<void>(nodesAround(ball.boundingBox(), T(0))), Error);
   EXPECT_THROW(static_cast<void>(nodesAround(ball.boundingBox(), T(1e-12))), Error);
   EXPECT_THROW(static_cast<void>(nodesAround(Box<T>::everywhere(), T(1))), Error);

@@ -64,6 +64,29 @@ TYPED_TEST(RenderTest, ABallIsADisc) {
   }
 }
 
+// Distances along rays, of the size of the solid or of many times that, want all digits.
+TEST(RenderSizesTest, LooksTheSameAtAnySizeAndFromAnyDistance) {
+  const auto dark = [](const Image& image) {
+    return std::ranges::count_if(image.pixels(), [](const Rgb& c) { return c.red < 40; });
+  };
+  for (const double radius : {1.0, 1e-140, 1e40, 1e140}) {
+    const Sphere<double> ball({0, 0, 0}, radius);
+    auto options = bare(View::named("iso"));
+    options.show = ball.boundingBox();
+    const auto image = render(ball, options);
+    const double pixels = covered(image);
+    EXPECT_GT(pixels, 1000) << radius;
+    EXPECT_LT(static_cast<double>(dark(image)), 0.02 * pixels) << radius;
+  }
+  const Cuboid<double> box({-1, -1, -1}, {1, 1, 1});
+  auto options = bare(View::named("iso"));
+  options.fieldOfView = 1;
+  const auto near = dark(render(box, options));
+  options.fieldOfView = 1e-4;
+  EXPECT_NEAR(static_cast<double>(dark(render(box, options))), static_cast<double>(near),
+              0.2 * static_cast<double>(near) + 20);
+}
+
 TYPED_TEST(RenderTest, ABoxAlongAnAxisIsARectangle) {
   using T = TypeParam;
   const Cuboid<T> box({T(-0.61), -1, T(-0.33)}, {T(0.72), 1, T(0.41)});

@@ -178,6 +178,19 @@ TYPED_TEST(SliceTest, ShowsTheWholeSolidWithoutAWindowAndTheSameForAnyThreads) {
   EXPECT_NEAR(blue, area.height / 1.16, 6);
 }
 
+TYPED_TEST(SliceTest, ShowsNarrowWindows) {
+  using T = TypeParam;
+  const Sphere<T> sphere({0, 0, 0}, 1);
+  for (const T narrow : {T(1e-3), T(1e-9)}) {
+    for (const auto& window : {SliceWindow<T>{{-narrow, -100}, {narrow, 100}},
+                               SliceWindow<T>{{-100, -narrow}, {100, narrow}}}) {
+      const auto image = renderSlice(sphere, SlicePlane<T>::across(2, 0),
+                                     {.window = window, .width = 320, .height = 240});
+      EXPECT_EQ(image.width(), 320);
+    }
+  }
+}
+
 TYPED_TEST(SliceTest, RefusesWhatCannotBeShown) {
   using T = TypeParam;
   const T inf = std::numeric_limits<T>::infinity();

@@ -251,6 +251,9 @@ PolygonSoup isosurface(const SignedDistanceFunction<T>& solid, const Patch<T>& n
   for (int axis = 0; axis < 3; ++axis) {
     require(nodes.indices.length(axis) >= 2, "isosurface: need two nodes along each axis",
             Named{"axis", axis});
+    if (nodes.indices.length(axis) > std::size_t{1} << 31U) {
+      throw Error(ErrorKind::Limit, "isosurface: more than 2^31 nodes along an axis");
+    }
   }
   require(options.tolerance >= 1e-9 && options.tolerance <= 0.5,
           "isosurface: need 1e-9 <= tolerance <= 0.5", Named{"tolerance", options.tolerance});

@@ -43,7 +43,7 @@ void OctreeBuilder<T>::divide() {
   for (int level = 0;; ++level) {
     auto& [codes, verdicts] = found_.back();
     hints = judge(level, found_.back(), hints, progressOf(level));
-    if (level == deepest_) return;
+    if (level == deepest_) break;
     Cells next;
     auto& divided = divided_.emplace_back();
     std::size_t kept = 0;
@@ -57,6 +57,8 @@ void OctreeBuilder<T>::divide() {
     next.verdicts.resize(next.codes.size());
     found_.push_back(std::move(next));
   }
+  if (options_.progress)
+    options_.progress(1.0);  // also where no cell of the last levels is divided
 }
 
 template <std::floating_point T>

@@ -33,6 +33,7 @@ class Inspection {
       inspect(signs_.cells(level), features);
       done += count;
     }
+    if (options_.progress) options_.progress(1.0);  // also where there is no cell to inspect
     return features;
   }
 

@@ -86,11 +86,11 @@ PixelSamples::Difference PixelSamples::difference(const SurfaceSample& a, const 
   if (!a.isHit() && !b.isHit()) return Difference::None;
   if (a.isHit() != b.isHit()) return Difference::Step;
   // Both are on one sheet if either point is near the other's tangent plane.
-  const auto p = camera_.ray(atA.x, atA.y).at(static_cast<double>(a.along));
-  const auto q = camera_.ray(atB.x, atB.y).at(static_cast<double>(b.along));
+  const auto p = camera_.ray(atA.x, atA.y).at(a.along);
+  const auto q = camera_.ray(atB.x, atB.y).at(b.along);
   const double height = std::min(std::abs(dot(q - p, Vec3<double>(a.normal))),
                                  std::abs(dot(q - p, Vec3<double>(b.normal))));
-  const double nearer{std::min(a.along, b.along)};
+  const double nearer = std::min(a.along, b.along);
   if (height > kStep * camera_.pixelSize(nearer)) return Difference::Step;
   const bool isCrease = dot(a.normal, b.normal) < static_cast<float>(kCrease);
   if (a.surface != b.surface) return isCrease ? Difference::Edge : Difference::Border;

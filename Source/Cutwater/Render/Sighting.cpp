@@ -17,7 +17,7 @@ SurfaceSample sampleOf(const Ray& ray, double along, Vec3<double> normal, std::u
   if (dot(normal, ray.direction) > 0) normal = -normal;
   if (!(lengthSquared(normal) > 0.5)) normal = -ray.direction;  // none is known
   SurfaceSample sample;
-  sample.along = static_cast<float>(along);
+  sample.along = along;
   sample.normal = Vec3<float>(normal);
   sample.surface = surface;
   return sample;
@@ -28,7 +28,7 @@ SurfaceSample sampleOf(const Ray& ray, double along, Vec3<double> normal, std::u
 template <std::floating_point T>
 SurfaceSample Sighting<T>::atCut(const RayRange& range) const {
   SurfaceSample sample;
-  sample.along = static_cast<float>(range.begin);
+  sample.along = range.begin;
   sample.normal = Vec3<float>(region_.normal(range.cut));
   sample.surface = SurfaceSample::kCutFace + range.cut;
   return sample;
@@ -84,7 +84,7 @@ SurfaceSample Sighting<T>::passing(const Ray& ray, double along, const SurfacePo
   const double removed = region_.clearance(Vec3<double>(nearest.point));
   SurfaceSample sample;
   if (!(double{length(away)} < reach * pixel && removed < kSamePlace * pixel)) return sample;
-  sample.along = static_cast<float>(along);
+  sample.along = along;
   sample.normal = Vec3<float>(normalized(away));
   sample.passed = nearest.owner.patch;
   return sample;

@@ -65,7 +65,9 @@ void SliceLayout::drawAxes(Image& image, const PlotArea& plot,
                            const std::array<std::string, 2>& labels) const {
   style_.drawFrame(image, plot);
   const double perPixel = (ranges[0].upper - ranges[0].lower) / plot.width;
-  const double step = roundStep(perPixel * style_.px(105));
+  // Those of the two axes differ where a window is so narrow that it is drawn wider than it is.
+  const double perPixelUp = (ranges[1].upper - ranges[1].lower) / plot.height;
+  const double step = roundStep(std::max(perPixel, perPixelUp) * style_.px(105));
   const double left = plot.x0;
   const double bottom = plot.y0 + plot.height;
   for (const auto& tick : ticksBetween(ranges[0].lower, ranges[0].upper, step)) {
@@ -75,7 +77,7 @@ void SliceLayout::drawAxes(Image& image, const PlotArea& plot,
              style_.text(kNumbers, TextAnchor::Middle));
   }
   for (const auto& tick : ticksBetween(ranges[1].lower, ranges[1].upper, step)) {
-    const double y = bottom - (tick.value - ranges[1].lower) / perPixel;
+    const double y = bottom - (tick.value - ranges[1].lower) / perPixelUp;
     style_.drawLine(image, {left - style_.px(7), y, left, y}, kFrameLine);
     drawText(image, left - style_.px(13), y + style_.px(0.5 * kNumbers), tick.label,
              style_.text(kNumbers, TextAnchor::End));

@@ -214,8 +214,7 @@ class SphereTracer<T>::Packet {
     for (std::uint32_t i = 0; i < lines_.size(); ++i) {
       const auto& sample = samples_[i];
       if ((!sample.isHit() && sample.passed == kNone) || sample.isCut()) continue;
-      feet.push_back(
-          {lines_[i].ray.at(static_cast<double>(sample.along)), Vec3<double>(sample.normal)});
+      feet.push_back({lines_[i].ray.at(sample.along), Vec3<double>(sample.normal)});
       owners.push_back(i);
     }
     const auto open = t_.occlusion_.openness(feet);

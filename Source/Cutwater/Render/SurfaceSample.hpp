@@ -19,8 +19,8 @@ struct SurfaceSample {
   /// Surfaces with this bit set are faces of cut planes, others are patches.
   static constexpr std::uint32_t kCutFace = 0x80000000U;
 
-  float along = std::numeric_limits<float>::infinity();  ///< distance along the ray
-  Vec3<float> normal;                                    ///< unit, towards the viewer
+  double along = std::numeric_limits<double>::infinity();  ///< distance along the ray
+  Vec3<float> normal;                                      ///< unit, towards the viewer
   float open = 1;                 ///< fraction of ambient light that arrives, 0 to 1
   std::uint32_t surface = kNone;  ///< visible surface: kNone, a patch, or a face of a cut
   /// For a ray that sees nothing: the patch that it nearly meets; the normal then points from that
