@@ -83,6 +83,32 @@ TYPED_TEST(CellSkeletonTest, EveryFoldThatACellHasIsRight) {
   });
 }
 
+TYPED_TEST(CellSkeletonTest, NothingIsFoldedAwayThatIsNotThere) {
+  using T = TypeParam;
+  // A strut that is almost its own mirror image, and struts that end a little beyond a mirror.
+  std::vector<CellStrut> crossing;
+  for (int i = 0; i < 8; ++i) {
+    const auto image = [&](Vec3<double> p) {
+      for (int axis = 0; axis < 3; ++axis) p[axis] = (i >> axis & 1) != 0 ? 1 - p[axis] : p[axis];
+      return p;
+    };
+    crossing.push_back({image({0.125, 0.25, 0.25}), image({0.5 + 8e-10, 0.375, 0.25})});
+  }
+  const std::vector<CellStrut> nearly{{{0.3, 0.5, 0.5}, {0.7 - 8e-10, 0.5, 0.5}}};
+  EXPECT_TRUE(UnitCell("crossing", crossing).has(CellFold::Octant));
+  for (const auto& struts : {crossing, nearly}) {
+    const UnitCell cell("mine", struts);
+    const CellSkeleton<T> skeleton(cell, {.period = {1, 1, 1}});
+    const auto around = explicitStruts(cell.struts(), -2, 2);
+    for (const Vec3<double> at : {Vec3<double>{0.8, 0.5, 0.5},
+                                  {0.5 - 2e-9, 0.375 + 2e-9, 0.25},
+                                  {0.5, 0.375 + 2e-9, 0.25}}) {
+      const Vec3<T> p(at);
+      EXPECT_NEAR(skeleton.distance(p), distanceTo(around, Vec3<double>{1, 1, 1}, p), 2 * kUlp<T>);
+    }
+  }
+}
+
 TYPED_TEST(CellSkeletonTest, AnyPeriodWillDo) {
   using T = TypeParam;
   const Vec3<T> size{T(0.3), T(0.7), T(1.1)};

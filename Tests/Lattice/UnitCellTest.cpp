@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -72,6 +73,8 @@ const std::map<std::string, Facts>& table() {
   return facts;
 }
 
+const std::set<std::string> kFaceCentred{"octet", "rhombic dodecahedron", "diamond"};
+
 bool isSame(const CellStrut& s, const CellStrut& t) {
   const auto isNear = [](const Vec3<double>& a, const Vec3<double>& b) {
     return length(a - b) < 1e-15;
@@ -88,6 +91,12 @@ TEST(UnitCellTest, KnownCellsHaveTheCountsAndLengthsOfTheTable) {
     EXPECT_EQ(cell.closedStruts().size(), facts.closed);
     EXPECT_NEAR(cell.lengthPerCell(), facts.length, 6e-6);
     EXPECT_EQ(cell.foldAt({2, 2, 2}), facts.fold);
+    using enum CellFold;
+    const bool sortsXY = facts.fold == SortXY || facts.fold == Sort;
+    EXPECT_EQ(cell.has(Octant), sortsXY || facts.fold == Octant);
+    EXPECT_EQ(cell.has(SortXY), sortsXY);
+    EXPECT_EQ(cell.has(Sort), facts.fold == Sort);
+    EXPECT_EQ(cell.has(Fcc), kFaceCentred.contains(cell.name()));
   }
 }
 
@@ -133,6 +142,15 @@ TEST(UnitCellTest, StretchedCellsKeepTheMirrorsThatTheyCan) {
   EXPECT_EQ(UnitCell::srs().foldAt({1, 1, 1}), None);
   EXPECT_TRUE(UnitCell::octet().has(Fcc));
   EXPECT_FALSE(UnitCell::simpleCubic().has(Fcc));
+}
+
+TEST(UnitCellTest, MirrorsMatchToRounding) {
+  const auto cellWith = [](double end) {
+    return UnitCell("mine", std::vector<CellStrut>{{{0.3, 0.5, 0.5}, {end, 0.5, 0.5}}});
+  };
+  EXPECT_TRUE(cellWith(0.7).has(CellFold::Octant));
+  EXPECT_TRUE(cellWith(std::nextafter(0.7, 1)).has(CellFold::Octant));
+  EXPECT_FALSE(cellWith(0.7 - 8e-10).has(CellFold::Octant));
 }
 
 TEST(UnitCellTest, OnesOwnCountCopiesOnce) {

@@ -31,6 +31,9 @@ enum class CellFold : std::uint8_t {
 
 namespace detail {
 
+/// Coordinates in units of the cell that differ by less are equal but for rounding.
+constexpr double kRounding = 0x1p-50;
+
 /// A side of the chamber, and a mirror of the lattice: normal . x >= offset in the chamber.
 struct ChamberWall {
   Vec3<double> normal;

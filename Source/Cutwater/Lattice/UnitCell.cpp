@@ -14,8 +14,8 @@ std::uint32_t bitOf(CellFold fold) {
   return 1U << static_cast<unsigned>(fold);
 }
 
-bool isSame(const Vec3<double>& a, const Vec3<double>& b) {
-  return maxComponent(abs(a - b)) <= UnitCell::kSame;
+double difference(const CellStrut& s, const CellStrut& t) {
+  return std::max(maxComponent(abs(s.a - t.a)), maxComponent(abs(s.b - t.b)));
 }
 
 /// The copy whose midpoint lies in the cell.
@@ -60,14 +60,14 @@ void UnitCell::add(const CellStrut& strut) {
   }
   require(length(strut.b - strut.a) > kShortest, "UnitCell: need a strut with some length",
           Named{"a", strut.a}, Named{"b", strut.b});
-  if (!contains(strut)) struts_.push_back(inCell(strut));
+  if (!contains(strut, kSame)) struts_.push_back(inCell(strut));
 }
 
-bool UnitCell::contains(const CellStrut& strut) const {
+bool UnitCell::contains(const CellStrut& strut, double tolerance) const {
   const auto wanted = inCell(strut);
+  const CellStrut reversed{wanted.b, wanted.a};
   return std::ranges::any_of(struts_, [&](const CellStrut& other) {
-    return (isSame(wanted.a, other.a) && isSame(wanted.b, other.b)) ||
-           (isSame(wanted.a, other.b) && isSame(wanted.b, other.a));
+    return std::min(difference(wanted, other), difference(reversed, other)) <= tolerance;
   });
 }
 
@@ -75,7 +75,7 @@ void UnitCell::findMirrors() {
   for (const auto fold : kFolds) {
     const bool hasAll = std::ranges::all_of(detail::wallsOf(fold), [&](const auto& wall) {
       return std::ranges::all_of(struts_, [&](const CellStrut& strut) {
-        return contains({wall.image(strut.a), wall.image(strut.b)});
+        return contains({wall.image(strut.a), wall.image(strut.b)}, detail::kRounding);
       });
     });
     if (hasAll) folds_ |= bitOf(fold);

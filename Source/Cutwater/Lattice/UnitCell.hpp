@@ -14,7 +14,8 @@ namespace cutwater {
 /// in a face or edge of the cell is shared with neighbours, and occurs once per period.
 ///
 /// The mirrors of the pattern are detected: they determine how fast distances to the endless
-/// lattice are.
+/// lattice are. A mirror image that differs by more than rounding is none: give nodes to all
+/// digits.
 class UnitCell {
  public:
   /// A custom pattern. Struts that are copies of others, reversed or moved by whole periods, count
@@ -69,8 +70,8 @@ class UnitCell {
 
  private:
   void add(const CellStrut& strut);
-  /// Whether a copy of it is in the list.
-  [[nodiscard]] bool contains(const CellStrut& strut) const;
+  /// Whether a copy of it is in the list, with ends at most this far away along each axis.
+  [[nodiscard]] bool contains(const CellStrut& strut, double tolerance) const;
   void findMirrors();
 
   std::string name_;
