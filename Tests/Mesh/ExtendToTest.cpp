@@ -74,6 +74,30 @@ TEST(ExtendTo, TheAirAboveATerrainAndGroundThatFacesDown) {
   EXPECT_NEAR(measure(down).volume, prismVolume(ground, 2, -2), 1e-12);
 }
 
+TEST(ExtendTo, EverySheetFacesOutward) {
+  const auto square = makeSoup({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{0, 1, 2, 3}});
+  auto soup = together(square, insideOut(moved(square, {3, 0, 1})));
+  EXPECT_DOUBLE_EQ(extendTo(soup, 2, 0).after.volume, 1 + 2);
+  EXPECT_TRUE(reportOf(soup).isClean());
+  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
+    const auto c = soup.polygon(i);
+    const auto& p = soup.points;
+    const double up = cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]).z;
+    if (middleOf(soup, i).z == 0) {
+      EXPECT_LT(up, 0) << i;
+    }
+  }
+}
+
+TEST(ExtendTo, ACaveStaysACave) {
+  const auto cave = moved(insideOut(tessellation::box({1, 1, 0}, {2, 2, 1})), {0, 0, -1.5});
+  const auto ground = together(terrain(12, 0.25), cave);
+  for (auto soup : {ground, insideOut(ground)}) {
+    EXPECT_NEAR(extendTo(soup, 2, -2).after.volume, prismVolume(terrain(12, 0.25), 2, -2) - 1,
+                1e-12);
+  }
+}
+
 TEST(ExtendTo, AHoleBecomesAShaft) {
   auto ground = terrain(12, 0.25);
   ground = onlyFaces(ground, [&](std::size_t i) {
@@ -136,6 +160,10 @@ TEST(ExtendTo, RefusesWhatIsNoTerrain) {
   EXPECT_EQ(refusal(cube(), down), ErrorKind::Topology);
   EXPECT_EQ(refusal(flipped(terrain(4, 1), 9), down), ErrorKind::Topology);
   EXPECT_EQ(refusal(twistedBand(48, 0.3, 2), down), ErrorKind::Topology);
+  // Two that touch at a corner and face different ways: the walls below it belong to both.
+  const auto one = terrain(2, 1);
+  const auto other = insideOut(moved(one, {2, 2, heightAt(2, 2) - heightAt(0, 0)}));
+  EXPECT_EQ(refusal(weldedTogether(one, other), down), ErrorKind::Topology);
   const auto ground = terrain(4, 1);
   EXPECT_EQ(refusal(together(ground, moved(ground, {2, 2, 1})), down), ErrorKind::Topology);
   EXPECT_EQ(refusal(ground, [](auto& soup) { extendTo(soup, 2, 0); }), ErrorKind::Argument);

@@ -1,6 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/Cleaning/ExtendTo.hpp>
+#include <Cutwater/Mesh/Cleaning/Orientation.hpp>
 #include <Cutwater/Mesh/Cleaning/PlanarRegions.hpp>
+#include <Cutwater/Mesh/Cleaning/PlanarView.hpp>
 #include <Cutwater/Mesh/Cleaning/PlaneFrame.hpp>
 #include <Cutwater/Mesh/Cleaning/SoupEdits.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
@@ -88,6 +90,20 @@ class Walls {
   std::vector<std::uint32_t> foot_;
 };
 
+/// Turns shells outward; throws if that leaves faces on the level that face the surface.
+void turnOutward(PolygonSoup& soup, std::size_t firstOnLevel, int axis, bool isBelow) {
+  orientFaces(soup);
+  const auto positions = normalizedPositions<double>(soup.points);
+  const detail::PlanarView view(positions, axis);
+  for (std::size_t i = firstOnLevel; i < soup.polygonCount(); ++i) {
+    const auto corners = soup.polygon(i);
+    if (view.turn(corners[0], corners[1], corners[2]) != (isBelow ? 1 : -1)) continue;
+    throw Error(ErrorKind::Topology,
+                "extendTo: parts that touch disagree about their orientation (" +
+                    detail::toText(Named{"foot", soup.points[corners[0]]}) + ")");
+  }
+}
+
 void addWallsAndBottom(PolygonSoup& soup, int axis, double level, const ExtendOptions& options,
                        OpeningReport& report) {
   requireBeyond(soup, axis, level);
@@ -101,7 +117,9 @@ void addWallsAndBottom(PolygonSoup& soup, int axis, double level, const ExtendOp
     feet.push_back(walls.add(rim, sides));
   }
   const auto bottom = detail::patchNamed(soup, options.bottom);
+  const std::size_t firstOnLevel = soup.polygonCount();
   for (const auto& triangle : filled(soup, feet, axis)) soup.addPolygon(triangle, bottom);
+  turnOutward(soup, firstOnLevel, axis, level < soup.points[rims.front().front()][axis]);
 }
 
 /// Works on a copy, and reports the result.
@@ -115,10 +133,6 @@ OpeningReport extended(PolygonSoup& soup, Work work) {
   report.facesAdded = result.polygonCount() - soup.polygonCount();
   report.areaAdded = detail::areaFrom(result, soup.polygonCount());
   report.after = measure(result);
-  if (report.after.volume < 0) {
-    for (std::size_t i = 0; i < result.polygonCount(); ++i) detail::turnPolygon(result, i);
-    report.after = measure(result);
-  }
   result.validate();
   soup = std::move(result);
   return report;

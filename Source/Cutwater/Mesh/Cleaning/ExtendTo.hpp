@@ -19,12 +19,13 @@ struct ExtendOptions {
 ///
 /// Vertical walls lead from every rim to the plane, with two triangles per edge; a hole in the
 /// surface becomes a shaft. The result is closed and oriented, with its faces outward: the solid
-/// lies between the surface and the plane. Points of the surface do not move.
+/// lies between the surface and the plane. Of a surface of several parts, each may face either way.
+/// Points of the surface do not move.
 ///
 /// @throws Error(Argument) unless the level lies beyond all points of faces, and for a soup that
 /// does not pass PolygonSoup::validate(); Error(Topology) if there is no rim, if the orientations
-/// of faces disagree (run clean() first), or if rims meet when seen along the axis. The soup is
-/// then unchanged.
+/// of faces disagree (run clean() first), also of parts that touch at a point, or if rims meet when
+/// seen along the axis. The soup is then unchanged.
 OpeningReport extendTo(PolygonSoup& soup, int axis, double level,
                        const ExtendOptions& options = {});
 
