@@ -55,6 +55,25 @@ TEST(CapOnPlane, ATubesEndsAreRings) {
   EXPECT_EQ(std::ranges::count(soup.patchNames, "ends"), 1);
 }
 
+TEST(CapOnPlane, PatchesWithoutANameAreNotTheCap) {
+  const auto capped = [](std::uint32_t patch, std::vector<std::string> names) {
+    auto soup = bowl(8);
+    soup.patchNames = std::move(names);
+    std::ranges::fill(soup.patches, patch);
+    const auto report = capOnPlane(soup, {{}, {0, 0, 1}});
+    EXPECT_EQ(report.facesAdded, 6U);
+    EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(soup.patches, patch)),
+              soup.polygonCount() - 6);
+    EXPECT_LT(soup.patches.back(), soup.patchNames.size());
+    EXPECT_EQ(soup.patchNames[soup.patches.back()], "cap");
+    return soup.patchNames;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(capped(0, {}), (Names{"surface", "cap"}));
+  EXPECT_EQ(capped(1, {"unused"}), (Names{"unused", "surface", "cap"}));
+  EXPECT_EQ(capped(kNone, {}), Names{"cap"});
+}
+
 TEST(CapOnPlane, AnyPlaneAndTolerance) {
   // A tilted half ball whose rim lies near the plane only.
   const Vec3<double> normal = normalized(Vec3<double>{1, -2, 0.5});

@@ -94,6 +94,25 @@ TEST(Tessellation, CapsulesAreRoundAtBothEnds) {
                     2 * kPi + 4 * kPi / 3);
 }
 
+TEST(Tessellation, SolidsAreOnePatchOfTheirName) {
+  using namespace tessellation;
+  const std::array<ProfilePoint, 3> ring{{{1, 0}, {2, 0}, {1, 1}}};
+  const std::array<ProfilePoint, 2> wall{{{1, 0}, {1, 1}}};
+  const std::vector<std::pair<PolygonSoup, std::string>> solids{
+      {icosphere(1, 1), "sphere"},
+      {box({0, 0, 0}, {1, 1, 1}), "box"},
+      {torus(2, 1, 8, 8), "torus"},
+      {cylinder(1, 1, 8), "cylinder"},
+      {cone(1, 1, 8), "cone"},
+      {capsule(1, 1, 8, 2), "capsule"},
+      {revolve(ring, 8, ProfileEnds::Closed), "revolution"},
+      {revolve(wall, 8, ProfileEnds::OnAxis), "revolution"}};
+  for (const auto& [soup, name] : solids) {
+    EXPECT_EQ(soup.patchNames, std::vector<std::string>{name});
+    EXPECT_EQ(soup.patches, std::vector<std::uint32_t>(soup.polygonCount(), 0)) << name;
+  }
+}
+
 TEST(Tessellation, RefusesImpossibleSizes) {
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)tessellation::icosphere(0, 1), Error);

@@ -209,7 +209,7 @@ PolygonSoup revolve(std::span<const ProfilePoint> profile, int n, ProfileEnds en
       soup.addPolygon(corners);
     }
   }
-  if (closed) return soup;
+  if (closed) return named(std::move(soup), "revolution");
   Corners bottom;
   Corners top;
   for (std::size_t i = 0; i < sections; ++i) {
@@ -218,7 +218,7 @@ PolygonSoup revolve(std::span<const ProfilePoint> profile, int n, ProfileEnds en
   }
   if (profile.front().radius > 0) soup.addPolygon(bottom);
   if (profile.back().radius > 0) soup.addPolygon(top);
-  return soup;
+  return named(std::move(soup), "revolution");
 }
 
 PolygonSoup torus(double major, double minor, int n, int m) {

@@ -9,7 +9,8 @@ namespace cutwater {
 struct CapOptions {
   /// Points at most this far from the plane count as on it (a length).
   double tolerance = 0;
-  /// The patch of the caps; an existing patch of this name is extended.
+  /// The patch of the caps; an existing patch of this name is extended. In a soup whose patches
+  /// have no names, the others are called "surface" from then on.
   std::string patch = "cap";
 };
 

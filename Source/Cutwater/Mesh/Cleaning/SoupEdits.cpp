@@ -3,6 +3,7 @@
 #include <Cutwater/Mesh/Triangulation.hpp>
 
 #include <algorithm>
+#include <set>
 
 namespace cutwater::detail {
 
@@ -72,9 +73,15 @@ std::vector<std::vector<std::uint32_t>> loopsAround(std::span<const OpenEdge> ed
 
 std::uint32_t patchNamed(PolygonSoup& soup, const std::string& name) {
   auto& names = soup.patchNames;
-  const auto at = std::ranges::find(names, name) - names.begin();
-  if (static_cast<std::size_t>(at) == names.size()) names.push_back(name);
-  return static_cast<std::uint32_t>(at);
+  const auto at = [&] {
+    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+  };
+  if (at() == names.size()) {
+    const std::set<std::size_t> used(soup.patches.begin(), soup.patches.end());
+    while (used.contains(names.size())) names.emplace_back("surface");
+  }
+  if (at() == names.size()) names.push_back(name);
+  return static_cast<std::uint32_t>(at());
 }
 
 }  // namespace cutwater::detail

@@ -27,7 +27,8 @@ void turnPolygon(PolygonSoup& soup, std::size_t polygon);
 /// faces; none passes a point twice. At every point, as many of the edges must begin as end.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> loopsAround(std::span<const OpenEdge> edges);
 
-/// The id of the patch of this name; a new one if there is none.
+/// The id of the patch of this name; if there is none, the first id that has no name and no
+/// polygons. Patches before it that have no name are called "surface" from then on.
 [[nodiscard]] std::uint32_t patchNamed(PolygonSoup& soup, const std::string& name);
 
 /// Rebuilds a soup polygon by polygon: `edit(i, corners, result)` adds what replaces the polygon to
