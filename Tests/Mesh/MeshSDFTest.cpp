@@ -200,6 +200,20 @@ TYPED_TEST(MeshSDFTest, RefusesWhatIsNotWatertightIfAskedToAndSaysWhy) {
   EXPECT_THROW(MeshSDF<T>(PolygonSoup{}), Error);
 }
 
+TYPED_TEST(MeshSDFTest, RefusesPatchNamesThatWouldEndEarly) {
+  using T = TypeParam;
+  auto soup = tessellation::box({0, 0, 0}, {1, 1, 1});
+  soup.patchNames = {"", std::string("a\0b", 3)};
+  try {
+    const MeshSDF<T> mesh(soup);
+    FAIL() << "taken as " << mesh.patchNames().size() << " names";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Argument);
+    EXPECT_NE(std::string(error.what()).find("patch = 1"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(MeshSDF<T>{DcelMesh<T>(soup)}, Error);
+}
+
 // In single precision squares of such lengths overflow; the surface is scaled before.
 TYPED_TEST(MeshSDFTest, AnswersForCoordinatesUpToTheLargestNumbers) {
   using T = TypeParam;

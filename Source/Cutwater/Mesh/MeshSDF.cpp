@@ -16,7 +16,11 @@ namespace {
 /// Joins the names, each terminated by a zero.
 std::string joined(std::span<const std::string> names) {
   std::string result;
-  for (const auto& name : names) result += name + '\0';
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    require(names[i].find('\0') == std::string::npos, "MeshSDF: a patch name contains a zero",
+            Named{"patch", i});
+    result += names[i] + '\0';
+  }
   return result;
 }
 

@@ -26,7 +26,8 @@ template <std::floating_point T>
 class MeshSDF final : public TriangleSurfaceSDF<T> {
  public:
   /// @throws Error(Topology) with a one-line report if the soup has no triangles, or if options
-  /// require a watertight surface and it is not; for an invalid soup, what DcelMesh throws.
+  /// require a watertight surface and it is not; Error(Argument) for a patch name that contains a
+  /// zero; for an invalid soup, what DcelMesh throws.
   explicit MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options = {});
   explicit MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options = {});
 
