@@ -95,6 +95,30 @@ TEST(FillHoles, RimsThatTouchAtAPointAreFilledEachForItself) {
   EXPECT_DOUBLE_EQ(measure(soup).volume, measure(ball).volume);
 }
 
+TEST(FillHoles, RimsDoNotRepeatAnEdgeOfAnother) {
+  // The only diagonal of the rim 0, 1, 3, 2, which is concave at 0, is an edge of the rim 0, 3, 4.
+  PolygonSoup soup;
+  soup.points = {{0, 0, 0}, {-1, 2, 0}, {-1, -2, 0}, {4, 0, 0}, {2, 0, 3}};
+  const auto addFaceAt = [&](std::uint32_t from, std::uint32_t to, const Vec3<double>& third) {
+    soup.points.push_back(third);
+    soup.addPolygon(std::array{to, from, static_cast<std::uint32_t>(soup.points.size() - 1)});
+  };
+  addFaceAt(0, 1, {-3, 1, -1});
+  addFaceAt(1, 3, {3, 4, -1});
+  addFaceAt(3, 2, {3, -4, -1});
+  addFaceAt(2, 0, {-3, -1, -1});
+  addFaceAt(0, 3, {2, 1, 4});
+  addFaceAt(3, 4, {5, 0, 4});
+  addFaceAt(4, 0, {-1, 0, 4});
+  ASSERT_EQ(reportOf(soup).nonManifoldEdges.count, 0U);
+  const auto report = fillHoles(soup, {.mostEdges = 4, .patch = "filled"});
+  EXPECT_EQ(report.unfillable.count, 1U);
+  EXPECT_EQ(report.filled.count, 1U);
+  EXPECT_EQ(reportOf(soup).nonManifoldEdges.count, 0U);
+  EXPECT_EQ(soup.patchNames, (std::vector<std::string>{"surface", "filled"}));
+  EXPECT_EQ(soup.patches, (std::vector<std::uint32_t>{0, 0, 0, 0, 0, 0, 0, 1}));
+}
+
 TEST(FillHoles, ASurfaceThroughTheHoleIsReported) {
   const auto bar = tessellation::box({-0.1, -0.1, -1}, {0.1, 0.1, 3});
   const auto ball = ballWithout([](const Vec3<double>& p) { return p.z > 0.9; });

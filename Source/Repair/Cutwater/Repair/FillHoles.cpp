@@ -53,7 +53,7 @@ class HoleFiller {
     if (deadline_.isOver()) return report.late;
     const auto triangles = trianglesIn(rim);
     if (!triangles) return report.late;
-    if (triangles->empty() || !areNew(*triangles)) return report.unfillable;
+    if (triangles->empty() || !areNew(*triangles, rim)) return report.unfillable;
     const auto patch =
         options_.patch.empty() ? patchAlong(rim) : detail::patchNamed(result, options_.patch);
     for (const auto& triangle : *triangles) {
@@ -94,12 +94,17 @@ class HoleFiller {
     return at == polygon.end() ? a : *at;
   }
 
-  /// Whether no edge of the triangles within the hole belongs to the surface or to another filling.
-  [[nodiscard]] bool areNew(std::span<const std::array<std::uint32_t, 3>> triangles) const {
+  /// Whether no edge of the triangles within the rim belongs to the surface or to another filling.
+  [[nodiscard]] bool areNew(std::span<const std::array<std::uint32_t, 3>> triangles,
+                            const Loop& rim) const {
+    std::set<Edge> around;
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      around.insert(edgeBetween(rim[i], rim[(i + 1) % rim.size()]));
+    }
     for (const auto& t : triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto edge = edgeBetween(t[k], t[(k + 1) % 3]);
-        if (edges_.contains(edge) && !beside_.contains(edge)) return false;
+        if (edges_.contains(edge) && !around.contains(edge)) return false;
       }
     }
     return true;
