@@ -41,9 +41,20 @@ TEST(RemoveSelfIntersections, PatchesStay) {
 
 TEST(RemoveSelfIntersections, NothingToDoChangesNothing) {
   auto soup = cube();
-  const auto report = removeSelfIntersections(soup);
+  const auto report = removeSelfIntersections(soup, {.mostPairs = SIZE_MAX});
   EXPECT_EQ(report.pairsBefore, 0U);
   EXPECT_TRUE(sameSoup(soup, cube()));
+}
+
+TEST(RemoveSelfIntersections, MostPairsAreTaken) {
+  // Enough that the limit alone, and not the wish for examples, ends the search.
+  auto soup = together(crumpledBall(), moved(crumpledBall(), {3, 0, 0}));
+  const auto pairs = pairsIn(soup);
+  ASSERT_GT(pairs, Findings<FacePair>::kExamples + 1);
+  EXPECT_THROW(removeSelfIntersections(soup, {.mostPairs = pairs - 1}), Error);
+  const auto report = removeSelfIntersections(soup, {.mostPairs = pairs});
+  EXPECT_EQ(report.pairsBefore, pairs);
+  EXPECT_EQ(report.pairsAfter, 0U);
 }
 
 TEST(RemoveSelfIntersections, Refusals) {

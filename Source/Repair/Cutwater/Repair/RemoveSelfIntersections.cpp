@@ -3,6 +3,7 @@
 #include <Cutwater/Repair/NearestPatches.hpp>
 #include <Cutwater/Repair/RemoveSelfIntersections.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace cutwater {
@@ -23,7 +24,9 @@ SelfIntersectionRepairReport removeSelfIntersections(PolygonSoup& soup,
   SelfIntersectionRepairReport report;
   report.before = report.after = measure(soup);
   report.facesBefore = report.facesAfter = soup.polygonCount();
-  const auto before = found(soup, options.mostPairs);
+  // A search that reaches its limit may have left out pairs.
+  const std::size_t limit = std::max(options.mostPairs, options.mostPairs + 1);
+  const auto before = found(soup, limit);
   if (!before.complete || before.pairs.count > options.mostPairs) {
     throw Error(ErrorKind::Limit, "removeSelfIntersections: more than " +
                                       detail::toText(static_cast<long long>(options.mostPairs)) +
@@ -33,7 +36,7 @@ SelfIntersectionRepairReport removeSelfIntersections(PolygonSoup& soup,
   if (!before) return report;
 
   auto mended = detail::withoutSelfIntersections(triangulated(soup), options.rounds, deadline);
-  const auto after = found(mended, options.mostPairs);
+  const auto after = found(mended, limit);
   report.seconds = deadline.elapsed();
   if (after.pairs.count >= before.pairs.count) return report;
   report.farthest = detail::takeNearestPatches(mended, soup).greatest;
