@@ -2,8 +2,10 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 
 #include "Support/Brick.hpp"
+#include "Support/DamagedSoups.hpp"
 #include "Support/MixedMagnitudes.hpp"
 #include "Support/Precisions.hpp"
+#include "Support/SameMeshes.hpp"
 #include "Support/Scale.hpp"
 #include "Support/TriangleOracle.hpp"
 
@@ -95,6 +97,38 @@ TYPED_TEST(MixedMagnitudesTest, BoundsHoldTheValues) {
         ASSERT_TRUE(kind != BoxClass::Inside || value < 0) << p;
         ASSERT_TRUE(kind != BoxClass::Outside || value >= 0) << p;
       }
+    }
+  }
+}
+
+TYPED_TEST(MixedMagnitudesTest, PointsOfNoFaceMayBeAnywhere) {
+  using T = TypeParam;
+  constexpr bool kIsFloat = sizeof(T) == sizeof(float);
+  const double far = kIsFloat ? 1e37 : 1e150;
+  const auto open = onlyFaces(cube(), [](std::size_t i) { return i != 5; });
+  for (const double size : {1.0, kIsFloat ? 1e-15 : 1e-100}) {
+    for (const auto& unit : {insideOut(cube()), open}) {
+      auto soup = withPoints(unit, [&](const Vec3<double>& p) { return size * p; });
+      const MeshSDFOptions options{.findSelfIntersections = true, .probes = 64};
+      const MeshSDF<T> expected(soup, options);
+      soup.points.emplace_back(far, -far, 0);
+      const MeshSDF<T> mesh(soup, options);
+      const std::vector<Vec3<T>> positions(soup.points.begin(), soup.points.end());
+      const Vec3<T> within{T(0.5 * size), T(0.5 * size), T(0.125 * size)};
+      RandomPoints<T> random(2);
+      for (const auto& same : {mesh, mesh.refitted(positions), MeshSDF<T>::view(mesh.toBytes())}) {
+        expectSameReport(same.signReport(), expected.signReport());
+        EXPECT_EQ(same.guarantee(), expected.guarantee());
+        EXPECT_EQ(same.boundingBox(), expected.boundingBox());
+        EXPECT_EQ(same.signedDistance(within), -within.z);
+        for (int i = 0; i < 100; ++i) {
+          const auto p = static_cast<T>(size) * random.next();
+          EXPECT_EQ(differingFields(same.closestPoint(p), expected.closestPoint(p)), "") << p;
+        }
+      }
+      // Less, where the scale makes such numbers overflow.
+      const bool fits = !kIsFloat || size == 1;
+      EXPECT_EQ(mesh.soup().points.back() == Vec3<double>(positions.back()), fits);
     }
   }
 }

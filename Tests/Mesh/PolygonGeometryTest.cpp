@@ -143,6 +143,14 @@ TEST(PolygonGeometry, PositionsAreScaledByAPowerOfTwo) {
             std::vector<Vec3<double>>{{}});
 }
 
+TEST(PolygonGeometry, PointsOfNoTriangleDoNotChangeTheScale) {
+  const std::vector<Vec3<float>> positions{{3, 0, 0}, {0, -5, 0}, {1e30F, 0, 0}, {0, 0, 1}};
+  const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 3}};
+  EXPECT_EQ(normalizingScale<float>(positions, triangles), 0.25F);
+  EXPECT_EQ(normalizedPositions<float>(positions, triangles)[1], (Vec3<double>{0, -1.25, 0}));
+  EXPECT_EQ(normalizingScale<float>(positions, {}), 1.0F);
+}
+
 TEST(PolygonGeometry, BoxesAreThoseOfEachTriangle) {
   const std::vector<Vec3<float>> positions{{0, 0, 0}, {2, 0, 1}, {0, 3, -1}, {-1, 4, 5}};
   const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {2, 1, 3}, {3, 3, 3}};

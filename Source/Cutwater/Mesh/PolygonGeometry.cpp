@@ -10,6 +10,8 @@
 namespace cutwater {
 namespace {
 
+using Corners = std::array<std::uint32_t, 3>;
+
 /// The sum of (p[i] - p[0]) x (p[i+1] - p[0]), with coordinates multiplied by `scale`.
 template <typename Vector, typename Difference>
 Vector crossProducts(std::span<const Vec3<double>> corners, double scale, Difference difference) {
@@ -56,6 +58,14 @@ double unscaledArea(double twice, double scale) {
   return 0.5 * twice / scale / scale;
 }
 
+template <std::floating_point T>
+std::vector<Vec3<double>> scaledBy(double scale, std::span<const Vec3<T>> positions) {
+  std::vector<Vec3<double>> result;
+  result.reserve(positions.size());
+  for (const auto& p : positions) result.push_back(scale * Vec3<double>(p));
+  return result;
+}
+
 }  // namespace
 
 double unitScale(std::span<const Vec3<double>> corners) {
@@ -80,12 +90,23 @@ T normalizingScale(std::span<const Vec3<T>> positions) {
 }
 
 template <std::floating_point T>
+T normalizingScale(std::span<const Vec3<T>> positions, std::span<const Corners> triangles) {
+  Vec3<T> farthest;
+  for (const auto& triangle : triangles) {
+    for (const auto v : triangle) farthest = max(farthest, abs(positions[v]));
+  }
+  return normalizingScale<T>(std::span(&farthest, 1));
+}
+
+template <std::floating_point T>
 std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<T>> positions) {
-  const double scale{normalizingScale(positions)};
-  std::vector<Vec3<double>> result;
-  result.reserve(positions.size());
-  for (const auto& p : positions) result.push_back(scale * Vec3<double>(p));
-  return result;
+  return scaledBy(normalizingScale(positions), positions);
+}
+
+template <std::floating_point T>
+std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<T>> positions,
+                                              std::span<const Corners> triangles) {
+  return scaledBy(normalizingScale(positions, triangles), positions);
 }
 
 template <std::floating_point T>
@@ -125,8 +146,14 @@ TriangleShape triangleShape(const std::array<Vec3<double>, 3>& corners) {
 
 template float normalizingScale(std::span<const Vec3<float>>);
 template double normalizingScale(std::span<const Vec3<double>>);
+template float normalizingScale(std::span<const Vec3<float>>, std::span<const Corners>);
+template double normalizingScale(std::span<const Vec3<double>>, std::span<const Corners>);
 template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<float>>);
 template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<double>>);
+template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<float>>,
+                                                       std::span<const Corners>);
+template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<double>>,
+                                                       std::span<const Corners>);
 template std::vector<Box<double>> triangleBoxes(std::span<const Vec3<float>>,
                                                 std::span<const std::array<std::uint32_t, 3>>);
 template std::vector<Box<double>> triangleBoxes(std::span<const Vec3<double>>,

@@ -32,9 +32,19 @@ struct PolygonArea {
 template <std::floating_point T>
 [[nodiscard]] T normalizingScale(std::span<const Vec3<T>> positions);
 
+/// The same for the corners of triangles, which are indices of positions. Positions that are no
+/// corner may be anywhere.
+template <std::floating_point T>
+[[nodiscard]] T normalizingScale(std::span<const Vec3<T>> positions,
+                                 std::span<const std::array<std::uint32_t, 3>> triangles);
+
 /// Every position times normalizingScale().
 template <std::floating_point T>
 [[nodiscard]] std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<T>> positions);
+/// The same for the corners of triangles; other positions may overflow.
+template <std::floating_point T>
+[[nodiscard]] std::vector<Vec3<double>> normalizedPositions(
+    std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// The box of each triangle, whose corners are indices of positions.
 template <std::floating_point T>
@@ -55,6 +65,14 @@ extern template float normalizingScale(std::span<const Vec3<float>>);
 extern template double normalizingScale(std::span<const Vec3<double>>);
 extern template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<float>>);
 extern template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<double>>);
+extern template float normalizingScale(std::span<const Vec3<float>>,
+                                       std::span<const std::array<std::uint32_t, 3>>);
+extern template double normalizingScale(std::span<const Vec3<double>>,
+                                        std::span<const std::array<std::uint32_t, 3>>);
+extern template std::vector<Vec3<double>> normalizedPositions(
+    std::span<const Vec3<float>>, std::span<const std::array<std::uint32_t, 3>>);
+extern template std::vector<Vec3<double>> normalizedPositions(
+    std::span<const Vec3<double>>, std::span<const std::array<std::uint32_t, 3>>);
 extern template std::vector<Box<double>> triangleBoxes(
     std::span<const Vec3<float>>, std::span<const std::array<std::uint32_t, 3>>);
 extern template std::vector<Box<double>> triangleBoxes(

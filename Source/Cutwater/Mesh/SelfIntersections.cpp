@@ -131,7 +131,7 @@ SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
                                         std::span<const Corners> triangles,
                                         const SelfIntersectionOptions& options) {
   requireTriangles(positions, triangles);
-  return searchWithOwnTree(normalizedPositions(positions), triangles, {}, options);
+  return searchWithOwnTree(normalizedPositions(positions, triangles), triangles, {}, options);
 }
 
 template <std::floating_point T>
@@ -140,7 +140,7 @@ SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
                                         const SelfIntersectionOptions& options) {
   requireTriangles(positions, triangles);
   const auto boxes = triangleBoxes(positions, triangles);
-  return Search(normalizedPositions(positions), triangles, {}, boxes, tree).run(options);
+  return Search(normalizedPositions(positions, triangles), triangles, {}, boxes, tree).run(options);
 }
 
 template <std::floating_point T>
@@ -154,7 +154,8 @@ SelfIntersections findSelfIntersections(const DcelMesh<T>& mesh,
       faces.push_back(index(face));
     }
   }
-  return searchWithOwnTree(normalizedPositions(mesh.positions()), triangles, faces, options);
+  return searchWithOwnTree(normalizedPositions<T>(mesh.positions(), triangles), triangles, faces,
+                           options);
 }
 
 template SelfIntersections findSelfIntersections(std::span<const Vec3<float>>,

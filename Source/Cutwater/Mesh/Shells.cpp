@@ -23,7 +23,7 @@ class ShellSearch {
   ShellOrientation run(NestedShells nested) {
     if (someRunTheSameWay_) orientPieces();
     takeTriangles();
-    const auto positions = normalizedPositions(mesh_.positions());
+    const auto positions = normalizedPositions<T>(mesh_.positions(), triangles_);
     auto shells = connectShells(triangles_, positions.size(), neighbours_);
     const auto openEdges = findOpenEdges(triangles_, positions.size(), neighbours_);
     result_.insideOut = insideOutShells(

@@ -81,7 +81,7 @@ struct TriangleSurface {
   std::span<const std::uint32_t> polygons;  ///< per triangle: the face it is part of
   std::span<const std::uint32_t> patches;   ///< per polygon
   T scale = 1;                              ///< position here = scale * position of the mesh
-  T size = 0;                               ///< length of the longest position vector
+  T size = 0;                               ///< length of the longest corner's position vector
   Box<double> box;                          ///< of all corners of triangles
 
   /// A triangle by its id, in the precision of the surface, and in double.

@@ -85,8 +85,7 @@ void TriangleSurfaceData<T>::takeOriented(const DcelMesh<T>& triangles) {
 
 template <std::floating_point T>
 void TriangleSurfaceData<T>::take(const DcelMesh<T>& triangles) {
-  takePositions(triangles.positions());
-  pseudonormals_.reserve(positions_.size());
+  pseudonormals_.reserve(triangles.positions().size());
   for (const VertexId v : triangles.vertices()) pseudonormals_.push_back(triangles.pseudonormal(v));
   auto& corners = triangles_.own();
   auto& neighbours = neighbours_.own();
@@ -103,6 +102,7 @@ void TriangleSurfaceData<T>::take(const DcelMesh<T>& triangles) {
       }
     }
   });
+  takePositions(triangles.positions());
 }
 
 template <std::floating_point T>
@@ -127,11 +127,13 @@ TriangleSurfaceData<T>::TriangleSurfaceData(const TriangleSurface<T>& before,
 
 template <std::floating_point T>
 void TriangleSurfaceData<T>::takePositions(std::span<const Vec3<T>> positions) {
-  scale_ = normalizingScale(positions);
+  scale_ = normalizingScale(positions, triangles());
+  // Points of no triangle may be too far away for this scale.
+  constexpr T kMost = std::numeric_limits<T>::max();
+  constexpr Vec3<T> kFarthest{kMost, kMost, kMost};
   positions_.reserve(positions.size());
   for (const auto& p : positions) {
-    positions_.push_back(scale_ * p);
-    size_ = std::max(size_, length(positions_.back()));
+    positions_.push_back(min(max(scale_ * p, -kFarthest), kFarthest));
   }
 }
 
@@ -146,10 +148,11 @@ void TriangleSurfaceData<T>::orientAgain(std::span<const Vec3<T>> positions,
                     : connectShells(triangles(), positions.size(), neighbours_.view());
   turnShells(shells, wereInsideOut);
   if (!signs.isClosed()) findEdges();
-  orientation_.insideOut = insideOutShells({.positions = normalizedPositions(positions),
-                                            .triangles = triangles(),
-                                            .shells = shells,
-                                            .openEdges = openEdges_});
+  orientation_.insideOut =
+      insideOutShells({.positions = normalizedPositions(positions, triangles()),
+                       .triangles = triangles(),
+                       .shells = shells,
+                       .openEdges = openEdges_});
   turnShells(shells, orientation_.insideOut);
   if (!signs.isClosed() && !orientation_.insideOut.empty()) findEdges();
   orientation_.firstFaces = std::move(shells.firstTriangles);
@@ -171,7 +174,10 @@ void TriangleSurfaceData<T>::turnShells(const ConnectedShells& shells,
 template <std::floating_point T>
 void TriangleSurfaceData<T>::measureTriangles() {
   for (const auto& triangle : triangles()) {
-    for (const auto v : triangle) box_.extend(Vec3<double>(positions_[v]));
+    for (const auto v : triangle) {
+      box_.extend(Vec3<double>(positions_[v]));
+      size_ = std::max(size_, length(positions_[v]));
+    }
   }
   markSlivers();
 }
