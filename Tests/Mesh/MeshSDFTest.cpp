@@ -238,5 +238,33 @@ TYPED_TEST(MeshSDFTest, IgnoresFacesWithRepeatedCorners) {
   EXPECT_EQ(MeshSDF<T>(soup).signedDistance({3, T(0.5), T(0.5)}), T(2));
 }
 
+PolygonSoup boxWithoutLid() {
+  auto open = tessellation::box({0, 0, 0}, {1, 1, 1});
+  PolygonSoup result;
+  result.points = open.points;
+  for (std::size_t i = 0; i < open.polygonCount(); ++i) {
+    const auto isAbove = [&](std::uint32_t v) { return open.points[v].z == 1; };
+    if (!std::ranges::all_of(open.polygon(i), isAbove)) result.addPolygon(open.polygon(i));
+  }
+  return result;
+}
+
+TYPED_TEST(MeshSDFTest, TheGradientPointsAwayFromOpenSurfaces) {
+  using T = TypeParam;
+  PolygonSoup square;
+  square.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  square.addPolygon(std::array{0U, 1U, 2U, 3U});
+  const MeshSDF<T> sheet(square);  // everywhere outside
+  EXPECT_EQ(sheet.gradient({T(0.5), T(0.25), -2}), (Vec3<T>{0, 0, -1}));
+  EXPECT_EQ(sheet.gradient({T(0.5), T(0.25), 2}), (Vec3<T>{0, 0, 1}));
+  EXPECT_EQ(sheet.gradient({T(0.5), T(0.25), 0}), (Vec3<T>{0, 0, 1}));
+  const MeshSDF<T> mesh(boxWithoutLid());
+  const Vec3<T> beside = normalized(Vec3<T>{2, 0, 1});
+  EXPECT_LE(length(mesh.gradient({3, T(0.5), 2}) - beside), tolerance<T>(1));
+  const Vec3<T> within{T(0.5), T(0.5), T(0.125)};
+  EXPECT_LT(mesh.signedDistance(within), 0);
+  EXPECT_EQ(mesh.gradient(within), (Vec3<T>{0, 0, -1}));
+}
+
 }  // namespace
 }  // namespace cutwater::test

@@ -171,8 +171,9 @@ template <std::floating_point T>
 Vec3<T> TriangleSurfaceSDF<T>::localGradient(const Vec3<T>& point) const {
   const auto hit = localClosestPoint(point);
   const Vec3<T> away = hit.distance < 0 ? hit.point - point : point - hit.point;
+  const T rounding = 2 * surface_.error(scaled(point)) / surface_.scale;
   // On the surface the direction is lost to rounding; its limit is the pseudonormal.
-  return std::abs(hit.distance) > 64 * hit.tolerance ? normalized(away) : hit.normal;
+  return std::abs(hit.distance) > 64 * rounding ? normalized(away) : hit.normal;
 }
 
 template <std::floating_point T>
