@@ -16,7 +16,7 @@ template <typename T>
 std::vector<Vec3<T>> probesOf(const MeshSDF<T>& mesh) {
   constexpr std::size_t kMost = 6;
   std::vector<Vec3<T>> probes;
-  const auto box = mesh.boundingBox();
+  const auto box = mesh.surfaceBox();
   if (isFinite(box.lower) && isFinite(box.upper)) {
     probes = {box.lower, T(0.5) * box.lower + T(0.5) * box.upper, T(1.5) * box.upper};
   }
@@ -33,7 +33,7 @@ std::vector<Vec3<T>> probesOf(const MeshSDF<T>& mesh) {
 template <typename T>
 bool isOfOrdinarySize(const MeshSDF<T>& mesh) {
   constexpr bool kSingle = sizeof(T) == sizeof(float);
-  const auto box = mesh.boundingBox();
+  const auto box = mesh.surfaceBox();
   const T size = std::max(maxComponent(abs(box.lower)), maxComponent(abs(box.upper)));
   return T(kSingle ? 1e-18 : 1e-150) < size && size < T(kSingle ? 1e18 : 1e150);
 }

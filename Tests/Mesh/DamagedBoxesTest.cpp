@@ -167,6 +167,24 @@ TYPED_TEST(DamagedBoxesTest, OfOverlappingAndNestedMeshesAreRight) {
   expectBoxes<T>(together(plainBox({0, 0, 0}, {1, 1, 1}), plainBox({1, 0, 0}, {2, 1, 1})));
 }
 
+// Within an overlap the sign changes where another sheet becomes the nearest one.
+TYPED_TEST(DamagedBoxesTest, OfOverlappingMeshesByTheNearestSheetAreRight) {
+  using T = TypeParam;
+  const auto soup =
+      together(plainBox({0, 0, 0}, {1, 1, 1}), plainBox({0.5, 0.25, 0.25}, {2, 0.75, 0.75}));
+  const MeshSDF<T> mesh(soup, {.signs = SignScheme::NearestFeature});
+  EXPECT_FALSE(mesh.guarantee().continuous);
+  EXPECT_FALSE(mesh.guarantee().lipschitz);
+  EXPECT_EQ(mesh.guarantee().inside, Quality::SignOnly);
+  BoxCheck<T> check(mesh, false);
+  RandomPoints<T> random(T(0.3));
+  for (int i = 0; i < scaled(100); ++i) {
+    const auto p = Vec3<T>{T(0.75), T(0.5), T(0.5)} + random.next();
+    const auto half = static_cast<T>(std::pow(0.5, 4 + i % 8));
+    check.check({p - Vec3<T>{half, half, half}, p + Vec3<T>{half, half, half}});
+  }
+}
+
 TYPED_TEST(DamagedBoxesTest, AwayFromOpenMeshesMostAreDecided) {
   using T = TypeParam;
   for (const auto& soup : {sphereWithAHole(), bowl(16)}) {

@@ -266,5 +266,18 @@ TYPED_TEST(MeshSDFTest, TheGradientPointsAwayFromOpenSurfaces) {
   EXPECT_EQ(mesh.gradient(within), (Vec3<T>{0, 0, -1}));
 }
 
+TYPED_TEST(MeshSDFTest, BehindAnOpenSurfaceByTheNearestFeatureIsNoBound) {
+  using T = TypeParam;
+  PolygonSoup triangle;
+  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.addPolygon(std::array{0U, 1U, 2U});
+  const MeshSDF<T> mesh(triangle, {.signs = SignScheme::NearestFeature});
+  const Vec3<T> behind{T(0.25), T(0.25), -5};
+  EXPECT_EQ(mesh.signedDistance(behind), T(-5));
+  EXPECT_TRUE(mesh.boundingBox().contains(behind));
+  EXPECT_TRUE(MeshSDF<T>::view(mesh.toBytes()).boundingBox().contains(behind));
+  EXPECT_EQ(mesh.surfaceBox(), (Box<T>{{0, 0, 0}, {1, 1, 0}}));
+}
+
 }  // namespace
 }  // namespace cutwater::test

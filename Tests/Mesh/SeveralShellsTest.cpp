@@ -1,3 +1,5 @@
+#include <Cutwater/Sdf/Solid.hpp>
+
 #include "DamageChecks.hpp"
 
 namespace cutwater::test {
@@ -80,6 +82,21 @@ TYPED_TEST(SeveralShellsTest, CavitiesStay) {
   const auto mesh = expectMesh<T>(hollow, {.shells = 2, .meant = isWall});
   EXPECT_GT(mesh.signedDistance({0, 0, 0}), T(0.45));
   expectMesh<T>(insideOut(hollow), {.shells = 2, .turnedShells = 2, .meant = isWall});
+}
+
+// A cavity that reaches out of its solid has free space behind its faces, however far away.
+TYPED_TEST(SeveralShellsTest, BehindACavityByTheNearestSheetIsNoBound) {
+  using T = TypeParam;
+  const auto soup = together(plainBox({0, 0, 0}, {1, 1, 1}),
+                             insideOut(plainBox({0.5, 0.25, 0.25}, {2, 0.75, 0.75})));
+  const MeshSDF<T> mesh(soup, {.signs = SignScheme::NearestFeature});
+  ASSERT_TRUE(mesh.signReport().isClosed());
+  const Vec3<T> far{9, T(0.5), T(0.5)};
+  EXPECT_EQ(mesh.signedDistance(far), T(-7));
+  EXPECT_EQ(Solid<T>(mesh).signedDistanceWithin(far, {-10, 1}), T(-7));
+  EXPECT_TRUE(mesh.boundingBox().contains(far));
+  EXPECT_TRUE(mesh.clearanceBox().contains(far));
+  EXPECT_FALSE(MeshSDF<T>(soup).boundingBox().contains(far));
 }
 
 TYPED_TEST(SeveralShellsTest, DuplicateFaces) {

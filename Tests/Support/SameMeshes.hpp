@@ -24,7 +24,7 @@ inline void expectSameReport(const SignReport& a, const SignReport& b) {
 /// Points around the surface and, from its vertices, at distances down to its rounding.
 template <typename T>
 std::vector<Vec3<T>> probesOf(const MeshSDF<T>& mesh) {
-  const auto box = mesh.boundingBox();
+  const auto box = mesh.surfaceBox();
   const T size = box.diagonal();
   RandomPoints<T> random(1);
   std::vector<Vec3<T>> result;
@@ -61,13 +61,13 @@ void expectSame(const MeshSDF<T>& mesh, const MeshSDF<T>& expected, Trees trees 
   for (const auto& p : probesOf(expected)) {
     const auto differing = differingFields(mesh.closestPoint(p), expected.closestPoint(p));
     EXPECT_EQ(differing, "") << "at " << p;
-    const Box<T> box{p, p + T(0.125) * expected.boundingBox().size()};
+    const Box<T> box{p, p + T(0.125) * expected.surfaceBox().size()};
     const auto [lower, upper] = mesh.bounds(box);
     const auto bounds = expected.bounds(box);
     EXPECT_TRUE(isAlike(lower, bounds.lower)) << lower << ", not " << bounds.lower << " at " << p;
     EXPECT_TRUE(isAlike(upper, bounds.upper)) << upper << ", not " << bounds.upper << " at " << p;
     EXPECT_EQ(mesh.classify(box), expected.classify(box)) << p;
-    const Segment<T> across{p, expected.boundingBox().center()};
+    const Segment<T> across{p, expected.surfaceBox().center()};
     const auto any = [](const auto&) { return true; };
     EXPECT_EQ(mesh.crossings(across, any).found, expected.crossings(across, any).found) << p;
     if (::testing::Test::HasFailure() && ++wrong > 3) return;

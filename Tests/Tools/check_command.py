@@ -422,6 +422,11 @@ class Render(CommandTest):
         self.assertIn("--solid", self.succeeds("render", "sheet.off", "-o", "a.png", "--size", "400x300"))
         self.assertGreater(len(self.drawn("--view=+z", file="sheet.off")), 20000)
         self.assertEqual(len(self.drawn("--view=+z", "--solid", file="sheet.off")), 0)
+        (self.folder / "open.off").write_text(OPEN_BOX)
+        both = [self.drawn(*options, file="open.off") for options in [(), ("--signs", "nearest")]]
+        self.assertEqual(both[0], both[1])
+        # By the nearest faces the solid has no end, and ends at the box of its faces.
+        self.assertGreater(len(self.drawn("--signs", "nearest", "--solid", file="open.off")), 20000)
 
     def test_says_what_it_wrote_and_how_long_it_took(self):
         self.box()

@@ -146,7 +146,7 @@ void run(Options options) {
   seconds.startUp = lap();
   memory.withSurface = residentMemory(comm);
   const auto& solid = surface.mesh();
-  const auto domain = domainAround(solid.boundingBox(), options.mesh.roots);
+  const auto domain = domainAround(boxAround(solid), options.mesh.roots);
   lap();
   const DistributedOctree<double> mesh(
       solid, domain, rulesFor(options.mesh.refinement, solid.patchNames()), comm,

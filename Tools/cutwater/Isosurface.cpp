@@ -27,7 +27,7 @@ struct Options {
 void run(Options options) {
   const auto solid = loadSolid(options.surface);
   options.grid.nodes = true;
-  const auto grid = gridAround(solid.boundingBox(), options.grid);
+  const auto grid = gridAround(boxAround(solid), options.grid);
   options.isosurface.threads = options.surface.threads;
   Stopwatch watch;
   PolygonSoup soup;

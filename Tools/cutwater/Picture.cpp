@@ -29,6 +29,15 @@ void addWindow(CLI::App& command, PictureOptions& options) {
       ->type_name("A0,B0,A1,B1");
 }
 
+/// The box in the plane, with a tenth of its size around it.
+SliceWindow<double> windowAround(const Box<double>& box, const SlicePlane<double>& plane) {
+  const auto shown = box.grown(0.1 * maxComponent(box.size()));
+  const auto lower = shown.lower - plane.origin;
+  const auto upper = shown.upper - plane.origin;
+  return {{dot(lower, plane.right), dot(lower, plane.up)},
+          {dot(upper, plane.right), dot(upper, plane.up)}};
+}
+
 }  // namespace
 
 void addSizeOption(CLI::App& command, int& width, int& height) {
@@ -65,10 +74,15 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
   command.add_option("--unit", options.slice.unit, "Unit of lengths, for the labels: m");
 }
 
-void writePicture(const SignedDistanceFunction<double>& solid, const SurfaceOptions& surface,
+void writePicture(const Solid<double>& solid, const SurfaceOptions& surface,
                   PictureOptions options) {
   auto& slice = options.slice;
-  const double at = options.at.value_or(solid.boundingBox().center()[options.axis]);
+  const auto box = boxAround(solid);
+  const double at = options.at.value_or(box.center()[options.axis]);
+  const auto plane = SlicePlane<double>::across(options.axis, at);
+  if (!slice.window && !isFinite(solid.boundingBox()) && isFinite(box)) {
+    slice.window = windowAround(box, plane);
+  }
   const auto axis = "xyz"[options.axis];
   if (slice.title.empty()) {
     slice.title = fileName(surface) + ", " + axis + " = " + number(at, 4) +
@@ -79,8 +93,7 @@ void writePicture(const SignedDistanceFunction<double>& solid, const SurfaceOpti
     ProgressBar bar("drawing", !surface.quiet);
     slice.threads = surface.threads;
     slice.progress = bar.callback();
-    writePng(options.output,
-             renderSlice(solid, SlicePlane<double>::across(options.axis, at), slice));
+    writePng(options.output, renderSlice(solid, plane, slice));
   }
   if (surface.quiet) return;
   std::cout << "wrote " << options.output << ": " << slice.width << " x " << slice.height

@@ -26,7 +26,7 @@ void addSizeOption(CLI::App& command, int& width, int& height);
 void addPictureOptions(CLI::App& command, PictureOptions& options);
 
 /// Draws and writes the picture, and reports that unless --quiet is given.
-void writePicture(const SignedDistanceFunction<double>& solid, const SurfaceOptions& surface,
+void writePicture(const Solid<double>& solid, const SurfaceOptions& surface,
                   PictureOptions options);
 
 }  // namespace cutwater::tool

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Io/Png.hpp>
+#include <Cutwater/Operations/UnaryOperation.hpp>
 #include <Cutwater/Render/PatchColors.hpp>
 #include <Cutwater/Render/Render.hpp>
 
@@ -31,6 +32,39 @@ struct Options {
   std::string output;
   bool solid = false;
   bool noAxes = false;
+};
+
+/// The sheets of a mesh, which enclose nothing: distances without signs are faster to compute.
+class Sheets final : public UnaryOperation<double> {
+ public:
+  explicit Sheets(const MeshSDF<double>& mesh)
+      : UnaryOperation(
+            MeshSDF<double>(mesh.soup(), {.signs = SignScheme::NearestFeature, .probes = 0})),
+        box_(mesh.surfaceBox()) {}
+
+ private:
+  [[nodiscard]] double localSignedDistance(const Vec3<double>& p) const override {
+    return std::abs(operand().signedDistance(p));
+  }
+  void localSignedDistances(std::span<const Vec3<double>> points,
+                            std::span<double> distances) const override {
+    operandValues(points, distances);
+    for (auto& distance : distances) distance = std::abs(distance);
+  }
+  [[nodiscard]] SurfacePoint<double> localClosestPoint(const Vec3<double>& p) const override {
+    return operand().closestPoint(p);
+  }
+  void localClosestPoints(std::span<const Vec3<double>> points,
+                          std::span<SurfacePoint<double>> results) const override {
+    operandPoints(points, results);
+  }
+  [[nodiscard]] Guarantee<double> localGuarantee() const override {
+    return Guarantee<double>::exact(operand().guarantee().size);
+  }
+  [[nodiscard]] Box<double> localBoundingBox() const override { return box_; }
+  [[nodiscard]] std::string localName() const override { return "Sheets"; }
+
+  Box<double> box_;
 };
 
 /// "z=0.5", "z=0.5:upper".
@@ -122,14 +156,16 @@ void run(Options options) {
   auto& render = options.render;
   const auto* const mesh = solid.as<MeshSDF<double>>();
   render.sheets = mesh != nullptr && !mesh->signReport().isClosed() && !options.solid;
-  // Signs do not matter then, and these are faster to compute.
   if (render.sheets && options.cuts.empty()) {
-    Solid<double> quicker(MeshSDF<double>(mesh->soup(), {.signs = SignScheme::NearestFeature}));
+    Solid<double> quicker(Sheets{*mesh});
     quicker.setPlacement(solid.placement());
     solid = std::move(quicker);
   }
   // An unbounded solid ends at the box that is shown.
-  if (!isFinite(solid.boundingBox())) render.region = render.show;
+  if (!isFinite(solid.boundingBox())) {
+    render.region = render.show;
+    if (const auto box = boxAround(solid); !render.show && isFinite(box)) render.region = box;
+  }
   render.axes = !options.noAxes;
   if (render.title.empty()) render.title = fileName(options.surface);
   for (const auto& cut : options.cuts) {

@@ -72,7 +72,7 @@ void report(const Options& options, const Patch<double>& grid, const Fields& fie
 
 void run(const Options& options) {
   const auto solid = loadSolid(options.surface);
-  const auto grid = gridAround(solid.boundingBox(), options.grid);
+  const auto grid = gridAround(boxAround(solid), options.grid);
   const Fields fields(grid.indices, options.write);
   Stopwatch watch;
   {

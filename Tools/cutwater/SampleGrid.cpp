@@ -40,7 +40,8 @@ Patch<double> gridAround(const Box<double>& surface, const GridRequest& request)
   auto box = request.box ? *request.box : surface.grown(margin);
   const auto size = box.size();
   if (!(size.x > 0 && size.y > 0 && size.z > 0) || !isFinite(size)) {
-    throw Error(ErrorKind::Argument, "the box of the grid has no extent or no end");
+    throw Error(ErrorKind::Argument,
+                "the box of the grid has no extent or no end: --box sets another");
   }
   std::array<std::int32_t, 3> count{};
   Vec3<double> spacing;

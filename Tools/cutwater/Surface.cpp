@@ -204,6 +204,12 @@ Solid<double> loadSolid(const SurfaceOptions& options) {
   return solid;
 }
 
+Box<double> boxAround(const Solid<double>& solid) {
+  const auto box = solid.boundingBox();
+  const auto* const mesh = solid.as<MeshSDF<double>>();
+  return mesh == nullptr || isFinite(box) ? box : solid.placement().toWorld(mesh->surfaceBox());
+}
+
 std::uint64_t sourceHash(const SurfaceOptions& options) {
   if (const auto info = geometryFileInfo(options.file)) return info->source;
   std::error_code ignored;

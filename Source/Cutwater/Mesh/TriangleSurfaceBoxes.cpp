@@ -78,7 +78,7 @@ Interval<T> TriangleSurfaceSDF<T>::localBounds(const OrientedBox<T>& box, BoxHin
   if (least > 0 && hasNoJump(box.bounds())) {
     return hit.distance < 0 ? Interval<T>{-most, -least} : Interval<T>{least, most};
   }
-  if (!signs_.isClosed()) return {-most, most};
+  if (signJumps_) return {-most, most};
   return {std::max(range.lower, -most), std::min(range.upper, most)};
 }
 
@@ -99,7 +99,7 @@ template <std::floating_point T>
 BoxClass TriangleSurfaceSDF<T>::classOfClear(const OrientedBox<T>& box, const Vec3<T>& p,
                                              const Nearest& nearest, BoxHint* hint) const {
   const auto found = side(p, nearest) < 0 ? BoxClass::Inside : BoxClass::Outside;
-  if (hint == nullptr || !signs_.isClosed()) return found;
+  if (hint == nullptr || signJumps_) return found;
   // Boxes within this one get the same class if there is room even for their rounding.
   const auto q = scaled(box);
   const double room = std::sqrt(double{nearest.distanceSquared}) - 8 * double{nearest.error};

@@ -25,10 +25,7 @@ constexpr T kLeastDepth = T(sizeof(T) == sizeof(float) ? 0x1p-63 : 0x1p-511);
 template <std::floating_point T>
 void TriangleSurfaceSDF<T>::setSurface(const Surface& surface, double margin) {
   surface_ = surface;
-  // The corners are numbers of type T.
-  box_ = {static_cast<Vec3<T>>(surface.box.lower) / surface.scale,
-          static_cast<Vec3<T>>(surface.box.upper) / surface.scale};
-  box_ = box_.grown(static_cast<T>(margin) / surface.scale);
+  box_ = surfaceBox().grown(static_cast<T>(margin) / surface.scale);
 }
 
 template <std::floating_point T>
@@ -37,6 +34,17 @@ void TriangleSurfaceSDF<T>::setSigns(const SignReport& signs, SignScheme wanted)
   signs_.scheme = wanted != SignScheme::Automatic ? wanted
                   : signs.isSound()               ? SignScheme::NearestFeature
                                                   : SignScheme::WindingNumber;
+  const bool byNearest = signs_.scheme == SignScheme::NearestFeature;
+  signJumps_ = byNearest ? !signs_.isSound() : !signs_.isClosed();
+  // Behind the nearest triangle is inside, however far away.
+  if (byNearest && signJumps_) box_ = Box<T>::everywhere();
+}
+
+template <std::floating_point T>
+Box<T> TriangleSurfaceSDF<T>::surfaceBox() const {
+  // The corners are numbers of type T.
+  return {static_cast<Vec3<T>>(surface_.box.lower) / surface_.scale,
+          static_cast<Vec3<T>>(surface_.box.upper) / surface_.scale};
 }
 
 template <std::floating_point T>
@@ -105,7 +113,7 @@ T TriangleSurfaceSDF<T>::localSignedDistanceWithin(const Vec3<T>& point,
   constexpr T kInf = std::numeric_limits<T>::infinity();
   const T radius = std::max(wanted.upper, T(0));
   const Vec3<T> p = scaled(point);
-  if (!(radius < kInf) || !signs_.isClosed() || maxComponent(abs(p)) >= kFarthest<T> ||
+  if (!(radius < kInf) || signJumps_ || maxComponent(abs(p)) >= kFarthest<T> ||
       !leavesBox(point, radius)) {
     return localSignedDistance(point);
   }
@@ -160,10 +168,10 @@ SurfacePoint<T> TriangleSurfaceSDF<T>::closestPointAt(const Vec3<T>& point, cons
                                                       const Nearest& nearest) const {
   auto result = surface_.surfacePoint(p, nearest);
   result.distance = valueAt(point, p, nearest);
-  // Where shells overlap, the nearest triangle need not be part of the solid's surface; and the
-  // sheet that closes a hole may be nearer than any.
+  // Where shells overlap, the nearest triangle need not be part of the solid's surface; and a place
+  // where the sign jumps may be nearer than any.
   result.exact = signs_.isSound() && nearest.triangle != kNone;
-  if (!signs_.isClosed()) result.tolerance = std::numeric_limits<T>::infinity();
+  if (signJumps_) result.tolerance = std::numeric_limits<T>::infinity();
   return result;
 }
 
@@ -183,8 +191,8 @@ SurfaceOwner TriangleSurfaceSDF<T>::localOwner(const Vec3<T>& point) const {
 
 template <std::floating_point T>
 bool TriangleSurfaceSDF<T>::isJumpFree(const Box<double>& box) const {
-  if (signs_.isClosed()) return true;
-  // Where the sign by pseudonormals flips away from an open surface is not known.
+  if (!signJumps_) return true;
+  // Where the sign flips as another triangle becomes the nearest is not known.
   return signs_.scheme == SignScheme::WindingNumber && isDecided(box);
 }
 
@@ -225,8 +233,7 @@ Guarantee<T> TriangleSurfaceSDF<T>::localGuarantee() const {
   if (signs_.isSound()) return result;
   // The distance to the nearest triangle, whether or not it is on the surface of the union.
   result.outside = result.inside = Quality::LowerBound;
-  if (signs_.isClosed()) return result;
-  // The sign jumps where the sheet of winding number 1/2 closes a hole.
+  if (!signJumps_) return result;
   result.outside = result.inside = Quality::SignOnly;
   result.lipschitz.reset();
   result.continuous = false;

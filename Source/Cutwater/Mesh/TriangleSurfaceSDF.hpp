@@ -17,6 +17,9 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   /// The corners of a triangle as numbered by closestPoint(), in the mesh's own frame.
   /// @throws Error if there is no such triangle.
   [[nodiscard]] std::array<Vec3<T>, 3> triangle(std::uint32_t id) const;
+  /// The box of all triangles, in the mesh's own frame: where to look at a surface that is open, or
+  /// meets itself, and has its signs by the nearest feature, as the solid is then unbounded.
+  [[nodiscard]] Box<T> surfaceBox() const;
   /// How signs are decided, and what that is based on.
   [[nodiscard]] const SignReport& signReport() const { return signs_; }
 
@@ -93,7 +96,7 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] Guarantee<T> localGuarantee() const final;
   [[nodiscard]] Box<T> localBoundingBox() const final { return box_; }
   [[nodiscard]] Box<T> localClearanceBox() const final {
-    return signs_.isClosed() ? box_ : Box<T>::everywhere();  // no triangle is beyond it
+    return signJumps_ ? Box<T>::everywhere() : box_;  // no triangle is beyond it
   }
   [[nodiscard]] std::string localName() const final;
   // `point` and, in the surface's units, `p` are the same point.
@@ -122,6 +125,9 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
 
   Surface surface_;
   SignReport signs_;
+  /// Away from triangles: at the sheet of winding number 1/2 that closes a hole or, by the nearest
+  /// feature, where an open surface or one that meets itself has another nearest triangle.
+  bool signJumps_ = false;
   Box<T> box_;
 };
 
