@@ -13,10 +13,9 @@ enum class SignScheme : std::uint8_t {
   Automatic,
   /// By the side of the nearest triangles, and by exact parity where those disagree: the fastest
   /// scheme, and never wrong on a closed surface without self-intersections. On open surfaces the
-  /// sign is that of the pseudonormal, which may suit a sheet. Where a surface is not sound the
-  /// sign
-  /// then jumps, and the solid behind it may have no end: its guarantee is SignOnly, its
-  /// boundingBox() infinite, and few boxes are decided.
+  /// sign is that of the pseudonormal, which may suit a sheet. Where a surface is not sound, the sign
+  /// jumps, and the solid behind it may have no end: the guarantee is SignOnly, boundingBox() is
+  /// infinite, and few boxes are decided.
   NearestFeature,
   /// Inside where the winding number exceeds 1/2, for any surface. Overlapping shells form a union;
   /// holes are closed by the sheet on which the winding number is 1/2.
