@@ -43,6 +43,22 @@ void expectConsistent(const SignedDistanceFunction<T>& solid, const Segment<T>& 
   ASSERT_EQ(inside, solid.signedDistance(segment.end) < 0) << segment.start << segment.end;
 }
 
+/// Without the top of its box.
+PolygonSoup withoutLid(const PolygonSoup& soup) {
+  double top = -Box<double>::kMost;
+  for (const auto& p : soup.points) top = std::max(top, p.z);
+  PolygonSoup open;
+  open.points = soup.points;
+  open.patchNames = soup.patchNames;
+  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
+    const auto corners = soup.polygon(i);
+    if (!std::ranges::all_of(corners, [&](auto c) { return soup.points[c].z == top; })) {
+      open.addPolygon(corners, soup.patches[i]);
+    }
+  }
+  return open;
+}
+
 TYPED_TEST(MeshCrossingsTest, TellsWhereAndWhichFace) {
   using T = TypeParam;
   const MeshSDF<T> box(tessellation::box({-1, -1, -1}, {1, 1, 1}));
@@ -116,17 +132,7 @@ TYPED_TEST(MeshCrossingsTest, OverlapsAreNoSurface) {
 TYPED_TEST(MeshCrossingsTest, AHoleIsClosedByTheSheetOfHalf) {
   using T = TypeParam;
   // A box without lid at z = 1; along its axis half is reached exactly in the lid's plane.
-  auto tray = tessellation::box({-1, -1, -1}, {1, 1, 1});
-  const MeshSDF<T> closed(tray);
-  std::size_t lid = 0;
-  while (closed.closestPoint({0, 0, 2}).owner.face != lid) ++lid;
-  PolygonSoup open;
-  open.points = tray.points;
-  open.patchNames = {"tray"};
-  for (std::size_t i = 0; i < tray.polygonCount(); ++i) {
-    if (i != lid) open.addPolygon(tray.polygon(i));
-  }
-  const MeshSDF<T> mesh(open);
+  const MeshSDF<T> mesh(withoutLid(tessellation::box({-1, -1, -1}, {1, 1, 1})));
   ASSERT_FALSE(mesh.guarantee().continuous);
   const Segment<T> through{{T(0.1), T(0.2), -2}, {T(0.1), T(0.2), 2}};
   expectConsistent<T>(mesh, through);
@@ -156,6 +162,104 @@ TYPED_TEST(MeshCrossingsTest, StopsWhenToldAndAllowsForFarEnds) {
   EXPECT_NEAR(found[0].point.x, 100, 10);
   EXPECT_NEAR(sphere.signedDistance({far, far, 0}) / far, std::sqrt(2.0), 1e-6);
   EXPECT_EQ(crossingsOf<T>(sphere, {{0, 0, 0}, {0, 0, 0}}).size(), 0U);
+}
+
+TYPED_TEST(MeshCrossingsTest, OpenMeshesMissNoWall) {
+  using T = TypeParam;
+  const double far = sizeof(T) == sizeof(float) ? 100 : 1e7;
+  for (const double offset : {0.0, far}) {
+    const Vec3<T> origin{T(offset), T(offset), T(offset)};
+    const Vec3<double> corner(origin);
+    const MeshSDF<T> mesh(withoutLid(tessellation::box(corner, corner + Vec3<double>{1, 1, 1})));
+    RandomPoints<T> random(1);
+    for (int i = 0; i < 200; ++i) {
+      const Vec3<T> a = random.next();
+      const Vec3<T> b = random.next();
+      const Segment<T> segment{origin + Vec3<T>{T(-1.5), T(0.5), T(0.2)} + T(0.1) * a,
+                               origin + Vec3<T>{T(2.5), T(0.5), T(0.2)} + T(0.1) * b};
+      expectConsistent<T>(mesh, segment);
+      const auto found = crossingsOf<T>(mesh, segment);
+      ASSERT_EQ(found.size(), 2U) << segment.start << segment.end;
+      EXPECT_LT(found[0].normal.x, T(-0.999));
+      EXPECT_GT(found[1].normal.x, T(0.999));
+      EXPECT_NE(found[0].owner.face, found[1].owner.face);
+    }
+  }
+}
+
+TYPED_TEST(MeshCrossingsTest, ThinPlatesBesideAnOpenTriangle) {
+  using T = TypeParam;
+  // Each thinner than any point beside them can be told from them.
+  const double thickness = sizeof(T) == sizeof(float) ? 1e-6 : 1e-14;
+  auto soup = tessellation::box({1, 0, 0}, {1 + thickness, 1, 1});
+  for (const double x : {2.0, 2.5}) {
+    soup = together(soup, tessellation::box({x, 0, 0}, {x + thickness, 1, 1}));
+  }
+  soup = together(soup, makeSoup({{0, 9, 0}, {1, 9, 0}, {0, 9.5, 0}}, {{0, 1, 2}}));
+  const MeshSDF<T> mesh(soup);
+  std::size_t found = 0;
+  const auto count = mesh.crossings({{T(-0.3), T(0.3), T(0.4)}, {T(3.2), T(0.7), T(0.6)}},
+                                    [&](const Crossing<T>& c) {
+                                      EXPECT_GT(std::abs(c.normal.x), T(0.999));
+                                      EXPECT_EQ(c.entering, found % 2 == 0);
+                                      ++found;
+                                      return true;
+                                    });
+  EXPECT_EQ(found, 6U);
+  EXPECT_EQ(count.unresolved, 0U);
+}
+
+TYPED_TEST(MeshCrossingsTest, InThePlaneOfAHoleRoundingCrossesNothing) {
+  using T = TypeParam;
+  const auto tray = withoutLid(tessellation::box({0, 0, 0}, {1, 1, T(0.7)}));
+  const MeshSDF<T> mesh(tray);
+  RandomPoints<T> random(3);
+  for (int i = 0; i < 100; ++i) {
+    const auto a = random.next();
+    const auto b = random.next();
+    EXPECT_EQ(crossingsOf<T>(mesh, {{T(-0.5), a.y, T(0.7)}, {T(1.5), b.y, T(0.7)}}).size(), 0U);
+  }
+}
+
+TYPED_TEST(MeshCrossingsTest, FarEndsDoNotMoveTheLine) {
+  using T = TypeParam;
+  for (const auto& soup : {tessellation::box({0.5, 0.5, 0.5}, {1, 1, 1}),
+                           withoutLid(tessellation::box({0.5, 0.5, 0.5}, {1, 1, 1}))}) {
+    const MeshSDF<T> box(soup);
+    for (const int exponent : {10, 30, 62, 90, 125}) {
+      const T far = std::ldexp(T(1), exponent);
+      for (const Segment<T>& segment :
+           {Segment<T>{{-far, T(0.75), T(0.625)}, {far, T(0.75), T(0.625)}},
+            Segment<T>{{-far, -far, T(0.625)}, {far, far, T(0.625)}}}) {
+        expectConsistent<T>(box, segment);
+        const auto found = crossingsOf<T>(box, segment);
+        ASSERT_EQ(found.size(), 2U) << segment.start << segment.end;
+        EXPECT_NEAR(found[0].point.x, 0.5, 1e-6);
+        EXPECT_NEAR(found[1].point.x, 1, 1e-6);
+        EXPECT_EQ(found[0].point.z, T(0.625));
+      }
+      const auto one = crossingsOf<T>(box, {{T(0.75), T(0.75), T(0.625)}, {far, far, far}});
+      EXPECT_EQ(one.size(), 1U);
+    }
+  }
+}
+
+TYPED_TEST(MeshCrossingsTest, ASegmentWithoutLengthHasNone) {
+  using T = TypeParam;
+  const auto torus = tessellation::torus(1, 0.375, 8, 6);
+  PolygonSoup open;
+  open.points = torus.points;
+  open.patchNames = torus.patchNames;
+  for (std::size_t i = 7; i < torus.polygonCount(); ++i) open.addPolygon(torus.polygon(i));
+  for (const auto signs : {SignScheme::NearestFeature, SignScheme::WindingNumber}) {
+    MeshSDF<T> mesh(open, {.signs = signs});
+    mesh.rotate(T(33), 2);
+    for (const auto& vertex : open.points) {
+      const auto p = mesh.placement().toWorld(Vec3<T>(vertex));
+      EXPECT_EQ(crossingsOf<T>(mesh, {p, p}).size(), 0U);
+      for (const auto& c : crossingsOf<T>(mesh, {p, {}})) EXPECT_NEAR(length(c.normal), 1, 1e-6);
+    }
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Mesh/OpenWinding.hpp>
 #include <Cutwater/Mesh/PassageWalk.hpp>
 
 namespace cutwater {
@@ -12,25 +13,35 @@ struct MeshField {
   FunctionRef<typename TriangleSurface<T>::Nearest(const Vec3<T>&)> nearest;
   /// Whether the function is negative.
   FunctionRef<bool(const Vec3<T>&)> isInside;
-  /// Whether the sign certainly does not change in the box except at triangles.
-  FunctionRef<bool(const Box<double>&)> isJumpFree;
+  /// Decides signs if the surface is not closed; without it, pseudonormals do.
+  const OpenWinding* winding = nullptr;
   bool isClosed = true;
 };
 
-/// Where the function's sign changes along the segment, in order; points and normals in the mesh's
-/// own units. Their number is odd if and only if the signs at the ends differ.
-///
-/// On a closed surface, all are found: passages through triangles are exact and change the winding
-/// number by one. A surface that is not closed has others away from its triangles, on the sheets
-/// that close its holes. These are isolated by bounds on the winding number's gradient, down to a
-/// 256th of the stretch between triangles; what cannot be excluded is counted as unresolved.
+/// A segment in the surface's scaled units.
 template <std::floating_point T>
-CrossingCount meshCrossings(const MeshField<T>& field, const Segment<T>& segment,
+struct MeshSegment {
+  Segment<T> ends;           ///< these differ; their signs are those of the whole segment's ends
+  Segment<double> searched;  ///< the segment, or all of it that may have crossings
+};
+
+/// Where the function's sign changes along the segment, in order: parameters of the part searched,
+/// points and normals in the mesh's own units. Their number is odd if and only if the signs at the
+/// ends differ.
+///
+/// Passages through triangles are exact. Each changes the winding number by one, so on a closed
+/// surface, all crossings are found. A surface that is not closed has others away from its
+/// triangles, on the sheets that close its holes. These are isolated by bounds on the winding
+/// number's gradient, down to a 256th of the stretch between triangles; what cannot be excluded is
+/// counted as unresolved. Where pseudonormals decide the sign, it is evaluated beside triangles, as
+/// far away as rounding demands: of crossings closer to each other, at most one is found.
+template <std::floating_point T>
+CrossingCount meshCrossings(const MeshField<T>& field, const MeshSegment<T>& segment,
                             CrossingVisitor<T> visit);
 
-extern template CrossingCount meshCrossings(const MeshField<float>&, const Segment<float>&,
+extern template CrossingCount meshCrossings(const MeshField<float>&, const MeshSegment<float>&,
                                             CrossingVisitor<float>);
-extern template CrossingCount meshCrossings(const MeshField<double>&, const Segment<double>&,
+extern template CrossingCount meshCrossings(const MeshField<double>&, const MeshSegment<double>&,
                                             CrossingVisitor<double>);
 
 }  // namespace cutwater

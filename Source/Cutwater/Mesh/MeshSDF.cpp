@@ -193,10 +193,7 @@ bool MeshSDF<T>::isSurrounded(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 bool MeshSDF<T>::isDecided(const Box<double>& box) const {
-  const double change = 0.5 * box.diagonal() * winding_.gradientBound(box);
-  if (!(change < 1)) return false;
-  const auto atCenter = winding_.estimate(this->surface(), this->search(), box.center(), 0x1p-20);
-  return std::abs(atCenter.value - OpenWinding::kThreshold) > change + atCenter.error;
+  return winding_.isDecided(this->surface(), this->search(), box);
 }
 
 template <std::floating_point T>

@@ -98,6 +98,7 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   void around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const override;
   [[nodiscard]] bool isSurrounded(const Vec3<T>& p) const override;
   [[nodiscard]] bool isDecided(const Box<double>& box) const override;
+  [[nodiscard]] const OpenWinding* openWinding() const override { return &winding_; }
   [[nodiscard]] std::vector<std::string> localPatchNames() const override;
 
   MeshSDF() = default;

@@ -1,4 +1,5 @@
 #include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Mesh/ExactPredicates.hpp>
 #include <Cutwater/Mesh/HoleCaps.hpp>
 #include <Cutwater/Mesh/OpenWinding.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
@@ -15,10 +16,18 @@ int OpenWinding::closedWinding(const TriangleSurface<T>& surface, TrianglesAlong
   const auto& box = surface.box;  // the caps' corners belong to the surface
   if (!box.contains(p)) return 0;
   const auto exit = exitOf(box, p);
-  const auto alongCaps = [this](const Segment<double>& segment, TriangleVisitor visit) {
-    tree_.along(segment, visit);
-  };
-  return windingAlong(surface, exit, along) + windingAlong(triangles_, exit, alongCaps);
+  return windingAlong(surface, exit, along) + windingAlong(triangles_, exit, alongCaps());
+}
+
+/// A cap is passed where the point is on the side of its plane to which the segment leads: as
+/// decided for the caps' own winding number.
+int OpenWinding::capsPassed(const Segment<double>& segment, const Vec3<double>& p) const {
+  int sum = 0;
+  visitPassages<double>(triangles_, segment, alongCaps(), [&](std::uint32_t id, int direction) {
+    if (sideOf(p, triangles_.corners(id)) == direction) sum += direction;
+    return 1.0;
+  });
+  return sum;
 }
 
 /// The point itself at first, then points a few of its ulps away, in directions that no edge has.
@@ -27,30 +36,54 @@ Vec3<double> OpenWinding::nudged(const Vec3<double>& p, int attempt) {
   return p + step * Vec3<double>{1, 1.625, -2.3125 + attempt};
 }
 
-template <std::floating_point T>
-bool OpenWinding::isInside(const TriangleSurface<T>& surface, TrianglesAlong along,
-                           const Vec3<double>& p) const {
+bool OpenWinding::isInside(Closed closed, const Vec3<double>& p) const {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const auto q = nudged(p, attempt);
     // winding - caps > threshold
-    const auto inside = caps_.isBelow(q, closedWinding(surface, along, q) - kThreshold);
+    const auto inside = caps_.isBelow(q, closed(q) - kThreshold);
     if (inside) return *inside;
   }
   return false;
+}
+
+WindingNumber<double>::Estimate OpenWinding::estimate(Closed closed, const Vec3<double>& p,
+                                                      double tolerance) const {
+  WindingNumber<double>::Estimate result;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const auto q = nudged(p, attempt);
+    const auto [value, error] = caps_.estimate(q, tolerance);
+    result = {closed(q) - value, error};
+    if (!(error > 0.25)) break;
+  }
+  return result;
+}
+
+bool OpenWinding::isDecided(Closed closed, const Vec3<double>& p, const Box<double>& box) const {
+  const double change = 0.5 * box.diagonal() * gradientBound(box);
+  if (!(change < 1)) return false;
+  const auto [value, error] = estimate(closed, p, 0x1p-20);
+  return std::abs(value - kThreshold) > change + error;
+}
+
+template <std::floating_point T>
+bool OpenWinding::isInside(const TriangleSurface<T>& surface, TrianglesAlong along,
+                           const Vec3<double>& p) const {
+  return isInside([&](const Vec3<double>& q) { return closedWinding(surface, along, q); }, p);
 }
 
 template <std::floating_point T>
 WindingNumber<double>::Estimate OpenWinding::estimate(const TriangleSurface<T>& surface,
                                                       TrianglesAlong along, const Vec3<double>& p,
                                                       double tolerance) const {
-  WindingNumber<double>::Estimate result;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    const auto q = nudged(p, attempt);
-    const auto [value, error] = caps_.estimate(q, tolerance);
-    result = {closedWinding(surface, along, q) - value, error};
-    if (!(error > 0.25)) break;
-  }
-  return result;
+  return estimate([&](const Vec3<double>& q) { return closedWinding(surface, along, q); }, p,
+                  tolerance);
+}
+
+template <std::floating_point T>
+bool OpenWinding::isDecided(const TriangleSurface<T>& surface, TrianglesAlong along,
+                            const Box<double>& box) const {
+  return isDecided([&](const Vec3<double>& q) { return closedWinding(surface, along, q); },
+                   box.center(), box);
 }
 
 double OpenWinding::gradientBound(const Box<double>& box) const {
@@ -109,11 +142,15 @@ OpenWinding OpenWindingData::Sections::view(const Block& block) const {
   return result;
 }
 
-#define CUTWATER_INSTANTIATE(T)                                                  \
-  template bool OpenWinding::isInside(const TriangleSurface<T>&, TrianglesAlong, \
-                                      const Vec3<double>&) const;                \
-  template WindingNumber<double>::Estimate OpenWinding::estimate(                \
-      const TriangleSurface<T>&, TrianglesAlong, const Vec3<double>&, double) const;
+#define CUTWATER_INSTANTIATE(T)                                                      \
+  template bool OpenWinding::isInside(const TriangleSurface<T>&, TrianglesAlong,     \
+                                      const Vec3<double>&) const;                    \
+  template WindingNumber<double>::Estimate OpenWinding::estimate(                    \
+      const TriangleSurface<T>&, TrianglesAlong, const Vec3<double>&, double) const; \
+  template bool OpenWinding::isDecided(const TriangleSurface<T>&, TrianglesAlong,    \
+                                       const Box<double>&) const;                    \
+  template int OpenWinding::closedWinding(const TriangleSurface<T>&, TrianglesAlong, \
+                                          const Vec3<double>&) const;
 CUTWATER_INSTANTIATE(float)
 CUTWATER_INSTANTIATE(double)
 #undef CUTWATER_INSTANTIATE

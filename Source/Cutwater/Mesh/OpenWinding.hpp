@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Block.hpp>
+#include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/Mesh/SurfaceLocation.hpp>
 #include <Cutwater/Mesh/WindingNumber.hpp>
 
@@ -30,6 +31,26 @@ class OpenWinding {
                                                          const Vec3<double>& p,
                                                          double tolerance) const;
 
+  /// Whether isInside() certainly is the same everywhere in the box, apart from jumps at the
+  /// surface's triangles.
+  template <std::floating_point T>
+  [[nodiscard]] bool isDecided(const TriangleSurface<T>& surface, TrianglesAlong along,
+                               const Box<double>& box) const;
+
+  /// The winding number of the surface and its caps together.
+  template <std::floating_point T>
+  [[nodiscard]] int closedWinding(const TriangleSurface<T>& surface, TrianglesAlong along,
+                                  const Vec3<double>& p) const;
+  /// The sum of the directions in which the segment passes through caps before the point, which is
+  /// on it within rounding.
+  [[nodiscard]] int capsPassed(const Segment<double>& segment, const Vec3<double>& p) const;
+
+  // The same where the caller knows closedWinding() at the point and around it.
+  using Closed = FunctionRef<int(const Vec3<double>&)>;
+  [[nodiscard]] bool isInside(Closed closed, const Vec3<double>& p) const;
+  /// The point is the box's centre, within rounding.
+  [[nodiscard]] bool isDecided(Closed closed, const Vec3<double>& p, const Box<double>& box) const;
+
   /// A bound on its gradient away from the surface's triangles.
   [[nodiscard]] double gradientBound(const Box<double>& box) const;
 
@@ -41,9 +62,13 @@ class OpenWinding {
   static constexpr int kAttempts = 4;
   [[nodiscard]] static Vec3<double> nudged(const Vec3<double>& p, int attempt);
 
-  template <std::floating_point T>
-  [[nodiscard]] int closedWinding(const TriangleSurface<T>& surface, TrianglesAlong along,
-                                  const Vec3<double>& p) const;
+  [[nodiscard]] WindingNumber<double>::Estimate estimate(Closed closed, const Vec3<double>& p,
+                                                         double tolerance) const;
+  [[nodiscard]] auto alongCaps() const {
+    return [this](const Segment<double>& segment, TriangleVisitor visit) {
+      tree_.along(segment, visit);
+    };
+  }
 
   TriangleSurface<double> triangles_;
   WindingTree tree_;

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Scratch.hpp>
+#include <Cutwater/Mesh/ClippedSegment.hpp>
 #include <Cutwater/Mesh/MeshCrossings.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
 
@@ -205,26 +206,43 @@ bool TriangleSurfaceSDF<T>::hasNoJump(const Box<T>& box) const {
 template <std::floating_point T>
 CrossingCount TriangleSurfaceSDF<T>::localCrossings(const Segment<T>& segment,
                                                     CrossingVisitor<T> visit) const {
-  const Segment<T> pulledIn{scaled(segment.start), scaled(segment.end)};
-  // Parameters for ends that were pulled in by different factors; both are 1 except for far ends.
-  const auto factor = [this](const Vec3<T>& from, const Vec3<T>& to) {
-    const bool isFar = maxComponent(abs(to)) >= kFarthest<T>;
-    return isFar ? kFarthest<T> / surface_.scale / maxComponent(abs(from)) : T(1);
-  };
-  const T start = factor(segment.start, pulledIn.start);
-  const T end = factor(segment.end, pulledIn.end);
+  const Segment<T> ends{scaled(segment.start), scaled(segment.end)};
+  if (ends.start == ends.end) return {};
+  const auto near = nearPart(segment);
   const auto restored = [&](Crossing<T> crossing) {
-    const T t = crossing.parameter;
-    if (start != end) crossing.parameter = t * end / ((1 - t) * start + t * end);
+    crossing.parameter =
+        static_cast<T>(near.start + double{crossing.parameter} * (near.end - near.start));
     return visit(crossing);
   };
+  const bool byWinding = !signs_.isClosed() && signs_.scheme == SignScheme::WindingNumber;
   return meshCrossings<T>({.surface = surface_,
                            .along = search(),
                            .nearest = [this](const Vec3<T>& p) { return nearest(p); },
                            .isInside = [this](const Vec3<T>& p) { return isInside(p); },
-                           .isJumpFree = [this](const Box<double>& box) { return isJumpFree(box); },
+                           .winding = byWinding ? openWinding() : nullptr,
                            .isClosed = signs_.isClosed()},
-                          pulledIn, restored);
+                          {.ends = ends, .searched = near.part}, restored);
+}
+
+template <std::floating_point T>
+ClippedSegment TriangleSurfaceSDF<T>::nearPart(const Segment<T>& segment) const {
+  constexpr double kNear = 0x1p20;  // beyond, rounding would be coarse relative to the surface
+  const double scale{surface_.scale};
+  const bool isBounded = signs_.isClosed() || signs_.scheme == SignScheme::WindingNumber;
+  // By pseudonormals the sign may change anywhere.
+  Box<double> box =
+      isBounded ? Box<double>{Vec3<double>(box_.lower), Vec3<double>(box_.upper)}.grown(1 / scale)
+                : Box<double>{}.extend(Vec3<double>{}).grown(kNear / scale);
+  const Segment<double> whole{Vec3<double>(segment.start), Vec3<double>(segment.end)};
+  for (const auto& p : {whole.start, whole.end}) {
+    if (maxComponent(abs(scale * p)) <= kNear) box.extend(p);
+  }
+  // Far ends without anything in between do not meet the surface: then, one of them.
+  const Vec3<double> start(scaled(segment.start));
+  auto result = clipped(whole, box);
+  if (!result) return {{start, start}};
+  result->part = {scale * result->part.start, scale * result->part.end};
+  return *result;
 }
 
 template <std::floating_point T>

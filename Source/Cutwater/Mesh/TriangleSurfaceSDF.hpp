@@ -1,11 +1,14 @@
 #pragma once
 
+#include <Cutwater/Mesh/OpenWinding.hpp>
 #include <Cutwater/Mesh/QueryBox.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
 #include <Cutwater/Mesh/SurfaceLocation.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 namespace cutwater {
+
+struct ClippedSegment;
 
 /// What all mesh functions share: the results that follow once the nearest triangle is known. How
 /// triangles are found is up to the subclass and does not affect a single bit.
@@ -56,6 +59,8 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   // whether it certainly does so everywhere or nowhere in the box, apart from jumps at triangles.
   [[nodiscard]] virtual bool isSurrounded(const Vec3<T>& p) const = 0;
   [[nodiscard]] virtual bool isDecided(const Box<double>& box) const = 0;
+  /// The winding number itself; none if the class takes only closed surfaces.
+  [[nodiscard]] virtual const OpenWinding* openWinding() const { return nullptr; }
 
   /// Called by the subclass's constructor when the block is complete. The solid may reach beyond
   /// the triangles' box by `margin`, in scaled units.
@@ -87,6 +92,9 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
                           std::span<SurfacePoint<T>> results) const final;
   [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& point) const final;
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const final;
+  /// The segment, in scaled units. Ends that are far are moved along it towards the surface, not
+  /// beyond any crossing.
+  [[nodiscard]] ClippedSegment nearPart(const Segment<T>& segment) const;
   [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
   [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
   bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const final;
