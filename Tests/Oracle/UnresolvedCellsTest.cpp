@@ -235,6 +235,9 @@ TEST_P(UnresolvedCellsTest, AreAllThatTheirDefinitionNames) {
     if (meeting.isWithin) {
       EXPECT_TRUE(mayBeCut(cell.kind)) << n;
     } else if (!meeting.isAtFace) {
+      // Whether the surface meets a cell within rounding may stay open.
+      const auto around = mesh.box(cell).grown(16 * std::numeric_limits<double>::epsilon());
+      if (cell.kind == BoxClass::Unknown && surface.meeting(around).isWithin) continue;
       const bool isInside = surface.isInsideOf(mesh.center(cell));
       EXPECT_EQ(cell.kind, isInside ? BoxClass::Inside : BoxClass::Outside) << n;
     }

@@ -13,7 +13,7 @@ enum class SignScheme : std::uint8_t {
   Automatic,
   /// By the side of the nearest triangles, and by exact parity where those disagree: the fastest
   /// scheme, and never wrong on a closed surface without self-intersections. On open surfaces the
-  /// sign is that of the pseudonormal, which may suit a sheet. Where a surface is not sound, the sign
+  /// sign is that of the pseudonormal, which may suit a sheet. Where a surface is not sound, it
   /// jumps, and the solid behind it may have no end: the guarantee is SignOnly, boundingBox() is
   /// infinite, and few boxes are decided.
   NearestFeature,

@@ -214,13 +214,13 @@ CrossingCount TriangleSurfaceSDF<T>::localCrossings(const Segment<T>& segment,
         static_cast<T>(near.start + double{crossing.parameter} * (near.end - near.start));
     return visit(crossing);
   };
-  const bool byWinding = !signs_.isClosed() && signs_.scheme == SignScheme::WindingNumber;
+  const bool byWinding = signJumps_ && signs_.scheme == SignScheme::WindingNumber;
   return meshCrossings<T>({.surface = surface_,
                            .along = search(),
                            .nearest = [this](const Vec3<T>& p) { return nearest(p); },
                            .isInside = [this](const Vec3<T>& p) { return isInside(p); },
                            .winding = byWinding ? openWinding() : nullptr,
-                           .isClosed = signs_.isClosed()},
+                           .isClosed = !signJumps_},
                           {.ends = ends, .searched = near.part}, restored);
 }
 
@@ -228,7 +228,7 @@ template <std::floating_point T>
 ClippedSegment TriangleSurfaceSDF<T>::nearPart(const Segment<T>& segment) const {
   constexpr double kNear = 0x1p20;  // beyond, rounding would be coarse relative to the surface
   const double scale{surface_.scale};
-  const bool isBounded = signs_.isClosed() || signs_.scheme == SignScheme::WindingNumber;
+  const bool isBounded = !signJumps_ || signs_.scheme == SignScheme::WindingNumber;
   // By pseudonormals the sign may change anywhere.
   Box<double> box =
       isBounded ? Box<double>{Vec3<double>(box_.lower), Vec3<double>(box_.upper)}.grown(1 / scale)
