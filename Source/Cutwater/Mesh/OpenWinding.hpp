@@ -45,10 +45,11 @@ class OpenWinding {
   /// on it within rounding.
   [[nodiscard]] int capsPassed(const Segment<double>& segment, const Vec3<double>& p) const;
 
-  // The same where the caller knows closedWinding() at the point and around it.
+  /// closedWinding() at and around a point, where the caller knows it.
   using Closed = FunctionRef<int(const Vec3<double>&)>;
+  /// isInside() with that.
   [[nodiscard]] bool isInside(Closed closed, const Vec3<double>& p) const;
-  /// The point is the box's centre, within rounding.
+  /// isDecided() with that; the point is the box's centre, within rounding.
   [[nodiscard]] bool isDecided(Closed closed, const Vec3<double>& p, const Box<double>& box) const;
 
   /// A bound on its gradient away from the surface's triangles.
