@@ -1,12 +1,12 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
-#include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Shapes/CappedCone.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 #include <Cutwater/Shapes/Torus.hpp>
 
+#include "Support/CountedBall.hpp"
 #include "Support/Guarantee.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
@@ -139,12 +139,7 @@ TYPED_TEST(AffineTest, ClassifiesBoxesOfADiagonalMapAsTheOperandDoes) {
 TYPED_TEST(AffineTest, ChainsAskTheOperandOnceForAClass) {
   using T = TypeParam;
   std::size_t calls = 0;
-  Solid<T> chain = FunctionSDF(
-      [&calls](const Vec3<T>& p) {
-        ++calls;
-        return length(p) - T(1);
-      },
-      Guarantee<T>::exact(1));
+  auto chain = countedBall<T>(calls);
   for (int n = 0; n < 12; ++n) {
     AffineMap<T> map;
     map.columns = {Vec3<T>{n % 2 == 0 ? T(2) : T(0.5), 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -1,7 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/Union.hpp>
-#include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
@@ -10,6 +9,7 @@
 
 #include <algorithm>
 
+#include "Support/CountedBall.hpp"
 #include "Support/Guarantee.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
@@ -193,12 +193,7 @@ TYPED_TEST(SmoothCombinationTest, BoundsOfManyAreNoLooserThanTheDefault) {
 TYPED_TEST(SmoothCombinationTest, ChainsAskEachOperandOnceForABox) {
   using T = TypeParam;
   std::size_t calls = 0;
-  Solid<T> chain = FunctionSDF(
-      [&calls](const Vec3<T>& p) {
-        ++calls;
-        return length(p) - T(1);
-      },
-      Guarantee<T>::exact(1));
+  auto chain = countedBall<T>(calls);
   for (int n = 0; n < 16; ++n)
     chain = smoothUnion(chain, Sphere<T>({T(n), 0, 0}, 1), {.reach = T(0.1)});
   EXPECT_EQ(chain.classify({{50, 50, 50}, {51, 51, 51}}), BoxClass::Outside);
