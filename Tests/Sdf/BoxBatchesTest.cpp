@@ -67,7 +67,7 @@ TYPED_TEST(BoxBatchesTest, AreAnsweredAsOneByOne) {
       EXPECT_EQ(found, expected);
     }
     if (!allAreFinite) {
-      for (const std::size_t i : {300, 301, 302}) EXPECT_EQ(found[i], BoxClass::Unknown);
+      for (const std::size_t i : {300U, 301U, 302U}) EXPECT_EQ(found[i], BoxClass::Unknown);
     }
   }
 }
