@@ -151,6 +151,13 @@ TYPED_TEST(RepetitionTest, FarAwayCopiesRoundAsItStates) {
   EXPECT_TRUE(std::isfinite(make(T{}).signedDistance({far, -far, far})));
 }
 
+TYPED_TEST(RepetitionTest, RoundsWithTheSizeOfTheLargestCount) {
+  using T = TypeParam;
+  constexpr auto kMost = std::numeric_limits<std::uint32_t>::max();
+  const auto row = repeated(this->ball_, {.period = {2, 0, 0}, .count = {kMost, 1, 1}});
+  EXPECT_GE(row.guarantee().size, T(0x1p33));
+}
+
 TYPED_TEST(RepetitionTest, RefusesImpossiblePeriods) {
   using T = TypeParam;
   const auto refuses = [](const Solid<T>& a, const Repeats<T>& repeats) {

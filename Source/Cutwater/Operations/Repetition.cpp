@@ -61,7 +61,7 @@ void Repetition<T>::deriveGuarantee() {
   for (int axis = 0; axis < 3 && !box.empty(); ++axis) {
     const T period = tiles_.repeats().period[axis];
     const auto count = tiles_.repeats().count[static_cast<std::size_t>(axis)];
-    size += period * static_cast<T>(count + 1);
+    size += period * (static_cast<T>(count) + 1);
     for (const T side : {box.lower[axis], box.upper[axis]}) {
       if (std::isfinite(side)) size += 2 * std::abs(side);
     }
