@@ -150,6 +150,22 @@ TYPED_TEST(RigidTransformTest, RefusesImpossibleMotions) {
   EXPECT_TRUE(t.isIdentity());
 }
 
+TYPED_TEST(RigidTransformTest, RefusesMotionsThatAddUpToInfinity) {
+  using T = TypeParam;
+  const T most = std::numeric_limits<T>::max();
+  RigidTransform<T> t;
+  t.translate({most, most, 0});
+  const auto before = t;
+  EXPECT_THROW(t.translate({most, 0, 0}), Error);
+  EXPECT_THROW(t.rotate(45, 2), Error);
+  EXPECT_THROW(t.rotate(90, Vec3<T>{0, 0, 1}, Vec3<T>{-most, 0, 0}), Error);
+  EXPECT_THROW(static_cast<void>(RigidTransform<T>::composed(t, t)), Error);
+  EXPECT_EQ(t, before);
+  t.rotate(180, 0);
+  t.translate({-most, most, 0});
+  EXPECT_EQ(t.offset(), Vec3<T>{});
+}
+
 TYPED_TEST(RigidTransformTest, ComesBackFromItsAxesAndOffset) {
   using T = TypeParam;
   RigidTransform<T> t;

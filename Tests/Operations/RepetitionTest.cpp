@@ -151,6 +151,32 @@ TYPED_TEST(RepetitionTest, FarAwayCopiesRoundAsItStates) {
   EXPECT_TRUE(std::isfinite(make(T{}).signedDistance({far, -far, far})));
 }
 
+TYPED_TEST(RepetitionTest, RoundsWithTheSizeOfTheLargestCount) {
+  using T = TypeParam;
+  constexpr auto kMost = std::numeric_limits<std::uint32_t>::max();
+  const auto row = repeated(this->ball_, {.period = {2, 0, 0}, .count = {kMost, 1, 1}});
+  EXPECT_GE(row.guarantee().size, T(0x1p33));
+}
+
+TYPED_TEST(RepetitionTest, OfNothingChangesNoFasterThanItStates) {
+  using T = TypeParam;
+  // Nothing is left of the small ball, but its box, and values larger than the distance to that.
+  const auto gone = Sphere<T>({0, 0, 0}, T(0.125)) - Sphere<T>({T(0.25), 0, 0}, 1);
+  const auto row = repeated(gone, {.period = {T(0.5), 0, 0}});
+  ASSERT_EQ(row.guarantee().lipschitz, T(1));
+  constexpr T kStep = T(0x1p-10);
+  for (T x = -1; x < 1; x += kStep) {
+    EXPECT_NEAR(row.signedDistance({x, 0, 0}), row.signedDistance({x + kStep, 0, 0}),
+                kStep + 2 * row.guarantee().error(1));
+    EXPECT_GT(row.signedDistance({x, 0, 0}), 0);
+  }
+  // Without a box, copies are not compared.
+  const auto apart = Sphere<T>({0, 0, 0}, 1) & Sphere<T>({4, 0, 0}, 1);
+  const auto nothing = repeated(apart, {.period = {2, 0, 0}}).guarantee();
+  EXPECT_FALSE(nothing.lipschitz);
+  EXPECT_FALSE(nothing.continuous);
+}
+
 TYPED_TEST(RepetitionTest, RefusesImpossiblePeriods) {
   using T = TypeParam;
   const auto refuses = [](const Solid<T>& a, const Repeats<T>& repeats) {

@@ -35,5 +35,18 @@ TEST(DeformationFieldTest, ShiftsAreThoseOfTheNodesAndChangeNoFasterThanTheySay)
             Vec3<float>(at(3)));
 }
 
+TEST(DeformationFieldTest, ChangesAsFastAtTheSmallestAndLargestSizes) {
+  const auto changeAt = [](auto size) {
+    return DeformationField<decltype(size)>{.amplitude = size, .spacing = {size, size, size}}
+        .lipschitz();
+  };
+  EXPECT_NEAR(changeAt(1.0), 6, 1e-13);
+  for (const double size : {0x1p-1000, 0x1p-600, 0x1p600}) EXPECT_EQ(changeAt(size), changeAt(1.0));
+  for (const float size : {0x1p-100F, 0x1p100F}) EXPECT_EQ(changeAt(size), changeAt(1.0F));
+  // Does not change at all.
+  EXPECT_EQ(DeformationField<double>({.amplitude = 0, .spacing = {1e-200, 1, 1}}).lipschitz(), 0);
+  EXPECT_EQ(DeformationField<float>({.amplitude = 0, .spacing = {1e-30F, 1, 1}}).lipschitz(), 0);
+}
+
 }  // namespace
 }  // namespace cutwater::test

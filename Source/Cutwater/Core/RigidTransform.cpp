@@ -86,7 +86,7 @@ RigidTransform<T>::RigidTransform(const std::array<Vec3<T>, 3>& axes, const Vec3
 template <std::floating_point T>
 void RigidTransform<T>::translate(const Vec3<T>& offset) {
   require(isFinite(offset), "translate: need a finite offset", Named{"offset", offset});
-  offset_ += offset;
+  moveTo("translate", offset_ + offset);
 }
 
 template <std::floating_point T>
@@ -103,9 +103,21 @@ void RigidTransform<T>::rotate(T degrees, const Vec3<T>& axis, const Vec3<T>& th
   require(isFinite(through), "rotate: need a finite point", Named{"through", through});
   const auto direction = detail::unitVector("rotate", "axis", Vec3<double>(axis));
   const auto turn = rotationAbout(direction, static_cast<double>(degrees));
-  offset_ -= through;
-  applyRotation(cast<T>(turn));
-  offset_ += through;
+  auto turned = *this;  // stays as it was if the motion is refused
+  turned.offset_ -= through;
+  turned.applyRotation(cast<T>(turn));
+  turned.moveTo("rotate", turned.offset_ + through);
+  *this = turned;
+}
+
+template <std::floating_point T>
+void RigidTransform<T>::moveTo(const char* motion, const Vec3<T>& offset) {
+  if (!isFinite(offset)) {
+    const std::string message =
+        std::string(motion) + ": the motions add up to an offset that is not finite";
+    require(false, message.c_str(), Named{"offset", offset});
+  }
+  offset_ = offset;
 }
 
 template <std::floating_point T>
@@ -156,7 +168,7 @@ RigidTransform<T> RigidTransform<T>::composed(const RigidTransform& first,
                                               const RigidTransform& second) {
   RigidTransform result = first;
   if (second.rotated_) result.applyRotation(second.column_);
-  result.offset_ += second.offset_;
+  result.moveTo("composed", result.offset_ + second.offset_);
   return result;
 }
 

@@ -14,7 +14,9 @@ namespace cutwater {
 /// translate() and rotate() move the object, in the order of the calls, about the world's axes:
 /// `translate({1, 0, 0}); rotate(90, 2);` first moves the object to x = 1, then rotates it about
 /// the z axis through the origin to y = 1. Angles are in degrees, right-handed. Rotations by
-/// multiples of 90 degrees about a coordinate axis are exact.
+/// multiples of 90 degrees about a coordinate axis are exact. Both throw Error(Argument), and
+/// change nothing, for arguments that are not finite, and if motions add up to an offset that is
+/// not.
 template <std::floating_point T>
 class RigidTransform {
  public:
@@ -43,6 +45,7 @@ class RigidTransform {
   [[nodiscard]] Box<T> toWorld(const Box<T>& local) const;
 
   /// The transform that moves an object by `first` and then by `second`.
+  /// @throws Error(Argument) if their offsets add up to one that is not finite.
   [[nodiscard]] static RigidTransform composed(const RigidTransform& first,
                                                const RigidTransform& second);
 
@@ -60,6 +63,7 @@ class RigidTransform {
   static constexpr Matrix kUnrotated{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
   void applyRotation(const Matrix& columns);
+  void moveTo(const char* motion, const Vec3<T>& offset);
 
   Matrix column_ = kUnrotated;
   Vec3<T> offset_;

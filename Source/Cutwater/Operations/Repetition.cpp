@@ -52,6 +52,10 @@ void Repetition<T>::deriveGuarantee() {
   if (isClamped_ && guarantee_.lipschitz) {
     guarantee_.lipschitz = std::max(*guarantee_.lipschitz, T(1));
   }
+  if (tiles_.box().empty()) {  // neighbours are not compared
+    guarantee_.lipschitz.reset();
+    guarantee_.continuous = false;
+  }
   if (guarantee_.domain != Box<T>::everywhere()) guarantee_.domain = {};
 
   // In the nearest copy's frame, the point is no farther from the origin than before, or than a
@@ -61,7 +65,7 @@ void Repetition<T>::deriveGuarantee() {
   for (int axis = 0; axis < 3 && !box.empty(); ++axis) {
     const T period = tiles_.repeats().period[axis];
     const auto count = tiles_.repeats().count[static_cast<std::size_t>(axis)];
-    size += period * static_cast<T>(count + 1);
+    size += period * (static_cast<T>(count) + 1);
     for (const T side : {box.lower[axis], box.upper[axis]}) {
       if (std::isfinite(side)) size += 2 * std::abs(side);
     }
@@ -99,6 +103,8 @@ auto Repetition<T>::decide(const Vec3<T>& p, const Decision& central) const -> D
     const T value = valueFrom(local, this->operand().signedDistance(local));
     if (value < best.value) best = {copy, value};
   });
+  // Only values of an empty operand are larger; the copies asked about then depend on the point.
+  if (guarantee_.lipschitz) best.value = std::min(best.value, farthest);
   return best;
 }
 

@@ -16,6 +16,9 @@ namespace cutwater {
 /// outside are not exact distances, any less than the distance to its bounding box is replaced by
 /// that distance.
 ///
+/// Of an operand whose bounding box is empty, only the central copy is asked, and values have no
+/// Lipschitz constant.
+///
 /// A query costs one query of the operand if it fills its box well and copies keep apart, and a few
 /// otherwise: at most one for each bounding box within the distance to the nearest copy. With
 /// periods of very different lengths, or far away from a sheet or block of copies, these may be

@@ -106,7 +106,7 @@ class SignedDistanceFunction {
   /// Lists only the first 16 operands of each operator.
   [[nodiscard]] std::string describe() const;
 
-  /// Move the object, in the order of the calls: see RigidTransform.
+  /// Move the object, in the order of the calls: see RigidTransform, also for errors.
   void translate(const Vec3<T>& offset) { placement_.translate(offset); }
   void rotate(T degrees, int axis) { placement_.rotate(degrees, axis); }
   void rotate(T degrees, const Vec3<T>& axis, const Vec3<T>& through = {}) {

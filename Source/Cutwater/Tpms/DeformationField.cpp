@@ -69,9 +69,11 @@ Vec3<T> DeformationField<T>::shiftAt(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 T DeformationField<T>::lipschitz() const {
-  T squares = 0;
-  for (int axis = 0; axis < 3; ++axis) squares += 1 / (spacing[axis] * spacing[axis]);
-  return 2 * amplitude * std::sqrt(3 * squares) * (1 + 8 * std::numeric_limits<T>::epsilon());
+  const Vec3<T> slopes{amplitude / spacing.x, amplitude / spacing.y, amplitude / spacing.z};
+  const T steepest = maxComponent(slopes);
+  if (steepest == 0) return 0;
+  const T squares = lengthSquared(slopes / steepest);  // of slopes alone, they could overflow
+  return 2 * steepest * std::sqrt(3 * squares) * (1 + 8 * std::numeric_limits<T>::epsilon());
 }
 
 template struct DeformationField<float>;
