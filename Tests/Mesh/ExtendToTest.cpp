@@ -98,6 +98,14 @@ TEST(ExtendTo, ACaveStaysACave) {
   }
 }
 
+TEST(ExtendTo, PointsOfNoFaceMayBeAnywhere) {
+  const Box<double> box{{-1, -1, -2}, {5, 5, 3}};
+  auto soup = terrain(3, 1);
+  auto far = soup;
+  far.points.emplace_back(1e200, -1e200, 0);
+  EXPECT_EQ(extendToBox(far, box, 2).after, extendToBox(soup, box, 2).after);
+}
+
 TEST(ExtendTo, AHoleBecomesAShaft) {
   auto ground = terrain(12, 0.25);
   ground = onlyFaces(ground, [&](std::size_t i) {

@@ -44,7 +44,7 @@ std::vector<Loop> rimsOf(const PolygonSoup& soup) {
 /// Fills the loops; throws if one cannot be filled.
 std::vector<std::array<std::uint32_t, 3>> filled(const PolygonSoup& soup,
                                                  std::span<const Loop> loops, int axis) {
-  auto filling = detail::fillLoops(normalizedPositions<double>(soup.points), loops, axis);
+  auto filling = detail::fillLoops(soup.points, loops, axis);
   const auto left = std::ranges::find(filling.left, true) - filling.left.begin();
   if (static_cast<std::size_t>(left) < loops.size()) {
     const auto& point = soup.points[loops[static_cast<std::size_t>(left)].front()];
@@ -93,7 +93,7 @@ class Walls {
 /// Turns shells outward; throws if that leaves faces on the level that face the surface.
 void turnOutward(PolygonSoup& soup, std::size_t firstOnLevel, int axis, bool isBelow) {
   orientFaces(soup);
-  const auto positions = normalizedPositions<double>(soup.points);
+  const auto positions = normalizedPositions(soup.points, soup.corners);
   const detail::PlanarView view(positions, axis);
   for (std::size_t i = firstOnLevel; i < soup.polygonCount(); ++i) {
     const auto corners = soup.polygon(i);
