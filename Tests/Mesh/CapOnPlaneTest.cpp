@@ -40,6 +40,14 @@ TEST(CapOnPlane, ABowlBecomesHalfABall) {
   EXPECT_EQ(capOnPlane(soup, {{}, {0, 0, 1}}).closed.count, 0U);
 }
 
+TEST(CapOnPlane, PointsOfNoFaceMayBeAnywhere) {
+  auto soup = tube(2, 1, 6);
+  auto far = soup;
+  far.points.emplace_back(1e200, 0, -1e200);
+  EXPECT_EQ(capOnPlane(far, {{}, {0, 0, 1}}).after, capOnPlane(soup, {{}, {0, 0, 1}}).after);
+  EXPECT_EQ(far.corners.size(), soup.corners.size());
+}
+
 TEST(CapOnPlane, ATubesEndsAreRings) {
   auto soup = tube(2, 1, 48);
   ASSERT_EQ(reportOf(soup).boundaryEdges.count, 4 * 48U);

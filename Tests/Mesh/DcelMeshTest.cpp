@@ -206,6 +206,15 @@ TYPED_TEST(DcelMeshTest, MeasuresSolidsFarFromTheOrigin) {
   EXPECT_NEAR(far.signedVolume(), near.signedVolume(), 1e-14);  // that shift was exact
 }
 
+TYPED_TEST(DcelMeshTest, MeasuresTheSurfaceAndNotPointsOfNoFace) {
+  using T = TypeParam;
+  auto soup = cube();
+  soup.points.emplace_back(1e18, -1e18, 1e18);
+  const DcelMesh<T> mesh(soup);
+  EXPECT_EQ(mesh.measure(), (SurfaceMeasure{6, 1}));
+  EXPECT_EQ(mesh.boundingBox(), (Box<T>{{0, 0, 0}, {1, 1, 1}}));
+}
+
 TYPED_TEST(DcelMeshTest, CubeCornersHaveDiagonalPseudonormals) {
   using T = TypeParam;
   // Each side's angle at a corner is 90 degrees however the quads are cut.

@@ -98,6 +98,14 @@ TEST(ExtendTo, ACaveStaysACave) {
   }
 }
 
+TEST(ExtendTo, PointsOfNoFaceMayBeAnywhere) {
+  const Box<double> box{{-1, -1, -2}, {5, 5, 3}};
+  auto soup = terrain(3, 1);
+  auto far = soup;
+  far.points.emplace_back(1e200, -1e200, 0);
+  EXPECT_EQ(extendToBox(far, box, 2).after, extendToBox(soup, box, 2).after);
+}
+
 TEST(ExtendTo, AHoleBecomesAShaft) {
   auto ground = terrain(12, 0.25);
   ground = onlyFaces(ground, [&](std::size_t i) {
@@ -141,6 +149,46 @@ TEST(ExtendTo, AnApronReachesTheSidesOfABox) {
       // No higher and no lower than the rim.
       for (const auto& p : soup.points) EXPECT_LT(std::abs(p[axis]), 3.5);
     }
+  }
+}
+
+TEST(ExtendTo, AnApronNeedsOneRimAroundAllOthers) {
+  const auto square = makeSoup({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{0, 1, 2, 3}});
+  const Box<double> box{{-1, -1, 0}, {5, 5, 3}};
+  // Beside it, across its rim, and with an edge or a corner in common.
+  for (const Vec3<double>& place :
+       {Vec3<double>{3, 0, 0}, {0.5, 0.25, 1}, {0, 3, 0}, {1, 0, 0}, {1, 1, 0}}) {
+    const auto other = moved(square, place);
+    for (const auto& two : {together(square, other), together(insideOut(other), square)}) {
+      auto soup = two;
+      try {
+        extendToBox(soup, box, 2);
+        ADD_FAILURE() << "not refused: at " << place;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::Topology);
+      }
+      EXPECT_TRUE(sameSoup(soup, two));
+    }
+  }
+}
+
+TEST(ExtendTo, AnApronLeavesHolesAndIslandsInThem) {
+  const auto ground = terrain(6, 0.5);
+  // A hole of one triangle touches the right side at a point, a larger one has an island.
+  const auto parts = onlyFaces(ground, [&](std::size_t i) {
+    const auto from = abs(middleOf(ground, i) - Vec3<double>{1.25, 1.25, 0});
+    const double steps = std::max(from.x, from.y);
+    return i != 2 * (6 * 4 + 5) + 1 && (steps > 0.75 || steps < 0.25);
+  });
+  for (const auto& soup : {parts, insideOut(parts)}) {
+    auto solid = soup;
+    const auto report = extendToBox(solid, {{-1, -1, -2}, {4, 4, 3}}, 2);
+    EXPECT_EQ(report.closed.count, 4U);
+    const auto above = onlyFaces(solid, [&](std::size_t i) {
+      return solid.patches[i] < 2;  // the ground and the apron
+    });
+    EXPECT_NEAR(report.after.volume, std::abs(prismVolume(above, 2, -2)), 1e-12);
+    EXPECT_TRUE(reportOf(solid).isClosedOriented()) << reportOf(solid).summary();
   }
 }
 

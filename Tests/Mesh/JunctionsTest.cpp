@@ -43,6 +43,14 @@ TEST(Junctions, TheToleranceIsADistanceToTheEdge) {
   EXPECT_NEAR(splitJunctions(soup, 1.5 * d).largest, std::sqrt(2.0) * d, 1e-15);
 }
 
+TEST(Junctions, PointsOfNoFaceMayBeAnywhere) {
+  auto soup = makeSoup({{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, -1, 0}, {2, -1, 0}, {1, 1e-6, 0}},
+                       {{0, 1, 2}, {0, 3, 5}, {5, 4, 1}});
+  soup.points.emplace_back(0, 0, 1e200);
+  EXPECT_FALSE(splitJunctions(soup, 0.9e-6));
+  EXPECT_EQ(splitJunctions(soup, 2e-6).places.count, 1U);
+}
+
 TEST(Junctions, SidesMeshedByThemselvesClose) {
   for (const bool triangles : {false, true}) {
     for (const double scale : {1.0, 1e-20, 1e20}) {

@@ -32,6 +32,17 @@ TEST(Orientation, TurnedFacesAreTurnedBack) {
   EXPECT_FALSE(orientFaces(turned).shells);
 }
 
+TEST(Orientation, PointsOfNoFaceMayBeAnywhere) {
+  for (const double size : {1.0, 1e-200}) {
+    auto soup = withPoints(insideOut(flipped(cube(), 2)), [&](const auto& p) { return size * p; });
+    soup.points.emplace_back(0, 1e150, 0);
+    const auto found = orientFaces(soup);
+    EXPECT_EQ(found.faces.places.count, 1U);
+    EXPECT_EQ(found.shells.places.count, 1U);
+    EXPECT_EQ(soup.points.back().y, 1e150);
+  }
+}
+
 TEST(Orientation, ShellsWithinShellsByPolicy) {
   const double big = volumeOf(ballOf(3));
   const double middle = volumeOf(ballOf(2));

@@ -137,10 +137,14 @@ TEST(PolygonGeometry, KnowsHandValues) {
 
 TEST(PolygonGeometry, PositionsAreScaledByAPowerOfTwo) {
   const std::vector<Vec3<float>> positions{{3, -12, 0.5F}, {1, 8, -2}};  // 8 <= 12 < 16
-  EXPECT_EQ(normalizedPositions<float>(positions),
-            (std::vector<Vec3<double>>{{0.375, -1.5, 0.0625}, {0.125, 1, -0.25}}));
-  EXPECT_EQ(normalizedPositions<double>(std::vector<Vec3<double>>{{}}),
-            std::vector<Vec3<double>>{{}});
+  EXPECT_EQ(normalizingScale<float>(positions), 0.125F);
+  const std::vector<Vec3<double>> some{{3, -12, 0.5}, {1e200, 0, HUGE_VAL}, {1, 8, -2}};
+  const std::vector<std::uint32_t> used{2, 0, 2};
+  EXPECT_EQ(normalizingScale(some, used), 0.125);
+  EXPECT_EQ(normalizedPositions(some, used),
+            (std::vector<Vec3<double>>{{0.375, -1.5, 0.0625}, {}, {0.125, 1, -0.25}}));
+  EXPECT_EQ(normalizedPositions(std::vector<Vec3<double>>(2), std::vector{1U}),
+            std::vector<Vec3<double>>(2));
 }
 
 TEST(PolygonGeometry, PointsOfNoTriangleDoNotChangeTheScale) {

@@ -54,6 +54,13 @@ TEST(PolygonSoupTest, WeldsLargeGridsInLinearTime) {
   EXPECT_EQ(weldExactly(soup), std::size_t{kSide} * kSide * kSide);
 }
 
+TEST(PolygonSoupTest, ItsBoxIsThatOfTheSurface) {
+  auto soup = triangle();
+  soup.points.emplace_back(1e9, 0, kNan);  // no corner of a face
+  EXPECT_EQ(soup.boundingBox(), (Box<double>{{0, 0, 0}, {1, 1, 0}}));
+  EXPECT_TRUE(PolygonSoup{}.boundingBox().empty());
+}
+
 TEST(PolygonSoupTest, ValidatesSoupsMadeByHand) {
   EXPECT_NO_THROW(triangle().validate());
   auto soup = triangle();

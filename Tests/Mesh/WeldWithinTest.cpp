@@ -85,6 +85,28 @@ TEST(WeldWithin, TinyTolerancesMergeNothingLarge) {
   EXPECT_EQ(soup.points.size(), 3U);
 }
 
+TEST(WeldWithin, TinyTolerancesMergeEqualPointsAndNeighbours) {
+  constexpr double kLeast = 5e-324;
+  for (const double far : {1.0, 1e10, 1e300}) {
+    auto soup = pointsOnly({{far, 0, -far}, {0, 1, 0}, {far, 0, -far}, {far, -0.0, -far}});
+    const auto found = weldWithin(soup, kLeast);
+    EXPECT_EQ(found.places.count, 2U);
+    EXPECT_EQ(found.largest, 0);
+    EXPECT_EQ(weldWithin(soup, 1e-300).places.count, 0U);
+  }
+  auto soup = pointsOnly({{}, {0, kLeast, 0}, {kLeast, kLeast, 0}, {0, 0, -1e-300}});
+  EXPECT_EQ(weldWithin(soup, kLeast).largest, kLeast);
+  EXPECT_EQ(soup.points, (std::vector<Vec3<double>>{{}, {kLeast, kLeast, 0}, {0, 0, -1e-300}}));
+}
+
+TEST(WeldWithin, HugeTolerancesMergeAll) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  auto soup = pointsOnly({{0, 1e300, 0}, {-1, 0, 0}, {0, 0, 1}, {-1e300, 0, -0.25 * kMost}});
+  EXPECT_EQ(weldWithin(soup, kMost).places.count, 3U);
+  auto apart = pointsOnly({{-kMost, 0, 0}, {kMost, 0, 0}, {-kMost, kMost, 0}});
+  EXPECT_EQ(weldWithin(apart, kMost).places.count, 1U);
+}
+
 TEST(WeldWithin, JitteredCopiesBecomeOneAgain) {
   const auto sphere = tessellation::icosphere(1, 3);
   for (const double jitter : {1e-7, 1e-5}) {

@@ -242,7 +242,7 @@ void DcelMesh<T>::computeNormals() {
 template <std::floating_point T>
 Box<T> DcelMesh<T>::boundingBox() const {
   Box<T> box;
-  for (const auto& p : positions_) box.extend(p);
+  for (const VertexId corner : origins_) box.extend(position(corner));
   return box;
 }
 

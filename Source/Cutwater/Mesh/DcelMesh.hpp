@@ -43,6 +43,7 @@ class DcelMesh {
   [[nodiscard]] IdRange<FaceId> faces() const { return {0, size32(patches_)}; }
   [[nodiscard]] std::span<const Vec3<T>> positions() const { return positions_; }
   [[nodiscard]] std::span<const std::string> patchNames() const { return patchNames_; }
+  /// The box around the corners of all faces; unused vertices may be anywhere.
   [[nodiscard]] Box<T> boundingBox() const;
 
   // One half-edge.

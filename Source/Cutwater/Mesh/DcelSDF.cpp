@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/PatchNames.hpp>
 #include <Cutwater/Mesh/SoundnessCheck.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
 
@@ -10,7 +11,8 @@ namespace cutwater {
 
 template <std::floating_point T>
 DcelSDF<T>::DcelSDF(DcelMesh<T> mesh)
-    : mesh_(std::make_shared<const DcelMesh<T>>(std::move(mesh))) {
+    : mesh_(std::make_shared<const DcelMesh<T>>(std::move(mesh))),
+      patchNames_(detail::patchNamesOf(*mesh_)) {
   const TriangleSurfaceData<T> data(*mesh_);
   if (!data.openEdges().empty()) {
     throw Error(ErrorKind::Topology,
@@ -56,11 +58,6 @@ void DcelSDF<T>::around(const OrientedBox<double>&, double, TriangleVisitor visi
   for (std::uint32_t id = 0; id < this->surface().triangles.size(); ++id) {
     if (visit({&id, 1}) <= 0) return;
   }
-}
-
-template <std::floating_point T>
-std::vector<std::string> DcelSDF<T>::localPatchNames() const {
-  return {mesh_->patchNames().begin(), mesh_->patchNames().end()};
 }
 
 template class DcelSDF<float>;

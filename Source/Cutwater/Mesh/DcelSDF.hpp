@@ -15,8 +15,10 @@ namespace cutwater {
 template <std::floating_point T>
 class DcelSDF final : public TriangleSurfaceSDF<T> {
  public:
+  /// Patches that have no name in the mesh are called "surface".
   /// @throws Error(Topology) with a one-line report unless the mesh, once its shells are oriented,
-  /// is closed: along each edge, as many faces run one way as the other.
+  /// is closed: along each edge, as many faces run one way as the other; Error(Argument) for a
+  /// patch id from 2^20 on without a name.
   explicit DcelSDF(DcelMesh<T> mesh);
 
   [[nodiscard]] const DcelMesh<T>& mesh() const { return *mesh_; }
@@ -30,9 +32,10 @@ class DcelSDF final : public TriangleSurfaceSDF<T> {
   // Never called: the surface is closed.
   [[nodiscard]] bool isSurrounded(const Vec3<T>&) const override { return false; }
   [[nodiscard]] bool isDecided(const Box<double>&) const override { return true; }
-  [[nodiscard]] std::vector<std::string> localPatchNames() const override;
+  [[nodiscard]] std::vector<std::string> localPatchNames() const override { return patchNames_; }
 
   std::shared_ptr<const DcelMesh<T>> mesh_;
+  std::vector<std::string> patchNames_;
   Block block_;
 };
 

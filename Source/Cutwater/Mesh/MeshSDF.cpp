@@ -2,6 +2,7 @@
 #include <Cutwater/Mesh/BoxSearch.hpp>
 #include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Mesh/PatchNames.hpp>
 #include <Cutwater/Mesh/SelfIntersections.hpp>
 #include <Cutwater/Mesh/SoundnessCheck.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceData.hpp>
@@ -43,7 +44,7 @@ MeshSDF<T>::MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options) : op
   std::string names;
   const auto data = [&] {
     const DcelMesh<T> mesh(soup);  // needed only here
-    names = joined(mesh.patchNames());
+    names = joined(detail::patchNamesOf(mesh));
     return TriangleSurfaceData<T>(mesh);
   }();
   build(data, buildTriangleTree(data.positions(), data.triangles()), names,
@@ -53,8 +54,8 @@ MeshSDF<T>::MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options) : op
 template <std::floating_point T>
 MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) : options_(options) {
   const TriangleSurfaceData<T> data(mesh);
-  build(data, buildTriangleTree(data.positions(), data.triangles()), joined(mesh.patchNames()),
-        [&] { return check(mesh).summary(); });
+  build(data, buildTriangleTree(data.positions(), data.triangles()),
+        joined(detail::patchNamesOf(mesh)), [&] { return check(mesh).summary(); });
 }
 
 template <std::floating_point T>

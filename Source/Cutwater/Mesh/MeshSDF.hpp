@@ -26,9 +26,11 @@ namespace cutwater {
 template <std::floating_point T>
 class MeshSDF final : public TriangleSurfaceSDF<T> {
  public:
+  /// Patches that have no name in the soup are called "surface".
   /// @throws Error(Topology) with a one-line report if the soup has no triangles, or if options
   /// require a watertight surface and it is not; Error(Argument) for a patch name that contains a
-  /// zero; for an invalid soup, what DcelMesh throws.
+  /// zero, and for a patch id from 2^20 on without a name; for an invalid soup, what DcelMesh
+  /// throws.
   explicit MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options = {});
   explicit MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options = {});
 

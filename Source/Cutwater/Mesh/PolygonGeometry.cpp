@@ -58,14 +58,6 @@ double unscaledArea(double twice, double scale) {
   return 0.5 * twice / scale / scale;
 }
 
-template <std::floating_point T>
-std::vector<Vec3<double>> scaledBy(double scale, std::span<const Vec3<T>> positions) {
-  std::vector<Vec3<double>> result;
-  result.reserve(positions.size());
-  for (const auto& p : positions) result.push_back(scale * Vec3<double>(p));
-  return result;
-}
-
 }  // namespace
 
 double unitScale(std::span<const Vec3<double>> corners) {
@@ -98,15 +90,29 @@ T normalizingScale(std::span<const Vec3<T>> positions, std::span<const Corners> 
   return normalizingScale<T>(std::span(&farthest, 1));
 }
 
-template <std::floating_point T>
-std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<T>> positions) {
-  return scaledBy(normalizingScale(positions), positions);
+double normalizingScale(std::span<const Vec3<double>> positions,
+                        std::span<const std::uint32_t> used) {
+  Vec3<double> farthest;
+  for (const auto i : used) farthest = max(farthest, abs(positions[i]));
+  return normalizingScale<double>(std::span(&farthest, 1));
+}
+
+std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<double>> positions,
+                                              std::span<const std::uint32_t> used) {
+  const double scale = normalizingScale(positions, used);
+  std::vector<Vec3<double>> result(positions.size());
+  for (const auto i : used) result[i] = scale * positions[i];
+  return result;
 }
 
 template <std::floating_point T>
 std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<T>> positions,
                                               std::span<const Corners> triangles) {
-  return scaledBy(normalizingScale(positions, triangles), positions);
+  const double scale{normalizingScale(positions, triangles)};
+  std::vector<Vec3<double>> result;
+  result.reserve(positions.size());
+  for (const auto& p : positions) result.push_back(scale * Vec3<double>(p));
+  return result;
 }
 
 template <std::floating_point T>
@@ -148,8 +154,6 @@ template float normalizingScale(std::span<const Vec3<float>>);
 template double normalizingScale(std::span<const Vec3<double>>);
 template float normalizingScale(std::span<const Vec3<float>>, std::span<const Corners>);
 template double normalizingScale(std::span<const Vec3<double>>, std::span<const Corners>);
-template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<float>>);
-template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<double>>);
 template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<float>>,
                                                        std::span<const Corners>);
 template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<double>>,

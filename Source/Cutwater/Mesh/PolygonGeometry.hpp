@@ -38,10 +38,15 @@ template <std::floating_point T>
 [[nodiscard]] T normalizingScale(std::span<const Vec3<T>> positions,
                                  std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// Every position times normalizingScale().
-template <std::floating_point T>
-[[nodiscard]] std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<T>> positions);
-/// The same for the corners of triangles; other positions may overflow.
+/// The same for the positions that have these indices.
+[[nodiscard]] double normalizingScale(std::span<const Vec3<double>> positions,
+                                      std::span<const std::uint32_t> used);
+
+/// Every position times normalizingScale() of those that have these indices; others may be
+/// anywhere, and are at the origin in the result.
+[[nodiscard]] std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<double>> positions,
+                                                            std::span<const std::uint32_t> used);
+/// The same for the corners of triangles; other positions are multiplied, too, and may overflow.
 template <std::floating_point T>
 [[nodiscard]] std::vector<Vec3<double>> normalizedPositions(
     std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles);
@@ -63,8 +68,6 @@ struct TriangleShape {
 
 extern template float normalizingScale(std::span<const Vec3<float>>);
 extern template double normalizingScale(std::span<const Vec3<double>>);
-extern template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<float>>);
-extern template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<double>>);
 extern template float normalizingScale(std::span<const Vec3<float>>,
                                        std::span<const std::array<std::uint32_t, 3>>);
 extern template double normalizingScale(std::span<const Vec3<double>>,

@@ -11,7 +11,7 @@ void PolygonSoup::addPolygon(std::span<const std::uint32_t> polygonCorners, std:
 
 Box<double> PolygonSoup::boundingBox() const {
   Box<double> box;
-  for (const auto& p : points) box.extend(p);
+  for (const auto corner : corners) box.extend(points[corner]);
   return box;
 }
 

@@ -26,7 +26,8 @@ struct PolygonSoup {
   /// Appends a polygon; `patch` is an index into patchNames.
   void addPolygon(std::span<const std::uint32_t> polygonCorners, std::uint32_t patch = 0);
 
-  /// The box around all points, used or not.
+  /// The box around the corners of all polygons, which must be indices of points. Points that no
+  /// polygon uses may be anywhere.
   [[nodiscard]] Box<double> boundingBox() const;
 
   /// Checks a soup that did not come from a reader; soups from a reader always pass.

@@ -3,7 +3,6 @@
 #include <Cutwater/Mesh/Cleaning/PlaneFrame.hpp>
 #include <Cutwater/Mesh/Cleaning/SoupEdits.hpp>
 #include <Cutwater/Mesh/DisjointSets.hpp>
-#include <Cutwater/Mesh/PolygonGeometry.hpp>
 
 #include <utility>
 
@@ -44,8 +43,7 @@ OpeningReport capOnPlane(PolygonSoup& soup, const SurfacePlane& plane, const Cap
   OpeningReport report;
   report.before = report.after = measure(soup);
   const auto loops = detail::loopsAround(closedRims(soup, frame, report));
-  const auto filling =
-      detail::fillLoops(normalizedPositions<double>(soup.points), loops, frame.axis());
+  const auto filling = detail::fillLoops(soup.points, loops, frame.axis());
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const auto& place = soup.points[loops[i].front()];
     (filling.left[i] ? report.left : report.closed).add(place);

@@ -44,7 +44,7 @@ std::vector<Loop> rimsOf(const PolygonSoup& soup) {
 /// Fills the loops; throws if one cannot be filled.
 std::vector<std::array<std::uint32_t, 3>> filled(const PolygonSoup& soup,
                                                  std::span<const Loop> loops, int axis) {
-  auto filling = detail::fillLoops(normalizedPositions<double>(soup.points), loops, axis);
+  auto filling = detail::fillLoops(soup.points, loops, axis);
   const auto left = std::ranges::find(filling.left, true) - filling.left.begin();
   if (static_cast<std::size_t>(left) < loops.size()) {
     const auto& point = soup.points[loops[static_cast<std::size_t>(left)].front()];
@@ -93,7 +93,7 @@ class Walls {
 /// Turns shells outward; throws if that leaves faces on the level that face the surface.
 void turnOutward(PolygonSoup& soup, std::size_t firstOnLevel, int axis, bool isBelow) {
   orientFaces(soup);
-  const auto positions = normalizedPositions<double>(soup.points);
+  const auto positions = normalizedPositions(soup.points, soup.corners);
   const detail::PlanarView view(positions, axis);
   for (std::size_t i = firstOnLevel; i < soup.polygonCount(); ++i) {
     const auto corners = soup.polygon(i);
@@ -156,14 +156,35 @@ class Apron {
   }
 
  private:
-  /// The rim that reaches farthest. Whether another rim lies outside it is checked when the bottom
-  /// is filled.
+  /// The rim that surrounds all others; throws if none does.
   [[nodiscard]] const Loop& outermost(std::span<const Loop> rims) const {
-    return *std::ranges::max_element(rims, {}, [&](const Loop& rim) {
-      double most = -Box<double>::kMost;
-      for (const auto point : rim) most = std::max(most, soup_.points[point][u_]);
-      return most;
-    });
+    static_cast<void>(filled(soup_, rims, axis_));  // throws if rims meet
+    const Loop& outer =
+        *std::ranges::max_element(rims, {}, [&](const Loop& rim) { return extentOf(rim); });
+    const auto positions = normalizedPositions(soup_.points, soup_.corners);
+    const detail::PlanarView view(positions, axis_);
+    for (const auto& rim : rims) {
+      // Of rims that do not meet, all points that they do not share are on the same side.
+      const auto own = std::ranges::find_if(
+          rim, [&](std::uint32_t i) { return std::ranges::find(outer, i) == outer.end(); });
+      if (&rim == &outer || (own != rim.end() && view.isAround(outer, *own))) continue;
+      throw Error(ErrorKind::Topology,
+                  "extendToBox: no rim surrounds all others, seen along the axis: use extendTo() "
+                  "for separate parts (" +
+                      detail::toText(Named{"rim", soup_.points[rim.front()]}) + ")");
+    }
+    return outer;
+  }
+
+  /// The diagonal of the rim's box, seen along the axis.
+  [[nodiscard]] double extentOf(const Loop& rim) const {
+    Box<double> box;
+    for (const auto point : rim) {
+      Vec3<double> p = soup_.points[point];
+      p[axis_] = 0;
+      box.extend(p);
+    }
+    return box.diagonal();
   }
 
   void requireWithin(const Vec3<double>& p) const {

@@ -17,8 +17,8 @@ class JunctionSearch {
  public:
   JunctionSearch(const PolygonSoup& soup, double tolerance)
       : soup_(soup),
-        scale_(normalizingScale<double>(soup.points)),
-        positions_(normalizedPositions<double>(soup.points)),
+        scale_(normalizingScale(soup.points, soup.corners)),
+        positions_(normalizedPositions(soup.points, soup.corners)),
         tolerance_(tolerance * scale_) {
     for (const auto& edge : detail::openEdgesOf(soup)) {
       if (edge.multiplicity % 2 == 0) continue;

@@ -6,7 +6,7 @@ namespace cutwater {
 
 OrientationCorrections orientFaces(PolygonSoup& soup, NestedShells nested) {
   PolygonSoup scaled = soup;
-  scaled.points = normalizedPositions<double>(soup.points);
+  scaled.points = normalizedPositions(soup.points, soup.corners);
   const auto orientation = orientShells(DcelMesh<double>(scaled), nested);
   OrientationCorrections result;
   result.unorientable = orientation.unorientable;

@@ -3,6 +3,7 @@
 #include <Cutwater/Mesh/Cleaning/PlanarRegions.hpp>
 #include <Cutwater/Mesh/Cleaning/PlanarView.hpp>
 #include <Cutwater/Mesh/EarClipping.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -11,10 +12,20 @@
 namespace cutwater::detail {
 namespace {
 
+Loop joined(std::span<const Loop> loops) {
+  Loop result;
+  for (const auto& loop : loops) result.insert(result.end(), loop.begin(), loop.end());
+  return result;
+}
+
 class Filler {
  public:
   Filler(std::span<const Vec3<double>> positions, std::span<const Loop> loops, int axis)
-      : view_(positions, axis), loops_(loops), around_(loops.size()), isHole_(loops.size()) {
+      : positions_(normalizedPositions(positions, joined(loops))),
+        view_(positions_, axis),
+        loops_(loops),
+        around_(loops.size()),
+        isHole_(loops.size()) {
     result_.left.assign(loops.size(), false);
   }
 
@@ -133,6 +144,7 @@ class Filler {
     }
   }
 
+  std::vector<Vec3<double>> positions_;
   PlanarView view_;
   std::span<const Loop> loops_;
   std::vector<std::vector<std::uint32_t>> around_;  // for each loop: those that enclose it

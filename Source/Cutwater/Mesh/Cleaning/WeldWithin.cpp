@@ -25,9 +25,10 @@ class KeptPoints {
     scale_ = std::ldexp(1.0, -std::clamp(std::ilogb(tolerance), -1022, 1022));
   }
 
-  /// The distance between two points, computed without overflow or underflow of squares.
+  /// The distance between two points, without overflow or underflow where it is about the
+  /// tolerance.
   [[nodiscard]] double distance(std::uint32_t i, std::uint32_t j) const {
-    return length(scale_ * points_[i] - scale_ * points_[j]) / scale_;
+    return scaledDistance(i, j) / scale_;
   }
 
   /// The first of the kept points within the tolerance; kNone if there is none.
@@ -40,7 +41,7 @@ class KeptPoints {
       for (std::size_t y = 0; y < yCount; ++y) {
         for (std::size_t z = 0; z < zCount; ++z) {
           for (auto j = headOf({xs[x], ys[y], zs[z]}); j != kNone; j = next_[j]) {
-            if (j < first && distance(i, j) <= tolerance_) first = j;
+            if (j < first && scaledDistance(i, j) <= scale_ * tolerance_) first = j;
           }
         }
       }
@@ -60,6 +61,10 @@ class KeptPoints {
     std::array<double, 3> at;
     std::size_t count;
   };
+
+  [[nodiscard]] double scaledDistance(std::uint32_t i, std::uint32_t j) const {
+    return length(scale_ * (points_[i] - points_[j]));
+  }
 
   [[nodiscard]] Vec3<double> cellOf(std::uint32_t i) const {
     const auto& p = points_[i];
