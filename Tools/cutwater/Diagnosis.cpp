@@ -15,13 +15,6 @@ namespace {
 
 constexpr std::size_t kMostPlaces = Findings<FaceId>::kExamples;
 
-/// The box around the points that faces use.
-Box<double> usedBox(const PolygonSoup& soup) {
-  Box<double> box;
-  for (const auto corner : soup.corners) box.extend(soup.points[corner]);
-  return box;
-}
-
 /// Judges the findings on one surface, defect by defect.
 class Judge {
  public:
@@ -50,7 +43,7 @@ class Judge {
     if (!axis || (report_.isClosed() && report_.volume != 0)) return;
     add(Severity::Error, "flat", "faces in one plane",
         std::string("all of the surface lies at ") + "xyz"[*axis] + " = " +
-            number(usedBox(soup_).center()[*axis]) +
+            number(soup_.boundingBox().center()[*axis]) +
             " and bounds nothing; it may be one patch of more",
         report_.faces);
   }
@@ -278,7 +271,7 @@ std::string verdict(const std::vector<Defect>& defects, const std::optional<Sign
 
 std::optional<int> flatAxis(const PolygonSoup& soup) {
   constexpr double kRounding = 1e-9;
-  const auto box = usedBox(soup);
+  const auto box = soup.boundingBox();
   if (box.empty()) return {};
   const auto size = box.size();
   for (const int axis : {0, 1, 2}) {

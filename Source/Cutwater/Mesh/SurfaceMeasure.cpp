@@ -20,9 +20,7 @@ SurfaceMeasure measureTriangles(std::size_t count, const Vec3<double>& center,
 
 SurfaceMeasure measure(const PolygonSoup& soup) {
   const auto triangles = triangulate(soup).triangles;
-  Box<double> box;
-  for (const auto corner : soup.corners) box.extend(soup.points[corner]);
-  return measureTriangles(triangles.size(), box.center(), [&](std::size_t i) {
+  return measureTriangles(triangles.size(), soup.boundingBox().center(), [&](std::size_t i) {
     const auto& [a, b, c] = triangles[i];
     return std::array{soup.points[index(a)], soup.points[index(b)], soup.points[index(c)]};
   });

@@ -18,12 +18,9 @@ using detail::Loop;
 
 void requireBeyond(const PolygonSoup& soup, int axis, double level) {
   require(0 <= axis && axis < 3, "extendTo: the axis is 0, 1 or 2", Named{"axis", axis});
-  double lower = Box<double>::kMost;
-  double upper = -Box<double>::kMost;
-  for (const auto corner : soup.corners) {
-    lower = std::min(lower, soup.points[corner][axis]);
-    upper = std::max(upper, soup.points[corner][axis]);
-  }
+  const auto box = soup.boundingBox();
+  const double lower = box.lower[axis];
+  const double upper = box.upper[axis];
   require(std::isfinite(level) && (level < lower || level > upper),
           "extendTo: the level must lie beyond the surface", Named{"level", level},
           Named{"lowest", lower}, Named{"highest", upper});
