@@ -172,6 +172,44 @@ TEST(ExtendTo, AnApronNeedsOneRimAroundAllOthers) {
   }
 }
 
+TEST(ExtendTo, RefusesOnePartAboveAnother) {
+  const auto square = makeSoup({{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{0, 1, 2, 3}});
+  auto large = square;
+  for (auto& p : large.points) p = {8 * p.x - 4, 8 * p.y - 4, p.z};
+  const auto ground = together(large, moved(square, {6, 0, 0}));
+  const auto isRefused = [](PolygonSoup soup, auto call) {
+    const auto before = soup;
+    try {
+      call(soup);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::Topology);
+      EXPECT_TRUE(sameSoup(soup, before));
+      return true;
+    }
+    return false;
+  };
+  const auto down = [](PolygonSoup& soup) { extendTo(soup, 2, 0); };
+  EXPECT_FALSE(isRefused(ground, down));
+  for (const double height : {-0.5, 0.0, 1.0}) {
+    const auto above = moved(square, {0, 0, height});
+    for (const auto& sheet : {above, insideOut(above)}) {
+      EXPECT_TRUE(isRefused(together(ground, sheet), down)) << height;
+      EXPECT_TRUE(isRefused(together(large, sheet), [](PolygonSoup& soup) {
+        extendToBox(soup, {{-9, -9, 0}, {9, 9, 5}}, 2);
+      })) << height;
+    }
+  }
+  // Above a hole it is an island; the same sheet is not one if it also reaches beyond the hole.
+  const auto withHole = onlyFaces(terrain(6, 0.5), [](std::size_t i) { return i / 2 != 14; });
+  const auto island = moved(square, {1.1, 1.1, 2});
+  auto smaller = island;
+  for (auto& p : smaller.points)
+    p = Vec3<double>{1.1, 1.1, 0} + 0.3 * (p - Vec3<double>{1.1, 1.1, 0});
+  const auto under = [](PolygonSoup& soup) { extendTo(soup, 2, -2); };
+  EXPECT_FALSE(isRefused(together(withHole, smaller), under));
+  EXPECT_TRUE(isRefused(together(withHole, island), under));
+}
+
 TEST(ExtendTo, AnApronLeavesHolesAndIslandsInThem) {
   const auto ground = terrain(6, 0.5);
   // A hole of one triangle touches the right side at a point, a larger one has an island.

@@ -26,7 +26,13 @@ void requireBeyond(const PolygonSoup& soup, int axis, double level) {
           Named{"lowest", lower}, Named{"highest", upper});
 }
 
-std::vector<Loop> rimsOf(const PolygonSoup& soup) {
+/// The rims of a surface, and the connected part of it that each belongs to.
+struct SurfaceRims {
+  std::vector<Loop> loops;
+  std::vector<std::uint32_t> parts;  // per loop
+};
+
+SurfaceRims rimsOf(const PolygonSoup& soup) {
   const auto edges = detail::openEdgesOf(soup);
   if (edges.empty()) throw Error(ErrorKind::Topology, "extendTo: the surface has no rim");
   for (const auto& edge : edges) {
@@ -35,12 +41,19 @@ std::vector<Loop> rimsOf(const PolygonSoup& soup) {
                 "extendTo: faces disagree about their orientation along an edge (" +
                     detail::toText(Named{"from", soup.points[edge.lower]}) + ")");
   }
-  return detail::loopsAround(edges);
+  SurfaceRims rims{.loops = detail::loopsAround(edges), .parts = {}};
+  const auto parts = detail::partsOf(soup);
+  for (const auto& loop : rims.loops) {
+    const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(loop[0], loop[1]);
+    const auto edge = std::ranges::lower_bound(
+        edges, ends, {}, [](const OpenEdge& e) { return std::pair(e.lower, e.upper); });
+    rims.parts.push_back(parts[edge->triangle]);
+  }
+  return rims;
 }
 
 /// Fills the loops; throws if one cannot be filled.
-std::vector<std::array<std::uint32_t, 3>> filled(const PolygonSoup& soup,
-                                                 std::span<const Loop> loops, int axis) {
+detail::PlanarFilling filled(const PolygonSoup& soup, std::span<const Loop> loops, int axis) {
   auto filling = detail::fillLoops(soup.points, loops, axis);
   const auto left = std::ranges::find(filling.left, true) - filling.left.begin();
   if (static_cast<std::size_t>(left) < loops.size()) {
@@ -49,7 +62,20 @@ std::vector<std::array<std::uint32_t, 3>> filled(const PolygonSoup& soup,
                 "extendTo: a rim meets itself or another, seen along the axis (" +
                     detail::toText(Named{"rim", point}) + ")");
   }
-  return std::move(filling.triangles);
+  return filling;
+}
+
+/// Throws if a rim lies amid the region of another and is not a hole of the same part.
+void requireApart(const PolygonSoup& soup, const SurfaceRims& rims,
+                  const detail::PlanarFilling& filling) {
+  for (std::size_t i = 0; i < rims.loops.size(); ++i) {
+    const auto parent = filling.parents[i];
+    if (parent == kNone || filling.isHole[parent]) continue;
+    if (filling.isHole[i] && rims.parts[i] == rims.parts[parent]) continue;
+    throw Error(ErrorKind::Topology,
+                "extendTo: one part of the surface lies above another, seen along the axis (" +
+                    detail::toText(Named{"rim", soup.points[rims.loops[i].front()]}) + ")");
+  }
 }
 
 /// Adds walls with one point below each point of the rims, shared by all rims that share the point.
@@ -108,15 +134,17 @@ void addWallsAndBottom(PolygonSoup& soup, int axis, double level, const ExtendOp
   const auto sides = detail::patchNamed(soup, options.sides);
   Walls walls(soup, axis, level);
   std::vector<Loop> feet;
-  for (const auto& rim : rims) {
+  for (const auto& rim : rims.loops) {
     report.closed.add(soup.points[rim.front()]);
     report.rimEdges += rim.size();
     feet.push_back(walls.add(rim, sides));
   }
+  const auto filling = filled(soup, feet, axis);
+  requireApart(soup, rims, filling);
   const auto bottom = detail::patchNamed(soup, options.bottom);
   const std::size_t firstOnLevel = soup.polygonCount();
-  for (const auto& triangle : filled(soup, feet, axis)) soup.addPolygon(triangle, bottom);
-  turnOutward(soup, firstOnLevel, axis, level < soup.points[rims.front().front()][axis]);
+  for (const auto& triangle : filling.triangles) soup.addPolygon(triangle, bottom);
+  turnOutward(soup, firstOnLevel, axis, level < soup.points[rims.loops.front().front()][axis]);
 }
 
 /// Works on a copy, and reports the result.
@@ -142,12 +170,12 @@ class Apron {
       : soup_(soup), box_(box), u_((axis + 1) % 3), v_((axis + 2) % 3), axis_(axis) {}
 
   void add(const std::string& patchName) {
-    const auto rims = rimsOf(soup_);
+    const auto rims = rimsOf(soup_).loops;
     const Loop& outer = outermost(rims);
     for (const auto point : outer) requireWithin(soup_.points[point]);
     const auto frame = frameAround(outer);
     const auto patch = detail::patchNamed(soup_, patchName);
-    for (const auto& triangle : filled(soup_, std::array{frame, outer}, axis_)) {
+    for (const auto& triangle : filled(soup_, std::array{frame, outer}, axis_).triangles) {
       soup_.addPolygon(triangle, patch);
     }
   }
@@ -155,33 +183,15 @@ class Apron {
  private:
   /// The rim that surrounds all others; throws if none does.
   [[nodiscard]] const Loop& outermost(std::span<const Loop> rims) const {
-    static_cast<void>(filled(soup_, rims, axis_));  // throws if rims meet
-    const Loop& outer =
-        *std::ranges::max_element(rims, {}, [&](const Loop& rim) { return extentOf(rim); });
-    const auto positions = normalizedPositions(soup_.points, soup_.corners);
-    const detail::PlanarView view(positions, axis_);
-    for (const auto& rim : rims) {
-      // Of rims that do not meet, all points that they do not share are on the same side.
-      const auto own = std::ranges::find_if(
-          rim, [&](std::uint32_t i) { return std::ranges::find(outer, i) == outer.end(); });
-      if (&rim == &outer || (own != rim.end() && view.isAround(outer, *own))) continue;
-      throw Error(ErrorKind::Topology,
-                  "extendToBox: no rim surrounds all others, seen along the axis: use extendTo() "
-                  "for separate parts (" +
-                      detail::toText(Named{"rim", soup_.points[rim.front()]}) + ")");
-    }
-    return outer;
-  }
-
-  /// The diagonal of the rim's box, seen along the axis.
-  [[nodiscard]] double extentOf(const Loop& rim) const {
-    Box<double> box;
-    for (const auto point : rim) {
-      Vec3<double> p = soup_.points[point];
-      p[axis_] = 0;
-      box.extend(p);
-    }
-    return box.diagonal();
+    const auto parents = filled(soup_, rims, axis_).parents;
+    const auto first = std::ranges::find(parents, kNone);
+    const auto second = std::find(first + 1, parents.end(), kNone);
+    if (second == parents.end()) return rims[static_cast<std::size_t>(first - parents.begin())];
+    const Loop& other = rims[static_cast<std::size_t>(second - parents.begin())];
+    throw Error(ErrorKind::Topology,
+                "extendToBox: no rim surrounds all others, seen along the axis: use extendTo() for "
+                "separate parts (" +
+                    detail::toText(Named{"rim", soup_.points[other.front()]}) + ")");
   }
 
   void requireWithin(const Vec3<double>& p) const {

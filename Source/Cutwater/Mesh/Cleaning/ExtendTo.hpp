@@ -24,8 +24,9 @@ struct ExtendOptions {
 ///
 /// @throws Error(Argument) unless the level lies beyond all points of faces, and for a soup that
 /// does not pass PolygonSoup::validate(); Error(Topology) if there is no rim, if the orientations
-/// of faces disagree (run clean() first), also of parts that touch at a point, or if rims meet when
-/// seen along the axis. The soup is then unchanged.
+/// of faces disagree (run clean() first), also of parts that touch at a point, or if, seen along
+/// the axis, rims meet or one part lies within the rim of another and not in a hole of it. The soup
+/// is then unchanged.
 OpeningReport extendTo(PolygonSoup& soup, int axis, double level,
                        const ExtendOptions& options = {});
 

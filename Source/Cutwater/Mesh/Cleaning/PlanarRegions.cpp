@@ -24,9 +24,10 @@ class Filler {
       : positions_(normalizedPositions(positions, joined(loops))),
         view_(positions_, axis),
         loops_(loops),
-        around_(loops.size()),
-        isHole_(loops.size()) {
+        around_(loops.size()) {
     result_.left.assign(loops.size(), false);
+    result_.parents.assign(loops.size(), kNone);
+    result_.isHole.assign(loops.size(), false);
   }
 
   PlanarFilling run() {
@@ -34,13 +35,13 @@ class Filler {
     nest();
     std::vector<std::vector<Loop>> holes(loops_.size());
     for (const auto i : outermostFirst()) {
-      if (around_[i].empty() || result_.left[i]) continue;
-      const auto parent = parentOf(i);
-      isHole_[i] = !isHole_[parent] && orientation(i) != orientation(parent);
-      if (isHole_[i]) holes[parent].push_back(loops_[i]);
+      const auto parent = result_.parents[i];
+      if (parent == kNone || result_.left[i]) continue;
+      result_.isHole[i] = !result_.isHole[parent] && orientation(i) != orientation(parent);
+      if (result_.isHole[i]) holes[parent].push_back(loops_[i]);
     }
     for (std::uint32_t i = 0; i < loops_.size(); ++i) {
-      if (!isHole_[i] && !result_.left[i]) fill(i, std::move(holes[i]));
+      if (!result_.isHole[i] && !result_.left[i]) fill(i, std::move(holes[i]));
     }
     leaveHoles();
     return std::move(result_);
@@ -102,6 +103,10 @@ class Filler {
     const auto met = result_.left;
     for (std::uint32_t i = 0; i < loops_.size(); ++i) {
       for (const auto k : around_[i]) result_.left[i] = result_.left[i] || met[k];
+      // The smallest of those around it is the one that most others enclose.
+      const auto parent = std::ranges::max_element(
+          around_[i], {}, [&](std::uint32_t k) { return around_[k].size(); });
+      if (parent != around_[i].end()) result_.parents[i] = *parent;
     }
   }
 
@@ -110,12 +115,6 @@ class Filler {
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return around_[i].size(); });
     return order;
-  }
-
-  /// The smallest enclosing loop: the one that most others enclose.
-  [[nodiscard]] std::uint32_t parentOf(std::uint32_t i) const {
-    return *std::ranges::max_element(around_[i], {},
-                                     [&](std::uint32_t k) { return around_[k].size(); });
   }
 
   [[nodiscard]] int orientation(std::uint32_t loop) const {
@@ -140,7 +139,7 @@ class Filler {
   /// Holes are left open where the loop around them is.
   void leaveHoles() {
     for (std::uint32_t i = 0; i < loops_.size(); ++i) {
-      if (isHole_[i]) result_.left[i] = result_.left[parentOf(i)];
+      if (result_.isHole[i]) result_.left[i] = result_.left[result_.parents[i]];
     }
   }
 
@@ -148,7 +147,6 @@ class Filler {
   PlanarView view_;
   std::span<const Loop> loops_;
   std::vector<std::vector<std::uint32_t>> around_;  // for each loop: those that enclose it
-  std::vector<bool> isHole_;
   PlanarFilling result_;
 };
 

@@ -13,10 +13,12 @@ namespace cutwater::detail {
 
 using Loop = std::vector<std::uint32_t>;
 
-/// Triangles between loops of points in a plane.
+/// Triangles between loops of points in a plane, and how the loops lie.
 struct PlanarFilling {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< each loop runs along their boundary
   std::vector<bool> left;  ///< per loop: not filled, it meets itself or another, or is within such
+  std::vector<std::uint32_t> parents;  ///< per loop: the smallest around it, or kNone
+  std::vector<bool> isHole;            ///< per loop: a hole in its parent's region
 };
 
 /// Fills loops of points in a plane, seen along `axis`, which must not lie in the plane. A loop is

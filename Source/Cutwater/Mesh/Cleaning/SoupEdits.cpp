@@ -1,4 +1,5 @@
 #include <Cutwater/Mesh/Cleaning/SoupEdits.hpp>
+#include <Cutwater/Mesh/ConnectedShells.hpp>
 #include <Cutwater/Mesh/RimLoops.hpp>
 #include <Cutwater/Mesh/Triangulation.hpp>
 
@@ -6,6 +7,16 @@
 #include <set>
 
 namespace cutwater::detail {
+namespace {
+
+std::vector<std::array<std::uint32_t, 3>> indicesOf(std::span<const TriangleCorners> triangles) {
+  std::vector<std::array<std::uint32_t, 3>> result;
+  result.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) result.push_back({index(a), index(b), index(c)});
+  return result;
+}
+
+}  // namespace
 
 Vec3<double> middleOf(const PolygonSoup& soup, std::size_t polygon) {
   const auto corners = soup.polygon(polygon);
@@ -51,14 +62,19 @@ void turnPolygon(PolygonSoup& soup, std::size_t polygon) {
 
 std::vector<OpenEdge> openEdgesOf(const PolygonSoup& soup) {
   const auto triangulation = triangulate(soup);
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  triangles.reserve(triangulation.triangles.size());
-  for (const auto& [a, b, c] : triangulation.triangles) {
-    triangles.push_back({index(a), index(b), index(c)});
-  }
-  auto edges = findOpenEdges(triangles, soup.points.size());
+  auto edges = findOpenEdges(indicesOf(triangulation.triangles), soup.points.size());
   for (auto& edge : edges) edge.triangle = triangulation.polygons[edge.triangle];
   return edges;
+}
+
+std::vector<std::uint32_t> partsOf(const PolygonSoup& soup) {
+  const auto triangulation = triangulate(soup);
+  const auto shells = connectShells(indicesOf(triangulation.triangles), soup.points.size());
+  std::vector<std::uint32_t> parts(soup.polygonCount());
+  for (std::size_t i = 0; i < triangulation.polygons.size(); ++i) {
+    parts[triangulation.polygons[i]] = shells.shellOf[i];
+  }
+  return parts;
 }
 
 std::vector<std::vector<std::uint32_t>> loopsAround(std::span<const OpenEdge> edges) {

@@ -23,6 +23,10 @@ void turnPolygon(PolygonSoup& soup, std::size_t polygon);
 /// is here the index of a polygon.
 [[nodiscard]] std::vector<OpenEdge> openEdgesOf(const PolygonSoup& soup);
 
+/// Per polygon: the part of the surface that it belongs to. Parts are connected across edges of any
+/// kind.
+[[nodiscard]] std::vector<std::uint32_t> partsOf(const PolygonSoup& soup);
+
 /// Loops that together run along every open edge as often as it is open, opposite to the adjacent
 /// faces; none passes a point twice. At every point, as many of the edges must begin as end.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> loopsAround(std::span<const OpenEdge> edges);
