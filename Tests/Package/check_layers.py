@@ -31,8 +31,22 @@ OPTIONAL_HEADERS = {"Core/Eigen.hpp"}  # for users of that library only
 # Host codes are known to one header each, which nothing else of ours includes.
 HOST = re.compile(r"AMReX|BaseIF|deal\.II/|Cutwater/Adapters/(Amrex|Chombo|DealII)\.hpp")
 HOST_HEADERS = {"Adapters/Amrex.hpp", "Adapters/Chombo.hpp", "Adapters/DealII.hpp"}
+# With one of these, a header is of use to users ...
+PUBLIC = re.compile(r"^namespace cutwater(::tessellation)? \{", re.M)
+NOT_INSTALLED = "// Private: not installed."  # ... unless it says this
 # Not installed.
 PRIVATE_HEADERS = {"P4est/ForestBuilder.hpp", "Repair/CgalCall.hpp", "Repair/SurfaceMesh.hpp"}
+
+
+def umbrella_complaints(name, text, root):
+    if HOST.search(text):
+        yield f"{name}: adapters' headers for hosts are for these hosts' code only"
+    for header in sorted(root.glob("*/**/*.hpp")):
+        path = header.relative_to(root).as_posix()
+        content = header.read_text()
+        if (PUBLIC.search(content) and NOT_INSTALLED not in content
+                and path not in HOST_HEADERS | OPTIONAL_HEADERS and f"<Cutwater/{path}>" not in text):
+            yield f"{name}: include <Cutwater/{path}>, which is public"
 
 
 def complaints(source):
@@ -46,8 +60,7 @@ def complaints(source):
         name = file.relative_to(root)
         layer = name.parts[0]
         if len(name.parts) == 1:  # the header that includes all others
-            if HOST.search(file.read_text()):
-                yield f"{name}: adapters' headers for hosts are for these hosts' code only"
+            yield from umbrella_complaints(name, file.read_text(), root)
             continue
         if layer not in MAY_INCLUDE:
             yield f"{name}: {layer} is no layer; see DESIGN"

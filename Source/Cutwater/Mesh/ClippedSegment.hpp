@@ -5,6 +5,8 @@
 
 #include <optional>
 
+// Private: not installed.
+
 namespace cutwater {
 
 /// A part of a segment, and the whole segment's parameters at its ends.
