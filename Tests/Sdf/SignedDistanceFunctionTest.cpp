@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 #include <algorithm>
@@ -221,6 +222,36 @@ TYPED_TEST(SignedDistanceFunctionTest, TellsWhereCrossingsCannotBeExcluded) {
     const auto passing = ball.crossings({{-2, 1 + depth, 0}, {2, 1 + depth, 0}}, any);
     EXPECT_EQ(passing.found + passing.unresolved, 0U) << depth;
   }
+}
+
+TYPED_TEST(SignedDistanceFunctionTest, AsksLittleWhereASegmentLiesInTheSurface) {
+  using T = TypeParam;
+  // The half-space z < 1, with a ramp that rises from x = 0.3 on; 1-Lipschitz.
+  std::size_t asked = 0;
+  const FunctionSDF ground(
+      [&asked](const Vec3<T>& p) {
+        ++asked;
+        return T(0.8) * (p.z - 1 - std::max(T(0), (p.x - T(0.3)) / 2));
+      },
+      Guarantee<T>::exact(2));
+  std::vector<T> found;
+  const auto visit = [&found](const Crossing<T>& c) {
+    found.push_back(c.point.x);
+    return true;
+  };
+  EXPECT_EQ(ground.crossings({{-2, 0, 1}, {T(0.25), 0, 1}}, visit).unresolved, 1U);
+  EXPECT_TRUE(found.empty());
+  EXPECT_LT(asked, 100U);
+  asked = 0;
+  EXPECT_EQ(ground.crossings({{-2, 0, 1}, {1, 0, 1}}, visit).unresolved, 1U);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0], 0.3, 1e-4);
+  EXPECT_LT(asked, 2000U);
+  // A wave that is zero wherever the segment is halved, 32 times, does not seem to be the surface.
+  const auto waves = Wave<T>(T(32 * 3.14159265358979)).crossings({{}, {1, 0, 0}}, visit);
+  EXPECT_EQ(waves.found, found.size() - 1);
+  EXPECT_GE(waves.found, 31U);
+  EXPECT_LE(waves.unresolved, 2U);  // the ends, where it is zero, too
 }
 
 TYPED_TEST(SignedDistanceFunctionTest, BatchesRefuseSpansOfDifferentSize) {

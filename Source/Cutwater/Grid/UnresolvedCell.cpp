@@ -27,6 +27,7 @@ bool areConnected(unsigned corners) {
 template <std::floating_point T>
 auto UnresolvedCell<T>::find(bool isCut) -> std::optional<Finding> {
   const bool isHidden = signs_.inside == 0 || signs_.inside == 0xffU;
+  if (isHidden && !isCut && isOnlyTouched()) return {};
   Finding result{.isSolid = signs_.inside == 0};
   if (isHidden) {
     result.kind = hiddenKind();
@@ -53,6 +54,12 @@ auto UnresolvedCell<T>::find(bool isCut) -> std::optional<Finding> {
   if (count_ == 0) result.point = box_.center();
   if (isHidden && !isCut && !(result.depth > 0)) return {};
   return result;
+}
+
+template <std::floating_point T>
+bool UnresolvedCell<T>::isOnlyTouched() const {
+  return solid_.classify(box_.grown(-skin())) ==
+         (signs_.inside == 0 ? BoxClass::Outside : BoxClass::Inside);
 }
 
 template <std::floating_point T>
@@ -141,13 +148,11 @@ T UnresolvedCell<T>::depthAt(std::size_t point, bool isSolid) const {
       reach = std::min(reach, (box_.lower[axis] - from[axis]) / direction[axis]);
     }
   }
-  // The point itself is off the surface by round-off.
-  const T skipped = box_.diagonal() * T(0x1p-20);
-  if (!(reach > skipped)) return 0;
+  if (!(reach > skin())) return 0;
   T depth = reach;
-  solid_.crossings({from + skipped * direction, from + reach * direction},
+  solid_.crossings({from + skin() * direction, from + reach * direction},
                    [&](const Crossing<T>& crossing) {
-                     depth = skipped + crossing.parameter * (reach - skipped);
+                     depth = skin() + crossing.parameter * (reach - skin());
                      return false;
                    });
   // Where the surface only touches the cell's faces, there is nothing behind the point.

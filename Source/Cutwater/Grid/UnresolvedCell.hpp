@@ -25,6 +25,10 @@ class UnresolvedCell {
  private:
   static constexpr std::size_t kMostPoints = 64;
 
+  /// A depth that does not count: points found on the surface are off it by rounding.
+  [[nodiscard]] T skin() const { return box_.diagonal() * T(0x1p-20); }
+  /// Whether the cell is on the corners' side of the surface, except perhaps for its skin.
+  [[nodiscard]] bool isOnlyTouched() const;
   [[nodiscard]] bool mayMeet(const Box<T>& part) const { return mayBeCut(solid_.classify(part)); }
   [[nodiscard]] UnresolvedKind hiddenKind() const;
   [[nodiscard]] bool isMultiCut(bool& isSolid) const;

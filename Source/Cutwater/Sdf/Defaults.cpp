@@ -204,9 +204,11 @@ class CrossingSearch {
   }
 
  private:
+  static constexpr int kShallow = 4;
   static constexpr int kDepth = 12;
   static constexpr int kDeepest = 60;
   static constexpr int kBudget = 16384;  // of values beyond kDepth
+  static constexpr T kClose = 1024;      // times the rounding: shorter stretches are halved anyway
 
   struct Stretch {
     T begin{}, end{}, from{}, to{};
@@ -229,7 +231,19 @@ class CrossingSearch {
     return hasConstant(s) && std::abs(s.from) + std::abs(s.to) > change(s) + 2 * error_;
   }
   bool isWithinRounding(const Stretch& s) const { return hasConstant(s) && change(s) <= error_; }
+  /// Whether the stretch lies in the surface, as far as samples tell: then halving proves nothing.
+  bool isAlongSurface(const Stretch& s) const {
+    const auto isZero = [this](T value) { return std::abs(value) <= error_; };
+    if (!isZero(s.from) || !isZero(s.to)) return false;
+    if (!hasConstant(s) || change(s) <= kClose * error_) return false;
+    const auto isZeroAt = [&](T share) {
+      return isZero(valueAt(s.begin + share * (s.end - s.begin)));
+    };
+    // Not where a periodic function is likely to be zero.
+    return isZeroAt(T(0.29)) && isZeroAt(T(0.66));
+  }
   bool isWorthHalving(const Stretch& s) {
+    if (s.depth >= kShallow && isAlongSurface(s)) return false;
     if (s.depth < kDepth) return true;
     if (!hasConstant(s) || s.depth == kDeepest || isWithinRounding(s)) return false;
     const T middle = T(0.5) * (s.begin + s.end);
