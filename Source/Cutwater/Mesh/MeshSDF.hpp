@@ -19,7 +19,7 @@ namespace cutwater {
 /// sheet. For a surface that is not closed, inside is where its winding number exceeds 1/2. Faces
 /// that disagree with their neighbours and shells that are inside out are turned (see Shells.hpp).
 /// signReport() returns what was found and how signs are decided, guarantee() what values then
-/// mean. Points that no face uses may be anywhere.
+/// mean. Unused points may be anywhere. Equal points are not shared points: see weldExactly().
 ///
 /// closestPoint() returns the polygon of the soup (face), its patch, and barycentric coordinates
 /// that refer to `triangle(id)`. Copies share one read-only block of memory.
