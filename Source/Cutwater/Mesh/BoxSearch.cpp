@@ -76,12 +76,17 @@ BoxOverlap overlapOf(const TriangleSearch& tree, const TriangleSurface<T>& surfa
     const TriangleSurface<T>& surface;
     const OrientedBox<double>& box;
     std::optional<QueryBox> query;  // rarely needed
+    BoxOverlap found = BoxOverlap::None;
   };
   Context context{surface, box, {}};
   const auto exact = [](void* given, std::uint32_t triangle) {
-    auto& [triangles, asked, query] = *static_cast<Context*>(given);
+    auto& [triangles, asked, query, found] = *static_cast<Context*>(given);
     if (!query) query.emplace(asked);
-    return query->overlapWith(triangles.corners(triangle));
+    const auto corners = query->toBox(triangles.corners(triangle));
+    // Once one may meet the box, others need not be found apart.
+    if (found == BoxOverlap::None && !query->isApart(corners)) found = BoxOverlap::Possible;
+    if (found == BoxOverlap::Possible && query->meets(corners)) found = BoxOverlap::Certain;
+    return found;
   };
   return function(tree, TreeBox(box, tree.frame), node, {exact, &context});
 }

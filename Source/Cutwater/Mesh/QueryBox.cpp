@@ -122,7 +122,10 @@ bool QueryBox::isApart(const Corners& triangle) const {
 }
 
 bool QueryBox::meets(const Corners& triangle) const {
-  if (!(innerHalf_.x > 0 && innerHalf_.y > 0 && innerHalf_.z > 0)) return false;
+  if (!hasInside()) return false;
+  const auto& [a, b, c] = triangle;
+  const Vec3<double> apart = max(min(a, min(b, c)) - innerHalf_, -innerHalf_ - max(a, max(b, c)));
+  if (maxComponent(apart) > 0) return false;
   Polygon polygon(triangle);
   for (int axis = 0; axis < 3; ++axis) {
     polygon.clip(axis, 1, innerHalf_[axis]);

@@ -31,8 +31,12 @@ class QueryBox {
   /// Whether the triangle certainly has no point in common with the box. (Separating axes:
   /// Gottschalk, Lin and Manocha 1996, "OBBTree".)
   [[nodiscard]] bool isApart(const Corners& triangle) const;
-  /// Whether the triangle certainly has a point in the box.
+  /// Whether the triangle certainly has a point in the box; never where the box has no inside.
   [[nodiscard]] bool meets(const Corners& triangle) const;
+  /// Whether the box is thicker than rounding and slack on all axes.
+  [[nodiscard]] bool hasInside() const {
+    return innerHalf_.x > 0 && innerHalf_.y > 0 && innerHalf_.z > 0;
+  }
   /// A lower bound on the distance from the triangle to the box, not improved further once it is at
   /// least `enough`. It is less than the distance by rounding and by what the search for the
   /// direction of the gap leaves, about a thousandth.

@@ -92,6 +92,9 @@ std::optional<BoxClass> TriangleSurfaceSDF<T>::classUnlessClear(const OrientedBo
   const auto overlap = q ? overlapWith(*q, words[kPlace]) : BoxOverlap::Possible;
   if (overlap == BoxOverlap::Certain && signs_.isSound()) return BoxClass::Cut;
   if (overlap == BoxOverlap::None && isJumpFree(q->bounds())) return {};
+  if (overlap == BoxOverlap::Possible && q && signs_.isSound() && QueryBox(*q).hasInside()) {
+    return BoxClass::Unknown;  // only touched, within rounding: no value in it could tell more
+  }
   return SignedDistanceFunction<T>::localClassify(box, hint);
 }
 

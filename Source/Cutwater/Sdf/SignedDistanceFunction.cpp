@@ -303,6 +303,7 @@ Box<T> SignedDistanceFunction<T>::localClearanceBox() const {
 /// Whether the ball about the centre that reaches the nearest surface point fits into the box.
 template <std::floating_point T>
 bool SignedDistanceFunction<T>::holdsNearestPoint(const OrientedBox<T>& box) const {
+  if (!(box.innerRadius() > 0)) return false;
   const auto promise = localGuarantee();
   const T rounding = promise.error(length(box.center) + box.radius());
   const T atCenter = localSignedDistance(box.center);
@@ -316,9 +317,14 @@ bool SignedDistanceFunction<T>::holdsNearestPoint(const OrientedBox<T>& box) con
 /// this box is within its slack of a corner of the box of the query.
 template <std::floating_point T>
 bool SignedDistanceFunction<T>::holdsBothSides(const OrientedBox<T>& box) const {
+  int flat = 0;  // the bits in which corners do not differ
+  for (int k = 0; k < 3; ++k) {
+    if (box.halfAxis[static_cast<std::size_t>(k)] == Vec3<T>{}) flat |= 1 << k;
+  }
   bool inside = false;
   bool outside = false;
   for (int i = -1; i < 8 && !(inside && outside); ++i) {
+    if (i > 0 && (i & flat) != 0) continue;
     const Vec3<T> point = i < 0 ? box.center : box.corner(i);
     const auto around = localBounds({.center = point, .halfAxis = {}, .slack = box.slack}, nullptr);
     inside = inside || around.upper < 0;
