@@ -62,6 +62,25 @@ TYPED_TEST(WindingNumberTest, InsideIsDecidedRightly) {
   }
 }
 
+TYPED_TEST(WindingNumberTest, FarFromALevelIsCertain) {
+  using T = TypeParam;
+  for (const auto& soup : soups()) {
+    const Winding<T> winding(soup);
+    RandomPoints<double> random(1.3, 9);
+    for (int i = 0; i < scaled(100); ++i) {
+      const auto p = random.next();
+      const double level = random.next().x;
+      const double apart = std::abs(bruteForce(winding, p) - level);
+      for (const double distance : {0.0, 0.1, apart - 1e-3, apart + 1e-3}) {
+        if (distance < 0 || std::abs(distance - apart) < 1e-4) continue;
+        EXPECT_EQ(winding->isFarFrom(p, level, distance, 1e-6), apart > distance) << p;
+      }
+      // What is too close to call within the tolerance is left open.
+      EXPECT_FALSE(winding->isFarFrom(p, level, apart, 0x1p-20).value_or(false)) << p;
+    }
+  }
+}
+
 /// Bisects for points where the winding number is within rounding of the threshold.
 TYPED_TEST(WindingNumberTest, InsideIsDecidedRightlyNextToTheSheet) {
   using T = TypeParam;
@@ -227,16 +246,19 @@ TYPED_TEST(WindingNumberTest, AnswersPointsOutOfRange) {
   for (const Vec3<double> p : {Vec3<double>{kNan, 0, 0}, Vec3<double>{0, kInf, 0}}) {
     EXPECT_TRUE(std::isnan(winding->estimate(p, 0.1).value));
     EXPECT_FALSE(winding->isInside(p));
+    EXPECT_FALSE(winding->isFarFrom(p, 0.5, 0.1, 1e-6));
   }
   for (const double far : {1e3, 1e9, 1e17, 1e30, 1e300}) {
     const auto [value, error] = winding->estimate({far, -far, 0}, 1e-3);
     EXPECT_LE(std::abs(value), error + 1 / far) << far;
     EXPECT_LE(error, 1e-3);
     EXPECT_FALSE(winding->isInside({far, far, far}));
+    EXPECT_EQ(winding->isFarFrom({far, -far, 0}, 0.5, 0.1, 1e-6), true);
   }
   const Winding<T> nothing({}, {});
   EXPECT_EQ(nothing->estimate({0, 0, 0}, 0.1).value, 0);
   EXPECT_FALSE(nothing->isInside({0, 0, 0}));
+  EXPECT_EQ(nothing->isFarFrom({0, 0, 0}, 0.5, 0.1, 1e-6), true);
   EXPECT_EQ(nothing->gradientBound({{0, 0, 0}, {1, 1, 1}}), 0);
 }
 

@@ -59,10 +59,15 @@ WindingNumber<double>::Estimate OpenWinding::estimate(Closed closed, const Vec3<
 }
 
 bool OpenWinding::isDecided(Closed closed, const Vec3<double>& p, const Box<double>& box) const {
+  constexpr double kTolerance = 0x1p-20;
   const double change = 0.5 * box.diagonal() * gradientBound(box);
   if (!(change < 1)) return false;
-  const auto [value, error] = estimate(closed, p, 0x1p-20);
-  return std::abs(value - kThreshold) > change + error;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const auto q = nudged(p, attempt);
+    const auto isFar = caps_.isFarFrom(q, closed(q) - kThreshold, change, kTolerance);
+    if (isFar) return *isFar;
+  }
+  return false;
 }
 
 template <std::floating_point T>

@@ -174,6 +174,26 @@ std::optional<bool> WindingNumber<T>::isBelow(const Vec3<double>& p, double leve
 }
 
 template <std::floating_point T>
+std::optional<bool> WindingNumber<T>::isFarFrom(const Vec3<double>& p, double level,
+                                                double distance, double tolerance) const {
+  const auto decide = [&](const Estimate& number) -> std::optional<bool> {
+    const double apart = std::abs(number.value - level);
+    if (apart > distance + number.error) return true;
+    if (apart + number.error <= distance) return false;
+    return std::nullopt;
+  };
+  if (!isFinite(p)) return std::nullopt;
+  if (const double far = farBound(p); far < kLargest) return decide({0, far});
+  double threshold = kFirstThreshold;
+  while (true) {
+    const auto number = sum(p, threshold);
+    const auto isFar = decide(number);
+    if (isFar || number.error <= tolerance || threshold < kNegligible) return isFar;
+    threshold /= 8;
+  }
+}
+
+template <std::floating_point T>
 auto WindingNumber<T>::sumOfAll(const Vec3<double>& p) const -> Estimate {
   SolidAngleSum sum(p);
   for (std::uint32_t id = 0; id < triangles_.size(); ++id) sum.add(triangle(id));

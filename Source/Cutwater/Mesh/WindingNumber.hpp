@@ -56,6 +56,10 @@ class WindingNumber {
   /// Whether the winding number is less than `level`: certified, and the same for any tree. Returns
   /// nothing where estimate() cannot decide.
   [[nodiscard]] std::optional<bool> isBelow(const Vec3<double>& p, double level) const;
+  /// Whether it differs from `level` by more than `distance`: certain. Returns nothing where an
+  /// estimate within `tolerance`, or as close to it as estimate() comes, does not tell.
+  [[nodiscard]] std::optional<bool> isFarFrom(const Vec3<double>& p, double level, double distance,
+                                              double tolerance) const;
   [[nodiscard]] bool isInside(const Vec3<double>& p) const {
     return isBelow(p, kThreshold) == false;
   }

@@ -323,12 +323,15 @@ bool SignedDistanceFunction<T>::holdsBothSides(const OrientedBox<T>& box) const 
   }
   bool inside = false;
   bool outside = false;
-  for (int i = -1; i < 8 && !(inside && outside); ++i) {
-    if (i > 0 && (i & flat) != 0) continue;
-    const Vec3<T> point = i < 0 ? box.center : box.corner(i);
-    const auto around = localBounds({.center = point, .halfAxis = {}, .slack = box.slack}, nullptr);
+  const auto look = [&](const Vec3<T>& p) {
+    const auto around = localBounds({.center = p, .halfAxis = {}, .slack = box.slack}, nullptr);
     inside = inside || around.upper < 0;
     outside = outside || around.lower > 0;
+  };
+  look(box.center);
+  for (const int corner : {0, 7, 1, 6, 2, 5, 3, 4}) {  // opposite ones are rarely on the same side
+    if (inside && outside) break;
+    if ((corner & flat) == 0) look(box.corner(corner));
   }
   return inside && outside;
 }
