@@ -236,6 +236,9 @@ template <std::floating_point T>
 double WindingNumber<T>::gradientBound(const Box<double>& box) const {
   if (openEdges_.empty()) return 0;
   const Box<double> local = toFrame(box, tree_.frame());
+  // A node that changes the number by less than kMinor between the box's centre and a corner.
+  constexpr double kMinor = 0x1p-13;
+  const double minor = kMinor / (0.5 * kInverse4Pi * local.diagonal());
   double nearEdges = 0;
   double farEdges = 0;  // in the tree's frame
   const auto keys = [&](const BvhNode<16>& node, BvhNode<16>::Lanes& out) {
@@ -250,8 +253,9 @@ double WindingNumber<T>::gradientBound(const Box<double>& box) const {
       if (!(openLength > 0)) continue;
       const Box<double> child = node.alignedBox(static_cast<int>(k));
       const double gapSquared = lengthSquared(gapBetween(child, local));
-      // Opening it would reduce the bound by a factor of at most 4.
-      if (gapSquared > lengthSquared(child.size())) {
+      // Opening it would reduce the bound by a factor of at most 4, or by little.
+      if (gapSquared > lengthSquared(child.size()) ||
+          (gapSquared > 0 && openLength < minor * gapSquared)) {
         farEdges += openLength / gapSquared;
       } else {
         out[k] = 0;

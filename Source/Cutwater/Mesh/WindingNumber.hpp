@@ -70,7 +70,8 @@ class WindingNumber {
   /// A bound on the winding number's gradient where the box meets no triangle. By the Biot-Savart
   /// law, the gradient is 1/(4 pi) times the integral of dx cross (x - p) / |x - p|^3 along the
   /// open edges, each times its multiplicity. 0 for a closed surface; the largest double where the
-  /// box touches (the box of a small piece of) an open edge.
+  /// box touches (the box of a small piece of) an open edge. The smaller the box, the cruder the
+  /// bound: edges far away by which the number changes little within the box are not told apart.
   [[nodiscard]] double gradientBound(const Box<double>& box) const;
 
   /// Another bound, from the triangles' area: at most 2 dA / (4 pi r^3). It is the better one where
