@@ -25,8 +25,8 @@ struct TreeBox {
   float reach = 0;
 };
 
-/// The most certain of the results of QueryBox::overlapWith() for this triangle and those before it,
-/// as the vector code calls it.
+/// The most certain of the results of QueryBox::overlapWith() for this triangle and those before
+/// it, as the vector code calls it.
 struct ExactOverlap {
   BoxOverlap (*function)(void* context, std::uint32_t triangle);
   void* context;
