@@ -26,14 +26,13 @@ void requireBeyond(const PolygonSoup& soup, int axis, double level) {
           Named{"lowest", lower}, Named{"highest", upper});
 }
 
-/// The rims of a surface, and the connected part of it that each belongs to.
 struct SurfaceRims {
+  std::vector<OpenEdge> edges;
   std::vector<Loop> loops;
-  std::vector<std::uint32_t> parts;  // per loop
 };
 
 SurfaceRims rimsOf(const PolygonSoup& soup) {
-  const auto edges = detail::openEdgesOf(soup);
+  auto edges = detail::openEdgesOf(soup);
   if (edges.empty()) throw Error(ErrorKind::Topology, "extendTo: the surface has no rim");
   for (const auto& edge : edges) {
     if (std::abs(edge.multiplicity) == 1) continue;
@@ -41,15 +40,21 @@ SurfaceRims rimsOf(const PolygonSoup& soup) {
                 "extendTo: faces disagree about their orientation along an edge (" +
                     detail::toText(Named{"from", soup.points[edge.lower]}) + ")");
   }
-  SurfaceRims rims{.loops = detail::loopsAround(edges), .parts = {}};
+  auto loops = detail::loopsAround(edges);
+  return {std::move(edges), std::move(loops)};
+}
+
+/// Per rim: the connected part of the surface that it belongs to.
+std::vector<std::uint32_t> partsAt(const SurfaceRims& rims, const PolygonSoup& soup) {
   const auto parts = detail::partsOf(soup);
+  std::vector<std::uint32_t> result;
   for (const auto& loop : rims.loops) {
     const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(loop[0], loop[1]);
     const auto edge = std::ranges::lower_bound(
-        edges, ends, {}, [](const OpenEdge& e) { return std::pair(e.lower, e.upper); });
-    rims.parts.push_back(parts[edge->triangle]);
+        rims.edges, ends, {}, [](const OpenEdge& e) { return std::pair(e.lower, e.upper); });
+    result.push_back(parts[edge->triangle]);
   }
-  return rims;
+  return result;
 }
 
 /// Fills the loops; throws if one cannot be filled.
@@ -66,15 +71,15 @@ detail::PlanarFilling filled(const PolygonSoup& soup, std::span<const Loop> loop
 }
 
 /// Throws if a rim lies amid the region of another and is not a hole of the same part.
-void requireApart(const PolygonSoup& soup, const SurfaceRims& rims,
-                  const detail::PlanarFilling& filling) {
-  for (std::size_t i = 0; i < rims.loops.size(); ++i) {
+void requireApart(const PolygonSoup& soup, std::span<const Loop> rims,
+                  std::span<const std::uint32_t> parts, const detail::PlanarFilling& filling) {
+  for (std::size_t i = 0; i < rims.size(); ++i) {
     const auto parent = filling.parents[i];
     if (parent == kNone || filling.isHole[parent]) continue;
-    if (filling.isHole[i] && rims.parts[i] == rims.parts[parent]) continue;
+    if (filling.isHole[i] && parts[i] == parts[parent]) continue;
     throw Error(ErrorKind::Topology,
                 "extendTo: one part of the surface lies above another, seen along the axis (" +
-                    detail::toText(Named{"rim", soup.points[rims.loops[i].front()]}) + ")");
+                    detail::toText(Named{"rim", soup.points[rims[i].front()]}) + ")");
   }
 }
 
@@ -131,6 +136,7 @@ void addWallsAndBottom(PolygonSoup& soup, int axis, double level, const ExtendOp
                        OpeningReport& report) {
   requireBeyond(soup, axis, level);
   const auto rims = rimsOf(soup);
+  const auto parts = partsAt(rims, soup);
   const auto sides = detail::patchNamed(soup, options.sides);
   Walls walls(soup, axis, level);
   std::vector<Loop> feet;
@@ -140,7 +146,7 @@ void addWallsAndBottom(PolygonSoup& soup, int axis, double level, const ExtendOp
     feet.push_back(walls.add(rim, sides));
   }
   const auto filling = filled(soup, feet, axis);
-  requireApart(soup, rims, filling);
+  requireApart(soup, rims.loops, parts, filling);
   const auto bottom = detail::patchNamed(soup, options.bottom);
   const std::size_t firstOnLevel = soup.polygonCount();
   for (const auto& triangle : filling.triangles) soup.addPolygon(triangle, bottom);
