@@ -82,11 +82,7 @@ BoxOverlap overlapOf(const TriangleSearch& tree, const TriangleSurface<T>& surfa
   const auto exact = [](void* given, std::uint32_t triangle) {
     auto& [triangles, asked, query, found] = *static_cast<Context*>(given);
     if (!query) query.emplace(asked);
-    const auto corners = query->toBox(triangles.corners(triangle));
-    // Once one may meet the box, others need not be found apart.
-    if (found == BoxOverlap::None && !query->isApart(corners)) found = BoxOverlap::Possible;
-    if (found == BoxOverlap::Possible && query->meets(corners)) found = BoxOverlap::Certain;
-    return found;
+    return found = query->overlapWith(triangles.corners(triangle), found);
   };
   return function(tree, TreeBox(box, tree.frame), node, {exact, &context});
 }

@@ -47,7 +47,7 @@ BoxOverlap DcelSDF<T>::overlapWith(const OrientedBox<double>& box, std::uint32_t
   const QueryBox query(box);
   auto result = BoxOverlap::None;
   for (std::uint32_t id = 0; id < this->surface().triangles.size(); ++id) {
-    result = std::max(result, query.overlapWith(this->surface().corners(id)));
+    result = query.overlapWith(this->surface().corners(id), result);
     if (result == BoxOverlap::Certain) break;
   }
   return result;

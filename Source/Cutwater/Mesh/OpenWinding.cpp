@@ -36,14 +36,19 @@ Vec3<double> OpenWinding::nudged(const Vec3<double>& p, int attempt) {
   return p + step * Vec3<double>{1, 1.625, -2.3125 + attempt};
 }
 
-bool OpenWinding::isInside(Closed closed, const Vec3<double>& p) const {
+template <typename Decide>
+bool OpenWinding::decidedNear(const Vec3<double>& p, const Decide& decide) {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    const auto q = nudged(p, attempt);
-    // winding - caps > threshold
-    const auto inside = caps_.isBelow(q, closed(q) - kThreshold);
-    if (inside) return *inside;
+    if (const std::optional<bool> answer = decide(nudged(p, attempt))) return *answer;
   }
   return false;
+}
+
+bool OpenWinding::isInside(Closed closed, const Vec3<double>& p) const {
+  return decidedNear(p, [&](const Vec3<double>& q) {
+    // winding - caps > threshold
+    return caps_.isBelow(q, closed(q) - kThreshold);
+  });
 }
 
 WindingNumber<double>::Estimate OpenWinding::estimate(Closed closed, const Vec3<double>& p,
@@ -62,12 +67,9 @@ bool OpenWinding::isDecided(Closed closed, const Vec3<double>& p, const Box<doub
   constexpr double kTolerance = 0x1p-20;
   const double change = 0.5 * box.diagonal() * gradientBound(box);
   if (!(change < 1)) return false;
-  for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    const auto q = nudged(p, attempt);
-    const auto isFar = caps_.isFarFrom(q, closed(q) - kThreshold, change, kTolerance);
-    if (isFar) return *isFar;
-  }
-  return false;
+  return decidedNear(p, [&](const Vec3<double>& q) {
+    return caps_.isFarFrom(q, closed(q) - kThreshold, change, kTolerance);
+  });
 }
 
 template <std::floating_point T>

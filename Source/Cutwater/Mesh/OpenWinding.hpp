@@ -63,6 +63,10 @@ class OpenWinding {
   static constexpr int kAttempts = 4;
   [[nodiscard]] static Vec3<double> nudged(const Vec3<double>& p, int attempt);
 
+  /// The first answer at the point or, if there is none, beside it; else false.
+  template <typename Decide>
+  [[nodiscard]] static bool decidedNear(const Vec3<double>& p, const Decide& decide);
+
   [[nodiscard]] WindingNumber<double>::Estimate estimate(Closed closed, const Vec3<double>& p,
                                                          double tolerance) const;
   [[nodiscard]] auto alongCaps() const {

@@ -94,9 +94,10 @@ auto QueryBox::toBox(const Corners& triangle) const -> Corners {
   return {toBox(triangle[0]), toBox(triangle[1]), toBox(triangle[2])};
 }
 
-BoxOverlap QueryBox::overlapWith(const Corners& triangle) const {
+BoxOverlap QueryBox::overlapWith(const Corners& triangle, BoxOverlap before) const {
+  if (before == BoxOverlap::Certain) return before;
   const auto corners = toBox(triangle);
-  if (isApart(corners)) return BoxOverlap::None;
+  if (before == BoxOverlap::None && isApart(corners)) return before;
   return meets(corners) ? BoxOverlap::Certain : BoxOverlap::Possible;
 }
 

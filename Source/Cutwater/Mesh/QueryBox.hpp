@@ -21,8 +21,10 @@ class QueryBox {
 
   explicit QueryBox(const OrientedBox<double>& box);
 
-  /// Whether a triangle meets the box, both in the caller's coordinates.
-  [[nodiscard]] BoxOverlap overlapWith(const Corners& triangle) const;
+  /// Whether a triangle meets the box, both in the caller's coordinates, or what was found `before`
+  /// for others, whichever is more certain. Once one may meet the box, others need not be apart.
+  [[nodiscard]] BoxOverlap overlapWith(const Corners& triangle,
+                                       BoxOverlap before = BoxOverlap::None) const;
 
   /// Transforms to the box's frame: from its centre, along its edges. Triangles below are in this
   /// frame.

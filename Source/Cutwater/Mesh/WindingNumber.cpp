@@ -17,6 +17,8 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kFirstThreshold = 0.02;
 /// Moments in single precision are almost never this accurate: nearly all nodes are opened.
 constexpr double kNegligible = 0x1p-60;
+/// From kFirstThreshold to kNegligible, by eighths.
+constexpr int kMostSteps = 19;
 
 /// The sum over nodes that are far away.
 ///
@@ -159,14 +161,26 @@ auto WindingNumber<T>::estimate(const Vec3<double>& p, double tolerance) const -
 }
 
 template <std::floating_point T>
-std::optional<bool> WindingNumber<T>::isBelow(const Vec3<double>& p, double level) const {
-  if (!isFinite(p) || moments_.empty() || farBound(p) < std::abs(level)) return 0 < level;
-  double threshold = kFirstThreshold;
-  while (threshold > kNegligible) {
-    const auto [value, error] = sum(p, threshold);
-    if (std::abs(value - level) > error) return value < level;
-    threshold /= 8;
+template <typename Decide>
+std::optional<bool> WindingNumber<T>::decided(const Vec3<double>& p, double tolerance,
+                                              const Decide& decide) const {
+  std::optional<bool> decision = decide({0, farBound(p)});
+  for (int step = 0; !decision && step < kMostSteps; ++step) {
+    const Estimate number = sum(p, std::ldexp(kFirstThreshold, -3 * step));
+    decision = decide(number);
+    if (number.error <= tolerance) break;
   }
+  return decision;
+}
+
+template <std::floating_point T>
+std::optional<bool> WindingNumber<T>::isBelow(const Vec3<double>& p, double level) const {
+  if (!isFinite(p) || moments_.empty()) return 0 < level;
+  const auto certain = decided(p, 0, [&](const Estimate& number) -> std::optional<bool> {
+    if (std::abs(number.value - level) > number.error) return number.value < level;
+    return std::nullopt;
+  });
+  if (certain) return certain;
   // On an edge, or so near the level that rounding decides: sums in the order of ids.
   const auto [value, error] = sumOfAll(p);
   if (error > 0.25) return std::nullopt;
@@ -176,21 +190,13 @@ std::optional<bool> WindingNumber<T>::isBelow(const Vec3<double>& p, double leve
 template <std::floating_point T>
 std::optional<bool> WindingNumber<T>::isFarFrom(const Vec3<double>& p, double level,
                                                 double distance, double tolerance) const {
-  const auto decide = [&](const Estimate& number) -> std::optional<bool> {
+  if (!isFinite(p)) return std::nullopt;
+  return decided(p, tolerance, [&](const Estimate& number) -> std::optional<bool> {
     const double apart = std::abs(number.value - level);
     if (apart > distance + number.error) return true;
     if (apart + number.error <= distance) return false;
     return std::nullopt;
-  };
-  if (!isFinite(p)) return std::nullopt;
-  if (const double far = farBound(p); far < kLargest) return decide({0, far});
-  double threshold = kFirstThreshold;
-  while (true) {
-    const auto number = sum(p, threshold);
-    const auto isFar = decide(number);
-    if (isFar || number.error <= tolerance || threshold < kNegligible) return isFar;
-    threshold /= 8;
-  }
+  });
 }
 
 template <std::floating_point T>

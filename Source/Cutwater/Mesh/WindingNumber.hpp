@@ -87,6 +87,11 @@ class WindingNumber {
   }
   [[nodiscard]] std::span<const OpenEdge> edgesOf(std::size_t node) const;
   [[nodiscard]] double farBound(const Vec3<double>& p) const;
+  /// The first decision on estimates that become closer, down to `tolerance`; nothing if there is
+  /// none.
+  template <typename Decide>
+  [[nodiscard]] std::optional<bool> decided(const Vec3<double>& p, double tolerance,
+                                            const Decide& decide) const;
   [[nodiscard]] Estimate sum(const Vec3<double>& p, double threshold) const;
   [[nodiscard]] Estimate sumOfAll(const Vec3<double>& p) const;
   [[nodiscard]] double inverseSquare(const OpenEdge& edge, const Box<double>& box) const;
