@@ -212,5 +212,71 @@ TYPED_TEST(DamagedBoxesTest, TrianglesWithinAnOverlapAreNoSurface) {
   }
 }
 
+/// A tetrahedron without a face.
+template <typename T>
+PolygonSoup tent(const std::array<Vec3<double>, 4>& corners) {
+  PolygonSoup soup;
+  soup.patchNames = {"tent"};
+  for (const auto& p : corners) soup.points.emplace_back(Vec3<T>(p));
+  for (const auto& face : {std::array{0U, 1U, 2U}, {2U, 1U, 3U}, {0U, 3U, 1U}}) {
+    soup.addPolygon(face);
+  }
+  return soup;
+}
+
+// In both, an edge of the hole passes through the origin, where numbers are far closer to each
+// other than the surface is large.
+
+TYPED_TEST(DamagedBoxesTest, OfNeighbouringNumbersOnBothSidesOfASheetStayOpen) {
+  using T = TypeParam;
+  const MeshSDF<T> mesh(
+      tent<T>({{{-0.072, 0, 0}, {0.553, -0.505, 0.128}, {0.432, 0, 0}, {0.306, 0.607, -0.463}}}));
+  const auto isInside = [&](const Vec3<T>& p) { return mesh.signedDistance(p) < 0; };
+  RandomPoints<T> random(T(0.01));
+  int found = 0;
+  for (int i = 0; i < scaled(2000); ++i) {
+    auto p = random.next();
+    auto q = random.next();
+    const bool wasInside = isInside(p);
+    if (wasInside == isInside(q)) continue;
+    for (int k = 0; k < 100; ++k) {
+      const auto middle = T(0.5) * p + T(0.5) * q;
+      (isInside(middle) == wasInside ? p : q) = middle;
+    }
+    const Box<T> box{min(p, q), max(p, q)};
+    const auto kind = mesh.classify(box);
+    ASSERT_TRUE(kind == BoxClass::Cut || kind == BoxClass::Unknown) << p << q;
+    const auto range = mesh.bounds(box);
+    ASSERT_TRUE(range.contains(mesh.signedDistance(p)) && range.contains(mesh.signedDistance(q)));
+    ++found;
+  }
+  EXPECT_GT(found, scaled(200));
+}
+
+TYPED_TEST(DamagedBoxesTest, BesideATriangleAreNotTakenToBeOnIt) {
+  using T = TypeParam;
+  // Distances are rounded relative to the surface: to 0 for many points here.
+  const auto soup =
+      tent<T>({{{0.596, 0, 0}, {0.0415, 0.154, 0.404}, {-0.589, 0, 0}, {0.414, 0.106, -0.228}}});
+  const MeshSDF<T> mesh(soup);
+  const MeshSDF<double> exact(soup);
+  RandomPoints<double> random(1);
+  int decided = 0;
+  for (int i = 0; i < scaled(20000); ++i) {
+    const auto u = random.next();
+    const auto along =
+        std::pow(10, -1 - 7 * std::abs(u.x)) * soup.points[1] + 0.05 * u.y * Vec3<double>{1, 0, 0};
+    const Vec3<T> p(along + u.z * std::pow(10, -6 - 5 * std::abs(u.y)) * Vec3<double>{0, 1, -1});
+    const auto kind = mesh.classify(Box<T>{p, p});
+    const T value = mesh.signedDistance(p);
+    if (kind == BoxClass::Inside || kind == BoxClass::Outside) {
+      ++decided;
+      ASSERT_EQ(kind == BoxClass::Inside, value < 0) << p;
+      ASSERT_EQ(value < 0, exact.signedDistance(Vec3<double>(p)) < 0) << p;
+    }
+  }
+  EXPECT_GT(decided, scaled(1000));
+}
+
 }  // namespace
 }  // namespace cutwater::test

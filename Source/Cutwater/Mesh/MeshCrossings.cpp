@@ -155,8 +155,10 @@ class CrossingWalk {
     // Where the sign by pseudonormals flips away from an open surface is not known.
     if (field_.winding == nullptr) return false;
     const auto piece = Box<double>{}.extend(segment_.at(from)).extend(segment_.at(to));
+    // Its points are rounded.
+    const double rounding = 0x1p-50 * maxComponent(max(abs(piece.lower), abs(piece.upper)));
     return field_.winding->isDecided([this](const Vec3<double>& p) { return closedWinding(p); },
-                                     segment_.at(0.5 * (from + to)), piece);
+                                     segment_.at(0.5 * (from + to)), piece.grown(rounding));
   }
 
   bool searchJumps(double from, double to) {

@@ -36,19 +36,13 @@ Vec3<double> OpenWinding::nudged(const Vec3<double>& p, int attempt) {
   return p + step * Vec3<double>{1, 1.625, -2.3125 + attempt};
 }
 
-template <typename Decide>
-bool OpenWinding::decidedNear(const Vec3<double>& p, const Decide& decide) {
+bool OpenWinding::isInside(Closed closed, const Vec3<double>& p) const {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    if (const std::optional<bool> answer = decide(nudged(p, attempt))) return *answer;
+    const auto q = nudged(p, attempt);
+    // winding - caps > threshold
+    if (const auto found = caps_.isBelow(q, closed(q) - kThreshold)) return *found;
   }
   return false;
-}
-
-bool OpenWinding::isInside(Closed closed, const Vec3<double>& p) const {
-  return decidedNear(p, [&](const Vec3<double>& q) {
-    // winding - caps > threshold
-    return caps_.isBelow(q, closed(q) - kThreshold);
-  });
 }
 
 WindingNumber<double>::Estimate OpenWinding::estimate(Closed closed, const Vec3<double>& p,
@@ -65,11 +59,11 @@ WindingNumber<double>::Estimate OpenWinding::estimate(Closed closed, const Vec3<
 
 bool OpenWinding::isDecided(Closed closed, const Vec3<double>& p, const Box<double>& box) const {
   constexpr double kTolerance = 0x1p-20;
-  const double change = 0.5 * box.diagonal() * gradientBound(box);
+  const auto whole = Box<double>{box}.extend(p);
+  const double change = length(max(p - whole.lower, whole.upper - p)) * gradientBound(whole);
   if (!(change < 1)) return false;
-  return decidedNear(p, [&](const Vec3<double>& q) {
-    return caps_.isFarFrom(q, closed(q) - kThreshold, change, kTolerance);
-  });
+  // Only at the point itself: one beside it may be out of the box, and across a triangle.
+  return caps_.isFarFrom(p, closed(p) - kThreshold, change, kTolerance).value_or(false);
 }
 
 template <std::floating_point T>

@@ -49,7 +49,7 @@ class OpenWinding {
   using Closed = FunctionRef<int(const Vec3<double>&)>;
   /// isInside() with that.
   [[nodiscard]] bool isInside(Closed closed, const Vec3<double>& p) const;
-  /// isDecided() with that; the point is the box's centre, within rounding.
+  /// isDecided() with that, known at a point in the box, best its centre.
   [[nodiscard]] bool isDecided(Closed closed, const Vec3<double>& p, const Box<double>& box) const;
 
   /// A bound on its gradient away from the surface's triangles.
@@ -62,10 +62,6 @@ class OpenWinding {
   /// there is that of a nearby point.
   static constexpr int kAttempts = 4;
   [[nodiscard]] static Vec3<double> nudged(const Vec3<double>& p, int attempt);
-
-  /// The first answer at the point or, if there is none, beside it; else false.
-  template <typename Decide>
-  [[nodiscard]] static bool decidedNear(const Vec3<double>& p, const Decide& decide);
 
   [[nodiscard]] WindingNumber<double>::Estimate estimate(Closed closed, const Vec3<double>& p,
                                                          double tolerance) const;

@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Scratch.hpp>
 #include <Cutwater/Mesh/ClippedSegment.hpp>
+#include <Cutwater/Mesh/ExactPredicates.hpp>
 #include <Cutwater/Mesh/MeshCrossings.hpp>
 #include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
 
@@ -69,8 +70,13 @@ Vec3<T> TriangleSurfaceSDF<T>::scaled(const Vec3<T>& point) const {
 
 template <std::floating_point T>
 int TriangleSurfaceSDF<T>::side(const Vec3<T>& p, const Nearest& nearest) const {
-  if (!signs_.isClosed() && nearest.distanceSquared == 0) return 0;
-  if (signs_.scheme == SignScheme::NearestFeature) {
+  const bool byNearest = signs_.scheme == SignScheme::NearestFeature;
+  // The distance of a point beside the surface may round to 0.
+  if (!signs_.isClosed() && nearest.distanceSquared == 0 &&
+      (byNearest || isOnTriangle(Vec3<double>(p), surface_.corners(nearest.triangle)))) {
+    return 0;
+  }
+  if (byNearest) {
     if (const int agreed = nearest.agreedSide(); agreed != 0) return agreed;
     if (!signs_.isClosed()) return surface_.pseudonormalSide(p, nearest);
   }
