@@ -10,7 +10,7 @@ try:
 except ImportError:
     vtkXMLUnstructuredGridReader = None  # what it would show is shown by our own reader, too
 
-from command import OPEN_BOX, PROGRAM, CommandTest
+from command import BOX_POINTS, OPEN_BOX, OPEN_BOX_FACES, PROGRAM, CommandTest
 from readers import Png, Vti, Vtu, bounds, read_off
 
 SUBCOMMANDS = ["info", "repair", "sample", "amr", "slice", "render", "isosurface", "convert", "prepare", "make",
@@ -454,6 +454,13 @@ class Isosurface(CommandTest):
         self.assertIn("g end of grid", (self.folder / "half.obj").read_text())
         self.assertIn("no surface", self.fails(1, "isosurface", "box.off", "--box", "5,5,5,6,6,6", "-o", "a.stl"))
 
+    def test_each_patch_is_one_group(self):
+        self.surface("half.off", BOX_POINTS, OPEN_BOX_FACES)
+        self.succeeds("repair", "half.off", "-o", "two.obj", "--cap", "z=1:top")
+        self.succeeds("isosurface", "two.obj", "--cells", "12", "-o", "new.obj")
+        groups = re.findall(r"^g (.*)$", (self.folder / "new.obj").read_text(), re.MULTILINE)
+        self.assertEqual((len(groups), groups[-1]), (2, "top"))
+
     def test_tolerance_and_formats(self):
         self.box()
         for name in ["a.stl", "a.off", "a.vtk"]:
@@ -476,6 +483,34 @@ class Convert(CommandTest):
         self.box()
         self.succeeds("convert", "box.off", "text.stl", "--ascii", "--quiet")
         self.assertTrue((self.folder / "text.stl").read_text().startswith("solid"))
+
+
+    def two_patches(self):
+        (self.folder / "two.obj").write_text(
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng base\nf 1 3 2\ng sides\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+
+    def test_says_which_patches_are_lost(self):
+        self.two_patches()
+        for arguments in [("a.stl",), ("a.ply",), ("a.off",), ("a.vtk",), ("b.obj",), ("b.stl", "--ascii")]:
+            wrote, *notes = self.succeeds("convert", "two.obj", *arguments).splitlines()
+            kept = 2 if arguments[0].startswith("b") else 1
+            self.assertEqual(wrote, f"wrote {arguments[0]}: 4 polygons, 4 points, {['1 patch', '2 patches'][kept - 1]}")
+            self.assertEqual(["names of 2 patches" in note for note in notes], [] if kept == 2 else [True])
+            self.assertIn(f"Patches: {kept}\n", self.succeeds("info", arguments[0]))
+
+    def test_says_what_single_precision_costs(self):
+        self.two_patches()
+        far = ("--translate", "3e8,0,0")  # where numbers of single precision are 32 apart
+        text = self.succeeds("convert", "two.obj", "far.stl", *far)
+        self.assertIn("warning: single precision made 1 point equal to others, and 2 faces lose all area", text)
+        self.assertIn(" .obj, .ply and --ascii ", text)
+        for arguments in [("far.stl", "--ascii"), ("far.ply",)]:
+            self.assertNotIn("warning", self.succeeds("convert", "two.obj", *arguments, *far))
+        self.assertNotIn("warning", self.succeeds("convert", "two.obj", "near.stl"))
+        self.assertIn("1 point equal", self.succeeds("repair", "two.obj", "-o", "far.stl", *far))
+        text = self.succeeds("isosurface", "two.obj", "--cells", "9", "-o", "far.stl", *far)
+        self.assertRegex(text, r"warning: single precision made \d+ points equal")
+        self.assertIn("single precision", self.fails(1, "convert", "two.obj", "a.stl", "--scale", "1e39"))
 
 
 class Prepare(CommandTest):

@@ -240,7 +240,7 @@ class Page(RepairTest):
         for line in [r"equal points merged +0", r"faces turned +0", r"openings closed +1; at \(\d, \d, 1\)",
                      r"faces added +2, of area 1, area 5 -> 6, volume \S+ -> 1", r"area +5 -> 6",
                      r"volume +none: not closed -> 1", r"before +not closed, .*; 4 open edges; .*",
-                     r"after +closed, oriented, manifold; .*", r"wrote +out.off: 7 polygons, 8 points, 2 patches",
+                     r"after +closed, oriented, manifold; .*", r"wrote +out.off: 7 polygons, 8 points, 1 patch",
                      r"watertight +yes", r"signs +nearest feature: closed; .*", r"cutwater sample out.off .*"]:
             self.assertRegex(text, re.compile(rf"^  {line}$", re.MULTILINE))
         self.assertIn("Defects: none", text)
@@ -264,6 +264,14 @@ class Files(RepairTest):
         facts = self.repaired("crack.off", output="out.stl")
         self.expect_sound(facts, 6, 1)
         self.assertEqual(facts["after"]["polygons"], 12)
+
+    def test_says_which_patches_are_lost(self):
+        ends = ("--cap", "z=1:outlet")
+        self.assertEqual(self.repaired("open.off", *ends, output="out.obj")["losses"], [])
+        loss, = self.repaired("open.off", *ends, output="out.stl")["losses"]
+        self.assertIn("names of 2 patches", loss)
+        self.assertIn(f": 12 polygons, 8 points, 1 patch\n  {loss}\n",
+                      self.succeeds("repair", "open.off", *ends, "-o", "out.stl"))
 
     def test_only_watertight_surfaces_if_told_to(self):
         why = self.fails(1, "repair", "open.off", "-o", "out.off", "--require-watertight")

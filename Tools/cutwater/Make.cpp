@@ -11,6 +11,7 @@
 #include "Commands.hpp"
 #include "Format.hpp"
 #include "Surface.hpp"
+#include "SurfaceOutput.hpp"
 
 namespace cutwater::tool {
 
@@ -71,11 +72,13 @@ const std::map<std::string, Maker>& makers() {
 }
 
 void run(const Options& options) {
-  const auto soup = makers().at(options.shape)(options);
-  const auto polygons = write(options.output, soup, options.write);
+  const auto surface =
+      asWritten(options.output, makers().at(options.shape)(options), options.write);
+  writeSurface(options.output, surface.soup, options.write);
   if (options.quiet) return;
   std::cout << "wrote " << options.output << ": a " << options.shape << " of "
-            << counted(polygons, "polygon") << '\n';
+            << counted(surface.soup.polygonCount(), "polygon") << '\n'
+            << lossesOf(surface);
 }
 
 }  // namespace
@@ -90,9 +93,7 @@ void addMake(CLI::App& program) {
       ->required()
       ->check(CLI::IsMember(makers()))
       ->type_name("");
-  command.add_option("-o,--output", options->output, "The surface to write: stl, ply, obj or off")
-      ->required()
-      ->type_name("FILE");
+  auto& output = *command.add_option("-o,--output", options->output)->required()->type_name("FILE");
   const auto length = [&](const char* name, double& value, const char* meaning) {
     command
         .add_option_function<std::string>(
@@ -111,7 +112,7 @@ void addMake(CLI::App& program) {
   command.add_option("--parts", options->parts, "Parts around the axis [96]")
       ->check(CLI::Range(3, 100000))
       ->type_name("N");
-  command.add_flag("--ascii", options->write.ascii, "Text where the format has both (STL, PLY)");
+  addOutputOptions(command, output, options->write);
   addQuiet(command, options->quiet);
   command.footer(
       "Examples:\n"

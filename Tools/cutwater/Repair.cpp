@@ -15,6 +15,7 @@
 #include "Page.hpp"
 #include "RepairSteps.hpp"
 #include "Surface.hpp"
+#include "SurfaceOutput.hpp"
 
 namespace cutwater::tool {
 
@@ -40,7 +41,7 @@ struct RepairFacts {
   MeshReport before;
   std::size_t pointsBefore = 0;
   std::vector<StepDone> steps;
-  PolygonSoup soup;  ///< as written
+  SurfaceOutput written;
   Examination after;
   std::optional<SignReport> signs;
   std::vector<Defect> defects;
@@ -76,21 +77,22 @@ RepairFacts repair(const Options& options) {
   if (soup.polygonCount() == 0) {
     throw Error(ErrorKind::Topology, options.surface.file + ": cleaning leaves no face");
   }
-  soup = asWritten(options.output, std::move(soup), options.write);
-  auto after = examine(soup);
+  auto written = asWritten(options.output, std::move(soup), options.write);
+  auto after = examine(written.soup);
   RepairFacts facts{.before = before,
                     .pointsBefore = points,
                     .steps = std::move(done),
-                    .soup = std::move(soup),
+                    .written = std::move(written),
                     .after = std::move(after),
                     .signs = {},
                     .defects = {},
                     .next = {}};
   if (facts.after.report.triangles > 0) {
     const bool meets = static_cast<bool>(facts.after.selfIntersections);
-    facts.signs = MeshSDF<double>(facts.soup, {.findSelfIntersections = meets}).signReport();
+    facts.signs =
+        MeshSDF<double>(facts.written.soup, {.findSelfIntersections = meets}).signReport();
   }
-  facts.defects = findDefects(facts.soup, facts.after, facts.signs);
+  facts.defects = findDefects(facts.written.soup, facts.after, facts.signs);
   facts.next = adviceFor(options.output, facts.defects);
   return facts;
 }
@@ -112,9 +114,8 @@ std::string pageOf(const Options& options, const RepairFacts& facts) {
   page.line("before", facts.before.summary());
   page.line("after", after.summary());
   page.section("Result");
-  page.line("wrote", options.output + ": " + counted(facts.soup.polygonCount(), "polygon") + ", " +
-                         counted(facts.soup.points.size(), "point") + ", " +
-                         counted(facts.soup.patchNames.size(), "patch"));
+  page.line("wrote", options.output + ": " + sizeOf(facts.written));
+  for (const auto& loss : facts.written.losses) page.wrapped("", loss);
   page.line("watertight", after.isClosedOriented() ? "yes" : "no");
   if (facts.signs) page.line("signs", facts.signs->summary());
   page.line("verdict", verdict(facts.defects, facts.signs));
@@ -140,7 +141,8 @@ std::string jsonOf(const Options& options, const RepairFacts& facts) {
             {"output", options.output},
             {"steps", std::move(steps)},
             {"before", measured(facts.before, facts.pointsBefore)},
-            {"after", measured(facts.after.report, facts.soup.points.size())},
+            {"losses", facts.written.losses},
+            {"after", measured(facts.after.report, facts.written.soup.points.size())},
             {"check", checkJson(facts.after, facts.defects, facts.signs)},
             {"defects", toJson(facts.defects)}};
   json["signs"] = facts.signs ? signsJson(*facts.signs) : Json(nullptr);
@@ -156,7 +158,7 @@ void run(const Options& options) {
                                          facts.after.report.summary() +
                                          (facts.signs ? "; " + facts.signs->summary() : ""));
   }
-  write(options.output, facts.soup, options.write);
+  writeSurface(options.output, facts.written.soup, options.write);
   if (options.json) {
     std::cout << jsonOf(options, facts);
   } else if (!options.surface.quiet) {
@@ -171,13 +173,9 @@ void addRepair(CLI::App& program) {
   auto& command = *program.add_subcommand(
       "repair", "Clean a surface and close its openings, and say what was done and what is left");
   addSurfaceOptions(command, options->surface);
-  command
-      .add_option("-o,--output", options->output,
-                  "The surface to write; its extension tells the format: stl, ply, obj, off")
-      ->required()
-      ->type_name("FILE");
+  auto& output = *command.add_option("-o,--output", options->output)->required()->type_name("FILE");
   addRepairOptions(command, options->repair);
-  command.add_flag("--ascii", options->write.ascii, "Text where the format has both (STL, PLY)");
+  addOutputOptions(command, output, options->write);
   command.add_flag("--require-watertight", options->requireWatertight,
                    "Write nothing, and fail, unless the result bounds a solid");
   command.add_flag("--json", options->json, "Say what was done in JSON, for programs");

@@ -3,7 +3,6 @@
 #include <Cutwater/Core/Checksum.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Io/ReadScene.hpp>
-#include <Cutwater/Mesh/Triangulation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 
 #include <CLI/CLI.hpp>
@@ -69,19 +68,14 @@ std::optional<MeshSDF<T>> ready(const SurfaceOptions& options) {
   return solid;
 }
 
-/// The extension in lower case: ".stl".
+}  // namespace
+
 std::string extensionOf(const std::string& file) {
   auto extension = std::filesystem::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return extension;
 }
-
-bool isStl(const std::string& file) {
-  return extensionOf(file) == ".stl";
-}
-
-}  // namespace
 
 void addQuiet(CLI::App& command, bool& quiet) {
   command.add_flag("-q,--quiet", quiet, "Say nothing but errors");
@@ -217,26 +211,6 @@ std::uint64_t sourceHash(const SurfaceOptions& options) {
   std::ifstream file(options.file, std::ios::binary);
   const std::string content(std::istreambuf_iterator<char>(file), {});
   return xxHash64(std::as_bytes(std::span(content)));
-}
-
-PolygonSoup asWritten(const std::string& file, PolygonSoup soup, const WriteOptions& options) {
-  if (!isStl(file)) return soup;
-  if (!options.ascii) {
-    for (auto& p : soup.points) p = Vec3<double>(static_cast<Vec3<float>>(p));
-    weldExactly(soup);
-  }
-  return triangulated(soup);
-}
-
-std::size_t write(const std::string& file, const PolygonSoup& soup, const WriteOptions& options) {
-  const bool triangles = soup.corners.size() == 3 * soup.polygonCount();
-  if (!isStl(file) || triangles) {
-    writeSurface(file, soup, options);
-    return soup.polygonCount();
-  }
-  const auto cut = triangulated(soup);
-  writeSurface(file, cut, options);
-  return cut.polygonCount();
 }
 
 std::string fileName(const SurfaceOptions& options) {
