@@ -87,7 +87,7 @@ class Make(CommandTest):
         for shape in ["sphere", "ellipsoid", "box", "torus", "cylinder", "cone", "capsule"]:
             for extension in ["stl", "ply", "obj", "off"]:
                 name = f"{shape}.{extension}"
-                self.succeeds("make", shape, "-o", name, "--parts", 12)
+                self.succeeds("make", shape, "-o", name, *([] if shape == "box" else ["--parts", 12]))
                 self.assertRegex(self.succeeds("info", name), r"watertight +yes", name)
 
     def test_sizes(self):
@@ -104,10 +104,24 @@ class Make(CommandTest):
 
     def test_refusals(self):
         self.fails(2, "make", "teapot", "-o", "a.stl")
-        self.fails(1, "make", "torus", "--minor", "2", "-o", "a.stl")
-        self.fails(1, "make", "ellipsoid", "--size", "1,0,1", "-o", "a.stl")
+        for shape, option, value in [("torus", "--minor", "2"), ("ellipsoid", "--size", "1,0,1")]:
+            self.assertIn(option, self.fails(2, "make", shape, option, value, "-o", "a.stl"))
+        for shape, option in [("sphere", "--minor"), ("sphere", "--height"), ("ellipsoid", "--radius"),
+                              ("box", "--parts"), ("box", "--radius"), ("torus", "--height"), ("cone", "--minor")]:
+            why = self.fails(2, "make", shape, option, "3", "-o", "a.stl")
+            self.assertRegex(why, rf"{option}: an? {shape} has no such option")
         self.fails(1, "make", "box", "-o", "a.xyz")
+        for shape, triangles in [("sphere", "21 474 836 480"), ("torus", "10 000 000 000"),
+                                 ("capsule", "10 000 000 000")]:
+            why = self.fails(2, "make", shape, "--parts", "100000", "-o", "a.stl")
+            self.assertRegex(why, f"--parts: .* {triangles} triangles")
         self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_says_what_it_made(self):
+        self.assertEqual(self.succeeds("make", "ellipsoid", "--parts", "5", "-o", "a.ply"),
+                         "wrote a.ply: an ellipsoid of 20 polygons\n")
+        self.assertEqual(self.succeeds("make", "cylinder", "--parts", "100000", "-o", "a.ply"),
+                         "wrote a.ply: a cylinder of 100 002 polygons\n")
 
 
 class Motions(CommandTest):
@@ -347,6 +361,10 @@ class Amr(CommandTest):
         self.assertIn("level", self.fails(1, "amr", "box.off", "-o", "a.vtu", "--level", "20"))
         self.assertIn("no/such/a.vtu", self.fails(1, "amr", "box.off", "-o", "no/such/a.vtu", "--level", "1"))
         self.assertIn("missing.stl", self.fails(1, "amr", "missing.stl", "-o", "a.vtu", "--level", "1"))
+        mesh = ("amr", "box.off", "-o", "a.vtu", *self.AROUND, "--level", "1", "--quiet")
+        self.assertIn("--keep: '(9, 9, 9)': need a point within the mesh, (-2, -2, -2) to (2, 2, 2)",
+                      self.fails(2, *mesh, "--keep", "9,9,9"))
+        self.assertIn("--keep: '(0, 0, 0)': need a point in the fluid", self.fails(2, *mesh, "--keep", "0,0,0"))
         self.assertEqual([f.name for f in self.folder.iterdir()], ["box.off"])
 
 
@@ -466,7 +484,8 @@ class Isosurface(CommandTest):
         for name in ["a.stl", "a.off", "a.vtk"]:
             self.assertEqual(self.succeeds("isosurface", "box.off", "--cells", "10", "-o", name, "--quiet"), "")
             self.assertIn("closed", self.succeeds("info", name))
-        self.assertIn("tolerance", self.fails(1, "isosurface", "box.off", "-o", "a.stl", "--tolerance", "0.7"))
+        for wrong in "0.7", "1e-10":
+            self.assertIn("--tolerance", self.fails(2, "isosurface", "box.off", "-o", "a.stl", "--tolerance", wrong))
         self.assertIn(".step", self.fails(1, "isosurface", "box.off", "--cells", "10", "-o", "a.step"))
 
 
@@ -628,6 +647,12 @@ class Refusals(CommandTest):
                           self.succeeds(command[0], "open.off", *command[1:]))
         self.fails(2, "slice", "open.off", "-o", "a.png", "--signs", "guess")
         self.succeeds("slice", "open.off", "-o", "a.png", "--signs", "nearest")
+
+    def test_surfaces_too_far_away(self):
+        self.box()
+        for command in [("info",), ("repair", "-o", "a.ply"), ("slice", "-o", "a.png"), ("convert", "a.ply")]:
+            why = self.fails(1, command[0], "box.off", *command[1:], "--scale", "1e200")
+            self.assertIn("box.off --scale 1e200: the point (-1e+200, ", why)
 
     def test_surfaces_without_faces(self):
         (self.folder / "points.off").write_text("OFF\n1 0 0\n0 0 0\n")

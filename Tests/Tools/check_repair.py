@@ -291,7 +291,10 @@ class Files(RepairTest):
             with self.subTest(option=option, value=value):
                 self.assertIn(option, self.fails(2, "repair", "open.off", "-o", "out.off", option, value))
         self.fails(2, "repair", "open.off")
-        self.assertIn("both sides", self.fails(1, "repair", "open.off", "-o", "out.off", "--mirror", "z=0.5"))
+        for option, value, why in [("--mirror", "z=0.5", "there are points on both sides"),
+                                   ("--extend", "z=0.5", "the level must lie beyond the surface"),
+                                   ("--extend-to-box", "0,0,0,1,1,3:+z", "the rim reaches the sides of the box: use --extend")]:
+            self.assertIn(f"{option} {value}: {why}", self.fails(1, "repair", "open.off", "-o", "out.off", option, value))
         self.assertIn("missing.off", self.fails(1, "repair", "missing.off", "-o", "out.off"))
         self.assertIn("out.xyz", self.fails(1, "repair", "open.off", "-o", "out.xyz"))
         self.assertEqual([f.name for f in self.folder.iterdir()], ["open.off"])

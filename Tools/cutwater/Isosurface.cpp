@@ -82,7 +82,9 @@ void addIsosurface(CLI::App& program) {
       .add_option_function<std::string>(
           "--tolerance",
           [=](const std::string& text) {
-            options->isosurface.tolerance = positiveNumber("--tolerance", text);
+            const double cells = positiveNumber("--tolerance", text);
+            if (cells < 1e-9 || cells > 0.5) refuse("--tolerance", text, "1e-9 to 0.5 cells");
+            options->isosurface.tolerance = cells;
           },
           "Points are within this many cells of the surface; without it: 0.001")
       ->type_name("CELLS");

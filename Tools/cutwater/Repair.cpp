@@ -6,6 +6,7 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "Commands.hpp"
@@ -48,11 +49,31 @@ struct RepairFacts {
   std::vector<Advice> next;
 };
 
+/// A step's refusal in words of the command: its option in place of the library's function.
+std::string inWordsOfOptions(const RepairStep& step, std::string message) {
+  const auto colon = message.find(": ");
+  if (message.find(' ') == colon + 1) message.erase(0, colon + 2);
+  constexpr std::string_view kFunction = "extendTo()";
+  if (const auto at = message.find(kFunction); at != std::string::npos) {
+    message.replace(at, kFunction.size(), "--extend");
+  }
+  return "--" + step.name + ": " + message;
+}
+
+StepReport run(const RepairStep& step, PolygonSoup& soup) {
+  try {
+    return step.run(soup);
+  } catch (const Error& error) {
+    if (step.name == "clean") throw;  // always done, without an option
+    throw Error(error.kind(), inWordsOfOptions(step, error.what()));
+  }
+}
+
 std::vector<StepDone> repaired(PolygonSoup& soup, const std::vector<RepairStep>& steps) {
   std::vector<StepDone> done;
   Stopwatch watch;
   for (const auto& step : steps) {
-    auto report = step.run(soup);
+    auto report = run(step, soup);
     done.push_back({step.name, std::move(report), watch.lap()});
   }
   return done;

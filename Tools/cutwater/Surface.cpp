@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -14,6 +15,7 @@
 #include <map>
 
 #include "Arguments.hpp"
+#include "Format.hpp"
 
 namespace cutwater::tool {
 
@@ -66,6 +68,15 @@ std::optional<MeshSDF<T>> ready(const SurfaceOptions& options) {
                         (!options.solid.requireWatertight || solid.signReport().isSound());
   if (!isWanted) return {};
   return solid;
+}
+
+/// Coordinates must have squares, or nothing can be measured.
+void requireNear(const PolygonSoup& soup, const SurfaceOptions& options) {
+  for (const auto& p : soup.points) {
+    if (std::isfinite(lengthSquared(p))) continue;
+    throw Error(ErrorKind::Argument, options.file + options.motions + ": the point " + point(p) +
+                                         " is too far away: at most 1e150 can be computed with");
+  }
 }
 
 }  // namespace
@@ -159,6 +170,7 @@ LoadedSurface load(const SurfaceOptions& options) {
   Stopwatch watch;
   auto [soup, report] = readSurface(
       options.file, {.scale = options.scale, .placement = options.placement, .weld = false});
+  requireNear(soup, options);
   LoadedSurface surface{.soup = std::move(soup), .report = std::move(report)};
   surface.secondsToRead = watch.lap();
   surface.pointsMerged = weldExactly(surface.soup);
