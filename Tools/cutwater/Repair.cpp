@@ -80,7 +80,7 @@ std::vector<StepDone> repaired(PolygonSoup& soup, const std::vector<RepairStep>&
 }
 
 std::vector<Advice> adviceFor(const std::string& output, const std::vector<Defect>& defects) {
-  const auto file = shellWord(output);
+  const auto file = fileWord(output);
   std::vector<Advice> next;
   if (!defects.empty()) {
     next.push_back({"cutwater info " + file, "all about it, and which repair would help further"});

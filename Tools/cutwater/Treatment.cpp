@@ -4,7 +4,6 @@
 #include <Cutwater/Mesh/Cleaning/WeldWithin.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -30,10 +29,8 @@ struct PlanarOpenings {
 double roundedWithin(double value, double tolerance) {
   if (std::abs(value) <= tolerance) return 0;
   for (int digits = 1; digits <= 17; ++digits) {
-    const auto text = number(value, digits);
-    double read = 0;
-    std::from_chars(text.data(), text.data() + text.size(), read);
-    if (std::abs(read - value) <= tolerance) return read;
+    const double shorter = rounded(value, digits);
+    if (std::abs(shorter - value) <= tolerance) return shorter;
   }
   return value;
 }
