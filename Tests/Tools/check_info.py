@@ -323,6 +323,33 @@ class Suggestions(InfoTest):
         words, = self.repairs("vase.off")
         self.assertIn("--cap", words)
 
+    def test_debris_is_cancelled_where_it_is_in_the_way(self):
+        # A can without its lid, with a fin of no thickness: an edge of the wall has four faces.
+        self.succeeds("make", "cylinder", "--parts", "150", "-o", "can.off")
+        points, faces = read_off(self.folder / "can.off")
+        wall = next(f for f in faces if len(f) == 4)
+        tip = tuple(sum(1.001 * points[c][k] for c in wall[:2]) / 2 for k in range(2)) + (0.05,)
+        fin = [wall[0], wall[1], len(points)]
+        surface = self.facts("can.off")["surface"]
+        for name, kept in [("can.off", faces), ("open.off", [f for f in faces if f is not faces[-1]])]:
+            self.surface(name, points + [tip], kept + [fin, fin[::-1]])
+            words = self.repairs(name)[0]
+            self.assertEqual("--cap" in words, name == "open.off")
+            self.assertIn("--cancel-opposite", words)
+            self.expect_cure(words, surface["area"], surface["volume"])
+
+    def test_welds_that_leave_openings_in_planes_only(self):
+        # Two tubes of four walls each; a wall of one of them stands a rounding apart: welded,
+        # 4 of 20 open edges close, and the others are four plane openings.
+        points = BOX_POINTS + [(3 + x, y, z) for x, y, z in BOX_POINTS]
+        walls = BOX_FACES[1:5] + [tuple(8 + i for i in f) for f in BOX_FACES[1:5]]
+        loose = [tuple(c + 3e-7 for c in points[i]) for i in walls[0]]
+        self.surface("tubes.off", points + loose, [tuple(range(16, 20))] + walls[1:])
+        words = self.repairs("tubes.off")[0]
+        self.assertIn("--weld", words)
+        self.assertEqual(words.count("--cap"), 2)
+        self.expect_cure(words, 12, 2)
+
     def test_sound_surfaces_need_nothing(self):
         self.surface("box.off", BOX_POINTS, BOX_FACES)
         self.assertEqual(self.repairs("box.off"), [])

@@ -249,7 +249,7 @@ class Page(RepairTest):
     def test_tells_what_is_left(self):
         text = self.succeeds("repair", "open.off", "-o", "out.off")
         self.assertRegex(text, r"\n  error +4  open edges\n")
-        self.assertIn("  cutwater info out.off\n", text)
+        self.assertIn("  cutwater info out.off\n      all about it, and a repair that would help further, if there is one\n", text)
         self.assertRegex(text, r"watertight +no\n")
 
 

@@ -35,7 +35,7 @@ void describeFile(Page& page, const InfoFacts& facts) {
 std::string volumeOf(const InfoFacts& facts) {
   const auto& report = facts.found.report;
   if (!report.isClosed()) return "none: not closed";
-  const auto volume = number(report.volume);
+  auto volume = number(report.volume);
   const auto signs = facts.signs();
   if (!signs || (signs->turnedFaces == 0 && signs->turnedShells == 0)) return volume;
   return volume + " of the faces as they are; " +

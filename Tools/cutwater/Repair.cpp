@@ -83,7 +83,8 @@ std::vector<Advice> adviceFor(const std::string& output, const std::vector<Defec
   const auto file = fileWord(output);
   std::vector<Advice> next;
   if (!defects.empty()) {
-    next.push_back({"cutwater info " + file, "all about it, and which repair would help further"});
+    next.push_back({"cutwater info " + file,
+                    "all about it, and a repair that would help further, if there is one"});
   }
   std::ranges::move(usesOf(file), std::back_inserter(next));
   return next;
