@@ -10,7 +10,7 @@ try:
 except ImportError:
     vtkXMLUnstructuredGridReader = None  # what it would show is shown by our own reader, too
 
-from command import OPEN_BOX, PROGRAM, CommandTest
+from command import BOX_POINTS, OPEN_BOX, OPEN_BOX_FACES, PROGRAM, CommandTest
 from readers import Png, Vti, Vtu, bounds, read_off
 
 SUBCOMMANDS = ["info", "repair", "sample", "amr", "slice", "render", "isosurface", "convert", "prepare", "make",
@@ -87,7 +87,7 @@ class Make(CommandTest):
         for shape in ["sphere", "ellipsoid", "box", "torus", "cylinder", "cone", "capsule"]:
             for extension in ["stl", "ply", "obj", "off"]:
                 name = f"{shape}.{extension}"
-                self.succeeds("make", shape, "-o", name, "--parts", 12)
+                self.succeeds("make", shape, "-o", name, *([] if shape == "box" else ["--parts", 12]))
                 self.assertRegex(self.succeeds("info", name), r"watertight +yes", name)
 
     def test_sizes(self):
@@ -104,10 +104,24 @@ class Make(CommandTest):
 
     def test_refusals(self):
         self.fails(2, "make", "teapot", "-o", "a.stl")
-        self.fails(1, "make", "torus", "--minor", "2", "-o", "a.stl")
-        self.fails(1, "make", "ellipsoid", "--size", "1,0,1", "-o", "a.stl")
+        for shape, option, value in [("torus", "--minor", "2"), ("ellipsoid", "--size", "1,0,1")]:
+            self.assertIn(option, self.fails(2, "make", shape, option, value, "-o", "a.stl"))
+        for shape, option in [("sphere", "--minor"), ("sphere", "--height"), ("ellipsoid", "--radius"),
+                              ("box", "--parts"), ("box", "--radius"), ("torus", "--height"), ("cone", "--minor")]:
+            why = self.fails(2, "make", shape, option, "3", "-o", "a.stl")
+            self.assertRegex(why, rf"{option}: an? {shape} has no such option")
         self.fails(1, "make", "box", "-o", "a.xyz")
+        for shape, triangles in [("sphere", "21 474 836 480"), ("torus", "10 000 000 000"),
+                                 ("capsule", "10 000 000 000")]:
+            why = self.fails(2, "make", shape, "--parts", "100000", "-o", "a.stl")
+            self.assertRegex(why, f"--parts: .* {triangles} triangles")
         self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_says_what_it_made(self):
+        self.assertEqual(self.succeeds("make", "ellipsoid", "--parts", "5", "-o", "a.ply"),
+                         "wrote a.ply: an ellipsoid of 20 polygons\n")
+        self.assertEqual(self.succeeds("make", "cylinder", "--parts", "100000", "-o", "a.ply"),
+                         "wrote a.ply: a cylinder of 100 002 polygons\n")
 
 
 class Motions(CommandTest):
@@ -347,6 +361,10 @@ class Amr(CommandTest):
         self.assertIn("level", self.fails(1, "amr", "box.off", "-o", "a.vtu", "--level", "20"))
         self.assertIn("no/such/a.vtu", self.fails(1, "amr", "box.off", "-o", "no/such/a.vtu", "--level", "1"))
         self.assertIn("missing.stl", self.fails(1, "amr", "missing.stl", "-o", "a.vtu", "--level", "1"))
+        mesh = ("amr", "box.off", "-o", "a.vtu", *self.AROUND, "--level", "1", "--quiet")
+        self.assertIn("--keep: '(9, 9, 9)': need a point within the mesh, (-2, -2, -2) to (2, 2, 2)",
+                      self.fails(2, *mesh, "--keep", "9,9,9"))
+        self.assertIn("--keep: '(0, 0, 0)': need a point in the fluid", self.fails(2, *mesh, "--keep", "0,0,0"))
         self.assertEqual([f.name for f in self.folder.iterdir()], ["box.off"])
 
 
@@ -454,12 +472,20 @@ class Isosurface(CommandTest):
         self.assertIn("g end of grid", (self.folder / "half.obj").read_text())
         self.assertIn("no surface", self.fails(1, "isosurface", "box.off", "--box", "5,5,5,6,6,6", "-o", "a.stl"))
 
+    def test_each_patch_is_one_group(self):
+        self.surface("half.off", BOX_POINTS, OPEN_BOX_FACES)
+        self.succeeds("repair", "half.off", "-o", "two.obj", "--cap", "z=1:top")
+        self.succeeds("isosurface", "two.obj", "--cells", "12", "-o", "new.obj")
+        groups = re.findall(r"^g (.*)$", (self.folder / "new.obj").read_text(), re.MULTILINE)
+        self.assertEqual((len(groups), groups[-1]), (2, "top"))
+
     def test_tolerance_and_formats(self):
         self.box()
         for name in ["a.stl", "a.off", "a.vtk"]:
             self.assertEqual(self.succeeds("isosurface", "box.off", "--cells", "10", "-o", name, "--quiet"), "")
             self.assertIn("closed", self.succeeds("info", name))
-        self.assertIn("tolerance", self.fails(1, "isosurface", "box.off", "-o", "a.stl", "--tolerance", "0.7"))
+        for wrong in "0.7", "1e-10":
+            self.assertIn("--tolerance", self.fails(2, "isosurface", "box.off", "-o", "a.stl", "--tolerance", wrong))
         self.assertIn(".step", self.fails(1, "isosurface", "box.off", "--cells", "10", "-o", "a.step"))
 
 
@@ -476,6 +502,34 @@ class Convert(CommandTest):
         self.box()
         self.succeeds("convert", "box.off", "text.stl", "--ascii", "--quiet")
         self.assertTrue((self.folder / "text.stl").read_text().startswith("solid"))
+
+
+    def two_patches(self):
+        (self.folder / "two.obj").write_text(
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng base\nf 1 3 2\ng sides\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+
+    def test_says_which_patches_are_lost(self):
+        self.two_patches()
+        for arguments in [("a.stl",), ("a.ply",), ("a.off",), ("a.vtk",), ("b.obj",), ("b.stl", "--ascii")]:
+            wrote, *notes = self.succeeds("convert", "two.obj", *arguments).splitlines()
+            kept = 2 if arguments[0].startswith("b") else 1
+            self.assertEqual(wrote, f"wrote {arguments[0]}: 4 polygons, 4 points, {['1 patch', '2 patches'][kept - 1]}")
+            self.assertEqual(["names of 2 patches" in note for note in notes], [] if kept == 2 else [True])
+            self.assertIn(f"Patches: {kept}\n", self.succeeds("info", arguments[0]))
+
+    def test_says_what_single_precision_costs(self):
+        self.two_patches()
+        far = ("--translate", "3e8,0,0")  # where numbers of single precision are 32 apart
+        text = self.succeeds("convert", "two.obj", "far.stl", *far)
+        self.assertIn("warning: single precision made 1 point equal to others, and 2 faces lose all area", text)
+        self.assertIn(" .obj, .ply and --ascii ", text)
+        for arguments in [("far.stl", "--ascii"), ("far.ply",)]:
+            self.assertNotIn("warning", self.succeeds("convert", "two.obj", *arguments, *far))
+        self.assertNotIn("warning", self.succeeds("convert", "two.obj", "near.stl"))
+        self.assertIn("1 point equal", self.succeeds("repair", "two.obj", "-o", "far.stl", *far))
+        text = self.succeeds("isosurface", "two.obj", "--cells", "9", "-o", "far.stl", *far)
+        self.assertRegex(text, r"warning: single precision made \d+ points equal")
+        self.assertIn("single precision", self.fails(1, "convert", "two.obj", "a.stl", "--scale", "1e39"))
 
 
 class Prepare(CommandTest):
@@ -593,6 +647,12 @@ class Refusals(CommandTest):
                           self.succeeds(command[0], "open.off", *command[1:]))
         self.fails(2, "slice", "open.off", "-o", "a.png", "--signs", "guess")
         self.succeeds("slice", "open.off", "-o", "a.png", "--signs", "nearest")
+
+    def test_surfaces_too_far_away(self):
+        self.box()
+        for command in [("info",), ("repair", "-o", "a.ply"), ("slice", "-o", "a.png"), ("convert", "a.ply")]:
+            why = self.fails(1, command[0], "box.off", *command[1:], "--scale", "1e200")
+            self.assertIn("box.off --scale 1e200: the point (-1e+200, ", why)
 
     def test_surfaces_without_faces(self):
         (self.folder / "points.off").write_text("OFF\n1 0 0\n0 0 0\n")

@@ -5,9 +5,10 @@ import os
 import pathlib
 import re
 import shlex
+import subprocess
 import unittest
 
-from command import BOX_FACES, BOX_POINTS, OPEN_BOX_FACES, CommandTest
+from command import BOX_FACES, BOX_POINTS, OPEN_BOX_FACES, PROGRAM, CommandTest, off
 from readers import read_off
 
 
@@ -55,6 +56,7 @@ class Info(InfoTest):
         self.assertEqual(float(self.value(text, "area")), 52)
         self.assertEqual(float(self.value(text, "volume")), 24)
         self.assertEqual(self.value(text, "components"), "1")
+        self.assertEqual(self.value(text, "topology"), "Euler characteristic 2, genus 0")
         self.assertEqual(self.value(text, "watertight"), "yes")
         self.assertRegex(self.value(text, "memory"), r"\d+ bytes per triangle")
         self.assertEqual(self.value(text, "self-intersections"), "none")
@@ -68,6 +70,23 @@ class Info(InfoTest):
         self.assertEqual(self.value(text, "polygons"), "20 480, all triangles")
         self.assertEqual(self.value(text, "points"),
                          "10 242 (61 440 in the file, 51 198 merged with equal ones)")
+
+    def test_topology_is_told_of_every_surface(self):
+        self.succeeds("make", "torus", "--parts", "12", "-o", "torus.off")
+        self.assertEqual(self.value(self.succeeds("info", "torus.off"), "topology"), "Euler characteristic 0, genus 1")
+        self.surface("duct.off", BOX_POINTS, BOX_FACES[1:5])
+        text = self.succeeds("info", "duct.off")
+        self.assertEqual(self.value(text, "topology"),
+                         "Euler characteristic 0, no genus: not a closed, oriented manifold")
+        details = text[text.index("Details"):]
+        self.assertRegex(details, r"\n  Euler characteristic +0\n  genus +-\n")
+        self.assertNotIn("duplicate faces", details)
+
+    def test_says_nothing_if_told_so(self):
+        self.box()
+        self.assertEqual(self.succeeds("info", "box.off", "--quiet"), "")
+        self.assertTrue(self.facts("box.off", "--quiet")["check"]["sound"])
+        self.fails(1, "info", "missing.off", "--quiet")
 
     def test_lists_patches(self):
         (self.folder / "two.obj").write_text(
@@ -130,9 +149,17 @@ class Defects(InfoTest):
         found = self.defects("turned.off")
         self.assertEqual(set(found), {"insideOutShells"})
         self.expect_defect(found, "insideOutShells", "warning", 1)
-        self.assertEqual(float(self.value(self.succeeds("info", "turned.off"), "volume")), -1)
+        self.assertEqual(self.value(self.succeeds("info", "turned.off"), "volume"),
+                         "-1 of the faces as they are; 1 of the solid, with all facing outward")
         words, = self.repairs("turned.off")
         self.expect_cure(words, 6, 1)
+
+    def test_a_volume_of_shells_of_which_one_is_turned(self):
+        points = BOX_POINTS + [tuple(2 + 2 * c for c in p) for p in BOX_POINTS]
+        self.surface("two.off", points, BOX_FACES + [tuple(8 + i for i in f[::-1]) for f in BOX_FACES])
+        surface = self.facts("two.off")["surface"]
+        self.assertEqual((surface["volume"], surface["solidVolume"]), (-7, 9))
+        self.assertRegex(self.value(self.succeeds("info", "two.off"), "volume"), "^-7 of the faces.*; 9 of the solid")
 
     def test_a_face_that_is_turned(self):
         self.surface("turned.off", BOX_POINTS, BOX_FACES[:5] + [BOX_FACES[5][::-1]])
@@ -296,6 +323,33 @@ class Suggestions(InfoTest):
         words, = self.repairs("vase.off")
         self.assertIn("--cap", words)
 
+    def test_debris_is_cancelled_where_it_is_in_the_way(self):
+        # A can without its lid, with a fin of no thickness: an edge of the wall has four faces.
+        self.succeeds("make", "cylinder", "--parts", "150", "-o", "can.off")
+        points, faces = read_off(self.folder / "can.off")
+        wall = next(f for f in faces if len(f) == 4)
+        tip = tuple(sum(1.001 * points[c][k] for c in wall[:2]) / 2 for k in range(2)) + (0.05,)
+        fin = [wall[0], wall[1], len(points)]
+        surface = self.facts("can.off")["surface"]
+        for name, kept in [("can.off", faces), ("open.off", [f for f in faces if f is not faces[-1]])]:
+            self.surface(name, points + [tip], kept + [fin, fin[::-1]])
+            words = self.repairs(name)[0]
+            self.assertEqual("--cap" in words, name == "open.off")
+            self.assertIn("--cancel-opposite", words)
+            self.expect_cure(words, surface["area"], surface["volume"])
+
+    def test_welds_that_leave_openings_in_planes_only(self):
+        # Two tubes of four walls each; a wall of one of them stands a rounding apart: welded,
+        # 4 of 20 open edges close, and the others are four plane openings.
+        points = BOX_POINTS + [(3 + x, y, z) for x, y, z in BOX_POINTS]
+        walls = BOX_FACES[1:5] + [tuple(8 + i for i in f) for f in BOX_FACES[1:5]]
+        loose = [tuple(c + 3e-7 for c in points[i]) for i in walls[0]]
+        self.surface("tubes.off", points + loose, [tuple(range(16, 20))] + walls[1:])
+        words = self.repairs("tubes.off")[0]
+        self.assertIn("--weld", words)
+        self.assertEqual(words.count("--cap"), 2)
+        self.expect_cure(words, 12, 2)
+
     def test_sound_surfaces_need_nothing(self):
         self.surface("box.off", BOX_POINTS, BOX_FACES)
         self.assertEqual(self.repairs("box.off"), [])
@@ -308,6 +362,33 @@ class Suggestions(InfoTest):
         self.expect_cure(words, 6 / 4, 1 / 8)
         points, _ = read_off(self.folder / "a box's-repaired.off")
         self.assertEqual(min(p[0] for p in points), -1)
+
+
+    def test_names_like_options(self):
+        self.surface("-box.off", BOX_POINTS, OPEN_BOX_FACES)
+        text = self.succeeds("info", "--", "-box.off")
+        command = shlex.split(re.search("cutwater (repair .*)", text)[1])
+        self.assertEqual(command[1], "./-box.off")
+        self.succeeds(*command)
+        self.assertIn("Defects: none", self.succeeds("info", "./-box-repaired.off"))
+        self.assertIn("cutwater sample ./-box.off", self.succeeds("repair", "./-box-repaired.off", "-o", "-box.off"))
+
+    def test_a_pipe_is_not_read_again(self):
+        (self.folder / "open.off").write_text(off(BOX_POINTS, OPEN_BOX_FACES))
+        with open(self.folder / "open.off", encoding="ascii") as file:
+            done = subprocess.run([PROGRAM, "info", "/dev/stdin"], stdin=file, capture_output=True, text=True,
+                                  check=True)
+        self.assertIn("cutwater repair FILE -o FILE-repaired.off --cap z=1\n", done.stdout)
+        self.assertIn("cutwater sample FILE -o", done.stdout)
+
+    def test_lengths_have_few_digits(self):
+        # Scaled, a thirtieth of the diagonal is nearly 0.3, and 3 * 0.1 is 0.30000000000000004.
+        points = [(0, 0, 0), (5, 0.5, 1), (1, 5, 1.5), (-5, 1, -0.5), (-0.5, -1.5, -5)]
+        self.surface("scraps.off", points, [(0, 1, 2), (0, 3, 4)])
+        for words in self.repairs("scraps.off", "--scale", "0.66"):
+            for option in "--wrap", "--holes", "--weld":
+                if option in words:
+                    self.assertLess(len(words[words.index(option) + 1]), 6, words)
 
 
 class Json(InfoTest):

@@ -240,7 +240,7 @@ class Page(RepairTest):
         for line in [r"equal points merged +0", r"faces turned +0", r"openings closed +1; at \(\d, \d, 1\)",
                      r"faces added +2, of area 1, area 5 -> 6, volume \S+ -> 1", r"area +5 -> 6",
                      r"volume +none: not closed -> 1", r"before +not closed, .*; 4 open edges; .*",
-                     r"after +closed, oriented, manifold; .*", r"wrote +out.off: 7 polygons, 8 points, 2 patches",
+                     r"after +closed, oriented, manifold; .*", r"wrote +out.off: 7 polygons, 8 points, 1 patch",
                      r"watertight +yes", r"signs +nearest feature: closed; .*", r"cutwater sample out.off .*"]:
             self.assertRegex(text, re.compile(rf"^  {line}$", re.MULTILINE))
         self.assertIn("Defects: none", text)
@@ -249,7 +249,7 @@ class Page(RepairTest):
     def test_tells_what_is_left(self):
         text = self.succeeds("repair", "open.off", "-o", "out.off")
         self.assertRegex(text, r"\n  error +4  open edges\n")
-        self.assertIn("  cutwater info out.off\n", text)
+        self.assertIn("  cutwater info out.off\n      all about it, and a repair that would help further, if there is one\n", text)
         self.assertRegex(text, r"watertight +no\n")
 
 
@@ -264,6 +264,14 @@ class Files(RepairTest):
         facts = self.repaired("crack.off", output="out.stl")
         self.expect_sound(facts, 6, 1)
         self.assertEqual(facts["after"]["polygons"], 12)
+
+    def test_says_which_patches_are_lost(self):
+        ends = ("--cap", "z=1:outlet")
+        self.assertEqual(self.repaired("open.off", *ends, output="out.obj")["losses"], [])
+        loss, = self.repaired("open.off", *ends, output="out.stl")["losses"]
+        self.assertIn("names of 2 patches", loss)
+        self.assertIn(f": 12 polygons, 8 points, 1 patch\n  {loss}\n",
+                      self.succeeds("repair", "open.off", *ends, "-o", "out.stl"))
 
     def test_only_watertight_surfaces_if_told_to(self):
         why = self.fails(1, "repair", "open.off", "-o", "out.off", "--require-watertight")
@@ -283,7 +291,10 @@ class Files(RepairTest):
             with self.subTest(option=option, value=value):
                 self.assertIn(option, self.fails(2, "repair", "open.off", "-o", "out.off", option, value))
         self.fails(2, "repair", "open.off")
-        self.assertIn("both sides", self.fails(1, "repair", "open.off", "-o", "out.off", "--mirror", "z=0.5"))
+        for option, value, why in [("--mirror", "z=0.5", "there are points on both sides"),
+                                   ("--extend", "z=0.5", "the level must lie beyond the surface"),
+                                   ("--extend-to-box", "0,0,0,1,1,3:+z", "the rim reaches the sides of the box: use --extend")]:
+            self.assertIn(f"{option} {value}: {why}", self.fails(1, "repair", "open.off", "-o", "out.off", option, value))
         self.assertIn("missing.off", self.fails(1, "repair", "missing.off", "-o", "out.off"))
         self.assertIn("out.xyz", self.fails(1, "repair", "open.off", "-o", "out.xyz"))
         self.assertEqual([f.name for f in self.folder.iterdir()], ["open.off"])

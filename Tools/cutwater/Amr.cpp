@@ -58,7 +58,14 @@ void report(const Options& options, const Octree<double>& mesh, std::uint64_t su
 /// Covers the cells that the point's region of fluid does not reach.
 void keepRegion(const Vec3<double>& keep, const Octree<double>& mesh, MeshFields& fields,
                 bool isShown) {
+  const auto cell = mesh.find(keep);
+  if (!cell) {
+    const auto box = mesh.domain().box();
+    refuse("--keep", point(keep),
+           "a point within the mesh, " + point(box.lower) + " to " + point(box.upper));
+  }
   const FluidRegions<double> fluid(mesh);
+  if (fluid.regionOf(*cell) == kNone) refuse("--keep", point(keep), "a point in the fluid");
   const auto cells = fluid.unreached(mesh, keep);
   fields.cover(cells);
   if (!isShown) return;

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "Commands.hpp"
-#include "Format.hpp"
 #include "Surface.hpp"
+#include "SurfaceOutput.hpp"
 
 namespace cutwater::tool {
 
@@ -17,12 +17,10 @@ struct Options {
 };
 
 void run(const Options& options) {
-  const auto surface = load(options.surface);
-  const auto polygons = write(options.output, surface.soup, options.write);
+  const auto surface = asWritten(options.output, load(options.surface).soup, options.write);
+  writeSurface(options.output, surface.soup, options.write);
   if (options.surface.quiet) return;
-  std::cout << "wrote " << options.output << ": " << counted(polygons, "polygon") << ", "
-            << counted(surface.soup.points.size(), "point") << ", "
-            << counted(surface.soup.patchNames.size(), "patch") << '\n';
+  std::cout << "wrote " << options.output << ": " << sizeOf(surface) << '\n' << lossesOf(surface);
 }
 
 }  // namespace
@@ -32,12 +30,8 @@ void addConvert(CLI::App& program) {
   auto& command = *program.add_subcommand(
       "convert", "Write a surface in another format, or moved, scaled and welded");
   addSurfaceOptions(command, options->surface);
-  command
-      .add_option("OUTPUT", options->output,
-                  "The surface to write; its extension tells the format: stl, ply, obj, off, vtk")
-      ->required();
-  command.add_flag("--ascii", options->write.ascii,
-                   "Text where the format has both (STL, PLY, VTK)");
+  auto& output = *command.add_option("OUTPUT", options->output)->required();
+  addOutputOptions(command, output, options->write);
   command.footer(
       "Examples:\n"
       "  cutwater convert hull.stl.gz hull.ply\n"

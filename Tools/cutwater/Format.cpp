@@ -21,6 +21,13 @@ std::string number(double value, int digits) {
   return {buffer.data(), result.ptr};
 }
 
+double rounded(double value, int digits) {
+  const auto text = number(value, digits);
+  double read = 0;
+  std::from_chars(text.data(), text.data() + text.size(), read);
+  return read;
+}
+
 std::string exactly(double value) {
   std::array<char, 64> buffer{};
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value + 0.0);
@@ -75,6 +82,10 @@ std::string shellWord(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
+}
+
+std::string fileWord(const std::string& file) {
+  return shellWord(file.starts_with('-') ? "./" + file : file);
 }
 
 std::string leftAligned(std::string_view text, std::size_t width) {

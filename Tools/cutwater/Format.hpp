@@ -14,6 +14,8 @@ namespace cutwater::tool {
 [[nodiscard]] std::string grouped(std::size_t count);
 /// Up to `digits` significant digits: "6.2731", "1.5e-05"
 [[nodiscard]] std::string number(double value, int digits = 6);
+/// The value rounded to so many significant digits: 0.3, not 0.30000000000000004.
+[[nodiscard]] double rounded(double value, int digits);
 /// The shortest digits that read back as the same number.
 [[nodiscard]] std::string exactly(double value);
 /// "(1, 2.5, -3)"
@@ -30,6 +32,8 @@ namespace cutwater::tool {
 [[nodiscard]] std::string hexadecimal(std::uint64_t value);
 /// The text as one word of a shell's command line, quoted where needed.
 [[nodiscard]] std::string shellWord(const std::string& text);
+/// The same for the name of a file, which no command takes for an option.
+[[nodiscard]] std::string fileWord(const std::string& file);
 /// Padded with blanks to `width`.
 [[nodiscard]] std::string leftAligned(std::string_view text, std::size_t width);
 [[nodiscard]] std::string rightAligned(std::string_view text, std::size_t width);

@@ -9,13 +9,15 @@ namespace cutwater::tool {
 
 namespace {
 
-void run(const InfoOptions& options) {
-  if (isScene(options)) {
-    std::cout << aboutScene(options);
-    return;
-  }
+std::string report(const InfoOptions& options) {
+  if (isScene(options)) return aboutScene(options);
   const auto facts = gather(options);
-  std::cout << (options.json ? jsonOf(facts) : pageOf(facts));
+  return options.json ? jsonOf(facts) : pageOf(facts);
+}
+
+void run(const InfoOptions& options) {
+  const auto text = report(options);
+  if (options.json || !options.quiet) std::cout << text;
 }
 
 }  // namespace

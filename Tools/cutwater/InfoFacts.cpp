@@ -1,7 +1,9 @@
 #include "InfoFacts.hpp"
 
+#include <Cutwater/Mesh/Cleaning/Orientation.hpp>
+#include <Cutwater/Mesh/SurfaceMeasure.hpp>
+
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <system_error>
@@ -38,14 +40,34 @@ SolidFacts solidOf(const PolygonSoup& soup, const MeshSDFOptions& how, bool inFl
   return facts;
 }
 
+/// The file as suggested commands name it: what was read from a pipe can't be read again.
+std::string readableName(const SurfaceOptions& options) {
+  const auto& file = options.file;
+  std::error_code ignored;
+  const bool isKept = std::filesystem::is_regular_file(file, ignored) &&
+                      !file.starts_with("/dev/") && !file.starts_with("/proc/");
+  return isKept ? file : "FILE";
+}
+
 /// Suggested file for a repaired surface: "hull-repaired.stl" for models/hull.stl.gz.
-std::string repairedName(const LoadedSurface& surface, const SurfaceOptions& options) {
+std::string repairedName(const LoadedSurface& surface, const std::string& file) {
   constexpr const char* kExtensions[] = {".stl", ".obj", ".ply", ".off", ".ply"};
-  std::filesystem::path name = fileName(options);
+  std::filesystem::path name = std::filesystem::path(file).filename();
   if (name.extension() == ".gz") name = name.stem();
   const auto stem = name.stem().string();
   const auto format = static_cast<std::size_t>(surface.report.format);
   return stem + "-repaired" + (surface.prepared ? ".ply" : kExtensions[format]);
+}
+
+/// The volume of the solid that the signs describe: that of the shells, turned outward. Nothing
+/// where they may overlap, or are open.
+std::optional<double> solidVolumeOf(const PolygonSoup& soup, const MeshReport& report,
+                                    const SignReport& signs) {
+  if (signs.scheme != SignScheme::NearestFeature || !signs.isSound()) return {};
+  if (signs.turnedFaces == 0 && signs.turnedShells == 0) return report.volume;
+  auto outward = soup;
+  orientFaces(outward);
+  return measure(outward).volume;
 }
 
 /// Whether signs are ambiguous and no other repair would change that. Surfaces in one plane, such
@@ -57,14 +79,10 @@ bool needsWrap(const InfoFacts& facts) {
          std::ranges::none_of(facts.treatments.found, &Treatment::isClosed);
 }
 
-double oneDigit(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)));
-  return std::round(value / unit) * unit;
-}
-
 std::vector<Advice> adviceFor(const InfoFacts& facts) {
-  const auto file = shellWord(facts.options.file) + facts.options.motions;
-  const auto output = shellWord(repairedName(facts.surface, facts.options));
+  const auto name = readableName(facts.options);
+  const auto file = fileWord(name) + facts.options.motions;
+  const auto output = fileWord(repairedName(facts.surface, name));
   std::vector<Advice> next;
   for (const auto& treatment : facts.treatments.found) {
     const std::string start = next.empty() ? "" : "or: ";
@@ -74,7 +92,7 @@ std::vector<Advice> adviceFor(const InfoFacts& facts) {
   if (canMend() && needsWrap(facts)) {
     const double gap = facts.surface.soup.boundingBox().diagonal() / 30;
     RepairOptions options;
-    options.mending.wrap = MendingOptions::Wrap{.gap = oneDigit(gap)};
+    options.mending.wrap = MendingOptions::Wrap{.gap = rounded(gap, 1)};
     next.push_back({"cutwater repair " + file + " -o " + output + commandLine(options),
                     (next.empty() ? "" : "or: ") +
                         std::string("a watertight surface around it, whatever it is; what is "
@@ -94,6 +112,7 @@ InfoFacts gather(const InfoOptions& options) {
                   .bytesOnDisk = {},
                   .found = std::move(found),
                   .solid = {},
+                  .solidVolume = {},
                   .defects = {},
                   .treatments = {},
                   .next = {}};
@@ -105,6 +124,7 @@ InfoFacts gather(const InfoOptions& options) {
     facts.solid =
         solidOf(soup, {.findSelfIntersections = static_cast<bool>(facts.found.selfIntersections)},
                 options.inFloat);
+    facts.solidVolume = solidVolumeOf(soup, facts.found.report, facts.solid->signs);
   }
   facts.defects = findDefects(soup, facts.found, facts.signs());
   Stopwatch watch;

@@ -40,7 +40,8 @@ struct InfoFacts {
   LoadedSurface surface;
   std::optional<std::size_t> bytesOnDisk;
   Examination found;
-  std::optional<SolidFacts> solid;  ///< none: there are no triangles
+  std::optional<SolidFacts> solid;    ///< none: there are no triangles
+  std::optional<double> solidVolume;  ///< none: not known without doubt
   std::vector<Defect> defects;
   Treatments treatments;
   double secondsToTreat = 0;

@@ -35,6 +35,7 @@ Json surfaceJson(const InfoFacts& facts) {
             {"boundingBox", toJson(soup.boundingBox())},
             {"area", report.area}};
   json["volume"] = report.isClosed() ? Json(report.volume) : Json(nullptr);
+  json["solidVolume"] = facts.solidVolume ? Json(*facts.solidVolume) : Json(nullptr);
   json["components"] = report.components;
   return json;
 }

@@ -32,6 +32,17 @@ void describeFile(Page& page, const InfoFacts& facts) {
   }
 }
 
+std::string volumeOf(const InfoFacts& facts) {
+  const auto& report = facts.found.report;
+  if (!report.isClosed()) return "none: not closed";
+  auto volume = number(report.volume);
+  const auto signs = facts.signs();
+  if (!signs || (signs->turnedFaces == 0 && signs->turnedShells == 0)) return volume;
+  return volume + " of the faces as they are; " +
+         (facts.solidVolume ? number(*facts.solidVolume) + " of the solid, with all facing outward"
+                            : "the solid's is another, as some must be turned");
+}
+
 void describeSurface(Page& page, const InfoFacts& facts) {
   const auto& soup = facts.surface.soup;
   const auto& report = facts.found.report;
@@ -49,8 +60,11 @@ void describeSurface(Page& page, const InfoFacts& facts) {
     page.line("extent", extent(box.size()));
   }
   page.line("area", number(report.area));
-  page.line("volume", report.isClosed() ? number(report.volume) : "none: not closed");
+  page.line("volume", volumeOf(facts));
   page.line("components", grouped(report.components));
+  page.line("topology", "Euler characteristic " + std::to_string(report.eulerCharacteristic) +
+                            (report.genus ? ", genus " + std::to_string(*report.genus)
+                                          : ", no genus: not a closed, oriented manifold"));
 }
 
 void describePatches(Page& page, const PolygonSoup& soup) {
@@ -107,10 +121,12 @@ void describeSolid(Page& page, const SolidFacts& solid) {
 void describeDetails(Page& page, const MeshReport& report) {
   page.section("Details: faces are polygons, vertices are points, both counted from 0");
   const auto table = report.table();
+  bool isDefect = false;  // after the properties, which end with the volume
   for (std::string_view rest = table; !rest.empty();) {
     const auto line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(line.size() + 1);
-    if (!line.ends_with(" 0")) page.plain(std::string(line));  // without absent defects
+    if (!isDefect || !line.ends_with(" 0")) page.plain(std::string(line));
+    isDefect = isDefect || line.starts_with("volume");
   }
 }
 

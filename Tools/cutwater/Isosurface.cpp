@@ -2,8 +2,11 @@
 #include <Cutwater/Grid/Isosurface.hpp>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <memory>
+#include <numeric>
+#include <utility>
 
 #include "Arguments.hpp"
 #include "Commands.hpp"
@@ -11,6 +14,7 @@
 #include "ProgressBar.hpp"
 #include "SampleGrid.hpp"
 #include "Surface.hpp"
+#include "SurfaceOutput.hpp"
 
 namespace cutwater::tool {
 
@@ -23,6 +27,18 @@ struct Options {
   IsosurfaceOptions isosurface;
   WriteOptions write;
 };
+
+/// The same polygons patch by patch: files with groups then have one for each.
+PolygonSoup patchByPatch(PolygonSoup soup) {
+  std::vector<std::size_t> order(soup.polygonCount());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return soup.patches[i]; });
+  PolygonSoup sorted;
+  for (const auto i : order) sorted.addPolygon(soup.polygon(i), soup.patches[i]);
+  sorted.points = std::move(soup.points);
+  sorted.patchNames = std::move(soup.patchNames);
+  return sorted;
+}
 
 void run(Options options) {
   const auto solid = loadSolid(options.surface);
@@ -40,12 +56,15 @@ void run(Options options) {
   if (soup.polygonCount() == 0) {
     throw Error(ErrorKind::Argument, fileName(options.surface) + ": no surface between the nodes");
   }
-  write(options.output, soup, options.write);
+  const auto surface = asWritten(options.output, patchByPatch(std::move(soup)), options.write);
+  writeSurface(options.output, surface.soup, options.write);
   if (options.surface.quiet) return;
-  std::cout << "wrote " << options.output << ": " << counted(soup.polygonCount(), "triangle")
-            << ", " << counted(soup.points.size(), "point") << ", from "
+  std::cout << "wrote " << options.output << ": "
+            << counted(surface.soup.polygonCount(), "triangle") << ", "
+            << counted(surface.soup.points.size(), "point") << ", from "
             << grouped(grid.indices.count()) << " nodes of " << extent(grid.level.spacing())
-            << " in " << duration(seconds) << '\n';
+            << " in " << duration(seconds) << '\n'
+            << lossesOf(surface);
 }
 
 }  // namespace
@@ -56,18 +75,16 @@ void addIsosurface(CLI::App& program) {
       "isosurface", "Make a closed surface of triangles from what is inside, by a grid");
   addSurfaceOptions(command, options->surface);
   addSignOptions(command, options->surface);
-  command
-      .add_option("-o,--output", options->output,
-                  "The surface to write; its extension tells the format: stl, ply, obj, off, vtk")
-      ->required()
-      ->type_name("FILE");
+  auto& output = *command.add_option("-o,--output", options->output)->required()->type_name("FILE");
   addSizeOptions(command, options->grid);
   addPlaceOptions(command, options->grid);
   command
       .add_option_function<std::string>(
           "--tolerance",
           [=](const std::string& text) {
-            options->isosurface.tolerance = positiveNumber("--tolerance", text);
+            const double cells = positiveNumber("--tolerance", text);
+            if (cells < 1e-9 || cells > 0.5) refuse("--tolerance", text, "1e-9 to 0.5 cells");
+            options->isosurface.tolerance = cells;
           },
           "Points are within this many cells of the surface; without it: 0.001")
       ->type_name("CELLS");
@@ -79,7 +96,7 @@ void addIsosurface(CLI::App& program) {
           },
           "Follow edges where normals differ by more than this; without it they are cut off")
       ->type_name("DEGREES");
-  command.add_flag("--ascii", options->write.ascii, "Text where the format has both");
+  addOutputOptions(command, output, options->write);
   command.footer(
       "Examples:\n"
       "  cutwater isosurface hull.stl --cells 300 --edges 30 -o new.stl\n"

@@ -1,16 +1,19 @@
-#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/Tessellation.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "Arguments.hpp"
 #include "Commands.hpp"
 #include "Format.hpp"
 #include "Surface.hpp"
+#include "SurfaceOutput.hpp"
 
 namespace cutwater::tool {
 
@@ -28,20 +31,24 @@ struct Options {
   WriteOptions write;
 };
 
-using Maker = PolygonSoup (*)(const Options&);
-
-PolygonSoup makeBall(double radius, int parts) {
-  int subdivisions = 0;  // an edge of the icosahedron is about a sixth of the circumference
-  while (5 << subdivisions < parts && subdivisions < 12) ++subdivisions;
-  return tessellation::icosphere(radius, subdivisions);
+/// Subdivisions of an icosahedron, whose edges are about a sixth of the circumference.
+int subdivisionsFor(int parts) {
+  int subdivisions = 0;
+  while (5 << subdivisions < parts) ++subdivisions;
+  return subdivisions;
 }
+int partsOfTube(int parts) {
+  return std::max(parts / 2, 3);
+}
+int partsOfCap(int parts) {
+  return std::max(parts / 4, 2);
+}
+
 PolygonSoup makeSphere(const Options& o) {
-  return makeBall(o.radius, o.parts);
+  return tessellation::icosphere(o.radius, subdivisionsFor(o.parts));
 }
 PolygonSoup makeEllipsoid(const Options& o) {
-  require(isFinite(o.size) && o.size.x > 0 && o.size.y > 0 && o.size.z > 0,
-          "ellipsoid: need finite sizes above 0", Named{"size", o.size});
-  auto soup = makeBall(0.5, o.parts);
+  auto soup = tessellation::icosphere(0.5, subdivisionsFor(o.parts));
   soup.patchNames = {"ellipsoid"};
   for (auto& p : soup.points) p = {o.size.x * p.x, o.size.y * p.y, o.size.z * p.z};
   return soup;
@@ -50,7 +57,7 @@ PolygonSoup makeBox(const Options& o) {
   return tessellation::box(-0.5 * o.size, 0.5 * o.size);
 }
 PolygonSoup makeTorus(const Options& o) {
-  return tessellation::torus(o.radius, o.minor, o.parts, std::max(o.parts / 2, 3));
+  return tessellation::torus(o.radius, o.minor, o.parts, partsOfTube(o.parts));
 }
 PolygonSoup makeCylinder(const Options& o) {
   return tessellation::cylinder(o.radius, o.height, o.parts);
@@ -59,23 +66,72 @@ PolygonSoup makeCone(const Options& o) {
   return tessellation::cone(o.radius, o.height, o.parts);
 }
 PolygonSoup makeCapsule(const Options& o) {
-  return tessellation::capsule(o.radius, o.height, o.parts, std::max(o.parts / 4, 2));
+  return tessellation::capsule(o.radius, o.height, o.parts, partsOfCap(o.parts));
 }
 
-const std::map<std::string, Maker>& makers() {
-  static const std::map<std::string, Maker> all{
-      {"sphere", makeSphere},  {"ellipsoid", makeEllipsoid}, {"box", makeBox},
-      {"torus", makeTorus},    {"cylinder", makeCylinder},   {"cone", makeCone},
-      {"capsule", makeCapsule}};
+// The number of triangles, with polygons cut as STL needs it.
+double ballTriangles(int parts) {
+  return std::ldexp(20, 2 * subdivisionsFor(parts));
+}
+double torusTriangles(int parts) {
+  return 2.0 * parts * partsOfTube(parts);
+}
+double capsuleTriangles(int parts) {
+  return 4.0 * parts * partsOfCap(parts);
+}
+double fewTriangles(int parts) {
+  return 4.0 * parts;
+}
+
+struct Shape {
+  PolygonSoup (*make)(const Options&);
+  double (*triangles)(int parts);
+  std::vector<std::string> options;  ///< that it has, of those for shapes
+};
+
+const std::map<std::string, Shape>& shapes() {
+  static const std::map<std::string, Shape> all{
+      {"sphere", {makeSphere, ballTriangles, {"--radius", "--parts"}}},
+      {"ellipsoid", {makeEllipsoid, ballTriangles, {"--size", "--parts"}}},
+      {"box", {makeBox, fewTriangles, {"--size"}}},
+      {"torus", {makeTorus, torusTriangles, {"--radius", "--minor", "--parts"}}},
+      {"cylinder", {makeCylinder, fewTriangles, {"--radius", "--height", "--parts"}}},
+      {"cone", {makeCone, fewTriangles, {"--radius", "--height", "--parts"}}},
+      {"capsule", {makeCapsule, capsuleTriangles, {"--radius", "--height", "--parts"}}}};
   return all;
 }
 
+std::string withArticle(const std::string& noun) {
+  return (noun.front() == 'e' ? "an " : "a ") + noun;
+}
+
+void requireOptionsOf(const Options& options, const CLI::App& command) {
+  const auto& shape = shapes().at(options.shape);
+  for (const char* name : {"--radius", "--minor", "--height", "--size", "--parts"}) {
+    if (command.count(name) == 0 || std::ranges::count(shape.options, name) > 0) continue;
+    throw CLI::ValidationError(name, withArticle(options.shape) + " has no such option; it has " +
+                                         CLI::detail::join(shape.options, ", "));
+  }
+  if (options.shape == "torus" && options.minor >= options.radius) {
+    refuse("--minor", number(options.minor), "less than --radius, here " + number(options.radius));
+  }
+  const double triangles = shape.triangles(options.parts);
+  constexpr double kMost = 1U << 30U;  // corners, three for each, are counted with 32 bits
+  if (triangles > kMost) {
+    refuse("--parts", std::to_string(options.parts),
+           "fewer: " + grouped(static_cast<std::size_t>(triangles)) +
+               " triangles are too many for one surface");
+  }
+}
+
 void run(const Options& options) {
-  const auto soup = makers().at(options.shape)(options);
-  const auto polygons = write(options.output, soup, options.write);
+  const auto surface =
+      asWritten(options.output, shapes().at(options.shape).make(options), options.write);
+  writeSurface(options.output, surface.soup, options.write);
   if (options.quiet) return;
-  std::cout << "wrote " << options.output << ": a " << options.shape << " of "
-            << counted(polygons, "polygon") << '\n';
+  std::cout << "wrote " << options.output << ": " << withArticle(options.shape) << " of "
+            << counted(surface.soup.polygonCount(), "polygon") << '\n'
+            << lossesOf(surface);
 }
 
 }  // namespace
@@ -88,11 +144,9 @@ void addMake(CLI::App& program) {
       .add_option("SHAPE", options->shape,
                   "sphere, ellipsoid, box, torus, cylinder, cone or capsule")
       ->required()
-      ->check(CLI::IsMember(makers()))
+      ->check(CLI::IsMember(shapes()))
       ->type_name("");
-  command.add_option("-o,--output", options->output, "The surface to write: stl, ply, obj or off")
-      ->required()
-      ->type_name("FILE");
+  auto& output = *command.add_option("-o,--output", options->output)->required()->type_name("FILE");
   const auto length = [&](const char* name, double& value, const char* meaning) {
     command
         .add_option_function<std::string>(
@@ -105,19 +159,27 @@ void addMake(CLI::App& program) {
   length("--height", options->height, "Of a cylinder or cone, or of the capsule's axis [2]");
   command
       .add_option_function<std::string>(
-          "--size", [=](const std::string& text) { options->size = vectorOf("--size", text); },
+          "--size",
+          [=](const std::string& text) {
+            options->size = vectorOf("--size", text);
+            if (!(options->size.x > 0 && options->size.y > 0 && options->size.z > 0))
+              refuse("--size", text, "three numbers above 0");
+          },
           "Of the box, or from end to end of the ellipsoid [1,1,1]")
       ->type_name("X,Y,Z");
   command.add_option("--parts", options->parts, "Parts around the axis [96]")
       ->check(CLI::Range(3, 100000))
       ->type_name("N");
-  command.add_flag("--ascii", options->write.ascii, "Text where the format has both (STL, PLY)");
+  addOutputOptions(command, output, options->write);
   addQuiet(command, options->quiet);
   command.footer(
       "Examples:\n"
       "  cutwater make torus -o torus.stl\n"
       "  cutwater make box --size 2,1,0.5 -o box.obj");
-  command.callback([=] { run(*options); });
+  command.callback([=, &command] {
+    requireOptionsOf(*options, command);
+    run(*options);
+  });
 }
 
 }  // namespace cutwater::tool

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "Commands.hpp"
@@ -15,6 +16,7 @@
 #include "Page.hpp"
 #include "RepairSteps.hpp"
 #include "Surface.hpp"
+#include "SurfaceOutput.hpp"
 
 namespace cutwater::tool {
 
@@ -40,28 +42,49 @@ struct RepairFacts {
   MeshReport before;
   std::size_t pointsBefore = 0;
   std::vector<StepDone> steps;
-  PolygonSoup soup;  ///< as written
+  SurfaceOutput written;
   Examination after;
   std::optional<SignReport> signs;
   std::vector<Defect> defects;
   std::vector<Advice> next;
 };
 
+/// A step's refusal in words of the command: its option in place of the library's function.
+std::string inWordsOfOptions(const RepairStep& step, std::string message) {
+  const auto colon = message.find(": ");
+  if (message.find(' ') == colon + 1) message.erase(0, colon + 2);
+  constexpr std::string_view kFunction = "extendTo()";
+  if (const auto at = message.find(kFunction); at != std::string::npos) {
+    message.replace(at, kFunction.size(), "--extend");
+  }
+  return "--" + step.name + ": " + message;
+}
+
+StepReport run(const RepairStep& step, PolygonSoup& soup) {
+  try {
+    return step.run(soup);
+  } catch (const Error& error) {
+    if (step.name == "clean") throw;  // always done, without an option
+    throw Error(error.kind(), inWordsOfOptions(step, error.what()));
+  }
+}
+
 std::vector<StepDone> repaired(PolygonSoup& soup, const std::vector<RepairStep>& steps) {
   std::vector<StepDone> done;
   Stopwatch watch;
   for (const auto& step : steps) {
-    auto report = step.run(soup);
+    auto report = run(step, soup);
     done.push_back({step.name, std::move(report), watch.lap()});
   }
   return done;
 }
 
 std::vector<Advice> adviceFor(const std::string& output, const std::vector<Defect>& defects) {
-  const auto file = shellWord(output);
+  const auto file = fileWord(output);
   std::vector<Advice> next;
   if (!defects.empty()) {
-    next.push_back({"cutwater info " + file, "all about it, and which repair would help further"});
+    next.push_back({"cutwater info " + file,
+                    "all about it, and a repair that would help further, if there is one"});
   }
   std::ranges::move(usesOf(file), std::back_inserter(next));
   return next;
@@ -76,21 +99,22 @@ RepairFacts repair(const Options& options) {
   if (soup.polygonCount() == 0) {
     throw Error(ErrorKind::Topology, options.surface.file + ": cleaning leaves no face");
   }
-  soup = asWritten(options.output, std::move(soup), options.write);
-  auto after = examine(soup);
+  auto written = asWritten(options.output, std::move(soup), options.write);
+  auto after = examine(written.soup);
   RepairFacts facts{.before = before,
                     .pointsBefore = points,
                     .steps = std::move(done),
-                    .soup = std::move(soup),
+                    .written = std::move(written),
                     .after = std::move(after),
                     .signs = {},
                     .defects = {},
                     .next = {}};
   if (facts.after.report.triangles > 0) {
     const bool meets = static_cast<bool>(facts.after.selfIntersections);
-    facts.signs = MeshSDF<double>(facts.soup, {.findSelfIntersections = meets}).signReport();
+    facts.signs =
+        MeshSDF<double>(facts.written.soup, {.findSelfIntersections = meets}).signReport();
   }
-  facts.defects = findDefects(facts.soup, facts.after, facts.signs);
+  facts.defects = findDefects(facts.written.soup, facts.after, facts.signs);
   facts.next = adviceFor(options.output, facts.defects);
   return facts;
 }
@@ -112,9 +136,8 @@ std::string pageOf(const Options& options, const RepairFacts& facts) {
   page.line("before", facts.before.summary());
   page.line("after", after.summary());
   page.section("Result");
-  page.line("wrote", options.output + ": " + counted(facts.soup.polygonCount(), "polygon") + ", " +
-                         counted(facts.soup.points.size(), "point") + ", " +
-                         counted(facts.soup.patchNames.size(), "patch"));
+  page.line("wrote", options.output + ": " + sizeOf(facts.written));
+  for (const auto& loss : facts.written.losses) page.wrapped("", loss);
   page.line("watertight", after.isClosedOriented() ? "yes" : "no");
   if (facts.signs) page.line("signs", facts.signs->summary());
   page.line("verdict", verdict(facts.defects, facts.signs));
@@ -140,7 +163,8 @@ std::string jsonOf(const Options& options, const RepairFacts& facts) {
             {"output", options.output},
             {"steps", std::move(steps)},
             {"before", measured(facts.before, facts.pointsBefore)},
-            {"after", measured(facts.after.report, facts.soup.points.size())},
+            {"losses", facts.written.losses},
+            {"after", measured(facts.after.report, facts.written.soup.points.size())},
             {"check", checkJson(facts.after, facts.defects, facts.signs)},
             {"defects", toJson(facts.defects)}};
   json["signs"] = facts.signs ? signsJson(*facts.signs) : Json(nullptr);
@@ -156,7 +180,7 @@ void run(const Options& options) {
                                          facts.after.report.summary() +
                                          (facts.signs ? "; " + facts.signs->summary() : ""));
   }
-  write(options.output, facts.soup, options.write);
+  writeSurface(options.output, facts.written.soup, options.write);
   if (options.json) {
     std::cout << jsonOf(options, facts);
   } else if (!options.surface.quiet) {
@@ -171,13 +195,9 @@ void addRepair(CLI::App& program) {
   auto& command = *program.add_subcommand(
       "repair", "Clean a surface and close its openings, and say what was done and what is left");
   addSurfaceOptions(command, options->surface);
-  command
-      .add_option("-o,--output", options->output,
-                  "The surface to write; its extension tells the format: stl, ply, obj, off")
-      ->required()
-      ->type_name("FILE");
+  auto& output = *command.add_option("-o,--output", options->output)->required()->type_name("FILE");
   addRepairOptions(command, options->repair);
-  command.add_flag("--ascii", options->write.ascii, "Text where the format has both (STL, PLY)");
+  addOutputOptions(command, output, options->write);
   command.add_flag("--require-watertight", options->requireWatertight,
                    "Write nothing, and fail, unless the result bounds a solid");
   command.add_flag("--json", options->json, "Say what was done in JSON, for programs");

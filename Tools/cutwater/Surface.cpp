@@ -3,11 +3,11 @@
 #include <Cutwater/Core/Checksum.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Io/ReadScene.hpp>
-#include <Cutwater/Mesh/Triangulation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -15,6 +15,7 @@
 #include <map>
 
 #include "Arguments.hpp"
+#include "Format.hpp"
 
 namespace cutwater::tool {
 
@@ -69,19 +70,23 @@ std::optional<MeshSDF<T>> ready(const SurfaceOptions& options) {
   return solid;
 }
 
-/// The extension in lower case: ".stl".
+/// Coordinates must have squares, or nothing can be measured.
+void requireNear(const PolygonSoup& soup, const SurfaceOptions& options) {
+  for (const auto& p : soup.points) {
+    if (std::isfinite(lengthSquared(p))) continue;
+    throw Error(ErrorKind::Argument, options.file + options.motions + ": the point " + point(p) +
+                                         " is too far away: at most 1e150 can be computed with");
+  }
+}
+
+}  // namespace
+
 std::string extensionOf(const std::string& file) {
   auto extension = std::filesystem::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return extension;
 }
-
-bool isStl(const std::string& file) {
-  return extensionOf(file) == ".stl";
-}
-
-}  // namespace
 
 void addQuiet(CLI::App& command, bool& quiet) {
   command.add_flag("-q,--quiet", quiet, "Say nothing but errors");
@@ -165,6 +170,7 @@ LoadedSurface load(const SurfaceOptions& options) {
   Stopwatch watch;
   auto [soup, report] = readSurface(
       options.file, {.scale = options.scale, .placement = options.placement, .weld = false});
+  requireNear(soup, options);
   LoadedSurface surface{.soup = std::move(soup), .report = std::move(report)};
   surface.secondsToRead = watch.lap();
   surface.pointsMerged = weldExactly(surface.soup);
@@ -217,26 +223,6 @@ std::uint64_t sourceHash(const SurfaceOptions& options) {
   std::ifstream file(options.file, std::ios::binary);
   const std::string content(std::istreambuf_iterator<char>(file), {});
   return xxHash64(std::as_bytes(std::span(content)));
-}
-
-PolygonSoup asWritten(const std::string& file, PolygonSoup soup, const WriteOptions& options) {
-  if (!isStl(file)) return soup;
-  if (!options.ascii) {
-    for (auto& p : soup.points) p = Vec3<double>(static_cast<Vec3<float>>(p));
-    weldExactly(soup);
-  }
-  return triangulated(soup);
-}
-
-std::size_t write(const std::string& file, const PolygonSoup& soup, const WriteOptions& options) {
-  const bool triangles = soup.corners.size() == 3 * soup.polygonCount();
-  if (!isStl(file) || triangles) {
-    writeSurface(file, soup, options);
-    return soup.polygonCount();
-  }
-  const auto cut = triangulated(soup);
-  writeSurface(file, cut, options);
-  return cut.polygonCount();
 }
 
 std::string fileName(const SurfaceOptions& options) {

@@ -2,7 +2,6 @@
 
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/WriteSurface.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
 #include <chrono>
@@ -89,14 +88,8 @@ template <std::floating_point T = double>
 /// cannot be read twice.
 [[nodiscard]] std::uint64_t sourceHash(const SurfaceOptions& options);
 
-/// The surface as the file will hold it: binary STL has single precision. Points that become equal
-/// are merged.
-[[nodiscard]] PolygonSoup asWritten(const std::string& file, PolygonSoup soup,
-                                    const WriteOptions& options);
-
-/// Writes the surface in the format given by the file's extension. STL holds only triangles, so
-/// polygons are triangulated for it. Returns the number of polygons written.
-std::size_t write(const std::string& file, const PolygonSoup& soup, const WriteOptions& options);
+/// The extension in lower case: ".stl".
+[[nodiscard]] std::string extensionOf(const std::string& file);
 
 /// The file's name for people: "hull.stl.gz".
 [[nodiscard]] std::string fileName(const SurfaceOptions& options);

@@ -4,7 +4,6 @@
 #include <Cutwater/Mesh/Cleaning/WeldWithin.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -30,10 +29,8 @@ struct PlanarOpenings {
 double roundedWithin(double value, double tolerance) {
   if (std::abs(value) <= tolerance) return 0;
   for (int digits = 1; digits <= 17; ++digits) {
-    const auto text = number(value, digits);
-    double read = 0;
-    std::from_chars(text.data(), text.data() + text.size(), read);
-    if (std::abs(read - value) <= tolerance) return read;
+    const double shorter = rounded(value, digits);
+    if (std::abs(shorter - value) <= tolerance) return shorter;
   }
   return value;
 }
@@ -66,13 +63,13 @@ class Search {
                              [](const Rim& rim) { return rim.box.diagonal(); });
     if (!result_.openings.empty() && !flatAxis(best_.soup)) closeOpenings(result_.openings);
     fillHoles();
-    if (result_.found.empty() && !best_.effects.empty()) suggest(best_);
+    if (result_.found.empty()) suggestCleaning();
     return std::move(result_);
   }
 
  private:
-  /// Adopts the smallest tolerance that leaves the fewest gaps, if these are at most half of them.
-  /// Tolerances that `mayHelp` rules out are not tried.
+  /// Adopts the smallest tolerance that leaves the fewest gaps, if it is worth it. Tolerances that
+  /// `mayHelp` rules out are not tried.
   template <typename MayHelp>
   void closeGaps(std::optional<double> CleanOptions::*tolerance, MayHelp mayHelp) {
     const Trial before = best_;
@@ -83,9 +80,17 @@ class Search {
       auto options = before.options;
       options.clean.*tolerance = length;
       auto trial = tried(soup_, options);
-      if (!trial || 2 * trial->gaps() > before.gaps() || trial->gaps() >= best_.gaps()) continue;
+      if (!trial || trial->gaps() >= best_.gaps() || !isWorthIt(*trial, before)) continue;
       if (keepsItsShape(trial->report, before.report)) best_ = *std::move(trial);
     }
+  }
+
+  /// Whether at most half of the gaps remain, or nothing but openings in planes, for caps to close.
+  [[nodiscard]] bool isWorthIt(const Trial& trial, const Trial& before) const {
+    if (2 * trial.gaps() <= before.gaps()) return true;
+    const auto isPlane = [&](const Rim& rim) { return planeOf(rim, planar_).has_value(); };
+    return std::ranges::all_of(findRims(trial.soup), isPlane) &&
+           !std::ranges::all_of(findRims(before.soup), isPlane);
   }
 
   /// The points of all rims, each once.
@@ -239,7 +244,30 @@ class Search {
     suggest(*filled);
   }
 
-  void suggest(const Trial& trial) {
+  void suggestCleaning() {
+    const auto trial = withoutDebris(best_);
+    if (!trial.effects.empty()) add(trial);
+  }
+
+  /// A few pairs of opposite faces may be all that keeps a closed surface from bounding a solid:
+  /// they are debris then, and are cancelled. Many are panels.
+  [[nodiscard]] Trial withoutDebris(const Trial& trial) const {
+    const MeshReport& report = trial.report;
+    const bool mayBeDebris = trial.gaps() == 0 && !report.isClosedOriented() &&
+                             report.oppositeFaces &&
+                             100 * report.oppositeFaces.count <= report.faces;
+    if (!mayBeDebris) return trial;
+    auto options = trial.options;
+    options.clean.opposite = OppositeFaces::Cancel;
+    auto without = tried(soup_, options);
+    const bool isBetter =
+        without && without->report.isClosedOriented() && keepsItsShape(without->report, report);
+    return isBetter ? *std::move(without) : trial;
+  }
+
+  void suggest(const Trial& trial) { add(withoutDebris(trial)); }
+
+  void add(const Trial& trial) {
     if (trial.report.faces == 0) return;  // nothing would be left to write
     Treatment treatment{.options = trial.options, .effect = {}, .isClosed = trial.gaps() == 0};
     for (const auto& [what, count] : trial.effects) {
@@ -247,9 +275,12 @@ class Search {
       treatment.effect += what + ": " + grouped(count);
     }
     const auto left = trial.report.boundaryEdges.count;
-    treatment.effect += treatment.isClosed ? "; closed then"
-                        : left > 0         ? "; leaves " + counted(left, "open edge")
-                                           : "; leaves non-manifold edges that count as open";
+    const auto excess = trial.report.nonManifoldEdges.count;
+    treatment.effect += treatment.isClosed && excess > 0
+                            ? "; closed then, with " + counted(excess, "non-manifold edge")
+                        : treatment.isClosed ? "; closed then"
+                        : left > 0           ? "; leaves " + counted(left, "open edge")
+                                             : "; leaves non-manifold edges that count as open";
     result_.found.push_back(std::move(treatment));
   }
 
