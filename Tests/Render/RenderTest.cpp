@@ -142,6 +142,28 @@ TYPED_TEST(RenderTest, PatchesHaveTheirColoursAndALegend) {
   }
 }
 
+TYPED_TEST(RenderTest, PatchesOfOneColourHaveNoBorders) {
+  PolygonSoup soup;
+  soup.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  soup.patchNames = {"right", "left"};
+  soup.addPolygon(std::array{0U, 1U, 2U}, 0);
+  soup.addPolygon(std::array{0U, 2U, 3U}, 1);
+  const MeshSDF<TypeParam> square(soup);
+  auto options = bare(View::named("+z"));
+  options.sheets = options.lines = true;
+  options.width = 320;
+  options.height = 240;
+  const auto darkest = [&] {
+    const auto image = render(square, options);
+    int least = 255;
+    for (int x = 130; x < 190; ++x) least = std::min<int>(least, image.at(x, 120).green);
+    return least;
+  };
+  EXPECT_LT(darkest(), 110);
+  options.color = patchColor(0);
+  EXPECT_GT(darkest(), 130);
+}
+
 TYPED_TEST(RenderTest, ThinPatchesAreInTheLegend) {
   using T = TypeParam;
   auto options = bare(View::named("-y"));

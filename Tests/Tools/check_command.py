@@ -428,6 +428,13 @@ class Render(CommandTest):
         # By the nearest faces the solid has no end, and ends at the box of its faces.
         self.assertGreater(len(self.drawn("--signs", "nearest", "--solid", file="open.off")), 20000)
 
+    def test_of_panels_on_each_other_the_one_that_looks_here_is_seen(self):
+        (self.folder / "panel.obj").write_text(
+            "v 0 0 0\nv 1 0.1 0.03\nv 0.2 1 0.07\nv 0.2 0.3 -1\nv 0.6 0.3 -1\nv 0.2 0.6 -1\n"
+            "g blue\nf 1 3 2\ng orange\nf 1 2 3\ng open\nf 4 5 6\n")
+        pixels = self.drawn("--view=+z", file="panel.obj").values()
+        self.assertGreater(sum(1 for r, g, b in pixels if r > b), 0.9 * len(pixels))
+
     def test_says_what_it_wrote_and_how_long_it_took(self):
         self.box()
         text = self.succeeds("render", "box.off", "-o", "a.png", "--perspective", "40", "--unit", "m")

@@ -58,6 +58,9 @@ class Sheets final : public UnaryOperation<double> {
                           std::span<SurfacePoint<double>> results) const override {
     operandPoints(points, results);
   }
+  bool localFacetsIn(const OrientedBox<double>& box, FacetVisitor<double> visit) const override {
+    return facetsOf(operand(), box, visit);
+  }
   [[nodiscard]] Guarantee<double> localGuarantee() const override {
     return Guarantee<double>::exact(operand().guarantee().size);
   }

@@ -199,7 +199,10 @@ void drawSamples(Image& image, const PixelSamples& samples, const detail::Shadin
         if (sample.isCut()) return shading.cutFace(options.cutColor, at);
         return shading.surface(sample, byPatch ? patches.color(sample.surface) : one);
       },
-      [&](std::uint32_t a, std::uint32_t b) { return patches.areOne(a, b); },
+      [&](std::uint32_t a, std::uint32_t b) {
+        const bool areCut = ((a | b) & SurfaceSample::kCutFace) != 0;
+        return byPatch ? patches.areOne(a, b) : !areCut;
+      },
       options.lines ? kLineWidth : 0, {.threads = options.threads, .progress = {}});
 }
 

@@ -34,9 +34,9 @@ struct RenderOptions {
   int width = 1600;          ///< of the picture, pixels
   int height = 1000;         ///< of the picture, pixels
   bool transparent = false;  ///< background, instead of white
-  bool lines = true;         ///< along silhouettes and borders of patches
-  bool axes = true;          ///< directions of the axes, and a scale bar if orthographic
-  bool legend = true;        ///< of the visible patches, if they have colours of their own
+  bool lines = true;   ///< along silhouettes, and between patches of two colours or at an angle
+  bool axes = true;    ///< directions of the axes, and a scale bar if orthographic
+  bool legend = true;  ///< of the visible patches, if they have colours of their own
   std::string title = {};
   std::string unit = {};  ///< of lengths, e.g. "m"
   int threads = 0;        ///< see ParallelOptions
