@@ -200,9 +200,7 @@ void addRender(CLI::App& program) {
       "render", "Draw the surface as a PNG picture, shaded, with cuts and colours of patches");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
-  command.add_option("-o,--output", options->output, "The picture to write")
-      ->required()
-      ->type_name("FILE.png");
+  addPictureFile(command, "-o,--output", "The picture to write", options->output).required();
   addCameraOptions(command, *options);
   addLookOptions(command, *options);
   command.footer(
