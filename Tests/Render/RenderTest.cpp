@@ -226,6 +226,31 @@ TYPED_TEST(RenderTest, FitsWhatIsInSight) {
               0.08 * frame.height * frame.height);
 }
 
+TYPED_TEST(RenderTest, FitsSolidsByWindingNumbers) {
+  // A rod without its ends, along a diagonal of its box.
+  PolygonSoup soup;
+  soup.points = {{0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}, {1.1, 1, 1}, {1, 1.1, 1}, {1, 1, 1.1}};
+  soup.patchNames = {"rod"};
+  for (const auto& side : {std::array{0U, 1U, 4U, 3U}, {1U, 2U, 5U, 4U}, {2U, 0U, 3U, 5U}}) {
+    soup.addPolygon(side, 0);
+  }
+  const MeshSDF<TypeParam> rod(soup);
+  auto options = bare(View::from({1, 1, 0.3}));
+  options.show.reset();
+  options.width = 320;
+  options.height = 240;
+  const auto image = render(rod, options);
+  const auto frame = detail::RenderLayout(320, 240, {}).frame();
+  int top = 240, bottom = -1;
+  for (int y = 0; y < 240; ++y) {
+    if (coveredInRow(image, y) == 0) continue;
+    top = std::min(top, y);
+    bottom = y;
+  }
+  EXPECT_NEAR(top, frame.centerY - 0.5 * frame.height, 2);
+  EXPECT_NEAR(bottom + 1, frame.centerY + 0.5 * frame.height, 2);
+}
+
 TYPED_TEST(RenderTest, Refusals) {
   using T = TypeParam;
   const Sphere<T> ball({0, 0, 0}, 1);

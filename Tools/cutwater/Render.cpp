@@ -136,7 +136,7 @@ void addCameraOptions(CLI::App& command, Options& options) {
       ->type_name("X0,Y0,Z0,X1,Y1,Z1");
   command.add_flag("--solid", options.solid,
                    "Of a surface that is not closed, show only what bounds a solid, as the signs "
-                   "have it, and not every sheet");
+                   "have it, and not every sheet; slow where holes are large");
 }
 
 void addLookOptions(CLI::App& command, Options& options) {

@@ -179,8 +179,11 @@ Camera aimed(Camera camera, const SignedDistanceFunction<T>& solid, const KeptRe
              const Frame& frame, const RenderOptions& options) {
   for (int look = 0; look < kMostLooks; ++look) {
     const SphereTracer<T> tracer(solid, region, camera, {.sheets = options.sheets});
-    // These few rays could miss parts, which might then end up outside the picture.
-    if (!tracer.knowsDistances()) break;
+    if (!tracer.knowsDistances()) {
+      // Few rays could miss parts, which might then end up outside the picture.
+      const auto part = detail::partOfFacets(solid, camera, frame);
+      return part ? camera.zoomed(*part, frame) : camera;
+    }
     const auto part = partInSight(calls(tracer), frame, {.threads = options.threads});
     if (!part) break;
     camera = camera.zoomed(*part, frame);

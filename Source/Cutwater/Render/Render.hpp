@@ -21,7 +21,8 @@ struct RenderOptions {
   /// Only the part of the solid in this box is shown, cut off at its sides; the box must not be
   /// flat. Without it: the bounding box.
   std::optional<Box<double>> region = {};
-  /// The box that fills the picture, to look at a detail. Without it: everything that is shown.
+  /// The box that fills the picture, to look at a detail. Without it: everything that is shown;
+  /// where only signs are known, the bounding box, or all triangles.
   std::optional<Box<double>> show = {};
   /// Also shows sheets of an open surface, which bound no solid. Except for their sign, values must
   /// be distances to the surface, as those of meshes are.
