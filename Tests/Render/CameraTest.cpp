@@ -89,6 +89,16 @@ TEST(CameraTest, ZoomsToAPart) {
   }
 }
 
+TEST(CameraTest, ProjectsPointsToTheirRays) {
+  for (const double angle : {0.0, 30.0}) {
+    const Camera camera(View::named("iso"), {{-1, -1, -1}, {2, 1, 1}}, {50, 40, 100, 60}, angle);
+    const auto seen = camera.zoomed({30, 60, 20, 10}, {50, 40, 100, 60});
+    const auto [x, y] = seen.project(seen.ray(17, 81).at(3));
+    EXPECT_NEAR(x, 17, 1e-9);
+    EXPECT_NEAR(y, 81, 1e-9);
+  }
+}
+
 TEST(CameraTest, AnEyeLooksAtItsTarget) {
   const Camera camera(Eye{{10, 0, 0}, {4, 0, 0}}, {50, 50, 100, 80}, 90);
   expectNear(camera.ray(50, 50).direction, {-1, 0, 0});

@@ -142,6 +142,28 @@ TYPED_TEST(RenderTest, PatchesHaveTheirColoursAndALegend) {
   }
 }
 
+TYPED_TEST(RenderTest, PatchesOfOneColourHaveNoBorders) {
+  PolygonSoup soup;
+  soup.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  soup.patchNames = {"right", "left"};
+  soup.addPolygon(std::array{0U, 1U, 2U}, 0);
+  soup.addPolygon(std::array{0U, 2U, 3U}, 1);
+  const MeshSDF<TypeParam> square(soup);
+  auto options = bare(View::named("+z"));
+  options.sheets = options.lines = true;
+  options.width = 320;
+  options.height = 240;
+  const auto darkest = [&] {
+    const auto image = render(square, options);
+    int least = 255;
+    for (int x = 130; x < 190; ++x) least = std::min<int>(least, image.at(x, 120).green);
+    return least;
+  };
+  EXPECT_LT(darkest(), 110);
+  options.color = patchColor(0);
+  EXPECT_GT(darkest(), 130);
+}
+
 TYPED_TEST(RenderTest, ThinPatchesAreInTheLegend) {
   using T = TypeParam;
   auto options = bare(View::named("-y"));
@@ -202,6 +224,31 @@ TYPED_TEST(RenderTest, FitsWhatIsInSight) {
   const auto frame = detail::RenderLayout(kWidth, kHeight, {}).frame();
   EXPECT_NEAR(covered(render(solid, options)), std::numbers::pi / 4 * frame.height * frame.height,
               0.08 * frame.height * frame.height);
+}
+
+TYPED_TEST(RenderTest, FitsSolidsByWindingNumbers) {
+  // A rod without its ends, along a diagonal of its box.
+  PolygonSoup soup;
+  soup.points = {{0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}, {1.1, 1, 1}, {1, 1.1, 1}, {1, 1, 1.1}};
+  soup.patchNames = {"rod"};
+  for (const auto& side : {std::array{0U, 1U, 4U, 3U}, {1U, 2U, 5U, 4U}, {2U, 0U, 3U, 5U}}) {
+    soup.addPolygon(side, 0);
+  }
+  const MeshSDF<TypeParam> rod(soup);
+  auto options = bare(View::from({1, 1, 0.3}));
+  options.show.reset();
+  options.width = 320;
+  options.height = 240;
+  const auto image = render(rod, options);
+  const auto frame = detail::RenderLayout(320, 240, {}).frame();
+  int top = 240, bottom = -1;
+  for (int y = 0; y < 240; ++y) {
+    if (coveredInRow(image, y) == 0) continue;
+    top = std::min(top, y);
+    bottom = y;
+  }
+  EXPECT_NEAR(top, frame.centerY - 0.5 * frame.height, 2);
+  EXPECT_NEAR(bottom + 1, frame.centerY + 0.5 * frame.height, 2);
 }
 
 TYPED_TEST(RenderTest, Refusals) {

@@ -1,8 +1,10 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Render/ColorMap.hpp>
 #include <Cutwater/Render/Slice.hpp>
 #include <Cutwater/Render/SliceFrame.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
+#include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
 #include <numbers>
@@ -141,6 +143,50 @@ TYPED_TEST(SliceTest, LinesOfEqualDistanceStandAtTheirDistances) {
       EXPECT_GT(change, 20) << a;
     }
   }
+}
+
+/// Whether anything is drawn there.
+bool hasInk(const Image& image, int x0, int y0, int x1, int y1) {
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
+      if (image.at(x, y).green < 200) return true;
+    }
+  }
+  return false;
+}
+
+TYPED_TEST(SliceTest, EachSideOfTheColourBarHasANumber) {
+  using T = TypeParam;
+  Shown<T> shown(SlicePlane<T>::across(2, 0));
+  const auto area = Shown<T>::area();
+  const auto numbers = [&](const Image& image, int y0, int y1) {
+    return hasInk(image, area.x0 + area.width + 50, y0, area.x0 + area.width + 75, y1);
+  };
+  const int low = area.y0 + area.height * 3 / 4;
+  const int high = area.y0 + area.height / 4;
+  const int bottom = area.y0 + area.height + 9;
+  for (const T half : {T(0.5), T(0.03), T(1e-4)}) {
+    const Solid<T> plate = Cuboid<T>({-half, -9, -9}, {half, 9, 9});
+    const auto image = renderSlice(plate, shown.plane, shown.options);
+    EXPECT_TRUE(numbers(image, low, bottom)) << half;
+    EXPECT_TRUE(numbers(image, area.y0, high)) << half;
+    const auto opposite = renderSlice(~plate, shown.plane, shown.options);
+    EXPECT_TRUE(numbers(opposite, low, bottom)) << half;
+    EXPECT_TRUE(numbers(opposite, area.y0, high)) << half;
+  }
+}
+
+TYPED_TEST(SliceTest, TellsOfLinesOnlyWhereThereAreSome) {
+  using T = TypeParam;
+  Shown<T> shown(SlicePlane<T>::across(2, 0));
+  const auto area = Shown<T>::area();
+  const auto hasNote = [&] {
+    const auto image = renderSlice(Sphere<T>({0, 0, 0}, 1), shown.plane, shown.options);
+    return hasInk(image, area.x0, area.y0 - 20, area.x0 + area.width, area.y0 - 8);
+  };
+  EXPECT_TRUE(hasNote());
+  shown.options.isolineSpacing = 10;
+  EXPECT_FALSE(hasNote());
 }
 
 TYPED_TEST(SliceTest, AnyPlaneShowsWhatATurnedSolidShows) {

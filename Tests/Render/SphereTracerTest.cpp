@@ -202,16 +202,23 @@ TYPED_TEST(SphereTracerTest, ShowsSheetsIfAsked) {
 
 TYPED_TEST(SphereTracerTest, OfSheetsOnEachOtherTheOneThatLooksHereIsSeen) {
   using T = TypeParam;
-  const MeshSDF<T> sheets(square(true));
-  for (const double z : {1.0, -1.0}) {
-    const Look look(View::from({0.4, -0.7, z}));
-    std::size_t seen = 0;
-    for (const auto& sample : look.at(sheets, {}, {.sheets = true, .occlusionRadius = 0})) {
-      if (!sample.isHit()) continue;
-      ++seen;
-      ASSERT_EQ(sample.surface, z > 0 ? 0U : 1U);
+  auto slanted = square(true);
+  for (auto& p : slanted.points) p.z = 0.03 * p.x + 0.07 * p.y;
+  // They are closed together, and a solid without thickness.
+  for (const auto& soup : {square(true), slanted}) {
+    const MeshSDF<T> both(soup);
+    for (const bool sheets : {true, false}) {
+      for (const double z : {1.0, -1.0}) {
+        const Look look(View::from({0.4, -0.7, z}));
+        std::size_t seen = 0;
+        for (const auto& sample : look.at(both, {}, {.sheets = sheets, .occlusionRadius = 0})) {
+          if (!sample.isHit()) continue;
+          ++seen;
+          ASSERT_EQ(sample.surface, z > 0 ? 0U : 1U) << sheets;
+        }
+        EXPECT_GT(seen, 1000U);
+      }
     }
-    EXPECT_GT(seen, 1000U);
   }
 }
 

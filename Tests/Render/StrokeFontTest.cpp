@@ -24,18 +24,42 @@ Ink inkOf(const Image& image) {
   return ink;
 }
 
+std::string utf8(unsigned code) {
+  if (code < 0x80) return {static_cast<char>(code)};
+  return {static_cast<char>(0xC0U | code >> 6U), static_cast<char>(0x80U | (code & 0x3FU))};
+}
+
 TEST(StrokeFontTest, EveryCharacterLooksDifferent) {
-  std::map<std::string, char> seen;
-  for (char c = ' '; c <= '~'; ++c) {
-    Image image(40, 50);
-    drawText(image, 8, 35, std::string(1, c), {.capHeight = 24, .weight = 2});
+  std::vector<unsigned> codes{0xB0, 0xB1, 0xB2, 0xB3, 0xB5, 0xB7};
+  for (unsigned c = ' '; c <= '~'; ++c) codes.push_back(c);
+  for (unsigned c = 0xC0; c <= 0xFF; ++c) codes.push_back(c);
+  std::map<std::string, unsigned> seen;
+  for (const auto c : codes) {
+    Image image(50, 60);
+    drawText(image, 8, 42, utf8(c), {.capHeight = 24, .weight = 2});
     std::string reds;
     for (const auto& p : image.pixels()) reds.push_back(static_cast<char>(p.red));
     const auto [other, isNew] = seen.emplace(reds, c);
     // In this font a bar is a long l, and a capital I a short one.
     EXPECT_TRUE(isNew || (c == 'l' && other->second == 'I'))
-        << c << " looks like " << other->second;
+        << utf8(c) << " looks like " << utf8(other->second);
   }
+}
+
+TEST(StrokeFontTest, MarksStandOverTheirLetters) {
+  const auto drawn = [](const char* text) {
+    Image image(60, 60);
+    drawText(image, 20, 40, text, {.capHeight = 24, .weight = 2});
+    return inkOf(image);
+  };
+  const auto plain = drawn("U");
+  const auto marked = drawn("\u00dc");
+  EXPECT_LT(marked.y0, plain.y0 - 3);
+  EXPECT_EQ(marked.y1, plain.y1);
+  EXPECT_EQ(marked.x0, plain.x0);
+  EXPECT_EQ(marked.x1, plain.x1);
+  EXPECT_GT(drawn("\u00e7").y1, drawn("c").y1 + 3);
+  EXPECT_EQ(drawn("\u00ee").x0, 19);  // wider than its letter
 }
 
 TEST(StrokeFontTest, CapitalsStandOnTheBaselineAtTheirHeight) {
@@ -72,8 +96,10 @@ TEST(StrokeFontTest, UpwardsIsAQuarterTurnToTheLeft) {
   }
 }
 
-TEST(StrokeFontTest, OneMarkPerCharacterBeyondAscii) {
-  EXPECT_EQ(textLength("\u00e4\u6f22", 10), textLength("??", 10));
+TEST(StrokeFontTest, OneMarkPerUnknownCharacter) {
+  EXPECT_EQ(textLength("\u03a9\u6f22\u00a7", 10), textLength("???", 10));
+  EXPECT_EQ(textLength("\u00e4\u00a0", 10), textLength("a ", 10));
+  EXPECT_EQ(textLength("\xe4m\xc3", 10), textLength("?m?", 10));  // not UTF-8
   EXPECT_EQ(textLength("\n", 10), textLength("?", 10));
   EXPECT_EQ(textLength("", 10), 0);
 }

@@ -36,7 +36,11 @@ TEST(TicksTest, LabelsHaveTheDigitsTheyNeed) {
   EXPECT_EQ(labels(0, 1, 0.25), "0.00 0.25 0.50 0.75 1.00");
   EXPECT_EQ(labels(980, 1040, 20), "980 1000 1020 1040");
   EXPECT_EQ(labels(0, 0.00002, 0.00001), "0.00000 0.00001 0.00002");
-  EXPECT_EQ(labels(0, 2e-9, 1e-9), "0e+00 1e-09 2e-09");
+  EXPECT_EQ(labels(0, 2e-9, 1e-9), "0 1e-09 2e-09");
+  EXPECT_EQ(labels(-1.5e-5, 1e-5, 5e-6), "-1.5e-05 -1.0e-05 -5.0e-06 0 5.0e-06 1.0e-05");
+  EXPECT_EQ(labels(5e6, 1.6e7, 5e6), "5.0e+06 1.0e+07 1.5e+07");
+  EXPECT_EQ(labels(0, 5e-9, 2.5e-9), "0 2.5e-09 5.0e-09");
+  EXPECT_EQ(labels(0, 1e300, 5e299), "0 5.0e+299 1.0e+300");
   EXPECT_EQ(labels(1e7, 1.02e7, 1e5), "1.00e+07 1.01e+07 1.02e+07");
   EXPECT_EQ(labels(0.31, 0.39, 0.1), "");
 }

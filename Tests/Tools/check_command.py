@@ -49,6 +49,13 @@ class Usage(CommandTest):
         self.fails(2, "sample", "a.stl")
         self.assertIn("--output", self.fails(2, "slice", "a.stl"))
 
+    def test_pictures_are_png(self):
+        for option, *command in [("--output", "slice", "a.stl", "-o"), ("--output", "render", "a.stl", "-o"),
+                                 ("--picture", "amr", "a.stl", "-o", "a.vtu", "--level", "1", "--picture")]:
+            self.assertIn(f"{option}: 'a.jpg': need a name that ends in .png", self.fails(2, *command, "a.jpg"))
+            for name in ["a.PNG", "a"]:
+                self.assertIn("a.stl", self.fails(1, *command, name))  # is looked for
+
     def test_wrong_values_name_the_option(self):
         for option, value in [("--cells", "0"), ("--cells", "3x4"), ("--cells", "1e3"), ("--cells", "-5"),
                               ("--spacing", "0"), ("--spacing", "1,2"), ("--spacing", "nan"), ("--band", "0"),
@@ -394,6 +401,19 @@ class Slice(CommandTest):
         self.assertEqual(self.succeeds("slice", "box.off", "-o", "a.png", "--quiet"), "")
         self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "out.png").read_bytes())
 
+    def test_tells_where_there_is_no_surface(self):
+        self.box()
+        nothing = "the plane does not meet the surface"
+        for options, told in [(("--at", "5"), nothing + "\n"), (("--at", "0.9"), None), (("--at", "1"), None),
+                              (("--window", "2,2,3,3"), nothing + " in this window\n"),
+                              (("--window=-0.5,-0.5,0.5,0.5",), nothing + " in this window\n"),
+                              (("--window=-9,-9,9,9",), None), (("--window=0.9,0.9,9,9",), None)]:
+            text = self.succeeds("slice", "box.off", "-o", "a.png", "--size", "320x240", *options)
+            if told:
+                self.assertTrue(text.endswith(told), (options, text))
+            else:
+                self.assertNotIn(nothing, text, options)
+
 
 class Render(CommandTest):
     def drawn(self, *options, file="box.off"):
@@ -445,6 +465,13 @@ class Render(CommandTest):
         self.assertEqual(both[0], both[1])
         # By the nearest faces the solid has no end, and ends at the box of its faces.
         self.assertGreater(len(self.drawn("--signs", "nearest", "--solid", file="open.off")), 20000)
+
+    def test_of_panels_on_each_other_the_one_that_looks_here_is_seen(self):
+        (self.folder / "panel.obj").write_text(
+            "v 0 0 0\nv 1 0.1 0.03\nv 0.2 1 0.07\nv 0.2 0.3 -1\nv 0.6 0.3 -1\nv 0.2 0.6 -1\n"
+            "g blue\nf 1 3 2\ng orange\nf 1 2 3\ng open\nf 4 5 6\n")
+        pixels = self.drawn("--view=+z", file="panel.obj").values()
+        self.assertGreater(sum(1 for r, g, b in pixels if r > b), 0.9 * len(pixels))
 
     def test_says_what_it_wrote_and_how_long_it_took(self):
         self.box()

@@ -56,7 +56,8 @@ class Scenes(SceneTest):
         box = ["--box", "0,0,0,2,2,2"]
         self.succeeds("sample", "it.toml", "-o", "a.vti", "--cells", "8", *box)
         self.succeeds("amr", "it.toml", "-o", "a.vtu", "--level", "1", *box)
-        self.succeeds("slice", "it.toml", "-o", "a.png", "--window", "0,0,2,2", "--at", "0.5")
+        for at in [], ["--at", "0.5"]:
+            self.succeeds("slice", "it.toml", "-o", "a.png", "--window", "0,0,2,2", *at)
         self.succeeds("render", "it.toml", "-o", "a.png", "--show", "0,0,0,2,2,2", "--size", "400x300")
 
     def test_upper_case_names_are_scenes_too(self):

@@ -157,8 +157,7 @@ void addAmr(CLI::App& program) {
       ->type_name("X,Y,Z");
   command.add_flag("--features", options->features,
                    "List cells in which signs at corners do not tell all of the surface");
-  command.add_option("--picture", options->picture.output, "Draw the mesh in a plane as well")
-      ->type_name("FILE.png");
+  addPictureFile(command, "--picture", "Draw the mesh in a plane as well", options->picture.output);
   addPictureOptions(command, options->picture);
   command.footer(
       "Examples:\n"

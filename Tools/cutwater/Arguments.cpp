@@ -1,8 +1,10 @@
 #include "Arguments.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -37,6 +39,18 @@ std::vector<Number> list(std::string_view text, char separator, Accept accept) {
 
 void refuse(const std::string& option, const std::string& text, const std::string& need) {
   throw CLI::ValidationError(option, "'" + text + "': need " + need);
+}
+
+void requireExtension(const std::string& option, const std::string& path,
+                      std::initializer_list<std::string_view> extensions) {
+  auto extension = std::filesystem::path(path).extension().string();
+  for (auto& c : extension) {
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  if (extension.empty() || std::ranges::find(extensions, extension) != extensions.end()) return;
+  std::string all;
+  for (const auto one : extensions) all.append(all.empty() ? "" : " or ").append(one);
+  refuse(option, path, "a name that ends in " + all);
 }
 
 std::vector<double> numbers(const std::string& option, const std::string& text) {

@@ -3,7 +3,9 @@
 #include <Cutwater/Core/Box.hpp>
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // Values of options, read independently of the locale. All functions throw CLI::ValidationError,
@@ -23,6 +25,11 @@ namespace cutwater::tool {
 [[nodiscard]] std::vector<std::int32_t> sizes(const std::string& option, const std::string& text);
 /// "x", "y" or "z" as 0, 1 or 2.
 [[nodiscard]] int axisOf(const std::string& option, const std::string& text);
+
+/// Refuses a file's name that ends otherwise than in one of these, as in {".png"}, in letters of
+/// any case. A name without an extension, such as /dev/stdout, will do.
+void requireExtension(const std::string& option, const std::string& path,
+                      std::initializer_list<std::string_view> extensions);
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text,
                          const std::string& need);

@@ -3,7 +3,9 @@
 #include <Cutwater/Io/Png.hpp>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
+#include <vector>
 
 #include "Arguments.hpp"
 #include "Format.hpp"
@@ -29,6 +31,41 @@ void addWindow(CLI::App& command, PictureOptions& options) {
       ->type_name("A0,B0,A1,B1");
 }
 
+/// Whether it is certain that there is no surface in a flat box.
+bool isFreeOfSurface(const Solid<double>& solid, const Box<double>& flat, int axis) {
+  constexpr int kHalvings = 12;
+  struct Piece {
+    Box<double> box;
+    int halvings;
+  };
+  std::vector<Piece> pending{{flat, 0}};
+  while (!pending.empty()) {
+    auto [box, halvings] = pending.back();
+    pending.pop_back();
+    const auto found = solid.classify(box);
+    if (found == BoxClass::Inside || found == BoxClass::Outside) continue;
+    if (found == BoxClass::Cut || halvings == kHalvings) return false;
+    const int side = (axis + 1 + halvings % 2) % 3;
+    auto other = box;
+    box.upper[side] = other.lower[side] = box.center()[side];
+    pending.push_back({box, halvings + 1});
+    pending.push_back({other, halvings + 1});
+  }
+  return true;
+}
+
+/// The part of the plane that the picture shows.
+Box<double> shownOf(const SlicePlane<double>& plane,
+                    const std::optional<SliceWindow<double>>& window, Box<double> box, int axis) {
+  if (window) {
+    const auto [lower, upper] = *window;
+    box = {plane.origin + lower[0] * plane.right + lower[1] * plane.up,
+           plane.origin + upper[0] * plane.right + upper[1] * plane.up};
+  }
+  box.lower[axis] = box.upper[axis] = plane.origin[axis];
+  return box;
+}
+
 /// The box in the plane, with a tenth of its size around it.
 SliceWindow<double> windowAround(const Box<double>& box, const SlicePlane<double>& plane) {
   const auto shown = box.grown(0.1 * maxComponent(box.size()));
@@ -39,6 +76,19 @@ SliceWindow<double> windowAround(const Box<double>& box, const SlicePlane<double
 }
 
 }  // namespace
+
+CLI::Option& addPictureFile(CLI::App& command, const std::string& names, const std::string& help,
+                            std::string& path) {
+  return *command
+              .add_option_function<std::string>(
+                  names,
+                  [&, name = names.substr(names.find("--"))](const std::string& text) {
+                    requireExtension(name, text, {".png"});
+                    path = text;
+                  },
+                  help)
+              ->type_name("FILE.png");
+}
 
 void addSizeOption(CLI::App& command, int& width, int& height) {
   command
@@ -66,7 +116,7 @@ void addPictureOptions(CLI::App& command, PictureOptions& options) {
   command
       .add_option_function<std::string>(
           "--at", [&](const std::string& text) { options.at = numbers("--at", text, 1).front(); },
-          "Where on that axis; without it: the middle of the surface")
+          "Where on that axis; without it: the middle of the surface, or 0 if that has no end")
       ->type_name("VALUE");
   addWindow(command, options);
   addSizeOption(command, options.slice.width, options.slice.height);
@@ -78,7 +128,8 @@ void writePicture(const Solid<double>& solid, const SurfaceOptions& surface,
                   PictureOptions options) {
   auto& slice = options.slice;
   const auto box = boxAround(solid);
-  const double at = options.at.value_or(box.center()[options.axis]);
+  const double middle = box.center()[options.axis];
+  const double at = options.at.value_or(std::isfinite(middle) ? middle : 0);
   const auto plane = SlicePlane<double>::across(options.axis, at);
   if (!slice.window && !isFinite(solid.boundingBox()) && isFinite(box)) {
     slice.window = windowAround(box, plane);
@@ -99,6 +150,10 @@ void writePicture(const Solid<double>& solid, const SurfaceOptions& surface,
   std::cout << "wrote " << options.output << ": " << slice.width << " x " << slice.height
             << " pixels of the plane " << axis << " = " << number(at) << ", in "
             << duration(watch.lap()) << '\n';
+  if (isFreeOfSurface(solid, shownOf(plane, slice.window, box, options.axis), options.axis)) {
+    std::cout << "the plane does not meet the surface"
+              << (slice.window ? " in this window\n" : "\n");
+  }
 }
 
 }  // namespace cutwater::tool

@@ -9,7 +9,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace cutwater::tool {
 
@@ -17,10 +18,13 @@ namespace cutwater::tool {
 struct PictureOptions {
   std::string output;
   int axis = 1;              ///< the plane's normal
-  std::optional<double> at;  ///< its position; without it: the middle of the surface
+  std::optional<double> at;  ///< its position; without it: the middle of the surface, or 0
   SliceOptions<double> slice;
 };
 
+/// Adds an option for the picture's file, as in "-o,--output".
+CLI::Option& addPictureFile(CLI::App& command, const std::string& names, const std::string& help,
+                            std::string& path);
 /// Adds --size.
 void addSizeOption(CLI::App& command, int& width, int& height);
 void addPictureOptions(CLI::App& command, PictureOptions& options);

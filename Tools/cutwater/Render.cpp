@@ -58,6 +58,9 @@ class Sheets final : public UnaryOperation<double> {
                           std::span<SurfacePoint<double>> results) const override {
     operandPoints(points, results);
   }
+  bool localFacetsIn(const OrientedBox<double>& box, FacetVisitor<double> visit) const override {
+    return facetsOf(operand(), box, visit);
+  }
   [[nodiscard]] Guarantee<double> localGuarantee() const override {
     return Guarantee<double>::exact(operand().guarantee().size);
   }
@@ -133,7 +136,7 @@ void addCameraOptions(CLI::App& command, Options& options) {
       ->type_name("X0,Y0,Z0,X1,Y1,Z1");
   command.add_flag("--solid", options.solid,
                    "Of a surface that is not closed, show only what bounds a solid, as the signs "
-                   "have it, and not every sheet");
+                   "have it, and not every sheet; slow where holes are large");
 }
 
 void addLookOptions(CLI::App& command, Options& options) {
@@ -197,9 +200,7 @@ void addRender(CLI::App& program) {
       "render", "Draw the surface as a PNG picture, shaded, with cuts and colours of patches");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
-  command.add_option("-o,--output", options->output, "The picture to write")
-      ->required()
-      ->type_name("FILE.png");
+  addPictureFile(command, "-o,--output", "The picture to write", options->output).required();
   addCameraOptions(command, *options);
   addLookOptions(command, *options);
   command.footer(

@@ -21,9 +21,8 @@ void addSlice(CLI::App& program) {
       "slice", "Draw the signed distance in a plane, with the surface's outline, as a PNG picture");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
-  command.add_option("-o,--output", options->picture.output, "The picture to write")
-      ->required()
-      ->type_name("FILE.png");
+  addPictureFile(command, "-o,--output", "The picture to write", options->picture.output)
+      .required();
   addPictureOptions(command, options->picture);
   command.footer(
       "Examples:\n"

@@ -127,6 +127,12 @@ Ray Camera::ray(double x, double y) const {
   return {origin_ + aside, -view_.back};
 }
 
+std::array<double, 2> Camera::project(const Vec3<double>& point) const {
+  const auto p = point - origin_;
+  const double pixel = pixelSize(perspective_ ? -dot(p, view_.back) : 0);
+  return {centerX_ + dot(p, view_.right()) / pixel, centerY_ - dot(p, view_.up) / pixel};
+}
+
 double Camera::nearest() const {
   return perspective_ ? 0 : -std::numeric_limits<double>::infinity();
 }

@@ -2,6 +2,7 @@
 
 #include <Cutwater/Core/Box.hpp>
 
+#include <array>
 #include <string_view>
 
 namespace cutwater {
@@ -63,6 +64,8 @@ class Camera {
   [[nodiscard]] Camera zoomed(const Frame& part, const Frame& frame) const;
 
   [[nodiscard]] Ray ray(double x, double y) const;
+  /// The x and y of the ray through a point before the viewer.
+  [[nodiscard]] std::array<double, 2> project(const Vec3<double>& point) const;
   /// Distance along a ray from which on it can see anything: -infinity for an orthographic view.
   [[nodiscard]] double nearest() const;
   /// The size of a pixel at this distance along a ray, in the units of the solid.

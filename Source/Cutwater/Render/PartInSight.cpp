@@ -1,7 +1,9 @@
 #include <Cutwater/Render/PartInSight.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace cutwater::detail {
@@ -63,5 +65,36 @@ std::optional<Frame> partInSight(SampleTracer trace, const Frame& frame,
   return Frame{left + 0.5 * (x0 + x1 + 1) * spacing, top + 0.5 * (y0 + y1 + 1) * spacing,
                (x1 - x0 + 2) * spacing, (y1 - y0 + 2) * spacing};
 }
+
+template <std::floating_point T>
+std::optional<Frame> partOfFacets(const SignedDistanceFunction<T>& solid, const Camera& camera,
+                                  const Frame& frame) {
+  std::array<Interval<double>, 2> part;
+  part.fill({std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()});
+  const bool areAll = solid.facetsIn(solid.boundingBox(), [&](const SurfaceFacet<T>& facet) {
+    for (const auto& corner : facet.corners) {
+      const auto at = camera.project(Vec3<double>(corner));
+      for (std::size_t i = 0; i < 2; ++i) {
+        part[i] = {std::min(part[i].lower, at[i]), std::max(part[i].upper, at[i])};
+      }
+    }
+    return true;
+  });
+  const std::array<double, 2> center{frame.centerX, frame.centerY};
+  const std::array<double, 2> size{frame.width, frame.height};
+  for (std::size_t i = 0; i < 2; ++i) {
+    part[i] = {std::max(part[i].lower, center[i] - 0.5 * size[i]),
+               std::min(part[i].upper, center[i] + 0.5 * size[i])};
+    if (!areAll || !(part[i].lower < part[i].upper)) return {};
+  }
+  const auto& [x, y] = part;
+  return Frame{0.5 * (x.lower + x.upper), 0.5 * (y.lower + y.upper), x.upper - x.lower,
+               y.upper - y.lower};
+}
+
+template std::optional<Frame> partOfFacets(const SignedDistanceFunction<float>&, const Camera&,
+                                           const Frame&);
+template std::optional<Frame> partOfFacets(const SignedDistanceFunction<double>&, const Camera&,
+                                           const Frame&);
 
 }  // namespace cutwater::detail

@@ -3,6 +3,7 @@
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Render/Camera.hpp>
 #include <Cutwater/Render/SurfaceSample.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 #include <optional>
 
@@ -13,5 +14,17 @@ namespace cutwater::detail {
 /// rays; nothing if no ray sees anything.
 [[nodiscard]] std::optional<Frame> partInSight(SampleTracer trace, const Frame& frame,
                                                const ParallelOptions& options);
+
+/// The part of a frame within which the solid is certain to be, from the corners of its surface;
+/// nothing if that does not consist of flat pieces. A solid by winding numbers lies within the
+/// convex hull of its sheets.
+template <std::floating_point T>
+[[nodiscard]] std::optional<Frame> partOfFacets(const SignedDistanceFunction<T>& solid,
+                                                const Camera& camera, const Frame& frame);
+
+extern template std::optional<Frame> partOfFacets(const SignedDistanceFunction<float>&,
+                                                  const Camera&, const Frame&);
+extern template std::optional<Frame> partOfFacets(const SignedDistanceFunction<double>&,
+                                                  const Camera&, const Frame&);
 
 }  // namespace cutwater::detail

@@ -179,8 +179,11 @@ Camera aimed(Camera camera, const SignedDistanceFunction<T>& solid, const KeptRe
              const Frame& frame, const RenderOptions& options) {
   for (int look = 0; look < kMostLooks; ++look) {
     const SphereTracer<T> tracer(solid, region, camera, {.sheets = options.sheets});
-    // These few rays could miss parts, which might then end up outside the picture.
-    if (!tracer.knowsDistances()) break;
+    if (!tracer.knowsDistances()) {
+      // Few rays could miss parts, which might then end up outside the picture.
+      const auto part = detail::partOfFacets(solid, camera, frame);
+      return part ? camera.zoomed(*part, frame) : camera;
+    }
     const auto part = partInSight(calls(tracer), frame, {.threads = options.threads});
     if (!part) break;
     camera = camera.zoomed(*part, frame);
@@ -199,7 +202,10 @@ void drawSamples(Image& image, const PixelSamples& samples, const detail::Shadin
         if (sample.isCut()) return shading.cutFace(options.cutColor, at);
         return shading.surface(sample, byPatch ? patches.color(sample.surface) : one);
       },
-      [&](std::uint32_t a, std::uint32_t b) { return patches.areOne(a, b); },
+      [&](std::uint32_t a, std::uint32_t b) {
+        const bool areCut = ((a | b) & SurfaceSample::kCutFace) != 0;
+        return byPatch ? patches.areOne(a, b) : !areCut;
+      },
       options.lines ? kLineWidth : 0, {.threads = options.threads, .progress = {}});
 }
 

@@ -21,7 +21,8 @@ struct RenderOptions {
   /// Only the part of the solid in this box is shown, cut off at its sides; the box must not be
   /// flat. Without it: the bounding box.
   std::optional<Box<double>> region = {};
-  /// The box that fills the picture, to look at a detail. Without it: everything that is shown.
+  /// The box that fills the picture, to look at a detail. Without it: everything that is shown;
+  /// where only signs are known, the bounding box, or all triangles.
   std::optional<Box<double>> show = {};
   /// Also shows sheets of an open surface, which bound no solid. Except for their sign, values must
   /// be distances to the surface, as those of meshes are.
@@ -34,9 +35,9 @@ struct RenderOptions {
   int width = 1600;          ///< of the picture, pixels
   int height = 1000;         ///< of the picture, pixels
   bool transparent = false;  ///< background, instead of white
-  bool lines = true;         ///< along silhouettes and borders of patches
-  bool axes = true;          ///< directions of the axes, and a scale bar if orthographic
-  bool legend = true;        ///< of the visible patches, if they have colours of their own
+  bool lines = true;   ///< along silhouettes, and between patches of two colours or at an angle
+  bool axes = true;    ///< directions of the axes, and a scale bar if orthographic
+  bool legend = true;  ///< of the visible patches, if they have colours of their own
   std::string title = {};
   std::string unit = {};  ///< of lengths, e.g. "m"
   int threads = 0;        ///< see ParallelOptions

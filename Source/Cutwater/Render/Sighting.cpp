@@ -37,7 +37,9 @@ SurfaceSample Sighting<T>::atCut(const RayRange& range) const {
 template <std::floating_point T>
 SurfaceSample Sighting<T>::atCrossing(const Ray& ray, double along,
                                       const Crossing<T>& crossing) const {
-  return sampleOf(ray, along, Vec3<double>(crossing.normal), crossing.owner.patch);
+  const Vec3<double> normal(crossing.normal);
+  return sampleOf(ray, along, normal,
+                  patchAt(crossing.point, normal, crossing.owner.patch, ray, along));
 }
 
 template <std::floating_point T>
@@ -50,20 +52,21 @@ SurfaceSample Sighting<T>::near(const Ray& ray, const RayRange& range, double al
   const double most = camera_.pixelSize(along);
   if (std::abs(speed) > kSlowest && std::abs(further) < most) along += further;
   along = std::clamp(along, range.begin, range.end);
-  return sampleOf(ray, along, normal, sheets_ ? sheetAt(nearest, ray, along) : nearest.owner.patch);
+  return sampleOf(ray, along, normal,
+                  patchAt(nearest.point, normal, nearest.owner.patch, ray, along));
 }
 
 /// The patch to show where sheets coincide, up to rounding of their closest points: the first of
-/// those that face the viewer, or of all if none does.
+/// those that face the viewer, or of all if none does. The surface of a solid faces the viewer
+/// unless another sheet, turned against it, is at the same place.
 template <std::floating_point T>
-std::uint32_t Sighting<T>::sheetAt(const SurfacePoint<T>& nearest, const Ray& ray,
-                                   double along) const {
-  const auto foot = nearest.point;
+std::uint32_t Sighting<T>::patchAt(const Vec3<T>& foot, const Vec3<double>& normal,
+                                   std::uint32_t patch, const Ray& ray, double along) const {
+  if (!sheets_ && dot(normal, ray.direction) < 0) return patch;
   const T reach = static_cast<T>(kSamePlace * camera_.pixelSize(along));
   const Vec3<T> toViewer = -Vec3<T>(ray.direction);
   bool found = false;
   bool faces = false;
-  auto patch = nearest.owner.patch;
   solid_.facetsIn(Box<T>{foot, foot}.grown(reach), [&](const SurfaceFacet<T>& facet) {
     const bool isThere = std::abs(dot(facet.corners[0] - foot, facet.normal)) <= reach;
     const bool looks = dot(facet.normal, toViewer) > 0;

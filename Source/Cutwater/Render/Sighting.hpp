@@ -31,8 +31,8 @@ class Sighting {
                                       double reach) const;
 
  private:
-  [[nodiscard]] std::uint32_t sheetAt(const SurfacePoint<T>& nearest, const Ray& ray,
-                                      double along) const;
+  [[nodiscard]] std::uint32_t patchAt(const Vec3<T>& foot, const Vec3<double>& normal,
+                                      std::uint32_t patch, const Ray& ray, double along) const;
 
   const SignedDistanceFunction<T>& solid_;
   const KeptRegion& region_;

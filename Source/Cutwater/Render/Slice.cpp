@@ -21,6 +21,8 @@ using detail::SliceLayout;
 constexpr double kLinesOutside = 16;  // about this many, or slightly fewer
 constexpr double kLinesInside = 8;
 constexpr double kMostLines = 1000;
+constexpr double kLeastSide = 1e-6;   // of the range: what is less is not called a side
+constexpr double kMostRounded = 2.5;  // roundStep() is at most as many times its argument
 constexpr Rgb kMeshInk{40, 44, 52};
 
 template <std::floating_point T>
@@ -80,25 +82,40 @@ PlotArea fitted(const PlotArea& room, const SliceWindow<T>& window) {
   return {room.x0 + (room.width - width) / 2, room.y0 + (room.height - height) / 2, width, height};
 }
 
-/// Each side of the surface has its own line spacing, so that a thin body has some lines, too.
+/// For values up to `most` in size on one side of the surface, of `range` on both. A thin body has
+/// fewer lines than there is room for elsewhere, but at least one.
+double spacingFor(double most, double range, double lines) {
+  const double step = roundStep(std::max(most, 0.1 * range) / lines);
+  const bool hasSome = most > kLeastSide * range;
+  return hasSome ? std::min(step, roundStep(most / kMostRounded)) : step;
+}
+
+/// Each side of the surface has its own line spacing.
 LineSpacing lineSpacing(double least, double greatest, double wanted) {
   const double range = std::max({greatest, -least, 1e-30});
   LineSpacing spacing{wanted, wanted};
   if (wanted == 0) {
-    spacing.outside = roundStep(std::max(greatest, 0.1 * range) / kLinesOutside);
-    spacing.inside = roundStep(std::max(-least, 0.1 * range) / kLinesInside);
+    spacing.outside = spacingFor(greatest, range, kLinesOutside);
+    spacing.inside = spacingFor(-least, range, kLinesInside);
   }
-  require(range / spacing.inside <= kMostLines && range / spacing.outside <= kMostLines,
+  require(-least / spacing.inside <= kMostLines && greatest / spacing.outside <= kMostLines,
           "renderSlice: too many lines of equal distance", Named{"isolineSpacing", wanted},
           Named{"largest distance", range});
   return spacing;
 }
 
-std::string noteAbout(const LineSpacing& spacing, const std::string& unit) {
+/// Says which lines there are; empty if there is none.
+std::string noteAbout(const LineSpacing& spacing, double least, double greatest,
+                      const std::string& unit) {
   const auto length = [&](double value) { return lengthLabel(value, unit); };
-  if (spacing.inside == spacing.outside) return "lines every " + length(spacing.inside);
-  return "lines every " + length(spacing.outside) + " outside, " + length(spacing.inside) +
-         " inside";
+  const bool inside = -least >= spacing.inside;
+  const bool outside = greatest >= spacing.outside;
+  if (!inside && !outside) return "";
+  if (inside && outside && spacing.inside == spacing.outside) {
+    return "lines every " + length(spacing.inside);
+  }
+  return "lines every " + (outside ? length(spacing.outside) + " outside" : "") +
+         (inside && outside ? ", " : "") + (inside ? length(spacing.inside) + " inside" : "");
 }
 
 }  // namespace
@@ -162,7 +179,8 @@ Image renderSlice(const SignedDistanceFunction<T>& solid, const SlicePlane<T>& p
                   {inUnits(plane.labels[0]), inUnits(plane.labels[1])});
   layout.drawColorBar(image, area, {field.least(), field.greatest()}, spacing,
                       inUnits("signed distance"));
-  layout.drawTitle(image, area, options.title, noteAbout(spacing, options.unit));
+  layout.drawTitle(image, area, options.title,
+                   noteAbout(spacing, field.least(), field.greatest(), options.unit));
   return image;
 }
 

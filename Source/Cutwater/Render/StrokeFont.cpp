@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <utility>
 
 namespace cutwater {
 
@@ -111,6 +111,37 @@ constexpr std::array<std::string_view, 95> kGlyphs{
     "~0I2I2A4A ~4A2A2202",                // }
     "~082D456A",                          // ~
 };
+
+// Latin-1 from U+00C0 on: a letter and the mark on it, or a second letter; or two spaces.
+constexpr std::string_view kLetters =
+    "A`A'A^A~A\"A*AEC,E`E'E^E\"I`I'I^I\"  N~O`O'O^O~O\"    U`U'U^U\"Y'    "
+    "a`a'a^a~a\"a*aec,e`e'e^e\"i`i'i^i\"  n~o`o'o^o~o\"    u`u'u^u\"y'  y\"";
+// As they stand on small letters.
+constexpr std::array<std::pair<char, std::string_view>, 7> kMarks{{{'`', "-0G3E"},
+                                                                   {'\'', "-0E3G"},
+                                                                   {'^', "-0E2G4E"},
+                                                                   {'~', "~0E1G4E5G"},
+                                                                   {'"', "-0F0F -3F3F"},
+                                                                   {'*', "o0E0H3H3E"},
+                                                                   {',', "~243311"}}};
+// Others of Latin-1, which are not letters with marks.
+constexpr std::array<std::pair<int, std::string_view>, 16> kOthers{
+    {{0xA0, ""},                               // space
+     {0xB0, "o0C0G4G4C"},                      // degrees
+     {0xB1, "-0A6A -3D37 -0464"},              // plus or minus
+     {0xB2, "~0F0H4H4E0A -0A4A"},              // square
+     {0xB3, "~0G0H4H4E1E ~1E5E4A0A0B"},        // cube
+     {0xB5, "~0C08046468 -6C64 -000C"},        // micro
+     {0xB7, "-0A0A"},                          // dot
+     {0xD0, "-040G ~0G4G8G844404 -0A4A"},      // Eth
+     {0xD7, "-066C -0C66"},                    // times
+     {0xD8, "o04848G0G -038H"},                // O with stroke
+     {0xDE, "-040G ~0D4D8D864606"},            // Thorn
+     {0xDF, "-040D ~0D0G5G5B2B ~2B7B747424"},  // sharp s
+     {0xF0, "o04646C0C ~2G6E66 -1D5G"},        // eth
+     {0xF7, "-0969 -3D3D -3535"},              // divided by
+     {0xF8, "o04646C0C -036D"},                // o with stroke
+     {0xFE, "o04646C0C -000G"}}};              // thorn
 constexpr double kBaseline = 4;
 constexpr double kCapUnits = 12;  // from the baseline to the top of a capital
 constexpr double kGap = 3;        // between two characters
@@ -174,31 +205,70 @@ Glyph parsed(std::string_view definition) {
   return glyph;
 }
 
+void add(Glyph& glyph, const Glyph& other, double right, double up) {
+  for (const auto& s : other.strokes) {
+    glyph.strokes.push_back({s.x0 + right, s.y0 + up, s.x1 + right, s.y1 + up});
+  }
+}
+
+/// A letter and what follows it in kLetters.
+Glyph composed(char letter, char second, const std::vector<Glyph>& ascii) {
+  constexpr double kRise = 4;  // from small letters to capitals
+  const auto known = [&](char c) { return ascii[static_cast<std::size_t>(c - ' ')]; };
+  Glyph glyph = letter == 'i' ? parsed("-040C") : known(letter);  // without its dot
+  const auto* const mark = std::ranges::find(kMarks, second, &decltype(kMarks)::value_type::first);
+  if (mark == kMarks.end()) {
+    add(glyph, known(second), glyph.width + kGap, 0);
+    glyph.width += kGap + known(second).width;
+    return glyph;
+  }
+  const auto above = parsed(mark->second);
+  const double right = 0.5 * (glyph.width - above.width);  // less than 0 if wider than the letter
+  Glyph whole{{}, std::max(glyph.width, above.width)};
+  add(whole, glyph, std::max(-right, 0.0), 0);
+  add(whole, above, std::max(right, 0.0), letter < 'a' && second != ',' ? kRise : 0);
+  return whole;
+}
+
+/// ASCII from ' ' to '~', then Latin-1 from U+00A0 on.
 const std::vector<Glyph>& font() {
   static const std::vector<Glyph> glyphs = [] {
-    std::vector<Glyph> all;
-    for (const auto definition : kGlyphs) all.push_back(parsed(definition));
+    std::vector<Glyph> ascii;
+    for (const auto definition : kGlyphs) ascii.push_back(parsed(definition));
+    auto all = ascii;
+    all.resize(kGlyphs.size() + 96, ascii['?' - ' ']);
+    for (std::size_t i = 0; i < kLetters.size(); i += 2) {
+      if (kLetters[i] == ' ') continue;
+      all[kGlyphs.size() + 32 + i / 2] = composed(kLetters[i], kLetters[i + 1], ascii);
+    }
+    for (const auto& [code, definition] : kOthers) {
+      all[kGlyphs.size() + static_cast<std::size_t>(code - 0xA0)] = parsed(definition);
+    }
     return all;
   }();
   return glyphs;
 }
 
-bool continuesCharacter(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;  // UTF-8
-}
-
-const Glyph& glyphOf(char c) {
-  const bool known = ' ' <= c && c <= '~';
-  return font()[static_cast<std::size_t>((known ? c : '?') - ' ')];
+/// The glyph of the first character of a text in UTF-8, which is then removed.
+const Glyph& nextGlyph(std::string_view& text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  std::size_t size = 1;
+  while (size < text.size() && (byte(size) & 0xC0U) == 0x80U) ++size;
+  std::size_t index = '?' - ' ';
+  if (' ' <= text[0] && text[0] <= '~') index = static_cast<std::size_t>(text[0] - ' ');
+  if (size == 2 && (byte(0) == 0xC2 || byte(0) == 0xC3)) {
+    const auto code = (byte(0) & 3U) << 6U | (byte(1) & 0x3FU);
+    if (code >= 0xA0) index = kGlyphs.size() + code - 0xA0;
+  }
+  text.remove_prefix(size);
+  return font()[index];
 }
 
 }  // namespace
 
 double textLength(std::string_view text, double capHeight) {
   double units = 0;
-  for (const char c : text) {
-    if (!continuesCharacter(c)) units += glyphOf(c).width + kGap;
-  }
+  while (!text.empty()) units += nextGlyph(text).width + kGap;
   return std::max(units - kGap, 0.0) * capHeight / kCapUnits;
 }
 
@@ -214,9 +284,8 @@ void drawText(Image& image, double x, double y, std::string_view text, const Tex
     return style.upwards ? Point{x - b, y - a} : Point{x + a, y - b};
   };
   std::vector<Stroke> strokes;
-  for (const char c : text) {
-    if (continuesCharacter(c)) continue;
-    const auto& glyph = glyphOf(c);
+  while (!text.empty()) {
+    const auto& glyph = nextGlyph(text);
     strokes.clear();
     for (const auto& s : glyph.strokes) {
       const auto from = place(s.x0, s.y0);

@@ -23,7 +23,7 @@ struct TextStyle {
 [[nodiscard]] double textLength(std::string_view text, double capHeight);
 
 /// Draws one line of UTF-8 text with its baseline at (x, y), in the library's own stroke font.
-/// Characters beyond ASCII appear as question marks.
+/// It has ASCII and the letters and units of Latin-1; other characters appear as question marks.
 void drawText(Image& image, double x, double y, std::string_view text, const TextStyle& style = {});
 
 }  // namespace cutwater

@@ -11,25 +11,25 @@ namespace {
 
 constexpr double kMostTicks = 10000;
 
-/// Decimal places that the multiples of `step` need; for a step like 1/3, those that give three
-/// digits.
+/// Decimal places that the multiples of `step` need, negative if they end in zeros; for a step like
+/// 1/3, those that give three digits.
 int decimals(double step) {
   const int leading = -static_cast<int>(std::floor(std::log10(step) + 1e-9));
-  for (int digits = std::max(leading, 0); digits < leading + 3; ++digits) {
+  for (int digits = leading; digits < leading + 2; ++digits) {
     const double scaled = step * std::pow(10.0, digits);
     if (std::abs(scaled - std::round(scaled)) < 1e-9 * scaled) return digits;
   }
-  return std::max(leading + 2, 0);
+  return leading + 2;
 }
 
 std::string label(double value, double step, double largest) {
   char buffer[64];
   const bool plain = largest < 1e6 && step >= 0.9e-5;
-  const int digits =
-      plain ? decimals(step) : static_cast<int>(std::floor(std::log10(largest / step) + 1e-9));
+  if (value == 0 && !plain) return "0";
+  const int leading = plain ? 0 : static_cast<int>(std::floor(std::log10(largest) + 1e-9));
   const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
   const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value, format,
-                                    std::clamp(digits, 0, 16));  // locale-free
+                                    std::clamp(decimals(step) + leading, 0, 16));  // locale-free
   return {buffer, result.ptr};
 }
 
