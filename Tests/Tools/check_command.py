@@ -42,7 +42,6 @@ class Usage(CommandTest):
 
     def test_wrong_usage_is_status_2(self):
         self.fails(2)
-        self.fails(2, "frobnicate")
         self.fails(2, "info")
         self.fails(2, "info", "a.stl", "b.stl")
         self.fails(2, "info", "a.stl", "--no-such-option")
@@ -80,6 +79,31 @@ class Usage(CommandTest):
                 given = [option, value] if value else [option]
                 self.assertIn(option.split("=")[0], self.fails(2, "amr", "a.stl", "-o", "a.vtu", *level, *given))
         self.assertIn("--level", self.fails(2, "amr", "a.stl", "-o", "a.vtu"))
+
+    def test_wrong_values_are_told_what_is_needed(self):
+        for need, command in [
+                ("one of auto, nearest, winding", "sample a.stl -o a.vti --signs foo"),
+                ("one of none, face, edge, corner", "amr a.stl --level 1 -o a.vtu --balance foo"),
+                ("one of as-they-are, cavities, solids", "repair a.stl -o b.stl --nested foo"),
+                ("one whole number above 0", "amr a.stl --level 1 -o a.vtu --roots 0"),
+                ("one whole number above 0", "amr a.stl --level 1 -o a.vtu --roots 2x3x4"),
+                ("a distance and a level: 0.5:4", "amr a.stl --level 1 -o a.vtu --band 0.1:3:4"),
+                ("a number above 0", "info a.stl --scale abc"),
+                ("a number above 0", "make torus -o a.stl --radius nan"),
+                ("degrees and an axis, x, y or z", "info a.stl --rotate 90,w"),
+                ("a plane: AXIS=VALUE as in z=0, or a point", "repair a.stl -o b.stl --cap z"),
+                ("degrees above 0 and below 180", "isosurface a.stl -o b.stl --edges 200"),
+                ("WIDTHxHEIGHT from 320x240, up to 32768 along a side and 2^26 pixels in all", "render a.stl -o a.png --size 32768x32768")]:
+            words = command.split()
+            with self.subTest(command=command):
+                self.assertIn(f"{words[-2]}: '{words[-1]}': need {need}", self.fails(2, *words))
+
+    def test_names_a_command_that_there_is_not(self):
+        self.assertIn('there is no command "inf"; is it "info"?', self.fails(2, "inf", "a.stl"))
+        self.assertIn('there is no command "frobnicate"\n', self.fails(2, "frobnicate"))
+
+    def test_standard_input_has_a_name(self):
+        self.assertIn("/dev/stdin", self.fails(2, "info", "-"))
 
 
 class Make(CommandTest):
@@ -344,7 +368,10 @@ class Amr(CommandTest):
         self.assertEqual(self.succeeds("amr", "box.off", "-o", "out.vtu", "--level", "1", "--quiet"), "")
 
     def test_refusals(self):
-        self.assertIn("level", self.fails(1, "amr", "box.off", "-o", "a.vtu", "--level", "20"))
+        self.assertIn("--level: '18': need a level up to 17, the finest with 16 roots",
+                      self.fails(2, "amr", "box.off", "-o", "a.vtu", "--level", "18"))
+        self.assertIn("--gaps: '20': need a level up to 19, the finest with 4 roots",
+                      self.fails(2, "amr", "box.off", "-o", "a.vtu", *self.AROUND, "--level", "1", "--gaps", "3:20"))
         self.assertIn("no/such/a.vtu", self.fails(1, "amr", "box.off", "-o", "no/such/a.vtu", "--level", "1"))
         self.assertIn("missing.stl", self.fails(1, "amr", "missing.stl", "-o", "a.vtu", "--level", "1"))
         self.assertEqual([f.name for f in self.folder.iterdir()], ["box.off"])

@@ -65,7 +65,12 @@ class Scenes(SceneTest):
     def test_keys(self):
         page = self.succeeds("scene", "--keys")
         self.assertIn(page, (ROOT / "Docs/scenes.md").read_text())
-        self.fails(2, "scene")
+        self.assertEqual(self.succeeds("scene"), self.succeeds("scene", "--help"))
+
+    def test_a_surface_is_made_of_one(self):
+        self.succeeds("isosurface", self.scene(), "--cells", "12", "-o", "a.stl")
+        self.assertRegex(self.succeeds("info", "a.stl"), r"watertight +yes")
+        self.assertIn("or a scene", self.succeeds("isosurface", "--help"))
 
 
 class AboutScenes(SceneTest):
@@ -106,7 +111,7 @@ class SceneRefusals(SceneTest):
         self.scene()
         for command in (["convert", "it.toml", "a.stl"], ["prepare", "it.toml", "-o", "a.cutwater"],
                         ["repair", "it.toml", "-o", "a.stl"]):
-            self.assertIn("a scene has no surface mesh", self.fails(1, *command))
+            self.assertRegex(self.fails(1, *command), "a scene has no surface mesh.*'cutwater isosurface' makes one")
 
 
 class Examples(SceneTest):

@@ -1,5 +1,6 @@
 #include "Amr.hpp"
 
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
 #include <Cutwater/P4est/DistributedVtu.hpp>
 #include <Cutwater/P4est/SharedGeometry.hpp>
@@ -129,6 +130,11 @@ void report(const Options& options, const DistributedOctree<double>& mesh, std::
 }
 
 void run(Options options) {
+  if (isScene(options.surface)) {
+    throw Error(ErrorKind::File, options.surface.file +
+                                     ": cutwater-mpi takes surfaces only; 'cutwater isosurface' "
+                                     "makes one of a scene");
+  }
   const auto comm = options.comm;
   if (options.surface.threads == 0) options.surface.threads = threadsOf(comm);
   const int threads = options.surface.threads;
@@ -146,7 +152,7 @@ void run(Options options) {
   seconds.startUp = lap();
   memory.withSurface = residentMemory(comm);
   const auto& solid = surface.mesh();
-  const auto domain = domainAround(boxAround(solid), options.mesh.roots);
+  const auto domain = domainAround(boxAround(solid), options.mesh);
   lap();
   const DistributedOctree<double> mesh(
       solid, domain, rulesFor(options.mesh.refinement, solid.patchNames()), comm,

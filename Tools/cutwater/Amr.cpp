@@ -101,7 +101,7 @@ void run(const Options& options) {
   Seconds seconds;
   Stopwatch watch;
   const auto solid = loadSolid(options.surface);
-  const auto domain = domainAround(boxAround(solid), options.mesh.roots);
+  const auto domain = domainAround(boxAround(solid), options.mesh);
   const auto rules = rulesFor(options.mesh.refinement, solid.patchNames());
   seconds.surface = watch.lap();
   const auto mesh = [&] {

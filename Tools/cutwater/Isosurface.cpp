@@ -54,7 +54,7 @@ void addIsosurface(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   auto& command = *program.add_subcommand(
       "isosurface", "Make a closed surface of triangles from what is inside, by a grid");
-  addSurfaceOptions(command, options->surface);
+  addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
   command
       .add_option("-o,--output", options->output,
@@ -75,7 +75,7 @@ void addIsosurface(CLI::App& program) {
       .add_option_function<std::string>(
           "--edges",
           [=](const std::string& text) {
-            options->isosurface.featureAngle = positiveNumber("--edges", text);
+            options->isosurface.featureAngle = angleOf("--edges", text);
           },
           "Follow edges where normals differ by more than this; without it they are cut off")
       ->type_name("DEGREES");

@@ -12,16 +12,15 @@ namespace {
 
 double widthOf(const std::string& text) {
   if (text == "all") return std::numeric_limits<double>::infinity();
-  return positiveNumber("--holes", text);
+  return positiveNumber("--holes", text, "all, or a length above 0");
 }
 
 MendingOptions::Wrap wrapOf(const std::string& text) {
-  const auto values = numbers("--wrap", text);
-  const bool isGood =
-      (values.size() == 1 || values.size() == 2) &&
-      std::ranges::all_of(values, [](double v) { return v > 0 && std::isfinite(v); });
-  if (!isGood)
-    refuse("--wrap", text, "a gap, or a gap and an offset, both lengths: 0.1 or 0.1,0.002");
+  constexpr const char* kNeed = "a gap, or a gap and an offset, both lengths: 0.1 or 0.1,0.002";
+  const auto values = numbers("--wrap", text, kNeed);
+  const bool isGood = (values.size() == 1 || values.size() == 2) &&
+                      std::ranges::all_of(values, [](double v) { return v > 0; });
+  if (!isGood) refuse("--wrap", text, kNeed);
   MendingOptions::Wrap wrap{.gap = values[0]};
   if (values.size() == 2) wrap.offset = values[1];
   return wrap;
