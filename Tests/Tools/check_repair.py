@@ -205,10 +205,12 @@ class Mending(RepairTest):
     def test_refusals(self):
         for wrong in "0", "-1", "1,0", "1,2,3", "x":
             self.fails(2, "repair", "open.off", "-o", "out.off", "--wrap", wrong)
+        self.assertIn("need all, or a length above 0",
+                      self.fails(2, "repair", "open.off", "-o", "out.off", "--holes", "some"))
         self.fails(2, "repair", "open.off", "-o", "out.off", "--holes", "0")
         self.assertIn("take a larger gap",
                       self.fails(1, "repair", "open.off", "-o", "out.off", "--wrap", "1e-5"))
-        self.assertIn("not done within",
+        self.assertIn("not done within 0.001 seconds; --budget gives it more",
                       self.fails(1, "repair", "open.off", "-o", "out.off", "--wrap", "0.01",
                                  "--budget", "0.001"))
         self.assertFalse((self.folder / "out.off").exists())

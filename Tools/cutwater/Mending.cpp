@@ -1,10 +1,13 @@
 #include "Mending.hpp"
 
+#include <Cutwater/Core/Error.hpp>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 
 #include "Arguments.hpp"
 #include "Format.hpp"
+#include "Surface.hpp"
 
 namespace cutwater::tool {
 
@@ -32,6 +35,17 @@ std::string textOf(const MendingOptions::Wrap& wrap) {
 
 std::string textOfWidth(double widest) {
   return std::isinf(widest) ? "all" : exactly(widest);
+}
+
+WrapReport wrapped(PolygonSoup& soup, const MendingOptions::Wrap& how, double seconds) {
+  Stopwatch watch;
+  try {
+    return wrap(soup, {.gap = how.gap, .offset = how.offset, .seconds = seconds});
+  } catch (const Error& error) {
+    const bool isLate = error.kind() == ErrorKind::Limit && watch.lap() > seconds;
+    if (!isLate) throw;
+    throw Error(ErrorKind::Limit, std::string(error.what()) + "; --budget gives it more");
+  }
 }
 
 }  // namespace
@@ -88,10 +102,8 @@ void addMendingSteps(const MendingOptions& options, std::vector<RepairStep>& ste
                      }});
   }
   if (const auto how = options.wrap) {
-    steps.push_back({"wrap " + textOf(*how), [how, seconds](PolygonSoup& soup) {
-                       return wrap(soup,
-                                   {.gap = how->gap, .offset = how->offset, .seconds = seconds});
-                     }});
+    steps.push_back({"wrap " + textOf(*how),
+                     [how, seconds](PolygonSoup& soup) { return wrapped(soup, *how, seconds); }});
   }
 }
 
