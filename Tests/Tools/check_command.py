@@ -2,6 +2,7 @@
 import math
 import os
 import re
+import resource
 import subprocess
 import unittest
 
@@ -97,6 +98,28 @@ class Usage(CommandTest):
             words = command.split()
             with self.subTest(command=command):
                 self.assertIn(f"{words[-2]}: '{words[-1]}': need {need}", self.fails(2, *words))
+
+    def test_outputs_have_the_names_of_their_kind(self):
+        self.box()
+        for command, name, need in [
+                ("sample", "a.vtk", ".vti"), ("sample", "a", ".vti"), ("sample", "-", ".vti"),
+                ("amr --level 1", "a.png", ".vtu"), ("amr --level 1 -o a.vtu --picture", "a.vtu", ".png"),
+                ("isosurface", "a.step", ".stl, .ply, .obj, .off, .vtk"),
+                ("prepare", "a.stl", "FILE.cutwater"), ("prepare", "-", "FILE.cutwater")]:
+            words = command.split() if "-o" in command else [*command.split(), "-o"]
+            with self.subTest(command=command):
+                self.assertRegex(self.fails(2, *words, name, "box.off"), f"'{name}': need a name .*{re.escape(need)}\n")
+        self.assertEqual([f.name for f in self.folder.iterdir()], ["box.off"])
+        self.succeeds("sample", "box.off", "-o", "a.VTI", "--cells", "4")
+        self.succeeds("prepare", "box.off", "-o", "a.geometry")
+        self.assertIn("ImageData", self.succeeds("sample", "box.off", "-q", "-o", "/dev/stdout", "--cells", "1",
+                                                 "--write", "patch"))
+
+    def test_folders_are_looked_for_before_the_work(self):
+        for command in [("sample", "-o", "no/a.vti"), ("isosurface", "-o", "no/a.stl"),
+                        ("prepare", "-o", "no/a.cutwater"), ("amr", "--level", "1", "-o", "no/a.vtu"),
+                        ("amr", "--level", "1", "-o", "a.vtu", "--picture", "no/a.png")]:
+            self.assertIn(f"{command[-1]}: there is no folder no\n", self.fails(1, *command, "missing.stl"))
 
     def test_names_a_command_that_there_is_not(self):
         self.assertIn('there is no command "inf"; is it "info"?', self.fails(2, "inf", "a.stl"))
@@ -200,6 +223,15 @@ class Sample(CommandTest):
                 self.assertAlmostEqual(value, exact, delta=1e-14)
             else:
                 self.assertEqual(value, math.copysign(0.5, exact))
+
+    def test_patches_end_with_the_band(self):
+        image = self.sampled("--spacing", "0.5", "--margin", "2", "--band", "1", "--write", "distance,patch")
+        for distance, patch in zip(image.arrays["distance"], image.arrays["patch"]):
+            self.assertEqual(patch, 0 if abs(distance) < 0.5 else -1)
+
+    def test_values_beyond_memory_are_counted_first(self):
+        self.assertRegex(self.fails(1, "sample", "box.off", "-o", "a.vti", "--cells", "9000", "--write", "distance,patch"),
+                         r"729 000 000 000 values take 8.75 TB, and this machine has [0-9.]+ [GT]B of memory")
 
     def test_patches(self):
         (self.folder / "two.obj").write_text(
@@ -367,6 +399,40 @@ class Amr(CommandTest):
         self.assertRegex(text, r"cells per second")
         self.assertEqual(self.succeeds("amr", "box.off", "-o", "out.vtu", "--level", "1", "--quiet"), "")
 
+    def test_says_if_the_surface_is_elsewhere(self):
+        away = ("--box", "5,5,5,6,6,6", "--level", "1")
+        self.assertIn("no cell is cut", self.succeeds("amr", "box.off", "-o", "out.vtu", *away))
+        self.assertNotIn("no cell is cut", self.succeeds("amr", "box.off", "-o", "out.vtu", "--level", "1"))
+
+    def test_features(self):
+        self.box("one.off", "1,1,1")
+        text = self.succeeds("amr", "one.off", "-o", "out.vtu", "--features", *self.AROUND, "--level", "0",
+                             "--translate", "0.5,0.5,0.5")  # it is a cell
+        self.assertIn("solid 1 cells deep", text)
+        self.assertIn("; as wide as its cell of level 0 already\n", text)
+        self.box("plate.off", "2.1,2.1,0.1")
+        text = self.succeeds("amr", "plate.off", "-o", "out.vtu", "--features", *self.AROUND, "--level", "1",
+                             "--translate", "0,0,0.25")
+        count = int(re.search(r"thin: .*: (\d+)", text)[1])
+        self.assertEqual(len(re.findall("; level 4 resolves it\n", text)), 5)
+        self.assertIn(f"    ... and {count - 5} more\n", text)
+
+    def test_options_of_a_picture_need_one(self):
+        for option, value in [("--axis", "y"), ("--at", "0"), ("--window", "0,0,1,1"), ("--size", "400x300"),
+                              ("--title", "it"), ("--unit", "m")]:
+            self.assertIn(f"{option} requires --picture",
+                          self.fails(2, "amr", "box.off", "-o", "a.vtu", "--level", "1", option, value))
+
+    def test_out_of_memory(self):
+        def limited():
+            resource.setrlimit(resource.RLIMIT_AS, (150_000_000,) * 2)
+        for command, advice in [(("amr", "-o", "a.vtu", "--level", "9"), "a lower --level"),
+                                (("isosurface", "-o", "a.stl", "--cells", "6000"), "nodes; use fewer --cells")]:
+            done = subprocess.run([PROGRAM, *command, "box.off", "--threads", "1"], cwd=self.folder, text=True,
+                                  capture_output=True, preexec_fn=limited, check=False)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, rf"\Acutwater: error: out of memory.*{advice}[^\n]*\n\Z")
+
     def test_refusals(self):
         self.assertIn("--level: '18': need a level up to 17, the finest with 16 roots",
                       self.fails(2, "amr", "box.off", "-o", "a.vtu", "--level", "18"))
@@ -487,7 +553,6 @@ class Isosurface(CommandTest):
             self.assertEqual(self.succeeds("isosurface", "box.off", "--cells", "10", "-o", name, "--quiet"), "")
             self.assertIn("closed", self.succeeds("info", name))
         self.assertIn("tolerance", self.fails(1, "isosurface", "box.off", "-o", "a.stl", "--tolerance", "0.7"))
-        self.assertIn(".step", self.fails(1, "isosurface", "box.off", "--cells", "10", "-o", "a.step"))
 
 
 class Convert(CommandTest):

@@ -14,6 +14,7 @@
 #include "Memory.hpp"
 #include "MeshFields.hpp"
 #include "MeshOptions.hpp"
+#include "OutputFile.hpp"
 #include "Surface.hpp"
 
 namespace cutwater::tool {
@@ -182,11 +183,8 @@ void addDistributedAmr(CLI::App& program, MPI_Comm comm) {
       "amr", "Build the octree mesh of 'cutwater amr' on all ranks; each writes a piece of it");
   addSurfaceOptions(command, options->surface);
   addSignOptions(command, options->surface);
-  command
-      .add_option("-o,--output", options->output,
-                  "The file that binds the pieces, which are written beside it")
-      ->required()
-      ->type_name("FILE.pvtu");
+  addOutput(command, options->output, {".pvtu"},
+            "The file that binds the pieces, which are written beside it");
   addMeshOptions(command, options->mesh);
   command
       .add_option("--cut-weight", options->cutWeight,

@@ -4,10 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
+#include <new>
 
 #include "Arguments.hpp"
 #include "Commands.hpp"
 #include "Format.hpp"
+#include "OutputFile.hpp"
 #include "ProgressBar.hpp"
 #include "SampleGrid.hpp"
 #include "Surface.hpp"
@@ -24,6 +26,16 @@ struct Options {
   WriteOptions write;
 };
 
+PolygonSoup triangles(const Solid<double>& solid, const Patch<double>& grid,
+                      const IsosurfaceOptions& options) {
+  try {
+    return isosurface<double>(solid, grid, options);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorKind::Limit, "out of memory with " + grouped(grid.indices.count()) +
+                                      " nodes; use fewer --cells");
+  }
+}
+
 void run(Options options) {
   const auto solid = loadSolid(options.surface);
   options.grid.nodes = true;
@@ -34,7 +46,7 @@ void run(Options options) {
   {
     ProgressBar bar("triangles", !options.surface.quiet);
     options.isosurface.progress = bar.callback();
-    soup = isosurface<double>(solid, grid, options.isosurface);
+    soup = triangles(solid, grid, options.isosurface);
   }
   const double seconds = watch.lap();
   if (soup.polygonCount() == 0) {
@@ -56,11 +68,8 @@ void addIsosurface(CLI::App& program) {
       "isosurface", "Make a closed surface of triangles from what is inside, by a grid");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
-  command
-      .add_option("-o,--output", options->output,
-                  "The surface to write; its extension tells the format: stl, ply, obj, off, vtk")
-      ->required()
-      ->type_name("FILE");
+  addOutput(command, options->output, {".stl", ".ply", ".obj", ".off", ".vtk"},
+            "The surface to write; its extension tells the format: stl, ply, obj, off, vtk");
   addSizeOptions(command, options->grid);
   addPlaceOptions(command, options->grid);
   command

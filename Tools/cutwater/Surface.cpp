@@ -68,19 +68,18 @@ std::optional<MeshSDF<T>> ready(const SurfaceOptions& options) {
   return solid;
 }
 
-/// The extension in lower case: ".stl".
+bool isStl(const std::string& file) {
+  return extensionOf(file) == ".stl";
+}
+
+}  // namespace
+
 std::string extensionOf(const std::string& file) {
   auto extension = std::filesystem::path(file).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return extension;
 }
-
-bool isStl(const std::string& file) {
-  return extensionOf(file) == ".stl";
-}
-
-}  // namespace
 
 void addQuiet(CLI::App& command, bool& quiet) {
   command.add_flag("-q,--quiet", quiet, "Say nothing but errors");

@@ -98,6 +98,9 @@ template <std::floating_point T = double>
 /// polygons are triangulated for it. Returns the number of polygons written.
 std::size_t write(const std::string& file, const PolygonSoup& soup, const WriteOptions& options);
 
+/// The extension in lower case: ".stl".
+[[nodiscard]] std::string extensionOf(const std::string& file);
+
 /// The file's name for people: "hull.stl.gz".
 [[nodiscard]] std::string fileName(const SurfaceOptions& options);
 
