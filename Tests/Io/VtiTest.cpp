@@ -27,10 +27,13 @@ TEST(VtiTest, CellDataIsReadBackToTheBit) {
   std::vector<std::uint32_t> ids(kBox.count(), kNone);
   ids[3] = 17;
   std::vector<std::uint64_t> masks(kBox.count(), std::uint64_t{1} << 63U);
-  const std::array<VtkArray, 4> arrays{VtkArray{"distance", std::span<const double>(distance)},
+  std::vector<std::int32_t> signedIds(kBox.count(), -1);
+  signedIds[3] = 17;
+  const std::array<VtkArray, 5> arrays{VtkArray{"distance", std::span<const double>(distance)},
                                        {"coarse", std::span<const float>(coarse)},
                                        {"masks", std::span<const std::uint64_t>(masks)},
-                                       {"a<b & \"c\"", std::span<const std::uint32_t>(ids)}};
+                                       {"a<b & \"c\"", std::span<const std::uint32_t>(ids)},
+                                       {"signed", std::span<const std::int32_t>(signedIds)}};
   const Level<double> level({0.1, -2, 1e-3}, {0.25, 1e-7, 3});
   writeVti(folder / "a.vti", Patch<double>{level, kBox}, arrays);
 
@@ -47,6 +50,7 @@ TEST(VtiTest, CellDataIsReadBackToTheBit) {
   EXPECT_EQ(vti.array<float>("coarse", "Float32"), coarse);
   EXPECT_EQ(vti.array<std::uint64_t>("masks", "UInt64"), masks);
   EXPECT_EQ(vti.array<std::uint32_t>("a&lt;b &amp; &quot;c&quot;", "UInt32"), ids);
+  EXPECT_EQ(vti.array<std::int32_t>("signed", "Int32"), signedIds);
   EXPECT_EQ(vti.rest(), "\n  </AppendedData>\n</VTKFile>\n");
 }
 

@@ -68,6 +68,8 @@ class CommandTest(unittest.TestCase):
         cases = [(1, ["missing.stl", "--level", "2", "-o", "m.pvtu"], "missing.stl"),
                  (1, ["torus.stl", "--level", "19", "--roots", "1", "-o", "m.pvtu"], "level"),
                  (1, ["torus.stl", "--level", "2", "-o", "none/m.pvtu"], "none"),
+                 (1, ["ball.toml", "--level", "2", "-o", "m.pvtu"], "ball.toml: .* takes surfaces only"),
+                 (2, ["torus.stl", "--level", "18", "-o", "m.pvtu"], "--level: '18': need a level up to 17"),
                  (2, ["torus.stl", "--level", "2"], "--output")]
         for status, words, reason in cases:
             done = self.on_ranks(3, "amr", *words, status=status)

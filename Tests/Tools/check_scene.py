@@ -34,10 +34,11 @@ class Scenes(SceneTest):
     def test_a_mesh_is_that_of_its_surface(self):
         self.box()
         self.scene('[box]\nmesh = "box.off"\n')
-        for command in ["sample", "--cells", "12"], ["amr", "--level", "2"]:
-            self.succeeds(*command, "box.off", "-o", "a.vtx")
-            self.succeeds(*command, "it.toml", "-o", "b.vtx")
-            self.assertEqual(*((self.folder / name).read_bytes() for name in ("a.vtx", "b.vtx")))
+        for extension, *command in ["vti", "sample", "--cells", "12"], ["vtu", "amr", "--level", "2"]:
+            names = f"a.{extension}", f"b.{extension}"
+            self.succeeds(*command, "box.off", "-o", names[0])
+            self.succeeds(*command, "it.toml", "-o", names[1])
+            self.assertEqual(*((self.folder / name).read_bytes() for name in names))
         for command in "slice", "render":
             self.succeeds(command, "box.off", "-o", "a.png", "--size", "400x300", "--title", "same")
             self.succeeds(command, "it.toml", "-o", "b.png", "--size", "400x300", "--title", "same")
@@ -51,8 +52,9 @@ class Scenes(SceneTest):
 
     def test_what_has_no_end_needs_a_box(self):
         self.scene(ENDLESS)
-        for command in ["sample"], ["amr", "--level", "1"], ["slice"], ["render"]:
-            self.fails(1, *command, "it.toml", "-o", "a")
+        for command in (["sample", "-o", "a.vti"], ["amr", "--level", "1", "-o", "a.vtu"], ["slice", "-o", "a.png"],
+                        ["render", "-o", "a.png"]):
+            self.fails(1, *command, "it.toml")
         box = ["--box", "0,0,0,2,2,2"]
         self.succeeds("sample", "it.toml", "-o", "a.vti", "--cells", "8", *box)
         self.succeeds("amr", "it.toml", "-o", "a.vtu", "--level", "1", *box)
@@ -66,7 +68,12 @@ class Scenes(SceneTest):
     def test_keys(self):
         page = self.succeeds("scene", "--keys")
         self.assertIn(page, (ROOT / "Docs/scenes.md").read_text())
-        self.fails(2, "scene")
+        self.assertEqual(self.succeeds("scene"), self.succeeds("scene", "--help"))
+
+    def test_a_surface_is_made_of_one(self):
+        self.succeeds("isosurface", self.scene(), "--cells", "12", "-o", "a.stl")
+        self.assertRegex(self.succeeds("info", "a.stl"), r"watertight +yes")
+        self.assertIn("or a scene", self.succeeds("isosurface", "--help"))
 
 
 class AboutScenes(SceneTest):
@@ -74,6 +81,12 @@ class AboutScenes(SceneTest):
         text = self.succeeds("info", self.scene(BALL + '[it]\ncomplement = "ball"\n'))
         for words in "scene", "Complement", "    Sphere: exact", "bounding box", "Patches: 1", "ball", "build":
             self.assertIn(words, text)
+
+    def test_what_rounding_leaves_near_0_is_0(self):
+        bar = '[bar]\nshape = "cuboid"\nlower = [1e-17, 0, 0]\nupper = [3, 3, 3]\n'
+        self.assertIn("(0, 0, 0) to (3, 3, 3)", self.succeeds("info", self.scene(bar)))
+        small = bar.replace("1e-17", "1e-6")
+        self.assertIn("(1e-06, 0, 0) to (3, 3, 3)", self.succeeds("info", self.scene(small)))
 
     def test_json(self):
         facts = json.loads(self.succeeds("info", self.scene(), "--json"))
@@ -92,7 +105,8 @@ class AboutScenes(SceneTest):
 
 class SceneRefusals(SceneTest):
     def test_errors_name_the_line(self):
-        for command in ["info"], ["sample", "-o", "a"], ["amr", "--level", "1", "-o", "a"], ["slice", "-o", "a"], ["render", "-o", "a"]:
+        for command in (["info"], ["sample", "-o", "a.vti"], ["amr", "--level", "1", "-o", "a.vtu"],
+                        ["slice", "-o", "a.png"], ["render", "-o", "a.png"]):
             self.assertIn('it.toml: line 2: [ball]: there is no shape "bal"',
                           self.fails(1, command[0], self.scene('[ball]\nshape = "bal"\n'), *command[1:]))
         self.fails(1, "info", "none.toml")
@@ -107,7 +121,7 @@ class SceneRefusals(SceneTest):
         self.scene()
         for command in (["convert", "it.toml", "a.stl"], ["prepare", "it.toml", "-o", "a.cutwater"],
                         ["repair", "it.toml", "-o", "a.stl"]):
-            self.assertIn("a scene has no surface mesh", self.fails(1, *command))
+            self.assertRegex(self.fails(1, *command), "a scene has no surface mesh.*'cutwater isosurface' makes one")
 
 
 class Examples(SceneTest):

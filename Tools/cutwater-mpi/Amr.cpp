@@ -1,5 +1,6 @@
 #include "Amr.hpp"
 
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
 #include <Cutwater/P4est/DistributedVtu.hpp>
 #include <Cutwater/P4est/SharedGeometry.hpp>
@@ -13,6 +14,7 @@
 #include "Memory.hpp"
 #include "MeshFields.hpp"
 #include "MeshOptions.hpp"
+#include "OutputFile.hpp"
 #include "Surface.hpp"
 
 namespace cutwater::tool {
@@ -129,6 +131,11 @@ void report(const Options& options, const DistributedOctree<double>& mesh, std::
 }
 
 void run(Options options) {
+  if (isScene(options.surface)) {
+    throw Error(ErrorKind::File, options.surface.file +
+                                     ": cutwater-mpi takes surfaces only; 'cutwater isosurface' "
+                                     "makes one of a scene");
+  }
   const auto comm = options.comm;
   if (options.surface.threads == 0) options.surface.threads = threadsOf(comm);
   const int threads = options.surface.threads;
@@ -146,7 +153,7 @@ void run(Options options) {
   seconds.startUp = lap();
   memory.withSurface = residentMemory(comm);
   const auto& solid = surface.mesh();
-  const auto domain = domainAround(boxAround(solid), options.mesh.roots);
+  const auto domain = domainAround(boxAround(solid), options.mesh);
   lap();
   const DistributedOctree<double> mesh(
       solid, domain, rulesFor(options.mesh.refinement, solid.patchNames()), comm,
@@ -176,11 +183,9 @@ void addDistributedAmr(CLI::App& program, MPI_Comm comm) {
       "amr", "Build the octree mesh of 'cutwater amr' on all ranks; each writes a piece of it");
   addSurfaceOptions(command, options->surface);
   addSignOptions(command, options->surface);
-  command
-      .add_option("-o,--output", options->output,
-                  "The file that binds the pieces, which are written beside it")
-      ->required()
-      ->type_name("FILE.pvtu");
+  addOutput(command, "-o,--output", options->output, {".pvtu"},
+            "The file that binds the pieces, which are written beside it")
+      .required();
   addMeshOptions(command, options->mesh);
   command
       .add_option("--cut-weight", options->cutWeight,

@@ -37,7 +37,7 @@ int run(int argc, const char* const* argv, bool tells) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return tells ? program.exit(error) : 0;
-    return tells ? cutwater::tool::failed(kName, error.what(), kUsage) : kUsage;
+    return tells ? cutwater::tool::failed(program, error) : kUsage;
   } catch (const cutwater::Error& error) {  // all ranks have got it
     return tells ? cutwater::tool::failed(kName, error.what(), kFailed) : kFailed;
   }

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/OctreeChecksum.hpp>
 #include <Cutwater/Grid/OctreeRegions.hpp>
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
@@ -5,9 +6,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <system_error>
 
 #include "Arguments.hpp"
@@ -15,6 +18,7 @@
 #include "Format.hpp"
 #include "MeshFields.hpp"
 #include "MeshOptions.hpp"
+#include "OutputFile.hpp"
 #include "Picture.hpp"
 #include "ProgressBar.hpp"
 #include "Surface.hpp"
@@ -73,6 +77,15 @@ void keepRegion(const Vec3<double>& keep, const Octree<double>& mesh, MeshFields
             << point(keep) << ", and covered: " << counted(cells.size(), "cell") << '\n';
 }
 
+/// How fine cells must be to resolve the feature.
+std::string remedy(const UnresolvedFeature<double>& feature, const Octree<double>& mesh) {
+  const auto level = std::to_string(feature.level);
+  const int halvings = feature.level - int{mesh.cells()[feature.cell].level};
+  if (halvings <= 0) return "as wide as its cell of level " + level + " already";
+  if (std::ldexp(feature.depth, halvings) < 0.99) return "no level resolves it";
+  return "level " + level + " resolves it";
+}
+
 /// Reports the first few of each kind.
 void reportFeatures(const SignedDistanceFunction<double>& solid, const Octree<double>& mesh,
                     int threads) {
@@ -96,8 +109,12 @@ void reportFeatures(const SignedDistanceFunction<double>& solid, const Octree<do
     std::cout << "  " << meaning << ": " << grouped(static_cast<std::size_t>(last - first)) << '\n';
     for (auto feature = first; feature != last && feature - first < kFew; ++feature) {
       std::cout << "    " << (feature->isSolid ? "solid" : "fluid") << ' '
-                << number(feature->depth, 3) << " cells deep at " << point(feature->point)
-                << "; level " << feature->level << " resolves it\n";
+                << number(feature->depth, 3) << " cells deep at " << point(feature->point) << "; "
+                << remedy(*feature, mesh) << '\n';
+    }
+    if (last - first > kFew) {
+      std::cout << "    ... and " << grouped(static_cast<std::size_t>(last - first - kFew))
+                << " more\n";
     }
   }
 }
@@ -108,7 +125,7 @@ void run(const Options& options) {
   Seconds seconds;
   Stopwatch watch;
   const auto solid = loadSolid(options.surface);
-  const auto domain = domainAround(boxAround(solid), options.mesh.roots);
+  const auto domain = domainAround(boxAround(solid), options.mesh);
   const auto rules = rulesFor(options.mesh.refinement, solid.patchNames());
   seconds.surface = watch.lap();
   const auto mesh = [&] {
@@ -146,9 +163,7 @@ void addAmr(CLI::App& program) {
       "amr", "Build an octree mesh around the surface, as a VTK grid that ParaView opens");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
-  command.add_option("-o,--output", options->output, "The mesh to write")
-      ->required()
-      ->type_name("FILE.vtu");
+  addOutput(command, "-o,--output", options->output, {".vtu"}, "The mesh to write").required();
   addMeshOptions(command, options->mesh);
   command
       .add_option_function<std::string>(
@@ -157,8 +172,12 @@ void addAmr(CLI::App& program) {
       ->type_name("X,Y,Z");
   command.add_flag("--features", options->features,
                    "List cells in which signs at corners do not tell all of the surface");
-  addPictureFile(command, "--picture", "Draw the mesh in a plane as well", options->picture.output);
+  auto& picture = addOutput(command, "--picture", options->picture.output, {".png"},
+                            "Draw the mesh in a plane as well");
   addPictureOptions(command, options->picture);
+  for (const char* of : {"--axis", "--at", "--window", "--size", "--title", "--unit"}) {
+    command.get_option(of)->needs(&picture);
+  }
   command.footer(
       "Examples:\n"
       "  cutwater amr hull.stl --level 6 -o hull.vtu\n"
@@ -167,7 +186,15 @@ void addAmr(CLI::App& program) {
       "  cutwater amr hull.stl --level 6 --features --picture hull.png --axis z -o hull.vtu\n"
       "  cutwater amr part.stl --scale 0.001 --box -1,-1,-1,3,1,1 --roots 8 --level 5 --balance "
       "face --write distance,normal,patch,class,level -o part.vtu");
-  command.callback([=] { run(*options); });
+  command.callback([=] {
+    try {
+      run(*options);
+    } catch (const std::bad_alloc&) {
+      throw Error(ErrorKind::Limit,
+                  "out of memory; use a lower --level: each has about four times the cells of the "
+                  "one before");
+    }
+  });
 }
 
 }  // namespace cutwater::tool

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -41,36 +40,32 @@ void refuse(const std::string& option, const std::string& text, const std::strin
   throw CLI::ValidationError(option, "'" + text + "': need " + need);
 }
 
-void requireExtension(const std::string& option, const std::string& path,
-                      std::initializer_list<std::string_view> extensions) {
-  auto extension = std::filesystem::path(path).extension().string();
-  for (auto& c : extension) {
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  if (extension.empty() || std::ranges::find(extensions, extension) != extensions.end()) return;
-  std::string all;
-  for (const auto one : extensions) all.append(all.empty() ? "" : " or ").append(one);
-  refuse(option, path, "a name that ends in " + all);
-}
-
-std::vector<double> numbers(const std::string& option, const std::string& text) {
+std::vector<double> numbers(const std::string& option, const std::string& text,
+                            const std::string& need) {
   auto values = list<double>(text, ',', [](double v) { return std::isfinite(v); });
-  if (values.empty()) refuse(option, text, "finite numbers with commas between them");
+  if (values.empty()) refuse(option, text, need);
   return values;
 }
 
 std::vector<double> numbers(const std::string& option, const std::string& text, std::size_t count) {
-  auto values = numbers(option, text);
-  if (values.size() != count) {
-    refuse(option, text, std::to_string(count) + " numbers with commas between them");
-  }
+  const auto need =
+      count == 1 ? "a number" : std::to_string(count) + " numbers with commas between them";
+  auto values = numbers(option, text, need);
+  if (values.size() != count) refuse(option, text, need);
   return values;
 }
 
-double positiveNumber(const std::string& option, const std::string& text) {
-  const double value = numbers(option, text, 1).front();
-  if (value <= 0) refuse(option, text, "a number above 0");
-  return value;
+double positiveNumber(const std::string& option, const std::string& text, const std::string& need) {
+  const auto values = numbers(option, text, need);
+  if (values.size() != 1 || values[0] <= 0) refuse(option, text, need);
+  return values[0];
+}
+
+double angleOf(const std::string& option, const std::string& text) {
+  constexpr const char* kNeed = "degrees above 0 and below 180";
+  const double degrees = positiveNumber(option, text, kNeed);
+  if (degrees >= 180) refuse(option, text, kNeed);
+  return degrees;
 }
 
 Vec3<double> vectorOf(const std::string& option, const std::string& text) {
@@ -88,10 +83,11 @@ Box<double> boxOf(const std::string& option, const std::string& text) {
   return box;
 }
 
-std::vector<std::int32_t> sizes(const std::string& option, const std::string& text) {
+std::vector<std::int32_t> sizes(const std::string& option, const std::string& text,
+                                const std::string& need) {
   constexpr auto kMost = std::numeric_limits<std::int32_t>::max() - 1;  // fits a grid's nodes
   auto values = list<std::int32_t>(text, 'x', [](std::int32_t v) { return 1 <= v && v < kMost; });
-  if (values.empty()) refuse(option, text, "positive whole numbers with an x between them");
+  if (values.empty()) refuse(option, text, need);
   return values;
 }
 
@@ -100,6 +96,15 @@ int axisOf(const std::string& option, const std::string& text) {
   if (text == "y") return 1;
   if (text == "z") return 2;
   refuse(option, text, "x, y or z");
+}
+
+std::size_t choiceOf(const std::string& option, const std::string& text,
+                     const std::vector<std::string>& choices) {
+  const auto found = std::ranges::find(choices, text);
+  if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
+  std::string all;
+  for (const auto& choice : choices) all += (all.empty() ? "" : ", ") + choice;
+  refuse(option, text, "one of " + all);
 }
 
 }  // namespace cutwater::tool

@@ -30,8 +30,7 @@ void addConvert(CLI::App& program) {
   auto& command = *program.add_subcommand(
       "convert", "Write a surface in another format, or moved, scaled and welded");
   addSurfaceOptions(command, options->surface);
-  auto& output = *command.add_option("OUTPUT", options->output)->required();
-  addOutputOptions(command, output, options->write);
+  addSurfaceOutput(command, "OUTPUT", options->output, options->write);
   command.footer(
       "Examples:\n"
       "  cutwater convert hull.stl.gz hull.ply\n"

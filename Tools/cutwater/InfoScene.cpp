@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 
+#include <cmath>
 #include <sstream>
 
 #include "InfoFacts.hpp"
@@ -17,6 +18,18 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
+/// Coordinates that rounding has left near 0 are 0.
+Box<double> withoutDust(Box<double> box) {
+  if (box.empty() || !isFinite(box)) return box;
+  const double dust = 1e-12 * maxComponent(box.size());
+  for (auto* corner : {&box.lower, &box.upper}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs((*corner)[axis]) < dust) (*corner)[axis] = 0;
+    }
+  }
+  return box;
+}
+
 std::string pageOf(const InfoOptions& options, const Solid<double>& solid, double seconds) {
   Page page;
   page.section("File");
@@ -24,7 +37,7 @@ std::string pageOf(const InfoOptions& options, const Solid<double>& solid, doubl
   page.line("format", "scene");
   page.section("Solid");
   page.lines(solid.describe());
-  const auto box = solid.boundingBox();
+  const auto box = withoutDust(solid.boundingBox());
   page.line("bounding box", box.empty() ? "none: there are no points in it"
                                         : point(box.lower) + " to " + point(box.upper));
   if (!box.empty()) page.line("extent", extent(box.size()));

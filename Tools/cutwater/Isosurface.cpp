@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <numeric>
 #include <utility>
 
@@ -40,6 +41,16 @@ PolygonSoup patchByPatch(PolygonSoup soup) {
   return sorted;
 }
 
+PolygonSoup triangles(const Solid<double>& solid, const Patch<double>& grid,
+                      const IsosurfaceOptions& options) {
+  try {
+    return isosurface<double>(solid, grid, options);
+  } catch (const std::bad_alloc&) {
+    throw Error(ErrorKind::Limit, "out of memory with " + grouped(grid.indices.count()) +
+                                      " nodes; use fewer --cells");
+  }
+}
+
 void run(Options options) {
   const auto solid = loadSolid(options.surface);
   options.grid.nodes = true;
@@ -50,7 +61,7 @@ void run(Options options) {
   {
     ProgressBar bar("triangles", !options.surface.quiet);
     options.isosurface.progress = bar.callback();
-    soup = isosurface<double>(solid, grid, options.isosurface);
+    soup = triangles(solid, grid, options.isosurface);
   }
   const double seconds = watch.lap();
   if (soup.polygonCount() == 0) {
@@ -73,9 +84,9 @@ void addIsosurface(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   auto& command = *program.add_subcommand(
       "isosurface", "Make a closed surface of triangles from what is inside, by a grid");
-  addSurfaceOptions(command, options->surface);
+  addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
-  auto& output = *command.add_option("-o,--output", options->output)->required()->type_name("FILE");
+  addSurfaceOutput(command, "-o,--output", options->output, options->write);
   addSizeOptions(command, options->grid);
   addPlaceOptions(command, options->grid);
   command
@@ -92,11 +103,10 @@ void addIsosurface(CLI::App& program) {
       .add_option_function<std::string>(
           "--edges",
           [=](const std::string& text) {
-            options->isosurface.featureAngle = positiveNumber("--edges", text);
+            options->isosurface.featureAngle = angleOf("--edges", text);
           },
           "Follow edges where normals differ by more than this; without it they are cut off")
       ->type_name("DEGREES");
-  addOutputOptions(command, output, options->write);
   command.footer(
       "Examples:\n"
       "  cutwater isosurface hull.stl --cells 300 --edges 30 -o new.stl\n"

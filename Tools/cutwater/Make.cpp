@@ -146,7 +146,7 @@ void addMake(CLI::App& program) {
       ->required()
       ->check(CLI::IsMember(shapes()))
       ->type_name("");
-  auto& output = *command.add_option("-o,--output", options->output)->required()->type_name("FILE");
+  addSurfaceOutput(command, "-o,--output", options->output, options->write);
   const auto length = [&](const char* name, double& value, const char* meaning) {
     command
         .add_option_function<std::string>(
@@ -170,7 +170,6 @@ void addMake(CLI::App& program) {
   command.add_option("--parts", options->parts, "Parts around the axis [96]")
       ->check(CLI::Range(3, 100000))
       ->type_name("N");
-  addOutputOptions(command, output, options->write);
   addQuiet(command, options->quiet);
   command.footer(
       "Examples:\n"

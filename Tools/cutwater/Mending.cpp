@@ -1,10 +1,13 @@
 #include "Mending.hpp"
 
+#include <Cutwater/Core/Error.hpp>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 
 #include "Arguments.hpp"
 #include "Format.hpp"
+#include "Surface.hpp"
 
 namespace cutwater::tool {
 
@@ -12,16 +15,15 @@ namespace {
 
 double widthOf(const std::string& text) {
   if (text == "all") return std::numeric_limits<double>::infinity();
-  return positiveNumber("--holes", text);
+  return positiveNumber("--holes", text, "all, or a length above 0");
 }
 
 MendingOptions::Wrap wrapOf(const std::string& text) {
-  const auto values = numbers("--wrap", text);
-  const bool isGood =
-      (values.size() == 1 || values.size() == 2) &&
-      std::ranges::all_of(values, [](double v) { return v > 0 && std::isfinite(v); });
-  if (!isGood)
-    refuse("--wrap", text, "a gap, or a gap and an offset, both lengths: 0.1 or 0.1,0.002");
+  constexpr const char* kNeed = "a gap, or a gap and an offset, both lengths: 0.1 or 0.1,0.002";
+  const auto values = numbers("--wrap", text, kNeed);
+  const bool isGood = (values.size() == 1 || values.size() == 2) &&
+                      std::ranges::all_of(values, [](double v) { return v > 0; });
+  if (!isGood) refuse("--wrap", text, kNeed);
   MendingOptions::Wrap wrap{.gap = values[0]};
   if (values.size() == 2) wrap.offset = values[1];
   return wrap;
@@ -33,6 +35,17 @@ std::string textOf(const MendingOptions::Wrap& wrap) {
 
 std::string textOfWidth(double widest) {
   return std::isinf(widest) ? "all" : exactly(widest);
+}
+
+WrapReport wrapped(PolygonSoup& soup, const MendingOptions::Wrap& how, double seconds) {
+  Stopwatch watch;
+  try {
+    return wrap(soup, {.gap = how.gap, .offset = how.offset, .seconds = seconds});
+  } catch (const Error& error) {
+    const bool isLate = error.kind() == ErrorKind::Limit && watch.lap() > seconds;
+    if (!isLate) throw;
+    throw Error(ErrorKind::Limit, std::string(error.what()) + "; --budget gives it more");
+  }
 }
 
 }  // namespace
@@ -89,10 +102,8 @@ void addMendingSteps(const MendingOptions& options, std::vector<RepairStep>& ste
                      }});
   }
   if (const auto how = options.wrap) {
-    steps.push_back({"wrap " + textOf(*how), [how, seconds](PolygonSoup& soup) {
-                       return wrap(soup,
-                                   {.gap = how->gap, .offset = how->offset, .seconds = seconds});
-                     }});
+    steps.push_back({"wrap " + textOf(*how),
+                     [how, seconds](PolygonSoup& soup) { return wrapped(soup, *how, seconds); }});
   }
 }
 

@@ -81,6 +81,9 @@ void report(const CellCounts& counts, const OctreeDomain<double>& domain) {
   std::cout << "inside: " << of(BoxClass::Inside) << ", outside: " << of(BoxClass::Outside)
             << ", cut: " << of(BoxClass::Cut) << ", unknown: " << of(BoxClass::Unknown)
             << " cells\n";
+  const bool isMet = counts.ofKind[static_cast<std::size_t>(BoxClass::Cut)] > 0 ||
+                     counts.ofKind[static_cast<std::size_t>(BoxClass::Unknown)] > 0;
+  if (!isMet) std::cout << "no cell is cut: the surface does not come into the box\n";
 }
 
 }  // namespace cutwater::tool

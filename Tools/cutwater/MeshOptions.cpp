@@ -1,19 +1,36 @@
 #include "MeshOptions.hpp"
 
 #include <CLI/CLI.hpp>
-#include <map>
+#include <algorithm>
 
 #include "Arguments.hpp"
+#include "Choice.hpp"
 #include "MeshFields.hpp"
 
 namespace cutwater::tool {
 
 namespace {
 
-const std::map<std::string, Balance> kBalances{{"none", Balance::None},
-                                               {"face", Balance::Face},
-                                               {"edge", Balance::Edge},
-                                               {"corner", Balance::Corner}};
+constexpr const char* kRoots = "one whole number above 0";
+
+void requireLevel(const char* option, int level, const OctreeDomain<double>& domain) {
+  if (level <= domain.deepest()) return;
+  const auto& n = domain.roots();
+  refuse(option, std::to_string(level),
+         "a level up to " + std::to_string(domain.deepest()) + ", the finest with " +
+             std::to_string(std::max({n.i, n.j, n.k})) + " roots along a side; see --roots");
+}
+
+void requireLevels(const RefinementOptions& options, const OctreeDomain<double>& domain) {
+  const auto& rules = options.rules;
+  requireLevel("--level", rules.cut, domain);
+  for (const auto& band : rules.bands) requireLevel("--band", band.level, domain);
+  for (const auto& patch : options.patches) requireLevel("--patch", patch.level, domain);
+  if (rules.curvature) requireLevel("--curvature", rules.curvature->level, domain);
+  if (rules.edges) requireLevel("--edges", rules.edges->level, domain);
+  if (rules.gaps) requireLevel("--gaps", rules.gaps->level, domain);
+  if (rules.walls) requireLevel("--walls", rules.walls->level, domain);
+}
 
 }  // namespace
 
@@ -24,18 +41,19 @@ void addMeshOptions(CLI::App& command, MeshOptions& options) {
       .add_option_function<std::string>(
           "--roots",
           [&](const std::string& text) {
-            options.roots.cells = sizes("--roots", text);
-            if (options.roots.cells.size() != 1) refuse("--roots", text, "one number");
+            options.roots.cells = sizes("--roots", text, kRoots);
+            if (options.roots.cells.size() != 1) refuse("--roots", text, kRoots);
           },
           "Cubes of level 0, N along the longest side; without it: 16")
       ->type_name("N");
   addPlaceOptions(command, options.roots);
-  command
-      .add_option("--balance", options.balance,
-                  "Neighbours that differ by one level at most: across what; without it: corner")
-      ->transform(CLI::CheckedTransformer(kBalances))
-      ->type_name("none|face|edge|corner")
-      ->option_text("none|face|edge|corner");
+  addChoice<Balance>(
+      command, "--balance", options.balance,
+      {{"none", Balance::None},
+       {"face", Balance::Face},
+       {"edge", Balance::Edge},
+       {"corner", Balance::Corner}},
+      "Neighbours that differ by one level at most: across what; without it: corner");
   command
       .add_option(
           "--write", options.write,
@@ -49,10 +67,13 @@ void addMeshOptions(CLI::App& command, MeshOptions& options) {
       ->type_name("distance,normal,patch,patches,class,level");
 }
 
-OctreeDomain<double> domainAround(const Box<double>& surface, const GridRequest& request) {
-  const auto roots = gridAround(surface, request);
+OctreeDomain<double> domainAround(const Box<double>& surface, const MeshOptions& options) {
+  const auto roots = gridAround(surface, options.roots);
   const auto& n = roots.indices.hi;
-  return {roots.level.origin(), roots.level.spacing().x, {n.i + 1, n.j + 1, n.k + 1}};
+  const OctreeDomain<double> domain(roots.level.origin(), roots.level.spacing().x,
+                                    {n.i + 1, n.j + 1, n.k + 1});
+  requireLevels(options.refinement, domain);
+  return domain;
 }
 
 }  // namespace cutwater::tool

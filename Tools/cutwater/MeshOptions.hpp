@@ -20,7 +20,8 @@ struct MeshOptions {
 void addMeshOptions(CLI::App& command, MeshOptions& options);
 
 /// @throws Error as gridAround().
+/// @throws CLI::ValidationError for an option with a level that is too fine for so many roots.
 [[nodiscard]] OctreeDomain<double> domainAround(const Box<double>& surface,
-                                                const GridRequest& request);
+                                                const MeshOptions& options);
 
 }  // namespace cutwater::tool

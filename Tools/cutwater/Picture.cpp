@@ -77,28 +77,18 @@ SliceWindow<double> windowAround(const Box<double>& box, const SlicePlane<double
 
 }  // namespace
 
-CLI::Option& addPictureFile(CLI::App& command, const std::string& names, const std::string& help,
-                            std::string& path) {
-  return *command
-              .add_option_function<std::string>(
-                  names,
-                  [&, name = names.substr(names.find("--"))](const std::string& text) {
-                    requireExtension(name, text, {".png"});
-                    path = text;
-                  },
-                  help)
-              ->type_name("FILE.png");
-}
-
 void addSizeOption(CLI::App& command, int& width, int& height) {
   command
       .add_option_function<std::string>(
           "--size",
           [&](const std::string& text) {
-            const auto size = sizes("--size", text);
+            constexpr const char* kNeed =
+                "WIDTHxHEIGHT from 320x240, up to 32768 along a side and 2^26 pixels in all";
+            constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
+            const auto size = sizes("--size", text, kNeed);
             if (size.size() != 2 || size[0] < 320 || size[1] < 240 || size[0] > Image::kMaxSize ||
-                size[1] > Image::kMaxSize) {
-              refuse("--size", text, "WIDTHxHEIGHT from 320x240 to 32768x32768");
+                size[1] > Image::kMaxSize || std::int64_t{size[0]} * size[1] > kMostPixels) {
+              refuse("--size", text, kNeed);
             }
             width = size[0];
             height = size[1];

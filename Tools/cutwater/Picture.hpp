@@ -22,9 +22,6 @@ struct PictureOptions {
   SliceOptions<double> slice;
 };
 
-/// Adds an option for the picture's file, as in "-o,--output".
-CLI::Option& addPictureFile(CLI::App& command, const std::string& names, const std::string& help,
-                            std::string& path);
 /// Adds --size.
 void addSizeOption(CLI::App& command, int& width, int& height);
 void addPictureOptions(CLI::App& command, PictureOptions& options);

@@ -1,10 +1,13 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
+#include "Arguments.hpp"
 #include "Commands.hpp"
 #include "Format.hpp"
+#include "OutputFile.hpp"
 #include "Surface.hpp"
 
 namespace cutwater::tool {
@@ -32,6 +35,13 @@ void prepare(const Options& options, const MeshSDF<T>& solid, double seconds) {
             << ", opened and verified in " << duration(secondsToOpen) << '\n';
 }
 
+/// Any name but those of other files, as it is the content that tells what a file is.
+void requireOwnName(const std::string& path) {
+  constexpr const char* kOthers[] = {".stl", ".ply", ".obj", ".off", ".vtk", ".gz", ".toml"};
+  const bool isOther = path == "-" || std::ranges::count(kOthers, extensionOf(path)) > 0;
+  if (isOther) refuse("--output", path, "a name for a prepared file, such as FILE.cutwater");
+}
+
 void run(const Options& options) {
   Stopwatch watch;
   if (options.inFloat) {
@@ -51,7 +61,15 @@ void addPrepare(CLI::App& program) {
       "prepare", "Build a surface's tree and signs once, as a file that is ready to be used");
   addSurfaceOptions(command, options->surface);
   addSignOptions(command, options->surface);
-  command.add_option("-o,--output", options->output, "The geometry file to write")
+  command
+      .add_option_function<std::string>(
+          "-o,--output",
+          [=](const std::string& path) {
+            requireOwnName(path);
+            requireFolder(path);
+            options->output = path;
+          },
+          "The geometry file to write")
       ->required()
       ->type_name("FILE.cutwater");
   command.add_flag("--float", options->inFloat,

@@ -27,22 +27,26 @@ Leveled leveled(const std::string& option, const std::string& text, const std::s
   return {text.substr(0, colon), std::stoi(level)};
 }
 
+/// The same where a number stands before the only colon.
+Leveled leveledNumber(const std::string& option, const std::string& text, const std::string& need) {
+  if (text.find(':') != text.rfind(':')) refuse(option, text, need);
+  return leveled(option, text, need);
+}
+
 Refinement<double>::Band bandOf(const std::string& text) {
-  const auto [what, level] = leveled("--band", text, "a distance and a level: 0.5:4");
+  const auto [what, level] = leveledNumber("--band", text, "a distance and a level: 0.5:4");
   const double distance = numbers("--band", what, 1).front();
   if (distance < 0) refuse("--band", text, "a distance from 0");
   return {distance, level};
 }
 
-Refinement<double>::Angle angleOf(const std::string& option, const std::string& text) {
-  const auto [what, level] = leveled(option, text, "degrees and a level: 20:7");
-  const double degrees = positiveNumber(option, what);
-  if (degrees >= 180) refuse(option, text, "an angle below 180 degrees");
-  return {degrees, level};
+Refinement<double>::Angle leveledAngle(const std::string& option, const std::string& text) {
+  const auto [what, level] = leveledNumber(option, text, "degrees and a level: 20:7");
+  return {angleOf(option, what), level};
 }
 
 Refinement<double>::Width widthOf(const std::string& option, const std::string& text) {
-  const auto [what, level] = leveled(option, text, "a number of cells and a level: 4:8");
+  const auto [what, level] = leveledNumber(option, text, "a number of cells and a level: 4:8");
   return {positiveNumber(option, what), level};
 }
 
@@ -86,10 +90,10 @@ void addRefinementOptions(CLI::App& command, RefinementOptions& options) {
           [&](const std::string& text) { options.patches.push_back(patchOf(text)); });
   addRule(command, "--curvature", "DEGREES:LEVEL",
           "Refine cells in which the surface's normals differ by more than this angle",
-          [&](const std::string& text) { rules.curvature = angleOf("--curvature", text); });
+          [&](const std::string& text) { rules.curvature = leveledAngle("--curvature", text); });
   addRule(command, "--edges", "DEGREES:LEVEL",
           "Refine cells that meet an edge at which the surface bends by more than this angle",
-          [&](const std::string& text) { rules.edges = angleOf("--edges", text); });
+          [&](const std::string& text) { rules.edges = leveledAngle("--edges", text); });
   addRule(command, "--gaps", "CELLS:LEVEL",
           "Refine gaps until there are so many cells between sheets that face each other",
           [&](const std::string& text) { rules.gaps = widthOf("--gaps", text); });

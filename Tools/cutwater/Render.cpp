@@ -12,6 +12,7 @@
 #include "Arguments.hpp"
 #include "Commands.hpp"
 #include "Format.hpp"
+#include "OutputFile.hpp"
 #include "Picture.hpp"
 #include "ProgressBar.hpp"
 
@@ -200,7 +201,7 @@ void addRender(CLI::App& program) {
       "render", "Draw the surface as a PNG picture, shaded, with cuts and colours of patches");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
-  addPictureFile(command, "-o,--output", "The picture to write", options->output).required();
+  addOutput(command, "-o,--output", options->output, {".png"}, "The picture to write").required();
   addCameraOptions(command, *options);
   addLookOptions(command, *options);
   command.footer(

@@ -195,9 +195,8 @@ void addRepair(CLI::App& program) {
   auto& command = *program.add_subcommand(
       "repair", "Clean a surface and close its openings, and say what was done and what is left");
   addSurfaceOptions(command, options->surface);
-  auto& output = *command.add_option("-o,--output", options->output)->required()->type_name("FILE");
+  addSurfaceOutput(command, "-o,--output", options->output, options->write);
   addRepairOptions(command, options->repair);
-  addOutputOptions(command, output, options->write);
   command.add_flag("--require-watertight", options->requireWatertight,
                    "Write nothing, and fail, unless the result bounds a solid");
   command.add_flag("--json", options->json, "Say what was done in JSON, for programs");

@@ -6,10 +6,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "Arguments.hpp"
+#include "Choice.hpp"
 #include "Format.hpp"
 
 namespace cutwater::tool {
@@ -18,10 +18,10 @@ namespace {
 
 using Step = std::function<StepReport(PolygonSoup&)>;
 
-const std::map<std::string, NestedShells>& nestings() {
-  static const std::map<std::string, NestedShells> all{{"as-they-are", NestedShells::AsTheyAre},
-                                                       {"cavities", NestedShells::Cavities},
-                                                       {"solids", NestedShells::Solids}};
+const Choices<NestedShells>& nestings() {
+  static const Choices<NestedShells> all{{"as-they-are", NestedShells::AsTheyAre},
+                                         {"cavities", NestedShells::Cavities},
+                                         {"solids", NestedShells::Solids}};
   return all;
 }
 
@@ -46,8 +46,9 @@ SurfacePlane planeOf(const OpeningOption& option, const std::string& text) {
     plane.normal[axis] = 1;
     return plane;
   }
-  const auto v = numbers(option.name, text);
-  constexpr const char* kNeed = "z=0, or a point and a normal: px,py,pz,nx,ny,nz";
+  constexpr const char* kNeed =
+      "a plane: AXIS=VALUE as in z=0, or a point and a normal: px,py,pz,nx,ny,nz";
+  const auto v = numbers(option.name, text, kNeed);
   if (v.size() != 6 || (v[3] == 0 && v[4] == 0 && v[5] == 0)) refuse(option.name, text, kNeed);
   return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }
@@ -130,12 +131,9 @@ void addCleanOptions(CLI::App& command, CleanOptions& options) {
       "--cancel-opposite", [&](std::int64_t) { options.opposite = OppositeFaces::Cancel; },
       "Remove pairs of equal faces that look opposite ways; panels of no thickness are made of "
       "them, too");
-  command
-      .add_option("--nested", options.nested,
-                  "Shells within shells: a cavity if it is turned like one, by turns cavities "
-                  "and solids, or all solids; without it: as-they-are")
-      ->transform(CLI::CheckedTransformer(nestings()).description(""))
-      ->type_name("as-they-are|cavities|solids");
+  addChoice(command, "--nested", options.nested, nestings(),
+            "Shells within shells: a cavity if it is turned like one, by turns cavities and "
+            "solids, or all solids; without it: as-they-are");
   command.add_flag_function(
       "--no-orient", [&](std::int64_t) { options.orient = false; },
       "Leave faces turned as they are");

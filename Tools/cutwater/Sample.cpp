@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Fill.hpp>
 #include <Cutwater/Io/Vti.hpp>
 
@@ -5,10 +6,12 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <unistd.h>
 
 #include "Arguments.hpp"
 #include "Commands.hpp"
 #include "Format.hpp"
+#include "OutputFile.hpp"
 #include "ProgressBar.hpp"
 #include "SampleGrid.hpp"
 #include "Surface.hpp"
@@ -37,7 +40,10 @@ class Fields {
       } else if (name == "patch" && patch_.empty()) {
         patch_.resize(box.count());
         targets_.patch = GridView<std::uint32_t>::contiguous(patch_.data(), box);
-        arrays_.push_back({name, std::span<const std::uint32_t>(patch_)});
+        // Where there is none, viewers get -1.
+        static_assert(static_cast<std::int32_t>(kNone) == -1);
+        const auto* const first = reinterpret_cast<const std::int32_t*>(patch_.data());
+        arrays_.push_back({name, std::span(first, patch_.size())});
       }
     }
   }
@@ -70,9 +76,23 @@ void report(const Options& options, const Patch<double>& grid, const Fields& fie
   std::cout << "sampled in " << duration(seconds) << ", " << number(each * 1e9, 3) << " ns each\n";
 }
 
+/// @throws Error if the values cannot be in memory all at once.
+void requireMemory(const IndexBox& grid, const std::vector<std::string>& names) {
+  const std::size_t each = (std::ranges::count(names, "distance") > 0 ? sizeof(double) : 0) +
+                           (std::ranges::count(names, "patch") > 0 ? sizeof(std::uint32_t) : 0);
+  const auto most = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
+                    static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t needed = grid.count() * each;
+  if (needed <= most) return;
+  throw Error(ErrorKind::Limit, "the grid's " + grouped(grid.count()) + " values take " +
+                                    bytes(needed) + ", and this machine has " + bytes(most) +
+                                    " of memory; use fewer --cells");
+}
+
 void run(const Options& options) {
   const auto solid = loadSolid(options.surface);
   const auto grid = gridAround(boxAround(solid), options.grid);
+  requireMemory(grid.indices, options.write);
   const Fields fields(grid.indices, options.write);
   Stopwatch watch;
   {
@@ -93,9 +113,7 @@ void addSample(CLI::App& program) {
       "sample", "Sample the signed distance on a grid, as a VTK image that ParaView opens");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
-  command.add_option("-o,--output", options->output, "The image to write")
-      ->required()
-      ->type_name("FILE.vti");
+  addOutput(command, "-o,--output", options->output, {".vti"}, "The image to write").required();
   addSizeOptions(command, options->grid);
   addPlaceOptions(command, options->grid);
   command.add_flag("--nodes", options->grid.nodes,
@@ -104,10 +122,13 @@ void addSample(CLI::App& program) {
       .add_option_function<std::string>(
           "--band",
           [=](const std::string& text) { options->band = positiveNumber("--band", text); },
-          "Tell distances within so many cells of the surface; beyond, just this width and the "
-          "sign")
+          "Tell distances within so many cells of the surface, by the smallest of their sides; "
+          "beyond, just this width and the sign")
       ->type_name("CELLS");
-  command.add_option("--write", options->write, "What to write; without it: distance")
+  command
+      .add_option("--write", options->write,
+                  "What to write; patch is that of the closest surface point, -1 beyond the band; "
+                  "without it: distance")
       ->delimiter(',')
       ->check(CLI::IsMember({"distance", "patch"}))
       ->type_name("distance,patch");

@@ -72,20 +72,20 @@ void addSizeOptions(CLI::App& command, GridRequest& grid) {
   auto* cells = command.add_option_function<std::string>(
       "--cells",
       [&](const std::string& text) {
-        grid.cells = sizes("--cells", text);
-        if (grid.cells.size() != 1 && grid.cells.size() != 3) {
-          refuse("--cells", text, "one number or three: 200 or 200x80x40");
-        }
+        constexpr const char* kNeed = "one whole number above 0 or three: 200 or 200x80x40";
+        grid.cells = sizes("--cells", text, kNeed);
+        if (grid.cells.size() != 1 && grid.cells.size() != 3) refuse("--cells", text, kNeed);
       },
       "Cubic cells, N along the longest side; or so many along each axis; without it: 128");
   cells->type_name("N|NXxNYxNZ");
   auto* spacing = command.add_option_function<std::string>(
       "--spacing",
       [&](const std::string& text) {
-        grid.spacing = numbers("--spacing", text);
+        constexpr const char* kNeed = "one number above 0 or three: 0.1 or 0.1,0.1,0.2";
+        grid.spacing = numbers("--spacing", text, kNeed);
         if ((grid.spacing.size() != 1 && grid.spacing.size() != 3) ||
             *std::min_element(grid.spacing.begin(), grid.spacing.end()) <= 0) {
-          refuse("--spacing", text, "one number above 0 or three");
+          refuse("--spacing", text, kNeed);
         }
       },
       "Sides of a cell, instead of --cells");

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <memory>
 
 #include "Commands.hpp"
 
@@ -10,13 +11,13 @@ namespace cutwater::tool {
 void addScene(CLI::App& program) {
   auto& command = *program.add_subcommand("scene",
                                           "Say what a scene may hold: a TOML file that describes "
-                                          "solids, for sample, amr, slice, render "
-                                          "and info");
-  command
-      .add_flag_callback(
-          "--keys", [] { std::cout << sceneKeys(); },
-          "Every shape, mesh, lattice and operator, and each key with its default")
-      ->required();
+                                          "solids, for info, sample, amr, slice, render "
+                                          "and isosurface");
+  const auto keys = std::make_shared<bool>(false);
+  command.add_flag("--keys", *keys,
+                   "Every shape, mesh, lattice and operator, and each key with its default; "
+                   "without it: this help");
+  command.callback([&program, keys] { std::cout << (*keys ? sceneKeys() : program.help()); });
   command.footer(
       "A scene:\n"
       "  [pipe]\n"

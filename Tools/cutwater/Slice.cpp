@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "Commands.hpp"
+#include "OutputFile.hpp"
 #include "Picture.hpp"
 
 namespace cutwater::tool {
@@ -21,7 +22,7 @@ void addSlice(CLI::App& program) {
       "slice", "Draw the signed distance in a plane, with the surface's outline, as a PNG picture");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
-  addPictureFile(command, "-o,--output", "The picture to write", options->picture.output)
+  addOutput(command, "-o,--output", options->picture.output, {".png"}, "The picture to write")
       .required();
   addPictureOptions(command, options->picture);
   command.footer(

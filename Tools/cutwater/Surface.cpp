@@ -12,9 +12,9 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <map>
 
 #include "Arguments.hpp"
+#include "Choice.hpp"
 #include "Format.hpp"
 
 namespace cutwater::tool {
@@ -22,16 +22,15 @@ namespace cutwater::tool {
 namespace {
 
 void rotate(RigidTransform<double>& placement, const std::string& text) {
+  constexpr const char* kNeed = "degrees and an axis, x, y or z or three numbers: 90,x or 30,1,1,0";
   const auto comma = text.find(',');
   const auto axis = comma == std::string::npos ? std::string() : text.substr(comma + 1);
   if (axis == "x" || axis == "y" || axis == "z") {
-    placement.rotate(numbers("--rotate", text.substr(0, comma), 1).front(),
+    placement.rotate(numbers("--rotate", text.substr(0, comma), kNeed).front(),
                      axisOf("--rotate", axis));
     return;
   }
-  constexpr const char* kNeed = "degrees and an axis: 90,x or 30,1,1,0";
-  if (text.find_first_of("xyz") != std::string::npos) refuse("--rotate", text, kNeed);
-  const auto values = numbers("--rotate", text);
+  const auto values = numbers("--rotate", text, kNeed);
   if (values.size() != 4 || (values[1] == 0 && values[2] == 0 && values[3] == 0)) {
     refuse("--rotate", text, kNeed);
   }
@@ -100,6 +99,9 @@ void addSurfaceOptions(CLI::App& command, SurfaceOptions& options, Reads reads) 
                   "STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed, or what 'cutwater "
                   "prepare' wrote" +
                       scenes)
+      ->check([](const std::string& text) {
+        return text == "-" ? "'-': standard input is called /dev/stdin" : "";
+      })
       ->required();
   command
       .add_option_function<std::string>(
@@ -139,16 +141,13 @@ void addSurfaceOptions(CLI::App& command, SurfaceOptions& options, Reads reads) 
 }
 
 void addSignOptions(CLI::App& command, SurfaceOptions& options) {
-  static const std::map<std::string, SignScheme> kSchemes{{"auto", SignScheme::Automatic},
-                                                          {"nearest", SignScheme::NearestFeature},
-                                                          {"winding", SignScheme::WindingNumber}};
-  command
-      .add_option("--signs", options.solid.signs,
-                  "How to tell inside from outside: by the nearest faces, or by how often the "
-                  "surface goes round a point (for open and overlapping surfaces); without it: "
-                  "as a check of the surface suggests")
-      ->transform(CLI::CheckedTransformer(kSchemes).description(""))
-      ->type_name("auto|nearest|winding");
+  addChoice<SignScheme>(command, "--signs", options.solid.signs,
+                        {{"auto", SignScheme::Automatic},
+                         {"nearest", SignScheme::NearestFeature},
+                         {"winding", SignScheme::WindingNumber}},
+                        "How to tell inside from outside: by the nearest faces, or by how often "
+                        "the surface goes round a point (for open and overlapping surfaces); "
+                        "without it: as a check of the surface suggests");
   command.add_flag("--require-watertight", options.solid.requireWatertight,
                    "Refuse a surface that does not bound a solid");
 }
@@ -160,8 +159,9 @@ bool isScene(const SurfaceOptions& options) {
 LoadedSurface load(const SurfaceOptions& options) {
   if (isScene(options)) {
     throw Error(ErrorKind::File, options.file +
-                                     ": a scene has no surface mesh to work on; sample, "
-                                     "amr, slice, render and info take scenes");
+                                     ": a scene has no surface mesh to work on; 'cutwater "
+                                     "isosurface' makes one of it, and info, sample, amr, slice "
+                                     "and render take scenes");
   }
   if (const auto info = geometryFileInfo(options.file)) {
     return info->bytesPerNumber == sizeof(float) ? loadPrepared<float>(options, *info)

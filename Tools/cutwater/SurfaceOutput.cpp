@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "Format.hpp"
+#include "OutputFile.hpp"
 #include "Surface.hpp"
 
 namespace cutwater::tool {
@@ -52,10 +53,12 @@ std::string rounded(const std::string& file, PolygonSoup& soup) {
 
 }  // namespace
 
-void addOutputOptions(CLI::App& command, CLI::Option& file, WriteOptions& options) {
-  file.description(
-      "The surface to write; its extension tells the format: stl, ply, obj, off, vtk; only obj, "
-      "and stl with --ascii, keep patches");
+void addSurfaceOutput(CLI::App& command, const std::string& names, std::string& output,
+                      WriteOptions& options) {
+  addOutput(command, names, output, {".stl", ".ply", ".obj", ".off", ".vtk"},
+            "The surface to write; its extension tells the format: stl, ply, obj, off, vtk; only "
+            "obj, and stl with --ascii, keep patches")
+      .required();
   command.add_flag("--ascii", options.ascii, "Text where the format has both (STL, PLY, VTK)");
 }
 

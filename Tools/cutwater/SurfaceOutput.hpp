@@ -7,7 +7,6 @@
 
 namespace CLI {
 class App;
-class Option;
 }  // namespace CLI
 
 namespace cutwater::tool {
@@ -20,8 +19,9 @@ struct SurfaceOutput {
   std::vector<std::string> losses;
 };
 
-/// Adds --ascii to the command, and to the option for the surface's file its meaning.
-void addOutputOptions(CLI::App& command, CLI::Option& file, WriteOptions& options);
+/// Adds a required option for the surface's file, as in "-o,--output", and --ascii.
+void addSurfaceOutput(CLI::App& command, const std::string& names, std::string& output,
+                      WriteOptions& options);
 
 /// STL holds only triangles, so polygons are triangulated for it. Binary STL has single precision:
 /// coordinates are rounded, and points that become equal are merged.

@@ -10,7 +10,6 @@ namespace {
 
 using cutwater::tool::failed;
 using cutwater::tool::kFailed;
-using cutwater::tool::kUsage;
 
 void describe(CLI::App& program) {
   program.name("cutwater");
@@ -51,7 +50,7 @@ int run(int argc, const char* const* argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version: to stdout
-    return failed("cutwater", error.what(), kUsage);
+    return failed(program, error);
   }
   std::cout.flush();
   return std::cout ? 0 : failed("cutwater", "cannot write to standard output", kFailed);
