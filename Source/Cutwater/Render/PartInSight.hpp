@@ -15,9 +15,9 @@ namespace cutwater::detail {
 [[nodiscard]] std::optional<Frame> partInSight(SampleTracer trace, const Frame& frame,
                                                const ParallelOptions& options);
 
-/// The part of a frame within which the solid is certain to be, from the corners of its surface;
-/// nothing if that does not consist of flat pieces. A solid by winding numbers lies within the
-/// convex hull of its sheets.
+/// The part of a frame in which the corners of the solid's surface are; nothing if that does not
+/// consist of flat pieces. A solid by winding numbers lies within the convex hull of its sheets,
+/// unless several of them are one behind the other.
 template <std::floating_point T>
 [[nodiscard]] std::optional<Frame> partOfFacets(const SignedDistanceFunction<T>& solid,
                                                 const Camera& camera, const Frame& frame);
