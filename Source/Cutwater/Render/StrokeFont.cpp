@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 95> kGlyphs{
     "-0969 -363C",                        // +
     "-1401",                              // ,
     "-0949",                              // -
-    "-0404",                              // .
+    "-14241525",                          // . (large enough for small text)
     "-026H",                              // /
     "o04747G0G",                          // 0
     "-1D4G44",                            // 1
