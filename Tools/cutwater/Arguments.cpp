@@ -8,6 +8,8 @@
 #include <optional>
 #include <string_view>
 
+#include "Format.hpp"
+
 namespace cutwater::tool {
 
 namespace {
@@ -102,9 +104,7 @@ std::size_t choiceOf(const std::string& option, const std::string& text,
                      const std::vector<std::string>& choices) {
   const auto found = std::ranges::find(choices, text);
   if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
-  std::string all;
-  for (const auto& choice : choices) all += (all.empty() ? "" : ", ") + choice;
-  refuse(option, text, "one of " + all);
+  refuse(option, text, "one of " + listed(choices));
 }
 
 }  // namespace cutwater::tool

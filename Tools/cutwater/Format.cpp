@@ -88,6 +88,12 @@ std::string fileWord(const std::string& file) {
   return shellWord(file.starts_with('-') ? "./" + file : file);
 }
 
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
 std::string leftAligned(std::string_view text, std::size_t width) {
   return std::string(text) + std::string(width > text.size() ? width - text.size() : 0, ' ');
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // Numbers formatted for people; the same in every locale.
 namespace cutwater::tool {
@@ -34,6 +35,8 @@ namespace cutwater::tool {
 [[nodiscard]] std::string shellWord(const std::string& text);
 /// The same for the name of a file, which no command takes for an option.
 [[nodiscard]] std::string fileWord(const std::string& file);
+/// "a, b, c"
+[[nodiscard]] std::string listed(const std::vector<std::string>& words);
 /// Padded with blanks to `width`.
 [[nodiscard]] std::string leftAligned(std::string_view text, std::size_t width);
 [[nodiscard]] std::string rightAligned(std::string_view text, std::size_t width);

@@ -109,8 +109,8 @@ void requireOptionsOf(const Options& options, const CLI::App& command) {
   const auto& shape = shapes().at(options.shape);
   for (const char* name : {"--radius", "--minor", "--height", "--size", "--parts"}) {
     if (command.count(name) == 0 || std::ranges::count(shape.options, name) > 0) continue;
-    throw CLI::ValidationError(name, withArticle(options.shape) + " has no such option; it has " +
-                                         CLI::detail::join(shape.options, ", "));
+    throw CLI::ValidationError(
+        name, withArticle(options.shape) + " has no such option; it has " + listed(shape.options));
   }
   if (options.shape == "torus" && options.minor >= options.radius) {
     refuse("--minor", number(options.minor), "less than --radius, here " + number(options.radius));

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "Arguments.hpp"
+#include "Format.hpp"
 #include "Surface.hpp"
 
 namespace cutwater::tool {
@@ -17,9 +18,7 @@ void requireExtension(const std::string& option, const std::string& path,
   const bool isGood =
       path.starts_with("/dev/") || std::ranges::count(extensions, extensionOf(path)) > 0;
   if (isGood) return;
-  std::string all;
-  for (const auto& extension : extensions) all += (all.empty() ? "" : ", ") + extension;
-  refuse(option, path, "a name that ends in " + all);
+  refuse(option, path, "a name that ends in " + listed(extensions));
 }
 
 void requireFolder(const std::string& path) {

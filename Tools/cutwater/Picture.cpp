@@ -1,6 +1,7 @@
 #include "Picture.hpp"
 
 #include <Cutwater/Io/Png.hpp>
+#include <Cutwater/Render/Render.hpp>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -84,10 +85,10 @@ void addSizeOption(CLI::App& command, int& width, int& height) {
           [&](const std::string& text) {
             constexpr const char* kNeed =
                 "WIDTHxHEIGHT from 320x240, up to 32768 along a side and 2^26 pixels in all";
-            constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
             const auto size = sizes("--size", text, kNeed);
             if (size.size() != 2 || size[0] < 320 || size[1] < 240 || size[0] > Image::kMaxSize ||
-                size[1] > Image::kMaxSize || std::int64_t{size[0]} * size[1] > kMostPixels) {
+                size[1] > Image::kMaxSize ||
+                std::int64_t{size[0]} * size[1] > RenderOptions::kMostPixels) {
               refuse("--size", text, kNeed);
             }
             width = size[0];

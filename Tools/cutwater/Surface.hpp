@@ -91,9 +91,6 @@ template <std::floating_point T = double>
 /// The extension in lower case: ".stl".
 [[nodiscard]] std::string extensionOf(const std::string& file);
 
-/// The extension in lower case: ".stl".
-[[nodiscard]] std::string extensionOf(const std::string& file);
-
 /// The file's name for people: "hull.stl.gz".
 [[nodiscard]] std::string fileName(const SurfaceOptions& options);
 

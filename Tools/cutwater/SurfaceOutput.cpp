@@ -1,6 +1,7 @@
 #include "SurfaceOutput.hpp"
 
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Mesh/Triangulation.hpp>
 
 #include <CLI/CLI.hpp>
@@ -13,17 +14,13 @@ namespace cutwater::tool {
 
 namespace {
 
-/// For each polygon whether it has an area: its Newell normal is not zero.
 std::vector<bool> polygonsWithArea(const PolygonSoup& soup) {
   std::vector<bool> result(soup.polygonCount());
+  std::vector<Vec3<double>> corners;
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const auto corners = soup.polygon(i);
-    Vec3<double> normal{};
-    for (std::size_t k = 2; k < corners.size(); ++k) {
-      const auto& origin = soup.points[corners[0]];
-      normal += cross(soup.points[corners[k - 1]] - origin, soup.points[corners[k]] - origin);
-    }
-    result[i] = normal != Vec3<double>{};
+    corners.clear();
+    for (const auto v : soup.polygon(i)) corners.push_back(soup.points[v]);
+    result[i] = polygonArea(corners).normal != Vec3<double>{};
   }
   return result;
 }

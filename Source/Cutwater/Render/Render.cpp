@@ -26,7 +26,6 @@ using detail::RenderLayout;
 using detail::SphereTracer;
 using detail::SurfaceSample;
 
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
 constexpr double kUsualFieldOfView = 30;
 /// Margin around the solid, as a fraction of the picture: rays that pass it within this margin
 /// detect that.
@@ -59,7 +58,7 @@ void checkDirections(const RenderOptions& options) {
 
 void check(const RenderOptions& options) {
   require(options.width >= 320 && options.height >= 240 &&
-              std::int64_t{options.width} * options.height <= kMostPixels,
+              std::int64_t{options.width} * options.height <= RenderOptions::kMostPixels,
           "render: need at least 320 x 240 and at most 2^26 pixels", Named{"width", options.width},
           Named{"height", options.height});
   require(options.fieldOfView >= 0 && options.fieldOfView <= 150,

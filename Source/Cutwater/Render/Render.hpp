@@ -32,6 +32,9 @@ struct RenderOptions {
   /// patches with the same name share one.
   std::optional<Rgb> color = {};
   Rgb cutColor{238, 214, 170};
+
+  /// Of a picture, in all.
+  static constexpr std::int64_t kMostPixels = std::int64_t{1} << 26;
   int width = 1600;          ///< of the picture, pixels
   int height = 1000;         ///< of the picture, pixels
   bool transparent = false;  ///< background, instead of white

@@ -33,10 +33,7 @@ std::string shortened(const std::string& text, double capHeight, double room) {
     const bool fits = textLength(text.substr(0, middle) + "..", capHeight) <= room;
     (fits ? least : most) = fits ? middle : middle - 1;
   }
-  const auto isWithinCharacter = [&] {
-    return (static_cast<unsigned char>(text[least]) >> 6U) == 2;
-  };
-  while (least > 0 && isWithinCharacter()) --least;  // UTF-8
+  while (least > 0 && continuesCharacter(text[least])) --least;
   return text.substr(0, least) + "..";
 }
 

@@ -253,7 +253,7 @@ const std::vector<Glyph>& font() {
 const Glyph& nextGlyph(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   std::size_t size = 1;
-  while (size < text.size() && (byte(size) & 0xC0U) == 0x80U) ++size;
+  while (size < text.size() && detail::continuesCharacter(text[size])) ++size;
   std::size_t index = '?' - ' ';
   if (' ' <= text[0] && text[0] <= '~') index = static_cast<std::size_t>(text[0] - ' ');
   if (size == 2 && (byte(0) == 0xC2 || byte(0) == 0xC3)) {

@@ -19,6 +19,15 @@ struct TextStyle {
   bool upwards = false;                   ///< reads from bottom to top
 };
 
+namespace detail {
+
+/// Whether a byte of UTF-8 belongs to the character of the one before it.
+[[nodiscard]] constexpr bool continuesCharacter(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
+
+}  // namespace detail
+
 /// Length of the line in pixels.
 [[nodiscard]] double textLength(std::string_view text, double capHeight);
 
