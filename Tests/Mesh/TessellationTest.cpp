@@ -95,18 +95,17 @@ TEST(Tessellation, CapsulesAreRoundAtBothEnds) {
 }
 
 TEST(Tessellation, SolidsAreOnePatchOfTheirName) {
-  using namespace tessellation;
-  const std::array<ProfilePoint, 3> ring{{{1, 0}, {2, 0}, {1, 1}}};
-  const std::array<ProfilePoint, 2> wall{{{1, 0}, {1, 1}}};
+  const std::array<tessellation::ProfilePoint, 3> ring{{{1, 0}, {2, 0}, {1, 1}}};
+  const std::array<tessellation::ProfilePoint, 2> wall{{{1, 0}, {1, 1}}};
   const std::vector<std::pair<PolygonSoup, std::string>> solids{
-      {icosphere(1, 1), "sphere"},
-      {box({0, 0, 0}, {1, 1, 1}), "box"},
-      {torus(2, 1, 8, 8), "torus"},
-      {cylinder(1, 1, 8), "cylinder"},
-      {cone(1, 1, 8), "cone"},
-      {capsule(1, 1, 8, 2), "capsule"},
-      {revolve(ring, 8, ProfileEnds::Closed), "revolution"},
-      {revolve(wall, 8, ProfileEnds::OnAxis), "revolution"}};
+      {tessellation::icosphere(1, 1), "sphere"},
+      {tessellation::box({0, 0, 0}, {1, 1, 1}), "box"},
+      {tessellation::torus(2, 1, 8, 8), "torus"},
+      {tessellation::cylinder(1, 1, 8), "cylinder"},
+      {tessellation::cone(1, 1, 8), "cone"},
+      {tessellation::capsule(1, 1, 8, 2), "capsule"},
+      {tessellation::revolve(ring, 8, tessellation::ProfileEnds::Closed), "revolution"},
+      {tessellation::revolve(wall, 8, tessellation::ProfileEnds::OnAxis), "revolution"}};
   for (const auto& [soup, name] : solids) {
     EXPECT_EQ(soup.patchNames, std::vector<std::string>{name});
     EXPECT_EQ(soup.patches, std::vector<std::uint32_t>(soup.polygonCount(), 0)) << name;

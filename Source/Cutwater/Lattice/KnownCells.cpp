@@ -27,8 +27,10 @@ Struts joined(std::span<const Vec3<double>> from, std::span<const Vec3<double>> 
   for (const auto& a : from) {
     for (const auto& node : to) {
       for (int i = 0; i < 27; ++i) {
-        const Vec3<double> place{1.0 * (i % 3 - 1), 1.0 * (i / 3 % 3 - 1), 1.0 * (i / 9 - 1)};
-        const auto b = node + place;
+        const int x = i % 3;
+        const int y = i / 3 % 3;
+        const int z = i / 9;
+        const auto b = node + Vec3<double>{x - 1.0, y - 1.0, z - 1.0};
         const double distance = length(b - a);
         if (distance > UnitCell::kSame && distance < farthest + UnitCell::kSame)
           struts.push_back({a, b});
