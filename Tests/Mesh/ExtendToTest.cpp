@@ -1,4 +1,6 @@
+#include <Cutwater/Mesh/Cleaning/Clean.hpp>
 #include <Cutwater/Mesh/Cleaning/ExtendTo.hpp>
+#include <Cutwater/Mesh/SelfIntersections.hpp>
 
 #include <optional>
 
@@ -206,6 +208,71 @@ TEST(ExtendTo, RefusesOnePartAboveAnother) {
   const auto under = [](PolygonSoup& soup) { extendTo(soup, 2, -2); };
   EXPECT_EQ(refusal(together(withHole, smaller), under), std::nullopt);
   EXPECT_EQ(refusal(together(withHole, island), under), ErrorKind::Topology);
+}
+
+/// A surface of revolution about the z axis through rings of (radius, height).
+PolygonSoup vase(std::initializer_list<std::array<double, 2>> profile, std::uint32_t around = 24) {
+  PolygonSoup soup;
+  for (const auto& [radius, height] : profile) {
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const double angle = 2 * std::numbers::pi * i / around;
+      soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
+    }
+  }
+  for (std::uint32_t ring = 0; ring + 1 < profile.size(); ++ring) {
+    for (std::uint32_t i = 0; i < around; ++i) {
+      const std::uint32_t a = ring * around + i;
+      const std::uint32_t b = ring * around + (i + 1) % around;
+      soup.addPolygon(std::array{a, b, b + around, a + around});
+    }
+  }
+  clean(soup);  // rings of radius 0 become points
+  return soup;
+}
+
+TEST(ExtendTo, RefusesWallsThatWouldPassThroughTheSurface) {
+  const auto to = [](double level) {
+    return [level](PolygonSoup& soup) {
+      extendTo(soup, 2, level);
+      const DcelMesh<double> solid(soup);
+      EXPECT_TRUE(check(solid).isClosedOriented());
+      EXPECT_FALSE(findSelfIntersections(solid));
+    };
+  };
+  struct Case {
+    PolygonSoup soup;
+    bool mayGoDown;
+    bool mayGoUp;
+  };
+  const std::vector<Case> cases{
+      // A funnel is a terrain with a hole; an hourglass with a waist narrower than its foot is one
+      // that overhangs, but not its walls downward; with a belly it is the other way round.
+      {vase({{1, 0}, {2, 2}}), true, true},
+      {vase({{1, 0}, {0.5, 1}, {2, 2}}), true, false},
+      {vase({{1, 0}, {3, 1}, {2, 2}}), false, true},
+      // A bowl whose edge is bent outward, one whose edge is bent in, and that upside down.
+      {vase({{0, 0}, {2, 1}, {3, 0.5}}), true, true},
+      {vase({{0, 0}, {3, 1}, {2, 2}}), false, true},
+      {vase({{0, 2}, {3, 1}, {2, 0}}), true, false},
+      // A tank: walls down from its rim would lie on its sides.
+      {onlyFaces(cube(), [](std::size_t i) { return middleOf(cube(), i).z < 0.9; }), false, true},
+  };
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    for (const auto& soup : {cases[i].soup, insideOut(cases[i].soup)}) {
+      EXPECT_EQ(!refusal(soup, to(-1)), cases[i].mayGoDown) << i;
+      EXPECT_EQ(!refusal(soup, to(5)), cases[i].mayGoUp) << i;
+    }
+  }
+}
+
+TEST(ExtendTo, RefusesAnApronThatWouldPassThroughTheSurface) {
+  // An umbrella, whose edge hangs down below its rim: the apron would pass through what is above.
+  const auto umbrella = vase({{0, 2}, {3, -0.5}, {2, 0}});
+  const Box<double> box{{-5, -5, -1}, {5, 5, 3}};
+  EXPECT_EQ(refusal(umbrella, [](auto& soup) { extendTo(soup, 2, -1); }), std::nullopt);
+  EXPECT_EQ(refusal(umbrella, [&](auto& soup) { extendToBox(soup, box, 2); }), ErrorKind::Topology);
+  const auto mushroom = vase({{0, 2}, {3, 0.5}, {2, 0}});
+  EXPECT_EQ(refusal(mushroom, [&](auto& soup) { extendToBox(soup, box, 2); }), std::nullopt);
 }
 
 TEST(ExtendTo, AnApronLeavesHolesAndIslandsInThem) {

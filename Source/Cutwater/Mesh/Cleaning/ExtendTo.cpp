@@ -6,6 +6,7 @@
 #include <Cutwater/Mesh/Cleaning/PlaneFrame.hpp>
 #include <Cutwater/Mesh/Cleaning/SoupEdits.hpp>
 #include <Cutwater/Mesh/PolygonGeometry.hpp>
+#include <Cutwater/Mesh/SelfIntersections.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +119,23 @@ class Walls {
   std::vector<std::uint32_t> foot_;
 };
 
+/// Throws if a face from `firstAdded` on meets another in more than what they share.
+void requireClear(const PolygonSoup& soup, std::size_t firstAdded) {
+  const auto triangulation = triangulate(soup);
+  auto triangles = detail::indicesOf(triangulation.triangles);
+  const auto added =
+      std::ranges::lower_bound(triangulation.polygons, firstAdded) - triangulation.polygons.begin();
+  // Pairs are found in ascending order: what is added comes first.
+  const auto surface = std::rotate(triangles.begin(), triangles.begin() + added, triangles.end());
+  const auto found = findSelfIntersections<double>(soup.points, triangles, {.limit = 1});
+  if (!found) return;
+  const auto& [first, second] = found.pairs.examples.front();
+  if (index(first) >= static_cast<std::size_t>(surface - triangles.begin())) return;
+  throw Error(ErrorKind::Topology,
+              "extendTo: walls or apron would meet the surface, which hangs over or under a rim (" +
+                  detail::toText(Named{"near", soup.points[triangles[index(second)][0]]}) + ")");
+}
+
 /// Turns shells outward; throws if that leaves faces on the level that face the surface.
 void turnOutward(PolygonSoup& soup, std::size_t firstOnLevel, int axis, bool isBelow) {
   orientFaces(soup);
@@ -132,8 +150,9 @@ void turnOutward(PolygonSoup& soup, std::size_t firstOnLevel, int axis, bool isB
   }
 }
 
-void addWallsAndBottom(PolygonSoup& soup, int axis, double level, const ExtendOptions& options,
-                       OpeningReport& report) {
+/// `firstAdded`: the first face that is not part of the given surface.
+void addWallsAndBottom(PolygonSoup& soup, std::size_t firstAdded, int axis, double level,
+                       const ExtendOptions& options, OpeningReport& report) {
   requireBeyond(soup, axis, level);
   const auto rims = rimsOf(soup);
   const auto parts = partsAt(rims, soup);
@@ -147,6 +166,7 @@ void addWallsAndBottom(PolygonSoup& soup, int axis, double level, const ExtendOp
   }
   const auto filling = filled(soup, feet, axis);
   requireApart(soup, rims.loops, parts, filling);
+  requireClear(soup, firstAdded);
   const auto bottom = detail::patchNamed(soup, options.bottom);
   const std::size_t firstOnLevel = soup.polygonCount();
   for (const auto& triangle : filling.triangles) soup.addPolygon(triangle, bottom);
@@ -274,7 +294,7 @@ class Apron {
 
 OpeningReport extendTo(PolygonSoup& soup, int axis, double level, const ExtendOptions& options) {
   return extended(soup, [&](PolygonSoup& work, OpeningReport& report) {
-    addWallsAndBottom(work, axis, level, options, report);
+    addWallsAndBottom(work, soup.polygonCount(), axis, level, options, report);
   });
 }
 
@@ -287,7 +307,7 @@ OpeningReport extendToBox(PolygonSoup& soup, const Box<double>& box, int axis, B
   return extended(soup, [&](PolygonSoup& work, OpeningReport& report) {
     requireBeyond(work, axis, level);
     Apron(work, box, axis).add(options.apron);
-    addWallsAndBottom(work, axis, level, options, report);
+    addWallsAndBottom(work, soup.polygonCount(), axis, level, options, report);
   });
 }
 

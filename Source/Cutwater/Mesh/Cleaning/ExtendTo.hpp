@@ -20,13 +20,14 @@ struct ExtendOptions {
 /// Vertical walls lead from every rim to the plane, with two triangles per edge; a hole in the
 /// surface becomes a shaft. The result is closed and oriented, with its faces outward: the solid
 /// lies between the surface and the plane. Of a surface of several parts, each may face either way.
-/// Points of the surface do not move.
+/// Points of the surface do not move. If the surface met itself, it still does.
 ///
 /// @throws Error(Argument) unless the level lies beyond all points of faces, and for a soup that
 /// does not pass PolygonSoup::validate(); Error(Topology) if there is no rim, if the orientations
-/// of faces disagree (run clean() first), also of parts that touch at a point, or if, seen along
-/// the axis, rims meet or one part lies within the rim of another and not in a hole of it. The soup
-/// is then unchanged.
+/// of faces disagree (run clean() first), also of parts that touch at a point; if, seen along the
+/// axis, rims meet or one part lies within the rim of another and not in a hole of it; or if a wall
+/// would meet the surface elsewhere than at its rim, because the surface hangs over or under a rim.
+/// All of this is decided exactly. The soup is then unchanged.
 OpeningReport extendTo(PolygonSoup& soup, int axis, double level,
                        const ExtendOptions& options = {});
 
@@ -42,8 +43,8 @@ enum class BoxEnd : std::uint8_t { Lower, Upper };
 /// rim. A surface that reaches the sides or beyond needs no apron: use extendTo(), and the domain
 /// cuts off what is outside.
 ///
-/// @throws Error as extendTo(); of kind Topology also unless one rim surrounds all others and lies
-/// within the sides of the box.
+/// @throws Error as extendTo(), also where the apron would meet the surface; of kind Topology also
+/// unless one rim surrounds all others and lies within the sides of the box.
 OpeningReport extendToBox(PolygonSoup& soup, const Box<double>& box, int axis,
                           BoxEnd end = BoxEnd::Lower, const ExtendOptions& options = {});
 

@@ -1,22 +1,11 @@
 #include <Cutwater/Mesh/Cleaning/SoupEdits.hpp>
 #include <Cutwater/Mesh/ConnectedShells.hpp>
 #include <Cutwater/Mesh/RimLoops.hpp>
-#include <Cutwater/Mesh/Triangulation.hpp>
 
 #include <algorithm>
 #include <set>
 
 namespace cutwater::detail {
-namespace {
-
-std::vector<std::array<std::uint32_t, 3>> indicesOf(std::span<const TriangleCorners> triangles) {
-  std::vector<std::array<std::uint32_t, 3>> result;
-  result.reserve(triangles.size());
-  for (const auto& [a, b, c] : triangles) result.push_back({index(a), index(b), index(c)});
-  return result;
-}
-
-}  // namespace
 
 Vec3<double> middleOf(const PolygonSoup& soup, std::size_t polygon) {
   const auto corners = soup.polygon(polygon);
@@ -58,6 +47,13 @@ void turnPolygon(PolygonSoup& soup, std::size_t polygon) {
     return soup.corners.begin() + static_cast<std::ptrdiff_t>(i);
   };
   std::reverse(at(soup.offsets[polygon] + 1), at(soup.offsets[polygon + 1]));
+}
+
+std::vector<std::array<std::uint32_t, 3>> indicesOf(std::span<const TriangleCorners> triangles) {
+  std::vector<std::array<std::uint32_t, 3>> result;
+  result.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) result.push_back({index(a), index(b), index(c)});
+  return result;
 }
 
 std::vector<OpenEdge> openEdgesOf(const PolygonSoup& soup) {

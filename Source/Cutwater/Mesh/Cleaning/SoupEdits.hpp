@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Mesh/OpenEdges.hpp>
-#include <Cutwater/Mesh/PolygonSoup.hpp>
+#include <Cutwater/Mesh/Triangulation.hpp>
 
 // Private: not installed.
 
@@ -18,6 +18,10 @@ void keepPolygons(PolygonSoup& soup, const std::vector<bool>& keep);
 
 /// Reverses the polygon; its first corner stays the first.
 void turnPolygon(PolygonSoup& soup, std::size_t polygon);
+
+/// The corners' indices of triangulate()'s triangles.
+[[nodiscard]] std::vector<std::array<std::uint32_t, 3>> indicesOf(
+    std::span<const TriangleCorners> triangles);
 
 /// The edges that polygons pass more often one way than the other, see findOpenEdges(); `triangle`
 /// is here the index of a polygon.
