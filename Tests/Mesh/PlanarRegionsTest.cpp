@@ -51,6 +51,49 @@ struct Drawing {
   }
 };
 
+struct Circle {
+  double u, v, radius;
+};
+
+Circle circumcircle(const Drawing& drawing, const std::array<std::uint32_t, 3>& triangle) {
+  const int axis = drawing.axis;
+  const auto flat = [&](std::uint32_t i) {
+    return std::pair(drawing.points[i][(axis + 1) % 3], drawing.points[i][(axis + 2) % 3]);
+  };
+  const auto [u0, v0] = flat(triangle[0]);
+  const auto [u1, v1] = flat(triangle[1]);
+  const auto [u2, v2] = flat(triangle[2]);
+  const double a = u1 - u0, b = v1 - v0, c = u2 - u0, d = v2 - v0;
+  const double s = (a * a + b * b) / (2 * (a * d - b * c));
+  const double t = (c * c + d * d) / (2 * (a * d - b * c));
+  const double u = d * s - b * t, v = a * t - c * s;
+  return {u0 + u, v0 + v, std::hypot(u, v)};
+}
+
+/// Triangles have area, and of two with a common edge, no corner lies within the other's circle by
+/// more than two hundredths of the larger radius.
+void expectDelaunay(const Drawing& drawing,
+                    const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Circle> circles;
+  for (const auto& t : triangles) {
+    EXPECT_GT(std::abs(drawing.turnOf(t[0], t[1], t[2])), 1e-12);
+    for (int i = 0; i < 3; ++i) circles[{t[i], t[(i + 1) % 3]}] = circumcircle(drawing, t);
+  }
+  for (const auto& t : triangles) {
+    const auto own = circumcircle(drawing, t);
+    for (int i = 0; i < 3; ++i) {
+      const auto neighbour = circles.find({t[(i + 1) % 3], t[i]});
+      if (neighbour == circles.end()) continue;
+      const auto& [u, v, radius] = neighbour->second;
+      const auto& corner = drawing.points[t[(i + 2) % 3]];
+      const double away =
+          std::hypot(corner[(drawing.axis + 1) % 3] - u, corner[(drawing.axis + 2) % 3] - v);
+      EXPECT_GT(away, radius - 0.02 * std::max(radius, own.radius))
+          << t[i] << " " << t[(i + 1) % 3];
+    }
+  }
+}
+
 std::size_t leftIn(const detail::PlanarFilling& filling) {
   return static_cast<std::size_t>(std::ranges::count(filling.left, true));
 }
@@ -81,6 +124,7 @@ void expectFilled(const Drawing& drawing, double area) {
   for (const auto& [edge, count] : edges) EXPECT_EQ(count, 0) << edge.first << " " << edge.second;
   EXPECT_NEAR(sum, area, 1e-12 * std::abs(area));
   EXPECT_NEAR(size, std::abs(area), 1e-12 * size);
+  expectDelaunay(drawing, filling.triangles);
 }
 
 TEST(PlanarRegions, ASquareWithASquareHole) {
@@ -154,6 +198,24 @@ TEST(PlanarRegions, RandomStarsWithHoles) {
     for (const auto& loop : drawing.loops) area += drawing.areaOf(loop);
     // Few corners: the outline may cut through the holes.
     if (round >= 20 || drawing.loops.size() == 1) expectFilled(drawing, area);
+  }
+}
+
+TEST(PlanarRegions, TheCrossSectionOfAPipe) {
+  // Lines between points of the outer circle 60 degrees to either side touch the inner one.
+  for (const int n : {24, 36, 48, 360}) {
+    for (const bool turned : {false, true}) {
+      Drawing drawing;
+      drawing.addCircle(0, 0, 2, n, turned);
+      drawing.addCircle(0, 0, 1, n, !turned);
+      expectFilled(drawing, drawing.areaOf(drawing.loops[0]) + drawing.areaOf(drawing.loops[1]));
+      // A line from every point to its image, and one diagonal of each trapezoid between those.
+      for (const auto& [a, b, c] :
+           detail::fillLoops(drawing.points, drawing.loops, drawing.axis).triangles) {
+        const double half = std::numbers::pi / n;
+        EXPECT_GE(std::abs(drawing.turnOf(a, b, c)), 0.99 * std::sin(half) * std::cos(half)) << n;
+      }
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <unordered_set>
 #include <utility>
 
 namespace cutwater::detail {
@@ -11,6 +12,7 @@ class Bridging {
  public:
   Bridging(const PlanarView& view, const Loop& boundary, std::vector<Loop> holes)
       : view_(view), way_(view.orientation(boundary)), ring_(boundary), holes_(std::move(holes)) {
+    inRing_.insert(ring_.begin(), ring_.end());
     // The hole that reaches farthest comes first: all that it sees beyond is already joined.
     const auto reach = [&](const Loop& hole) {
       const auto last = hole[view.lastOf(hole)];
@@ -30,9 +32,8 @@ class Bridging {
 
  private:
   [[nodiscard]] bool touches(const Loop& hole) const {
-    return std::ranges::any_of(hole, [&](std::uint32_t corner) {
-      return std::ranges::find(ring_, corner) != ring_.end();
-    });
+    return std::ranges::any_of(hole,
+                               [&](std::uint32_t corner) { return inRing_.contains(corner); });
   }
 
   /// Where the hole touches a corner of the ring, inserts the hole there. Returns false if they
@@ -122,11 +123,13 @@ class Bridging {
     for (std::size_t k = 0; k < count; ++k) detour.push_back(hole[(start + k) % hole.size()]);
     ring_.insert(ring_.begin() + static_cast<std::ptrdiff_t>(place) + 1, detour.begin(),
                  detour.end());
+    inRing_.insert(detour.begin(), detour.end());
   }
 
   const PlanarView& view_;
   int way_;
   Loop ring_;
+  std::unordered_set<std::uint32_t> inRing_;
   std::vector<Loop> holes_;
   std::size_t joined_ = 0;
 };

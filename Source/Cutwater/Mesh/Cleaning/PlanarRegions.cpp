@@ -1,4 +1,5 @@
 #include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Mesh/Cleaning/DelaunayFlips.hpp>
 #include <Cutwater/Mesh/Cleaning/HoleBridges.hpp>
 #include <Cutwater/Mesh/Cleaning/PlanarRegions.hpp>
 #include <Cutwater/Mesh/Cleaning/PlanarView.hpp>
@@ -131,9 +132,11 @@ class Filler {
     up[view_.axis()] = orientation(boundary);
     std::vector<PlaceTriangle> triangles;
     clipEars(corners, up, triangles);
+    const std::size_t first = result_.triangles.size();
     for (const auto& [a, b, c] : triangles) {
       result_.triangles.push_back({ring[a], ring[b], ring[c]});
     }
+    flipToDelaunay(view_, orientation(boundary), std::span(result_.triangles).subspan(first));
   }
 
   /// Holes are left open where the loop around them is.

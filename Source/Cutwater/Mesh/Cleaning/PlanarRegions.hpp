@@ -26,10 +26,11 @@ struct PlanarFilling {
 /// runs the other way: then it is a hole in that region. Triangles face the side from which their
 /// region's boundary runs counter-clockwise.
 ///
+/// Holes are joined to the boundary around them, from right to left (Eberly, "Triangulation by ear
+/// clipping", 2002); clipEars() cuts what results, and flipToDelaunay() makes the best of that.
+///
 /// Decisions are exact, for positions of any size; those of no loop may be anywhere. n log n to
-/// find what meets, the number of loops times n for their nesting, and the cost of clipEars(),
-/// after holes are joined to the boundary around them, from right to left (Eberly, "Triangulation
-/// by ear clipping", 2002).
+/// find what meets, and the number of loops times n for their nesting and joining.
 [[nodiscard]] PlanarFilling fillLoops(std::span<const Vec3<double>> positions,
                                       std::span<const Loop> loops, int axis);
 

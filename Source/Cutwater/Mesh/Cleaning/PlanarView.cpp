@@ -4,13 +4,21 @@
 
 namespace cutwater::detail {
 
-/// Whether p lies between a and b, given that the three are collinear.
 bool PlanarView::isWithin(std::uint32_t p, std::uint32_t a, std::uint32_t b) const {
   return std::min(u(a), u(b)) <= u(p) && u(p) <= std::max(u(a), u(b)) &&
          std::min(v(a), v(b)) <= v(p) && v(p) <= std::max(v(a), v(b));
 }
 
+bool PlanarView::boxesMeet(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                           std::uint32_t d) const {
+  return std::max(u(a), u(b)) >= std::min(u(c), u(d)) &&
+         std::max(u(c), u(d)) >= std::min(u(a), u(b)) &&
+         std::max(v(a), v(b)) >= std::min(v(c), v(d)) &&
+         std::max(v(c), v(d)) >= std::min(v(a), v(b));
+}
+
 bool PlanarView::meet(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+  if (!boxesMeet(a, b, c, d)) return false;
   if (b == c || b == d) std::swap(a, b);
   if (a == d) std::swap(c, d);
   if (a == c) {  // the two overlap along a line, or do not meet

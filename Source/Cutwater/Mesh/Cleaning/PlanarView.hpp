@@ -40,7 +40,11 @@ class PlanarView {
   [[nodiscard]] std::size_t lastOf(std::span<const std::uint32_t> loop) const;
 
  private:
+  /// Whether p lies between a and b, given that the three are collinear.
   [[nodiscard]] bool isWithin(std::uint32_t p, std::uint32_t a, std::uint32_t b) const;
+  /// Whether the boxes of the segments ab and cd meet.
+  [[nodiscard]] bool boxesMeet(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                               std::uint32_t d) const;
 
   std::span<const Vec3<double>> positions_;
   int axis_;
