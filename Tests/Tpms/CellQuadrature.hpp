@@ -2,23 +2,23 @@
 
 #include <Cutwater/Tpms/CellSizes.hpp>
 
+#include <algorithm>
+
 namespace cutwater::test {
 
-/// The number of cells up to x, by the midpoint rule.
+/// The number of cells from the first place to x, by the midpoint rule from place to place: 1/size
+/// is linear there, so that the rule is exact.
 inline double cellsByQuadrature(const std::vector<CellSizeAt<double>>& sizes, double x) {
-  const auto perLength = [&](double at) {
-    if (at <= sizes.front().place) return 1 / sizes.front().size;
-    for (std::size_t i = 1; i < sizes.size(); ++i) {
-      const double t = (at - sizes[i - 1].place) / (sizes[i].place - sizes[i - 1].place);
-      if (t <= 1) return (1 - t) / sizes[i - 1].size + t / sizes[i].size;
-    }
-    return 1 / sizes.back().size;
-  };
-  constexpr int kSteps = 20000;
-  const double from = sizes.front().place;
-  double sum = 0;
-  for (int i = 0; i < kSteps; ++i) sum += perLength(from + (x - from) * (i + 0.5) / kSteps);
-  return sum * (x - from) / kSteps;
+  double sum = std::min(x - sizes.front().place, 0.0) / sizes.front().size +
+               std::max(x - sizes.back().place, 0.0) / sizes.back().size;
+  for (std::size_t i = 1; i < sizes.size(); ++i) {
+    const auto& from = sizes[i - 1];
+    const auto& to = sizes[i];
+    const double length = std::clamp(x, from.place, to.place) - from.place;
+    const double t = 0.5 * length / (to.place - from.place);
+    sum += length * ((1 - t) / from.size + t / to.size);
+  }
+  return sum;
 }
 
 }  // namespace cutwater::test

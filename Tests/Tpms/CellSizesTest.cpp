@@ -13,7 +13,7 @@ TEST(CellSizesTest, CellsAreTheIntegralOfTheirNumberPerLength) {
   const std::vector<CellSizeAt<double>> knots{{-1, 0.5}, {0.5, 1}, {2, 0.25}, {2.5, 0.4}};
   const CellSizes<double> sizes(knots);
   for (const double x : {-4.0, -1.0, -0.3, 0.5, 1.1, 2.0, 2.2, 2.5, 7.0}) {
-    EXPECT_NEAR(sizes.cellsUpTo(x), cellsByQuadrature(knots, x), 1e-6) << x;
+    EXPECT_NEAR(sizes.cellsUpTo(x), cellsByQuadrature(knots, x), 1e-14) << x;
   }
   EXPECT_EQ(sizes.perLength(), (Interval<double>{1, 4}));
   // The most in an interval: at its ends or at a knot within.
