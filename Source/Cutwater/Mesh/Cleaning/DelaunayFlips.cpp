@@ -75,7 +75,7 @@ class DelaunayFlips {
 
   /// Whether d, on the other side of ab than c, lies in the circle through a, b, c: the angles at c
   /// and d add up to more than pi. The circles' centres are then apart by the sine of that sum over
-  /// the product of their sines, in halves of ab; it must be a share of the larger radius.
+  /// the product of their sines, in halves of ab: here by more than a share of the larger radius.
   [[nodiscard]] bool isInCircle(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                 std::uint32_t d) const {
     const Angle atC = angle(a, c, b);

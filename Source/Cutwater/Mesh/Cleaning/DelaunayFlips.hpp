@@ -11,8 +11,9 @@
 namespace cutwater::detail {
 
 /// Flips edges between two triangles until no corner lies in the circle through the corners of a
-/// neighbour by more than a hundredth of the radius: no triangle is flatter than the boundary,
-/// which stays, makes it, and points on a common circle keep the triangles that they have.
+/// neighbour by more than two hundredths of the larger radius: triangles are as well shaped as
+/// their boundary lets them be, which stays, and points on a common circle keep the triangles they
+/// have.
 ///
 /// Seen along the axis, the triangles must turn `way`, see PlanarView::turn(), and not overlap;
 /// flat ones are flipped away. At most n^2 / 2 flips for n corners, in practice about n. Lawson,
