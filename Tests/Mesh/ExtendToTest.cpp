@@ -1,6 +1,6 @@
-#include <Cutwater/Mesh/Cleaning/Clean.hpp>
 #include <Cutwater/Mesh/Cleaning/ExtendTo.hpp>
 #include <Cutwater/Mesh/SelfIntersections.hpp>
+#include <Cutwater/Mesh/Tessellation.hpp>
 
 #include <optional>
 
@@ -210,24 +210,11 @@ TEST(ExtendTo, RefusesOnePartAboveAnother) {
   EXPECT_EQ(refusal(together(withHole, island), under), ErrorKind::Topology);
 }
 
-/// A surface of revolution about the z axis through rings of (radius, height).
-PolygonSoup vase(std::initializer_list<std::array<double, 2>> profile, std::uint32_t around = 24) {
-  PolygonSoup soup;
-  for (const auto& [radius, height] : profile) {
-    for (std::uint32_t i = 0; i < around; ++i) {
-      const double angle = 2 * std::numbers::pi * i / around;
-      soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
-    }
-  }
-  for (std::uint32_t ring = 0; ring + 1 < profile.size(); ++ring) {
-    for (std::uint32_t i = 0; i < around; ++i) {
-      const std::uint32_t a = ring * around + i;
-      const std::uint32_t b = ring * around + (i + 1) % around;
-      soup.addPolygon(std::array{a, b, b + around, a + around});
-    }
-  }
-  clean(soup);  // rings of radius 0 become points
-  return soup;
+/// A surface of revolution without lids: open where the profile ends off the axis.
+PolygonSoup vase(std::initializer_list<tessellation::ProfilePoint> profile) {
+  const auto solid = tessellation::revolve({profile.begin(), profile.size()}, 24,
+                                           tessellation::ProfileEnds::OnAxis);
+  return onlyFaces(solid, [&](std::size_t i) { return solid.polygon(i).size() <= 4; });
 }
 
 TEST(ExtendTo, RefusesWallsThatWouldPassThroughTheSurface) {
