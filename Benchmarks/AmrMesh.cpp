@@ -6,7 +6,7 @@
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Grid/OctreeFill.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -32,21 +32,19 @@ class Counted final : public SignedDistanceFunction<double> {
   [[nodiscard]] long bounds() const { return bounds_; }
 
  private:
-  [[nodiscard]] double localSignedDistance(const Vec3<double>& p) const override {
+  double localSignedDistance(const Vec3<double>& p) const override {
     return surface_.signedDistance(p);
   }
-  [[nodiscard]] BoxClass localClassify(const OrientedBox<double>& box,
-                                       BoxHint* hint) const override {
+  BoxClass localClassify(const OrientedBox<double>& box, BoxHint* hint) const override {
     ++classes_;
     return classOf(surface_, box, passesHints_ ? hint : nullptr);
   }
-  [[nodiscard]] Interval<double> localBounds(const OrientedBox<double>& box,
-                                             BoxHint* hint) const override {
+  Interval<double> localBounds(const OrientedBox<double>& box, BoxHint* hint) const override {
     ++bounds_;
     return boundsOf(surface_, box, passesHints_ ? hint : nullptr);
   }
-  [[nodiscard]] Guarantee<double> localGuarantee() const override { return surface_.guarantee(); }
-  [[nodiscard]] Box<double> localBoundingBox() const override { return surface_.boundingBox(); }
+  Guarantee<double> localGuarantee() const override { return surface_.guarantee(); }
+  Box<double> localBoundingBox() const override { return surface_.boundingBox(); }
 
   const MeshSDF<double>& surface_;
   bool passesHints_;

@@ -6,11 +6,11 @@
 #include <Cutwater/Grid/Isosurface.hpp>
 #include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 #include <Cutwater/Shapes/Torus.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -22,7 +22,7 @@ namespace cutwater::benchmarks {
 namespace {
 
 /// Of one value at every node, one after the other.
-double loopSeconds(const Solid<double>& solid, const Patch<double>& nodes) {
+double loopSeconds(const Solid<double>& solid, const GridPatch<double>& nodes) {
   const auto& [lo, hi] = nodes.indices;
   double sum = 0;
   const double seconds = bestSecondsOf([&] {

@@ -1,7 +1,7 @@
 #include "Meshes.hpp"
 
-#include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/WriteSurface.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/WriteSurface.hpp>
 
 #include "Refine.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Mesh/PolygonSoup.hpp>
+#include <Cutwater/Surface/PolygonSoup.hpp>
 
 #include <random>
 #include <vector>

@@ -5,7 +5,7 @@
 
 #define CUTWATER_SIMD counting
 #define CUTWATER_SIMD_PORTABLE
-#include <Cutwater/Mesh/PointSearch.inl>
+#include <Cutwater/Triangles/Search/PointSearch.inl>
 
 namespace cutwater::benchmarks {
 

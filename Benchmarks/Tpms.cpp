@@ -3,8 +3,8 @@
 //
 //   cutwater_tpms_benchmark
 
+#include <Cutwater/Tpms/Detail/PatternDistance.hpp>
 #include <Cutwater/Tpms/MetricWall.hpp>
-#include <Cutwater/Tpms/PatternDistance.hpp>
 #include <Cutwater/Tpms/TpmsSolid.hpp>
 
 #include <cstdio>

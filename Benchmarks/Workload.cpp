@@ -1,6 +1,6 @@
 #include "Workload.hpp"
 
-#include <Cutwater/Mesh/ReadSurface.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
 
 #include <algorithm>
 #include <omp.h>

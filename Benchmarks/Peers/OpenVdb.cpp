@@ -29,7 +29,7 @@ class OpenVdb final : public PeerBand {
       : grid_(openvdb::tools::meshToVolume<openvdb::FloatGrid>(
             mesh, *openvdb::math::Transform::createLinearTransform(mesh.spacing), band, band)) {}
 
-  [[nodiscard]] double at(const Index3& cell) const override {
+  double at(const Index3& cell) const override {
     return grid_->tree().getValue({cell.i, cell.j, cell.k});
   }
 

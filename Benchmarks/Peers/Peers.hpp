@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Level.hpp>
-#include <Cutwater/Mesh/PolygonSoup.hpp>
+#include <Cutwater/Surface/PolygonSoup.hpp>
 
 #include <memory>
 #include <span>

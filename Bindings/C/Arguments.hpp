@@ -2,7 +2,7 @@
 
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Level.hpp>
-#include <Cutwater/Mesh/PolygonSoup.hpp>
+#include <Cutwater/Surface/PolygonSoup.hpp>
 
 #include <cstdint>
 #include <exception>
@@ -50,6 +50,6 @@ Vec3<double> vectorOf(const char* name, const double* data);
 PolygonSoup soupOf(const cw_mesh& mesh);
 
 /// @throws Error also for strides that map different indices along an axis to the same element.
-Patch<double> patchOf(const cw_grid& grid);
+GridPatch<double> patchOf(const cw_grid& grid);
 
 }  // namespace cutwater::binding

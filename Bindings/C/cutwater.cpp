@@ -3,10 +3,10 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Fill.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
 
 #include <algorithm>
 #include <array>

@@ -3,19 +3,20 @@ import re
 
 # In the order of the reference: the layer's heading, and what is in it.
 LAYERS = {
-    "Core": "vectors, boxes, intervals, motions, levels and patches of grids, errors",
+    "Core": "vectors, boxes, intervals, motions, levels and grid patches, errors",
     "Sdf": "the signed distance function, its guarantee, and the value that holds any of them",
     "Shapes": "analytic shapes",
     "Operations": "operators on solids",
     "Bvh": "the tree: nearest primitives, overlaps, crossings",
-    "Mesh": "surfaces: files, cleaning, checks, the half-edge mesh, signed distances of meshes",
+    "Surface": "surfaces: files, cleaning, checks, the half-edge mesh",
+    "Mesh": "signed distances of meshes",
     "Lattice": "beams, unit cells, lattices, packed beds",
     "Tpms": "triply periodic surfaces: patterns, maps, walls and channels, two fluids",
-    "Grid": "filling patches, volumes, isosurfaces, refinement tags, octree meshes",
-    "Render": "pictures of solids and of planes through them",
-    "Io": "scenes, VTK and PNG files, tables of beams and balls",
-    "Simd": "the choice of the instruction set",
+    "Grid": "filling grid patches, volumes, isosurfaces, refinement tags, octree meshes",
+    "Io": "VTK files, tables of beams and balls",
     "Adapters": "AMReX, Chombo, deal.II; their headers are needed to use these",
+    "Render": "pictures of solids and of planes through them: `Cutwater::Render`",
+    "Scene": "solids from text: `Cutwater::Scene`",
     "Repair": "holes, self-intersections and wraps by CGAL: `Cutwater::Repair`, GPL",
     "P4est": "octree meshes over MPI: `Cutwater::P4est`, GPL",
     "C": "the interface for C and whatever can call it: `Cutwater::C`",
@@ -28,22 +29,30 @@ def lists(text, command):
     return [call.split() for call in re.findall(rf"\b{command}\(([^)]*)\)", text)]
 
 
+def public(words):
+    """The units that a call of cutwater_sources or cutwater_part names as public."""
+    end = words.index("PRIVATE") if "PRIVATE" in words else len(words)
+    return words[words.index("PUBLIC") + 1:end] if "PUBLIC" in words else []
+
+
 def installed(root):
     """Path as users include it -> file, as the CMake lists have them."""
     found = {}
     for cmake in sorted((root / "Source/Cutwater").rglob("CMakeLists.txt")):
-        for units in lists(cmake.read_text(), "cutwater_sources"):
-            files = [cmake.parent / f"{unit}.hpp" for unit in units]
+        for words in lists(cmake.read_text(), "cutwater_sources"):
+            files = [cmake.parent / f"{unit}.hpp" for unit in public(words)]
             found |= {f.relative_to(root / "Source").as_posix(): f for f in files if f.exists()}
     for cmake in sorted((root / "Source").glob("*/CMakeLists.txt")):
         for name, *words in lists(cmake.read_text(), "cutwater_part"):
-            if "PUBLIC" not in words:  # the function's definition
-                continue
-            public = words[words.index("PUBLIC") + 1:words.index("PRIVATE")]
-            found |= {f"Cutwater/{name}/{unit}.hpp": cmake.parent / f"Cutwater/{name}/{unit}.hpp"
-                      for unit in public}
-    found["cutwater.h"] = root / "Bindings/C/cutwater.h"
+            files = [cmake.parent / f"Cutwater/{name}/{unit}.hpp" for unit in public(words)]
+            found |= {f.relative_to(cmake.parent).as_posix(): f for f in files if f.exists()}
     return found
+
+
+def documented(root):
+    """Of these, what users call; and the header for C."""
+    found = {path: file for path, file in installed(root).items() if "Detail" not in path.split("/")}
+    return found | {"cutwater.h": root / "Bindings/C/cutwater.h"}
 
 
 def layer(path):
@@ -109,8 +118,8 @@ def write_if_changed(file, text):
 
 
 def write_shown(root, folder):
-    """Writes all headers as Doxygen reads them into a folder; returns installed()."""
-    headers = installed(root)
+    """Writes all headers as Doxygen reads them into a folder; returns documented()."""
+    headers = documented(root)
     for path, file in headers.items():
         write_if_changed(folder / path, shown(path, file.read_text()))
     for file in folder.rglob("*.h*"):

@@ -4,8 +4,8 @@
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
 #include <Cutwater/Io/Vtu.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,8 +1,8 @@
 // An octree mesh around a ship's hull on the ranks of an MPI program. See README.md.
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/P4est/DistributedVtu.hpp>
 #include <Cutwater/P4est/SharedGeometry.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <cstdio>
 #include <mpi.h>

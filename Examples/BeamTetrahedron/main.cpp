@@ -1,6 +1,6 @@
 // Four nodes and the six beams between them, of random sizes. See README.md.
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/ConeSphere.hpp>
 

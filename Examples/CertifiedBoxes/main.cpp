@@ -2,10 +2,10 @@
 // README.md.
 #include <Cutwater/Core/Level.hpp>
 #include <Cutwater/Core/Vec2.hpp>
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Render/Image.hpp>
+#include <Cutwater/Render/Png.hpp>
 
 #include <array>
 #include <cmath>

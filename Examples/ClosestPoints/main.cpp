@@ -1,8 +1,8 @@
 // Which part of a surface is nearest, where, and how far away: many points at once. See README.md.
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // A sandwich pipe: two walls along a curve, with a lattice between them. See README.md.
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
 #include <Cutwater/Lattice/CellMappings.hpp>
 #include <Cutwater/Lattice/ConformalBeams.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
 

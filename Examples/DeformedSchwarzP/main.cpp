@@ -1,6 +1,6 @@
 // Schwarz P walls, moved about by a random field: two amplitudes on two grids. See README.md.
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Tpms/TpmsSolid.hpp>

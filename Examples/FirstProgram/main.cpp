@@ -1,12 +1,12 @@
 // A surface from a file, its signed distance, and a picture of it cut open. See README.md.
 
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
-#include <Cutwater/Mesh/WriteSurface.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
+#include <Cutwater/Surface/WriteSurface.hpp>
 
 #include <cstdio>
 #include <string>

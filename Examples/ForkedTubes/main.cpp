@@ -1,8 +1,8 @@
 // A tube that forks again and again, open at its ends, drawn cut in half. See README.md.
 #include <Cutwater/Grid/SolidVolume.hpp>
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 
 #include <cmath>

@@ -1,9 +1,9 @@
 // A ball filled with a lattice that is dense at its surface and light inside. See README.md.
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Grid/OctreeRegions.hpp>
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 

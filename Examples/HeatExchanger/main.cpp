@@ -3,14 +3,14 @@
 #include <Cutwater/Grid/Isosurface.hpp>
 #include <Cutwater/Grid/OctreeRegions.hpp>
 #include <Cutwater/Grid/SolidVolume.hpp>
-#include <Cutwater/Io/Png.hpp>
-#include <Cutwater/Mesh/DcelMesh.hpp>
-#include <Cutwater/Mesh/MeshReport.hpp>
-#include <Cutwater/Mesh/WriteSurface.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Render/PatchColors.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Surface/DcelMesh.hpp>
+#include <Cutwater/Surface/MeshReport.hpp>
+#include <Cutwater/Surface/WriteSurface.hpp>
 #include <Cutwater/Tpms/TwoFluids.hpp>
 
 #include <algorithm>

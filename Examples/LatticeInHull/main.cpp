@@ -1,12 +1,12 @@
 // A hull with a thin skin, filled by octet trusses, drawn cut open. See README.md.
 #include <Cutwater/Grid/SolidVolume.hpp>
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // A shape of one's own: a lens, beside the intersection of two balls, which is the same solid with
 // lesser values. See README.md.
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 

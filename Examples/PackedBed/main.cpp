@@ -1,9 +1,9 @@
 // Balls of two sizes shaken into a cylinder, and how much room they leave. See README.md.
 #include <Cutwater/Bvh/PointCloud.hpp>
 #include <Cutwater/Grid/SolidVolume.hpp>
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Lattice/PackedBed.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 

@@ -1,6 +1,6 @@
 // A flanged pipe, drawn with a quarter of it cut open. See README.md.
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 

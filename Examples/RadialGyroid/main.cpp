@@ -1,6 +1,6 @@
 // A gyroid bent round an axis: whole cells on each turn, so that it has no seam. See README.md.
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Tpms/TpmsSolid.hpp>

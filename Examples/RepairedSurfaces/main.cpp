@@ -1,11 +1,11 @@
 // A half model with the usual damage, cleaned, capped and mirrored, and the ground below a terrain.
 // See README.md and Docs/cleaning.md.
-#include <Cutwater/Mesh/Cleaning/CapOnPlane.hpp>
-#include <Cutwater/Mesh/Cleaning/Clean.hpp>
-#include <Cutwater/Mesh/Cleaning/ExtendTo.hpp>
-#include <Cutwater/Mesh/Cleaning/MirrorAt.hpp>
-#include <Cutwater/Mesh/MeshReport.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
+#include <Cutwater/Surface/Cleaning/CapOnPlane.hpp>
+#include <Cutwater/Surface/Cleaning/Clean.hpp>
+#include <Cutwater/Surface/Cleaning/ExtendTo.hpp>
+#include <Cutwater/Surface/Cleaning/MirrorAt.hpp>
+#include <Cutwater/Surface/MeshReport.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <algorithm>
 #include <array>

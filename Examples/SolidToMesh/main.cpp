@@ -1,14 +1,14 @@
 // A solid made of formulas becomes a closed mesh, to print or to mesh around. See README.md.
 #include <Cutwater/Grid/Isosurface.hpp>
 #include <Cutwater/Grid/SolidVolume.hpp>
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/SurfaceMeasure.hpp>
-#include <Cutwater/Mesh/WriteSurface.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/RoundedBox.hpp>
+#include <Cutwater/Surface/SurfaceMeasure.hpp>
+#include <Cutwater/Surface/WriteSurface.hpp>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,6 @@
 // From Schwarz P to D, in cells that become smaller and walls that become thicker. See README.md.
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Plane.hpp>

@@ -1,6 +1,6 @@
 // What one gyroid parts space into: its wall, half of the wall, and both channels. See README.md.
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Tpms/TpmsSolid.hpp>

@@ -1,7 +1,7 @@
 // Four triply periodic walls side by side, each in a box of two cells. See README.md.
 #include <Cutwater/Grid/SolidVolume.hpp>
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Tpms/TpmsSolid.hpp>

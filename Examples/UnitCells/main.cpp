@@ -1,6 +1,6 @@
 // The library's unit cells side by side. See README.md.
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Lattice/CellArray.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 
 #include <cmath>

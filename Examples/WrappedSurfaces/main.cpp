@@ -1,10 +1,10 @@
 // Holes of a surface filled, a fold smoothed out, and a wrap around what cannot be mended.
 // See README.md and Docs/repair.md.
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Repair/FillHoles.hpp>
 #include <Cutwater/Repair/RemoveSelfIntersections.hpp>
 #include <Cutwater/Repair/Wrap.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <array>
 #include <cstdio>

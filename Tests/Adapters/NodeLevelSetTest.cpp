@@ -2,11 +2,11 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/EdgeCrossings.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <algorithm>
 #include <cmath>

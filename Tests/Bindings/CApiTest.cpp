@@ -1,10 +1,10 @@
 #include <Cutwater/Grid/Fill.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/WriteSurface.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/WriteSurface.hpp>
 
 #include <bit>
 #include <cstring>
@@ -155,7 +155,7 @@ TEST(CApiTest, GridsAreFilledInPlace) {
             CW_OK);
   std::vector<double> expected(indices.count());
   std::vector<std::uint32_t> expectedPatches(indices.count());
-  fill(both.solid, Patch<double>{level, indices},
+  fill(both.solid, GridPatch<double>{level, indices},
        {.distance = GridView<double>::contiguous(expected.data(), indices),
         .patch = GridView<std::uint32_t>::contiguous(expectedPatches.data(), indices)},
        {.band = 3, .progress = {}});

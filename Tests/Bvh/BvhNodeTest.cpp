@@ -1,4 +1,4 @@
-#include <Cutwater/Bvh/BvhNode.hpp>
+#include <Cutwater/Bvh/Detail/BvhNode.hpp>
 
 #include <gtest/gtest.h>
 

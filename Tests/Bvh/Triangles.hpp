@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Bvh/BvhBuilder.hpp>
+#include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
 
 #include <array>
 #include <tuple>

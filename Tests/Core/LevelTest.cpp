@@ -28,8 +28,8 @@ TYPED_TEST(LevelTest, PositionsFollowFromTheGlobalIndex) {
 TYPED_TEST(LevelTest, PatchesAgreeToTheBit) {
   using T = TypeParam;
   const Level<T> level({T(0.1), T(-0.3), T(7.7)}, {T(0.1), T(0.7), T(0.3)});
-  const Patch<T> left{level, {{-3, 0, 0}, {5, 1, 1}}};
-  const Patch<T> right{level, {{4, 0, 0}, {9, 1, 1}}};
+  const GridPatch<T> left{level, {{-3, 0, 0}, {5, 1, 1}}};
+  const GridPatch<T> right{level, {{4, 0, 0}, {9, 1, 1}}};
   for (std::int32_t i = right.indices.lo.i; i <= left.indices.hi.i; ++i) {
     // Each patch arrives at the index on its own way.
     const auto fromLeft = static_cast<std::int32_t>(left.indices.lo.i + (i - left.indices.lo.i));

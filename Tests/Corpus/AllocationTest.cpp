@@ -3,17 +3,17 @@
 
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Fill.hpp>
-#include <Cutwater/Mesh/Cleaning/CapOnPlane.hpp>
-#include <Cutwater/Mesh/Cleaning/Clean.hpp>
-#include <Cutwater/Mesh/Cleaning/ExtendTo.hpp>
-#include <Cutwater/Mesh/Cleaning/MirrorAt.hpp>
 #include <Cutwater/Mesh/DcelSDF.hpp>
-#include <Cutwater/Mesh/MeshReport.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Surface/Cleaning/CapOnPlane.hpp>
+#include <Cutwater/Surface/Cleaning/Clean.hpp>
+#include <Cutwater/Surface/Cleaning/ExtendTo.hpp>
+#include <Cutwater/Surface/Cleaning/MirrorAt.hpp>
+#include <Cutwater/Surface/MeshReport.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <array>
 #include <filesystem>

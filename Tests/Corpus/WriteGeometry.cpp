@@ -1,5 +1,5 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <filesystem>
 

@@ -2,7 +2,7 @@
 
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/FunctionRef.hpp>
-#include <Cutwater/Mesh/Formats/Readers.hpp>
+#include <Cutwater/Surface/Formats/Readers.hpp>
 
 #include <algorithm>
 #include <cstdint>

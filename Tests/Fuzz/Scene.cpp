@@ -1,4 +1,4 @@
-#include <Cutwater/Io/ReadScene.hpp>
+#include <Cutwater/Scene/ReadScene.hpp>
 
 #include <cmath>
 #include <filesystem>

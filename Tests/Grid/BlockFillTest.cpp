@@ -1,9 +1,9 @@
 #include <Cutwater/Grid/Fill.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <atomic>
 #include <functional>
@@ -26,12 +26,12 @@ class Counted final : public SignedDistanceFunction<T> {
   mutable std::atomic<std::size_t> count{0};
 
  private:
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override {
+  T localSignedDistance(const Vec3<T>& p) const override {
     ++count;
     return function_(p);
   }
-  [[nodiscard]] Guarantee<T> localGuarantee() const override { return promise_; }
-  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override {
+  Guarantee<T> localGuarantee() const override { return promise_; }
+  Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override {
     if (!boundsOf) return SignedDistanceFunction<T>::localBounds(box, hint);
     return boundsOf(box.bounds());
   }
@@ -47,7 +47,7 @@ struct Filled {
 };
 
 template <std::floating_point T>
-Filled<T> filled(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
+Filled<T> filled(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
                  const FillOptions& options) {
   Filled<T> result{std::vector<T>(patch.indices.count(), T(99)),
                    std::vector<std::uint32_t>(patch.indices.count(), 77)};
@@ -60,7 +60,7 @@ Filled<T> filled(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
 
 /// The contract: each value is that at the point, or the limit. Returns how many are within it.
 template <std::floating_point T>
-std::size_t expectPointwise(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
+std::size_t expectPointwise(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
                             const FillOptions& options) {
   const auto result = filled(solid, patch, options);
   const T limit = static_cast<T>(options.band) * patch.level.smallestSpacing();
@@ -106,7 +106,8 @@ class BlockFillTest : public ::testing::Test {
 
   const Sphere<T> ball{{T(0.2), 0, 0}, 1};
   /// 5.8 units long; the ball's band of 3 cells is a small part of it.
-  const Patch<T> large{Level<T>({}, {T(0.06), T(0.06), T(0.06)}), {{-48, -48, -48}, {47, 47, 47}}};
+  const GridPatch<T> large{Level<T>({}, {T(0.06), T(0.06), T(0.06)}),
+                           {{-48, -48, -48}, {47, 47, 47}}};
 };
 TYPED_TEST_SUITE(BlockFillTest, Precisions);
 
@@ -191,7 +192,7 @@ TYPED_TEST(BlockFillTest, SkipsWhatOneValueProvesToBeFar) {
   // Far from the surface: one for each tile.
   const IndexBox far{{64, 64, 64}, {64 + 31, 64 + 20, 64 + 15}};
   solid.count = 0;
-  fill(solid, Patch<T>{this->large.level, far}, GridView<T>::contiguous(values.data(), far),
+  fill(solid, GridPatch<T>{this->large.level, far}, GridView<T>::contiguous(values.data(), far),
        {.band = 3});
   EXPECT_EQ(solid.count, 4U);
 }

@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/CellPatches.hpp>
-#include <Cutwater/Mesh/Triangulation.hpp>
 #include <Cutwater/Shapes/Torus.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-#include <Cutwater/Grid/CellPolygons.hpp>
+#include <Cutwater/Grid/Detail/CellPolygons.hpp>
 
 #include <bit>
 #include <map>

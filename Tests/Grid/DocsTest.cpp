@@ -35,7 +35,8 @@ TEST(DocsTest, DistancesOfAPatchWithGhostCells) {
   const auto& solid = kSolid;
   // [DOCS
   const Level<double> level({-1, -1, -1}, {1.0 / 16, 1.0 / 16, 1.0 / 16});  // origin, spacing
-  const Patch<double> patch{level, {{-2, -2, -2}, {17, 17, 17}}};  // 16^3 cells, two ghost cells
+  const GridPatch<double> patch{level,
+                                {{-2, -2, -2}, {17, 17, 17}}};  // 16^3 cells, two ghost cells
 
   std::vector<double> distances(patch.indices.count());
   fill(solid, patch, GridView<double>::contiguous(distances.data(), patch.indices));
@@ -46,7 +47,7 @@ TEST(DocsTest, DistancesOfAPatchWithGhostCells) {
   });
 
   // The neighbour's own cells, which are ghost cells of the patch above, have the same bits.
-  const Patch<double> next{level, {{16, 0, 0}, {31, 15, 15}}};
+  const GridPatch<double> next{level, {{16, 0, 0}, {31, 15, 15}}};
   std::vector<double> owned(next.indices.count());
   fill(solid, next, GridView<double>::contiguous(owned.data(), next.indices));
   for (std::int32_t k = 0; k < 16; ++k) {
@@ -57,7 +58,7 @@ TEST(DocsTest, DistancesOfAPatchWithGhostCells) {
 
 TEST(DocsTest, OneComponentOfAnInterleavedArray) {
   const auto& solid = kSolid;
-  const Patch<double> patch{kLevel, kOwned};
+  const GridPatch<double> patch{kLevel, kOwned};
   // [DOCS
   // 5 unknowns per cell, side by side; the last one is the distance.
   std::vector<double> unknowns(5 * patch.indices.count());
@@ -75,7 +76,7 @@ TEST(DocsTest, OneComponentOfAnInterleavedArray) {
 
 TEST(DocsTest, DistancesAndPatchesOfABand) {
   const auto& solid = kSolid;
-  const Patch<double> patch{kLevel, kOwned};
+  const GridPatch<double> patch{kLevel, kOwned};
   std::vector<double> distances(patch.indices.count());
   // [DOCS
   std::vector<std::uint32_t> patches(patch.indices.count());
@@ -106,7 +107,7 @@ TEST(DocsTest, DistancesAndPatchesOfABand) {
 
 TEST(DocsTest, ClosestPointsAndClassesOfCells) {
   const auto& solid = kSolid;
-  const Patch<double> patch{kLevel, kOwned};
+  const GridPatch<double> patch{kLevel, kOwned};
   // [DOCS
   std::vector<Vec3<double>> centers;
   std::vector<Box<double>> cells;

@@ -38,7 +38,7 @@ class EdgeCrossingsTest : public ::testing::Test {
     EdgeCrossingReport report;
   };
 
-  static Edges found(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
+  static Edges found(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
                      const EdgeCrossingOptions& options = {}) {
     Edges edges;
     std::array<EdgeCrossingTargets<T>, 3> targets;
@@ -63,7 +63,7 @@ class EdgeCrossingsTest : public ::testing::Test {
   /// Compares every edge with what the solid says of it alone. Returns how many are crossed more
   /// than once.
   static std::size_t expectAsOneByOne(const SignedDistanceFunction<T>& solid,
-                                      const Patch<T>& patch) {
+                                      const GridPatch<T>& patch) {
     const auto edges = found(solid, patch);
     std::size_t crossed = 0;
     std::size_t often = 0;
@@ -111,7 +111,7 @@ class EdgeCrossingsTest : public ::testing::Test {
     ASSERT_EQ(told.lastPatch[0], crossings.back().owner.patch);
   }
 
-  static Patch<T> nodes(const Vec3<T>& origin, T spacing, const IndexBox& indices) {
+  static GridPatch<T> nodes(const Vec3<T>& origin, T spacing, const IndexBox& indices) {
     return {Level<T>(origin, {spacing, spacing, spacing}, Centering::Node), indices};
   }
 };
@@ -236,7 +236,7 @@ TYPED_TEST(EdgeCrossingsTest, OfPatchesWithoutEdges) {
 TYPED_TEST(EdgeCrossingsTest, RefusesWhatCannotBe) {
   using T = TypeParam;
   const auto solid = ballAndPlate<T>();
-  const Patch<T> cells{Level<T>({0, 0, 0}, {1, 1, 1}), IndexBox::ofSize(2, 2, 2)};
+  const GridPatch<T> cells{Level<T>({0, 0, 0}, {1, 1, 1}), IndexBox::ofSize(2, 2, 2)};
   EXPECT_THROW(edgeCrossings(solid, cells, {}), Error);
   const auto patch = this->nodes({0, 0, 0}, 1, IndexBox::ofSize(2, 2, 2));
   EXPECT_THROW(edgeCrossings(solid, patch, {}, {.threads = -1}), Error);

@@ -1,10 +1,10 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/FacetRules.hpp>
+#include <Cutwater/Grid/Detail/FacetRules.hpp>
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <numbers>
 #include <random>

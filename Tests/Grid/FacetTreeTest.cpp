@@ -1,4 +1,4 @@
-#include <Cutwater/Grid/FacetTree.hpp>
+#include <Cutwater/Grid/Detail/FacetTree.hpp>
 
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"

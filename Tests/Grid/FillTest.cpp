@@ -1,9 +1,9 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Fill.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <vector>
 
@@ -16,9 +16,9 @@ namespace {
 /// Two half-spheres of a kind: the surface belongs to patch 0 below z = 0 and to patch 1 above.
 template <std::floating_point T>
 class TwoPatchBall final : public SignedDistanceFunction<T> {
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override { return length(p) - 1; }
-  [[nodiscard]] Guarantee<T> localGuarantee() const override { return Guarantee<T>::exact(1); }
-  [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override {
+  T localSignedDistance(const Vec3<T>& p) const override { return length(p) - 1; }
+  Guarantee<T> localGuarantee() const override { return Guarantee<T>::exact(1); }
+  SurfaceOwner localOwner(const Vec3<T>& p) const override {
     return {.object = 0, .patch = p.z < 0 ? 0U : 1U, .face = kNone};
   }
 };
@@ -43,7 +43,7 @@ TYPED_TEST(FillTest, GivesThePointwiseBitsForAnyNumberOfThreads) {
     const Level<T> centred(this->level.origin(), this->level.spacing(), centering);
     for (const int threads : {1, 2, 5}) {
       std::vector<T> values(this->box.count(), T(99));
-      fill(this->solid, Patch<T>{centred, this->box},
+      fill(this->solid, GridPatch<T>{centred, this->box},
            GridView<T>::contiguous(values.data(), this->box), {.threads = threads});
       std::size_t n = 0;
       forEach(this->box, [&](const Index3& index) {
@@ -57,7 +57,7 @@ TYPED_TEST(FillTest, GivesThePointwiseBitsForAnyNumberOfThreads) {
 TYPED_TEST(FillTest, ManyPatchesGiveTheBitsOfOne) {
   using T = TypeParam;
   std::vector<T> whole(this->box.count());
-  fill(this->solid, Patch<T>{this->level, this->box},
+  fill(this->solid, GridPatch<T>{this->level, this->box},
        GridView<T>::contiguous(whole.data(), this->box));
   for (const int size : {1, 3, 8}) {
     // Each patch writes its part of the same array, through the array's strides.
@@ -69,7 +69,7 @@ TYPED_TEST(FillTest, ManyPatchesGiveTheBitsOfOne) {
       const Index3 from{lo.i + tile.i * size, lo.j + tile.j * size, lo.k + tile.k * size};
       const Index3 to{std::min(from.i + size - 1, hi.i), std::min(from.j + size - 1, hi.j),
                       std::min(from.k + size - 1, hi.k)};
-      const Patch<T> patch{this->level, {from, to}};
+      const GridPatch<T> patch{this->level, {from, to}};
       if (patch.indices.empty()) return;
       auto* first =
           &all.at(static_cast<std::size_t>(from.i - lo.i), static_cast<std::size_t>(from.j - lo.j),
@@ -89,7 +89,7 @@ TYPED_TEST(FillTest, WritesOneComponentOfAnyLayoutAndNothingElse) {
   std::vector<T> values(this->box.count() * kComponents, T(99));
   const GridView<T> view{values.data() + (ny - 1) * nz * kComponents + 1,
                          {nz * ny * kComponents, -nz * kComponents, kComponents}};
-  fill(this->solid, Patch<T>{this->level, this->box}, view);
+  fill(this->solid, GridPatch<T>{this->level, this->box}, view);
   forEach(this->box, [&](const Index3& index) {
     const auto& lo = this->box.lo;
     const T* value =
@@ -105,7 +105,7 @@ TYPED_TEST(FillTest, BeyondTheBandIsExactlyItsWidth) {
   using T = TypeParam;
   const T limit = T(1.5) * T(0.11);
   std::vector<T> values(this->box.count());
-  fill(this->solid, Patch<T>{this->level, this->box},
+  fill(this->solid, GridPatch<T>{this->level, this->box},
        GridView<T>::contiguous(values.data(), this->box), {.band = 1.5});
   std::size_t n = 0;
   std::size_t within = 0, inside = 0, outside = 0;
@@ -128,7 +128,7 @@ TYPED_TEST(FillTest, BeyondTheBandIsExactlyItsWidth) {
 TYPED_TEST(FillTest, TellsTheClosestPatchInTheSamePass) {
   using T = TypeParam;
   const TwoPatchBall<T> ball;
-  const Patch<T> patch{this->level, this->box};
+  const GridPatch<T> patch{this->level, this->box};
   std::vector<T> distances(this->box.count());
   std::vector<std::uint32_t> ids(this->box.count(), 77);
   const FillTargets<T> targets{.distance = GridView<T>::contiguous(distances.data(), this->box),
@@ -155,7 +155,7 @@ TYPED_TEST(FillTest, AMeshHasTheSameBitsWithItsPatchesAsWithout) {
   using T = TypeParam;
   MeshSDF<T> mesh(tessellation::torus(0.9, 0.3, 12, 8));
   mesh.rotate(20, {3, 1, 2});
-  const Patch<T> patch{this->level, this->box};
+  const GridPatch<T> patch{this->level, this->box};
   std::vector<T> distances(this->box.count());
   std::vector<std::uint32_t> ids(this->box.count(), 77);
   for (const double band : {0.0, 100.0}) {
@@ -174,7 +174,7 @@ TYPED_TEST(FillTest, AMeshHasTheSameBitsWithItsPatchesAsWithout) {
 TYPED_TEST(FillTest, ReportsProgressAndStopsWhenToldTo) {
   using T = TypeParam;
   std::vector<T> values(this->box.count());
-  const Patch<T> patch{this->level, this->box};
+  const GridPatch<T> patch{this->level, this->box};
   const auto view = GridView<T>::contiguous(values.data(), this->box);
   double last = 0;
   fill(this->solid, patch, view, {.progress = [&](double done) {
@@ -190,13 +190,13 @@ TYPED_TEST(FillTest, ReportsProgressAndStopsWhenToldTo) {
 TYPED_TEST(FillTest, RefusesImpossibleOptionsAndAcceptsEmptyPatches) {
   using T = TypeParam;
   T value = 7;
-  const Patch<T> one{this->level, {{0, 0, 0}, {0, 0, 0}}};
+  const GridPatch<T> one{this->level, {{0, 0, 0}, {0, 0, 0}}};
   const GridView<T> view{&value, {1, 1, 1}};
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(fill(this->solid, one, view, {.band = -1}), Error);
   EXPECT_THROW(fill(this->solid, one, view, {.band = nan}), Error);
   EXPECT_THROW(fill(this->solid, one, view, {.threads = -1}), Error);
-  fill(this->solid, Patch<T>{this->level, {{0, 0, 0}, {-1, 5, 5}}}, view);
+  fill(this->solid, GridPatch<T>{this->level, {{0, 0, 0}, {-1, 5, 5}}}, view);
   EXPECT_EQ(value, T(7));
   fill(this->solid, one, view);
   EXPECT_TRUE(sameBits(value, this->pointwise({0, 0, 0})));

@@ -1,4 +1,4 @@
-#include <Cutwater/Grid/HalvedBox.hpp>
+#include <Cutwater/Grid/Detail/HalvedBox.hpp>
 
 #include <algorithm>
 #include <cmath>

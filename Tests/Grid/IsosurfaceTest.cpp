@@ -3,7 +3,7 @@
 #include <Cutwater/Grid/SolidVolume.hpp>
 #include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/SurfaceMeasure.hpp>
+#include <Cutwater/Surface/SurfaceMeasure.hpp>
 
 #include <atomic>
 #include <cmath>
@@ -149,8 +149,8 @@ TEST(IsosurfaceOfShapesTest, AreClosedAndOfTheCertainVolume) {
 TYPED_TEST(IsosurfaceTest, EndsWithTheGrid) {
   using T = TypeParam;
   // Half of a ball, and a quarter of all space: cut off where the nodes end.
-  const Patch<T> nodes{{{0, 0, 0}, {T(0.05), T(0.05), T(0.05)}, Centering::Node},
-                       IndexBox::ofSize(21, 31, 27)};
+  const GridPatch<T> nodes{{{0, 0, 0}, {T(0.05), T(0.05), T(0.05)}, Centering::Node},
+                           IndexBox::ofSize(21, 31, 27)};
   const auto ball = isosurface<T>(Sphere<T>({0, T(0.7), T(0.6)}, T(0.5)), nodes);
   expectClosed(ball, "ball");
   EXPECT_NEAR(volumeOf(ball), kPi / 12, 0.004);
@@ -264,13 +264,13 @@ TYPED_TEST(IsosurfaceTest, RefusesWhatItCannotDo) {
   EXPECT_THROW(static_cast<void>(isosurface<T>(ball, nodes, {.tolerance = 0.6})), Error);
   EXPECT_THROW(static_cast<void>(isosurface<T>(ball, nodes, {.threads = -1})), Error);
   EXPECT_THROW(static_cast<void>(isosurface<T>(ball, nodes, {.featureAngle = 0})), Error);
-  const Patch<T> flat{nodes.level, IndexBox::ofSize(3, 1, 3)};
+  const GridPatch<T> flat{nodes.level, IndexBox::ofSize(3, 1, 3)};
   EXPECT_THROW(static_cast<void>(isosurface<T>(ball, flat)), Error);
-  const Patch<T> cells{{{0, 0, 0}, {1, 1, 1}}, IndexBox::ofSize(3, 3, 3)};
+  const GridPatch<T> cells{{{0, 0, 0}, {1, 1, 1}}, IndexBox::ofSize(3, 3, 3)};
   EXPECT_THROW(static_cast<void>(isosurface<T>(ball, cells)), Error);
-  const Patch<T> endless{nodes.level,
-                         {{std::numeric_limits<std::int32_t>::min(), 0, 0},
-                          {std::numeric_limits<std::int32_t>::max(), 1, 1}}};
+  const GridPatch<T> endless{nodes.level,
+                             {{std::numeric_limits<std::int32_t>::min(), 0, 0},
+                              {std::numeric_limits<std::int32_t>::max(), 1, 1}}};
   EXPECT_THROW(static_cast<void>(isosurface<T>(ball, endless)), Error);
   EXPECT_THROW(static_cast<void>(nodesAround(ball.boundingBox(), T(0))), Error);
   EXPECT_THROW(static_cast<void>(nodesAround(ball.boundingBox(), T(1e-12))), Error);

@@ -1,4 +1,4 @@
-#include <Cutwater/Grid/OctreeBalance.hpp>
+#include <Cutwater/Grid/Detail/OctreeBalance.hpp>
 
 #include <algorithm>
 #include <random>

@@ -1,4 +1,4 @@
-#include <Cutwater/Grid/OctreeSigns.hpp>
+#include <Cutwater/Grid/Detail/OctreeSigns.hpp>
 
 #include <mutex>
 #include <set>

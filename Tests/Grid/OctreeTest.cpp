@@ -2,10 +2,10 @@
 #include <Cutwater/Grid/MortonCode.hpp>
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include "Support/Grid.hpp"
 #include "Support/Precisions.hpp"

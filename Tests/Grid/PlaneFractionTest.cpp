@@ -1,4 +1,4 @@
-#include <Cutwater/Grid/PlaneFraction.hpp>
+#include <Cutwater/Grid/Detail/PlaneFraction.hpp>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/PorosityRadius.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
-#include <Cutwater/Operations/Repetition.hpp>
+#include <Cutwater/Operations/Detail/Repetition.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 

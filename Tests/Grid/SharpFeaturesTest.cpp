@@ -1,4 +1,4 @@
-#include <Cutwater/Grid/SharpFeatures.hpp>
+#include <Cutwater/Grid/Detail/SharpFeatures.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>

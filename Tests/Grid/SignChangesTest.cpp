@@ -1,4 +1,4 @@
-#include <Cutwater/Grid/SignChanges.hpp>
+#include <Cutwater/Grid/Detail/SignChanges.hpp>
 #include <Cutwater/Sdf/FunctionSDF.hpp>
 
 #include <atomic>

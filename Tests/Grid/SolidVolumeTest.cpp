@@ -1,16 +1,16 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/SolidVolume.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/SurfaceMeasure.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
-#include <Cutwater/Operations/Repetition.hpp>
+#include <Cutwater/Operations/Detail/Repetition.hpp>
 #include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 #include <Cutwater/Shapes/Torus.hpp>
+#include <Cutwater/Surface/SurfaceMeasure.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <numbers>
 

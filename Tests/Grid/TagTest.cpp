@@ -2,9 +2,9 @@
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Grid/Tag.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include "Support/Grid.hpp"
 #include "Support/Precisions.hpp"

@@ -1,4 +1,4 @@
-#include <Cutwater/Grid/TileOrder.hpp>
+#include <Cutwater/Grid/Detail/TileOrder.hpp>
 
 #include <algorithm>
 #include <set>

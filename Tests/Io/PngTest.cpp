@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/Png.hpp>
+#include <Cutwater/Render/Png.hpp>
 
 #include <vector>
 

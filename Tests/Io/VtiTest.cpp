@@ -35,7 +35,7 @@ TEST(VtiTest, CellDataIsReadBackToTheBit) {
                                        {"a<b & \"c\"", std::span<const std::uint32_t>(ids)},
                                        {"signed", std::span<const std::int32_t>(signedIds)}};
   const Level<double> level({0.1, -2, 1e-3}, {0.25, 1e-7, 3});
-  writeVti(folder / "a.vti", Patch<double>{level, kBox}, arrays);
+  writeVti(folder / "a.vti", GridPatch<double>{level, kBox}, arrays);
 
   const ParsedVtk vti(contentOf(folder / "a.vti"));
   EXPECT_EQ(vti.attribute("VTKFile", "type"), "ImageData");
@@ -59,7 +59,7 @@ TEST(VtiTest, NodesArePointData) {
   const auto values = ramp(1);
   const std::array<VtkArray, 1> arrays{VtkArray{"d", std::span<const double>(values)}};
   const Level<float> level({0, 0, 0}, {1, 1, 1}, Centering::Node);
-  writeVti(folder / "a.vti", Patch<float>{level, kBox}, arrays);
+  writeVti(folder / "a.vti", GridPatch<float>{level, kBox}, arrays);
   const ParsedVtk vti(contentOf(folder / "a.vti"));
   EXPECT_EQ(vti.attribute("ImageData", "WholeExtent"), "-2 1 0 2 5 6");
   EXPECT_EQ(vti.attribute("PointData", "Scalars"), "d");
@@ -70,12 +70,12 @@ TEST(VtiTest, NodesArePointData) {
 TEST(VtiTest, RefusesWhatDoesNotFit) {
   const TemporaryFolder folder;
   const Level<double> level({0, 0, 0}, {1, 1, 1});
-  const Patch<double> patch{level, kBox};
+  const GridPatch<double> patch{level, kBox};
   const auto values = ramp(1);
   const VtkArray good{"d", std::span<const double>(values)};
   const VtkArray shorter{"s", std::span<const double>(values).first(5)};
   const VtkArray nameless{"", std::span<const double>(values)};
-  const auto write = [&](const Patch<double>& where, std::vector<VtkArray> arrays) {
+  const auto write = [&](const GridPatch<double>& where, std::vector<VtkArray> arrays) {
     writeVti(folder / "a.vti", where, arrays);
   };
   EXPECT_THROW(write(patch, {}), Error);

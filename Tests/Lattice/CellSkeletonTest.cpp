@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Lattice/CellSkeleton.hpp>
+#include <Cutwater/Lattice/Detail/CellSkeleton.hpp>
 
 #include "ExplicitLattice.hpp"
 #include "Support/Precisions.hpp"

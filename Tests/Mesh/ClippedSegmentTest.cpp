@@ -1,4 +1,4 @@
-#include <Cutwater/Mesh/ClippedSegment.hpp>
+#include <Cutwater/Mesh/Detail/ClippedSegment.hpp>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // MeshSDF::toBytes(), view(), save() and open().
 
 #include <Cutwater/Core/Checksum.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
 
 #include <fstream>
 #include <sys/stat.h>

@@ -1,6 +1,6 @@
 #include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"

@@ -1,7 +1,7 @@
 #include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"

@@ -1,8 +1,8 @@
 #include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <map>
 #include <set>

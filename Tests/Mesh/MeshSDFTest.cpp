@@ -1,14 +1,14 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
-#include <Cutwater/Mesh/Triangulation.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 #include <Cutwater/Shapes/Capsule.hpp>
 #include <Cutwater/Shapes/Cone.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 #include <Cutwater/Shapes/Torus.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
 
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"

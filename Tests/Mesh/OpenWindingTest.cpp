@@ -1,8 +1,8 @@
-#include <Cutwater/Bvh/BvhBuilder.hpp>
-#include <Cutwater/Mesh/OpenWinding.hpp>
-#include <Cutwater/Mesh/SolidAngle.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
-#include <Cutwater/Mesh/Triangulation.hpp>
+#include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
+#include <Cutwater/Mesh/Detail/OpenWinding.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
+#include <Cutwater/Triangles/SolidAngle.hpp>
 
 #include <random>
 

@@ -2,7 +2,7 @@
 
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Triangulation.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
 
 #include "Support/DamagedSoups.hpp"
 #include "Support/Precisions.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Cutwater/Bvh/BvhBuilder.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
-#include <Cutwater/Mesh/WindingNumber.hpp>
+#include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
+#include <Cutwater/Triangles/WindingNumber.hpp>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include "Support/Guarantee.hpp"
 #include "Support/Precisions.hpp"

@@ -1,5 +1,5 @@
 #include <Cutwater/Operations/Algebra.hpp>
-#include <Cutwater/Operations/DerivedGuarantee.hpp>
+#include <Cutwater/Operations/Detail/DerivedGuarantee.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 

@@ -1,7 +1,7 @@
 // Unions and differences of many operands whose values outside are lower bounds.
 
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <tuple>
 

@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
-#include <Cutwater/Operations/Mirror.hpp>
+#include <Cutwater/Operations/Detail/Mirror.hpp>
 #include <Cutwater/Shapes/CappedCone.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>

@@ -1,9 +1,9 @@
 // Unions and intersections of many operands, compared with the plain fold over all of them.
 
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
-#include <Cutwater/Operations/Combination.hpp>
+#include <Cutwater/Operations/Detail/Combination.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <tuple>
 

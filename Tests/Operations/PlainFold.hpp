@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Sdf/Defaults.hpp>
+#include <Cutwater/Sdf/Detail/Defaults.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
 #include <utility>

@@ -1,10 +1,10 @@
 // Cleaning, caps, mirror images and extensions of surfaces from real files.
 
-#include <Cutwater/Mesh/Cleaning/CapOnPlane.hpp>
-#include <Cutwater/Mesh/Cleaning/Clean.hpp>
-#include <Cutwater/Mesh/Cleaning/ExtendTo.hpp>
-#include <Cutwater/Mesh/Cleaning/MirrorAt.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
+#include <Cutwater/Surface/Cleaning/CapOnPlane.hpp>
+#include <Cutwater/Surface/Cleaning/Clean.hpp>
+#include <Cutwater/Surface/Cleaning/ExtendTo.hpp>
+#include <Cutwater/Surface/Cleaning/MirrorAt.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <Cutwater/Core/RigidTransform.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/Tessellation.hpp>
-#include <Cutwater/Mesh/Triangulation.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
 
 #include <functional>
 #include <ostream>

@@ -2,8 +2,8 @@
 
 #include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/Triangulation.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
 
 #include "Oracle/CgalOracle.hpp"
 #include "Oracle/Probes.hpp"

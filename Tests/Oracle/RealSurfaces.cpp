@@ -3,9 +3,9 @@
 // could not be closed. Usage: RealSurfaces FOLDER...
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/SelfIntersections.hpp>
-#include <Cutwater/Mesh/Triangulation.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/SelfIntersections.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
 
 #include <algorithm>
 #include <array>

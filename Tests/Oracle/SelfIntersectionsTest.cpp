@@ -1,9 +1,9 @@
 // Self-intersections held against CGAL: whole meshes against its own search, pairs of triangles
 // against intersections constructed in exact arithmetic.
 
-#include <Cutwater/Mesh/ReadSurface.hpp>
-#include <Cutwater/Mesh/SelfIntersections.hpp>
-#include <Cutwater/Mesh/TriangleIntersection.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/SelfIntersections.hpp>
+#include <Cutwater/Triangles/TriangleIntersection.hpp>
 
 #include <random>
 #include <set>

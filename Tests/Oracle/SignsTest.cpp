@@ -2,7 +2,7 @@
 
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
 
 #include <filesystem>
 

@@ -1,14 +1,14 @@
 #include "Oracle/SurfaceCure.hpp"
 
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Mesh/Cleaning/CapOnPlane.hpp>
-#include <Cutwater/Mesh/Cleaning/Clean.hpp>
-#include <Cutwater/Mesh/Cleaning/ExtendTo.hpp>
-#include <Cutwater/Mesh/Cleaning/Rims.hpp>
-#include <Cutwater/Mesh/Cleaning/SoupEdits.hpp>
-#include <Cutwater/Mesh/PolygonGeometry.hpp>
 #include <Cutwater/Repair/FillHoles.hpp>
 #include <Cutwater/Repair/Wrap.hpp>
+#include <Cutwater/Surface/Cleaning/CapOnPlane.hpp>
+#include <Cutwater/Surface/Cleaning/Clean.hpp>
+#include <Cutwater/Surface/Cleaning/Detail/SoupEdits.hpp>
+#include <Cutwater/Surface/Cleaning/ExtendTo.hpp>
+#include <Cutwater/Surface/Cleaning/Rims.hpp>
+#include <Cutwater/Triangles/PolygonGeometry.hpp>
 
 #include <cmath>
 #include <optional>

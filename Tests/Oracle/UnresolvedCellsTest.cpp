@@ -1,7 +1,7 @@
 // The list of unresolved features against its definition: every cell of a mesh against every
 // triangle, in rational numbers.
 
-#include <Cutwater/Grid/OctreeSigns.hpp>
+#include <Cutwater/Grid/Detail/OctreeSigns.hpp>
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 

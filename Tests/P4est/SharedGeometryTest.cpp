@@ -1,6 +1,6 @@
-#include <Cutwater/Mesh/Tessellation.hpp>
-#include <Cutwater/Mesh/WriteSurface.hpp>
 #include <Cutwater/P4est/SharedGeometry.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
+#include <Cutwater/Surface/WriteSurface.hpp>
 
 #include <fstream>
 

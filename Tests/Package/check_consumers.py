@@ -10,7 +10,7 @@ repository may show in the consumer's commands. The variants:
   shared        find_package on a shared library
   plain         find_package on a library built with no optional dependency
   P4est         find_package on the installed build with this component, by an MPI program
-  Repair        the same with that component
+  Render, Repair, Scene    the same with that component
 """
 import argparse
 import json
@@ -22,8 +22,8 @@ import subprocess
 import sys
 
 FAST = "-O3 -march=native -ffast-math"
-NO_DEPENDENCIES = ["-DCUTWATER_OPENMP=OFF", "-DCUTWATER_ZLIB=OFF", "-DCUTWATER_PNG=OFF",
-                   "-DCUTWATER_TOML=OFF"]
+NO_DEPENDENCIES = ["-DCUTWATER_OPENMP=OFF", "-DCUTWATER_ZLIB=OFF", "-DCUTWATER_RENDER=OFF",
+                   "-DCUTWATER_SCENE=OFF"]
 LIBRARY_ONLY = ["-DCUTWATER_BUILD_TOOLS=OFF", "-DCUTWATER_BUILD_TESTS=OFF",
                 "-DCUTWATER_BUILD_EXAMPLES=OFF"]
 
@@ -177,7 +177,7 @@ def check(args):
             packaged(variant, build_library(args, variant, "-DBUILD_SHARED_LIBS=ON"))
         elif variant == "plain":
             packaged(variant, build_library(args, variant, *NO_DEPENDENCIES))
-        elif variant in ("P4est", "Repair"):
+        elif variant in ("P4est", "Render", "Repair", "Scene"):
             check_part(args, variant)
         else:
             raise Failure(f"no variant {variant}")

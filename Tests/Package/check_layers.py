@@ -1,71 +1,86 @@
-"""Fails if a file of the library, or of Source/Repair or Source/P4est, includes what its layer must not know."""
+"""Fails if a file of the library or of its components includes what its layer must not know, or if what
+is installed is not what users need. Usage: check_layers.py ROOT
+"""
 import pathlib
 import re
 import sys
 
+ROOT = pathlib.Path(sys.argv[1])
+SOURCE = ROOT / "Source"
+sys.path.append(str(ROOT / "Docs/site"))
+from headers import installed  # noqa: E402  the CMake lists, as the reference reads them
+
 # In order: a layer may include itself and the layers named on its line, which all stand above it.
 MAY_INCLUDE = {
     "Core": "",
+    "Text": "Core",
     "Simd": "Core",
-    "Bvh": "Core Simd",
+    "Bvh": "Core",
     "Sdf": "Core",
     "Shapes": "Core Bvh Sdf",
     "Operations": "Core Bvh Sdf Shapes",
-    "Mesh": "Core Simd Bvh Sdf",
+    "Triangles": "Core Simd Bvh Sdf",
+    "Surface": "Core Text Bvh Triangles",
+    "Mesh": "Core Text Simd Bvh Sdf Triangles Surface",
     "Lattice": "Core Simd Bvh Sdf Shapes Operations",
     "Tpms": "Core Simd Sdf Shapes Operations",
-    "Grid": "Core Sdf Mesh",
-    "Render": "Core Sdf Grid",
-    "Io": "Core Sdf Shapes Operations Mesh Lattice Tpms Grid Render",
+    "Grid": "Core Sdf Surface",
+    "Io": "Core Text Lattice Grid",
     "Adapters": "Core Sdf Grid",
-    "Repair": "Core Bvh Mesh",
-    "P4est": "Core Sdf Mesh Grid Io",
+    "Render": "Core Sdf Grid",
+    "Scene": "Core Text Sdf Shapes Operations Surface Mesh Lattice Tpms Io",
+    "Repair": "Core Text Bvh Surface Mesh",
+    "P4est": "Core Sdf Surface Mesh Grid Io",
 }
-GPL = {"Repair", "P4est"}  # targets and folders of their own
+PARTS = {"Render", "Scene", "Repair", "P4est"}  # components, each in a folder of its own
+GPL = {"Repair", "P4est"}
+# Nothing in these is for users, nor in a folder Detail/ or Formats/: such a header is installed only if
+# an installed one includes it.
+INTERNAL_LAYERS = {"Text", "Simd", "Triangles"}
+INTERNAL_FOLDERS = {"Detail", "Formats"}
+MOST_INSTALLED = 150
 
 # GPL code is for those; streams depend on the locale.
 FORBIDDEN = re.compile(r"CGAL/|p4est|p8est|gmp|mpfr|iostream|sstream")
 # Other people's headers cost users compile time and tie them to versions: only in .cpp files.
-PRIVATE = re.compile(r"Eigen/|omp\.h|zlib\.h|png\.h|experimental/|immintrin\.h|toml\+\+/|CLI/|p8est|CGAL/")
+PRIVATE = re.compile(r"Eigen/|omp\.h|zlib\.h|png\.h|xxhash\.h|experimental/|immintrin\.h|toml\+\+/|CLI/|p8est|CGAL/")
 OPTIONAL_HEADERS = {"Core/Eigen.hpp"}  # for users of that library only
 # Host codes are known to one header each, which nothing else of ours includes.
 HOST = re.compile(r"AMReX|BaseIF|deal\.II/|Cutwater/Adapters/(Amrex|Chombo|DealII)\.hpp")
 HOST_HEADERS = {"Adapters/Amrex.hpp", "Adapters/Chombo.hpp", "Adapters/DealII.hpp"}
-# With one of these, a header is of use to users ...
-PUBLIC = re.compile(r"^namespace cutwater(::tessellation)? \{", re.M)
-NOT_INSTALLED = "// Private: not installed."  # ... unless it says this
-# Not installed.
-PRIVATE_HEADERS = {"P4est/ForestBuilder.hpp", "Repair/CgalCall.hpp", "Repair/SurfaceMesh.hpp"}
+# What users read and run.
+USERS = [*sorted((ROOT / "Docs").glob("*.md")), ROOT / "README.md",
+         *(f for folder in ("Examples", "Tools", "Bindings") for f in sorted((ROOT / folder).rglob("*"))
+           if f.suffix in {".hpp", ".cpp", ".md"})]
 
 
-def umbrella_complaints(name, text, root):
-    if HOST.search(text):
-        yield f"{name}: adapters' headers for hosts are for these hosts' code only"
-    for header in sorted(root.glob("*/**/*.hpp")):
-        path = header.relative_to(root).as_posix()
-        content = header.read_text()
-        if (PUBLIC.search(content) and NOT_INSTALLED not in content
-                and path not in HOST_HEADERS | OPTIONAL_HEADERS and f"<Cutwater/{path}>" not in text):
-            yield f"{name}: include <Cutwater/{path}>, which is public"
+def includes(file):
+    """(bracket, path) of each."""
+    return re.findall(r'^\s*#\s*include ([<"])([^>"]+)', file.read_text(), re.M)
 
 
-def complaints(source):
+def is_internal(path):
+    """Of a path within Cutwater/, such as Mesh/Detail/MeshLayout.hpp."""
+    layer, *folders = path.split("/")[:-1] or [""]
+    return layer in INTERNAL_LAYERS or bool(INTERNAL_FOLDERS & {*folders})
+
+
+def complaints_about_includes():
     layers = list(MAY_INCLUDE)
     for layer, allowed in MAY_INCLUDE.items():
         for other in allowed.split():
             if layers.index(other) >= layers.index(layer):
                 yield f"this list: {layer} stands above {other}"
-    for root, file in ((root, file) for root in (source / "Cutwater", *(source / part / "Cutwater" for part in sorted(GPL)))
-                       for file in sorted([*root.rglob("*.?pp"), *root.rglob("*.inl")])):
+    roots = [SOURCE / "Cutwater", *(SOURCE / part / "Cutwater" for part in sorted(PARTS))]
+    for file, root in ((file, root) for root in roots for file in sorted([*root.rglob("*.?pp"), *root.rglob("*.inl")])):
         name = file.relative_to(root)
         layer = name.parts[0]
-        if len(name.parts) == 1:  # the header that includes all others
-            yield from umbrella_complaints(name, file.read_text(), root)
+        if len(name.parts) == 1:  # a header that includes all others
             continue
         if layer not in MAY_INCLUDE:
-            yield f"{name}: {layer} is no layer; see DESIGN"
+            yield f"{name}: {layer} is no layer; see Docs/architecture.md"
             continue
-        for bracket, path in re.findall(r'^\s*#\s*include ([<"])([^>"]+)', file.read_text(), re.M):
+        for bracket, path in includes(file):
             inside = re.match(r"Cutwater/(\w+)/", path)
             if bracket == '"':
                 yield f'{name}: include <Cutwater/...> and not "{path}"'
@@ -76,10 +91,49 @@ def complaints(source):
             elif HOST.match(path) and str(name) not in HOST_HEADERS:
                 yield f"{name}: only an adapter's header for a host includes <{path}>"
             elif name.suffix == ".hpp" and PRIVATE.match(path) and \
-                    str(name) not in OPTIONAL_HEADERS | PRIVATE_HEADERS:
+                    str(name) not in OPTIONAL_HEADERS and not is_internal(str(name)):
                 yield f"{name}: include <{path}> in a .cpp only"
 
 
-found = list(complaints(pathlib.Path(sys.argv[1]) / "Source"))
-print("\n".join(found) or "layers ok")
+def headers():
+    """Path within Cutwater/ -> file, of every header of the library and its components."""
+    roots = [SOURCE / "Cutwater", *(SOURCE / part / "Cutwater" for part in sorted(PARTS))]
+    return {file.relative_to(root).as_posix(): file for root in roots for file in sorted(root.rglob("*.hpp"))
+            if file.parent != root}
+
+
+def declared(text):
+    """The types and functions that a header declares outside of namespaces of details."""
+    text = re.sub(r"namespace (cutwater::)?detail \{.*?\n\} *// namespace (cutwater::)?detail", "", text, flags=re.S)
+    types = re.findall(r"^(?:class|struct|enum class|concept|using) (\w+)", text, re.M)
+    functions = re.findall(r"^(?:\[\[nodiscard\]\] )?(?:inline |constexpr )*[\w:<>, ]+[ &*](\w+)\(", text, re.M)
+    return {*types, *functions}
+
+
+def complaints_about_installed():
+    every, ours = headers(), {path.removeprefix("Cutwater/") for path in installed(ROOT)}
+    included = {path.removeprefix("Cutwater/") for name in ours for _, path in includes(every[name])}
+    if len(ours) >= MOST_INSTALLED:
+        yield f"{len(ours)} headers are installed: fewer than {MOST_INSTALLED} will do"
+    text = "\n".join(file.read_text() for file in USERS)
+    words = {*re.findall(r"\w+", text)}
+    for name in sorted(every):
+        if name in ours and is_internal(name) and name not in included:
+            yield f"{name} is installed, and no installed header includes it: list it as PRIVATE"
+        elif name in included - ours:
+            yield f"{name} is included by an installed header: list it as PUBLIC"
+        elif not is_internal(name) and name not in ours:
+            yield f"{name} is for users by its folder: list it as PUBLIC, or move it to Detail/"
+        elif not is_internal(name) and not declared(every[name].read_text()) & words:
+            yield f"{name}: no example, page or command uses what it declares"
+    for umbrella in [SOURCE / "Cutwater/Cutwater.hpp", *(SOURCE / p / f"Cutwater/{p}.hpp" for p in sorted(PARTS))]:
+        layers = {umbrella.stem} if umbrella.stem in PARTS else {*MAY_INCLUDE} - PARTS
+        wanted = {name for name in ours if name.split("/")[0] in layers and not is_internal(name)}
+        has = {path.removeprefix("Cutwater/") for _, path in includes(umbrella)}
+        for name in sorted(wanted - OPTIONAL_HEADERS - HOST_HEADERS ^ has):
+            yield f"{umbrella.name}: {'do not ' if name in has else ''}include <Cutwater/{name}>"
+
+
+found = [*complaints_about_includes(), *complaints_about_installed()]
+print("\n".join(found) or f"layers ok; {len(installed(ROOT))} headers installed")
 sys.exit(bool(found))

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <Cutwater/Render/Detail/RenderLayout.hpp>
 #include <Cutwater/Render/Render.hpp>
-#include <Cutwater/Render/RenderLayout.hpp>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Render/SphereTracer.hpp>
+#include <Cutwater/Render/Detail/SphereTracer.hpp>
 
 #include <vector>
 

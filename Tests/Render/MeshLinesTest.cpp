@@ -1,4 +1,4 @@
-#include <Cutwater/Render/MeshLines.hpp>
+#include <Cutwater/Render/Detail/MeshLines.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
 #include <map>

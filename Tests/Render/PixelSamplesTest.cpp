@@ -1,4 +1,4 @@
-#include <Cutwater/Render/PixelSamples.hpp>
+#include <Cutwater/Render/Detail/PixelSamples.hpp>
 
 #include <atomic>
 #include <cmath>

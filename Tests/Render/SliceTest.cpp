@@ -1,8 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Render/ColorMap.hpp>
+#include <Cutwater/Render/Detail/SliceFrame.hpp>
 #include <Cutwater/Render/Slice.hpp>
-#include <Cutwater/Render/SliceFrame.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
@@ -93,7 +93,7 @@ TYPED_TEST(SliceTest, OutlineStandsWhereTheSurfaceIs) {
 /// A half-space with a slanted face: every row shows the line at another fraction of a pixel.
 template <std::floating_point T>
 class SlantedHalfSpace final : public SignedDistanceFunction<T> {
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override {
+  T localSignedDistance(const Vec3<T>& p) const override {
     return (p.x - T(0.1) * p.y) / std::sqrt(T(1.01));
   }
 };

@@ -1,6 +1,6 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
-#include <Cutwater/Render/SphereTracer.hpp>
+#include <Cutwater/Render/Detail/SphereTracer.hpp>
 #include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>

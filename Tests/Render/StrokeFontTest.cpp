@@ -1,4 +1,4 @@
-#include <Cutwater/Render/StrokeFont.hpp>
+#include <Cutwater/Render/Detail/StrokeFont.hpp>
 
 #include <map>
 #include <string>

@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Render/Ticks.hpp>
+#include <Cutwater/Render/Detail/Ticks.hpp>
 
 #include <cmath>
 #include <limits>

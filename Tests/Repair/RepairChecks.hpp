@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Mesh/Cleaning/UnusedPoints.hpp>
-#include <Cutwater/Mesh/SelfIntersections.hpp>
+#include <Cutwater/Surface/Cleaning/UnusedPoints.hpp>
+#include <Cutwater/Surface/SelfIntersections.hpp>
 
 #include <numbers>
 

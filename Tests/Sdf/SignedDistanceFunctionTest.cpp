@@ -116,12 +116,12 @@ TYPED_TEST(SignedDistanceFunctionTest, BoxesBeyondTheDomainAreUnknown) {
 template <typename T>
 class BallAndSlab final : public SignedDistanceFunction<T> {
  protected:
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override {
+  T localSignedDistance(const Vec3<T>& p) const override {
     const T ball = length(p) - 1;
     const T slab = 100 * (std::abs(p.x - T(5.5)) - T(0.4));
     return maxComponent(abs(p)) > 2 && slab < 0 ? slab : ball;
   }
-  [[nodiscard]] Guarantee<T> localGuarantee() const override {
+  Guarantee<T> localGuarantee() const override {
     auto promise = Guarantee<T>::exact(2);
     promise.domain = {{-2, -2, -2}, {2, 2, 2}};
     return promise;

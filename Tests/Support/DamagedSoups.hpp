@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Mesh/Tessellation.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <numbers>
 

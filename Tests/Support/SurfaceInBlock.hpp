@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Cutwater/Core/Block.hpp>
-#include <Cutwater/Mesh/TriangleSearch.hpp>
-#include <Cutwater/Mesh/TriangleSurfaceData.hpp>
+#include <Cutwater/Mesh/Detail/TriangleSurfaceData.hpp>
+#include <Cutwater/Triangles/Search/TriangleSearch.hpp>
 
 namespace cutwater::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
+#include <Cutwater/Mesh/Detail/TriangleSurfaceSDF.hpp>
 
 #include <numbers>
 #include <vector>

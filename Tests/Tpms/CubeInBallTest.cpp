@@ -1,4 +1,4 @@
-#include <Cutwater/Tpms/CubeInBall.hpp>
+#include <Cutwater/Tpms/Detail/CubeInBall.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Box.hpp>
-#include <Cutwater/Tpms/LargestRadius.hpp>
+#include <Cutwater/Tpms/Detail/LargestRadius.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <Cutwater/Tpms/PatternDistance.hpp>
+#include <Cutwater/Tpms/Detail/PatternDistance.hpp>
 
 #include <gtest/gtest.h>
 

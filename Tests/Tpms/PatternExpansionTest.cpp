@@ -1,4 +1,4 @@
-#include <Cutwater/Tpms/PatternExpansion.hpp>
+#include <Cutwater/Tpms/Detail/PatternExpansion.hpp>
 
 #include <gtest/gtest.h>
 

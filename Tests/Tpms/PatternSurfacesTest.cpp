@@ -1,9 +1,9 @@
 // Meshes of all patterns, and what fits between them.
 #include <Cutwater/Grid/Isosurface.hpp>
 #include <Cutwater/Grid/SolidVolume.hpp>
-#include <Cutwater/Mesh/SurfaceMeasure.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Surface/SurfaceMeasure.hpp>
 #include <Cutwater/Tpms/TwoFluids.hpp>
 
 #include "Support/ClosedSurface.hpp"

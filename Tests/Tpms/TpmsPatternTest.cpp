@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Checksum.hpp>
-#include <Cutwater/Tpms/PatternBatch.hpp>
+#include <Cutwater/Tpms/Detail/PatternBatch.hpp>
 
 #include <array>
 #include <complex>

@@ -1,7 +1,7 @@
 #include "Diagnosis.hpp"
 
-#include <Cutwater/Mesh/Shells.hpp>
-#include <Cutwater/Mesh/Triangulation.hpp>
+#include <Cutwater/Surface/Shells.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
 
 #include <algorithm>
 #include <utility>

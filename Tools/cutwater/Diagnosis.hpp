@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Cutwater/Mesh/MeshReport.hpp>
-#include <Cutwater/Mesh/SelfIntersections.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
+#include <Cutwater/Surface/MeshReport.hpp>
+#include <Cutwater/Surface/SelfIntersections.hpp>
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "Failure.hpp"
 
-#include <Cutwater/Io/Scene/Suggestion.hpp>
+#include <Cutwater/Text/Suggestion.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "InfoFacts.hpp"
 
-#include <Cutwater/Mesh/Cleaning/Orientation.hpp>
-#include <Cutwater/Mesh/SurfaceMeasure.hpp>
+#include <Cutwater/Surface/Cleaning/Orientation.hpp>
+#include <Cutwater/Surface/SurfaceMeasure.hpp>
 
 #include <algorithm>
 #include <filesystem>

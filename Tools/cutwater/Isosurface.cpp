@@ -41,7 +41,7 @@ PolygonSoup patchByPatch(PolygonSoup soup) {
   return sorted;
 }
 
-PolygonSoup triangles(const Solid<double>& solid, const Patch<double>& grid,
+PolygonSoup triangles(const Solid<double>& solid, const GridPatch<double>& grid,
                       const IsosurfaceOptions& options) {
   try {
     return isosurface<double>(solid, grid, options);

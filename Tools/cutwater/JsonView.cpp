@@ -1,6 +1,6 @@
 #include "JsonView.hpp"
 
-#include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Surface/MeshReport.hpp>
 
 namespace cutwater::tool {
 

@@ -1,4 +1,4 @@
-#include <Cutwater/Mesh/Tessellation.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "Picture.hpp"
 
-#include <Cutwater/Io/Png.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 
 #include <CLI/CLI.hpp>

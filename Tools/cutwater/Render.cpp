@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/Png.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 #include <Cutwater/Render/PatchColors.hpp>
+#include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 
 #include <CLI/CLI.hpp>
@@ -44,7 +44,7 @@ class Sheets final : public UnaryOperation<double> {
         box_(mesh.surfaceBox()) {}
 
  private:
-  [[nodiscard]] double localSignedDistance(const Vec3<double>& p) const override {
+  double localSignedDistance(const Vec3<double>& p) const override {
     return std::abs(operand().signedDistance(p));
   }
   void localSignedDistances(std::span<const Vec3<double>> points,
@@ -52,7 +52,7 @@ class Sheets final : public UnaryOperation<double> {
     operandValues(points, distances);
     for (auto& distance : distances) distance = std::abs(distance);
   }
-  [[nodiscard]] SurfacePoint<double> localClosestPoint(const Vec3<double>& p) const override {
+  SurfacePoint<double> localClosestPoint(const Vec3<double>& p) const override {
     return operand().closestPoint(p);
   }
   void localClosestPoints(std::span<const Vec3<double>> points,
@@ -62,11 +62,11 @@ class Sheets final : public UnaryOperation<double> {
   bool localFacetsIn(const OrientedBox<double>& box, FacetVisitor<double> visit) const override {
     return facetsOf(operand(), box, visit);
   }
-  [[nodiscard]] Guarantee<double> localGuarantee() const override {
+  Guarantee<double> localGuarantee() const override {
     return Guarantee<double>::exact(operand().guarantee().size);
   }
-  [[nodiscard]] Box<double> localBoundingBox() const override { return box_; }
-  [[nodiscard]] std::string localName() const override { return "Sheets"; }
+  Box<double> localBoundingBox() const override { return box_; }
+  std::string localName() const override { return "Sheets"; }
 
   Box<double> box_;
 };

@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Mesh/SurfaceMeasure.hpp>
+#include <Cutwater/Surface/SurfaceMeasure.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "RepairSteps.hpp"
 
-#include <Cutwater/Mesh/Cleaning/CapOnPlane.hpp>
-#include <Cutwater/Mesh/Cleaning/ExtendTo.hpp>
-#include <Cutwater/Mesh/Cleaning/MirrorAt.hpp>
+#include <Cutwater/Surface/Cleaning/CapOnPlane.hpp>
+#include <Cutwater/Surface/Cleaning/ExtendTo.hpp>
+#include <Cutwater/Surface/Cleaning/MirrorAt.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Mesh/Cleaning/Clean.hpp>
+#include <Cutwater/Surface/Cleaning/Clean.hpp>
 
 #include <string>
 #include <vector>

@@ -59,7 +59,7 @@ class Fields {
   std::vector<VtkArray> arrays_;
 };
 
-void report(const Options& options, const Patch<double>& grid, const Fields& fields,
+void report(const Options& options, const GridPatch<double>& grid, const Fields& fields,
             double seconds) {
   const auto& n = grid.indices;
   const std::string kind = options.grid.nodes ? "nodes" : "cells";

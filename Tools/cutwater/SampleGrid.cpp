@@ -35,7 +35,7 @@ std::int32_t cellsAlong(double length, double spacing) {
 
 }  // namespace
 
-Patch<double> gridAround(const Box<double>& surface, const GridRequest& request) {
+GridPatch<double> gridAround(const Box<double>& surface, const GridRequest& request) {
   const double margin = request.margin.value_or(kDefaultMargin * surface.diagonal());
   auto box = request.box ? *request.box : surface.grown(margin);
   const auto size = box.size();

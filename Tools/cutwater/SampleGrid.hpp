@@ -27,7 +27,7 @@ struct GridRequest {
 /// The grid that covers the box, or the surface and a margin of a tenth of its diagonal. Cells
 /// whose size is given keep it: the box grows to whole cells, about its centre.
 /// @throws Error(Argument) if the surface has no extent, Error(Limit) if the grid is too large.
-[[nodiscard]] Patch<double> gridAround(const Box<double>& surface, const GridRequest& request);
+[[nodiscard]] GridPatch<double> gridAround(const Box<double>& surface, const GridRequest& request);
 
 /// Adds --cells, --spacing and --total. `grid` must outlive the command.
 void addSizeOptions(CLI::App& command, GridRequest& grid);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Cutwater/Mesh/Cleaning/CleanReport.hpp>
-#include <Cutwater/Mesh/Cleaning/Openings.hpp>
-#include <Cutwater/Mesh/PolygonSoup.hpp>
+#include <Cutwater/Surface/Cleaning/CleanReport.hpp>
+#include <Cutwater/Surface/Cleaning/Openings.hpp>
+#include <Cutwater/Surface/PolygonSoup.hpp>
 #ifdef CUTWATER_HAS_REPAIR
 #include <Cutwater/Repair/FillHoles.hpp>
 #include <Cutwater/Repair/RemoveSelfIntersections.hpp>

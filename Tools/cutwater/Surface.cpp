@@ -2,8 +2,8 @@
 
 #include <Cutwater/Core/Checksum.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/ReadScene.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Scene/ReadScene.hpp>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
 
 #include <chrono>
 #include <optional>

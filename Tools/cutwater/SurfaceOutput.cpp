@@ -1,8 +1,8 @@
 #include "SurfaceOutput.hpp"
 
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Mesh/PolygonGeometry.hpp>
-#include <Cutwater/Mesh/Triangulation.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
+#include <Cutwater/Triangles/PolygonGeometry.hpp>
 
 #include <CLI/CLI.hpp>
 

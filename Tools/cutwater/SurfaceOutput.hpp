@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Mesh/WriteSurface.hpp>
+#include <Cutwater/Surface/WriteSurface.hpp>
 
 #include <string>
 #include <vector>

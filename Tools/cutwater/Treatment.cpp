@@ -1,7 +1,7 @@
 #include "Treatment.hpp"
 
-#include <Cutwater/Mesh/Cleaning/Junctions.hpp>
-#include <Cutwater/Mesh/Cleaning/WeldWithin.hpp>
+#include <Cutwater/Surface/Cleaning/Junctions.hpp>
+#include <Cutwater/Surface/Cleaning/WeldWithin.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Mesh/Cleaning/Rims.hpp>
-#include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Surface/Cleaning/Rims.hpp>
+#include <Cutwater/Surface/MeshReport.hpp>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Surface/MeshReport.hpp>
 
 #include <optional>
 #include <string>

@@ -97,7 +97,7 @@ void NodeLevelSet<T>::fill(const IndexBox& nodes, const GridView<T>& values) con
   const InnerBlock inner(nodes, within_);
   const GridView<T> part{&valueAt(values, inner.first[0], inner.first[1], inner.first[2]),
                          values.stride};
-  cutwater::fill(domain_.solid(), Patch<T>{level_, inner.nodes}, part);
+  cutwater::fill(domain_.solid(), GridPatch<T>{level_, inner.nodes}, part);
   finish(domain_, inner, values);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Bvh/BvhRefit.hpp>
-#include <Cutwater/Bvh/PrimitiveVisitors.hpp>
+#include <Cutwater/Bvh/Detail/BvhRefit.hpp>
+#include <Cutwater/Bvh/Detail/PrimitiveVisitors.hpp>
 #include <Cutwater/Core/Error.hpp>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <Cutwater/Bvh/LeafOrder.hpp>
+#include <Cutwater/Bvh/Detail/LeafOrder.hpp>
 #include <Cutwater/Bvh/PointCloud.hpp>
 #include <Cutwater/Core/Error.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Bvh/PrimitiveVisitors.hpp>
+#include <Cutwater/Bvh/Detail/PrimitiveVisitors.hpp>
 #include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 

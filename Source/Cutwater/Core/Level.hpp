@@ -10,8 +10,8 @@ enum class Centering : std::uint8_t { Cell, Node };
 
 /// One refinement level of a mesh: maps the integer index (i, j, k) to a position in space.
 ///
-/// Coordinates are always computed from the global index, so patches, octrees and ranks that share
-/// a level agree on them to the bit.
+/// Coordinates are always computed from the global index, so grid patches, octrees and ranks that
+/// share a level agree on them to the bit.
 template <std::floating_point T>
 class Level {
  public:
@@ -44,7 +44,7 @@ class Level {
 
 /// A box of indices on a level, e.g. those owned by one rank, with or without ghost cells.
 template <std::floating_point T>
-struct Patch {
+struct GridPatch {
   Level<T> level;
   IndexBox indices;
 };

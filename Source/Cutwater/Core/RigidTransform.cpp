@@ -1,7 +1,7 @@
 #include <Cutwater/Core/AffineMap.hpp>
+#include <Cutwater/Core/Detail/UnitVector.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/RigidTransform.hpp>
-#include <Cutwater/Core/UnitVector.hpp>
 
 #include <numbers>
 

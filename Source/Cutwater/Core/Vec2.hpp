@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Core/Inline.hpp>
+#include <Cutwater/Core/Detail/Inline.hpp>
 
 #include <cmath>
 #include <concepts>

@@ -41,7 +41,7 @@ struct EdgeRecord {
 template <std::floating_point T>
 class EdgeWalk {
  public:
-  EdgeWalk(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
+  EdgeWalk(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
            const std::array<EdgeCrossingTargets<T>, 3>& targets)
       : solid_(solid), patch_(patch), targets_(targets) {
     const auto& [lo, hi] = patch.indices;
@@ -142,7 +142,7 @@ class EdgeWalk {
   }
 
   const SignedDistanceFunction<T>& solid_;
-  const Patch<T>& patch_;
+  const GridPatch<T>& patch_;
   const std::array<EdgeCrossingTargets<T>, 3>& targets_;
   Wide lower_{};
   Wide upper_{};
@@ -154,7 +154,7 @@ class EdgeWalk {
 }  // namespace
 
 template <std::floating_point T>
-EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
+EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
                                  const std::array<EdgeCrossingTargets<T>, 3>& targets,
                                  const EdgeCrossingOptions& options) {
   require(patch.level.centering() == Centering::Node, "edgeCrossings: need a level of nodes");
@@ -174,11 +174,12 @@ EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<T>& solid, const P
   return {crossed, unresolved};
 }
 
-template EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<float>&, const Patch<float>&,
+template EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<float>&,
+                                          const GridPatch<float>&,
                                           const std::array<EdgeCrossingTargets<float>, 3>&,
                                           const EdgeCrossingOptions&);
 template EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<double>&,
-                                          const Patch<double>&,
+                                          const GridPatch<double>&,
                                           const std::array<EdgeCrossingTargets<double>, 3>&,
                                           const EdgeCrossingOptions&);
 

@@ -44,16 +44,16 @@ struct EdgeCrossingReport {
 /// cost is that of the edges near the surface. Serial inside an active parallel region.
 /// @throws Error if the patch's level is not one of nodes, or `threads` is negative.
 template <std::floating_point T>
-EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
+EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
                                  const std::array<EdgeCrossingTargets<T>, 3>& targets,
                                  const EdgeCrossingOptions& options = {});
 
 extern template EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<float>&,
-                                                 const Patch<float>&,
+                                                 const GridPatch<float>&,
                                                  const std::array<EdgeCrossingTargets<float>, 3>&,
                                                  const EdgeCrossingOptions&);
 extern template EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<double>&,
-                                                 const Patch<double>&,
+                                                 const GridPatch<double>&,
                                                  const std::array<EdgeCrossingTargets<double>, 3>&,
                                                  const EdgeCrossingOptions&);
 

@@ -1,11 +1,11 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/BlockFill.hpp>
+#include <Cutwater/Grid/Detail/BlockFill.hpp>
 #include <Cutwater/Grid/Fill.hpp>
 
 namespace cutwater {
 
 template <std::floating_point T>
-void fill(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
+void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
           const FillTargets<T>& targets, const FillOptions& options) {
   require(options.band >= 0 && std::isfinite(options.band), "fill: need a finite band >= 0",
           Named{"band", options.band});
@@ -18,9 +18,9 @@ void fill(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
               [&](std::size_t begin, std::size_t end) { blocks.fillTiles(begin, end); });
 }
 
-template void fill(const SignedDistanceFunction<float>&, const Patch<float>&,
+template void fill(const SignedDistanceFunction<float>&, const GridPatch<float>&,
                    const FillTargets<float>&, const FillOptions&);
-template void fill(const SignedDistanceFunction<double>&, const Patch<double>&,
+template void fill(const SignedDistanceFunction<double>&, const GridPatch<double>&,
                    const FillTargets<double>&, const FillOptions&);
 
 }  // namespace cutwater

@@ -34,19 +34,19 @@ struct FillTargets {
 /// solid's Lipschitz constant, or without one its bounds(), proves to be beyond are not evaluated.
 /// @throws Error if the band is negative or not finite, or `threads` is negative.
 template <std::floating_point T>
-void fill(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
+void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
           const FillTargets<T>& targets, const FillOptions& options = {});
 
 /// Fills the distance only.
 template <std::floating_point T>
-void fill(const SignedDistanceFunction<T>& solid, const Patch<T>& patch,
+void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
           const GridView<T>& distance, const FillOptions& options = {}) {
   fill(solid, patch, FillTargets<T>{.distance = distance}, options);
 }
 
-extern template void fill(const SignedDistanceFunction<float>&, const Patch<float>&,
+extern template void fill(const SignedDistanceFunction<float>&, const GridPatch<float>&,
                           const FillTargets<float>&, const FillOptions&);
-extern template void fill(const SignedDistanceFunction<double>&, const Patch<double>&,
+extern template void fill(const SignedDistanceFunction<double>&, const GridPatch<double>&,
                           const FillTargets<double>&, const FillOptions&);
 
 }  // namespace cutwater

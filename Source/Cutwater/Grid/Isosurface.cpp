@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/Detail/SharpFeatures.hpp>
+#include <Cutwater/Grid/Detail/SurfaceBlocks.hpp>
 #include <Cutwater/Grid/Isosurface.hpp>
-#include <Cutwater/Grid/SharpFeatures.hpp>
-#include <Cutwater/Grid/SurfaceBlocks.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -245,7 +245,7 @@ void setPatches(const SignedDistanceFunction<T>& solid, PolygonSoup& soup, std::
 }  // namespace
 
 template <std::floating_point T>
-PolygonSoup isosurface(const SignedDistanceFunction<T>& solid, const Patch<T>& nodes,
+PolygonSoup isosurface(const SignedDistanceFunction<T>& solid, const GridPatch<T>& nodes,
                        const IsosurfaceOptions& options) {
   require(nodes.level.centering() == Centering::Node, "isosurface: need a level of nodes");
   for (int axis = 0; axis < 3; ++axis) {
@@ -283,7 +283,7 @@ PolygonSoup isosurface(const SignedDistanceFunction<T>& solid, const Patch<T>& n
 }
 
 template <std::floating_point T>
-Patch<T> nodesAround(const Box<T>& box, T spacing) {
+GridPatch<T> nodesAround(const Box<T>& box, T spacing) {
   require(!box.empty() && isFinite(box.lower) && isFinite(box.upper),
           "nodesAround: need a box that is finite and not empty");
   require(spacing > 0 && std::isfinite(spacing), "nodesAround: need a positive, finite spacing",
@@ -301,11 +301,11 @@ Patch<T> nodesAround(const Box<T>& box, T spacing) {
           IndexBox::ofSize(count[0], count[1], count[2])};
 }
 
-template PolygonSoup isosurface(const SignedDistanceFunction<float>&, const Patch<float>&,
+template PolygonSoup isosurface(const SignedDistanceFunction<float>&, const GridPatch<float>&,
                                 const IsosurfaceOptions&);
-template PolygonSoup isosurface(const SignedDistanceFunction<double>&, const Patch<double>&,
+template PolygonSoup isosurface(const SignedDistanceFunction<double>&, const GridPatch<double>&,
                                 const IsosurfaceOptions&);
-template Patch<float> nodesAround(const Box<float>&, float);
-template Patch<double> nodesAround(const Box<double>&, double);
+template GridPatch<float> nodesAround(const Box<float>&, float);
+template GridPatch<double> nodesAround(const Box<double>&, double);
 
 }  // namespace cutwater

@@ -2,8 +2,8 @@
 
 #include <Cutwater/Core/Level.hpp>
 #include <Cutwater/Core/Parallel.hpp>
-#include <Cutwater/Mesh/PolygonSoup.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+#include <Cutwater/Surface/PolygonSoup.hpp>
 
 namespace cutwater {
 
@@ -40,20 +40,21 @@ struct IsosurfaceOptions {
 /// tolerance is between 1e-9 and 0.5, and `threads` is not negative; of kind Limit beyond 2^32 - 2
 /// points or triangles, or 2^31 nodes along an axis.
 template <std::floating_point T>
-[[nodiscard]] PolygonSoup isosurface(const SignedDistanceFunction<T>& solid, const Patch<T>& nodes,
+[[nodiscard]] PolygonSoup isosurface(const SignedDistanceFunction<T>& solid,
+                                     const GridPatch<T>& nodes,
                                      const IsosurfaceOptions& options = {});
 
 /// The nodes of a grid of cubes around a box, with a margin of at least one cell on each side.
 /// @throws Error unless the box is finite and not empty, the spacing is positive and finite, and
 /// there are less than 2^31 nodes along each axis.
 template <std::floating_point T>
-[[nodiscard]] Patch<T> nodesAround(const Box<T>& box, T spacing);
+[[nodiscard]] GridPatch<T> nodesAround(const Box<T>& box, T spacing);
 
-extern template PolygonSoup isosurface(const SignedDistanceFunction<float>&, const Patch<float>&,
-                                       const IsosurfaceOptions&);
-extern template PolygonSoup isosurface(const SignedDistanceFunction<double>&, const Patch<double>&,
-                                       const IsosurfaceOptions&);
-extern template Patch<float> nodesAround(const Box<float>&, float);
-extern template Patch<double> nodesAround(const Box<double>&, double);
+extern template PolygonSoup isosurface(const SignedDistanceFunction<float>&,
+                                       const GridPatch<float>&, const IsosurfaceOptions&);
+extern template PolygonSoup isosurface(const SignedDistanceFunction<double>&,
+                                       const GridPatch<double>&, const IsosurfaceOptions&);
+extern template GridPatch<float> nodesAround(const Box<float>&, float);
+extern template GridPatch<double> nodesAround(const Box<double>&, double);
 
 }  // namespace cutwater

@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/OctreeBuilder.hpp>
+#include <Cutwater/Grid/Detail/OctreeBuilder.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
+#include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Core/Scratch.hpp>
-#include <Cutwater/Grid/FacetRules.hpp>
-#include <Cutwater/Sdf/Defaults.hpp>
+#include <Cutwater/Grid/Detail/FacetRules.hpp>
+#include <Cutwater/Sdf/Detail/Defaults.hpp>
 
 #include <algorithm>
 #include <cmath>

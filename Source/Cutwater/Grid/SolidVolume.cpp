@@ -1,4 +1,4 @@
-#include <Cutwater/Grid/VolumeSearch.hpp>
+#include <Cutwater/Grid/Detail/VolumeSearch.hpp>
 
 #include <algorithm>
 

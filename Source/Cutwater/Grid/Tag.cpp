@@ -1,6 +1,6 @@
+#include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Core/Scratch.hpp>
-#include <Cutwater/Grid/PatchBlocks.hpp>
+#include <Cutwater/Grid/Detail/PatchBlocks.hpp>
 #include <Cutwater/Grid/Tag.hpp>
 
 #include <algorithm>
@@ -18,8 +18,8 @@ class Tagging {
  public:
   static_assert(kBlockCells <= CellJudge<T>::kMost);
 
-  Tagging(const SignedDistanceFunction<T>& solid, const CellJudge<T>& judge, const Patch<T>& patch,
-          int level, const GridView<std::uint8_t>& tags)
+  Tagging(const SignedDistanceFunction<T>& solid, const CellJudge<T>& judge,
+          const GridPatch<T>& patch, int level, const GridView<std::uint8_t>& tags)
       : solid_(solid),
         judge_(judge),
         patch_(patch),
@@ -64,7 +64,7 @@ class Tagging {
 
   const SignedDistanceFunction<T>& solid_;
   const CellJudge<T>& judge_;
-  const Patch<T>& patch_;
+  const GridPatch<T>& patch_;
   int level_;
   const GridView<std::uint8_t>& tags_;
   detail::PatchBlocks blocks_;
@@ -74,7 +74,7 @@ class Tagging {
 
 template <std::floating_point T>
 void tag(const Refinement<T>& refinement, const SignedDistanceFunction<T>& solid,
-         const Patch<T>& patch, int level, const GridView<std::uint8_t>& tags,
+         const GridPatch<T>& patch, int level, const GridView<std::uint8_t>& tags,
          const TagOptions& options) {
   require(level >= 0, "tag: need a level >= 0", Named{"level", level});
   require(options.threads >= 0, "tag: need threads >= 0", Named{"threads", options.threads});
@@ -87,8 +87,8 @@ void tag(const Refinement<T>& refinement, const SignedDistanceFunction<T>& solid
 }
 
 template void tag(const Refinement<float>&, const SignedDistanceFunction<float>&,
-                  const Patch<float>&, int, const GridView<std::uint8_t>&, const TagOptions&);
+                  const GridPatch<float>&, int, const GridView<std::uint8_t>&, const TagOptions&);
 template void tag(const Refinement<double>&, const SignedDistanceFunction<double>&,
-                  const Patch<double>&, int, const GridView<std::uint8_t>&, const TagOptions&);
+                  const GridPatch<double>&, int, const GridView<std::uint8_t>&, const TagOptions&);
 
 }  // namespace cutwater

@@ -19,14 +19,14 @@ struct TagOptions {
 /// @throws Error as Refinement::check(), or if `level` or `threads` is negative.
 template <std::floating_point T>
 void tag(const Refinement<T>& refinement, const SignedDistanceFunction<T>& solid,
-         const Patch<T>& patch, int level, const GridView<std::uint8_t>& tags,
+         const GridPatch<T>& patch, int level, const GridView<std::uint8_t>& tags,
          const TagOptions& options = {});
 
 extern template void tag(const Refinement<float>&, const SignedDistanceFunction<float>&,
-                         const Patch<float>&, int, const GridView<std::uint8_t>&,
+                         const GridPatch<float>&, int, const GridView<std::uint8_t>&,
                          const TagOptions&);
 extern template void tag(const Refinement<double>&, const SignedDistanceFunction<double>&,
-                         const Patch<double>&, int, const GridView<std::uint8_t>&,
+                         const GridPatch<double>&, int, const GridView<std::uint8_t>&,
                          const TagOptions&);
 
 }  // namespace cutwater

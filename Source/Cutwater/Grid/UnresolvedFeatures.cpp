@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/UnresolvedCell.hpp>
+#include <Cutwater/Grid/Detail/UnresolvedCell.hpp>
 
 #include <algorithm>
 #include <cmath>

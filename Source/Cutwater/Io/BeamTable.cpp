@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Io/BeamTable.hpp>
-#include <Cutwater/Io/CsvRows.hpp>
-#include <Cutwater/Mesh/Formats/Output.hpp>
+#include <Cutwater/Io/Detail/CsvRows.hpp>
+#include <Cutwater/Text/Output.hpp>
 
 #include <cmath>
 

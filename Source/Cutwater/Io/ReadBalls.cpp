@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/CsvRows.hpp>
+#include <Cutwater/Io/Detail/CsvRows.hpp>
 #include <Cutwater/Io/ReadBalls.hpp>
 
 #include <cmath>

@@ -37,7 +37,7 @@ void checkArguments(const IndexBox& box, std::span<const VtkArray> arrays) {
 }
 
 template <std::floating_point T>
-std::string header(const Patch<T>& patch, std::span<const VtkArray> arrays) {
+std::string header(const GridPatch<T>& patch, std::span<const VtkArray> arrays) {
   const auto& level = patch.level;
   const auto extent = extentOf(patch.indices, level.centering());
   const bool cells = level.centering() == Centering::Cell;
@@ -54,7 +54,7 @@ std::string header(const Patch<T>& patch, std::span<const VtkArray> arrays) {
 }  // namespace
 
 template <std::floating_point T>
-void writeVti(const std::filesystem::path& path, const Patch<T>& patch,
+void writeVti(const std::filesystem::path& path, const GridPatch<T>& patch,
               std::span<const VtkArray> arrays) {
   checkArguments(patch.indices, arrays);
   OutputFile file(path);
@@ -64,9 +64,9 @@ void writeVti(const std::filesystem::path& path, const Patch<T>& patch,
   file.commit();
 }
 
-template void writeVti(const std::filesystem::path&, const Patch<float>&,
+template void writeVti(const std::filesystem::path&, const GridPatch<float>&,
                        std::span<const VtkArray>);
-template void writeVti(const std::filesystem::path&, const Patch<double>&,
+template void writeVti(const std::filesystem::path&, const GridPatch<double>&,
                        std::span<const VtkArray>);
 
 }  // namespace cutwater

@@ -16,12 +16,12 @@ namespace cutwater {
 /// list of arrays is empty, the length of an array differs from that of the patch, names are empty
 /// or occur twice, or the extent does not fit because of the patch's outermost index.
 template <std::floating_point T>
-void writeVti(const std::filesystem::path& path, const Patch<T>& patch,
+void writeVti(const std::filesystem::path& path, const GridPatch<T>& patch,
               std::span<const VtkArray> arrays);
 
-extern template void writeVti(const std::filesystem::path&, const Patch<float>&,
+extern template void writeVti(const std::filesystem::path&, const GridPatch<float>&,
                               std::span<const VtkArray>);
-extern template void writeVti(const std::filesystem::path&, const Patch<double>&,
+extern template void writeVti(const std::filesystem::path&, const GridPatch<double>&,
                               std::span<const VtkArray>);
 
 }  // namespace cutwater

@@ -1,6 +1,6 @@
 #include <Cutwater/Lattice/Beam.hpp>
 #include <Cutwater/Sdf/Guarantee.hpp>
-#include <Cutwater/Shapes/Arguments.hpp>
+#include <Cutwater/Shapes/Detail/Arguments.hpp>
 
 namespace cutwater {
 

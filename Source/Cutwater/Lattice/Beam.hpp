@@ -1,10 +1,10 @@
 #pragma once
 
 #include <Cutwater/Bvh/LinearBVH.hpp>
-#include <Cutwater/Lattice/CappedFrustumProfile.hpp>
-#include <Cutwater/Shapes/CapsuleProfile.hpp>
-#include <Cutwater/Shapes/ConeSphereProfile.hpp>
-#include <Cutwater/Shapes/FrustumProfile.hpp>
+#include <Cutwater/Lattice/Detail/CappedFrustumProfile.hpp>
+#include <Cutwater/Shapes/Detail/CapsuleProfile.hpp>
+#include <Cutwater/Shapes/Detail/ConeSphereProfile.hpp>
+#include <Cutwater/Shapes/Detail/FrustumProfile.hpp>
 
 namespace cutwater {
 

@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Lattice/BeamGraph.hpp>
-#include <Cutwater/Lattice/Skeleton.hpp>
-#include <Cutwater/Lattice/StrutCopies.hpp>
+#include <Cutwater/Lattice/Detail/Skeleton.hpp>
+#include <Cutwater/Lattice/Detail/StrutCopies.hpp>
 
 namespace cutwater {
 

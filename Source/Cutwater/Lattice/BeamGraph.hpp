@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Lattice/UnitCell.hpp>
-#include <Cutwater/Operations/Tiles.hpp>
+#include <Cutwater/Core/Repeats.hpp>
 
 namespace cutwater {
 

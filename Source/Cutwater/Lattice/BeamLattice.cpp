@@ -1,8 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
-#include <Cutwater/Lattice/NeighborLimits.hpp>
-#include <Cutwater/Lattice/RoundBeamTree.hpp>
-#include <Cutwater/Sdf/Defaults.hpp>
+#include <Cutwater/Lattice/Detail/NeighborLimits.hpp>
+#include <Cutwater/Lattice/Detail/RoundBeamTree.hpp>
+#include <Cutwater/Sdf/Detail/Defaults.hpp>
 
 #include <algorithm>
 

@@ -35,14 +35,14 @@ class BeamLattice final : public SignedDistanceFunction<T> {
  private:
   struct Trees;
 
-  [[nodiscard]] std::string localName() const override { return "Beam lattice"; }
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  std::string localName() const override { return "Beam lattice"; }
+  T localSignedDistance(const Vec3<T>& p) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
-  [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
-  [[nodiscard]] Box<T> localBoundingBox() const override { return box_; }
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  SurfaceOwner localOwner(const Vec3<T>& p) const override;
+  Guarantee<T> localGuarantee() const override { return guarantee_; }
+  Box<T> localBoundingBox() const override { return box_; }
 
   [[nodiscard]] NearestBeam<T> localNearest(const Vec3<T>& p) const;
   /// The same, found sooner if the value is not above `limit`.

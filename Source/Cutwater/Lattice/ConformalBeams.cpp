@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Lattice/ConformalBeams.hpp>
-#include <Cutwater/Lattice/StrutCopies.hpp>
+#include <Cutwater/Lattice/Detail/StrutCopies.hpp>
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
-#include <Cutwater/Bvh/LeafOrder.hpp>
+#include <Cutwater/Bvh/Detail/LeafOrder.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Lattice/NeighborLimits.hpp>
+#include <Cutwater/Lattice/Detail/NeighborLimits.hpp>
 #include <Cutwater/Lattice/PackedBed.hpp>
-#include <Cutwater/Sdf/Defaults.hpp>
+#include <Cutwater/Sdf/Detail/Defaults.hpp>
 
 #include <algorithm>
 #include <cmath>

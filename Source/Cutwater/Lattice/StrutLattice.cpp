@@ -1,5 +1,5 @@
 #include <Cutwater/Lattice/StrutLattice.hpp>
-#include <Cutwater/Sdf/Defaults.hpp>
+#include <Cutwater/Sdf/Detail/Defaults.hpp>
 
 #include <algorithm>
 

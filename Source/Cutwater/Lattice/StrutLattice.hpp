@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Lattice/CellSkeleton.hpp>
+#include <Cutwater/Lattice/Detail/CellSkeleton.hpp>
 #include <Cutwater/Lattice/Thickness.hpp>
 
 namespace cutwater {
@@ -36,13 +36,13 @@ class StrutLattice : public SignedDistanceFunction<T> {
   StrutLattice(UnitCell cell, const Repeats<T>& cells, Thickness<T> thickness);
 
  private:
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const final;
+  T localSignedDistance(const Vec3<T>& p) const final;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const final;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const final;
-  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const final;
-  [[nodiscard]] Guarantee<T> localGuarantee() const final { return guarantee_; }
-  [[nodiscard]] Box<T> localBoundingBox() const final;
-  [[nodiscard]] std::string localName() const final;
+  Vec3<T> localGradient(const Vec3<T>& p) const final;
+  SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const final;
+  Guarantee<T> localGuarantee() const final { return guarantee_; }
+  Box<T> localBoundingBox() const final;
+  std::string localName() const final;
 
   /// The value at p, given the distance to the skeleton.
   [[nodiscard]] T value(const Vec3<T>& p, T distance) const {

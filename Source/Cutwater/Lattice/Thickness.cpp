@@ -1,4 +1,4 @@
-#include <Cutwater/Lattice/Skeleton.hpp>
+#include <Cutwater/Lattice/Detail/Skeleton.hpp>
 #include <Cutwater/Lattice/Thickness.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Lattice/CellMirrors.hpp>
+#include <Cutwater/Lattice/Detail/CellMirrors.hpp>
 
 #include <array>
 #include <string>

@@ -1,9 +1,9 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/DcelSDF.hpp>
-#include <Cutwater/Mesh/MeshReport.hpp>
-#include <Cutwater/Mesh/PatchNames.hpp>
-#include <Cutwater/Mesh/SoundnessCheck.hpp>
-#include <Cutwater/Mesh/TriangleSurfaceData.hpp>
+#include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
+#include <Cutwater/Mesh/Detail/TriangleSurfaceData.hpp>
+#include <Cutwater/Surface/Detail/PatchNames.hpp>
+#include <Cutwater/Surface/MeshReport.hpp>
 
 #include <algorithm>
 

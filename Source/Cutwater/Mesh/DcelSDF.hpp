@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Cutwater/Core/Block.hpp>
-#include <Cutwater/Mesh/DcelMesh.hpp>
-#include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
+#include <Cutwater/Mesh/Detail/TriangleSurfaceSDF.hpp>
+#include <Cutwater/Surface/DcelMesh.hpp>
 
 #include <memory>
 
@@ -24,15 +24,14 @@ class DcelSDF final : public TriangleSurfaceSDF<T> {
   [[nodiscard]] const DcelMesh<T>& mesh() const { return *mesh_; }
 
  private:
-  [[nodiscard]] typename TriangleSurface<T>::Nearest nearest(const Vec3<T>& p) const override;
+  typename TriangleSurface<T>::Nearest nearest(const Vec3<T>& p) const override;
   void along(const Segment<double>& segment, TriangleVisitor visit) const override;
-  [[nodiscard]] BoxOverlap overlapWith(const OrientedBox<double>& box,
-                                       std::uint32_t& place) const override;
+  BoxOverlap overlapWith(const OrientedBox<double>& box, std::uint32_t& place) const override;
   void around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const override;
   // Never called: the surface is closed.
-  [[nodiscard]] bool isSurrounded(const Vec3<T>&) const override { return false; }
-  [[nodiscard]] bool isDecided(const Box<double>&) const override { return true; }
-  [[nodiscard]] std::vector<std::string> localPatchNames() const override { return patchNames_; }
+  bool isSurrounded(const Vec3<T>&) const override { return false; }
+  bool isDecided(const Box<double>&) const override { return true; }
+  std::vector<std::string> localPatchNames() const override { return patchNames_; }
 
   std::shared_ptr<const DcelMesh<T>> mesh_;
   std::vector<std::string> patchNames_;

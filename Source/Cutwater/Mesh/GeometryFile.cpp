@@ -1,8 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/OutputFile.hpp>
-#include <Cutwater/Mesh/Formats/MappedFile.hpp>
-#include <Cutwater/Mesh/GeometryHeader.hpp>
+#include <Cutwater/Mesh/Detail/GeometryHeader.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Text/MappedFile.hpp>
 
 #include <algorithm>
 #include <cstdio>

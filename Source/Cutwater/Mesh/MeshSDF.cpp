@@ -1,11 +1,11 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Mesh/BoxSearch.hpp>
-#include <Cutwater/Mesh/MeshReport.hpp>
+#include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
+#include <Cutwater/Mesh/Detail/TriangleSurfaceData.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/PatchNames.hpp>
-#include <Cutwater/Mesh/SelfIntersections.hpp>
-#include <Cutwater/Mesh/SoundnessCheck.hpp>
-#include <Cutwater/Mesh/TriangleSurfaceData.hpp>
+#include <Cutwater/Surface/Detail/PatchNames.hpp>
+#include <Cutwater/Surface/MeshReport.hpp>
+#include <Cutwater/Surface/SelfIntersections.hpp>
+#include <Cutwater/Triangles/Search/BoxSearch.hpp>
 
 #include <atomic>
 #include <cmath>

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <Cutwater/Core/Block.hpp>
-#include <Cutwater/Mesh/DcelMesh.hpp>
+#include <Cutwater/Mesh/Detail/MeshLayout.hpp>
+#include <Cutwater/Mesh/Detail/TriangleSurfaceSDF.hpp>
 #include <Cutwater/Mesh/GeometryFile.hpp>
-#include <Cutwater/Mesh/MeshLayout.hpp>
-#include <Cutwater/Mesh/TriangleSearch.hpp>
-#include <Cutwater/Mesh/TriangleSurfaceSDF.hpp>
+#include <Cutwater/Surface/DcelMesh.hpp>
+#include <Cutwater/Triangles/Search/TriangleSearch.hpp>
 
 namespace cutwater {
 
@@ -91,17 +91,16 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
  private:
   using Nearest = typename TriangleSurface<T>::Nearest;
 
-  [[nodiscard]] Nearest nearest(const Vec3<T>& p) const override;
-  [[nodiscard]] Nearest nearestWithin(const Vec3<T>& p, double reach) const override;
+  Nearest nearest(const Vec3<T>& p) const override;
+  Nearest nearestWithin(const Vec3<T>& p, double reach) const override;
   void nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const override;
   void along(const Segment<double>& segment, TriangleVisitor visit) const override;
-  [[nodiscard]] BoxOverlap overlapWith(const OrientedBox<double>& box,
-                                       std::uint32_t& place) const override;
+  BoxOverlap overlapWith(const OrientedBox<double>& box, std::uint32_t& place) const override;
   void around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const override;
-  [[nodiscard]] bool isSurrounded(const Vec3<T>& p) const override;
-  [[nodiscard]] bool isDecided(const Box<double>& box) const override;
-  [[nodiscard]] const OpenWinding* openWinding() const override { return &winding_; }
-  [[nodiscard]] std::vector<std::string> localPatchNames() const override;
+  bool isSurrounded(const Vec3<T>& p) const override;
+  bool isDecided(const Box<double>& box) const override;
+  const OpenWinding* openWinding() const override { return &winding_; }
+  std::vector<std::string> localPatchNames() const override;
 
   MeshSDF() = default;
   /// `defects` describes a surface that is refused in more detail.

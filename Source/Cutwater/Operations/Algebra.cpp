@@ -1,20 +1,20 @@
-#include <Cutwater/Operations/Affine.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
-#include <Cutwater/Operations/Blend.hpp>
-#include <Cutwater/Operations/Complement.hpp>
-#include <Cutwater/Operations/Elongation.hpp>
-#include <Cutwater/Operations/Fold.hpp>
-#include <Cutwater/Operations/Intersection.hpp>
-#include <Cutwater/Operations/Inversion.hpp>
-#include <Cutwater/Operations/Labelled.hpp>
-#include <Cutwater/Operations/Mirror.hpp>
-#include <Cutwater/Operations/Offset.hpp>
-#include <Cutwater/Operations/Repetition.hpp>
-#include <Cutwater/Operations/Scale.hpp>
-#include <Cutwater/Operations/Shell.hpp>
-#include <Cutwater/Operations/SmoothCombination.hpp>
-#include <Cutwater/Operations/SymmetricDifference.hpp>
-#include <Cutwater/Operations/Union.hpp>
+#include <Cutwater/Operations/Detail/Affine.hpp>
+#include <Cutwater/Operations/Detail/Blend.hpp>
+#include <Cutwater/Operations/Detail/Complement.hpp>
+#include <Cutwater/Operations/Detail/Elongation.hpp>
+#include <Cutwater/Operations/Detail/Fold.hpp>
+#include <Cutwater/Operations/Detail/Intersection.hpp>
+#include <Cutwater/Operations/Detail/Inversion.hpp>
+#include <Cutwater/Operations/Detail/Labelled.hpp>
+#include <Cutwater/Operations/Detail/Mirror.hpp>
+#include <Cutwater/Operations/Detail/Offset.hpp>
+#include <Cutwater/Operations/Detail/Repetition.hpp>
+#include <Cutwater/Operations/Detail/Scale.hpp>
+#include <Cutwater/Operations/Detail/Shell.hpp>
+#include <Cutwater/Operations/Detail/SmoothCombination.hpp>
+#include <Cutwater/Operations/Detail/SymmetricDifference.hpp>
+#include <Cutwater/Operations/Detail/Union.hpp>
 
 namespace cutwater::detail {
 

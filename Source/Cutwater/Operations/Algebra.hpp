@@ -1,10 +1,10 @@
 #pragma once
 
 #include <Cutwater/Core/AffineMap.hpp>
-#include <Cutwater/Operations/Displacement.hpp>
-#include <Cutwater/Operations/Repetition.hpp>
+#include <Cutwater/Operations/Detail/Displacement.hpp>
+#include <Cutwater/Operations/Detail/Repetition.hpp>
+#include <Cutwater/Operations/Detail/Warp.hpp>
 #include <Cutwater/Operations/SmoothMinimum.hpp>
-#include <Cutwater/Operations/Warp.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Operations/Displacement.hpp>
+#include <Cutwater/Operations/Detail/Displacement.hpp>
 
 namespace cutwater {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Core/Scratch.hpp>
+#include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class UnaryOperation : public SignedDistanceFunction<T> {
     }
   }
 
-  [[nodiscard]] std::vector<std::string> localPatchNames() const override;
+  std::vector<std::string> localPatchNames() const override;
   void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const override {
     visit(operand_);
   }

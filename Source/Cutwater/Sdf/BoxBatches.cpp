@@ -1,5 +1,5 @@
+#include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Core/Scratch.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 #include <algorithm>

@@ -41,13 +41,13 @@ class FunctionSDF final : public SignedDistanceFunction<T> {
   }
 
  private:
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override { return function_(p); }
+  T localSignedDistance(const Vec3<T>& p) const override { return function_(p); }
   void localSignedDistances(std::span<const Vec3<T>> points,
                             std::span<T> distances) const override {
     for (std::size_t i = 0; i < points.size(); ++i) distances[i] = function_(points[i]);
   }
-  [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
-  [[nodiscard]] Box<T> localBoundingBox() const override { return boundingBox_; }
+  Guarantee<T> localGuarantee() const override { return guarantee_; }
+  Box<T> localBoundingBox() const override { return boundingBox_; }
 
   Function function_;
   Guarantee<T> guarantee_;

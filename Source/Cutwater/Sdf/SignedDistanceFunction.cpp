@@ -1,6 +1,6 @@
+#include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Core/Scratch.hpp>
-#include <Cutwater/Sdf/Defaults.hpp>
+#include <Cutwater/Sdf/Detail/Defaults.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 #include <algorithm>

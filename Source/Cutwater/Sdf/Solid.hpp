@@ -36,26 +36,25 @@ class Solid final : public SignedDistanceFunction<T> {
   }
 
  private:
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
-  [[nodiscard]] T localSignedDistanceWithin(const Vec3<T>& p,
-                                            const Interval<T>& wanted) const override;
+  T localSignedDistance(const Vec3<T>& p) const override;
+  T localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
   void localClosestPoints(std::span<const Vec3<T>> points,
                           std::span<SurfacePoint<T>> results) const override;
-  [[nodiscard]] SurfaceOwner localOwner(const Vec3<T>& p) const override;
+  SurfaceOwner localOwner(const Vec3<T>& p) const override;
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
-  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
-  [[nodiscard]] BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override;
   void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
                     std::span<BoxHint> hints) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
-  [[nodiscard]] Box<T> localBoundingBox() const override { return boundingBox_; }
-  [[nodiscard]] Box<T> localClearanceBox() const override;
-  [[nodiscard]] std::vector<std::string> localPatchNames() const override;
-  [[nodiscard]] std::string localName() const override { return root_->localName(); }
+  Guarantee<T> localGuarantee() const override { return guarantee_; }
+  Box<T> localBoundingBox() const override { return boundingBox_; }
+  Box<T> localClearanceBox() const override;
+  std::vector<std::string> localPatchNames() const override;
+  std::string localName() const override { return root_->localName(); }
   void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const override {
     root_->forEachOperand(visit);
   }

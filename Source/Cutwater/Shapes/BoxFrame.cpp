@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Sdf/Defaults.hpp>
-#include <Cutwater/Shapes/Arguments.hpp>
+#include <Cutwater/Sdf/Detail/Defaults.hpp>
 #include <Cutwater/Shapes/BoxFrame.hpp>
+#include <Cutwater/Shapes/Detail/Arguments.hpp>
 
 #include <algorithm>
 

@@ -20,12 +20,12 @@ class BoxFrame final : public SignedDistanceFunction<T> {
   BoxFrame(const Box<T>& box, T thickness);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Box frame"; }
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Box frame"; }
+  T localSignedDistance(const Vec3<T>& p) const override;
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   /// For a point q of the first octant, the shortest step to the surface.
   struct Step {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Shapes/Axisymmetric.hpp>
-#include <Cutwater/Shapes/FrustumProfile.hpp>
+#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
+#include <Cutwater/Shapes/Detail/FrustumProfile.hpp>
 
 namespace cutwater {
 
@@ -17,11 +17,11 @@ class CappedCone final : public Axisymmetric<T> {
   CappedCone(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Capped cone"; }
-  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Capped cone"; }
+  T profileDistance(const ProfilePoint<T>& p) const override;
+  ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   detail::FrustumProfile<T> profile_;
   T size_;

@@ -19,11 +19,11 @@ class CappedTorus final : public SignedDistanceFunction<T> {
   CappedTorus(T major, T minor, T halfAngle);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Capped torus"; }
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Capped torus"; }
+  T localSignedDistance(const Vec3<T>& p) const override;
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   /// Whether the nearest point of the arc is its end; q.y >= 0.
   [[nodiscard]] bool isBeyondEnd(const Vec2<T>& q) const;

@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Shapes/Arguments.hpp>
 #include <Cutwater/Shapes/Cone.hpp>
+#include <Cutwater/Shapes/Detail/Arguments.hpp>
 
 namespace cutwater {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Shapes/Axisymmetric.hpp>
-#include <Cutwater/Shapes/FrustumProfile.hpp>
+#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
+#include <Cutwater/Shapes/Detail/FrustumProfile.hpp>
 
 namespace cutwater {
 
@@ -14,11 +14,11 @@ class Cone final : public Axisymmetric<T> {
   Cone(const Vec3<T>& apex, const Vec3<T>& base, T radius);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Cone"; }
-  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Cone"; }
+  T profileDistance(const ProfilePoint<T>& p) const override;
+  ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   detail::FrustumProfile<T> profile_;
   T size_;

@@ -1,5 +1,5 @@
-#include <Cutwater/Shapes/Arguments.hpp>
 #include <Cutwater/Shapes/ConeSphere.hpp>
+#include <Cutwater/Shapes/Detail/Arguments.hpp>
 
 namespace cutwater {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Shapes/Axisymmetric.hpp>
-#include <Cutwater/Shapes/ConeSphereProfile.hpp>
+#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
+#include <Cutwater/Shapes/Detail/ConeSphereProfile.hpp>
 
 namespace cutwater {
 
@@ -21,11 +21,11 @@ class ConeSphere final : public Axisymmetric<T> {
   ConeSphere(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Cone-sphere"; }
-  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Cone-sphere"; }
+  T profileDistance(const ProfilePoint<T>& p) const override;
+  ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   detail::ConeSphereProfile<T> profile_;
   T size_;

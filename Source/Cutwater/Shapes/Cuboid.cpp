@@ -1,8 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Sdf/Defaults.hpp>
-#include <Cutwater/Shapes/Arguments.hpp>
-#include <Cutwater/Shapes/BoxDistance.hpp>
+#include <Cutwater/Sdf/Detail/Defaults.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Shapes/Detail/Arguments.hpp>
+#include <Cutwater/Shapes/Detail/BoxDistance.hpp>
 
 namespace cutwater {
 

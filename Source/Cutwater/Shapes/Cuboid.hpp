@@ -17,12 +17,12 @@ class Cuboid final : public SignedDistanceFunction<T> {
   Cuboid(const Vec3<T>& lower, const Vec3<T>& upper) : Cuboid(Box<T>{lower, upper}) {}
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Box"; }
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Box"; }
+  T localSignedDistance(const Vec3<T>& p) const override;
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   Box<T> box_;
 };

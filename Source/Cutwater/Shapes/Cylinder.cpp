@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Shapes/Arguments.hpp>
-#include <Cutwater/Shapes/BoxDistance.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
+#include <Cutwater/Shapes/Detail/Arguments.hpp>
+#include <Cutwater/Shapes/Detail/BoxDistance.hpp>
 
 namespace cutwater {
 

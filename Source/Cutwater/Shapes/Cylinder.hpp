@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Shapes/Axisymmetric.hpp>
+#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
 
 namespace cutwater {
 
@@ -16,11 +16,11 @@ class Cylinder final : public Axisymmetric<T> {
   Cylinder(const Vec3<T>& a, const Vec3<T>& b, T radius);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Cylinder"; }
-  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Cylinder"; }
+  T profileDistance(const ProfilePoint<T>& p) const override;
+  ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   T radius_;
   T length_;

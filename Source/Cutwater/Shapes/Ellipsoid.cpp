@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Shapes/Arguments.hpp>
+#include <Cutwater/Shapes/Detail/Arguments.hpp>
 #include <Cutwater/Shapes/Ellipsoid.hpp>
 
 #include <algorithm>

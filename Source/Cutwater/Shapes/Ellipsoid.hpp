@@ -28,11 +28,11 @@ class Ellipsoid final : public SignedDistanceFunction<T> {
   Ellipsoid(const Vec3<T>& center, const Vec3<T>& semiAxes);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Ellipsoid"; }
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Ellipsoid"; }
+  T localSignedDistance(const Vec3<T>& p) const override;
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   /// Coordinates by axis, from the longest to the shortest.
   using Sorted = std::array<T, 3>;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Shapes/PolygonDistance.hpp>
-#include <Cutwater/Shapes/Prismatic.hpp>
+#include <Cutwater/Shapes/Detail/PolygonDistance.hpp>
+#include <Cutwater/Shapes/Detail/Prismatic.hpp>
 
 namespace cutwater {
 
@@ -16,11 +16,11 @@ class Extrusion final : public Prismatic<T> {
   Extrusion(const Polygon<T>& section, T lower, T upper);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Extrusion"; }
-  [[nodiscard]] T sectionDistance(const Vec2<T>& p) const override;
-  [[nodiscard]] Vec2<T> sectionGradient(const Vec2<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Extrusion"; }
+  T sectionDistance(const Vec2<T>& p) const override;
+  Vec2<T> sectionGradient(const Vec2<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   detail::PolygonDistance<T> section_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Shapes/Prismatic.hpp>
+#include <Cutwater/Shapes/Detail/Prismatic.hpp>
 
 namespace cutwater {
 
@@ -16,11 +16,11 @@ class HexagonalPrism final : public Prismatic<T> {
   HexagonalPrism(T inradius, T height);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Hexagonal prism"; }
-  [[nodiscard]] T sectionDistance(const Vec2<T>& p) const override;
-  [[nodiscard]] Vec2<T> sectionGradient(const Vec2<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Hexagonal prism"; }
+  T sectionDistance(const Vec2<T>& p) const override;
+  Vec2<T> sectionGradient(const Vec2<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   T inradius_;
   T halfSide_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Shapes/Axisymmetric.hpp>
+#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
 
 namespace cutwater {
 
@@ -19,11 +19,11 @@ class InfiniteCone final : public Axisymmetric<T> {
   InfiniteCone(const Vec3<T>& apex, const Vec3<T>& axis, T halfAngle);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Infinite cone"; }
-  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Infinite cone"; }
+  T profileDistance(const ProfilePoint<T>& p) const override;
+  ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   [[nodiscard]] bool isBesideFlank(const ProfilePoint<T>& p) const;
 

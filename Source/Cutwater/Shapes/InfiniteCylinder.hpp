@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Shapes/Axisymmetric.hpp>
+#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
 
 namespace cutwater {
 
@@ -16,11 +16,11 @@ class InfiniteCylinder final : public Axisymmetric<T> {
   InfiniteCylinder(const Vec3<T>& point, const Vec3<T>& axis, T radius);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Infinite cylinder"; }
-  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Infinite cylinder"; }
+  T profileDistance(const ProfilePoint<T>& p) const override;
+  ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   T radius_;
 };

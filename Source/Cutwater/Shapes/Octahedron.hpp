@@ -17,11 +17,11 @@ class Octahedron final : public SignedDistanceFunction<T> {
   explicit Octahedron(T radius);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Octahedron"; }
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Octahedron"; }
+  T localSignedDistance(const Vec3<T>& p) const override;
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   /// t, for a point of the first octant.
   [[nodiscard]] T reduction(const Vec3<T>& q) const;

@@ -1,7 +1,7 @@
+#include <Cutwater/Core/Detail/UnitVector.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Core/UnitVector.hpp>
-#include <Cutwater/Sdf/Defaults.hpp>
-#include <Cutwater/Shapes/Arguments.hpp>
+#include <Cutwater/Sdf/Detail/Defaults.hpp>
+#include <Cutwater/Shapes/Detail/Arguments.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
 
 namespace cutwater {

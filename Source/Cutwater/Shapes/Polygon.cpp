@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Shapes/Detail/PolygonEdges.hpp>
 #include <Cutwater/Shapes/Polygon.hpp>
-#include <Cutwater/Shapes/PolygonEdges.hpp>
 
 #include <algorithm>
 

@@ -17,11 +17,11 @@ class Pyramid final : public SignedDistanceFunction<T> {
   Pyramid(T side, T height);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Pyramid"; }
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Pyramid"; }
+  T localSignedDistance(const Vec3<T>& p) const override;
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   /// Mirrored such that x >= y >= 0.
   [[nodiscard]] static Vec3<T> folded(const Vec3<T>& p);

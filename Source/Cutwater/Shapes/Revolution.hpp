@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Shapes/Axisymmetric.hpp>
-#include <Cutwater/Shapes/PolygonDistance.hpp>
+#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
+#include <Cutwater/Shapes/Detail/PolygonDistance.hpp>
 
 namespace cutwater {
 
@@ -19,11 +19,11 @@ class Revolution final : public Axisymmetric<T> {
   Revolution(const Polygon<T>& profile, const Vec3<T>& origin, const Vec3<T>& axis);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Revolution"; }
-  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Revolution"; }
+  T profileDistance(const ProfilePoint<T>& p) const override;
+  ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   detail::PolygonDistance<T> profile_;
   Box<T> box_;

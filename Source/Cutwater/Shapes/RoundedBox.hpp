@@ -18,12 +18,12 @@ class RoundedBox final : public SignedDistanceFunction<T> {
       : RoundedBox(Box<T>{lower, upper}, radius) {}
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Rounded box"; }
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Rounded box"; }
+  T localSignedDistance(const Vec3<T>& p) const override;
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   Box<T> core_;  // the box that is grown by the radius; may have zero thickness
   T radius_;

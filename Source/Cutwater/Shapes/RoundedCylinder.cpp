@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Shapes/Arguments.hpp>
-#include <Cutwater/Shapes/BoxDistance.hpp>
+#include <Cutwater/Shapes/Detail/Arguments.hpp>
+#include <Cutwater/Shapes/Detail/BoxDistance.hpp>
 #include <Cutwater/Shapes/RoundedCylinder.hpp>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Sdf/Defaults.hpp>
+#include <Cutwater/Sdf/Detail/Defaults.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
 namespace cutwater {

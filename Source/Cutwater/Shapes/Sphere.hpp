@@ -15,12 +15,12 @@ class Sphere final : public SignedDistanceFunction<T> {
   Sphere(const Vec3<T>& center, T radius);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Sphere"; }
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Sphere"; }
+  T localSignedDistance(const Vec3<T>& p) const override;
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   Vec3<T> center_;
   T radius_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Shapes/Axisymmetric.hpp>
+#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
 
 namespace cutwater {
 
@@ -18,11 +18,11 @@ class Torus final : public Axisymmetric<T> {
   Torus(const Vec3<T>& center, const Vec3<T>& axis, T major, T minor);
 
  private:
-  [[nodiscard]] std::string localName() const override { return "Torus"; }
-  [[nodiscard]] T profileDistance(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override;
-  [[nodiscard]] Box<T> localBoundingBox() const override;
+  std::string localName() const override { return "Torus"; }
+  T profileDistance(const ProfilePoint<T>& p) const override;
+  ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
   T major_;
   T minor_;

@@ -19,7 +19,7 @@
 // Functions of the standard library are not used: what is not inlined would be compiled for this
 // set and shared with all other code.
 
-#include <Cutwater/Core/Inline.hpp>
+#include <Cutwater/Core/Detail/Inline.hpp>
 
 #include <cstdint>
 

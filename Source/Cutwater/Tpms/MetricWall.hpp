@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Operations/GradedValue.hpp>
-#include <Cutwater/Tpms/PatternDistance.hpp>
+#include <Cutwater/Tpms/Detail/PatternDistance.hpp>
 
 namespace cutwater {
 
@@ -32,10 +32,10 @@ class MetricWall final : public SignedDistanceFunction<T> {
   [[nodiscard]] T tolerance() const;
 
  private:
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
-  [[nodiscard]] std::string localName() const override;
+  T localSignedDistance(const Vec3<T>& p) const override;
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  Guarantee<T> localGuarantee() const override { return guarantee_; }
+  std::string localName() const override;
 
   TpmsPattern pattern_;
   T cellSize_;

@@ -1,7 +1,7 @@
-#include <Cutwater/Core/Scratch.hpp>
-#include <Cutwater/Tpms/LargestRadius.hpp>
+#include <Cutwater/Core/Detail/Scratch.hpp>
+#include <Cutwater/Tpms/Detail/LargestRadius.hpp>
+#include <Cutwater/Tpms/Detail/Turns.hpp>
 #include <Cutwater/Tpms/TpmsField.hpp>
-#include <Cutwater/Tpms/Turns.hpp>
 
 #include <algorithm>
 

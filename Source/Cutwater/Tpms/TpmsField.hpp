@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Operations/GradedValue.hpp>
-#include <Cutwater/Tpms/LevelDistances.hpp>
+#include <Cutwater/Tpms/Detail/LevelDistances.hpp>
 #include <Cutwater/Tpms/TpmsMap.hpp>
 
 namespace cutwater {

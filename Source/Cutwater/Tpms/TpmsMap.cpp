@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Tpms/Detail/Turns.hpp>
 #include <Cutwater/Tpms/TpmsMap.hpp>
-#include <Cutwater/Tpms/Turns.hpp>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <Cutwater/Tpms/PatternBatch.hpp>
+#include <Cutwater/Tpms/Detail/PatternBatch.hpp>
 
 #include <numbers>
 

@@ -1,5 +1,5 @@
+#include <Cutwater/Tpms/Detail/Turns.hpp>
 #include <Cutwater/Tpms/TpmsSolid.hpp>
-#include <Cutwater/Tpms/Turns.hpp>
 
 namespace cutwater {
 

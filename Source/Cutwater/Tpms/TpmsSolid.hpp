@@ -35,11 +35,11 @@ class TpmsSolid final : public SignedDistanceFunction<T> {
   [[nodiscard]] const GradedValue<T>& level() const { return level_; }
 
  private:
-  [[nodiscard]] T localSignedDistance(const Vec3<T>& p) const override;
+  T localSignedDistance(const Vec3<T>& p) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
-  [[nodiscard]] Vec3<T> localGradient(const Vec3<T>& p) const override;
-  [[nodiscard]] Guarantee<T> localGuarantee() const override { return guarantee_; }
-  [[nodiscard]] std::string localName() const override;
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  Guarantee<T> localGuarantee() const override { return guarantee_; }
+  std::string localName() const override;
 
   TpmsField<T> field_;
   TpmsPart part_;

@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
-#include <Cutwater/P4est/ForestBuilder.hpp>
+#include <Cutwater/P4est/Detail/ForestBuilder.hpp>
 
 namespace cutwater {
 

@@ -2,8 +2,8 @@
 
 #include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Mesh/ReadSurface.hpp>
 #include <Cutwater/P4est/NodeMemory.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
 
 #include <optional>
 

@@ -1,8 +1,8 @@
-#include <Cutwater/Mesh/Cleaning/PlaneFrame.hpp>
-#include <Cutwater/Mesh/Cleaning/SoupEdits.hpp>
-#include <Cutwater/Repair/Crossings.hpp>
+#include <Cutwater/Repair/Detail/Crossings.hpp>
+#include <Cutwater/Repair/Detail/RimFilling.hpp>
 #include <Cutwater/Repair/FillHoles.hpp>
-#include <Cutwater/Repair/RimFilling.hpp>
+#include <Cutwater/Surface/Cleaning/Detail/PlaneFrame.hpp>
+#include <Cutwater/Surface/Cleaning/Detail/SoupEdits.hpp>
 
 #include <algorithm>
 #include <array>

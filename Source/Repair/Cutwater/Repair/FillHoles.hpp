@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Mesh/MeshReport.hpp>
-#include <Cutwater/Mesh/SurfaceMeasure.hpp>
+#include <Cutwater/Surface/MeshReport.hpp>
+#include <Cutwater/Surface/SurfaceMeasure.hpp>
 
 #include <limits>
 #include <string>

@@ -1,7 +1,7 @@
-#include <Cutwater/Mesh/Triangulation.hpp>
-#include <Cutwater/Repair/LocalRepair.hpp>
-#include <Cutwater/Repair/NearestPatches.hpp>
+#include <Cutwater/Repair/Detail/LocalRepair.hpp>
+#include <Cutwater/Repair/Detail/NearestPatches.hpp>
 #include <Cutwater/Repair/RemoveSelfIntersections.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Cutwater/Mesh/PolygonSoup.hpp>
-#include <Cutwater/Mesh/SelfIntersections.hpp>
-#include <Cutwater/Mesh/SurfaceMeasure.hpp>
+#include <Cutwater/Surface/PolygonSoup.hpp>
+#include <Cutwater/Surface/SelfIntersections.hpp>
+#include <Cutwater/Surface/SurfaceMeasure.hpp>
 
 #include <string>
 

@@ -1,8 +1,8 @@
-#include <Cutwater/Mesh/Triangulation.hpp>
-#include <Cutwater/Repair/AlphaWrap.hpp>
-#include <Cutwater/Repair/NearestPatches.hpp>
-#include <Cutwater/Repair/UnitFrame.hpp>
+#include <Cutwater/Repair/Detail/AlphaWrap.hpp>
+#include <Cutwater/Repair/Detail/NearestPatches.hpp>
+#include <Cutwater/Repair/Detail/UnitFrame.hpp>
 #include <Cutwater/Repair/Wrap.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
 
 #include <algorithm>
 #include <cmath>

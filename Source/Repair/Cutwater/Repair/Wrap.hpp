@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Mesh/PolygonSoup.hpp>
-#include <Cutwater/Mesh/SurfaceMeasure.hpp>
+#include <Cutwater/Surface/PolygonSoup.hpp>
+#include <Cutwater/Surface/SurfaceMeasure.hpp>
 
 #include <optional>
 #include <string>

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Cutwater/Grid/Detail/OctreeBalance.hpp>
+
+namespace cutwater::detail {
+
+/// Finds the leaves of an octree mesh.
+template <std::floating_point T>
+class OctreeBuilder {
+ public:
+  /// All must outlive it.
+  OctreeBuilder(const CellJudge<T>& judge, const OctreeDomain<T>& domain,
+                const OctreeOptions& options)
+      : judge_(judge), domain_(domain), options_(options) {}
+
+  /// Returns the leaves in the order of their codes, none finer than level `deepest`.
+  [[nodiscard]] std::vector<OctreeCell> run(int deepest);
+
+ private:
+  /// Cells of a level in order, with their verdicts.
+  struct Cells {
+    OctreeCodes codes;
+    std::vector<CellVerdict> verdicts;
+  };
+  struct Leaf {
+    MortonCode place;  // code of its first cell on the finest level
+    OctreeCell cell;
+  };
+
+  [[nodiscard]] Cells roots() const;
+  /// Divides the cells that the rules alone ask for, level by level.
+  void divide();
+  /// `parents`: hints, one for every eight cells, or none. Returns the hints for the cells'
+  /// children.
+  std::vector<BoxHint> judge(int level, Cells& cells, std::span<const BoxHint> parents,
+                             const Progress& progress) const;
+  [[nodiscard]] Progress progressOf(int level) const;
+
+  /// All cells of a level, divided or not.
+  [[nodiscard]] Cells cellsOf(int level) const;
+  void collect(std::vector<Leaf>& leaves, int level, const Cells& cells) const;
+
+  const CellJudge<T>& judge_;
+  const OctreeDomain<T>& domain_;
+  const OctreeOptions& options_;
+  int deepest_ = 0;
+  std::vector<Cells> found_;          // by the rules
+  std::vector<OctreeCodes> divided_;  // cells of each level
+};
+
+extern template class OctreeBuilder<float>;
+extern template class OctreeBuilder<double>;
+
+}  // namespace cutwater::detail

@@ -1,0 +1,149 @@
+#include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
+#include <Cutwater/Triangles/PolygonGeometry.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+namespace cutwater {
+
+namespace {
+
+/// Places to probe: half are spread evenly over the list of triangles, so that small parts count as
+/// much as large ones, and half over the area.
+template <std::floating_point T>
+class Places {
+ public:
+  struct Place {
+    std::uint32_t triangle;
+    double b = 1.0 / 3;  // barycentric weights of the second and the third corner
+    double c = 1.0 / 3;
+  };
+
+  explicit Places(const TriangleSurface<T>& surface) {
+    double sum = 0;
+    for (std::uint32_t id = 0; id < surface.triangles.size(); ++id) {
+      const auto [a, b, c] = surface.corners(id);
+      areas_.push_back(sum += length(cross(b - a, c - a)));
+    }
+  }
+
+  [[nodiscard]] Place operator[](std::size_t i) const {
+    auto [share, b, c] = evenlySpread(i / 2);
+    if (b + c > 1) b = 1 - b, c = 1 - c;
+    // Away from the edges: a point just beside one may be beyond the next triangle.
+    constexpr double kInward = 0.125;
+    return {i % 2 == 0 ? byCount(share) : byArea(share), b + kInward * (1.0 / 3 - b),
+            c + kInward * (1.0 / 3 - c)};
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t byCount(double share) const {
+    return atMost(static_cast<std::size_t>(share * static_cast<double>(areas_.size())));
+  }
+  [[nodiscard]] std::uint32_t byArea(double share) const {
+    const auto found = std::ranges::upper_bound(areas_, share * areas_.back()) - areas_.begin();
+    return atMost(static_cast<std::size_t>(found));
+  }
+  [[nodiscard]] std::uint32_t atMost(std::size_t triangle) const {
+    return static_cast<std::uint32_t>(std::min(triangle, areas_.size() - 1));  // shares round to 1
+  }
+
+  std::vector<double> areas_;  // twice the total area of the triangles up to this one
+};
+
+}  // namespace
+
+Vec3<double> evenlySpread(std::size_t i) {
+  constexpr double kRoot = 1.2207440846057596;  // of x^4 = x + 1
+  const auto n = static_cast<double>(i);
+  const auto share = [](double number) { return number - std::floor(number); };
+  return {share(0.5 + n / kRoot), share(0.5 + n / (kRoot * kRoot)),
+          share(0.5 + n / (kRoot * kRoot * kRoot))};
+}
+
+std::size_t runProbes(std::size_t count, std::size_t triangles, TrianglesAlong along,
+                      FunctionRef<void(std::size_t, TrianglesAlong)> probe) {
+  constexpr std::size_t kRound = 64;
+  const std::size_t most = 1'000'000 + 8 * triangles;
+  std::atomic<std::size_t> shown{0};
+  const auto metered = [&](const Segment<double>& segment, TriangleVisitor visit) {
+    std::size_t here = 0;
+    along(segment, [&](std::span<const std::uint32_t> ids) {
+      here += ids.size();
+      return visit(ids);
+    });
+    shown += here;
+  };
+  std::size_t done = 0;
+  while (done < count && shown <= most) {
+    const std::size_t round = std::min(kRound, count - done);
+    parallelFor(round, {.grain = 4, .progress = {}}, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) probe(done + i, metered);
+    });
+    done += round;
+  }
+  return done;
+}
+
+template <std::floating_point T>
+SoundnessProbes probeSoundness(const TriangleSurface<T>& surface, TrianglesAlong along,
+                               std::size_t count, std::span<const std::uint32_t> always) {
+  using Place = typename Places<T>::Place;
+  const Places<T> places(surface);
+  const std::size_t shells = std::min(count, always.size());
+  // Alternates shells and places, then takes the remaining places.
+  const auto placeOf = [&](std::size_t i) {
+    if (i >= 2 * shells) return places[i - shells];
+    return i % 2 == 0 ? Place{always[i / 2 * always.size() / shells]} : places[i / 2];
+  };
+  std::atomic<std::size_t> probes{0};
+  std::atomic<std::size_t> unsound{0};
+  runProbes(count + shells, surface.triangles.size(), along,
+            [&](std::size_t i, TrianglesAlong metered) {
+              const Place place = placeOf(i);
+              const auto corners = surface.corners(place.triangle);
+              const auto normal = polygonArea(corners).normal;
+              if (normal == Vec3<double>{}) return;
+              const auto& [a, b, c] = corners;
+              const auto point = a + place.b * (b - a) + place.c * (c - a);
+              const Vec3<double> step = 0x1p-40 * (length(point) + double{surface.size}) * normal;
+              const auto before = locate(surface, point + step, metered);
+              const auto behind = locate(surface, point - step, metered);
+              ++probes;
+              const bool sound = before.winding == 0 && behind.winding == 1;
+              if (!sound || before.onSurface || behind.onSurface) ++unsound;
+            });
+  return {.probes = probes, .unsound = unsound};
+}
+
+template <std::floating_point T>
+SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceData<T>& data,
+                      TrianglesAlong along, std::size_t probes) {
+  SignReport report;
+  const auto& orientation = data.orientation();
+  report.unbalancedEdges = data.openEdges().size();
+  report.shells = orientation.shells();
+  report.turnedFaces = orientation.turnedFaces;
+  report.turnedShells = orientation.turnedShells();
+  report.unorientable = orientation.unorientable;
+  if (report.isClosed()) {
+    const auto found = probeSoundness(surface, along, probes, orientation.firstFaces);
+    report.probes = found.probes;
+    report.unsound = found.unsound;
+  }
+  return report;
+}
+
+#define CUTWATER_INSTANTIATE(T)                                                                   \
+  template SignReport checkSigns(const TriangleSurface<T>&, const TriangleSurfaceData<T>&,        \
+                                 TrianglesAlong, std::size_t);                                    \
+  template SoundnessProbes probeSoundness(const TriangleSurface<T>&, TrianglesAlong, std::size_t, \
+                                          std::span<const std::uint32_t>);
+CUTWATER_INSTANTIATE(float)
+CUTWATER_INSTANTIATE(double)
+#undef CUTWATER_INSTANTIATE
+
+}  // namespace cutwater

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Cutwater/Operations/Detail/BinaryOperation.hpp>
+#include <Cutwater/Sdf/FunctionSDF.hpp>
+
+namespace cutwater {
+
+/// The operand with a user-defined function added to its value, e.g. for roughness or waves.
+///
+///     f(p) = g(p) + h(p)        Lipschitz constant L_g + L_h
+///
+/// The solid is where the value is negative: the surface moves out by about -h. Values are lower
+/// bounds of the distance only if the constant is at most 1; box queries and crossings work with
+/// any constant. Patches are the operand's.
+template <std::floating_point T>
+class Displacement final : public BinaryOperation<T> {
+ public:
+  /// `amplitude`: a bound of |h| everywhere; may be infinite.
+  Displacement(Solid<T> operand, Solid<T> h, T amplitude);
+
+ private:
+  std::string localName() const override { return "Displacement"; }
+  T combined(T a, T b) const override { return a + b; }
+  Interval<T> combined(const Interval<T>& a, const Interval<T>& b) const override;
+  Vec3<T> localGradient(const Vec3<T>& p) const override;
+  SurfaceOwner localOwner(const Vec3<T>& p) const override;
+  Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
+  std::vector<std::string> localPatchNames() const override;
+
+  T amplitude_;
+};
+
+extern template class Displacement<float>;
+extern template class Displacement<double>;
+
+namespace detail {
+
+/// @throws Error, as from the operator `name`, unless the Lipschitz constant is finite and no limit
+/// is negative.
+template <std::floating_point T>
+void requireLimits(const char* name, const FunctionLimits<T>& limits);
+
+/// Guarantee, as a solid, of a function within these limits that has this value at the origin.
+template <std::floating_point T>
+[[nodiscard]] Guarantee<T> guaranteeOf(const FunctionLimits<T>& limits, T atOrigin);
+
+}  // namespace detail
+
+}  // namespace cutwater

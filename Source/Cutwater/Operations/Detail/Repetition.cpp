@@ -1,0 +1,183 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Operations/Detail/Repetition.hpp>
+#include <Cutwater/Sdf/Detail/Defaults.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+template <std::floating_point T>
+Repetition<T>::Repetition(Solid<T> operand, const Repeats<T>& repeats)
+    : UnaryOperation<T>(std::move(operand)), tiles_(repeats, this->operand().boundingBox()) {
+  checkArguments();
+  deriveGuarantee();
+}
+
+template <std::floating_point T>
+void Repetition<T>::checkArguments() const {
+  const auto& [period, counts] = tiles_.repeats();
+  const auto& box = tiles_.box();
+  require(isFinite(period) && period.x >= 0 && period.y >= 0 && period.z >= 0 &&
+              maxComponent(period) > 0,
+          "repeated: need finite periods, none negative and one positive", Named{"period", period});
+  double overlapping = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto count = counts[static_cast<std::size_t>(axis)];
+    require(tiles_.isRepeated(axis) || count <= 1, "repeated: need a period for several copies",
+            Named{"axis", axis}, Named{"count", count});
+    if (!tiles_.isRepeated(axis) || count == 1 || box.empty()) continue;
+    const T size = box.upper[axis] - box.lower[axis];
+    require(std::isfinite(size), "repeated: need a bounding box that is finite along the axis",
+            Named{"axis", axis});
+    overlapping *=
+        1 + std::min(double{size / period[axis]}, count > 0 ? static_cast<double>(count) : 1e300);
+  }
+  constexpr double kMost = 1e5;
+  if (overlapping > kMost) {
+    throw Error(ErrorKind::Limit, "repeated: too many copies overlap at one point");
+  }
+}
+
+template <std::floating_point T>
+void Repetition<T>::deriveGuarantee() {
+  guarantee_ = this->operand().guarantee();
+  isClamped_ = guarantee_.outside != Quality::Exact;
+  if (guarantee_.outside == Quality::SignOnly) {
+    if (guarantee_.lipschitz) {
+      stretch_ = std::max(*guarantee_.lipschitz, T(1));
+    } else {
+      guarantee_.continuous = false;
+    }
+  }
+  if (isClamped_ && guarantee_.lipschitz) {
+    guarantee_.lipschitz = std::max(*guarantee_.lipschitz, T(1));
+  }
+  if (tiles_.box().empty()) {  // neighbours are not compared
+    guarantee_.lipschitz.reset();
+    guarantee_.continuous = false;
+  }
+  if (guarantee_.domain != Box<T>::everywhere()) guarantee_.domain = {};
+
+  // In the nearest copy's frame, the point is no farther from the origin than before, or than a
+  // period.
+  const auto& box = tiles_.box();
+  T size = 0;
+  for (int axis = 0; axis < 3 && !box.empty(); ++axis) {
+    const T period = tiles_.repeats().period[axis];
+    const auto count = tiles_.repeats().count[static_cast<std::size_t>(axis)];
+    size += period * (static_cast<T>(count) + 1);
+    for (const T side : {box.lower[axis], box.upper[axis]}) {
+      if (std::isfinite(side)) size += 2 * std::abs(side);
+    }
+    const T gap = period - (box.upper[axis] - box.lower[axis]);
+    if (tiles_.isRepeated(axis) && count != 1 && !(gap > 4 * guarantee_.error(size))) {
+      guarantee_.inside = std::min(guarantee_.inside, Quality::LowerBound);
+    }
+  }
+  guarantee_.ulps = guarantee_.ulps * stretch_ + 3 * guarantee_.lipschitz.value_or(T(1)) + 1;
+  guarantee_.size += size;
+}
+
+template <std::floating_point T>
+T Repetition<T>::valueFrom(const Vec3<T>& local, T value) const {
+  if (!isClamped_ || tiles_.box().empty()) return value;
+  const T gap = length(tiles_.gaps(local));
+  return gap > 0 && value < gap ? gap : value;
+}
+
+template <std::floating_point T>
+auto Repetition<T>::decide(const Vec3<T>& p, const Decision& central) const -> Decision {
+  Decision best = central;
+  const auto& box = tiles_.box();
+  if (box.empty()) return best;
+  const Vec3<T> start = tiles_.seenFrom(central.copy, p);
+  const T farthest = stretch_ * length(max(abs(start - box.lower), abs(box.upper - start)));
+  // Whether a copy at least this far away may have the least value, apart from rounding.
+  const auto mayDecide = [&](T gapSquared) {
+    const T limit = std::max(std::min(best.value, farthest), T(0));
+    return gapSquared <= limit * limit;
+  };
+  tiles_.outwards(p, central.copy, mayDecide, [&](const Vec3<T>& copy) {
+    if (copy == central.copy) return;
+    const auto local = tiles_.seenFrom(copy, p);
+    const T value = valueFrom(local, this->operand().signedDistance(local));
+    if (value < best.value) best = {copy, value};
+  });
+  // Only values of an empty operand are larger; the copies asked about then depend on the point.
+  if (guarantee_.lipschitz) best.value = std::min(best.value, farthest);
+  return best;
+}
+
+template <std::floating_point T>
+auto Repetition<T>::decide(const Vec3<T>& p) const -> Decision {
+  const auto copy = tiles_.central(p);
+  const auto local = tiles_.seenFrom(copy, p);
+  return decide(p, {copy, valueFrom(local, this->operand().signedDistance(local))});
+}
+
+template <std::floating_point T>
+T Repetition<T>::localSignedDistance(const Vec3<T>& p) const {
+  return decide(p).value;
+}
+
+template <std::floating_point T>
+void Repetition<T>::localSignedDistances(std::span<const Vec3<T>> points,
+                                         std::span<T> distances) const {
+  const auto local = [this](const Vec3<T>& p) { return tiles_.seenFrom(tiles_.central(p), p); };
+  this->forImages(points, local, [&](std::span<const Vec3<T>> locals, std::size_t first) {
+    const auto here = points.subspan(first, locals.size());
+    const auto values = distances.subspan(first, locals.size());
+    this->operandValues(locals, values);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const T value = valueFrom(locals[i], values[i]);
+      values[i] = decide(here[i], {tiles_.central(here[i]), value}).value;
+    }
+  });
+}
+
+template <std::floating_point T>
+Vec3<T> Repetition<T>::localGradient(const Vec3<T>& p) const {
+  const auto decision = decide(p);
+  const auto local = tiles_.seenFrom(decision.copy, p);
+  const auto& box = tiles_.box();
+  if (isClamped_ && !box.empty() && decision.value > 0 &&
+      decision.value == length(tiles_.gaps(local))) {
+    return normalized(local - max(box.lower, min(box.upper, local)));
+  }
+  return this->operand().gradient(local);
+}
+
+template <std::floating_point T>
+SurfacePoint<T> Repetition<T>::localClosestPoint(const Vec3<T>& p) const {
+  const auto decision = decide(p);
+  auto found = this->operand().closestPoint(tiles_.seenFrom(decision.copy, p));
+  found.point += tiles_.placeOf(decision.copy);
+  const T residual = localSignedDistance(found.point);
+  if (!(std::abs(residual) <= guarantee_.error(length(p) + length(found.point)))) {
+    return SignedDistanceFunction<T>::localClosestPoint(p);
+  }
+  found.distance = decision.value;
+  detail::rate(found, p, residual, guarantee_);
+  return found;
+}
+
+template <std::floating_point T>
+SurfaceOwner Repetition<T>::localOwner(const Vec3<T>& p) const {
+  return this->operand().owner(tiles_.seenFrom(decide(p).copy, p));
+}
+
+template <std::floating_point T>
+Box<T> Repetition<T>::localBoundingBox() const {
+  return guarantee_.grown(tiles_.boxOfAll());
+}
+
+template <std::floating_point T>
+Box<T> Repetition<T>::localClearanceBox() const {
+  // Values less than the distance to a copy's bounding box are replaced by it.
+  return tiles_.box().empty() ? Box<T>::everywhere() : localBoundingBox();
+}
+
+template class Repetition<float>;
+template class Repetition<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Cutwater/Surface/PolygonSoup.hpp>
+#include <Cutwater/Text/Output.hpp>
+
+namespace cutwater::formats {
+
+/// Each writes a soup that passed PolygonSoup::validate(); `name` is for messages.
+void writeBinaryStl(Output& out, const PolygonSoup& soup, const std::string& name);
+void writeAsciiStl(Output& out, const PolygonSoup& soup, const std::string& name);
+void writeBinaryPly(Output& out, const PolygonSoup& soup, const std::string& name);
+void writeAsciiPly(Output& out, const PolygonSoup& soup, const std::string& name);
+void writeObj(Output& out, const PolygonSoup& soup, const std::string& name);
+void writeOff(Output& out, const PolygonSoup& soup, const std::string& name);
+void writeBinaryVtk(Output& out, const PolygonSoup& soup, const std::string& name);
+void writeAsciiVtk(Output& out, const PolygonSoup& soup, const std::string& name);
+
+/// Writes the header for either encoding.
+void writePlyHeader(Output& out, const PolygonSoup& soup, std::string_view encoding);
+
+/// The unit normal of triangle i, zero if it has no area.
+[[nodiscard]] Vec3<double> facetNormal(const PolygonSoup& soup, std::size_t i);
+
+/// The name of polygon i's patch, empty if it has none.
+/// @throws Error(Argument) for a name that a reader would not recover from a line of text.
+[[nodiscard]] std::string_view patchNameOf(const PolygonSoup& soup, std::size_t i);
+
+}  // namespace cutwater::formats

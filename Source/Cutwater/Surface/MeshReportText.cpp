@@ -1,0 +1,106 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Surface/MeshReport.hpp>
+#include <Cutwater/Text/ReportLine.hpp>
+
+#include <string_view>
+
+namespace cutwater {
+namespace {
+
+using detail::counted;
+using detail::reportLine;
+
+std::string text(std::size_t count) {
+  return detail::toText(static_cast<long long>(count));
+}
+
+std::string text(const EdgePlace& edge) {
+  return text(index(edge.origin)) + "-" + text(index(edge.target));
+}
+
+template <MeshId Id>
+std::string text(Id id) {
+  return text(std::size_t{index(id)});
+}
+
+/// A kind of defect, in the wording of the summary and of the table.
+struct Kind {
+  std::string_view singular;
+  std::string_view plural;
+  std::string_view places;  ///< what the numbers after it denote
+};
+
+/// Calls visit(kind, findings) for all kinds, worst first.
+template <typename Visit>
+void forAllDefects(const MeshReport& r, Visit visit) {
+  visit(Kind{"open edge", "open edges", "vertices"}, r.boundaryEdges);
+  visit(Kind{"non-manifold edge", "non-manifold edges", "vertices"}, r.nonManifoldEdges);
+  visit(Kind{"mis-oriented edge", "mis-oriented edges", "vertices"}, r.misorientedEdges);
+  visit(Kind{"non-manifold vertex", "non-manifold vertices", "vertices"}, r.nonManifoldVertices);
+  visit(Kind{"face with repeated corners", "faces with repeated corners", "faces"},
+        r.repeatedCornerFaces);
+  visit(Kind{"face of no area", "faces of no area", "faces"}, r.zeroAreaFaces);
+  visit(Kind{"duplicate face", "duplicate faces", "faces"}, r.duplicateFaces);
+  visit(Kind{"face turned against its duplicate", "faces turned against their duplicates", "faces"},
+        r.oppositeFaces);
+  visit(Kind{"unused vertex", "unused vertices", "vertices"}, r.unusedVertices);
+}
+
+template <typename Place>
+std::string withExamples(const Kind& kind, const Findings<Place>& findings) {
+  std::string result = text(findings.count);
+  if (!findings) return result;
+  result += "  (" + std::string(kind.places);
+  for (const auto& place : findings.examples) result.append(" ").append(text(place));
+  return result + (findings.count > findings.examples.size() ? " ...)" : ")");
+}
+
+std::string yesOrNo(bool value) {
+  return value ? "yes" : "no";
+}
+
+}  // namespace
+
+bool MeshReport::isClean() const {
+  bool clean = faces > 0 && !isInsideOut();
+  forAllDefects(*this, [&](const Kind&, const auto& findings) { clean = clean && !findings; });
+  return clean;
+}
+
+std::string MeshReport::summary() const {
+  std::string result = isClosed() ? "closed" : "not closed";
+  result += isOriented() ? ", oriented" : ", not oriented";
+  result += isManifold() ? ", manifold" : ", not manifold";
+  if (isInsideOut()) result += ", inside out";
+  std::string_view separator = "; ";
+  forAllDefects(*this, [&](const Kind& kind, const auto& findings) {
+    if (!findings) return;
+    result += std::string(separator) + counted(findings.count, kind.singular, kind.plural);
+    separator = ", ";
+  });
+  return result + "; " + counted(triangles, "triangle", "triangles") + ", " +
+         counted(components, "component", "components");
+}
+
+std::string MeshReport::table() const {
+  std::string result;
+  result += reportLine("vertices", text(vertices));
+  result += reportLine("edges", text(edges));
+  result += reportLine("faces", text(faces));
+  result += reportLine("triangles", text(triangles));
+  result += reportLine("components", text(components));
+  result += reportLine("closed", yesOrNo(isClosed()));
+  result += reportLine("oriented", yesOrNo(isOriented()));
+  result += reportLine("manifold", yesOrNo(isManifold()));
+  result += reportLine("inside out", yesOrNo(isInsideOut()));
+  result += reportLine("Euler characteristic", detail::toText(eulerCharacteristic));
+  result += reportLine("genus", genus ? detail::toText(*genus) : "-");
+  result += reportLine("area", detail::toText(area));
+  result += reportLine("volume", isClosed() ? detail::toText(volume) : "-");
+  forAllDefects(*this, [&](const Kind& kind, const auto& findings) {
+    result += reportLine(kind.plural, withExamples(kind, findings));
+  });
+  return result;
+}
+
+}  // namespace cutwater

@@ -1,0 +1,64 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Surface/Formats/Readers.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Text/Input.hpp>
+#include <Cutwater/Text/TextCursor.hpp>
+
+#include <cmath>
+
+namespace cutwater {
+
+namespace {
+
+void requireOptions(const ReadOptions& options) {
+  require(options.scale > 0 && std::isfinite(options.scale),
+          "readSurface: need 0 < scale < infinity", Named{"scale", options.scale});
+  require(isFinite(options.placement.offset()), "readSurface: need a finite placement",
+          Named{"offset", options.placement.offset()});
+}
+
+// "hull" for "models/hull.stl.gz".
+std::string stem(const std::string& name) {
+  std::filesystem::path file = std::filesystem::path(name).filename();
+  if (file.extension() == ".gz") file = file.stem();
+  file = file.stem();
+  return file.empty() ? "surface" : file.string();
+}
+
+SurfaceFile readContent(formats::Content content, bool compressed, const ReadOptions& options) {
+  if (content.bytes.empty()) throw Error(ErrorKind::File, content.name + ": the file is empty");
+  ReadReport report;
+  report.compressed = compressed;
+  report.bytes = content.bytes.size();
+  if (content.bytes.starts_with(formats::kByteOrderMark)) {
+    content.bytes.remove_prefix(formats::kByteOrderMark.size());
+  }
+  const auto [format, reader] = formats::detectFormat(content);
+  report.format = format;
+  formats::SoupBuilder builder(options, stem(content.name));
+  builder.report() = report;
+  return reader(content, builder);
+}
+
+}  // namespace
+
+SurfaceFile readSurface(const std::filesystem::path& path, const ReadOptions& options) {
+  requireOptions(options);
+  const std::string name = path.string();
+  formats::Bytes file = formats::loadFile(path, options.maxBytes);
+  const bool compressed = formats::isGzip(file.view());
+  if (compressed) file = formats::gunzip(name, file.view(), options.maxBytes);
+  return readContent({name, file.view()}, compressed, options);
+}
+
+SurfaceFile readSurface(std::span<const std::byte> bytes, const std::string& name,
+                        const ReadOptions& options) {
+  requireOptions(options);
+  const std::string_view view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  formats::requireSize(name, view.size(), options.maxBytes);
+  if (!formats::isGzip(view)) return readContent({name, view}, false, options);
+  const formats::Bytes inflated = formats::gunzip(name, view, options.maxBytes);
+  return readContent({name, inflated.view()}, true, options);
+}
+
+}  // namespace cutwater

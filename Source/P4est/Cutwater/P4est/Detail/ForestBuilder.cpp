@@ -1,0 +1,179 @@
+#include <Cutwater/P4est/Agreement.hpp>
+#include <Cutwater/P4est/Detail/ForestBuilder.hpp>
+
+#include <p8est_bits.h>
+#include <p8est_extended.h>
+
+namespace cutwater::detail {
+
+namespace {
+
+/// The cost of a cell that is yet to be judged, relative to one that is only stored.
+constexpr int kWeightToJudge = 16;
+
+/// p4est logs to stdout, unless the program has configured it otherwise. Messages before it aborts
+/// (as when out of memory) still go there.
+void silenceUnlessInitialised() {
+  if (sc_package_id < 0 && p4est_package_id < 0) {
+    sc_set_log_defaults(nullptr, nullptr, SC_LP_ERROR);
+  }
+}
+
+void destroy(p8est_t* forest) {
+  auto* connectivity = forest->connectivity;
+  p8est_destroy(forest);
+  p8est_connectivity_destroy(connectivity);
+}
+
+/// The quadrant's index on its level.
+Index3 indexIn(const Index3& root, const p8est_quadrant_t& quadrant) {
+  const auto along = [&](std::int32_t first, p4est_qcoord_t x) {
+    return (first << quadrant.level) + (x >> (P8EST_MAXLEVEL - quadrant.level));
+  };
+  return {along(root.i, quadrant.x), along(root.j, quadrant.y), along(root.k, quadrant.z)};
+}
+
+}  // namespace
+
+template <std::floating_point T>
+struct ForestBuilder<T>::Quadrants {
+  std::vector<p8est_quadrant_t*> list;
+  std::vector<MortonCode> codes;
+};
+
+template <std::floating_point T>
+std::shared_ptr<p8est> ForestBuilder<T>::run(MPI_Comm comm, int deepest) {
+  silenceUnlessInitialised();
+  const auto& n = domain_.roots();
+  auto* roots = p8est_connectivity_new_brick(n.i, n.j, n.k, 0, 0, 0);
+  forest_ = {p8est_new_ext(comm, roots, 0, 0, 1, sizeof(Data), begin, this), destroy};
+  for (int level = 0;; ++level) {
+    agreed(comm, [&] { judgeNew(deepest); });
+    if (level == deepest) break;
+    const auto count = forest_->global_num_quadrants;
+    p8est_refine_ext(forest_.get(), 0, deepest, isRefined, begin, divide);
+    if (forest_->global_num_quadrants == count) break;
+    p8est_partition(forest_.get(), 0, weightToJudge);
+  }
+  balance();
+  agreed(comm, [&] { judgeNew(deepest); });
+  p8est_partition(forest_.get(), 0, finalWeight);
+  return forest_;
+}
+
+template <std::floating_point T>
+void ForestBuilder<T>::balance() {
+  if (options_.balance == Balance::None) return;
+  const auto across = options_.balance == Balance::Face   ? P8EST_CONNECT_FACE
+                      : options_.balance == Balance::Edge ? P8EST_CONNECT_EDGE
+                                                          : P8EST_CONNECT_CORNER;
+  p8est_balance_ext(forest_.get(), across, begin, divide);
+}
+
+template <std::floating_point T>
+void ForestBuilder<T>::begin(p8est_t* /*forest*/, p4est_topidx_t /*tree*/,
+                             p8est_quadrant_t* quadrant) {
+  dataOf(*quadrant) = {};
+}
+
+template <std::floating_point T>
+void ForestBuilder<T>::divide(p8est_t* /*forest*/, p4est_topidx_t /*tree*/, int /*parentCount*/,
+                              p8est_quadrant_t** parents, int childCount,
+                              p8est_quadrant_t** children) {
+  for (int n = 0; n < childCount; ++n) {
+    dataOf(*children[n]) = {.hint = dataOf(*parents[0]).hint, .verdict = {}};
+  }
+}
+
+template <std::floating_point T>
+int ForestBuilder<T>::isRefined(p8est_t* /*forest*/, p4est_topidx_t /*tree*/,
+                                p8est_quadrant_t* quadrant) {
+  return dataOf(*quadrant).verdict.isRefined ? 1 : 0;
+}
+
+template <std::floating_point T>
+int ForestBuilder<T>::weightToJudge(p8est_t* /*forest*/, p4est_topidx_t /*tree*/,
+                                    p8est_quadrant_t* quadrant) {
+  return dataOf(*quadrant).isJudged ? 1 : kWeightToJudge;
+}
+
+template <std::floating_point T>
+int ForestBuilder<T>::finalWeight(p8est_t* forest, p4est_topidx_t /*tree*/,
+                                  p8est_quadrant_t* quadrant) {
+  const auto& builder = *static_cast<const ForestBuilder*>(forest->user_pointer);
+  return mayBeCut(dataOf(*quadrant).verdict.kind) ? builder.options_.cutWeight : 1;
+}
+
+template <std::floating_point T>
+template <typename Visit>
+void ForestBuilder<T>::forQuadrants(const Visit& visit) const {
+  for (auto tree = forest_->first_local_tree; tree <= forest_->last_local_tree; ++tree) {
+    const auto root = rootOf(tree);
+    auto& quadrants = p8est_tree_array_index(forest_->trees, tree)->quadrants;
+    for (std::size_t n = 0; n < quadrants.elem_count; ++n) {
+      visit(*p8est_quadrant_array_index(&quadrants, n), root);
+    }
+  }
+}
+
+template <std::floating_point T>
+Index3 ForestBuilder<T>::rootOf(p4est_topidx_t tree) const {
+  // A brick's vertices have integer coordinates; the first vertex of a tree is its lower corner.
+  const auto& brick = *forest_->connectivity;
+  const std::ptrdiff_t vertex = brick.tree_to_vertex[std::ptrdiff_t{P8EST_CHILDREN} * tree];
+  const double* lower = brick.vertices + 3 * vertex;
+  return {static_cast<std::int32_t>(lower[0]), static_cast<std::int32_t>(lower[1]),
+          static_cast<std::int32_t>(lower[2])};
+}
+
+template <std::floating_point T>
+void ForestBuilder<T>::judgeNew(int deepest) {
+  std::vector<Quadrants> found(static_cast<std::size_t>(deepest) + 1);
+  forQuadrants([&](p8est_quadrant_t& quadrant, const Index3& root) {
+    if (dataOf(quadrant).isJudged) return;
+    auto& [list, codes] = found[static_cast<unsigned char>(quadrant.level)];
+    list.push_back(&quadrant);
+    codes.push_back(mortonCode(indexIn(root, quadrant)));
+  });
+  for (int level = 0; level <= deepest; ++level)
+    judge(level, found[static_cast<std::size_t>(level)]);
+}
+
+template <std::floating_point T>
+void ForestBuilder<T>::judge(int level, Quadrants& quadrants) {
+  std::vector<CellVerdict> verdicts(quadrants.list.size());
+  const auto data = [&](std::size_t n) -> Data& { return dataOf(*quadrants.list[n]); };
+  const auto before = [&](std::size_t first, std::span<BoxHint> hints) {
+    for (std::size_t i = 0; i < hints.size(); ++i) hints[i] = data(first + i).hint;
+  };
+  const auto after = [&](std::size_t first, std::span<const BoxHint> hints) {
+    for (std::size_t i = 0; i < hints.size(); ++i) data(first + i).hint = hints[i];
+  };
+  judge_.judge({.level = level,
+                .grid = domain_.level(level),
+                .codes = quadrants.codes,
+                .hintsBefore = before,
+                .hintsAfter = after},
+               verdicts, {.threads = options_.threads});
+  for (std::size_t n = 0; n < verdicts.size(); ++n) {
+    data(n).verdict = verdicts[n];
+    data(n).isJudged = true;
+  }
+}
+
+template <std::floating_point T>
+std::vector<OctreeCell> ForestBuilder<T>::takeCells() {
+  std::vector<OctreeCell> cells;
+  cells.reserve(static_cast<std::size_t>(forest_->local_num_quadrants));
+  forQuadrants([&](p8est_quadrant_t& quadrant, const Index3& root) {
+    cells.push_back({indexIn(root, quadrant), static_cast<std::uint8_t>(quadrant.level),
+                     dataOf(quadrant).verdict.kind});
+  });
+  p8est_reset_data(forest_.get(), 0, nullptr, nullptr);
+  return cells;
+}
+
+template class ForestBuilder<float>;
+template class ForestBuilder<double>;
+
+}  // namespace cutwater::detail

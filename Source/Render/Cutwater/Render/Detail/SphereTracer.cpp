@@ -1,0 +1,257 @@
+#include <Cutwater/Render/Detail/SphereTracer.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace cutwater::detail {
+
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+/// Thresholds, in pixels, for an exact distance and for a bound, which may be less than the
+/// distance.
+constexpr double kNearEnough = 1.0 / 40;
+constexpr double kNearEnoughByBound = 1.0 / 320;
+/// For sheets crossings() is of no use. Instead, the threshold for a ray along one grows every this
+/// many steps, which bounds their number.
+constexpr int kStepsOfPatience = 1024;
+/// The largest allowance for rounding, in pixels: more would be visible.
+constexpr double kBlur = 0.25;
+/// Half the diagonal of a square, and a sixth more: when a ray steps past a point, the nearer end
+/// of the step is at most 1.16 times as far from it as the ray.
+constexpr double kReach = 0.5 * 1.42 * 1.17;
+
+}  // namespace
+
+template <std::floating_point T>
+SphereTracer<T>::SphereTracer(const SignedDistanceFunction<T>& solid, const KeptRegion& region,
+                              const Camera& camera, const TraceOptions& options)
+    : solid_(solid),
+      region_(region),
+      camera_(camera),
+      options_(options),
+      distance_(solid.guarantee(), region.box(), options.sheets),
+      occlusion_(solid, distance_, region, options.occlusionRadius),
+      sighting_(solid, region, camera, options.sheets),
+      nearEnough_(distance_.isExact() ? kNearEnough : kNearEnoughByBound) {}
+
+/// The rays of one call.
+template <std::floating_point T>
+class SphereTracer<T>::Packet {
+ public:
+  Packet(const SphereTracer& tracer, std::span<const PicturePoint> points, double spacing,
+         std::span<SurfaceSample> samples)
+      : t_(tracer), reach_(kReach * spacing), samples_(samples) {
+    for (const auto& point : points) {
+      const auto ray = t_.camera_.ray(point.x, point.y);
+      const auto range = t_.region_.clip(ray, t_.camera_.nearest());
+      const auto index = static_cast<std::uint32_t>(lines_.size());
+      lines_.push_back({ray, range, range.begin});
+      samples_[index] = {};
+      if (!range.empty()) active_.push_back(index);
+    }
+    points_.resize(active_.size());
+    values_.resize(active_.size());
+  }
+
+  void run() {
+    stopAtCuts();
+    if (t_.distance_.isKnown()) {
+      startTogether();
+      march();
+    }
+    for (const auto i : active_) meetsBetween(i, lines_[i].along, lines_[i].range.end);
+    settle(arrived_, false);
+    for (std::uint32_t i = 0; i < lines_.size(); ++i) {
+      if (!samples_[i].isHit() && lines_[i].nearest < reach_) passing_.push_back(i);
+    }
+    settle(passing_, true);
+    if (t_.options_.occlusionRadius > 0) lookAround();
+  }
+
+ private:
+  struct Line {
+    Ray ray;
+    RayRange range;
+    double along;           // nothing visible up to here
+    double nearest = kInf;  // least distance so far, in pixels
+    double nearestAlong = 0;
+  };
+
+  [[nodiscard]] Vec3<T> at(const Vec3<double>& p) const { return Vec3<T>(p); }
+
+  /// Evaluates the solid at the current points of the active rays.
+  void evaluate() {
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+      const auto& line = lines_[active_[k]];
+      points_[k] = at(line.ray.at(line.along));
+    }
+    t_.solid_.signedDistances(std::span(points_).first(active_.size()),
+                              std::span(values_).first(active_.size()), {.threads = 1});
+  }
+
+  /// Rays that enter through a cut inside the solid see its face; within round-off of the surface
+  /// they see the surface. Beside the rim of the face the surface that was cut away may be near; it
+  /// is not visible, and a step that does not pass the remaining surface leaves it behind.
+  void stopAtCuts() {
+    if (std::none_of(active_.begin(), active_.end(),
+                     [&](auto i) { return lines_[i].range.cut != kNone; })) {
+      return;
+    }
+    evaluate();
+    keepActive([&](std::size_t k, Line& line, std::uint32_t i) {
+      if (line.range.cut == kNone) return true;
+      const double pixel = t_.camera_.pixelSize(line.along);
+      const double step = t_.nearEnough_ * pixel;
+      if (!t_.distance_.isInside(values_[k], points_[k], kBlur * pixel)) {
+        const double free = t_.distance_(values_[k], points_[k], kBlur * pixel);
+        if (free <= 0 || free > step) return true;
+        const double next = std::min(line.along + step, line.range.end);
+        if (meetsBetween(i, line.along, next)) return false;
+        line.along = next;
+        return true;
+      }
+      if (!touchesCut(i, step)) samples_[i] = t_.sighting_.atCut(line.range);
+      return false;
+    });
+  }
+
+  /// Where only signs are known, they show whether the surface is within round-off of a cut: if so,
+  /// they change one step before it. The sample is then of the surface.
+  bool touchesCut(std::uint32_t i, double step) {
+    const auto& line = lines_[i];
+    const double before = line.along - step;
+    return !t_.distance_.isKnown() && t_.solid_.signedDistance(at(line.ray.at(before))) >= 0 &&
+           meetsBetween(i, before, line.along + step);
+  }
+
+  /// Advances all rays together: at equal distances along, they are all within some radius of the
+  /// one that enters first.
+  void startTogether() {
+    if (active_.size() < 2) return;
+    const auto& first =
+        lines_[*std::min_element(active_.begin(), active_.end(), [&](auto a, auto b) {
+          return lines_[a].range.begin < lines_[b].range.begin;
+        })];
+    double end = kInf, apart = 0, diverging = 0;
+    for (const auto i : active_) {
+      const auto& line = lines_[i];
+      end = std::min(end, line.range.end);
+      apart = std::max(apart, length(line.ray.origin - first.ray.origin));
+      diverging = std::max(diverging, length(line.ray.direction - first.ray.direction));
+    }
+    double along = first.range.begin;
+    for (int step = 0; step < kMostSteps && along < end; ++step) {
+      const auto p = at(first.ray.at(along));
+      const double radius = apart + diverging * along;
+      const double free = t_.distance_(t_.solid_.signedDistance(p), p, kInf) - radius;
+      if (!(free > 0.5 * radius)) break;
+      along += free;
+    }
+    for (const auto i : active_) lines_[i].along = std::max(lines_[i].along, along);
+  }
+
+  void march() {
+    const int most = t_.options_.sheets ? 8 * kStepsOfPatience : kMostSteps;
+    for (int step = 0; step < most && !active_.empty(); ++step) {
+      keepActive(
+          [](std::size_t, Line& line, std::uint32_t) { return line.along < line.range.end; });
+      evaluate();
+      const double patience =
+          t_.options_.sheets ? std::max(1.0, static_cast<double>(step) / kStepsOfPatience) : 1;
+      keepActive([&](std::size_t k, Line& line, std::uint32_t i) {
+        const double pixel = t_.camera_.pixelSize(line.along);
+        const double free = t_.distance_(values_[k], points_[k], kBlur * pixel);
+        if (free <= t_.nearEnough_ * patience * pixel) {
+          arrived_.push_back(i);
+          return false;
+        }
+        if (free < line.nearest * pixel) {
+          line.nearest = free / pixel;
+          line.nearestAlong = line.along;
+        }
+        line.along += free;
+        return true;
+      });
+    }
+    if (t_.options_.sheets) active_.clear();
+  }
+
+  /// Whether there is a crossing on a part of a ray; the sample is then of the first one.
+  bool meetsBetween(std::uint32_t i, double from, double to) {
+    if (!(from < to)) return false;
+    const auto& ray = lines_[i].ray;
+    t_.solid_.crossings({at(ray.at(from)), at(ray.at(to))}, [&](const Crossing<T>& crossing) {
+      const double along = from + (to - from) * static_cast<double>(crossing.parameter);
+      samples_[i] = t_.sighting_.atCrossing(ray, along, crossing);
+      return false;
+    });
+    return samples_[i].isHit();
+  }
+
+  /// Determines where rays meet the surface, or pass it, from the surface points nearest to them.
+  void settle(std::span<const std::uint32_t> which, bool passing) {
+    points_.resize(which.size());
+    nearest_.resize(which.size());
+    for (std::size_t k = 0; k < which.size(); ++k) {
+      const auto& line = lines_[which[k]];
+      points_[k] = at(line.ray.at(passing ? line.nearestAlong : line.along));
+    }
+    t_.solid_.closestPoints(points_, nearest_, {.threads = 1});
+    for (std::size_t k = 0; k < which.size(); ++k) {
+      const auto& line = lines_[which[k]];
+      samples_[which[k]] =
+          passing ? t_.sighting_.passing(line.ray, line.nearestAlong, nearest_[k], reach_)
+                  : t_.sighting_.near(line.ray, line.range, line.along, nearest_[k]);
+    }
+  }
+
+  void lookAround() {
+    std::vector<typename Occlusion<T>::Foot> feet;
+    std::vector<std::uint32_t> owners;
+    for (std::uint32_t i = 0; i < lines_.size(); ++i) {
+      const auto& sample = samples_[i];
+      if ((!sample.isHit() && sample.passed == kNone) || sample.isCut()) continue;
+      feet.push_back({lines_[i].ray.at(sample.along), Vec3<double>(sample.normal)});
+      owners.push_back(i);
+    }
+    const auto open = t_.occlusion_.openness(feet);
+    for (std::size_t k = 0; k < open.size(); ++k) samples_[owners[k]].open = open[k];
+  }
+
+  /// Calls keep(k, line, index) for the k-th active ray, and keeps only those active for which it
+  /// returns true.
+  template <typename Keep>
+  void keepActive(Keep keep) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+      const auto i = active_[k];
+      if (keep(k, lines_[i], i)) active_[kept++] = i;
+    }
+    active_.resize(kept);
+  }
+
+  const SphereTracer& t_;
+  double reach_;  // in pixels
+  std::span<SurfaceSample> samples_;
+  std::vector<Line> lines_;
+  std::vector<std::uint32_t> active_;   // rays still marching
+  std::vector<std::uint32_t> arrived_;  // those that see something
+  std::vector<std::uint32_t> passing_;  // those that nearly do
+  std::vector<Vec3<T>> points_;
+  std::vector<T> values_;
+  std::vector<SurfacePoint<T>> nearest_;
+};
+
+template <std::floating_point T>
+void SphereTracer<T>::trace(std::span<const PicturePoint> points, double spacing,
+                            std::span<SurfaceSample> samples) const {
+  Packet(*this, points, spacing, samples).run();
+}
+
+template class SphereTracer<float>;
+template class SphereTracer<double>;
+
+}  // namespace cutwater::detail

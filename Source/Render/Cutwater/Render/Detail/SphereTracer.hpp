@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Cutwater/Render/Detail/Occlusion.hpp>
+#include <Cutwater/Render/Detail/Sighting.hpp>
+
+/// Internals of render(), for its own parts only.
+namespace cutwater::detail {
+
+struct TraceOptions {
+  bool sheets = false;         ///< see RenderOptions
+  double occlusionRadius = 0;  ///< how far to look for occluders; 0: not at all
+};
+
+/// Finds what rays see of a solid.
+///
+/// J. C. Hart, "Sphere tracing", The Visual Computer 12 (1996): a step no longer than a certain
+/// lower bound on the distance to the surface never passes through it. By the guarantee this bound
+/// is the value itself where it is a distance or a lower bound of one, and the value over the
+/// Lipschitz constant where there is one. A ray that comes within 1/40 of a pixel (1/320 where
+/// values are only bounds) has arrived; the tangent plane at the nearest surface point then gives
+/// where it meets the surface. Steps are shortened by the possible rounding error of a value,
+/// unless that exceeds 1/4 of a pixel: for a solid so far from the origin, parts thinner than the
+/// rounding error may be lost. For the rest of a ray that needs more than kMostSteps, crossings()
+/// is queried; so it is for all rays if only signs are known.
+template <std::floating_point T>
+class SphereTracer {
+ public:
+  static constexpr int kMostSteps = 256;
+
+  /// Solid, region and camera must outlive the tracer.
+  SphereTracer(const SignedDistanceFunction<T>& solid, const KeptRegion& region,
+               const Camera& camera, const TraceOptions& options);
+
+  /// Traces rays through at most kMostRays points of the picture; most efficient if they are close
+  /// to each other. Samples that see nothing record whether the solid comes within about half of
+  /// `spacing`, the distance between the picture's points in pixels, so that it may hide between
+  /// them.
+  void trace(std::span<const PicturePoint> points, double spacing,
+             std::span<SurfaceSample> samples) const;
+
+  /// Whether rays have bounds on the distance to the surface, and so detect what they pass.
+  [[nodiscard]] bool knowsDistances() const { return distance_.isKnown(); }
+
+ private:
+  class Packet;
+
+  const SignedDistanceFunction<T>& solid_;
+  const KeptRegion& region_;
+  const Camera& camera_;
+  TraceOptions options_;
+  CertainDistance<T> distance_;
+  Occlusion<T> occlusion_;
+  Sighting<T> sighting_;
+  double nearEnough_;  // in pixels
+};
+
+extern template class SphereTracer<float>;
+extern template class SphereTracer<double>;
+
+}  // namespace cutwater::detail

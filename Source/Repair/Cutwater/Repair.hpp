@@ -1,0 +1,7 @@
+#pragma once
+
+/// Holes, self-intersections and wraps by CGAL: the component Repair.
+
+#include <Cutwater/Repair/FillHoles.hpp>
+#include <Cutwater/Repair/RemoveSelfIntersections.hpp>
+#include <Cutwater/Repair/Wrap.hpp>

@@ -1,0 +1,5 @@
+#pragma once
+
+/// Solids from text: the component Scene, which needs toml++.
+
+#include <Cutwater/Scene/ReadScene.hpp>

@@ -1,0 +1,141 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Io/BeamTable.hpp>
+#include <Cutwater/Io/ReadBalls.hpp>
+#include <Cutwater/Lattice/BeamLattice.hpp>
+#include <Cutwater/Lattice/BeamsWithin.hpp>
+#include <Cutwater/Lattice/CellArray.hpp>
+#include <Cutwater/Lattice/PackedBed.hpp>
+#include <Cutwater/Lattice/PeriodicLattice.hpp>
+#include <Cutwater/Scene/Detail/SceneLattices.hpp>
+
+namespace cutwater::scene {
+
+namespace {
+
+using enum KeyType;
+using Record = SceneRecord;
+using Made = cutwater::Solid<double>;
+
+const std::string kReentrant = "re-entrant";
+
+const std::vector<UnitCell>& allCells() {
+  static const auto kCells = UnitCell::all();
+  return kCells;
+}
+
+std::vector<std::string> cellNames() {
+  std::vector<std::string> names;
+  for (const auto& cell : allCells()) names.push_back(cell.name());
+  return names;
+}
+
+const std::vector<SceneForm>& radiusForms() {
+  static const std::vector<SceneForm> kForms{
+      {.name = "a radius by the place in the cell",
+       .meaning = "Linear in the distance to the centre of the cell.",
+       .keys = {{"at_center", Positive, "the radius there"},
+                {"at_corners", Positive, "the radius at the corners"}}},
+      {.name = "a radius by a distance",
+       .meaning = "Linear in the distance to the surface of another solid, on both sides.",
+       .keys = {{"near", KeyType::Solid,
+                 "the other solid, in the frame of this one: `move` moves it along"},
+                {"start", Positive, "the radius at its surface"},
+                {"end", Positive, "the radius at the distance `over`, and beyond"},
+                {"over", Positive, "a length"}}}};
+  return kForms;
+}
+
+}  // namespace
+
+Thickness<double> strutRadiusOf(const Record& r) {
+  const auto parts = r.parts("radius");
+  if (parts.empty()) return r.number("radius");
+  const auto& part = parts.front();
+  if (part.form().headKey() == "at_center") {
+    return Thickness<double>::byDistanceToCellCenter(part.number("at_center"),
+                                                     part.number("at_corners"));
+  }
+  return Thickness<double>::byDistanceTo(
+      part.solid("near"),
+      {.start = part.number("start"), .end = part.number("end"), .over = part.number("over")});
+}
+
+UnitCell unitCellOf(const Record& r, std::string_view key) {
+  if (r.text(key) == kReentrant) return UnitCell::reentrant(r.number("height"));
+  if (r.isGiven("height")) r.fail("height", "only re-entrant cells have a \"height\"");
+  return allCells()[r.choice(key)];
+}
+
+SceneKey unitCellKey(const char* name) {
+  return {.name = name, .type = Choice, .meaning = "the unit cell's name", .choices = cellNames()};
+}
+
+SceneKey strutRadiusKey() {
+  return {.name = "radius",
+          .type = PositiveOrPart,
+          .meaning =
+              "of the struts; or a table of `at_center` and `at_corners`, or of `near`, "
+              "`start`, `end` and `over`",
+          .forms = &radiusForms()};
+}
+
+SceneKey reentrantHeightKey() {
+  return {"height", Positive, "of the upright struts of a re-entrant cell, between 0.5 and 1 cells",
+          "0.7"};
+}
+
+namespace {
+
+Made lattice(const Record& r) {
+  const auto cell = unitCellOf(r, "lattice");
+  const auto thickness = strutRadiusOf(r);
+  const Repeats<double> cells{.period = r.point("cell"), .count = r.counts("count")};
+  const auto& [x, y, z] = cells.count;
+  if (x == 0 && y == 0 && z == 0) return PeriodicLattice<double>(cell, cells.period, thickness);
+  return CellArray<double>(cell, cells, thickness);
+}
+
+Made beams(const Record& r) {
+  const auto graph = readBeams(r.file("beams"), {.scale = r.number("scale")});
+  if (!r.has("within")) return BeamLattice<double>(graph);
+  return BeamLattice<double>(beamsWithin(graph, r.solid("within")));
+}
+
+SceneForm latticeForm() {
+  return {.name = "lattice",
+          .meaning = "Round struts along the edges of repeated unit cells.",
+          .keys = {unitCellKey("lattice"),
+                   {"cell", Sizes, "the sides of a cell"},
+                   strutRadiusKey(),
+                   {"count", Counts, "cells along each axis, from the origin; 0: without end",
+                    "[0, 0, 0]"},
+                   reentrantHeightKey()},
+          .make = lattice};
+}
+
+}  // namespace
+
+const std::vector<SceneForm>& latticeForms() {
+  static const std::vector<SceneForm> kForms{
+      latticeForm(),
+      conformalForm(),
+      {.name = "beams",
+       .meaning = "Beams and balls from a table in text, of lines `node, x, y, z`, `beam, i, j, "
+                  "radius, radius` and `ball, i, radius`.",
+       .keys = {{"beams", File, "the table"},
+                {"scale", Positive, "coordinates and radii are multiplied by it", "1"},
+                {"within", KeyType::Solid, "leave out beams that lie outside of this solid",
+                 kNothing}},
+       .make = beams},
+      {.name = "balls",
+       .meaning = "A packed bed: balls from a table in text, of lines `x, y, z, radius`.",
+       .keys = {{"balls", File, "the table"},
+                {"scale", Positive, "coordinates and radii are multiplied by it", "1"}},
+       .make = [](const Record& r) -> Made {
+         return PackedBed<double>(readBalls(r.file("balls"), {.scale = r.number("scale")}));
+       }},
+  };
+  return kForms;
+}
+
+}  // namespace cutwater::scene
