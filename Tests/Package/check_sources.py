@@ -21,7 +21,7 @@ ROOT = pathlib.Path(sys.argv[1]).resolve()
 PROGRAM = sys.argv[3] if len(sys.argv) > 3 else ""
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE
 FOLDERS = ["Source", "Tests", "Tools", "Examples", "Bindings", "Benchmarks", "Scripts", "Docs", ".ci"]
-PARTS = ["P4est", "Repair"]  # libraries beside the main one, a folder each
+PARTS = ["P4est", "Render", "Repair", "Scene"]  # libraries beside the main one, a folder each
 LIBRARIES = [ROOT / "Source/Cutwater", *(ROOT / f"Source/{part}/Cutwater" for part in PARTS)]
 SOURCES = {".hpp", ".cpp", ".inl", ".h", ".c"}
 
@@ -113,21 +113,23 @@ def check_mirror():
     elsewhere = tested_elsewhere()
     found = [f"tested-elsewhere.txt: {unit}: there is no Tests/{test}"
              for unit, test in elsewhere.items() if not (ROOT / "Tests" / test).exists()]
-    units = {file.relative_to(library).with_suffix("").as_posix(): file
-             for library in LIBRARIES for suffix in (".hpp", ".cpp")
-             for file in sorted(library.rglob(f"*{suffix}"))}
-    for unit, file in sorted(units.items()):
+    units = set()
+    for library in LIBRARIES:
+        for file in sorted(library.rglob("*.*pp")):
+            unit = file.relative_to(library).with_suffix("").as_posix()
+            layer, _, inner = unit.partition("/")
+            if not inner:
+                continue  # a header of all headers
+            units.add(unit)
+            lists = library.parent if layer in PARTS else library / layer
+            if file.suffix == ".cpp" and inner not in listed(lists):
+                found.append(f"{name(file)} is not listed in {name(lists)}/CMakeLists.txt")
+    for unit in sorted(units):
         layer, _, inner = unit.partition("/")
-        if not inner or "/" in inner and file.suffix == ".hpp":
-            continue  # the header of all headers, or a private one that only declares
-        private = re.search(r"^// Private", file.read_text(), re.MULTILINE)
-        lists = file.parents[2] if layer in PARTS else file.parents[inner.count("/")]
-        if not private and not {inner, f"{inner}.cpp"} & listed(lists):
-            found.append(f"{name(file)} is not listed in {name(lists)}/CMakeLists.txt")
         stem = inner.rpartition("/")[2]
         tested = any((ROOT / f"Tests/{layer}/{test}Test.cpp").exists() for test in (inner, stem))
         if not tested and unit not in elsewhere:
-            found.append(f"{name(file)} has no Tests/{layer}/{stem}Test.cpp")
+            found.append(f"{unit} has no Tests/{layer}/{stem}Test.cpp")
         if tested and unit in elsewhere:
             found.append(f"tested-elsewhere.txt: {unit} has a test now: strike it out")
     found += [f"tested-elsewhere.txt: {unit} is gone: strike it out"
