@@ -7,9 +7,11 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE
 
@@ -50,11 +52,20 @@ def units(source, build):
         if alone in file.parents:
             header = file.relative_to(alone).with_suffix("")
             header = next(folder / header for folder in
-                          (source / "Source" / part for part in ("", "P4est", "Repair"))
+                          (source / "Source" / part for part in ("", "P4est", "Render", "Repair", "Scene"))
                           if (folder / header).exists())
             beside = header.with_suffix(".cpp")
             result[header] = beside if beside in files else file
     return result
+
+
+def without_precompiled(build, folder):
+    """Writes the compile commands to a folder without the precompiled headers, which are another
+    compiler's."""
+    entries = json.loads((build / "compile_commands.json").read_text())
+    for entry in entries:
+        entry["command"] = re.sub(r" -Winvalid-pch| -include \S*cmake_pch\.hxx", "", entry["command"])
+    (folder / "compile_commands.json").write_text(json.dumps(entries))
 
 
 def main():
@@ -71,11 +82,12 @@ def main():
         files = sorted({unit for file, unit in compiled.items() if file in wanted})
     print(f"{len(files)} files")
 
-    def tidy(file):
-        return subprocess.run([program, "-p", build, "--quiet", file], capture_output=True, text=True)
-
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        results = list(pool.map(tidy, files))
+    with tempfile.TemporaryDirectory() as folder, \
+            concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        without_precompiled(build, pathlib.Path(folder))
+        command = [program, "-p", folder, "--quiet"]
+        results = list(pool.map(
+            lambda file: subprocess.run([*command, file], capture_output=True, text=True), files))
     failed = [result.stdout for result in results if result.returncode != 0]
     print("\n".join(failed) or "clean")
     sys.exit(bool(failed))
