@@ -31,12 +31,12 @@ std::size_t placeOf(const Index3& index, const IndexBox& box) {
                           box.length(1) * static_cast<std::size_t>(index.k - box.lo.k));
 }
 
-TEST(DocsTest, DistancesOfAPatchWithGhostCells) {
+TEST(DocsTest, DistancesOnAGridPatchWithGhostCells) {
   const auto& solid = kSolid;
   // [DOCS
   const Level<double> level({-1, -1, -1}, {1.0 / 16, 1.0 / 16, 1.0 / 16});  // origin, spacing
-  const GridPatch<double> gridPatch{level,
-                                    {{-2, -2, -2}, {17, 17, 17}}};  // 16^3 cells, two ghost cells
+  // 16^3 cells, with two ghost cells on each side.
+  const GridPatch<double> gridPatch{level, {{-2, -2, -2}, {17, 17, 17}}};
 
   std::vector<double> distances(gridPatch.indices.count());
   fill(solid, gridPatch, GridView<double>::contiguous(distances.data(), gridPatch.indices));
