@@ -142,7 +142,7 @@ PolygonSoup soupOf(const cw_mesh& mesh) {
   return soup;
 }
 
-GridPatch<double> patchOf(const cw_grid& grid) {
+GridPatch<double> gridPatchOf(const cw_grid& grid) {
   const Level<double> level(vectorOf("origin", grid.origin), vectorOf("spacing", grid.spacing),
                             grid.nodes != 0 ? Centering::Node : Centering::Cell);
   const IndexBox indices{{grid.lo[0], grid.lo[1], grid.lo[2]},

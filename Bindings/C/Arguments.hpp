@@ -50,6 +50,6 @@ Vec3<double> vectorOf(const char* name, const double* data);
 PolygonSoup soupOf(const cw_mesh& mesh);
 
 /// @throws Error also for strides that map different indices along an axis to the same element.
-GridPatch<double> patchOf(const cw_grid& grid);
+GridPatch<double> gridPatchOf(const cw_grid& grid);
 
 }  // namespace cutwater::binding

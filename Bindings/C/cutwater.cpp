@@ -189,12 +189,12 @@ cw_status cw_fill(const cw_solid* solid, const cw_grid* grid, double band, doubl
     const auto& shape = solidOf(solid);
     require(grid != nullptr, "the grid is NULL");
     require(distances != nullptr || patches != nullptr, "both arrays are NULL");
-    const auto patch = patchOf(*grid);
+    const auto gridPatch = gridPatchOf(*grid);
     // Signed and unsigned integers of the same size may alias: kNone is -1.
     auto* const ids = reinterpret_cast<std::uint32_t*>(patches);
-    fill(shape, patch,
-         {.distance = viewOf(distances, *grid, patch.indices),
-          .patch = viewOf(ids, *grid, patch.indices)},
+    fill(shape, gridPatch,
+         {.distance = viewOf(distances, *grid, gridPatch.indices),
+          .patch = viewOf(ids, *grid, gridPatch.indices)},
          {.band = band, .threads = threads});
   });
 }

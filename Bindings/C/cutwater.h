@@ -125,7 +125,7 @@ typedef struct cw_grid {
   int32_t nodes;  ///< 0: cells, otherwise nodes
 } cw_grid;
 
-/// Evaluates the solid at all indices of a patch of a grid. `band` > 0 limits values to a band of
+/// Evaluates the solid at all indices of a grid patch. `band` > 0 limits values to a band of
 /// this half-width around the surface, in cells of the smallest spacing h: beyond it they are
 /// exactly +band h or -band h. 0: values everywhere. `patches` receives the patch of the nearest
 /// surface point, -1 beyond the band. Either array may be NULL; both point at the value of lo.

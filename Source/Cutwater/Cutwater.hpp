@@ -30,7 +30,6 @@
 #include <Cutwater/Grid/EdgeCrossings.hpp>
 #include <Cutwater/Grid/Fill.hpp>
 #include <Cutwater/Grid/Isosurface.hpp>
-#include <Cutwater/Grid/MortonCode.hpp>
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Grid/OctreeCells.hpp>
 #include <Cutwater/Grid/OctreeChecksum.hpp>

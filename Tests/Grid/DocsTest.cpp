@@ -20,7 +20,7 @@ Solid<double> ballOnARod() {
 
 const Solid<double> kSolid = ballOnARod();
 
-/// Cells of 1/16: those of a patch, and two rows of ghost cells around it.
+/// Cells of 1/16: those of a grid patch, and two rows of ghost cells around it.
 const Level<double> kLevel({-1, -1, -1}, {1.0 / 16, 1.0 / 16, 1.0 / 16});
 const IndexBox kOwned{{0, 0, 0}, {15, 15, 15}};
 
@@ -31,41 +31,41 @@ std::size_t placeOf(const Index3& index, const IndexBox& box) {
                           box.length(1) * static_cast<std::size_t>(index.k - box.lo.k));
 }
 
-TEST(DocsTest, DistancesOfAPatchWithGhostCells) {
+TEST(DocsTest, DistancesOnAGridPatchWithGhostCells) {
   const auto& solid = kSolid;
   // [DOCS
   const Level<double> level({-1, -1, -1}, {1.0 / 16, 1.0 / 16, 1.0 / 16});  // origin, spacing
-  const GridPatch<double> patch{level,
-                                {{-2, -2, -2}, {17, 17, 17}}};  // 16^3 cells, two ghost cells
+  // 16^3 cells, with two ghost cells on each side.
+  const GridPatch<double> gridPatch{level, {{-2, -2, -2}, {17, 17, 17}}};
 
-  std::vector<double> distances(patch.indices.count());
-  fill(solid, patch, GridView<double>::contiguous(distances.data(), patch.indices));
+  std::vector<double> distances(gridPatch.indices.count());
+  fill(solid, gridPatch, GridView<double>::contiguous(distances.data(), gridPatch.indices));
   // DOCS]
-  forEach(patch.indices, [&](const Index3& index) {
-    ASSERT_EQ(distances[placeOf(index, patch.indices)],
+  forEach(gridPatch.indices, [&](const Index3& index) {
+    ASSERT_EQ(distances[placeOf(index, gridPatch.indices)],
               kSolid.signedDistance(level.position(index)));
   });
 
-  // The neighbour's own cells, which are ghost cells of the patch above, have the same bits.
+  // The neighbour's own cells, which are ghost cells of the grid patch above, have the same bits.
   const GridPatch<double> next{level, {{16, 0, 0}, {31, 15, 15}}};
   std::vector<double> owned(next.indices.count());
   fill(solid, next, GridView<double>::contiguous(owned.data(), next.indices));
   for (std::int32_t k = 0; k < 16; ++k) {
-    EXPECT_EQ(distances[placeOf({17, 3, k}, patch.indices)],
+    EXPECT_EQ(distances[placeOf({17, 3, k}, gridPatch.indices)],
               owned[placeOf({17, 3, k}, next.indices)]);
   }
 }
 
 TEST(DocsTest, OneComponentOfAnInterleavedArray) {
   const auto& solid = kSolid;
-  const GridPatch<double> patch{kLevel, kOwned};
+  const GridPatch<double> gridPatch{kLevel, kOwned};
   // [DOCS
   // 5 unknowns per cell, side by side; the last one is the distance.
-  std::vector<double> unknowns(5 * patch.indices.count());
-  const auto nx = static_cast<std::ptrdiff_t>(patch.indices.length(0));
-  const auto ny = static_cast<std::ptrdiff_t>(patch.indices.length(1));
+  std::vector<double> unknowns(5 * gridPatch.indices.count());
+  const auto nx = static_cast<std::ptrdiff_t>(gridPatch.indices.length(0));
+  const auto ny = static_cast<std::ptrdiff_t>(gridPatch.indices.length(1));
   const GridView<double> view{unknowns.data() + 4, {5, 5 * nx, 5 * nx * ny}};
-  fill(solid, patch, view);
+  fill(solid, gridPatch, view);
   // DOCS]
   forEach(kOwned, [&](const Index3& index) {
     const auto place = 5 * placeOf(index, kOwned);
@@ -76,14 +76,14 @@ TEST(DocsTest, OneComponentOfAnInterleavedArray) {
 
 TEST(DocsTest, DistancesAndPatchesOfABand) {
   const auto& solid = kSolid;
-  const GridPatch<double> patch{kLevel, kOwned};
-  std::vector<double> distances(patch.indices.count());
+  const GridPatch<double> gridPatch{kLevel, kOwned};
+  std::vector<double> distances(gridPatch.indices.count());
   // [DOCS
-  std::vector<std::uint32_t> patches(patch.indices.count());
+  std::vector<std::uint32_t> patches(gridPatch.indices.count());
   const FillTargets<double> targets{
-      .distance = GridView<double>::contiguous(distances.data(), patch.indices),
-      .patch = GridView<std::uint32_t>::contiguous(patches.data(), patch.indices)};
-  fill(solid, patch, targets, {.band = 3});
+      .distance = GridView<double>::contiguous(distances.data(), gridPatch.indices),
+      .patch = GridView<std::uint32_t>::contiguous(patches.data(), gridPatch.indices)};
+  fill(solid, gridPatch, targets, {.band = 3});
   const std::vector<std::string> names = solid.patchNames();  // names[patches[n]], unless kNone
   // DOCS]
   ASSERT_EQ(names, (std::vector<std::string>{"ball", "rod"}));
@@ -107,16 +107,16 @@ TEST(DocsTest, DistancesAndPatchesOfABand) {
 
 TEST(DocsTest, ClosestPointsAndClassesOfCells) {
   const auto& solid = kSolid;
-  const GridPatch<double> patch{kLevel, kOwned};
+  const GridPatch<double> gridPatch{kLevel, kOwned};
   // [DOCS
   std::vector<Vec3<double>> centers;
   std::vector<Box<double>> cells;
-  const IndexBox& owned = patch.indices;
+  const IndexBox& owned = gridPatch.indices;
   for (std::int32_t k = owned.lo.k; k <= owned.hi.k; ++k) {
     for (std::int32_t j = owned.lo.j; j <= owned.hi.j; ++j) {
       for (std::int32_t i = owned.lo.i; i <= owned.hi.i; ++i) {
-        centers.push_back(patch.level.position({i, j, k}));
-        cells.push_back(patch.level.cell({i, j, k}));
+        centers.push_back(gridPatch.level.position({i, j, k}));
+        cells.push_back(gridPatch.level.cell({i, j, k}));
       }
     }
   }

@@ -31,20 +31,20 @@ class EdgeCrossingsTest : public ::testing::Test {
  protected:
   static constexpr std::uint32_t kUnwritten = 77;
 
-  /// Edges of a patch along each axis, with what was found about them.
+  /// Edges of a grid patch along each axis, with what was found about them.
   struct Edges {
     std::array<IndexBox, 3> boxes;
     std::array<EdgeArrays<T>, 3> arrays;
     EdgeCrossingReport report;
   };
 
-  static Edges found(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
+  static Edges found(const SignedDistanceFunction<T>& solid, const GridPatch<T>& gridPatch,
                      const EdgeCrossingOptions& options = {}) {
     Edges edges;
     std::array<EdgeCrossingTargets<T>, 3> targets;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       auto& box = edges.boxes[axis];
-      box = patch.indices;
+      box = gridPatch.indices;
       --(axis == 0 ? box.hi.i : axis == 1 ? box.hi.j : box.hi.k);
       auto& a = edges.arrays[axis];
       const auto view = [&](auto& array, auto unwritten) {
@@ -56,24 +56,24 @@ class EdgeCrossingsTest : public ::testing::Test {
                        view(a.last, T(kUnwritten)), view(a.firstPatch, kUnwritten),
                        view(a.lastPatch, kUnwritten)};
     }
-    edges.report = edgeCrossings(solid, patch, targets, options);
+    edges.report = edgeCrossings(solid, gridPatch, targets, options);
     return edges;
   }
 
   /// Compares every edge with what the solid says of it alone. Returns how many are crossed more
   /// than once.
   static std::size_t expectAsOneByOne(const SignedDistanceFunction<T>& solid,
-                                      const GridPatch<T>& patch) {
-    const auto edges = found(solid, patch);
+                                      const GridPatch<T>& gridPatch) {
+    const auto edges = found(solid, gridPatch);
     std::size_t crossed = 0;
     std::size_t often = 0;
     for (int axis = 0; axis < 3; ++axis) {
       std::size_t n = 0;
       forEach(edges.boxes[static_cast<std::size_t>(axis)], [&](const Index3& node) {
         const auto& a = edges.arrays[static_cast<std::size_t>(axis)];
-        expectEdge(solid, {patch.level.position(node), patch.level.position(next(node, axis))},
-                   axis,
-                   {{a.count[n]}, {a.first[n]}, {a.last[n]}, {a.firstPatch[n]}, {a.lastPatch[n]}});
+        expectEdge(
+            solid, {gridPatch.level.position(node), gridPatch.level.position(next(node, axis))},
+            axis, {{a.count[n]}, {a.first[n]}, {a.last[n]}, {a.firstPatch[n]}, {a.lastPatch[n]}});
         crossed += a.count[n] > 0 ? 1 : 0;
         often += a.count[n] > 1 ? 1 : 0;
         ++n;
@@ -119,9 +119,10 @@ TYPED_TEST_SUITE(EdgeCrossingsTest, Precisions);
 
 TYPED_TEST(EdgeCrossingsTest, OfAUnionAreThoseOfEachEdgeAlone) {
   using T = TypeParam;
-  const auto patch = this->nodes({T(-0.1), T(0.03), 0}, T(0.057), {{-19, -23, -17}, {20, 18, 21}});
+  const auto gridPatch =
+      this->nodes({T(-0.1), T(0.03), 0}, T(0.057), {{-19, -23, -17}, {20, 18, 21}});
   // Edges along z go through both sides of the plate.
-  EXPECT_GT(this->expectAsOneByOne(ballAndPlate<T>(), patch), 400U);
+  EXPECT_GT(this->expectAsOneByOne(ballAndPlate<T>(), gridPatch), 400U);
 }
 
 TYPED_TEST(EdgeCrossingsTest, OfAMeshWithOtherSpacings) {
@@ -145,8 +146,8 @@ TYPED_TEST(EdgeCrossingsTest, ThroughVerticesAlongEdgesAndInFaces) {
 TYPED_TEST(EdgeCrossingsTest, OfAPlateBetweenTheNodes) {
   using T = TypeParam;
   const Cuboid<T> plate({-1, -1, T(0.401)}, {1, 1, T(0.402)});
-  const auto patch = this->nodes({0, 0, 0}, T(0.25), {{-8, -8, -8}, {8, 8, 8}});
-  const auto edges = this->found(plate, patch);
+  const auto gridPatch = this->nodes({0, 0, 0}, T(0.25), {{-8, -8, -8}, {8, 8, 8}});
+  const auto edges = this->found(plate, gridPatch);
   // 7 x 7 edges go straight through: those at x, y = -1, 1 lie in its sides, which are outside.
   EXPECT_EQ(edges.report.crossed, 49U);
   const auto& z = edges.arrays[2];
@@ -193,22 +194,22 @@ TYPED_TEST(EdgeCrossingsTest, ThatCannotBeExcludedAreCounted) {
   using T = TypeParam;
   // Promises nothing: whatever has no change of sign may hide an even number of crossings.
   const FunctionSDF wild([](const Vec3<T>& p) { return p.x - T(0.3); }, Guarantee<T>{});
-  const auto patch = this->nodes({0, 0, 0}, 1, {{0, 0, 0}, {1, 1, 1}});
-  const auto edges = this->found(wild, patch);
+  const auto gridPatch = this->nodes({0, 0, 0}, 1, {{0, 0, 0}, {1, 1, 1}});
+  const auto edges = this->found(wild, gridPatch);
   EXPECT_EQ(edges.report.crossed, 4U);
   EXPECT_EQ(edges.report.unresolved, 12U);
-  EXPECT_EQ(this->found(Sphere<T>({0, 0, 0}, T(0.3)), patch).report.unresolved, 0U);
+  EXPECT_EQ(this->found(Sphere<T>({0, 0, 0}, T(0.3)), gridPatch).report.unresolved, 0U);
 }
 
 TYPED_TEST(EdgeCrossingsTest, LeavesOutWhatIsNotAskedFor) {
   using T = TypeParam;
-  const auto patch = this->nodes({0, 0, 0}, T(0.25), {{-8, -8, -8}, {8, 8, 8}});
+  const auto gridPatch = this->nodes({0, 0, 0}, T(0.25), {{-8, -8, -8}, {8, 8, 8}});
   const auto solid = ballAndPlate<T>();
   std::vector<T> last(16 * 17 * 17 * 2, -7);  // every second value is somebody else's
   std::array<EdgeCrossingTargets<T>, 3> targets;
   targets[0].last = {last.data(), {2, 32, 32 * 17}};
-  const auto report = edgeCrossings(solid, patch, targets);
-  const auto all = this->found(solid, patch);
+  const auto report = edgeCrossings(solid, gridPatch, targets);
+  const auto all = this->found(solid, gridPatch);
   EXPECT_EQ(report.crossed, all.report.crossed);
   for (std::size_t n = 0; n < last.size(); ++n) {
     EXPECT_TRUE(sameBits(last[n], n % 2 == 0 ? all.arrays[0].last[n / 2] : T(-7)));
@@ -225,10 +226,10 @@ TYPED_TEST(EdgeCrossingsTest, OfPatchesWithoutEdges) {
   // Next to the end of all indices.
   constexpr auto kLast = std::numeric_limits<std::int32_t>::max();
   const T far = -static_cast<T>(kLast);
-  const auto patch =
+  const auto gridPatch =
       this->nodes({far, far, far}, 1, {{kLast - 2, kLast, kLast}, {kLast, kLast, kLast}});
   if (sizeof(T) == 8) {
-    const auto edges = this->found(Sphere<T>({T(-1.5), 0, 0}, T(0.25)), patch);
+    const auto edges = this->found(Sphere<T>({T(-1.5), 0, 0}, T(0.25)), gridPatch);
     EXPECT_EQ(edges.arrays[0].count, (std::vector<std::uint32_t>{2, 0}));
   }
 }
@@ -238,8 +239,8 @@ TYPED_TEST(EdgeCrossingsTest, RefusesWhatCannotBe) {
   const auto solid = ballAndPlate<T>();
   const GridPatch<T> cells{Level<T>({0, 0, 0}, {1, 1, 1}), IndexBox::ofSize(2, 2, 2)};
   EXPECT_THROW(edgeCrossings(solid, cells, {}), Error);
-  const auto patch = this->nodes({0, 0, 0}, 1, IndexBox::ofSize(2, 2, 2));
-  EXPECT_THROW(edgeCrossings(solid, patch, {}, {.threads = -1}), Error);
+  const auto gridPatch = this->nodes({0, 0, 0}, 1, IndexBox::ofSize(2, 2, 2));
+  EXPECT_THROW(edgeCrossings(solid, gridPatch, {}, {.threads = -1}), Error);
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ TYPED_TEST(FacetRulesTest, RefineGapsOrWalls) {
       [](const OctreeCell& c) { return std::pair(c.level, c.index.i); }));
 }
 
-TYPED_TEST(FacetRulesTest, JudgeCellsByThemselvesAsTogether) {
+TYPED_TEST(FacetRulesTest, TagCellsByThemselvesAsTogether) {
   using T = TypeParam;
   using Width = typename Refinement<T>::Width;
   using Facet = SurfaceFacet<T>;
@@ -187,27 +187,26 @@ TYPED_TEST(FacetRulesTest, JudgeCellsByThemselvesAsTogether) {
   };
   const Refinement<T> rules{.walls = Width{T(1.5), 9}};
   for (const auto& solid : {(outer - inner) | slab, slab | Sphere<T>({0, 0, T(0.5)}, T(0.3))}) {
-    const CellJudge<T> judge(solid, rules);
+    const detail::CellTagger<T> tagger(solid, rules);
     constexpr int kLevel = 3;
     const auto level = this->domain.level(kLevel);
     std::vector<Box<T>> cells;
     for (std::int32_t n = 0; n < 32 * 32 * 32; n += 3) {
       cells.push_back(level.cell({n % 32, n / 32 % 32, n / 1024}));
     }
-    std::vector<CellVerdict> together(cells.size());
+    std::vector<detail::CellTag> together(cells.size());
     std::size_t refined = 0;
     std::size_t kept = 0;
     for (std::size_t begin = 0; begin < cells.size(); begin += 200) {
       const auto count = std::min<std::size_t>(200, cells.size() - begin);
       std::vector<BoxHint> hints(count);
-      judge.judge(kLevel, std::span(cells).subspan(begin, count), hints,
-                  std::span(together).subspan(begin, count));
+      tagger.tag(kLevel, std::span(cells).subspan(begin, count), hints,
+                 std::span(together).subspan(begin, count));
     }
     for (std::size_t n = 0; n < cells.size(); ++n) {
       BoxHint hint;
-      CellVerdict alone;
-      judge.judge(kLevel, std::span(cells).subspan(n, 1), std::span(&hint, 1),
-                  std::span(&alone, 1));
+      detail::CellTag alone;
+      tagger.tag(kLevel, std::span(cells).subspan(n, 1), std::span(&hint, 1), std::span(&alone, 1));
       EXPECT_EQ(together[n].isRefined, alone.isRefined) << n;
       if (!mayBeCut(alone.kind)) continue;
       const T width = maxComponent(cells[n].size());

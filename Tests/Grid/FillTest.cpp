@@ -60,7 +60,7 @@ TYPED_TEST(FillTest, ManyPatchesGiveTheBitsOfOne) {
   fill(this->solid, GridPatch<T>{this->level, this->box},
        GridView<T>::contiguous(whole.data(), this->box));
   for (const int size : {1, 3, 8}) {
-    // Each patch writes its part of the same array, through the array's strides.
+    // Each grid patch writes its part of the same array, through the array's strides.
     std::vector<T> parts(whole.size(), T(99));
     const auto all = GridView<T>::contiguous(parts.data(), this->box);
     const Index3 lo = this->box.lo;
@@ -69,12 +69,12 @@ TYPED_TEST(FillTest, ManyPatchesGiveTheBitsOfOne) {
       const Index3 from{lo.i + tile.i * size, lo.j + tile.j * size, lo.k + tile.k * size};
       const Index3 to{std::min(from.i + size - 1, hi.i), std::min(from.j + size - 1, hi.j),
                       std::min(from.k + size - 1, hi.k)};
-      const GridPatch<T> patch{this->level, {from, to}};
-      if (patch.indices.empty()) return;
+      const GridPatch<T> gridPatch{this->level, {from, to}};
+      if (gridPatch.indices.empty()) return;
       auto* first =
           &all.at(static_cast<std::size_t>(from.i - lo.i), static_cast<std::size_t>(from.j - lo.j),
                   static_cast<std::size_t>(from.k - lo.k));
-      fill(this->solid, patch, GridView<T>{first, all.stride});
+      fill(this->solid, gridPatch, GridView<T>{first, all.stride});
     });
     for (std::size_t n = 0; n < whole.size(); ++n) ASSERT_TRUE(sameBits(parts[n], whole[n])) << n;
   }
@@ -128,13 +128,13 @@ TYPED_TEST(FillTest, BeyondTheBandIsExactlyItsWidth) {
 TYPED_TEST(FillTest, TellsTheClosestPatchInTheSamePass) {
   using T = TypeParam;
   const TwoPatchBall<T> ball;
-  const GridPatch<T> patch{this->level, this->box};
+  const GridPatch<T> gridPatch{this->level, this->box};
   std::vector<T> distances(this->box.count());
   std::vector<std::uint32_t> ids(this->box.count(), 77);
   const FillTargets<T> targets{.distance = GridView<T>::contiguous(distances.data(), this->box),
                                .patch = GridView<std::uint32_t>::contiguous(ids.data(), this->box)};
   for (const double band : {0.0, 2.0}) {
-    fill(ball, patch, targets, {.band = band});
+    fill(ball, gridPatch, targets, {.band = band});
     std::size_t n = 0;
     std::size_t beyond = 0;
     forEach(this->box, [&](const Index3& index) {
@@ -146,7 +146,7 @@ TYPED_TEST(FillTest, TellsTheClosestPatchInTheSamePass) {
     EXPECT_EQ(beyond > 0, band > 0);
   }
   std::vector<std::uint32_t> alone(this->box.count(), 77);
-  fill(ball, patch, {.patch = GridView<std::uint32_t>::contiguous(alone.data(), this->box)},
+  fill(ball, gridPatch, {.patch = GridView<std::uint32_t>::contiguous(alone.data(), this->box)},
        {.band = 2});
   EXPECT_EQ(alone, ids);
 }
@@ -155,11 +155,11 @@ TYPED_TEST(FillTest, AMeshHasTheSameBitsWithItsPatchesAsWithout) {
   using T = TypeParam;
   MeshSDF<T> mesh(tessellation::torus(0.9, 0.3, 12, 8));
   mesh.rotate(20, {3, 1, 2});
-  const GridPatch<T> patch{this->level, this->box};
+  const GridPatch<T> gridPatch{this->level, this->box};
   std::vector<T> distances(this->box.count());
   std::vector<std::uint32_t> ids(this->box.count(), 77);
   for (const double band : {0.0, 100.0}) {
-    fill(mesh, patch,
+    fill(mesh, gridPatch,
          {.distance = GridView<T>::contiguous(distances.data(), this->box),
           .patch = GridView<std::uint32_t>::contiguous(ids.data(), this->box)},
          {.band = band});
@@ -174,16 +174,16 @@ TYPED_TEST(FillTest, AMeshHasTheSameBitsWithItsPatchesAsWithout) {
 TYPED_TEST(FillTest, ReportsProgressAndStopsWhenToldTo) {
   using T = TypeParam;
   std::vector<T> values(this->box.count());
-  const GridPatch<T> patch{this->level, this->box};
+  const GridPatch<T> gridPatch{this->level, this->box};
   const auto view = GridView<T>::contiguous(values.data(), this->box);
   double last = 0;
-  fill(this->solid, patch, view, {.progress = [&](double done) {
+  fill(this->solid, gridPatch, view, {.progress = [&](double done) {
          EXPECT_GE(done, last);
          last = done;
        }});
   EXPECT_EQ(last, 1.0);
   struct Cancelled {};
-  EXPECT_THROW(fill(this->solid, patch, view, {.progress = [](double) { throw Cancelled(); }}),
+  EXPECT_THROW(fill(this->solid, gridPatch, view, {.progress = [](double) { throw Cancelled(); }}),
                Cancelled);
 }
 

@@ -1,10 +1,10 @@
-#include <Cutwater/Grid/MortonCode.hpp>
+#include <Cutwater/Grid/Detail/MortonCode.hpp>
 
 #include <random>
 
 #include <gtest/gtest.h>
 
-namespace cutwater::test {
+namespace cutwater::detail::test {
 namespace {
 
 TEST(MortonCodeTest, TakesBitsInTurns) {
@@ -34,4 +34,4 @@ TEST(MortonCodeTest, ChildrenFollowEachOther) {
 }
 
 }  // namespace
-}  // namespace cutwater::test
+}  // namespace cutwater::detail::test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cutwater::test {
+namespace cutwater::detail::test {
 namespace {
 
 using detail::OctreeCodes;
@@ -102,4 +102,4 @@ TEST(OctreeBalanceTest, LeavesAMeshAsItIsWhereNoneIsWanted) {
 }
 
 }  // namespace
-}  // namespace cutwater::test
+}  // namespace cutwater::detail::test

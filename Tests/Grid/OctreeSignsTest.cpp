@@ -46,7 +46,7 @@ class OctreeSignsTest : public ::testing::Test {
     detail::OctreeSigns<T> all(solid, mesh, {});
     std::pair<std::size_t, std::size_t> crossed{};
     for (int level = 0; level <= mesh.deepest(); ++level) {
-      all.askEdges(level, {});
+      all.countCrossings(level, {});
       for (const auto n : all.cells(level)) {
         const auto box = mesh.box(mesh.cells()[n]);
         detail::CellSigns signs;
@@ -102,7 +102,7 @@ TYPED_TEST(OctreeSignsTest, AskAboutEachCornerAndEdgeOnce) {
     for (int i = 0; i < 8; ++i) corners.insert(ball.placeOf(mesh.box(mesh.cells()[n]).corner(i)));
   }
   EXPECT_TRUE(std::ranges::equal(ball.points, corners));
-  signs.askEdges(3, {.threads = 3});
+  signs.countCrossings(3, {.threads = 3});
   EXPECT_GT(ball.edges.size(), 500U);
   const std::set<std::pair<typename Witness<T>::Place, typename Witness<T>::Place>> once(
       ball.edges.begin(), ball.edges.end());

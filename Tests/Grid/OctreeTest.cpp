@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/MortonCode.hpp>
+#include <Cutwater/Grid/Detail/MortonCode.hpp>
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
@@ -28,10 +28,10 @@ class OctreeTest : public ::testing::Test {
   static void expectTiling(const Octree<T>& mesh) {
     const int deepest = mesh.deepest();
     std::vector<bool> covered(mesh.domain().indices(deepest).count());
-    MortonCode last = 0;
+    detail::MortonCode last = 0;
     for (std::size_t n = 0; n < mesh.cells().size(); ++n) {
       const auto& [index, level, kind] = mesh.cells()[n];
-      const auto code = mortonCode(index) << 3 * (deepest - level);
+      const auto code = detail::mortonCode(index) << 3 * (deepest - level);
       ASSERT_TRUE(n == 0 || last < code);
       last = code;
       forEachFine(mesh, mesh.cells()[n], [&](std::size_t place) {

@@ -63,12 +63,12 @@ TYPED_TEST(TagTest, MarksACellTheSameInAnyPatch) {
   std::size_t checked = 0;
   for (std::int32_t k = whole.lo.k; k <= whole.hi.k; k += 9) {
     for (std::int32_t j = whole.lo.j; j <= whole.hi.j; j += 7) {
-      const IndexBox patch{
+      const IndexBox box{
           {whole.lo.i + 1, j, k},
           {whole.hi.i - 2, std::min(j + 6, whole.hi.j), std::min(k + 8, whole.hi.k)}};
-      const auto marks = this->tags(level, patch);
+      const auto marks = this->tags(level, box);
       std::size_t n = 0;
-      forEach(patch, [&](const Index3& i) {
+      forEach(box, [&](const Index3& i) {
         const auto at =
             static_cast<std::size_t>(i.i - whole.lo.i) +
             whole.length(0) * (static_cast<std::size_t>(i.j - whole.lo.j) +

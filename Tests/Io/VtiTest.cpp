@@ -70,7 +70,7 @@ TEST(VtiTest, NodesArePointData) {
 TEST(VtiTest, RefusesWhatDoesNotFit) {
   const TemporaryFolder folder;
   const Level<double> level({0, 0, 0}, {1, 1, 1});
-  const GridPatch<double> patch{level, kBox};
+  const GridPatch<double> gridPatch{level, kBox};
   const auto values = ramp(1);
   const VtkArray good{"d", std::span<const double>(values)};
   const VtkArray shorter{"s", std::span<const double>(values).first(5)};
@@ -78,10 +78,10 @@ TEST(VtiTest, RefusesWhatDoesNotFit) {
   const auto write = [&](const GridPatch<double>& where, std::vector<VtkArray> arrays) {
     writeVti(folder / "a.vti", where, arrays);
   };
-  EXPECT_THROW(write(patch, {}), Error);
-  EXPECT_THROW(write(patch, {good, shorter}), Error);
-  EXPECT_THROW(write(patch, {nameless}), Error);
-  EXPECT_THROW(write(patch, {good, good}), Error);
+  EXPECT_THROW(write(gridPatch, {}), Error);
+  EXPECT_THROW(write(gridPatch, {good, shorter}), Error);
+  EXPECT_THROW(write(gridPatch, {nameless}), Error);
+  EXPECT_THROW(write(gridPatch, {good, good}), Error);
   EXPECT_THROW(write({level, {{0, 0, 0}, {-1, 0, 0}}}, {good}), Error);
   const auto most = std::numeric_limits<std::int32_t>::max();
   EXPECT_THROW(write({level, {{most - 3, 0, 0}, {most, 2, 1}}}, {good}), Error);

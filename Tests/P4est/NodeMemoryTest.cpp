@@ -1,4 +1,4 @@
-#include <Cutwater/P4est/NodeMemory.hpp>
+#include <Cutwater/P4est/Detail/NodeMemory.hpp>
 
 #include <algorithm>
 #include <cstdint>

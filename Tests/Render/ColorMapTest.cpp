@@ -1,4 +1,4 @@
-#include <Cutwater/Render/ColorMap.hpp>
+#include <Cutwater/Render/Detail/ColorMap.hpp>
 
 #include <cmath>
 
@@ -19,31 +19,33 @@ double lightness(const Rgb& c) {
 
 TEST(ColorMapTest, BlueInsideWarmOutside) {
   for (const double depth : {0.0001, 0.3, 0.7, 1.0}) {
-    const auto inside = signedDistanceColor(-depth);
-    const auto outside = signedDistanceColor(depth);
+    const auto inside = detail::signedDistanceColor(-depth);
+    const auto outside = detail::signedDistanceColor(depth);
     EXPECT_GT(inside.blue, inside.red + 40) << depth;
     EXPECT_GT(outside.red, outside.blue + 10) << depth;
   }
-  EXPECT_EQ(signedDistanceColor(0), signedDistanceColor(1e-9));  // 0 is outside
-  EXPECT_EQ(signedDistanceColor(-3), signedDistanceColor(-1));
-  EXPECT_EQ(signedDistanceColor(3), signedDistanceColor(1));
+  EXPECT_EQ(detail::signedDistanceColor(0), detail::signedDistanceColor(1e-9));  // 0 is outside
+  EXPECT_EQ(detail::signedDistanceColor(-3), detail::signedDistanceColor(-1));
+  EXPECT_EQ(detail::signedDistanceColor(3), detail::signedDistanceColor(1));
 }
 
 TEST(ColorMapTest, EqualStepsLookEqual) {
   for (const double side : {-1.0, 1.0}) {
-    const double total =
-        lightness(signedDistanceColor(side * 1e-6)) - lightness(signedDistanceColor(side));
+    const double total = lightness(detail::signedDistanceColor(side * 1e-6)) -
+                         lightness(detail::signedDistanceColor(side));
     EXPECT_GT(total, 40);
     for (int i = 0; i < 10; ++i) {
-      const double step = lightness(signedDistanceColor(side * (0.1 * i + 1e-6))) -
-                          lightness(signedDistanceColor(side * 0.1 * (i + 1)));
+      const double step = lightness(detail::signedDistanceColor(side * (0.1 * i + 1e-6))) -
+                          lightness(detail::signedDistanceColor(side * 0.1 * (i + 1)));
       EXPECT_NEAR(step, total / 10, 0.35 * total / 10) << side << ' ' << i;
     }
   }
 }
 
 TEST(ColorMapTest, TheSurfaceIsAStepInLightness) {
-  EXPECT_GT(lightness(signedDistanceColor(0)) - lightness(signedDistanceColor(-1e-9)), 10);
+  EXPECT_GT(
+      lightness(detail::signedDistanceColor(0)) - lightness(detail::signedDistanceColor(-1e-9)),
+      10);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
-#include <Cutwater/Render/ColorMap.hpp>
+#include <Cutwater/Render/Detail/ColorMap.hpp>
 #include <Cutwater/Render/Detail/SliceFrame.hpp>
 #include <Cutwater/Render/Slice.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
@@ -66,7 +66,7 @@ TYPED_TEST(SliceTest, ColoursTellTheDistanceOnBothSides) {
   const double farthest = std::hypot(2.0, static_cast<double>(shown.options.window->upper[1])) - 1;
   for (const double a : {-1.9, -1.4, -0.7, 0.02, 0.5, 0.9, 1.2, 1.8}) {
     const double value = std::abs(a) - 1;
-    const auto expected = signedDistanceColor(value < 0 ? value : value / farthest);
+    const auto expected = detail::signedDistanceColor(value < 0 ? value : value / farthest);
     EXPECT_LE(difference(shown.at(image, static_cast<T>(a), 0), expected), 8) << a;
   }
 }

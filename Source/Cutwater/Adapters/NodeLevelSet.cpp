@@ -23,20 +23,20 @@ Index3 clamped(const Index3& index, const IndexBox& within) {
           std::clamp(index.k, within.lo.k, within.hi.k)};
 }
 
-/// The part of a block of nodes that lies in a box or, if none does, the layer nearest to it. It
-/// also stands for the block's other nodes. Indices are relative to the block's lowest node.
-struct InnerBlock {
+/// The part of a box of nodes that lies within another box or, if none does, the layer nearest to
+/// it. It also stands for the other nodes. Indices are relative to the lowest node.
+struct InnerNodes {
   IndexBox nodes;  ///< the nodes whose positions the part has
   Triple first{};
   Triple last{};
-  Triple size{};  ///< of the whole block
+  Triple size{};  ///< of the whole box
 
-  InnerBlock(const IndexBox& block, const IndexBox& within)
-      : nodes{clamped(block.lo, within), clamped(block.hi, within)} {
-    const auto lo = triple(block.lo);
+  InnerNodes(const IndexBox& all, const IndexBox& within)
+      : nodes{clamped(all.lo, within), clamped(all.hi, within)} {
+    const auto lo = triple(all.lo);
     const auto from = triple(nodes.lo);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      size[axis] = static_cast<std::int64_t>(block.length(static_cast<int>(axis)));
+      size[axis] = static_cast<std::int64_t>(all.length(static_cast<int>(axis)));
       const auto count = static_cast<std::int64_t>(nodes.length(static_cast<int>(axis)));
       first[axis] = std::clamp<std::int64_t>(from[axis] - lo[axis], 0, size[axis] - count);
       last[axis] = first[axis] + count - 1;
@@ -55,7 +55,8 @@ T& valueAt(const GridView<T>& view, std::int64_t i, std::int64_t j, std::int64_t
 
 /// Turns the distances of the inner part into the level set, then copies that outwards.
 template <std::floating_point T>
-void finish(const FluidDomain<T>& domain, const InnerBlock& inner, const GridView<T>& values) {
+void makeLevelSet(const FluidDomain<T>& domain, const InnerNodes& inner,
+                  const GridView<T>& values) {
   for (auto k = inner.first[2]; k <= inner.last[2]; ++k) {
     for (auto j = inner.first[1]; j <= inner.last[1]; ++j) {
       for (auto i = inner.first[0]; i <= inner.last[0]; ++i) {
@@ -94,11 +95,11 @@ FluidClass NodeLevelSet<T>::classify(const IndexBox& nodes) const {
 template <std::floating_point T>
 void NodeLevelSet<T>::fill(const IndexBox& nodes, const GridView<T>& values) const {
   if (nodes.empty()) return;
-  const InnerBlock inner(nodes, within_);
+  const InnerNodes inner(nodes, within_);
   const GridView<T> part{&valueAt(values, inner.first[0], inner.first[1], inner.first[2]),
                          values.stride};
   cutwater::fill(domain_.solid(), GridPatch<T>{level_, inner.nodes}, part);
-  finish(domain_, inner, values);
+  makeLevelSet(domain_, inner, values);
 }
 
 template <std::floating_point T>

@@ -7,8 +7,8 @@
 
 namespace cutwater {
 
-/// A view of the caller's array of values, one per index of a patch. `data` points at the value of
-/// the patch's lowest index. Strides are in elements and arbitrary, so one component of an
+/// A view of the caller's array of values, one per index of a grid patch. `data` points at the
+/// value of its lowest index. Strides are in elements and arbitrary, so one component of an
 /// application's array can be filled in place.
 template <typename Value>
 struct GridView {
@@ -22,7 +22,7 @@ struct GridView {
     return {data, {1, nx, nx * ny}};
   }
 
-  /// The value at offset (i, j, k) from the patch's lowest index.
+  /// The value at offset (i, j, k) from the lowest index.
   constexpr Value& at(std::size_t i, std::size_t j, std::size_t k) const {
     return data[static_cast<std::ptrdiff_t>(i) * stride[0] +
                 static_cast<std::ptrdiff_t>(j) * stride[1] +

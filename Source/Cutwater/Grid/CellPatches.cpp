@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/ParallelBatches.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/CellPatches.hpp>
 
@@ -58,14 +59,11 @@ CellPatches cellPatches(const SignedDistanceFunction<T>& solid, const OctreeCell
           Named{"threads", options.threads});
   const auto cells = mesh.cells();
   std::vector<Rows> parts((cells.size() + kTogether - 1) / kTogether);
-  parallelFor(parts.size(), {.threads = options.threads, .progress = options.progress},
-              [&](std::size_t begin, std::size_t end) {
-                for (; begin < end; ++begin) {
-                  const auto first = begin * kTogether;
-                  const auto count = std::min(kTogether, cells.size() - first);
-                  parts[begin] = rowsOf(solid, mesh, cells.subspan(first, count));
-                }
-              });
+  detail::parallelBatches(
+      cells.size(), kTogether, {.threads = options.threads, .progress = options.progress},
+      [&](std::size_t first, std::size_t count) {
+        parts[first / kTogether] = rowsOf(solid, mesh, cells.subspan(first, count));
+      });
   CellPatches result;
   result.offsets.reserve(cells.size() + 1);
   for (const auto& part : parts) {

@@ -11,9 +11,9 @@ namespace {
 
 using Wide = std::array<std::int64_t, 3>;
 
-/// Nodes along each side of a block that is handed to a thread, as a power of two; it is halved
-/// until nothing in it can be cut, or one node is left. In all patches, blocks begin at multiples
-/// of their size, so the queries about an edge do not depend on the patch.
+/// Nodes along each side of a tile, as a power of two. A thread halves its tile until nothing in a
+/// part can be cut, or one node is left. In all grid patches, tiles begin at multiples of their
+/// size, so the queries about an edge do not depend on the grid patch.
 constexpr int kTileBits = 5;
 
 /// The values to write for an edge.
@@ -41,10 +41,10 @@ struct EdgeRecord {
 template <std::floating_point T>
 class EdgeWalk {
  public:
-  EdgeWalk(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
+  EdgeWalk(const SignedDistanceFunction<T>& solid, const GridPatch<T>& gridPatch,
            const std::array<EdgeCrossingTargets<T>, 3>& targets)
-      : solid_(solid), patch_(patch), targets_(targets) {
-    const auto& [lo, hi] = patch.indices;
+      : solid_(solid), gridPatch_(gridPatch), targets_(targets) {
+    const auto& [lo, hi] = gridPatch.indices;
     lower_ = {lo.i, lo.j, lo.k};
     upper_ = {hi.i, hi.j, hi.k};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -138,11 +138,11 @@ class EdgeWalk {
   [[nodiscard]] Vec3<T> position(const Wide& node) const {
     static constexpr std::int64_t kLast = std::numeric_limits<std::int32_t>::max();
     const auto index = [](std::int64_t i) { return static_cast<std::int32_t>(std::min(i, kLast)); };
-    return patch_.level.position({index(node[0]), index(node[1]), index(node[2])});
+    return gridPatch_.level.position({index(node[0]), index(node[1]), index(node[2])});
   }
 
   const SignedDistanceFunction<T>& solid_;
-  const GridPatch<T>& patch_;
+  const GridPatch<T>& gridPatch_;
   const std::array<EdgeCrossingTargets<T>, 3>& targets_;
   Wide lower_{};
   Wide upper_{};
@@ -154,14 +154,15 @@ class EdgeWalk {
 }  // namespace
 
 template <std::floating_point T>
-EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
+EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<T>& solid,
+                                 const GridPatch<T>& gridPatch,
                                  const std::array<EdgeCrossingTargets<T>, 3>& targets,
                                  const EdgeCrossingOptions& options) {
-  require(patch.level.centering() == Centering::Node, "edgeCrossings: need a level of nodes");
+  require(gridPatch.level.centering() == Centering::Node, "edgeCrossings: need a level of nodes");
   require(options.threads >= 0, "edgeCrossings: need threads >= 0",
           Named{"threads", options.threads});
-  if (patch.indices.empty()) return {};
-  const EdgeWalk<T> walk(solid, patch, targets);
+  if (gridPatch.indices.empty()) return {};
+  const EdgeWalk<T> walk(solid, gridPatch, targets);
   std::atomic<std::size_t> crossed{0};
   std::atomic<std::size_t> unresolved{0};
   parallelFor(walk.tileCount(), {.threads = options.threads, .progress = options.progress},

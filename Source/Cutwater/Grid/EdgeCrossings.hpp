@@ -37,14 +37,15 @@ struct EdgeCrossingReport {
   std::size_t unresolved = 0;
 };
 
-/// Finds the crossings of the surface with all edges between neighbouring nodes of a patch, as
+/// Finds the crossings of the surface with all edges between neighbouring nodes of a grid patch, as
 /// SignedDistanceFunction::crossings() reports them for each edge. `targets`: for the edges along
-/// x, y and z. An edge's values depend on the edge alone, not on the patch or the number of
-/// threads. Blocks of edges that classify() proves free of surface are settled in one go, so the
-/// cost is that of the edges near the surface. Serial inside an active parallel region.
-/// @throws Error if the patch's level is not one of nodes, or `threads` is negative.
+/// x, y and z. An edge's values depend on the edge alone, not on the grid patch or the number of
+/// threads. Edges in boxes that classify() proves free of surface are not queried, so the cost is
+/// that of the edges near the surface. Serial inside an active parallel region.
+/// @throws Error if the level is not one of nodes, or `threads` is negative.
 template <std::floating_point T>
-EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
+EdgeCrossingReport edgeCrossings(const SignedDistanceFunction<T>& solid,
+                                 const GridPatch<T>& gridPatch,
                                  const std::array<EdgeCrossingTargets<T>, 3>& targets,
                                  const EdgeCrossingOptions& options = {});
 

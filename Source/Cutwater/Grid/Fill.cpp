@@ -1,21 +1,56 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/Detail/BlockFill.hpp>
+#include <Cutwater/Grid/Detail/TileFill.hpp>
 #include <Cutwater/Grid/Fill.hpp>
+
+#include <algorithm>
 
 namespace cutwater {
 
+namespace {
+
+/// Points of a tile, as powers of two: a large tile can be skipped at the cost of one value, small
+/// tiles keep more threads busy.
+constexpr int kBandTileBits = 12;
+constexpr int kFullTileBits = 9;
+
+/// Tiles that are about as long in space on each axis.
 template <std::floating_point T>
-void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
+detail::TileOrder tileOrder(const GridPatch<T>& gridPatch, bool hasBand) {
+  const Vec3<double> spacing(gridPatch.level.spacing());
+  const auto& indices = gridPatch.indices;
+  return {{spacing.x, spacing.y, spacing.z},
+          {indices.length(0), indices.length(1), indices.length(2)},
+          hasBand ? kBandTileBits : kFullTileBits};
+}
+
+}  // namespace
+
+template <std::floating_point T>
+void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& gridPatch,
           const FillTargets<T>& targets, const FillOptions& options) {
   require(options.band >= 0 && std::isfinite(options.band), "fill: need a finite band >= 0",
           Named{"band", options.band});
   require(options.threads >= 0, "fill: need threads >= 0", Named{"threads", options.threads});
-  const T limit = options.band > 0 ? static_cast<T>(options.band) * patch.level.smallestSpacing()
-                                   : std::numeric_limits<T>::infinity();
-  const detail::BlockFill<T> blocks(solid, patch, targets, limit);
-  parallelFor(blocks.tileCount(),
-              {.threads = options.threads, .grain = blocks.grain(), .progress = options.progress},
-              [&](std::size_t begin, std::size_t end) { blocks.fillTiles(begin, end); });
+  const T limit = options.band > 0
+                      ? static_cast<T>(options.band) * gridPatch.level.smallestSpacing()
+                      : std::numeric_limits<T>::infinity();
+  const detail::FillTask<T> task{
+      .solid = solid,
+      .gridPatch = gridPatch,
+      .targets = targets,
+      .limit = limit,
+      .order = tileOrder(gridPatch, limit < std::numeric_limits<T>::infinity())};
+  const int bits = task.order.bits();
+  const detail::GridTiles tiles(gridPatch.indices, task.order.shape(bits));
+  // So many tiles at a time that most batches are full.
+  const auto grain = std::max<std::size_t>(1, (2 * detail::PointBatch<T>::kMost) >> bits);
+  parallelFor(tiles.count(),
+              {.threads = options.threads, .grain = grain, .progress = options.progress},
+              [&](std::size_t begin, std::size_t end) {
+                detail::TileFill<T> tileFill(task);
+                for (auto number = begin; number < end; ++number) tileFill.fill(tiles.tile(number));
+                tileFill.finish();
+              });
 }
 
 template void fill(const SignedDistanceFunction<float>&, const GridPatch<float>&,

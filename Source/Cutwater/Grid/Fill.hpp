@@ -16,32 +16,33 @@ struct FillOptions {
   Progress progress = {};
 };
 
-/// The arrays that one pass over a patch fills; those without data are skipped. They must not
+/// The arrays that one pass over a grid patch fills; those without data are skipped. They must not
 /// overlap.
 template <std::floating_point T>
 struct FillTargets {
   GridView<T> distance = {};  ///< signedDistance() at the index's position, to the bit
-  /// Patch of the closest surface point, see patchNames(); kNone beyond the band.
+  /// The surface's patch at the closest surface point, see patchNames(); kNone beyond the band.
   GridView<std::uint32_t> patch = {};
 };
 
-/// Evaluates the solid at every index of the patch: at cell centres or nodes, depending on its
-/// level. Each value depends on its index alone: it has the same bits as when computed by itself,
-/// whatever the patch, the band around it and the number of threads. Serial inside an active
+/// Evaluates the solid at every index of the grid patch: at cell centres or nodes, depending on its
+/// level. A value within the band has the bits that signedDistance() gives at that position: they
+/// do not depend on the grid patch, the band or the number of threads. Serial inside an active
 /// parallel region.
 ///
-/// With a band, the cost is about two evaluations for each index in it: blocks of indices that the
-/// solid's Lipschitz constant, or without one its bounds(), proves to be beyond are not evaluated.
+/// With a band, the cost is about two evaluations for each index in it: boxes of indices are
+/// skipped where the solid's Lipschitz constant, or without one its bounds(), proves that they are
+/// beyond it.
 /// @throws Error if the band is negative or not finite, or `threads` is negative.
 template <std::floating_point T>
-void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
+void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& gridPatch,
           const FillTargets<T>& targets, const FillOptions& options = {});
 
 /// Fills the distance only.
 template <std::floating_point T>
-void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
+void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& gridPatch,
           const GridView<T>& distance, const FillOptions& options = {}) {
-  fill(solid, patch, FillTargets<T>{.distance = distance}, options);
+  fill(solid, gridPatch, FillTargets<T>{.distance = distance}, options);
 }
 
 extern template void fill(const SignedDistanceFunction<float>&, const GridPatch<float>&,

@@ -19,26 +19,26 @@ struct IsosurfaceOptions {
   Progress progress = {};
 };
 
-/// Triangulates the surface of the solid by marching cubes over the nodes of a patch, and closes it
-/// where the patch ends. The result has no boundary: each edge has two triangles, each point one
-/// fan, and normals point out of the solid. Works for every solid, even if only its signs are
-/// known.
+/// Triangulates the surface of the solid by marching cubes over the nodes of a grid patch, and
+/// closes it where the grid patch ends. The result has no boundary: each edge has two triangles,
+/// each point one fan, and normals point out of the solid. Works for every solid, even if only its
+/// signs are known.
 ///
 /// Points lie on edges between nodes of different sign, and the sign certainly changes within the
 /// tolerance of each. Where the signs of a cell are ambiguous, the sign in the middle of its face
 /// decides. Parts thinner than the spacing may be lost between nodes, and edges of the solid are
-/// cut off by as much. Blocks of cells that classify() proves to be free of surface are not
+/// cut off by as much. Boxes of cells that classify() proves to be free of surface are not
 /// evaluated, so the cost is about that of the cells near it.
 ///
 /// With a `featureAngle` the mesh follows edges and corners, by means of closest points on the
 /// solid.
 ///
-/// Patches are those of the solid, given by the owner of each triangle's middle; one more, "end of
-/// grid", holds the triangles that close the surface there. The mesh is the same for any number of
-/// threads.
-/// @throws Error unless the patch's level is one of nodes, and there are two along each axis, the
-/// tolerance is between 1e-9 and 0.5, and `threads` is not negative; of kind Limit beyond 2^32 - 2
-/// points or triangles, or 2^31 nodes along an axis.
+/// The mesh has the solid's patches: each triangle that of its middle's owner. Triangles that close
+/// the surface where the grid ends have one more, "end of grid". The mesh is the same for any
+/// number of threads.
+/// @throws Error unless the level is one of nodes, and there are two along each axis, the tolerance
+/// is between 1e-9 and 0.5, and `threads` is not negative; of kind Limit beyond 2^32 - 2 points or
+/// triangles, or 2^31 nodes along an axis.
 template <std::floating_point T>
 [[nodiscard]] PolygonSoup isosurface(const SignedDistanceFunction<T>& solid,
                                      const GridPatch<T>& nodes,

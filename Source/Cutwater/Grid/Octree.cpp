@@ -11,11 +11,11 @@ namespace {
 template <std::floating_point T>
 OctreeCells<T> builtCells(const SignedDistanceFunction<T>& solid, const OctreeDomain<T>& domain,
                           const Refinement<T>& refinement, const OctreeOptions& options) {
-  const CellJudge<T> judge(solid, refinement);
+  const detail::CellTagger<T> tagger(solid, refinement);
   const int deepest = refinement.deepest();
   require(deepest <= domain.deepest(), "Octree: need fewer levels for so many roots",
           Named{"level", deepest}, Named{"finest possible", domain.deepest()});
-  return {domain, deepest, detail::OctreeBuilder<T>(judge, domain, options).run(deepest)};
+  return {domain, deepest, detail::OctreeBuilder<T>(tagger, domain, options).run(deepest)};
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ std::optional<std::size_t> Octree<T>::find(const Index3& index, int level) const
   // Codes of the first cell in each, on a level as fine as that of any cell.
   const int finest = std::max(level, this->deepest());
   const auto placeOf = [=](const OctreeCell& cell) { return detail::placeOf(cell, finest); };
-  const auto place = mortonCode(index) << 3 * (finest - level);
+  const auto place = detail::mortonCode(index) << 3 * (finest - level);
   const auto cells = this->cells();
   const auto after = std::ranges::upper_bound(cells, place, {}, placeOf);
   return static_cast<std::size_t>(after - cells.begin()) - 1;
@@ -44,7 +44,7 @@ std::optional<std::size_t> Octree<T>::find(const Vec3<T>& point) const {
   const auto& origin = this->domain().origin();
   const auto along = [&](T x, T first) { return std::floor((x - first) / level.spacing().x); };
   const Vec3<T> place{along(point.x, origin.x), along(point.y, origin.y), along(point.z, origin.z)};
-  constexpr T kMost = T(1 << kMortonBits);
+  constexpr T kMost = T(1 << detail::kMortonBits);
   if (!(maxComponent(abs(place)) <= kMost)) return {};
   const Index3 index{static_cast<std::int32_t>(place.x), static_cast<std::int32_t>(place.y),
                      static_cast<std::int32_t>(place.z)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Grid/OctreeCells.hpp>
 #include <Cutwater/Grid/Refinement.hpp>
 

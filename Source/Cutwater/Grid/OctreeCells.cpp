@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/Detail/MortonCode.hpp>
 #include <Cutwater/Grid/OctreeCells.hpp>
 
 #include <algorithm>
@@ -13,7 +14,7 @@ OctreeCells<T>::OctreeCells(const OctreeDomain<T>& domain, int deepest,
           "OctreeCells: need a level from 0 to the finest possible", Named{"level", deepest},
           Named{"finest possible", domain.deepest()});
   for (int level = 0; level <= deepest; ++level) levels_.push_back(domain.level(level));
-  MortonCode end = 0;
+  detail::MortonCode end = 0;
   for (std::size_t n = 0; n < cells_.size(); ++n) {
     const auto& cell = cells_[n];
     require(cell.level <= deepest && domain.indices(cell.level).contains(cell.index),
@@ -22,7 +23,7 @@ OctreeCells<T>::OctreeCells(const OctreeDomain<T>& domain, int deepest,
     const auto place = detail::placeOf(cell, deepest);
     require(place >= end, "OctreeCells: need cells in the order of their codes, without overlap",
             Named{"cell", n});
-    end = place + (MortonCode{1} << 3 * (deepest - cell.level));
+    end = place + (detail::MortonCode{1} << 3 * (deepest - cell.level));
   }
 }
 

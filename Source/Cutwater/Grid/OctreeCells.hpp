@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Cutwater/Grid/MortonCode.hpp>
 #include <Cutwater/Grid/OctreeDomain.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
@@ -51,15 +50,6 @@ class OctreeCells {
   std::vector<Level<T>> levels_;
   std::vector<OctreeCell> cells_;
 };
-
-namespace detail {
-
-/// Code of the first cell within this one on a level that is as fine or finer.
-constexpr MortonCode placeOf(const OctreeCell& cell, int level) {
-  return mortonCode(cell.index) << 3 * (level - cell.level);
-}
-
-}  // namespace detail
 
 extern template class OctreeCells<float>;
 extern template class OctreeCells<double>;

@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/MortonCode.hpp>
+#include <Cutwater/Grid/Detail/MortonCode.hpp>
 #include <Cutwater/Grid/OctreeDomain.hpp>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ OctreeDomain<T>::OctreeDomain(const Vec3<T>& origin, T spacing, const Index3& ro
   require(spacing > 0 && std::isfinite(spacing), "OctreeDomain: need a positive, finite spacing",
           Named{"spacing", spacing});
   for (const auto count : {roots.i, roots.j, roots.k}) {
-    require(0 < count && count < 1 << kMortonBits,
+    require(0 < count && count < 1 << detail::kMortonBits,
             "OctreeDomain: need at least one root and fewer than 2^21 along each axis",
             Named{"roots", count});
   }
@@ -35,7 +35,7 @@ IndexBox OctreeDomain<T>::indices(int level) const {
 template <std::floating_point T>
 int OctreeDomain<T>::deepest() const {
   const auto most = static_cast<unsigned>(std::max({roots_.i, roots_.j, roots_.k}));
-  return kMortonBits - static_cast<int>(std::bit_width(most - 1));
+  return detail::kMortonBits - static_cast<int>(std::bit_width(most - 1));
 }
 
 template <std::floating_point T>

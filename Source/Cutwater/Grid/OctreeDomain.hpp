@@ -4,8 +4,8 @@
 
 namespace cutwater {
 
-/// The domain of an octree mesh: a box of equal cubes, each the root of an octree. The cubes
-/// themselves are level 0; cells of each further level are half as wide.
+/// The domain of an octree mesh: a box of cubic cells, the roots of one octree each. The roots are
+/// level 0; cells of each further level are half as wide.
 template <std::floating_point T>
 class OctreeDomain {
  public:

@@ -1,8 +1,7 @@
+#include <Cutwater/Core/Detail/ParallelBatches.hpp>
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/OctreeFill.hpp>
-
-#include <algorithm>
 
 namespace cutwater {
 
@@ -51,18 +50,15 @@ void fill(const SignedDistanceFunction<T>& solid, const OctreeCells<T>& mesh,
   targets.check(cells.size());
   require(options.threads >= 0, "fill: need threads >= 0", Named{"threads", options.threads});
   if (targets.isEmpty()) return;
-  parallelFor(cells.size(),
-              {.threads = options.threads, .grain = 4 * kBatch, .progress = options.progress},
-              [&](std::size_t begin, std::size_t end) {
-                Scratch<Vec3<T>, kBatch> scratch;
-                for (; begin < end; begin += kBatch) {
-                  const auto centers = scratch.first(std::min(kBatch, end - begin));
-                  for (std::size_t i = 0; i < centers.size(); ++i) {
-                    centers[i] = mesh.center(cells[begin + i]);
-                  }
-                  fillBatch<T>(solid, centers, targets, begin);
-                }
-              });
+  detail::parallelBatches(
+      cells.size(), kBatch,
+      {.threads = options.threads, .grain = 4 * kBatch, .progress = options.progress},
+      [&](std::size_t first, std::size_t count) {
+        Scratch<Vec3<T>, kBatch> scratch;
+        const auto centers = scratch.first(count);
+        for (std::size_t i = 0; i < count; ++i) centers[i] = mesh.center(cells[first + i]);
+        fillBatch<T>(solid, centers, targets, first);
+      });
 }
 
 template struct OctreeTargets<float>;

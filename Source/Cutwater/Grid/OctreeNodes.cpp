@@ -1,3 +1,4 @@
+#include <Cutwater/Grid/Detail/MortonCode.hpp>
 #include <Cutwater/Grid/OctreeNodes.hpp>
 
 #include <algorithm>
@@ -7,31 +8,34 @@ namespace cutwater {
 
 namespace {
 
+using detail::kMortonBits;
+using detail::MortonCode;
+
 /// Cells that a thread processes in one go.
 constexpr std::size_t kGrain = std::size_t{1} << 14U;
 
 /// There is one node index more along each axis than there are cells, too many for a Morton code.
-/// So keys number blocks of 2^18 nodes along each axis row by row, at most nine along each axis,
-/// and use Morton codes within a block.
-constexpr int kBlockBits = 18;
-constexpr std::int32_t kInBlock = (1 << kBlockBits) - 1;
-constexpr std::uint64_t kBlocks = (std::uint64_t{1} << (kMortonBits - kBlockBits)) + 1;
+/// So keys number regions of 2^18 nodes along each axis row by row, at most nine along each axis,
+/// and use Morton codes within a region.
+constexpr int kRegionBits = 18;
+constexpr std::int32_t kInRegion = (1 << kRegionBits) - 1;
+constexpr std::uint64_t kRegions = (std::uint64_t{1} << (kMortonBits - kRegionBits)) + 1;
 
 std::uint64_t keyOf(const Index3& node) {
-  const auto block = [](std::int32_t i) { return static_cast<std::uint64_t>(i >> kBlockBits); };
-  const auto number = block(node.i) + kBlocks * (block(node.j) + kBlocks * block(node.k));
-  return number << 3 * kBlockBits |
-         mortonCode({node.i & kInBlock, node.j & kInBlock, node.k & kInBlock});
+  const auto region = [](std::int32_t i) { return static_cast<std::uint64_t>(i >> kRegionBits); };
+  const auto number = region(node.i) + kRegions * (region(node.j) + kRegions * region(node.k));
+  return number << 3 * kRegionBits |
+         detail::mortonCode({node.i & kInRegion, node.j & kInRegion, node.k & kInRegion});
 }
 
 Index3 nodeOf(std::uint64_t key) {
-  const auto number = key >> 3 * kBlockBits;
-  const auto first = [](std::uint64_t block) {
-    return static_cast<std::int32_t>(block << kBlockBits);
+  const auto number = key >> 3 * kRegionBits;
+  const auto first = [](std::uint64_t region) {
+    return static_cast<std::int32_t>(region << kRegionBits);
   };
-  const auto inBlock = indexOf(key & ((std::uint64_t{1} << 3 * kBlockBits) - 1));
-  return {first(number % kBlocks) + inBlock.i, first(number / kBlocks % kBlocks) + inBlock.j,
-          first(number / (kBlocks * kBlocks)) + inBlock.k};
+  const auto inRegion = detail::indexOf(key & ((std::uint64_t{1} << 3 * kRegionBits) - 1));
+  return {first(number % kRegions) + inRegion.i, first(number / kRegions % kRegions) + inRegion.j,
+          first(number / (kRegions * kRegions)) + inRegion.k};
 }
 
 /// Place of the first value that is not less, as by std::lower_bound(). It is probably close to

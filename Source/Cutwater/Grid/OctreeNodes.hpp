@@ -41,7 +41,7 @@ class OctreeNodes {
   /// The place of a cell's corner.
   struct Place {
     Index3 node;
-    MortonCode code = 0;      ///< valid unless isBeyond
+    std::uint64_t code = 0;   ///< Morton code; valid unless isBeyond
     bool isBeyond = false;    ///< past the last cell on an axis
     bool isInParent = false;  ///< a cell of the same parent begins there
   };
@@ -61,7 +61,7 @@ class OctreeNodes {
   const OctreeCells<T>& mesh_;
   Level<T> level_;
   Index3 size_;                        // cells of the finest level along each axis
-  std::vector<MortonCode> places_;     // cells' lower corners, ascending
+  std::vector<std::uint64_t> places_;  // Morton codes of cells' lower corners, ascending
   std::vector<std::uint64_t> others_;  // keys of other nodes, ascending
 };
 

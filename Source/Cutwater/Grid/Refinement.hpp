@@ -1,12 +1,8 @@
 #pragma once
 
-#include <Cutwater/Core/Level.hpp>
-#include <Cutwater/Core/Parallel.hpp>
-#include <Cutwater/Grid/MortonCode.hpp>
-#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
-
+#include <concepts>
+#include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace cutwater {
@@ -62,56 +58,7 @@ struct Refinement {
   void check() const;
 };
 
-/// The decision about a cell.
-struct CellVerdict {
-  BoxClass kind = BoxClass::Unknown;
-  bool isRefined = false;
-};
-
-/// Decides which cells are refined. The verdict on a cell depends on that cell alone, not on which
-/// others are judged or by whom, so the marks of patches, octrees and ranks agree.
-template <std::floating_point T>
-class CellJudge {
- public:
-  /// Both must outlive it. @throws Error as Refinement::check().
-  CellJudge(const SignedDistanceFunction<T>& solid, const Refinement<T>& refinement);
-
-  /// Judges at most kMost cells of one level. On entry, hints are of boxes around the cells; on
-  /// return, of the cells themselves.
-  void judge(int level, std::span<const Box<T>> cells, std::span<BoxHint> hints,
-             std::span<CellVerdict> verdicts) const;
-  static constexpr std::size_t kMost = 256;
-
-  /// Cells of one level, with callbacks for the hints of the cells from `first` on: hintsBefore
-  /// supplies hints of boxes around the cells, hintsAfter receives those of the cells themselves.
-  struct Cells {
-    int level = 0;
-    Level<T> grid;
-    std::span<const MortonCode> codes;
-    FunctionRef<void(std::size_t first, std::span<BoxHint>)> hintsBefore;
-    FunctionRef<void(std::size_t first, std::span<const BoxHint>)> hintsAfter;
-  };
-  /// Judges any number of cells, in parallel; see parallelFor(). Several threads call the
-  /// callbacks, for ranges that have no cell in common.
-  void judge(const Cells& cells, std::span<CellVerdict> verdicts,
-             const ParallelOptions& options) const;
-
- private:
-  /// Distance from the surface within which cells of the level are refined; negative if they are
-  /// not.
-  [[nodiscard]] T reachOf(int level) const;
-  void judgeNearness(T reach, std::span<const Box<T>> cells, std::span<BoxHint> hints,
-                     std::span<CellVerdict> verdicts) const;
-  [[nodiscard]] bool isNear(T reach, const Box<T>& cell, T atCenter, BoxHint& hint) const;
-
-  const SignedDistanceFunction<T>& solid_;
-  const Refinement<T>& refinement_;
-  Guarantee<T> promise_;
-};
-
 extern template struct Refinement<float>;
 extern template struct Refinement<double>;
-extern template class CellJudge<float>;
-extern template class CellJudge<double>;
 
 }  // namespace cutwater

@@ -2,7 +2,9 @@
 
 #include <Cutwater/Core/GridView.hpp>
 #include <Cutwater/Core/Level.hpp>
+#include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Grid/Refinement.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 namespace cutwater {
 
@@ -13,13 +15,13 @@ struct TagOptions {
   Progress progress = {};
 };
 
-/// Tags the cells of a patch that should be refined with 1, the others with 0; `level` is the
-/// number of the patch's level in the hierarchy. A cell's tag depends on that cell alone, not on
-/// the patch, and agrees with what Octree decides. Serial inside an active parallel region.
+/// Tags the cells of a grid patch that should be refined with 1, the others with 0; `level` is the
+/// number of its level in the hierarchy. A cell's tag depends on that cell alone, not on the grid
+/// patch, and agrees with what Octree decides. Serial inside an active parallel region.
 /// @throws Error as Refinement::check(), or if `level` or `threads` is negative.
 template <std::floating_point T>
 void tag(const Refinement<T>& refinement, const SignedDistanceFunction<T>& solid,
-         const GridPatch<T>& patch, int level, const GridView<std::uint8_t>& tags,
+         const GridPatch<T>& gridPatch, int level, const GridView<std::uint8_t>& tags,
          const TagOptions& options = {});
 
 extern template void tag(const Refinement<float>&, const SignedDistanceFunction<float>&,

@@ -1,4 +1,6 @@
+#include <Cutwater/Core/Detail/ParallelBatches.hpp>
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/Detail/MortonCode.hpp>
 #include <Cutwater/Grid/Detail/UnresolvedCell.hpp>
 
 #include <algorithm>
@@ -29,7 +31,7 @@ class Inspection {
       const auto share = [&](std::size_t n) {
         return (1 - kCorners) * static_cast<double>(n) / static_cast<double>(all);
       };
-      signs_.askEdges(level, part(kCorners + share(done), share(count)));
+      signs_.countCrossings(level, part(kCorners + share(done), share(count)));
       inspect(signs_.cells(level), features);
       done += count;
     }
@@ -51,17 +53,16 @@ class Inspection {
   }
 
   void inspect(std::span<const std::size_t> places, Features& features) const {
-    const auto groups = (places.size() + kTogether - 1) / kTogether;
-    std::vector<Features> found(groups);
-    parallelFor(groups, {.threads = options_.threads}, [&](std::size_t begin, std::size_t end) {
-      for (; begin < end; ++begin) {
-        const auto first = begin * kTogether;
-        const auto some = places.subspan(first, std::min(kTogether, places.size() - first));
-        std::array<detail::CellSigns, kTogether> signs;
-        signs_.signs(some, signs);
-        for (std::size_t n = 0; n < some.size(); ++n) inspect(some[n], signs[n], found[begin]);
-      }
-    });
+    std::vector<Features> found((places.size() + kTogether - 1) / kTogether);
+    detail::parallelBatches(places.size(), kTogether, {.threads = options_.threads},
+                            [&](std::size_t first, std::size_t count) {
+                              const auto some = places.subspan(first, count);
+                              std::array<detail::CellSigns, kTogether> signs;
+                              signs_.signs(some, signs);
+                              auto& features = found[first / kTogether];
+                              for (std::size_t n = 0; n < count; ++n)
+                                inspect(some[n], signs[n], features);
+                            });
     for (const auto& some : found) features.insert(features.end(), some.begin(), some.end());
   }
 
@@ -73,7 +74,8 @@ class Inspection {
     const T size = mesh_.domain().level(cell.level).spacing().x;
     const T depth = found->depth / size;
     // Zero depth counts as a depth that no level resolves.
-    const T halvings = std::ceil(std::log2(std::clamp(1 / depth, T(1), T(1 << kMortonBits))));
+    const T halvings =
+        std::ceil(std::log2(std::clamp(1 / depth, T(1), T(1 << detail::kMortonBits))));
     const int level = cell.level + static_cast<int>(halvings);
     features.push_back({place, found->kind, found->isSolid, depth, found->point,
                         std::min(level, mesh_.domain().deepest())});

@@ -29,7 +29,7 @@ std::string extentOf(const IndexBox& box, Centering centering) {
 }
 
 void checkArguments(const IndexBox& box, std::span<const VtkArray> arrays) {
-  require(!box.empty(), "writeVti: need a patch that is not empty");
+  require(!box.empty(), "writeVti: need a grid patch that is not empty");
   constexpr auto kMost = std::numeric_limits<std::int32_t>::max();
   require(box.hi.i < kMost && box.hi.j < kMost && box.hi.k < kMost,
           "writeVti: need indices below 2^31 - 1");
@@ -37,9 +37,9 @@ void checkArguments(const IndexBox& box, std::span<const VtkArray> arrays) {
 }
 
 template <std::floating_point T>
-std::string header(const GridPatch<T>& patch, std::span<const VtkArray> arrays) {
-  const auto& level = patch.level;
-  const auto extent = extentOf(patch.indices, level.centering());
+std::string header(const GridPatch<T>& gridPatch, std::span<const VtkArray> arrays) {
+  const auto& level = gridPatch.level;
+  const auto extent = extentOf(gridPatch.indices, level.centering());
   const bool cells = level.centering() == Centering::Cell;
   detail::VtkXml xml("ImageData", {{"WholeExtent", extent},
                                    {"Origin", numbers(level.origin())},
@@ -54,11 +54,11 @@ std::string header(const GridPatch<T>& patch, std::span<const VtkArray> arrays) 
 }  // namespace
 
 template <std::floating_point T>
-void writeVti(const std::filesystem::path& path, const GridPatch<T>& patch,
+void writeVti(const std::filesystem::path& path, const GridPatch<T>& gridPatch,
               std::span<const VtkArray> arrays) {
-  checkArguments(patch.indices, arrays);
+  checkArguments(gridPatch.indices, arrays);
   OutputFile file(path);
-  file.write(header(patch, arrays));
+  file.write(header(gridPatch, arrays));
   detail::writeVtkArrays(file, arrays);
   file.write(detail::VtkXml::kEnd);
   file.commit();

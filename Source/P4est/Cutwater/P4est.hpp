@@ -5,5 +5,4 @@
 #include <Cutwater/P4est/Agreement.hpp>
 #include <Cutwater/P4est/DistributedOctree.hpp>
 #include <Cutwater/P4est/DistributedVtu.hpp>
-#include <Cutwater/P4est/NodeMemory.hpp>
 #include <Cutwater/P4est/SharedGeometry.hpp>

@@ -3,7 +3,6 @@
 /// Pictures: the component Render, which needs libpng.
 
 #include <Cutwater/Render/Camera.hpp>
-#include <Cutwater/Render/ColorMap.hpp>
 #include <Cutwater/Render/CutPlane.hpp>
 #include <Cutwater/Render/Image.hpp>
 #include <Cutwater/Render/PatchColors.hpp>

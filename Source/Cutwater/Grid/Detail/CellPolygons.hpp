@@ -8,9 +8,9 @@
 
 namespace cutwater::detail {
 
-// The cube's corners are numbered i + 2 j + 4 k; its edges 4 axis + (0 ... 3), by their lower
-// corners in order; its faces 2 axis + (0: lower, 1: upper). A set of corners, or faces, is a mask
-// of bits.
+// The cube is the cell of marching cubes, scaled to unit edges. Its corners are numbered i + 2 j +
+// 4 k; its edges 4 axis + (0 ... 3), by their lower corners in order; its faces 2 axis + (0: lower,
+// 1: upper). A set of corners, or faces, is a mask of bits.
 
 struct CubeEdge {
   int axis;

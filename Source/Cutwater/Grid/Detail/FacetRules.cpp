@@ -57,7 +57,7 @@ FacetRules<T>::FacetRules(const SignedDistanceFunction<T>& solid, const Refineme
 }
 
 template <std::floating_point T>
-bool FacetRules<T>::matter(int level) const {
+bool FacetRules<T>::concern(int level) const {
   const auto applies = [level](const auto& rule) { return rule && level < rule->level; };
   return std::ranges::any_of(rules_.patches, [level](const auto& r) { return level < r.level; }) ||
          applies(rules_.curvature) || applies(rules_.edges) || applies(rules_.gaps) ||
@@ -65,40 +65,40 @@ bool FacetRules<T>::matter(int level) const {
 }
 
 template <std::floating_point T>
-void FacetRules<T>::ask(int level, std::span<const Box<T>> cells, std::span<CellVerdict> verdicts) {
+void FacetRules<T>::tag(int level, std::span<const Box<T>> cells, std::span<CellTag> tags) {
   const T reach = reachOf(level);
   surroundings_ = {};
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (!isOpen(verdicts[i])) continue;
-    auto& isRefined = verdicts[i].isRefined;
-    isRefined = askWithin(level, cells[i]);
+    if (!isOpen(tags[i])) continue;
+    auto& isRefined = tags[i].isRefined;
+    isRefined = applyWithin(level, cells[i]);
     if (isRefined || reach < 0 || own_.empty()) continue;
     own_.build();
-    lookAround(reach, cells.subspan(i), verdicts.subspan(i));
+    lookAround(reach, cells.subspan(i), tags.subspan(i));
     isRefined = isNarrow(rules_.gaps, Facing::Fronts, level, cells[i]) ||
                 isNarrow(rules_.walls, Facing::Backs, level, cells[i]);
   }
 }
 
 template <std::floating_point T>
-bool FacetRules<T>::askWithin(int level, const Box<T>& cell) {
+bool FacetRules<T>::applyWithin(int level, const Box<T>& cell) {
   own_.clear();
   spread_ = {};
-  bool isAsked = false;
+  bool applies = false;
   solid_.facetsIn(cell, [&](const Facet& facet) {
     if (facet.normal != Vec3<T>{}) {
       spread_.add(facet.normal);
       own_.add(facet);
     }
-    isAsked = askOf(facet, level) ||
+    applies = appliesTo(facet, level) ||
               (rules_.curvature && level < rules_.curvature->level && spread_.bound() > mostTurn_);
-    return !isAsked;
+    return !applies;
   });
-  return isAsked;
+  return applies;
 }
 
 template <std::floating_point T>
-bool FacetRules<T>::askOf(const Facet& facet, int level) const {
+bool FacetRules<T>::appliesTo(const Facet& facet, int level) const {
   for (const auto& rule : rules_.patches) {
     if (rule.patch == facet.owner.patch && level < rule.level) return true;
   }
@@ -125,14 +125,14 @@ T FacetRules<T>::reachOf(int level) const {
 
 template <std::floating_point T>
 void FacetRules<T>::lookAround(T reach, std::span<const Box<T>> cells,
-                               std::span<const CellVerdict> verdicts) {
+                               std::span<const CellTag> tags) {
   const T width = maxComponent(cells[0].size());
   const auto regionOf = [&](const Box<T>& cell) { return cell.grown((reach + kMargin) * width); };
   const auto first = regionOf(cells[0]);
   if (surroundings_.contains(first.lower) && surroundings_.contains(first.upper)) return;
   surroundings_ = first;
   for (std::size_t i = 1; i < cells.size(); ++i) {
-    if (!isOpen(verdicts[i])) continue;
+    if (!isOpen(tags[i])) continue;
     auto larger = surroundings_;
     larger.extend(regionOf(cells[i]));
     if (maxComponent(larger.size()) > (2 * (reach + kMargin) + kTogether) * width) break;

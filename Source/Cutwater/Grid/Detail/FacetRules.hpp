@@ -1,7 +1,7 @@
 #pragma once
 
+#include <Cutwater/Grid/Detail/CellTagger.hpp>
 #include <Cutwater/Grid/Detail/FacetTree.hpp>
-#include <Cutwater/Grid/Refinement.hpp>
 
 #include <array>
 
@@ -33,10 +33,10 @@ class FacetRules {
   FacetRules(const SignedDistanceFunction<T>& solid, const Refinement<T>& rules);
 
   /// Whether any of the rules applies to cells of the level.
-  [[nodiscard]] bool matter(int level) const;
-  /// Marks cells of the level for refinement, among those that the surface may meet and no other
+  [[nodiscard]] bool concern(int level) const;
+  /// Tags cells of the level for refinement, among those that the surface may meet and no other
   /// rule divides. Most efficient if consecutive cells are neighbours.
-  void ask(int level, std::span<const Box<T>> cells, std::span<CellVerdict> verdicts);
+  void tag(int level, std::span<const Box<T>> cells, std::span<CellTag> tags);
 
  private:
   using Facet = SurfaceFacet<T>;
@@ -46,17 +46,17 @@ class FacetRules {
   /// As a fraction of a cell's width: normally larger than the round-off in coordinates.
   static constexpr T kMargin = T(0x1p-10);
 
-  [[nodiscard]] static bool isOpen(const CellVerdict& verdict) {
-    return mayBeCut(verdict.kind) && !verdict.isRefined;
+  [[nodiscard]] static bool isOpen(const CellTag& tag) {
+    return mayBeCut(tag.kind) && !tag.isRefined;
   }
   /// Applies the rules to the facets in the cell, and keeps these.
-  [[nodiscard]] bool askWithin(int level, const Box<T>& cell);
-  [[nodiscard]] bool askOf(const Facet& facet, int level) const;
+  [[nodiscard]] bool applyWithin(int level, const Box<T>& cell);
+  [[nodiscard]] bool appliesTo(const Facet& facet, int level) const;
   /// The largest number of cells that the rules on gaps and walls require at the level; negative if
   /// none applies.
   [[nodiscard]] T reachOf(int level) const;
   /// Stores the facets around the first of the cells and as many of the next ones as are near.
-  void lookAround(T reach, std::span<const Box<T>> cells, std::span<const CellVerdict> verdicts);
+  void lookAround(T reach, std::span<const Box<T>> cells, std::span<const CellTag> tags);
   [[nodiscard]] bool isNarrow(const Width& rule, Facing facing, int level, const Box<T>& cell);
   /// The same for the facets that facetsIn() visits in a box around the cell.
   [[nodiscard]] bool seesFacing(const Box<T>& region, Facing facing, T least);

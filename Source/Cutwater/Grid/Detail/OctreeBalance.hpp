@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Grid/MortonCode.hpp>
+#include <Cutwater/Grid/Detail/MortonCode.hpp>
 #include <Cutwater/Grid/Octree.hpp>
 
 namespace cutwater::detail {

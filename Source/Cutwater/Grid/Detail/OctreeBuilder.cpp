@@ -32,7 +32,7 @@ auto OctreeBuilder<T>::roots() const -> Cells {
     }
   }
   std::ranges::sort(cells.codes);
-  cells.verdicts.resize(cells.codes.size());
+  cells.tags.resize(cells.codes.size());
   return cells;
 }
 
@@ -41,20 +41,20 @@ void OctreeBuilder<T>::divide() {
   found_.push_back(roots());
   std::vector<BoxHint> hints;  // of the parents
   for (int level = 0;; ++level) {
-    auto& [codes, verdicts] = found_.back();
-    hints = judge(level, found_.back(), hints, progressOf(level));
+    auto& [codes, tags] = found_.back();
+    hints = tagCells(level, found_.back(), hints, progressOf(level));
     if (level == deepest_) break;
     Cells next;
     auto& divided = divided_.emplace_back();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < codes.size(); ++i) {
-      if (!verdicts[i].isRefined) continue;
+      if (!tags[i].isRefined) continue;
       divided.push_back(codes[i]);
       hints[kept++] = hints[i];
       for (MortonCode child = 0; child < 8; ++child) next.codes.push_back(8 * codes[i] + child);
     }
     hints.resize(kept);
-    next.verdicts.resize(next.codes.size());
+    next.tags.resize(next.codes.size());
     found_.push_back(std::move(next));
   }
   if (options_.progress)
@@ -71,9 +71,9 @@ Progress OctreeBuilder<T>::progressOf(int level) const {
 }
 
 template <std::floating_point T>
-std::vector<BoxHint> OctreeBuilder<T>::judge(int level, Cells& cells,
-                                             std::span<const BoxHint> parents,
-                                             const Progress& progress) const {
+std::vector<BoxHint> OctreeBuilder<T>::tagCells(int level, Cells& cells,
+                                                std::span<const BoxHint> parents,
+                                                const Progress& progress) const {
   // Cells of the finest level have no children that need hints.
   std::vector<BoxHint> hints(level < deepest_ ? cells.codes.size() : 0);
   const auto before = [&](std::size_t first, std::span<BoxHint> some) {
@@ -84,12 +84,12 @@ std::vector<BoxHint> OctreeBuilder<T>::judge(int level, Cells& cells,
   const auto after = [&](std::size_t first, std::span<const BoxHint> some) {
     if (!hints.empty()) std::ranges::copy(some, std::span(hints).subspan(first).begin());
   };
-  judge_.judge({.level = level,
-                .grid = domain_.level(level),
-                .codes = cells.codes,
-                .hintsBefore = before,
-                .hintsAfter = after},
-               cells.verdicts, {.threads = options_.threads, .progress = progress});
+  tagger_.tag({.level = level,
+               .grid = domain_.level(level),
+               .codes = cells.codes,
+               .hintsBefore = before,
+               .hintsAfter = after},
+              cells.tags, {.threads = options_.threads, .progress = progress});
   return hints;
 }
 
@@ -108,12 +108,12 @@ auto OctreeBuilder<T>::cellsOf(int level) const -> Cells {
         more.codes.push_back(8 * parent + child);
       }
       cells.codes.push_back(8 * parent + child);
-      cells.verdicts.push_back(isKnown ? known.verdicts[next++] : CellVerdict{});
+      cells.tags.push_back(isKnown ? known.tags[next++] : CellTag{});
     }
   }
-  more.verdicts.resize(more.codes.size());
-  static_cast<void>(judge(level, more, {}, {}));
-  for (std::size_t i = 0; i < places.size(); ++i) cells.verdicts[places[i]] = more.verdicts[i];
+  more.tags.resize(more.codes.size());
+  static_cast<void>(tagCells(level, more, {}, {}));
+  for (std::size_t i = 0; i < places.size(); ++i) cells.tags[places[i]] = more.tags[i];
   return cells;
 }
 
@@ -130,7 +130,7 @@ void OctreeBuilder<T>::collect(std::vector<Leaf>& leaves, int level, const Cells
       continue;
     }
     leaves.push_back({code << 3 * (deepest_ - level),
-                      {indexOf(code), static_cast<std::uint8_t>(level), cells.verdicts[i].kind}});
+                      {indexOf(code), static_cast<std::uint8_t>(level), cells.tags[i].kind}});
   }
   std::ranges::inplace_merge(leaves, leaves.begin() + before, {}, &Leaf::place);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Grid/Detail/CellTagger.hpp>
 #include <Cutwater/Grid/Detail/OctreeBalance.hpp>
 
 namespace cutwater::detail {
@@ -9,18 +10,18 @@ template <std::floating_point T>
 class OctreeBuilder {
  public:
   /// All must outlive it.
-  OctreeBuilder(const CellJudge<T>& judge, const OctreeDomain<T>& domain,
+  OctreeBuilder(const CellTagger<T>& tagger, const OctreeDomain<T>& domain,
                 const OctreeOptions& options)
-      : judge_(judge), domain_(domain), options_(options) {}
+      : tagger_(tagger), domain_(domain), options_(options) {}
 
   /// Returns the leaves in the order of their codes, none finer than level `deepest`.
   [[nodiscard]] std::vector<OctreeCell> run(int deepest);
 
  private:
-  /// Cells of a level in order, with their verdicts.
+  /// Cells of a level in order, with their tags.
   struct Cells {
     OctreeCodes codes;
-    std::vector<CellVerdict> verdicts;
+    std::vector<CellTag> tags;
   };
   struct Leaf {
     MortonCode place;  // code of its first cell on the finest level
@@ -32,15 +33,15 @@ class OctreeBuilder {
   void divide();
   /// `parents`: hints, one for every eight cells, or none. Returns the hints for the cells'
   /// children.
-  std::vector<BoxHint> judge(int level, Cells& cells, std::span<const BoxHint> parents,
-                             const Progress& progress) const;
+  std::vector<BoxHint> tagCells(int level, Cells& cells, std::span<const BoxHint> parents,
+                                const Progress& progress) const;
   [[nodiscard]] Progress progressOf(int level) const;
 
   /// All cells of a level, divided or not.
   [[nodiscard]] Cells cellsOf(int level) const;
   void collect(std::vector<Leaf>& leaves, int level, const Cells& cells) const;
 
-  const CellJudge<T>& judge_;
+  const CellTagger<T>& tagger_;
   const OctreeDomain<T>& domain_;
   const OctreeOptions& options_;
   int deepest_ = 0;

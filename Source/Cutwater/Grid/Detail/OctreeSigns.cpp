@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/ParallelBatches.hpp>
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Grid/Detail/OctreeSigns.hpp>
 
@@ -21,14 +22,12 @@ std::vector<std::size_t> placesOf(const std::vector<std::atomic<Value>>& values)
   return places;
 }
 
-/// Calls visit(part of the places) until all have been visited, in parallel.
+/// Calls visit(batch of the places) until all have been visited, in parallel.
 template <typename Visit>
-void forBatches(std::span<const std::size_t> places, ParallelOptions options, const Visit& visit) {
-  options.grain = kBatch;
-  parallelFor(places.size(), options, [&](std::size_t begin, std::size_t end) {
-    for (; begin < end; begin += kBatch) {
-      visit(places.subspan(begin, std::min(kBatch, end - begin)));
-    }
+void forPlaces(std::span<const std::size_t> places, const ParallelOptions& options,
+               const Visit& visit) {
+  parallelBatches(places.size(), kBatch, options, [&](std::size_t first, std::size_t count) {
+    visit(places.subspan(first, count));
   });
 }
 
@@ -52,17 +51,14 @@ OctreeSigns<T>::OctreeSigns(const SignedDistanceFunction<T>& solid, const Octree
 
 template <std::floating_point T>
 template <typename Visit>
-void OctreeSigns<T>::forCells(std::span<const std::size_t> cells, ParallelOptions options,
+void OctreeSigns<T>::forCells(std::span<const std::size_t> cells, const ParallelOptions& options,
                               const Visit& visit) const {
-  options.grain = 16 * kMost;
-  parallelFor(cells.size(), options, [&](std::size_t begin, std::size_t end) {
-    Scratch<typename OctreeNodes<T>::Corners, 16 * kMost> scratch;
-    for (; begin < end; begin += 16 * kMost) {
-      const auto some = cells.subspan(begin, std::min(16 * kMost, end - begin));
-      const auto corners = scratch.first(some.size());
-      nodes_.corners(some, corners);
-      for (const auto& each : corners) visit(each);
-    }
+  constexpr auto kTogether = 16 * kMost;
+  parallelBatches(cells.size(), kTogether, options, [&](std::size_t first, std::size_t count) {
+    Scratch<typename OctreeNodes<T>::Corners, kTogether> scratch;
+    const auto corners = scratch.first(count);
+    nodes_.corners(cells.subspan(first, count), corners);
+    for (const auto& each : corners) visit(each);
   });
 }
 
@@ -74,7 +70,7 @@ void OctreeSigns<T>::evaluate(const ParallelOptions& options) {
       for (const auto node : corners) isCorner[node].store(true, std::memory_order_relaxed);
     });
   }
-  forBatches(placesOf(isCorner), options, [&](std::span<const std::size_t> nodes) {
+  forPlaces(placesOf(isCorner), options, [&](std::span<const std::size_t> nodes) {
     Scratch<Vec3<T>, kBatch> points;
     Scratch<T, kBatch> values;
     for (std::size_t i = 0; i < nodes.size(); ++i) points[i] = nodes_.position(nodes[i]);
@@ -84,10 +80,10 @@ void OctreeSigns<T>::evaluate(const ParallelOptions& options) {
 }
 
 template <std::floating_point T>
-void OctreeSigns<T>::askEdges(int level, const ParallelOptions& options) {
+void OctreeSigns<T>::countCrossings(int level, const ParallelOptions& options) {
   markEdges(level, options);
-  forBatches(placesOf(edges_), options,
-             [&](std::span<const std::size_t> edges) { ask(level, edges); });
+  forPlaces(placesOf(edges_), options,
+            [&](std::span<const std::size_t> edges) { countCrossingsOf(level, edges); });
 }
 
 template <std::floating_point T>
@@ -126,7 +122,7 @@ Segment<T> OctreeSigns<T>::edge(std::size_t number, int level) const {
 }
 
 template <std::floating_point T>
-void OctreeSigns<T>::ask(int level, std::span<const std::size_t> edges) {
+void OctreeSigns<T>::countCrossingsOf(int level, std::span<const std::size_t> edges) {
   Scratch<Box<T>, kBatch> boxes;
   Scratch<BoxClass, kBatch> classes;
   Scratch<std::size_t, kBatch> open;

@@ -72,7 +72,7 @@ class OctreeSigns {
     return cells_[static_cast<std::size_t>(level)];
   }
   /// Queries the edges of cells(level), and forgets those of other levels.
-  void askEdges(int level, const ParallelOptions& options);
+  void countCrossings(int level, const ParallelOptions& options);
   /// Writes the signs of some of these cells.
   void signs(std::span<const std::size_t> cells, std::span<CellSigns> result) const;
 
@@ -88,12 +88,12 @@ class OctreeSigns {
 
   /// Calls visit(corners of a cell) for each of the cells, in parallel.
   template <typename Visit>
-  void forCells(std::span<const std::size_t> cells, ParallelOptions options,
+  void forCells(std::span<const std::size_t> cells, const ParallelOptions& options,
                 const Visit& visit) const;
   void evaluate(const ParallelOptions& options);
   void markEdges(int level, const ParallelOptions& options);
   /// Queries some edges, given by their numbers.
-  void ask(int level, std::span<const std::size_t> edges);
+  void countCrossingsOf(int level, std::span<const std::size_t> edges);
   /// See CellSigns.
   [[nodiscard]] Mark crossingsOf(const Segment<T>& edge) const;
   [[nodiscard]] Segment<T> edge(std::size_t number, int level) const;

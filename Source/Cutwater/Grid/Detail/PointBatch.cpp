@@ -5,41 +5,41 @@ namespace cutwater::detail {
 template <std::floating_point T>
 void PointBatch<T>::flush() {
   if (task_.targets.patch.data == nullptr || task_.hasBand()) {
-    writeDistances();
+    storeDistances();
   } else {
-    writeWithOwners();
+    storeDistancesAndPatches();
   }
   count_ = 0;
 }
 
 template <std::floating_point T>
-void PointBatch<T>::writeDistances() {
+void PointBatch<T>::storeDistances() {
   Scratch<T, kMost> distances;
   const auto values = distances.first(count_);
   task_.solid.signedDistances(points_.first(count_), values, {.threads = 1});
-  for (std::size_t i = 0; i < count_; ++i) writeDistance(offsets_[i], values[i]);
-  if (task_.targets.patch.data != nullptr) writeOwners(values);
+  for (std::size_t i = 0; i < count_; ++i) storeDistance(offsets_[i], values[i]);
+  if (task_.targets.patch.data != nullptr) storePatches(values);
 }
 
 template <std::floating_point T>
-void PointBatch<T>::writeWithOwners() {
+void PointBatch<T>::storeDistancesAndPatches() {
   // The closest point also gives the distance.
   Scratch<SurfacePoint<T>, kMost> hits;
   task_.solid.closestPoints(points_.first(count_), hits.first(count_), {.threads = 1});
   for (std::size_t i = 0; i < count_; ++i) {
-    writeDistance(offsets_[i], hits[i].distance);
-    writeOwner(offsets_[i], hits[i].owner.patch);
+    storeDistance(offsets_[i], hits[i].distance);
+    storePatch(offsets_[i], hits[i].owner.patch);
   }
 }
 
 template <std::floating_point T>
-void PointBatch<T>::writeOwners(std::span<const T> distances) {
+void PointBatch<T>::storePatches(std::span<const T> distances) {
   Scratch<Vec3<T>, kMost> within;
   Scratch<Offset, kMost> where;
   std::size_t count = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     if (std::abs(distances[i]) > task_.limit) {
-      writeOwner(offsets_[i], kNone);
+      storePatch(offsets_[i], kNone);
     } else {
       within[count] = points_[i];
       where[count++] = offsets_[i];
@@ -48,7 +48,7 @@ void PointBatch<T>::writeOwners(std::span<const T> distances) {
   if (count == 0) return;
   Scratch<SurfacePoint<T>, kMost> hits;
   task_.solid.closestPoints(within.first(count), hits.first(count), {.threads = 1});
-  for (std::size_t i = 0; i < count; ++i) writeOwner(where[i], hits[i].owner.patch);
+  for (std::size_t i = 0; i < count; ++i) storePatch(where[i], hits[i].owner.patch);
 }
 
 template class PointBatch<float>;

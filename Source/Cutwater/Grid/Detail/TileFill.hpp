@@ -5,30 +5,31 @@
 
 namespace cutwater::detail {
 
-/// Fills tiles of a patch, one at a time; their points are evaluated in batches.
+/// Fills tiles of a grid patch, one at a time. Points are evaluated in the tile's order, because
+/// the value at one tells much about its neighbours', and in batches.
 ///
-/// With a band, a tile is divided into ever smaller blocks as long as the value in a block's middle
-/// does not prove that the whole block is beyond the band. Blocks of one size are evaluated
-/// together.
+/// With a band, a tile is divided into ever smaller parts as long as the value in a part's middle
+/// does not prove that the whole part is beyond the band. Middles of parts of one size are
+/// evaluated together.
 template <std::floating_point T>
 class TileFill {
  public:
   explicit TileFill(const FillTask<T>& task) : task_(task), batch_(task) {}
 
-  void fill(const GridBlock& tile);
+  void fill(const OffsetBox& tile);
   /// After the last tile.
   void finish() { batch_.flush(); }
 
  private:
-  /// Blocks of this size are not divided: further evaluations would cost more than they save.
+  /// Parts of this size are not divided: further evaluations would cost more than they save.
   static constexpr int kLeafBits = 6;
-  /// Larger blocks are divided by this many halvings at a time.
+  /// Larger parts are divided by this many halvings at a time.
   static constexpr int kDivisionBits = 3;
-  static constexpr std::size_t kMostBlocks = std::size_t{1} << (TileOrder::kMostBits - kLeafBits);
+  static constexpr std::size_t kMostParts = std::size_t{1} << (TileOrder::kMostBits - kLeafBits);
 
-  /// A block of points that are neighbours in the tile's order, and what is known about it.
-  struct Block {
-    GridBlock indices;
+  /// A part of the tile, 2^bits points with consecutive numbers, and what is known about it.
+  struct Part {
+    OffsetBox indices;
     std::uint32_t number;   // of its first point, in the tile's order
     Box<T> box = {};        // around its positions
     bool isBeyond = false;  // as a whole
@@ -36,26 +37,29 @@ class TileFill {
     Vec3<T> center = {};    // all is beyond within a radius of it;
     T beyondSquared = -1;   // that radius squared, if positive
   };
-  using Blocks = Scratch<Block, kMostBlocks>;
+  using Parts = Scratch<Part, kMostParts>;
 
   void placePositions();
   [[nodiscard]] Vec3<T> position(const Offset& inTile) const {
     return {positions_[inTile[0]].x, positions_[inTile[1]].y, positions_[inTile[2]].z};
   }
-  /// The part of the tile that the 2^bits points from `number` on cover; of size 0 if none.
-  [[nodiscard]] GridBlock indicesOf(std::uint32_t number, int bits) const;
+  /// The indices of the 2^bits points from `number` on, as far as they are within the grid patch;
+  /// of size 0 if none are.
+  [[nodiscard]] OffsetBox indicesOf(std::uint32_t number, int bits) const;
+
   void fillBand();
-  /// Writes the blocks of 2^bits points that are beyond the band, adds the points of small ones,
-  /// and divides the others into `parts`; returns the number of parts.
-  std::size_t settle(std::span<const Block> blocks, int bits, Blocks& parts);
-  /// Determines which of the blocks are beyond the limit.
-  void judge(std::span<Block> blocks) const;
-  /// Draws the conclusion from the value in the middle.
-  void conclude(Block& block, const OrientedBox<T>& box, T atCenter) const;
-  void addPoints(const Block& block, int bits);
+  /// Determines which of the parts are beyond the limit.
+  void boundParts(std::span<Part> parts) const;
+  /// Determines it from the value at the centre of the part's box.
+  void boundByLipschitz(Part& part, const OrientedBox<T>& box, T atCenter) const;
+  /// Fills parts of 2^bits points that are beyond the band, adds the points of small ones, and
+  /// divides the others into `smaller`; returns the number of parts there.
+  std::size_t fillOrDivide(std::span<const Part> parts, int bits, Parts& smaller);
+  void fillBeyond(const Part& part) const;
+  void addPoints(const Part& part, int bits);
 
   const FillTask<T>& task_;
-  GridBlock tile_;
+  OffsetBox tile_;
   std::array<Vec3<T>, TileOrder::kLongest> positions_;  // coordinates of each offset in the tile
   PointBatch<T> batch_;
 };

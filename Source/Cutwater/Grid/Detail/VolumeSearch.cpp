@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/ParallelBatches.hpp>
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Detail/PlaneFraction.hpp>
@@ -108,13 +109,9 @@ void VolumeSearch<T>::classifyChildren(std::span<const OpenCell> parents) {
   classes_.resize(count);
   hints_.resize(count);
   decided_.assign((count + kBatch - 1) / kBatch, {});
-  parallelFor(decided_.size(), {.threads = options_.threads},
-              [&](std::size_t begin, std::size_t end) {
-                for (; begin < end; ++begin) {
-                  const auto first = begin * kBatch;
-                  classifyBatch(parents, first, std::min(kBatch, count - first));
-                }
-              });
+  parallelBatches(
+      count, kBatch, {.threads = options_.threads},
+      [&](std::size_t first, std::size_t batch) { classifyBatch(parents, first, batch); });
   // Added in order, whichever thread classified them.
   for (const auto& batch : decided_) {
     inside_ += batch.inside;
@@ -177,26 +174,23 @@ bool VolumeSearch<T>::isWithinTolerance() const {
 template <std::floating_point T>
 void VolumeSearch<T>::estimate(std::size_t count, FunctionRef<Box<T>(std::size_t)> cellOf) {
   std::vector<double> parts((count + kBatch - 1) / kBatch);
-  parallelFor(parts.size(), {.threads = options_.threads}, [&](std::size_t begin, std::size_t end) {
-    for (; begin < end; ++begin) {
-      const auto first = begin * kBatch;
-      parts[begin] = estimateBatch(first, std::min(first + kBatch, count), cellOf);
-    }
-  });
+  parallelBatches(count, kBatch, {.threads = options_.threads},
+                  [&](std::size_t first, std::size_t batch) {
+                    parts[first / kBatch] = estimateBatch(first, batch, cellOf);
+                  });
   for (const double part : parts) estimated_ += part;
 }
 
 template <std::floating_point T>
-double VolumeSearch<T>::estimateBatch(std::size_t begin, std::size_t end,
+double VolumeSearch<T>::estimateBatch(std::size_t first, std::size_t count,
                                       FunctionRef<Box<T>(std::size_t)> cellOf) const {
   Scratch<Vec3<T>, kBatch> centers;
   Scratch<T, kBatch> values;
-  const auto count = end - begin;
-  for (std::size_t i = 0; i < count; ++i) centers[i] = cellOf(begin + i).center();
+  for (std::size_t i = 0; i < count; ++i) centers[i] = cellOf(first + i).center();
   solid_.signedDistances(centers.first(count), values.first(count), {.threads = 1});
   double sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto box = cellOf(begin + i);
+    const auto box = cellOf(first + i);
     const Vec3<double> gradient(solid_.gradient(centers[i]));
     const Vec3<double> size(box.size());
     sum += volumeOf(box) *

@@ -42,7 +42,7 @@ class VolumeSearch {
 
   /// Adds the volume inside the planes that cut these cells.
   void estimate(std::size_t count, FunctionRef<Box<T>(std::size_t)> cellOf);
-  [[nodiscard]] double estimateBatch(std::size_t begin, std::size_t end,
+  [[nodiscard]] double estimateBatch(std::size_t first, std::size_t count,
                                      FunctionRef<Box<T>(std::size_t)> cellOf) const;
 
   /// Volumes of decided cells.

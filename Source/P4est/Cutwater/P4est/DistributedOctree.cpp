@@ -29,13 +29,13 @@ DistributedOctree<T>::DistributedOctree(const SignedDistanceFunction<T>& solid,
                                         const Refinement<T>& refinement, MPI_Comm comm,
                                         const DistributedOctreeOptions& options)
     : comm_(comm) {
-  std::optional<CellJudge<T>> judge;
+  std::optional<detail::CellTagger<T>> tagger;
   const int deepest = refinement.deepest();
   agreed(comm, [&] {
-    judge.emplace(solid, refinement);
+    tagger.emplace(solid, refinement);
     check(domain, deepest, options);
   });
-  detail::ForestBuilder<T> builder(*judge, domain, options);
+  detail::ForestBuilder<T> builder(*tagger, domain, options);
   forest_ = builder.run(comm, deepest);
   agreed(comm, [&] { local_.emplace(domain, deepest, builder.takeCells()); });
   forest_->user_pointer = nullptr;

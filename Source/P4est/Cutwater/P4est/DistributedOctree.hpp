@@ -26,8 +26,8 @@ struct DistributedOctreeOptions {
 ///
 /// The cells, their order, kinds and coordinates are those of Octree to the bit, on any number of
 /// ranks: each rank has a contiguous part of them, which may be empty. Cells are divided level by
-/// level; those of each level are partitioned again before they are judged. Each rank holds the
-/// list of all roots, a few hundred bytes each.
+/// level; those of each level are partitioned again before the rules are applied to them. Each rank
+/// holds the list of all roots, a few hundred bytes each.
 ///
 /// Constructors, and functions documented as such, are collective: all ranks call them, with the
 /// same arguments. The communicator must outlive the mesh.

@@ -2,7 +2,7 @@
 
 #include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/P4est/NodeMemory.hpp>
+#include <Cutwater/P4est/Detail/NodeMemory.hpp>
 #include <Cutwater/Surface/ReadSurface.hpp>
 
 #include <optional>

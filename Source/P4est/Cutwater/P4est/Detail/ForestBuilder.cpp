@@ -8,8 +8,8 @@ namespace cutwater::detail {
 
 namespace {
 
-/// The cost of a cell that is yet to be judged, relative to one that is only stored.
-constexpr int kWeightToJudge = 16;
+/// The cost of a cell that is yet to be tagged, relative to one that is only stored.
+constexpr int kWeightUntilTagged = 16;
 
 /// p4est logs to stdout, unless the program has configured it otherwise. Messages before it aborts
 /// (as when out of memory) still go there.
@@ -48,15 +48,15 @@ std::shared_ptr<p8est> ForestBuilder<T>::run(MPI_Comm comm, int deepest) {
   auto* roots = p8est_connectivity_new_brick(n.i, n.j, n.k, 0, 0, 0);
   forest_ = {p8est_new_ext(comm, roots, 0, 0, 1, sizeof(Data), begin, this), destroy};
   for (int level = 0;; ++level) {
-    agreed(comm, [&] { judgeNew(deepest); });
+    agreed(comm, [&] { tagNew(deepest); });
     if (level == deepest) break;
     const auto count = forest_->global_num_quadrants;
     p8est_refine_ext(forest_.get(), 0, deepest, isRefined, begin, divide);
     if (forest_->global_num_quadrants == count) break;
-    p8est_partition(forest_.get(), 0, weightToJudge);
+    p8est_partition(forest_.get(), 0, weightUntilTagged);
   }
   balance();
-  agreed(comm, [&] { judgeNew(deepest); });
+  agreed(comm, [&] { tagNew(deepest); });
   p8est_partition(forest_.get(), 0, finalWeight);
   return forest_;
 }
@@ -81,27 +81,27 @@ void ForestBuilder<T>::divide(p8est_t* /*forest*/, p4est_topidx_t /*tree*/, int 
                               p8est_quadrant_t** parents, int childCount,
                               p8est_quadrant_t** children) {
   for (int n = 0; n < childCount; ++n) {
-    dataOf(*children[n]) = {.hint = dataOf(*parents[0]).hint, .verdict = {}};
+    dataOf(*children[n]) = {.hint = dataOf(*parents[0]).hint, .tag = {}};
   }
 }
 
 template <std::floating_point T>
 int ForestBuilder<T>::isRefined(p8est_t* /*forest*/, p4est_topidx_t /*tree*/,
                                 p8est_quadrant_t* quadrant) {
-  return dataOf(*quadrant).verdict.isRefined ? 1 : 0;
+  return dataOf(*quadrant).tag.isRefined ? 1 : 0;
 }
 
 template <std::floating_point T>
-int ForestBuilder<T>::weightToJudge(p8est_t* /*forest*/, p4est_topidx_t /*tree*/,
-                                    p8est_quadrant_t* quadrant) {
-  return dataOf(*quadrant).isJudged ? 1 : kWeightToJudge;
+int ForestBuilder<T>::weightUntilTagged(p8est_t* /*forest*/, p4est_topidx_t /*tree*/,
+                                        p8est_quadrant_t* quadrant) {
+  return dataOf(*quadrant).isTagged ? 1 : kWeightUntilTagged;
 }
 
 template <std::floating_point T>
 int ForestBuilder<T>::finalWeight(p8est_t* forest, p4est_topidx_t /*tree*/,
                                   p8est_quadrant_t* quadrant) {
   const auto& builder = *static_cast<const ForestBuilder*>(forest->user_pointer);
-  return mayBeCut(dataOf(*quadrant).verdict.kind) ? builder.options_.cutWeight : 1;
+  return mayBeCut(dataOf(*quadrant).tag.kind) ? builder.options_.cutWeight : 1;
 }
 
 template <std::floating_point T>
@@ -127,21 +127,21 @@ Index3 ForestBuilder<T>::rootOf(p4est_topidx_t tree) const {
 }
 
 template <std::floating_point T>
-void ForestBuilder<T>::judgeNew(int deepest) {
+void ForestBuilder<T>::tagNew(int deepest) {
   std::vector<Quadrants> found(static_cast<std::size_t>(deepest) + 1);
   forQuadrants([&](p8est_quadrant_t& quadrant, const Index3& root) {
-    if (dataOf(quadrant).isJudged) return;
+    if (dataOf(quadrant).isTagged) return;
     auto& [list, codes] = found[static_cast<unsigned char>(quadrant.level)];
     list.push_back(&quadrant);
     codes.push_back(mortonCode(indexIn(root, quadrant)));
   });
   for (int level = 0; level <= deepest; ++level)
-    judge(level, found[static_cast<std::size_t>(level)]);
+    tagQuadrants(level, found[static_cast<std::size_t>(level)]);
 }
 
 template <std::floating_point T>
-void ForestBuilder<T>::judge(int level, Quadrants& quadrants) {
-  std::vector<CellVerdict> verdicts(quadrants.list.size());
+void ForestBuilder<T>::tagQuadrants(int level, Quadrants& quadrants) {
+  std::vector<CellTag> tags(quadrants.list.size());
   const auto data = [&](std::size_t n) -> Data& { return dataOf(*quadrants.list[n]); };
   const auto before = [&](std::size_t first, std::span<BoxHint> hints) {
     for (std::size_t i = 0; i < hints.size(); ++i) hints[i] = data(first + i).hint;
@@ -149,15 +149,15 @@ void ForestBuilder<T>::judge(int level, Quadrants& quadrants) {
   const auto after = [&](std::size_t first, std::span<const BoxHint> hints) {
     for (std::size_t i = 0; i < hints.size(); ++i) data(first + i).hint = hints[i];
   };
-  judge_.judge({.level = level,
-                .grid = domain_.level(level),
-                .codes = quadrants.codes,
-                .hintsBefore = before,
-                .hintsAfter = after},
-               verdicts, {.threads = options_.threads});
-  for (std::size_t n = 0; n < verdicts.size(); ++n) {
-    data(n).verdict = verdicts[n];
-    data(n).isJudged = true;
+  tagger_.tag({.level = level,
+               .grid = domain_.level(level),
+               .codes = quadrants.codes,
+               .hintsBefore = before,
+               .hintsAfter = after},
+              tags, {.threads = options_.threads});
+  for (std::size_t n = 0; n < tags.size(); ++n) {
+    data(n).tag = tags[n];
+    data(n).isTagged = true;
   }
 }
 
@@ -167,7 +167,7 @@ std::vector<OctreeCell> ForestBuilder<T>::takeCells() {
   cells.reserve(static_cast<std::size_t>(forest_->local_num_quadrants));
   forQuadrants([&](p8est_quadrant_t& quadrant, const Index3& root) {
     cells.push_back({indexIn(root, quadrant), static_cast<std::uint8_t>(quadrant.level),
-                     dataOf(quadrant).verdict.kind});
+                     dataOf(quadrant).tag.kind});
   });
   p8est_reset_data(forest_.get(), 0, nullptr, nullptr);
   return cells;

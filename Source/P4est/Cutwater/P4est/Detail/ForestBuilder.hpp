@@ -1,6 +1,7 @@
 // Includes p8est.h.
 #pragma once
 
+#include <Cutwater/Grid/Detail/CellTagger.hpp>
 #include <Cutwater/P4est/DistributedOctree.hpp>
 
 #include <p8est.h>
@@ -12,12 +13,12 @@ template <std::floating_point T>
 class ForestBuilder {
  public:
   /// All must outlive it.
-  ForestBuilder(const CellJudge<T>& judge, const OctreeDomain<T>& domain,
+  ForestBuilder(const CellTagger<T>& tagger, const OctreeDomain<T>& domain,
                 const DistributedOctreeOptions& options)
-      : judge_(judge), domain_(domain), options_(options) {}
+      : tagger_(tagger), domain_(domain), options_(options) {}
 
   /// Returns the forest, refined, balanced and partitioned. Collective.
-  /// @throws Error, the same on all ranks, if the judge throws on one.
+  /// @throws Error, the same on all ranks, if the tagger throws on one.
   [[nodiscard]] std::shared_ptr<p8est> run(MPI_Comm comm, int deepest);
   /// Returns this rank's cells, with their kinds, and drops the data kept for each quadrant.
   [[nodiscard]] std::vector<OctreeCell> takeCells();
@@ -26,8 +27,8 @@ class ForestBuilder {
   /// Data of a quadrant while the forest is built; moves with it from rank to rank.
   struct Data {
     BoxHint hint;
-    CellVerdict verdict;
-    bool isJudged = false;
+    CellTag tag;
+    bool isTagged = false;
   };
   struct Quadrants;  // of one level
 
@@ -39,18 +40,18 @@ class ForestBuilder {
   static void divide(p8est_t* forest, p4est_topidx_t tree, int parentCount,
                      p8est_quadrant_t** parents, int childCount, p8est_quadrant_t** children);
   static int isRefined(p8est_t* forest, p4est_topidx_t tree, p8est_quadrant_t* quadrant);
-  static int weightToJudge(p8est_t* forest, p4est_topidx_t tree, p8est_quadrant_t* quadrant);
+  static int weightUntilTagged(p8est_t* forest, p4est_topidx_t tree, p8est_quadrant_t* quadrant);
   static int finalWeight(p8est_t* forest, p4est_topidx_t tree, p8est_quadrant_t* quadrant);
 
   template <typename Visit>
   void forQuadrants(const Visit& visit) const;
   [[nodiscard]] Index3 rootOf(p4est_topidx_t tree) const;
-  /// Judges this rank's quadrants that have not been judged yet.
-  void judgeNew(int deepest);
-  void judge(int level, Quadrants& quadrants);
+  /// Tags this rank's quadrants that have no tag yet.
+  void tagNew(int deepest);
+  void tagQuadrants(int level, Quadrants& quadrants);
   void balance();
 
-  const CellJudge<T>& judge_;
+  const CellTagger<T>& tagger_;
   const OctreeDomain<T>& domain_;
   const DistributedOctreeOptions& options_;
   std::shared_ptr<p8est> forest_;

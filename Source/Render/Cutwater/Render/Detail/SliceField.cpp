@@ -1,4 +1,4 @@
-#include <Cutwater/Render/ColorMap.hpp>
+#include <Cutwater/Render/Detail/ColorMap.hpp>
 #include <Cutwater/Render/Detail/SliceField.hpp>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <Cutwater/Render/ColorMap.hpp>
+#include <Cutwater/Render/Detail/ColorMap.hpp>
 #include <Cutwater/Render/Detail/SliceFrame.hpp>
 #include <Cutwater/Render/Detail/Ticks.hpp>
 

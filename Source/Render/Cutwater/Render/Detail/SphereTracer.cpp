@@ -63,11 +63,11 @@ class SphereTracer<T>::Packet {
       march();
     }
     for (const auto i : active_) meetsBetween(i, lines_[i].along, lines_[i].range.end);
-    settle(arrived_, false);
+    sampleArrived();
     for (std::uint32_t i = 0; i < lines_.size(); ++i) {
       if (!samples_[i].isHit() && lines_[i].nearest < reach_) passing_.push_back(i);
     }
-    settle(passing_, true);
+    samplePassing();
     if (t_.options_.occlusionRadius > 0) lookAround();
   }
 
@@ -191,20 +191,35 @@ class SphereTracer<T>::Packet {
     return samples_[i].isHit();
   }
 
-  /// Determines where rays meet the surface, or pass it, from the surface points nearest to them.
-  void settle(std::span<const std::uint32_t> which, bool passing) {
-    points_.resize(which.size());
-    nearest_.resize(which.size());
-    for (std::size_t k = 0; k < which.size(); ++k) {
-      const auto& line = lines_[which[k]];
-      points_[k] = at(line.ray.at(passing ? line.nearestAlong : line.along));
+  /// Determines where rays meet the surface.
+  void sampleArrived() {
+    sampleByNearest(arrived_, &Line::along, [&](const Line& line, const SurfacePoint<T>& nearest) {
+      return t_.sighting_.near(line.ray, line.range, line.along, nearest);
+    });
+  }
+
+  /// Determines where rays pass the surface.
+  void samplePassing() {
+    sampleByNearest(passing_, &Line::nearestAlong,
+                    [&](const Line& line, const SurfacePoint<T>& nearest) {
+                      return t_.sighting_.passing(line.ray, line.nearestAlong, nearest, reach_);
+                    });
+  }
+
+  /// Calls sampleOf(line, closest surface point to the ray's point at `along`) for rays, and keeps
+  /// the samples.
+  template <typename SampleOf>
+  void sampleByNearest(std::span<const std::uint32_t> rays, double Line::*along,
+                       const SampleOf& sampleOf) {
+    points_.resize(rays.size());
+    nearest_.resize(rays.size());
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      const auto& line = lines_[rays[k]];
+      points_[k] = at(line.ray.at(line.*along));
     }
     t_.solid_.closestPoints(points_, nearest_, {.threads = 1});
-    for (std::size_t k = 0; k < which.size(); ++k) {
-      const auto& line = lines_[which[k]];
-      samples_[which[k]] =
-          passing ? t_.sighting_.passing(line.ray, line.nearestAlong, nearest_[k], reach_)
-                  : t_.sighting_.near(line.ray, line.range, line.along, nearest_[k]);
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      samples_[rays[k]] = sampleOf(lines_[rays[k]], nearest_[k]);
     }
   }
 

@@ -1,15 +1,13 @@
-#include <Cutwater/Render/ColorMap.hpp>
+#include <Cutwater/Render/Detail/ColorMap.hpp>
 #include <Cutwater/Render/Detail/Oklch.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace cutwater {
+namespace cutwater::detail {
 
 namespace {
-
-using detail::Lch;
 
 /// Lightness and hue vary linearly from `near` to `far`; chroma is larger by `bulge` in the middle.
 Lch along(const Lch& near, const Lch& far, double bulge, double t) {
@@ -39,4 +37,4 @@ Rgb signedDistanceColor(double fraction) {
   return colors[static_cast<std::size_t>(std::lround(t * kSteps))];
 }
 
-}  // namespace cutwater
+}  // namespace cutwater::detail

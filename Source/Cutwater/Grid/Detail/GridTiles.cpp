@@ -1,5 +1,6 @@
-#include <Cutwater/Grid/Detail/TileOrder.hpp>
+#include <Cutwater/Grid/Detail/GridTiles.hpp>
 
+#include <algorithm>
 #include <optional>
 
 namespace cutwater::detail {
@@ -18,6 +19,25 @@ std::optional<std::size_t> shortest(const Offset& shape, const std::array<double
 }
 
 }  // namespace
+
+GridTiles::GridTiles(const IndexBox& indices, const Offset& shape) : shape_(shape) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    lengths_[axis] = indices.length(static_cast<int>(axis));
+    counts_[axis] = (lengths_[axis] + shape[axis] - 1) / shape[axis];
+  }
+}
+
+OffsetBox GridTiles::tile(std::size_t number) const {
+  OffsetBox tile;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t edge = shape_[axis];
+    const auto first = number % counts_[axis] * edge;
+    number /= counts_[axis];
+    tile.first[axis] = static_cast<std::uint32_t>(first);
+    tile.size[axis] = static_cast<std::uint32_t>(std::min(edge, lengths_[axis] - first));
+  }
+  return tile;
+}
 
 TileOrder::TileOrder(const std::array<double, 3>& spacing,
                      const std::array<std::size_t, 3>& lengths, int bits) {

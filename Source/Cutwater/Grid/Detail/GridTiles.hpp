@@ -1,16 +1,41 @@
 #pragma once
 
+#include <Cutwater/Core/IndexBox.hpp>
+
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace cutwater::detail {
 
-/// An index relative to the lowest one of a patch.
+/// An index relative to the lowest one of a grid patch.
 using Offset = std::array<std::uint32_t, 3>;
 
-/// Numbers the points of a grid's tile so that neighbours have similar numbers: each run of 2^n
-/// points that begins at a multiple of 2^n is a block, about as long in space on each axis, however
-/// the spacings differ. (A Z-order of the axes' bits; Morton 1966.)
+/// The indices from `first` on, `size` of them along each axis.
+struct OffsetBox {
+  Offset first{};
+  Offset size{};
+};
+
+/// A grid patch divided into tiles. A tile is a box of neighbouring indices that one thread works
+/// on at a time. All tiles of a grid patch have one shape, except that those at its upper ends are
+/// cut off there; they are numbered, x fastest.
+class GridTiles {
+ public:
+  GridTiles(const IndexBox& indices, const Offset& shape);
+
+  [[nodiscard]] std::size_t count() const { return counts_[0] * counts_[1] * counts_[2]; }
+  [[nodiscard]] OffsetBox tile(std::size_t number) const;
+
+ private:
+  Offset shape_;
+  std::array<std::size_t, 3> lengths_{};  // of the grid patch
+  std::array<std::size_t, 3> counts_{};   // of tiles
+};
+
+/// Numbers the points of a tile so that neighbours have similar numbers: each run of 2^n points
+/// that begins at a multiple of 2^n is a box, about as long in space on each axis, however the
+/// spacings differ. (A Z-order of the axes' bits; Morton 1966.)
 class TileOrder {
  public:
   static constexpr int kMostBits = 12;
@@ -22,7 +47,7 @@ class TileOrder {
 
   /// log2 of the number of points in a tile.
   [[nodiscard]] int bits() const { return bits_; }
-  /// Extents of a block of 2^bits points.
+  /// Extents of a run of 2^bits points.
   [[nodiscard]] const Offset& shape(int bits) const {
     return shapes_[static_cast<std::size_t>(bits)];
   }

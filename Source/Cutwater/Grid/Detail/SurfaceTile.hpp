@@ -8,7 +8,7 @@
 
 namespace cutwater::detail {
 
-/// A node, given by its offset from the first node of the grid or of a block.
+/// A node, given by its offset from the first node of the grid or of a tile.
 using NodeOffset = std::array<std::uint32_t, 3>;
 
 /// A corner, as numbered in CellPolygons, of the cell whose lowest node is `cell`.
@@ -36,18 +36,18 @@ struct SurfaceGrid {
   [[nodiscard]] bool isJoined(const NodeOffset& cell, int face) const;
 };
 
-/// The part of an isosurface in up to 8^3 cells: the signs at its nodes, and the points where the
-/// surface cuts the edges that begin at them.
+/// The part of an isosurface in a tile (see GridTiles) of up to 8^3 cells: the signs at its nodes,
+/// and the points where the surface cuts the edges that begin at them.
 ///
 /// Edges are numbered by their lower nodes, row by row: in each row those along x, then y, then z.
-/// A block has the edges of its first 8 nodes along each axis, or of all where the grid ends.
+/// A tile has the edges of its first 8 nodes along each axis, or of all where the grid ends.
 template <std::floating_point T>
-class SurfaceBlock {
+class SurfaceTile {
  public:
   static constexpr std::uint32_t kCells = 8;
 
-  /// The block of the cells from `first` on. Evaluates the solid; points() are complete after that.
-  SurfaceBlock(const SurfaceGrid<T>& grid, const NodeOffset& first);
+  /// The tile of the cells from `first` on. Evaluates the solid; points() are complete after that.
+  SurfaceTile(const SurfaceGrid<T>& grid, const NodeOffset& first);
 
   /// Points on the surface: one on each cut edge, then those in the middle of polygons that need
   /// one.
@@ -58,12 +58,12 @@ class SurfaceBlock {
   [[nodiscard]] bool isInside(const NodeOffset& node) const {
     return ((rows_[node[2]][node[1]] >> node[0]) & 1U) != 0;
   }
-  /// Index in points() of the point on a cut edge that begins at one of this block's own nodes.
+  /// Index in points() of the point on a cut edge that begins at one of this tile's own nodes.
   [[nodiscard]] std::uint32_t edgePoint(const NodeOffset& node, int axis) const;
 
   /// A cell through which the surface goes.
   struct CutCell {
-    NodeOffset cell;  ///< its lowest node in the block
+    NodeOffset cell;  ///< its lowest node in the tile
     unsigned inside;  ///< mask of corners
     unsigned joined;  ///< mask of ambiguous faces
   };
@@ -83,12 +83,12 @@ class SurfaceBlock {
 
   void sample(const SurfaceGrid<T>& grid, Values& values);
   void numberEdges();
-  /// The cut edges among this block's own edges along the axis in a row: a bit for each lower node.
+  /// The cut edges among this tile's own edges along the axis in a row: a bit for each lower node.
   [[nodiscard]] Row cutEdges(std::uint32_t j, std::uint32_t k, int axis) const;
   void findEdgePoints(const SurfaceGrid<T>& grid, const Values& values);
   /// Finds which faces of ambiguous cells are joined, and the points in the middle of polygons that
   /// cannot be triangulated without one; only these cells have such polygons.
-  void settleAmbiguousCells(const SurfaceGrid<T>& grid, const Values& values);
+  void resolveAmbiguousCells(const SurfaceGrid<T>& grid, const Values& values);
   /// The segment from the middle of the polygon to a corner of the cell with the other sign.
   [[nodiscard]] SignChange<T> throughMiddle(const CellPolygon& polygon, const CutCell& cut,
                                             const SurfaceGrid<T>& grid, const Values& values) const;
@@ -98,7 +98,7 @@ class SurfaceBlock {
 
   NodeOffset first_;
   NodeOffset nodes_{};  ///< their number along each axis
-  NodeOffset own_{};    ///< number of those that begin edges of this block
+  NodeOffset own_{};    ///< number of those that begin edges of this tile
   std::array<std::array<Row, kCells + 1>, kCells + 1> rows_{};
   std::array<std::array<std::uint16_t, kCells + 1>, kCells + 1> firstPoint_{};  // of a row
   std::size_t edgePoints_ = 0;
@@ -106,8 +106,8 @@ class SurfaceBlock {
   std::vector<Vec3<double>> points_;
 };
 
-extern template class SurfaceBlock<float>;
-extern template class SurfaceBlock<double>;
+extern template class SurfaceTile<float>;
+extern template class SurfaceTile<double>;
 extern template struct SurfaceGrid<float>;
 extern template struct SurfaceGrid<double>;
 

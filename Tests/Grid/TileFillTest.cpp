@@ -47,28 +47,28 @@ struct Filled {
 };
 
 template <std::floating_point T>
-Filled<T> filled(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
+Filled<T> filled(const SignedDistanceFunction<T>& solid, const GridPatch<T>& gridPatch,
                  const FillOptions& options) {
-  Filled<T> result{std::vector<T>(patch.indices.count(), T(99)),
-                   std::vector<std::uint32_t>(patch.indices.count(), 77)};
-  fill(solid, patch,
-       {.distance = GridView<T>::contiguous(result.distances.data(), patch.indices),
-        .patch = GridView<std::uint32_t>::contiguous(result.patches.data(), patch.indices)},
+  Filled<T> result{std::vector<T>(gridPatch.indices.count(), T(99)),
+                   std::vector<std::uint32_t>(gridPatch.indices.count(), 77)};
+  fill(solid, gridPatch,
+       {.distance = GridView<T>::contiguous(result.distances.data(), gridPatch.indices),
+        .patch = GridView<std::uint32_t>::contiguous(result.patches.data(), gridPatch.indices)},
        options);
   return result;
 }
 
 /// The contract: each value is that at the point, or the limit. Returns how many are within it.
 template <std::floating_point T>
-std::size_t expectPointwise(const SignedDistanceFunction<T>& solid, const GridPatch<T>& patch,
+std::size_t expectPointwise(const SignedDistanceFunction<T>& solid, const GridPatch<T>& gridPatch,
                             const FillOptions& options) {
-  const auto result = filled(solid, patch, options);
-  const T limit = static_cast<T>(options.band) * patch.level.smallestSpacing();
+  const auto result = filled(solid, gridPatch, options);
+  const T limit = static_cast<T>(options.band) * gridPatch.level.smallestSpacing();
   std::size_t n = 0;
   std::size_t wrong = 0;
   std::size_t within = 0;
-  forEach(patch.indices, [&](const Index3& index) {
-    const auto p = patch.level.position(index);
+  forEach(gridPatch.indices, [&](const Index3& index) {
+    const auto p = gridPatch.level.position(index);
     const T exact = solid.signedDistance(p);
     const bool isBeyond = limit > 0 && std::abs(exact) > limit;
     within += isBeyond ? 0 : 1;
@@ -82,7 +82,7 @@ std::size_t expectPointwise(const SignedDistanceFunction<T>& solid, const GridPa
   return within;
 }
 
-/// Sizes that are no multiples of a block's, flat ones, rows and one index alone; below 0, too.
+/// Sizes that are no multiples of a tile's, flat ones, rows and one index alone; below 0, too.
 std::vector<IndexBox> oddBoxes() {
   return {{{-19, -9, -11}, {15, 11, 9}}, {{-17, 3, -12}, {30, 3, 10}},
           {{5, -20, 0}, {5, 20, 0}},     {{9, 0, -1}, {9, 0, -1}},
@@ -90,7 +90,7 @@ std::vector<IndexBox> oddBoxes() {
 }
 
 template <std::floating_point T>
-class BlockFillTest : public ::testing::Test {
+class TileFillTest : public ::testing::Test {
  protected:
   /// All boxes, bands and numbers of threads.
   void expectContract(const SignedDistanceFunction<T>& solid) {
@@ -109,9 +109,9 @@ class BlockFillTest : public ::testing::Test {
   const GridPatch<T> large{Level<T>({}, {T(0.06), T(0.06), T(0.06)}),
                            {{-48, -48, -48}, {47, 47, 47}}};
 };
-TYPED_TEST_SUITE(BlockFillTest, Precisions);
+TYPED_TEST_SUITE(TileFillTest, Precisions);
 
-TYPED_TEST(BlockFillTest, KeepsTheContractForExactSolids) {
+TYPED_TEST(TileFillTest, KeepsTheContractForExactSolids) {
   using T = TypeParam;
   this->expectContract(this->ball);
   this->expectContract(
@@ -119,7 +119,7 @@ TYPED_TEST(BlockFillTest, KeepsTheContractForExactSolids) {
   this->expectContract(~scaled(this->ball, T(-1.3)));
 }
 
-TYPED_TEST(BlockFillTest, KeepsTheContractForBounds) {
+TYPED_TEST(TileFillTest, KeepsTheContractForBounds) {
   using T = TypeParam;
   this->expectContract((this->ball | Sphere<T>({-1, T(0.3), 0}, T(0.7))) -
                        Cuboid<T>({0, 0, 0}, {2, 2, 2}));
@@ -132,14 +132,14 @@ TYPED_TEST(BlockFillTest, KeepsTheContractForBounds) {
   this->expectContract(Counted<T>([](const Vec3<T>& p) { return 3 * (length(p) - 1); }, promise));
 }
 
-TYPED_TEST(BlockFillTest, KeepsTheContractForMeshes) {
+TYPED_TEST(TileFillTest, KeepsTheContractForMeshes) {
   using T = TypeParam;
   MeshSDF<T> mesh(tessellation::torus(0.9, 0.3, 16, 9));
   mesh.rotate(20, {3, 1, 2}), mesh.translate({T(0.1), T(0.2), T(-0.3)});
   this->expectContract(mesh);
 }
 
-TYPED_TEST(BlockFillTest, KeepsTheContractForOpenMeshes) {
+TYPED_TEST(TileFillTest, KeepsTheContractForOpenMeshes) {
   using T = TypeParam;
   const auto closed = tessellation::torus(0.9, 0.4, 12, 7);
   PolygonSoup soup;
@@ -151,7 +151,7 @@ TYPED_TEST(BlockFillTest, KeepsTheContractForOpenMeshes) {
   this->expectContract(mesh);
 }
 
-TYPED_TEST(BlockFillTest, BelievesNoPromiseOutsideItsDomain) {
+TYPED_TEST(TileFillTest, BelievesNoPromiseOutsideItsDomain) {
   using T = TypeParam;
   auto promise = Guarantee<T>::exact(1);
   promise.domain = {{T(-1.61), T(-1.61), T(-1.61)}, {T(1.61), T(1.61), T(1.61)}};
@@ -162,7 +162,7 @@ TYPED_TEST(BlockFillTest, BelievesNoPromiseOutsideItsDomain) {
   expectPointwise<T>(solid, this->large, {.band = 2});
 }
 
-TYPED_TEST(BlockFillTest, AllowsForAsMuchRoundingAsIsPromised) {
+TYPED_TEST(TileFillTest, AllowsForAsMuchRoundingAsIsPromised) {
   using T = TypeParam;
   auto promise = Guarantee<T>::exact(1);
   promise.ulps = T(0.02) / std::numeric_limits<T>::epsilon();
@@ -175,7 +175,7 @@ TYPED_TEST(BlockFillTest, AllowsForAsMuchRoundingAsIsPromised) {
   expectPointwise<T>(solid, this->large, {.band = 3});
 }
 
-TYPED_TEST(BlockFillTest, SkipsWhatOneValueProvesToBeFar) {
+TYPED_TEST(TileFillTest, SkipsWhatOneValueProvesToBeFar) {
   using T = TypeParam;
   const Counted<T> solid([](const Vec3<T>& p) { return length(p) - 1; }, Guarantee<T>::exact(1));
   std::vector<T> values(this->large.indices.count());
@@ -185,7 +185,7 @@ TYPED_TEST(BlockFillTest, SkipsWhatOneValueProvesToBeFar) {
   const auto within = expectPointwise<T>(solid, this->large, {.band = 3});
   EXPECT_GT(within, 10000U);
   EXPECT_GT(asked, within);
-  // In the mean over all directions, blocks of 4^3 add 1.9 cells on each side of the band; the
+  // In the mean over all directions, boxes of 4^3 add 1.9 cells on each side of the band; the
   // rest is for their centres.
   EXPECT_LT(asked, within * 19 / 10);
 
@@ -197,7 +197,7 @@ TYPED_TEST(BlockFillTest, SkipsWhatOneValueProvesToBeFar) {
   EXPECT_EQ(solid.count, 4U);
 }
 
-TYPED_TEST(BlockFillTest, AsksEverywhereWithoutAGuarantee) {
+TYPED_TEST(TileFillTest, AsksEverywhereWithoutAGuarantee) {
   using T = TypeParam;
   // The ball shows at no point but those near it.
   const auto lonely = [](const Vec3<T>& p) {
@@ -215,7 +215,7 @@ TYPED_TEST(BlockFillTest, AsksEverywhereWithoutAGuarantee) {
   EXPECT_GT(expectPointwise<T>(solid, this->large, {.band = 3}), 50U);
 }
 
-TYPED_TEST(BlockFillTest, TakesBoundsWhereThereIsNoConstant) {
+TYPED_TEST(TileFillTest, TakesBoundsWhereThereIsNoConstant) {
   using T = TypeParam;
   // Two layers of value 1, with a jump between them.
   Counted<T> solid([](const Vec3<T>& p) { return std::floor(p.z) < 0 ? T(-1) : T(1); },
@@ -230,7 +230,7 @@ TYPED_TEST(BlockFillTest, TakesBoundsWhereThereIsNoConstant) {
   EXPECT_EQ(expectPointwise<T>(solid, this->large, {.band = 3}), 0U);
 }
 
-TYPED_TEST(BlockFillTest, LeavesOutNoValueThatIsNotANumber) {
+TYPED_TEST(TileFillTest, LeavesOutNoValueThatIsNotANumber) {
   using T = TypeParam;
   const auto holed = [](const Vec3<T>& p) {
     return p.x > 1 ? std::numeric_limits<T>::quiet_NaN() : p.x - T(0.5);

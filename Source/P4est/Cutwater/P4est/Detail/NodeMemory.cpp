@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
-#include <Cutwater/P4est/NodeMemory.hpp>
+#include <Cutwater/P4est/Detail/NodeMemory.hpp>
 
 #include <algorithm>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include <Cutwater/Grid/Detail/SurfaceBlock.hpp>
+#include <Cutwater/Grid/Detail/SurfaceTile.hpp>
 #include <Cutwater/Grid/Fill.hpp>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ bool SurfaceGrid<T>::isJoined(const NodeOffset& cell, int face) const {
 }
 
 template <std::floating_point T>
-SurfaceBlock<T>::SurfaceBlock(const SurfaceGrid<T>& grid, const NodeOffset& first) : first_(first) {
+SurfaceTile<T>::SurfaceTile(const SurfaceGrid<T>& grid, const NodeOffset& first) : first_(first) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::uint32_t left = grid.count(axis) - first[axis];
     nodes_[axis] = std::min(left, kCells + 1);
@@ -56,11 +56,11 @@ SurfaceBlock<T>::SurfaceBlock(const SurfaceGrid<T>& grid, const NodeOffset& firs
   sample(grid, values);
   numberEdges();
   findEdgePoints(grid, values);
-  settleAmbiguousCells(grid, values);
+  resolveAmbiguousCells(grid, values);
 }
 
 template <std::floating_point T>
-void SurfaceBlock<T>::sample(const SurfaceGrid<T>& grid, Values& values) {
+void SurfaceTile<T>::sample(const SurfaceGrid<T>& grid, Values& values) {
   const auto& all = grid.nodes.indices;
   const auto last = inGrid({nodes_[0] - 1, nodes_[1] - 1, nodes_[2] - 1});
   const GridPatch<T> nodes{
@@ -78,8 +78,8 @@ void SurfaceBlock<T>::sample(const SurfaceGrid<T>& grid, Values& values) {
 }
 
 template <std::floating_point T>
-typename SurfaceBlock<T>::Row SurfaceBlock<T>::cutEdges(std::uint32_t j, std::uint32_t k,
-                                                        int axis) const {
+typename SurfaceTile<T>::Row SurfaceTile<T>::cutEdges(std::uint32_t j, std::uint32_t k,
+                                                      int axis) const {
   const NodeOffset next{0, j + (axis == 1 ? 1 : 0), k + (axis == 2 ? 1 : 0)};
   if (next[1] >= nodes_[1] || next[2] >= nodes_[2]) return 0;
   const unsigned row = rows_[k][j];
@@ -89,7 +89,7 @@ typename SurfaceBlock<T>::Row SurfaceBlock<T>::cutEdges(std::uint32_t j, std::ui
 }
 
 template <std::floating_point T>
-void SurfaceBlock<T>::numberEdges() {
+void SurfaceTile<T>::numberEdges() {
   for (std::uint32_t k = 0; k < own_[2]; ++k) {
     for (std::uint32_t j = 0; j < own_[1]; ++j) {
       firstPoint_[k][j] = static_cast<std::uint16_t>(edgePoints_);
@@ -101,7 +101,7 @@ void SurfaceBlock<T>::numberEdges() {
 }
 
 template <std::floating_point T>
-std::uint32_t SurfaceBlock<T>::edgePoint(const NodeOffset& node, int axis) const {
+std::uint32_t SurfaceTile<T>::edgePoint(const NodeOffset& node, int axis) const {
   const auto [i, j, k] = node;
   int before = 0;
   for (int a = 0; a < axis; ++a) before += std::popcount(cutEdges(j, k, a));
@@ -110,7 +110,7 @@ std::uint32_t SurfaceBlock<T>::edgePoint(const NodeOffset& node, int axis) const
 }
 
 template <std::floating_point T>
-void SurfaceBlock<T>::findEdgePoints(const SurfaceGrid<T>& grid, const Values& values) {
+void SurfaceTile<T>::findEdgePoints(const SurfaceGrid<T>& grid, const Values& values) {
   std::vector<SignChange<T>> changes;
   changes.reserve(edgePoints_);
   for (std::uint32_t k = 0; k < own_[2]; ++k) {
@@ -136,7 +136,7 @@ void SurfaceBlock<T>::findEdgePoints(const SurfaceGrid<T>& grid, const Values& v
 }
 
 template <std::floating_point T>
-std::vector<typename SurfaceBlock<T>::CutCell> SurfaceBlock<T>::cutCells() const {
+std::vector<typename SurfaceTile<T>::CutCell> SurfaceTile<T>::cutCells() const {
   std::vector<CutCell> result;
   auto joined = joined_.begin();
   for (std::uint32_t k = 0; k + 1 < nodes_[2]; ++k) {
@@ -160,7 +160,7 @@ std::vector<typename SurfaceBlock<T>::CutCell> SurfaceBlock<T>::cutCells() const
 }
 
 template <std::floating_point T>
-void SurfaceBlock<T>::settleAmbiguousCells(const SurfaceGrid<T>& grid, const Values& values) {
+void SurfaceTile<T>::resolveAmbiguousCells(const SurfaceGrid<T>& grid, const Values& values) {
   std::vector<SignChange<T>> middles;
   for (const auto& [cell, inside, unknown] : cutCells()) {
     unsigned open = ambiguousFaces(inside);
@@ -183,9 +183,9 @@ void SurfaceBlock<T>::settleAmbiguousCells(const SurfaceGrid<T>& grid, const Val
 }
 
 template <std::floating_point T>
-SignChange<T> SurfaceBlock<T>::throughMiddle(const CellPolygon& polygon, const CutCell& cut,
-                                             const SurfaceGrid<T>& grid,
-                                             const Values& values) const {
+SignChange<T> SurfaceTile<T>::throughMiddle(const CellPolygon& polygon, const CutCell& cut,
+                                            const SurfaceGrid<T>& grid,
+                                            const Values& values) const {
   const auto& [cell, inside, joined] = cut;
   const auto edges = edgeMiddles(polygon);
   Vec3<double> middle{};
@@ -201,7 +201,7 @@ SignChange<T> SurfaceBlock<T>::throughMiddle(const CellPolygon& polygon, const C
 
 template struct SurfaceGrid<float>;
 template struct SurfaceGrid<double>;
-template class SurfaceBlock<float>;
-template class SurfaceBlock<double>;
+template class SurfaceTile<float>;
+template class SurfaceTile<double>;
 
 }  // namespace cutwater::detail

@@ -2,7 +2,7 @@
 
 #include <Cutwater/Render/Image.hpp>
 
-namespace cutwater {
+namespace cutwater::detail {
 
 /// The colour of a signed distance: blue inside, darker with depth; from cream to a warm brown
 /// outside. On either side, lightness in Oklab falls linearly with the distance, so that equal
@@ -11,4 +11,4 @@ namespace cutwater {
 /// @param fraction from -1, deepest inside, to 1, farthest outside; 0 is outside.
 [[nodiscard]] Rgb signedDistanceColor(double fraction);
 
-}  // namespace cutwater
+}  // namespace cutwater::detail
