@@ -1,6 +1,8 @@
+#include <Cutwater/Core/Detail/Batches.hpp>
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
+#include <Cutwater/Sdf/Detail/FacetSamples.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 #include <algorithm>
@@ -41,7 +43,7 @@ void SignedDistanceFunction<T>::signedDistances(std::span<const Vec3<T>> points,
                                                 const ParallelOptions& options) const {
   require(points.size() == distances.size(), "signedDistances: need one distance per point",
           Named{"points", points.size()}, Named{"distances", distances.size()});
-  forBatches(
+  forLocalPoints(
       points, options,
       [&](std::span<const Vec3<T>> local, std::size_t first) {
         const auto values = distances.subspan(first, local.size());
@@ -52,29 +54,30 @@ void SignedDistanceFunction<T>::signedDistances(std::span<const Vec3<T>> points,
 }
 
 template <std::floating_point T>
-void SignedDistanceFunction<T>::forBatches(
+void SignedDistanceFunction<T>::forLocalPoints(
     std::span<const Vec3<T>> points, ParallelOptions options,
     FunctionRef<void(std::span<const Vec3<T>>, std::size_t)> answer,
     FunctionRef<void(std::size_t)> refuse) const {
   options.grain = std::max(options.grain, kBatch) / kBatch * kBatch;
   parallelFor(points.size(), options, [&](std::size_t begin, std::size_t end) {
     Scratch<Vec3<T>, kBatch> scratch;
-    for (auto first = begin; first < end; first += kBatch) {
-      const auto world = points.subspan(first, std::min(kBatch, end - first));
-      const auto local = scratch.first(world.size());
+    detail::forBatches(end - begin, kBatch, [&](std::size_t start, std::size_t count) {
+      const auto first = begin + start;
+      const auto world = points.subspan(first, count);
+      const auto local = scratch.first(count);
       placement_.toLocal(world, local);
       bool areFinite = true;
-      for (std::size_t i = 0; i < world.size(); ++i) {
+      for (std::size_t i = 0; i < count; ++i) {
         if (isFinite(world[i])) continue;
         local[i] = {};
         areFinite = false;
       }
       answer(local, first);
-      if (areFinite) continue;
-      for (std::size_t i = 0; i < world.size(); ++i) {
+      if (areFinite) return;
+      for (std::size_t i = 0; i < count; ++i) {
         if (!isFinite(world[i])) refuse(first + i);
       }
-    }
+    });
   });
 }
 
@@ -105,7 +108,7 @@ void SignedDistanceFunction<T>::closestPoints(std::span<const Vec3<T>> points,
                                               const ParallelOptions& options) const {
   require(points.size() == results.size(), "closestPoints: need one result per point",
           Named{"points", points.size()}, Named{"results", results.size()});
-  forBatches(
+  forLocalPoints(
       points, options,
       [&](std::span<const Vec3<T>> local, std::size_t first) {
         const auto found = results.subspan(first, local.size());
