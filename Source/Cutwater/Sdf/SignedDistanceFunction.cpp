@@ -29,6 +29,18 @@ SurfacePoint<T> noSurfacePoint() {
   return none;
 }
 
+/// Puts the origin in place of points that are not finite; returns whether there are none.
+template <std::floating_point T>
+bool putOriginForNotFinite(std::span<const Vec3<T>> world, std::span<Vec3<T>> local) {
+  bool areFinite = true;
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    if (isFinite(world[i])) continue;
+    local[i] = {};
+    areFinite = false;
+  }
+  return areFinite;
+}
+
 }  // namespace
 
 template <std::floating_point T>
@@ -66,12 +78,7 @@ void SignedDistanceFunction<T>::forLocalPoints(
       const auto world = points.subspan(first, count);
       const auto local = scratch.first(count);
       placement_.toLocal(world, local);
-      bool areFinite = true;
-      for (std::size_t i = 0; i < count; ++i) {
-        if (isFinite(world[i])) continue;
-        local[i] = {};
-        areFinite = false;
-      }
+      const bool areFinite = putOriginForNotFinite<T>(world, local);
       answer(local, first);
       if (areFinite) return;
       for (std::size_t i = 0; i < count; ++i) {

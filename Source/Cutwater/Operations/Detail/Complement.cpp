@@ -9,20 +9,6 @@ BoxClass Complement<T>::kind(BoxClass ofOperand) const {
 }
 
 template <std::floating_point T>
-SurfacePoint<T> Complement<T>::found(SurfacePoint<T> ofOperand, const Vec3<T>&) const {
-  ofOperand.normal = -ofOperand.normal;
-  ofOperand.distance = -ofOperand.distance;
-  return ofOperand;
-}
-
-template <std::floating_point T>
-Crossing<T> Complement<T>::found(Crossing<T> ofOperand) const {
-  ofOperand.normal = -ofOperand.normal;
-  ofOperand.entering = !ofOperand.entering;
-  return ofOperand;
-}
-
-template <std::floating_point T>
 CrossingCount Complement<T>::localCrossings(const Segment<T>& segment,
                                             CrossingVisitor<T> visit) const {
   // A segment end of value 0 is outside both the operand and its complement: the two do not have

@@ -22,9 +22,15 @@ class Complement final : public Forwarding<T, Complement<T>> {
   [[nodiscard]] T value(T ofOperand) const { return -ofOperand; }
   [[nodiscard]] Interval<T> range(const Interval<T>& ofOperand) const { return -ofOperand; }
   [[nodiscard]] BoxClass kind(BoxClass ofOperand) const;
-  [[nodiscard]] Vec3<T> direction(const Vec3<T>& ofOperand) const { return -ofOperand; }
-  [[nodiscard]] SurfacePoint<T> found(SurfacePoint<T> ofOperand, const Vec3<T>& p) const;
-  [[nodiscard]] Crossing<T> found(Crossing<T> ofOperand) const;
+  void turn(Vec3<T>& direction) const { direction = -direction; }
+  void adjust(SurfacePoint<T>& found, const Vec3<T>& /*p*/) const {
+    found.normal = -found.normal;
+    found.distance = -found.distance;
+  }
+  void adjust(Crossing<T>& found) const {
+    found.normal = -found.normal;
+    found.entering = !found.entering;
+  }
 
   std::string localName() const override { return "Complement"; }
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;

@@ -26,18 +26,17 @@ class Forwarding : public UnaryOperation<T> {
   [[nodiscard]] T value(T ofOperand) const { return ofOperand; }
   [[nodiscard]] Interval<T> range(const Interval<T>& ofOperand) const { return ofOperand; }
   [[nodiscard]] BoxClass kind(BoxClass ofOperand) const { return ofOperand; }
-  [[nodiscard]] Vec3<T> direction(const Vec3<T>& ofOperand) const { return ofOperand; }
+  void turn(Vec3<T>& /*direction*/) const {}
   /// `p`: the point of the query, before it was moved.
-  [[nodiscard]] SurfacePoint<T> found(const SurfacePoint<T>& ofOperand,
-                                      const Vec3<T>& /*p*/) const {
-    return ofOperand;
-  }
-  [[nodiscard]] Crossing<T> found(const Crossing<T>& ofOperand) const { return ofOperand; }
+  void adjust(SurfacePoint<T>& /*found*/, const Vec3<T>& /*p*/) const {}
+  void adjust(Crossing<T>& /*found*/) const {}
 
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override {
     const Segment<T> moved{self().place(segment.start), self().place(segment.end)};
-    return this->operand().crossings(
-        moved, [&](const Crossing<T>& crossing) { return visit(self().found(crossing)); });
+    return this->operand().crossings(moved, [&](Crossing<T> crossing) {
+      self().adjust(crossing);
+      return visit(crossing);
+    });
   }
 
  private:
@@ -58,18 +57,21 @@ class Forwarding : public UnaryOperation<T> {
     });
   }
   Vec3<T> localGradient(const Vec3<T>& p) const final {
-    return self().direction(this->operand().gradient(self().place(p)));
+    auto gradient = this->operand().gradient(self().place(p));
+    self().turn(gradient);
+    return gradient;
   }
   SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const final {
-    return self().found(this->operand().closestPoint(self().place(p)), p);
+    auto found = this->operand().closestPoint(self().place(p));
+    self().adjust(found, p);
+    return found;
   }
   void localClosestPoints(std::span<const Vec3<T>> points,
                           std::span<SurfacePoint<T>> results) const final {
     forPlaces(points, [&](std::span<const Vec3<T>> places, std::size_t first) {
       const auto some = results.subspan(first, places.size());
       this->operandPoints(places, some);
-      for (std::size_t i = 0; i < some.size(); ++i)
-        some[i] = self().found(some[i], points[first + i]);
+      for (std::size_t i = 0; i < some.size(); ++i) self().adjust(some[i], points[first + i]);
     });
   }
   SurfaceOwner localOwner(const Vec3<T>& p) const final {

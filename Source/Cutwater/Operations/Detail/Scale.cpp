@@ -11,22 +11,19 @@ Scale<T>::Scale(Solid<T> operand, T factor)
 }
 
 template <std::floating_point T>
-SurfacePoint<T> Scale<T>::found(SurfacePoint<T> ofOperand, const Vec3<T>& p) const {
-  ofOperand.point *= factor_;
-  ofOperand.normal = direction(ofOperand.normal);
-  ofOperand.distance *= std::abs(factor_);
-  ofOperand.tolerance *= std::abs(factor_);
+void Scale<T>::adjust(SurfacePoint<T>& found, const Vec3<T>& p) const {
+  found.point *= factor_;
+  turn(found.normal);
+  found.distance *= std::abs(factor_);
+  found.tolerance *= std::abs(factor_);
   // Three more roundings: the query point, the point found and the value.
-  ofOperand.tolerance +=
-      4 * std::numeric_limits<T>::epsilon() * (length(p) + length(ofOperand.point));
-  return ofOperand;
+  found.tolerance += 4 * std::numeric_limits<T>::epsilon() * (length(p) + length(found.point));
 }
 
 template <std::floating_point T>
-Crossing<T> Scale<T>::found(Crossing<T> ofOperand) const {
-  ofOperand.point *= factor_;
-  ofOperand.normal = direction(ofOperand.normal);
-  return ofOperand;
+void Scale<T>::adjust(Crossing<T>& found) const {
+  found.point *= factor_;
+  turn(found.normal);
 }
 
 template <std::floating_point T>

@@ -26,11 +26,11 @@ class Scale final : public Forwarding<T, Scale<T>> {
   }
   [[nodiscard]] T value(T ofOperand) const { return std::abs(factor_) * ofOperand; }
   [[nodiscard]] Interval<T> range(const Interval<T>& ofOperand) const;
-  [[nodiscard]] Vec3<T> direction(const Vec3<T>& ofOperand) const {
-    return factor_ < 0 ? -ofOperand : ofOperand;
+  void turn(Vec3<T>& direction) const {
+    if (factor_ < 0) direction = -direction;
   }
-  [[nodiscard]] SurfacePoint<T> found(SurfacePoint<T> ofOperand, const Vec3<T>& p) const;
-  [[nodiscard]] Crossing<T> found(Crossing<T> ofOperand) const;
+  void adjust(SurfacePoint<T>& found, const Vec3<T>& p) const;
+  void adjust(Crossing<T>& found) const;
 
   std::string localName() const override { return "Scaled by " + detail::toText(double{factor_}); }
   Guarantee<T> localGuarantee() const override;
