@@ -11,7 +11,6 @@
 #include <Cutwater/Core/Block.hpp>
 #include <Cutwater/Core/Box.hpp>
 #include <Cutwater/Core/Checksum.hpp>
-#include <Cutwater/Core/DoubleDouble.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/Core/GridView.hpp>
@@ -19,7 +18,6 @@
 #include <Cutwater/Core/Interval.hpp>
 #include <Cutwater/Core/Level.hpp>
 #include <Cutwater/Core/OrientedBox.hpp>
-#include <Cutwater/Core/OutputFile.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Core/Repeats.hpp>
 #include <Cutwater/Core/RigidTransform.hpp>
@@ -69,7 +67,7 @@
 #include <Cutwater/Mesh/SignScheme.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/GradedValue.hpp>
-#include <Cutwater/Operations/SmoothMinimum.hpp>
+#include <Cutwater/Operations/Smoothing.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 #include <Cutwater/Sdf/BoxQuery.hpp>
 #include <Cutwater/Sdf/FunctionSDF.hpp>

@@ -28,12 +28,6 @@ TEST(Error, NamesTheArgumentAndItsValue) {
   EXPECT_NO_THROW(require(true, "fine", Named{"x", 1.0}));
 }
 
-TEST(Error, CountsInWords) {
-  EXPECT_EQ(detail::counted(0, "face", "faces"), "0 faces");
-  EXPECT_EQ(detail::counted(1, "face", "faces"), "1 face");
-  EXPECT_EQ(detail::counted(4'000'000'000, "vertex", "vertices"), "4000000000 vertices");
-}
-
 TEST(Error, TellsItsKind) {
   EXPECT_EQ(Error(ErrorKind::File, "hull.stl: truncated").kind(), ErrorKind::File);
   EXPECT_STREQ(Error(ErrorKind::File, "hull.stl: truncated").what(), "hull.stl: truncated");

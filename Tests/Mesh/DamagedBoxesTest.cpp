@@ -88,7 +88,7 @@ class BoxCheck {
  private:
   void checkWinding(const Vec3<T>& p, BoxClass kind) {
     if (kind != BoxClass::Inside && kind != BoxClass::Outside) return;
-    const double winding = oracle_.at(solid_.transformPoint(p));
+    const double winding = oracle_.at(solid_.placement().toLocal(p));
     // Rounded motions aside: to a threshold between 1/2 and a little more.
     const bool agrees = kind == BoxClass::Inside ? winding > 0.5 : winding < 0.5 + 1e-3;
     windings_.expect(agrees, "class", static_cast<int>(kind), "winding", winding, "at", p);

@@ -14,7 +14,7 @@ TEST(Algebra, TakesShapesAndSolidsAlike) {
   EXPECT_EQ(pipe.signedDistance({0.75, 0, 2}), -0.25);
   EXPECT_EQ(pipe.signedDistance({0, 0, 2}), 0.5);
   const auto tank =
-      rounded(Cuboid<double>({-1, -1, -1}, {1, 1, 1}), 0.25) | translated(pipe, {4, 0, 0});
+      offset(Cuboid<double>({-1, -1, -1}, {1, 1, 1}), 0.25) | translated(pipe, {4, 0, 0});
   EXPECT_EQ(tank.signedDistance({4.75, 0, 2}), -0.25);
   EXPECT_EQ(tank.signedDistance({0, 0, 2.25}), 1.0);
 }
@@ -45,7 +45,7 @@ TEST(Algebra, NamesPatches) {
   EXPECT_EQ(named(rig, "rig").patchNames(), (Names{"rig/mast", "rig/boom"}));
   EXPECT_EQ(named(ball | scaled(ball, 2), "buoys").patchNames(), (Names{"buoys", "buoys"}));
   EXPECT_EQ((rig - named(ball, "hatch")).patchNames(), (Names{"mast", "boom", "hatch"}));
-  EXPECT_EQ(scaled(rounded(~rig, 1), 2).patchNames(), (Names{"mast", "boom"}));
+  EXPECT_EQ(scaled(offset(~rig, 1), 2).patchNames(), (Names{"mast", "boom"}));
   EXPECT_EQ(named(ball, "mast").closestPoint({3, 0, 0}).point, ball.closestPoint({3, 0, 0}).point);
   EXPECT_THROW(static_cast<void>(named(ball, "")), Error);
 }

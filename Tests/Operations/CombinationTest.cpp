@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
-#include <Cutwater/Operations/Detail/Union.hpp>
+#include <Cutwater/Operations/Detail/Combination.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
@@ -135,9 +135,11 @@ TYPED_TEST(CombinationTest, FlattensChainsUnlessTheyWereMoved) {
   using T = TypeParam;
   const auto a = this->left_;
   const auto chain = a | a | a | (a | a);
-  ASSERT_NE(chain.template as<Union<T>>(), nullptr);
-  EXPECT_EQ(chain.template as<Union<T>>()->operands().size(), 5U);
-  EXPECT_EQ((translated(a | a, {1, 0, 0}) | a).template as<Union<T>>()->operands().size(), 2U);
+  ASSERT_NE(chain.template as<Combination<T>>(), nullptr);
+  EXPECT_EQ(chain.template as<Combination<T>>()->decides(), Combination<T>::Decides::Least);
+  EXPECT_EQ(chain.template as<Combination<T>>()->operands().size(), 5U);
+  EXPECT_EQ((translated(a | a, {1, 0, 0}) | a).template as<Combination<T>>()->operands().size(),
+            2U);
   Solid<T> many = a;
   for (int i = 1; i < 2000; ++i) many = many | translated(a, {T(4 * i), 0, 0});
   std::vector<Vec3<T>> points(300, Vec3<T>{T(4 * 1999 - 1), 0, 0});

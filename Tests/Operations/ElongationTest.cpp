@@ -26,7 +26,7 @@ TYPED_TEST(ElongationTest, MakesABallACapsuleAndAPointABox) {
   const auto pill = elongated(this->ball_, {0, 0, 2});
   const Capsule<T> capsule({0, 0, -2}, {0, 0, 2}, 1);
   const auto brick = elongated(this->ball_, {1, 2, 3});
-  const auto same = rounded(Cuboid<T>({-1, -2, -3}, {1, 2, 3}), 1);
+  const auto same = offset(Cuboid<T>({-1, -2, -3}, {1, 2, 3}), 1);
   RandomPoints<T> points(6);
   for (int i = 0; i < 1000; ++i) {
     const auto p = points.next();

@@ -20,7 +20,7 @@ TYPED_TEST_SUITE(OffsetTest, Precisions);
 
 TYPED_TEST(OffsetTest, MatchesHandComputedValues) {
   using T = TypeParam;
-  const auto round = rounded(this->box_, T(0.5));
+  const auto round = offset(this->box_, T(0.5));
   EXPECT_EQ(round.signedDistance({4, 5, 0}), T(4.5));
   EXPECT_EQ(round.signedDistance({0, 0, 0}), T(-1.5));
   const auto small = offset(this->box_, T(-0.5));
@@ -31,7 +31,7 @@ TYPED_TEST(OffsetTest, MatchesHandComputedValues) {
 
 TYPED_TEST(OffsetTest, KeepsItsGuarantee) {
   using T = TypeParam;
-  const auto round = rounded(this->box_, T(0.5));
+  const auto round = offset(this->box_, T(0.5));
   EXPECT_EQ(round.guarantee().outside, Quality::Exact);
   EXPECT_EQ(round.guarantee().inside, Quality::LowerBound);
   expectGuarantee(round, 2.5, {.inside = [](const Vec3<double>& p) {
@@ -60,11 +60,11 @@ TYPED_TEST(OffsetTest, OfACombinationHasTheBitsOfTheDirectFormula) {
 
 TYPED_TEST(OffsetTest, BoundingBoxesMoveWithTheSurface) {
   using T = TypeParam;
-  EXPECT_NEAR(rounded(this->box_, T(0.5)).boundingBox().upper.z, T(1.5), tolerance<T>(2, 256));
+  EXPECT_NEAR(offset(this->box_, T(0.5)).boundingBox().upper.z, T(1.5), tolerance<T>(2, 256));
   EXPECT_NEAR(offset(this->box_, T(-0.5)).boundingBox().upper.z, T(0.5), tolerance<T>(2, 256));
   EXPECT_TRUE(offset(this->box_, T(-3)).boundingBox().empty());
   // Outside, a difference is a lower bound only, yet its box stays finite.
-  EXPECT_NEAR(rounded(this->box_ - this->ball_, T(0.5)).boundingBox().upper.x, T(1.5),
+  EXPECT_NEAR(offset(this->box_ - this->ball_, T(0.5)).boundingBox().upper.x, T(1.5),
               tolerance<T>(2, 256));
   // The same as an opaque operand: {f < 0.5} might reach anywhere.
   EXPECT_EQ(Offset<T>(this->box_ - this->ball_, T(0.5)).boundingBox(), Box<T>::everywhere());
@@ -89,7 +89,7 @@ TYPED_TEST(OffsetTest, TellsTheOwnerOfTheSurfaceBelow) {
 TYPED_TEST(OffsetTest, RefusesImpossibleDistances) {
   using T = TypeParam;
   EXPECT_THROW(static_cast<void>(offset(this->box_, std::numeric_limits<T>::infinity())), Error);
-  EXPECT_THROW(static_cast<void>(rounded(this->box_, std::numeric_limits<T>::quiet_NaN())), Error);
+  EXPECT_THROW(static_cast<void>(offset(this->box_, std::numeric_limits<T>::quiet_NaN())), Error);
 }
 
 }  // namespace

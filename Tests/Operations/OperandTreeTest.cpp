@@ -42,7 +42,7 @@ class OperandTreeTest : public ::testing::Test {
     result.insert(result.end(), more.begin(), more.end());
     result.push_back(rotated(scaled(result[7] | result[8], T(-1.5)), T(33), {1, 2, 3}));
     result.push_back(parts<T>(900, 901, T(0.3))[0] - result[17]);  // outside a lower bound only
-    result.push_back(rounded(result[3], T(0.02)));
+    result.push_back(offset(result[3], T(0.02)));
     result.push_back(translated(unionOf(parts<T>(901, 980, T(0.02))), {T(0.2), 0, 0}));
     const auto rest = parts<T>(980, 1040, T(0.04));
     result.insert(result.end(), rest.begin(), rest.end());

@@ -48,7 +48,7 @@ class PlainFold final : public SignedDistanceFunction<T> {
     }
     result.owner = counted(result.owner, operand);
     result.distance = value;
-    detail::rate(result, p, residual, guarantee_);
+    detail::setTolerance(result, p, residual, guarantee_);
     return result;
   }
   Interval<T> localBounds(const OrientedBox<T>& box, BoxHint*) const override {

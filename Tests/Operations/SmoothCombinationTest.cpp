@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
-#include <Cutwater/Operations/Detail/Union.hpp>
+#include <Cutwater/Operations/Detail/Combination.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
@@ -93,7 +93,8 @@ TYPED_TEST(SmoothCombinationTest, RoundsAsTheSameInDouble) {
 TYPED_TEST(SmoothCombinationTest, WithoutReachIsThePlainOperator) {
   using T = TypeParam;
   const auto plain = smoothUnion(this->box_, this->ring_, {});
-  EXPECT_NE(plain.template as<Union<T>>(), nullptr);
+  ASSERT_NE(plain.template as<Combination<T>>(), nullptr);
+  EXPECT_EQ(plain.template as<Combination<T>>()->decides(), Combination<T>::Decides::Least);
   EXPECT_EQ(plain.guarantee(), (this->box_ | this->ring_).guarantee());
   RandomPoints<T> points(3);
   for (int i = 0; i < 500; ++i) {

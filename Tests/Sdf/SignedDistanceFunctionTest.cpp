@@ -273,7 +273,7 @@ TYPED_TEST(SignedDistanceFunctionTest, MotionsActInCallOrder) {
   ball.rotate(90, 2);  // first moved to x = 1, then swung about the z axis to y = 1
   EXPECT_EQ(center(ball), (Vec3<T>{0, 1, 0}));
   EXPECT_EQ(ball.signedDistance({0, 1, 0}), T(-1));
-  EXPECT_EQ(ball.transformPoint({0, 1, 0}), Vec3<T>{});
+  EXPECT_EQ(ball.placement().toLocal({0, 1, 0}), Vec3<T>{});
   Ball<T> other;
   other.rotate(90, 2);
   other.translate({1, 0, 0});

@@ -266,7 +266,7 @@ Solid<T> RandomTrees<T>::grown(int depth) {
     case 0:
       return offset(a, number(-0.15, 0.3));
     case 1:
-      return rounded(a, number(0.02, 0.2));
+      return offset(a, number(0.02, 0.2));
     case 2:
       return ~a;
     default:

@@ -28,13 +28,4 @@ struct AffineMap {
 extern template struct AffineMap<float>;
 extern template struct AffineMap<double>;
 
-namespace detail {
-
-/// A box that the inverse of the map takes into the domain: the box around the domain's image,
-/// scaled about its centre. Empty if none is certain.
-template <std::floating_point T>
-Box<T> domainUnder(const AffineMap<T>& map, const AffineMap<T>& inverse, const Box<T>& domain);
-
-}  // namespace detail
-
 }  // namespace cutwater

@@ -39,9 +39,5 @@ std::string toText(long long value) {
   return shortest(value);
 }
 
-std::string counted(std::size_t count, std::string_view singular, std::string_view plural) {
-  return shortest(count).append(" ").append(count == 1 ? singular : plural);
-}
-
 }  // namespace detail
 }  // namespace cutwater

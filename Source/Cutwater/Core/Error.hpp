@@ -1,10 +1,8 @@
 #pragma once
 
-#include <cstddef>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <type_traits>
 
 namespace cutwater {
@@ -42,9 +40,6 @@ namespace detail {
 // The shortest text that reads back as the same number, in every locale.
 std::string toText(double value);
 std::string toText(long long value);
-
-/// "1 open edge", "7 open edges".
-std::string counted(std::size_t count, std::string_view singular, std::string_view plural);
 
 template <typename V>
 std::string toText(const Named<V>& named) {

@@ -1,5 +1,5 @@
+#include <Cutwater/Core/Detail/OutputFile.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Core/OutputFile.hpp>
 #include <Cutwater/Grid/OctreeNodes.hpp>
 #include <Cutwater/Io/Vtu.hpp>
 

@@ -160,7 +160,7 @@ void BeamLattice<T>::localSignedDistances(std::span<const Vec3<T>> points,
 
 template <std::floating_point T>
 NearestBeam<T> BeamLattice<T>::nearestBeam(const Vec3<T>& p) const {
-  return isFinite(p) ? localNearest(this->transformPoint(p)) : NearestBeam<T>{};
+  return isFinite(p) ? localNearest(this->placement().toLocal(p)) : NearestBeam<T>{};
 }
 
 template <std::floating_point T>

@@ -29,7 +29,7 @@ StrutLattice<T>::StrutLattice(UnitCell cell, const Repeats<T>& cells, Thickness<
 template <std::floating_point T>
 SkeletonPoint<T> StrutLattice<T>::skeletonPoint(const Vec3<T>& p) const {
   if (!isFinite(p)) return {};
-  auto found = skeleton_.nearest(this->transformPoint(p));
+  auto found = skeleton_.nearest(this->placement().toLocal(p));
   found.away = this->placement().directionToWorld(found.away);
   found.middle = this->placement().toWorld(found.middle);
   return found;

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
+#include <Cutwater/Text/Counted.hpp>
 
 #include <algorithm>
 #include <cmath>

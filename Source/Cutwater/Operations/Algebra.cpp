@@ -1,10 +1,11 @@
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/Detail/Affine.hpp>
 #include <Cutwater/Operations/Detail/Blend.hpp>
+#include <Cutwater/Operations/Detail/Combination.hpp>
 #include <Cutwater/Operations/Detail/Complement.hpp>
+#include <Cutwater/Operations/Detail/Displacement.hpp>
 #include <Cutwater/Operations/Detail/Elongation.hpp>
 #include <Cutwater/Operations/Detail/Fold.hpp>
-#include <Cutwater/Operations/Detail/Intersection.hpp>
 #include <Cutwater/Operations/Detail/Inversion.hpp>
 #include <Cutwater/Operations/Detail/Labelled.hpp>
 #include <Cutwater/Operations/Detail/Mirror.hpp>
@@ -14,19 +15,24 @@
 #include <Cutwater/Operations/Detail/Shell.hpp>
 #include <Cutwater/Operations/Detail/SmoothCombination.hpp>
 #include <Cutwater/Operations/Detail/SymmetricDifference.hpp>
-#include <Cutwater/Operations/Detail/Union.hpp>
+#include <Cutwater/Operations/Detail/Warp.hpp>
 
 namespace cutwater::detail {
 
 namespace {
 
+template <std::floating_point T>
+using Decides = typename Combination<T>::Decides;
+
 /// Operands that are combinations of the same kind are replaced by their own operands: a long chain
 /// of `|` is one wide union, not a deep one. A moved combination stays as it is, so that moving
 /// changes no digit.
-template <typename Kind, std::floating_point T>
-Solid<T> combined(const std::vector<Solid<T>>& operands) {
-  const auto asSameKind = [](const Solid<T>& operand) {
-    return operand.placement().isIdentity() ? operand.template as<Kind>() : nullptr;
+template <std::floating_point T>
+Solid<T> combined(Decides<T> decides, const std::vector<Solid<T>>& operands) {
+  const auto asSameKind = [decides](const Solid<T>& operand) {
+    const auto* const same =
+        operand.placement().isIdentity() ? operand.template as<Combination<T>>() : nullptr;
+    return same != nullptr && same->decides() == decides ? same : nullptr;
   };
   std::vector<Solid<T>> flat;
   for (const auto& operand : operands) {
@@ -36,19 +42,20 @@ Solid<T> combined(const std::vector<Solid<T>>& operands) {
       flat.push_back(operand);
     }
   }
-  return Kind(std::move(flat), operands.empty() ? nullptr : asSameKind(operands.front()));
+  return Combination<T>(decides, std::move(flat),
+                        operands.empty() ? nullptr : asSameKind(operands.front()));
 }
 
 }  // namespace
 
 template <std::floating_point T>
 Solid<T> unite(const std::vector<Solid<T>>& operands) {
-  return combined<Union<T>>(operands);
+  return combined(Decides<T>::Least, operands);
 }
 
 template <std::floating_point T>
 Solid<T> intersect(const std::vector<Solid<T>>& operands) {
-  return combined<Intersection<T>>(operands);
+  return combined(Decides<T>::Greatest, operands);
 }
 
 template <std::floating_point T>
@@ -87,15 +94,11 @@ Solid<T> intersectSmoothly(const std::vector<Solid<T>>& operands, const Smoothin
 /// operands' values are exact, e.g. outside a difference.
 template <std::floating_point T>
 Solid<T> offsetOf(const Solid<T>& a, T distance) {
-  const auto eachOffset = [distance](std::vector<Solid<T>> operands) {
-    for (auto& operand : operands) operand = offsetOf(operand, distance);
-    return operands;
-  };
   std::optional<Solid<T>> result;
-  if (const auto* all = a.template as<Union<T>>()) {
-    result = unite(eachOffset(all->operands()));
-  } else if (const auto* common = a.template as<Intersection<T>>()) {
-    result = intersect(eachOffset(common->operands()));
+  if (const auto* all = a.template as<Combination<T>>()) {
+    auto operands = all->operands();
+    for (auto& operand : operands) operand = offsetOf(operand, distance);
+    result = combined(all->decides(), operands);
   } else if (const auto* rest = a.template as<Complement<T>>()) {
     result = complementOf(offsetOf(rest->operand(), -distance));
   } else {
@@ -164,6 +167,11 @@ Solid<T> displacementOf(Solid<T> a, Solid<T> h, const FunctionLimits<T>& limits)
 }
 
 template <std::floating_point T>
+Solid<T> warpOf(Solid<T> a, PointShift<T> v, const FunctionLimits<T>& limits) {
+  return Warp<T>(std::move(a), std::move(v), limits);
+}
+
+template <std::floating_point T>
 Solid<T> labelled(Solid<T> a, std::string name) {
   return Labelled<T>(std::move(a), std::move(name));
 }
@@ -203,6 +211,8 @@ template Solid<float> repetitionOf(Solid<float>, const Repeats<float>&);
 template Solid<double> repetitionOf(Solid<double>, const Repeats<double>&);
 template Solid<float> displacementOf(Solid<float>, Solid<float>, const FunctionLimits<float>&);
 template Solid<double> displacementOf(Solid<double>, Solid<double>, const FunctionLimits<double>&);
+template Solid<float> warpOf(Solid<float>, PointShift<float>, const FunctionLimits<float>&);
+template Solid<double> warpOf(Solid<double>, PointShift<double>, const FunctionLimits<double>&);
 template Solid<float> labelled(Solid<float>, std::string);
 template Solid<double> labelled(Solid<double>, std::string);
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Cutwater/Operations/Detail/Displacement.hpp>
+#include <Cutwater/Sdf/FunctionSDF.hpp>
+#include <Cutwater/Sdf/Solid.hpp>
 
 namespace cutwater {
 

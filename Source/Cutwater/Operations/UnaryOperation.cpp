@@ -5,16 +5,14 @@
 namespace cutwater {
 
 template <std::floating_point T>
-T UnaryOperation<T>::operandValueWithin(const Vec3<T>& q, T factor,
-                                        const Interval<T>& wanted) const {
+Interval<T> UnaryOperation<T>::wantedOverFactor(const Interval<T>& wanted, T factor) {
   // The quotient and the product are rounded; the product may underflow.
   const auto outward = [](T end) {
     return 4 * std::numeric_limits<T>::epsilon() * std::abs(end) + std::numeric_limits<T>::min();
   };
   const T lower = wanted.lower / factor;
   const T upper = wanted.upper / factor;
-  return factor *
-         operand_.signedDistanceWithin(q, {lower - outward(lower), upper + outward(upper)});
+  return {lower - outward(lower), upper + outward(upper)};
 }
 
 template <std::floating_point T>

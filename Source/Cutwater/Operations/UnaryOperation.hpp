@@ -1,9 +1,8 @@
 #pragma once
 
+#include <Cutwater/Core/Detail/Batches.hpp>
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
-
-#include <algorithm>
 
 namespace cutwater {
 
@@ -15,8 +14,9 @@ class UnaryOperation : public SignedDistanceFunction<T> {
 
   [[nodiscard]] const Solid<T>& operand() const { return operand_; }
 
-  /// factor g(q), if it is within `wanted`: see localSignedDistanceWithin().
-  [[nodiscard]] T operandValueWithin(const Vec3<T>& q, T factor, const Interval<T>& wanted) const;
+  /// For localSignedDistanceWithin() of a function factor g(q), with a positive factor: encloses
+  /// the operand's values for which it may be within `wanted`, despite rounding.
+  [[nodiscard]] static Interval<T> wantedOverFactor(const Interval<T>& wanted, T factor);
   /// The operand's results at many points of its own frame, from within a parallel region.
   void operandValues(std::span<const Vec3<T>> points, std::span<T> distances) const {
     operand_.signedDistances(points, distances, {.threads = 1});
@@ -31,11 +31,11 @@ class UnaryOperation : public SignedDistanceFunction<T> {
   static void forImages(std::span<const Vec3<T>> points, const Image& image, const Batch& batch) {
     constexpr std::size_t kMost = 256;
     Scratch<Vec3<T>, kMost> images;
-    for (std::size_t first = 0; first < points.size(); first += kMost) {
-      const auto some = images.first(std::min(kMost, points.size() - first));
-      for (std::size_t i = 0; i < some.size(); ++i) some[i] = image(points[first + i]);
+    detail::forBatches(points.size(), kMost, [&](std::size_t first, std::size_t count) {
+      const auto some = images.first(count);
+      for (std::size_t i = 0; i < count; ++i) some[i] = image(points[first + i]);
       batch(std::span<const Vec3<T>>(some), first);
-    }
+    });
   }
 
   std::vector<std::string> localPatchNames() const override;

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/Batches.hpp>
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
@@ -27,8 +28,8 @@ void SignedDistanceFunction<T>::classify(std::span<const Box<T>> boxes, std::spa
   options.grain = std::max(options.grain, kBatch) / kBatch * kBatch;
   parallelFor(boxes.size(), options, [&](std::size_t begin, std::size_t end) {
     Scratch<OrientedBox<T>, kBatch> local;
-    for (auto first = begin; first < end; first += kBatch) {
-      const auto count = std::min(kBatch, end - first);
+    detail::forBatches(end - begin, kBatch, [&](std::size_t start, std::size_t count) {
+      const auto first = begin + start;
       const auto some = boxes.subspan(first, count);
       const auto found = classes.subspan(first, count);
       const auto known = hints.empty() ? hints : hints.subspan(first, count);
@@ -41,7 +42,7 @@ void SignedDistanceFunction<T>::classify(std::span<const Box<T>> boxes, std::spa
           found[i] = classify(some[i], known.empty() ? nullptr : &known[i]);
         }
       }
-    }
+    });
   });
 }
 

@@ -65,4 +65,17 @@ struct FunctionLimits {
   T ulps = 8;
 };
 
+namespace detail {
+
+/// @throws Error, as from the operator `name`, unless the Lipschitz constant is finite and no limit
+/// is negative.
+template <std::floating_point T>
+void requireLimits(const char* name, const FunctionLimits<T>& limits);
+
+/// Guarantee, as a solid, of a function within these limits that has this value at the origin.
+template <std::floating_point T>
+[[nodiscard]] Guarantee<T> guaranteeOf(const FunctionLimits<T>& limits, T atOrigin);
+
+}  // namespace detail
+
 }  // namespace cutwater

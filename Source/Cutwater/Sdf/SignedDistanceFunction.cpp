@@ -1,6 +1,8 @@
+#include <Cutwater/Core/Detail/Batches.hpp>
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
+#include <Cutwater/Sdf/Detail/FacetSamples.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 #include <algorithm>
@@ -27,6 +29,18 @@ SurfacePoint<T> noSurfacePoint() {
   return none;
 }
 
+/// Puts the origin in place of points that are not finite; returns whether there are none.
+template <std::floating_point T>
+bool putOriginForNotFinite(std::span<const Vec3<T>> world, std::span<Vec3<T>> local) {
+  bool areFinite = true;
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    if (isFinite(world[i])) continue;
+    local[i] = {};
+    areFinite = false;
+  }
+  return areFinite;
+}
+
 }  // namespace
 
 template <std::floating_point T>
@@ -41,7 +55,7 @@ void SignedDistanceFunction<T>::signedDistances(std::span<const Vec3<T>> points,
                                                 const ParallelOptions& options) const {
   require(points.size() == distances.size(), "signedDistances: need one distance per point",
           Named{"points", points.size()}, Named{"distances", distances.size()});
-  forBatches(
+  forLocalPoints(
       points, options,
       [&](std::span<const Vec3<T>> local, std::size_t first) {
         const auto values = distances.subspan(first, local.size());
@@ -52,29 +66,25 @@ void SignedDistanceFunction<T>::signedDistances(std::span<const Vec3<T>> points,
 }
 
 template <std::floating_point T>
-void SignedDistanceFunction<T>::forBatches(
+void SignedDistanceFunction<T>::forLocalPoints(
     std::span<const Vec3<T>> points, ParallelOptions options,
     FunctionRef<void(std::span<const Vec3<T>>, std::size_t)> answer,
     FunctionRef<void(std::size_t)> refuse) const {
   options.grain = std::max(options.grain, kBatch) / kBatch * kBatch;
   parallelFor(points.size(), options, [&](std::size_t begin, std::size_t end) {
     Scratch<Vec3<T>, kBatch> scratch;
-    for (auto first = begin; first < end; first += kBatch) {
-      const auto world = points.subspan(first, std::min(kBatch, end - first));
-      const auto local = scratch.first(world.size());
+    detail::forBatches(end - begin, kBatch, [&](std::size_t start, std::size_t count) {
+      const auto first = begin + start;
+      const auto world = points.subspan(first, count);
+      const auto local = scratch.first(count);
       placement_.toLocal(world, local);
-      bool areFinite = true;
-      for (std::size_t i = 0; i < world.size(); ++i) {
-        if (isFinite(world[i])) continue;
-        local[i] = {};
-        areFinite = false;
-      }
+      const bool areFinite = putOriginForNotFinite<T>(world, local);
       answer(local, first);
-      if (areFinite) continue;
-      for (std::size_t i = 0; i < world.size(); ++i) {
+      if (areFinite) return;
+      for (std::size_t i = 0; i < count; ++i) {
         if (!isFinite(world[i])) refuse(first + i);
       }
-    }
+    });
   });
 }
 
@@ -105,7 +115,7 @@ void SignedDistanceFunction<T>::closestPoints(std::span<const Vec3<T>> points,
                                               const ParallelOptions& options) const {
   require(points.size() == results.size(), "closestPoints: need one result per point",
           Named{"points", points.size()}, Named{"results", results.size()});
-  forBatches(
+  forLocalPoints(
       points, options,
       [&](std::span<const Vec3<T>> local, std::size_t first) {
         const auto found = results.subspan(first, local.size());

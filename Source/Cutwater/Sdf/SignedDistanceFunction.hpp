@@ -115,11 +115,6 @@ class SignedDistanceFunction {
   [[nodiscard]] const RigidTransform<T>& placement() const { return placement_; }
   void setPlacement(const RigidTransform<T>& placement) { placement_ = placement; }
 
-  /// From the world to the shape's own frame. Already applied when a local function is called.
-  [[nodiscard]] Vec3<T> transformPoint(const Vec3<T>& point) const {
-    return placement_.toLocal(point);
-  }
-
  protected:
   // Copying is for subclasses only: through the base it would slice.
   SignedDistanceFunction() = default;
@@ -199,9 +194,9 @@ class SignedDistanceFunction {
   [[nodiscard]] T placementError(T reach) const;
   /// Calls answer(local points, index of the first) for batches of the points, in parallel, with
   /// the origin in place of points that are not finite; then refuse(index) for each of those.
-  void forBatches(std::span<const Vec3<T>> points, ParallelOptions options,
-                  FunctionRef<void(std::span<const Vec3<T>> local, std::size_t first)> answer,
-                  FunctionRef<void(std::size_t index)> refuse) const;
+  void forLocalPoints(std::span<const Vec3<T>> points, ParallelOptions options,
+                      FunctionRef<void(std::span<const Vec3<T>> local, std::size_t first)> answer,
+                      FunctionRef<void(std::size_t index)> refuse) const;
 
   RigidTransform<T> placement_;
 };

@@ -16,7 +16,7 @@ Solid<T>::Solid(std::unique_ptr<SignedDistanceFunction<T>> shape) {
 template <std::floating_point T>
 T Solid<T>::signedDistanceWithin(const Vec3<T>& point, const Interval<T>& wanted) const {
   if (!isFinite(point)) return std::numeric_limits<T>::quiet_NaN();
-  return root_->localSignedDistanceWithin(this->transformPoint(point), wanted) + T(0);
+  return root_->localSignedDistanceWithin(this->placement().toLocal(point), wanted) + T(0);
 }
 
 template <std::floating_point T>

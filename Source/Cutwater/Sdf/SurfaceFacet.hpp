@@ -22,18 +22,4 @@ struct SurfaceFacet {
 template <std::floating_point T>
 using FacetVisitor = FunctionRef<bool(const SurfaceFacet<T>&)>;
 
-namespace detail {
-
-/// Visits the surface points nearest to a few points of a box, if they lie in it or nearly so.
-template <std::floating_point T>
-void sampleFacets(FunctionRef<SurfacePoint<T>(const Vec3<T>&)> closestPoint,
-                  const OrientedBox<T>& box, FacetVisitor<T> visit);
-
-extern template void sampleFacets(FunctionRef<SurfacePoint<float>(const Vec3<float>&)>,
-                                  const OrientedBox<float>&, FacetVisitor<float>);
-extern template void sampleFacets(FunctionRef<SurfacePoint<double>(const Vec3<double>&)>,
-                                  const OrientedBox<double>&, FacetVisitor<double>);
-
-}  // namespace detail
-
 }  // namespace cutwater

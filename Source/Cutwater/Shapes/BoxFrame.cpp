@@ -109,7 +109,7 @@ SurfacePoint<T> BoxFrame<T>::localClosestPoint(const Vec3<T>& p) const {
   result.point = p + step;
   result.normal = normalized(isInside ? step : -step);
   result.distance = isInside ? -distance : distance;
-  detail::rate(result, p, localSignedDistance(result.point), localGuarantee());
+  detail::setTolerance(result, p, localSignedDistance(result.point), localGuarantee());
   return result;
 }
 

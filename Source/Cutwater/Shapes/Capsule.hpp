@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
 #include <Cutwater/Shapes/Detail/CapsuleProfile.hpp>
+#include <Cutwater/Shapes/Detail/ProfiledShape.hpp>
 
 namespace cutwater {
 
@@ -12,21 +12,16 @@ namespace cutwater {
 ///
 /// @throws Error unless the end points are finite and 0 < radius < infinity.
 template <std::floating_point T>
-class Capsule final : public Axisymmetric<T> {
+class Capsule final : public ProfiledShape<T, detail::CapsuleProfile<T>> {
  public:
   Capsule(const Vec3<T>& a, const Vec3<T>& b, T radius);
 
  private:
   std::string localName() const override { return "Capsule"; }
-  T profileDistance(const ProfilePoint<T>& p) const override;
-  ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
-  Guarantee<T> localGuarantee() const override;
-  Box<T> localBoundingBox() const override;
-
-  detail::CapsuleProfile<T> profile_;
-  T size_;
 };
 
+extern template class ProfiledShape<float, detail::CapsuleProfile<float>>;
+extern template class ProfiledShape<double, detail::CapsuleProfile<double>>;
 extern template class Capsule<float>;
 extern template class Capsule<double>;
 

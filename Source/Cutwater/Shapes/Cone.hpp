@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
 #include <Cutwater/Shapes/Detail/FrustumProfile.hpp>
+#include <Cutwater/Shapes/Detail/ProfiledShape.hpp>
 
 namespace cutwater {
 
@@ -9,21 +9,16 @@ namespace cutwater {
 ///
 /// Exact. @throws Error unless the points are finite and differ, and 0 < radius < infinity.
 template <std::floating_point T>
-class Cone final : public Axisymmetric<T> {
+class Cone final : public ProfiledShape<T, detail::FrustumProfile<T>> {
  public:
   Cone(const Vec3<T>& apex, const Vec3<T>& base, T radius);
 
  private:
   std::string localName() const override { return "Cone"; }
-  T profileDistance(const ProfilePoint<T>& p) const override;
-  ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
-  Guarantee<T> localGuarantee() const override;
-  Box<T> localBoundingBox() const override;
-
-  detail::FrustumProfile<T> profile_;
-  T size_;
 };
 
+extern template class ProfiledShape<float, detail::FrustumProfile<float>>;
+extern template class ProfiledShape<double, detail::FrustumProfile<double>>;
 extern template class Cone<float>;
 extern template class Cone<double>;
 

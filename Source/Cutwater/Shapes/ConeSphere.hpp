@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
 #include <Cutwater/Shapes/Detail/ConeSphereProfile.hpp>
+#include <Cutwater/Shapes/Detail/ProfiledShape.hpp>
 
 namespace cutwater {
 
@@ -16,21 +16,16 @@ namespace cutwater {
 /// @throws Error unless the centres are finite, both radii are finite and not negative, and one of
 /// them is positive.
 template <std::floating_point T>
-class ConeSphere final : public Axisymmetric<T> {
+class ConeSphere final : public ProfiledShape<T, detail::ConeSphereProfile<T>> {
  public:
   ConeSphere(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
 
  private:
   std::string localName() const override { return "Cone-sphere"; }
-  T profileDistance(const ProfilePoint<T>& p) const override;
-  ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
-  Guarantee<T> localGuarantee() const override;
-  Box<T> localBoundingBox() const override;
-
-  detail::ConeSphereProfile<T> profile_;
-  T size_;
 };
 
+extern template class ProfiledShape<float, detail::ConeSphereProfile<float>>;
+extern template class ProfiledShape<double, detail::ConeSphereProfile<double>>;
 extern template class ConeSphere<float>;
 extern template class ConeSphere<double>;
 

@@ -1,3 +1,4 @@
+#include <Cutwater/Shapes/Detail/PolygonDistance.hpp>
 #include <Cutwater/Shapes/Extrusion.hpp>
 
 #include <algorithm>
@@ -6,28 +7,30 @@ namespace cutwater {
 
 template <std::floating_point T>
 Extrusion<T>::Extrusion(const Polygon<T>& section, T lower, T upper)
-    : Prismatic<T>("Extrusion", lower, upper), section_(section, detail::EdgesOnAxis::Boundary) {}
+    : Prismatic<T>("Extrusion", lower, upper),
+      section_(std::make_shared<const detail::PolygonDistance<T>>(section,
+                                                                  detail::EdgesOnAxis::Boundary)) {}
 
 template <std::floating_point T>
 T Extrusion<T>::sectionDistance(const Vec2<T>& p) const {
-  return section_.distance(p);
+  return section_->distance(p);
 }
 
 template <std::floating_point T>
 Vec2<T> Extrusion<T>::sectionGradient(const Vec2<T>& p) const {
-  return section_.gradient(p);
+  return section_->gradient(p);
 }
 
 template <std::floating_point T>
 Guarantee<T> Extrusion<T>::localGuarantee() const {
-  return Guarantee<T>::exact(section_.size() +
+  return Guarantee<T>::exact(section_->size() +
                              std::max(std::abs(this->lower()), std::abs(this->upper())));
 }
 
 template <std::floating_point T>
 Box<T> Extrusion<T>::localBoundingBox() const {
-  const auto& low = section_.lower();
-  const auto& high = section_.upper();
+  const auto& low = section_->lower();
+  const auto& high = section_->upper();
   return localGuarantee().grown({{low.x, low.y, this->lower()}, {high.x, high.y, this->upper()}});
 }
 

@@ -1,9 +1,16 @@
 #pragma once
 
-#include <Cutwater/Shapes/Detail/PolygonDistance.hpp>
 #include <Cutwater/Shapes/Detail/Prismatic.hpp>
+#include <Cutwater/Shapes/Polygon.hpp>
+
+#include <memory>
 
 namespace cutwater {
+
+namespace detail {
+template <std::floating_point T>
+class PolygonDistance;
+}  // namespace detail
 
 /// A polygon in the xy plane, extruded along z: a prism with any cross-section.
 ///
@@ -22,7 +29,7 @@ class Extrusion final : public Prismatic<T> {
   Guarantee<T> localGuarantee() const override;
   Box<T> localBoundingBox() const override;
 
-  detail::PolygonDistance<T> section_;
+  std::shared_ptr<const detail::PolygonDistance<T>> section_;  // copies share it
 };
 
 extern template class Extrusion<float>;

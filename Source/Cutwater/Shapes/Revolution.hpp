@@ -1,9 +1,16 @@
 #pragma once
 
 #include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
-#include <Cutwater/Shapes/Detail/PolygonDistance.hpp>
+#include <Cutwater/Shapes/Polygon.hpp>
+
+#include <memory>
 
 namespace cutwater {
+
+namespace detail {
+template <std::floating_point T>
+class PolygonDistance;
+}  // namespace detail
 
 /// A polygon revolved about an axis: x in the polygon is the distance from the axis, y the position
 /// along it. The axis need not have unit length; the default is the local z axis.
@@ -25,7 +32,7 @@ class Revolution final : public Axisymmetric<T> {
   Guarantee<T> localGuarantee() const override;
   Box<T> localBoundingBox() const override;
 
-  detail::PolygonDistance<T> profile_;
+  std::shared_ptr<const detail::PolygonDistance<T>> profile_;  // copies share it
   Box<T> box_;
 };
 

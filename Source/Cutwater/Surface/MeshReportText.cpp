@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Surface/MeshReport.hpp>
+#include <Cutwater/Text/Counted.hpp>
 #include <Cutwater/Text/ReportLine.hpp>
 
 #include <string_view>

@@ -1,4 +1,4 @@
-#include <Cutwater/Core/DoubleDouble.hpp>
+#include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/Surface/SurfaceMeasure.hpp>
 #include <Cutwater/Surface/Triangulation.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Core/OutputFile.hpp>
+#include <Cutwater/Core/Detail/OutputFile.hpp>
 #include <Cutwater/Core/Vec3.hpp>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <Cutwater/Core/DoubleDouble.hpp>
+#include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/Triangles/ExactPredicates.hpp>
 
 #include <cmath>

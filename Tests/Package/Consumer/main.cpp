@@ -233,7 +233,7 @@ void printComposites() {
   const Solid<T> body = (ball | ring) - bore;
   printAnswers<T>("body", body);
   printAnswers<T>("body and box", body & Cuboid<T>({-1, -1, -1}, {1, 2, 1}));
-  printAnswers<T>("complement", ~scaled(rounded(body, T(0.1)), T(0.7)));
+  printAnswers<T>("complement", ~scaled(offset(body, T(0.1)), T(0.7)));
 }
 
 /// A tetrahedron with a slanted needle of a face.

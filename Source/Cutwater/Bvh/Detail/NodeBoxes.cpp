@@ -1,5 +1,6 @@
 #include <Cutwater/Bvh/Detail/BinaryBvh.hpp>
 #include <Cutwater/Bvh/Detail/NodeBoxes.hpp>
+#include <Cutwater/Core/Eigen.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-Vector3d toEigen(const Vec3<double>& v) {
-  return {v.x, v.y, v.z};
-}
 
 Vector3d principalAxis(const Matrix3d& symmetric) {
   Eigen::SelfAdjointEigenSolver<Matrix3d> solver;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Core/DoubleDouble.hpp>
+#include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/Grid/Detail/HalvedBox.hpp>
 #include <Cutwater/Grid/SolidVolume.hpp>
 

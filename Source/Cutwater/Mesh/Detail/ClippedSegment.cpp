@@ -1,4 +1,4 @@
-#include <Cutwater/Core/DoubleDouble.hpp>
+#include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/Mesh/Detail/ClippedSegment.hpp>
 
 #include <algorithm>

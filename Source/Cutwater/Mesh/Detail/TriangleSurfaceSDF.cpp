@@ -3,6 +3,7 @@
 #include <Cutwater/Mesh/Detail/ClippedSegment.hpp>
 #include <Cutwater/Mesh/Detail/MeshCrossings.hpp>
 #include <Cutwater/Mesh/Detail/TriangleSurfaceSDF.hpp>
+#include <Cutwater/Text/Counted.hpp>
 #include <Cutwater/Triangles/ExactPredicates.hpp>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/DomainUnder.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Detail/Affine.hpp>
 

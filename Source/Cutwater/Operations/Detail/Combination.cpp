@@ -1,3 +1,5 @@
+#include <Cutwater/Core/Detail/Batches.hpp>
+#include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Detail/Combination.hpp>
 #include <Cutwater/Operations/Detail/DerivedGuarantee.hpp>
@@ -31,23 +33,23 @@ BoxClass opposite(BoxClass c) {
 }  // namespace
 
 template <std::floating_point T>
-Combination<T>::Combination(const char* name, Decides decides, std::vector<Solid<T>> operands,
+Combination<T>::Combination(Decides decides, std::vector<Solid<T>> operands,
                             const Combination* beginning)
-    : decides_(decides), operands_(std::move(operands)), patches_(operands_) {
-  if (operands_.empty()) throw Error(ErrorKind::Argument, std::string(name) + ": need an operand");
+    : Composite<T>(std::move(operands)), decides_(decides) {
+  if (count() == 0) throw Error(ErrorKind::Argument, nameOf(decides) + ": need an operand");
   std::vector<detail::OperandBound<T>> bounds;
   const bool least = decides == Decides::Least;
-  for (const auto& operand : operands_) bounds.push_back(detail::boundOf(operand, !least));
+  for (const auto& each : this->operands()) bounds.push_back(detail::boundOf(each, !least));
   guarantee_ = bounds[0].guarantee;
-  boundingBox_ = operands_[0].boundingBox();
-  for (std::size_t i = 1; i < operands_.size(); ++i) {
+  boundingBox_ = operand(0).boundingBox();
+  for (std::size_t i = 1; i < count(); ++i) {
     guarantee_ = united(guarantee_, bounds[i].guarantee);
-    const auto box = operands_[i].boundingBox();
+    const auto box = operand(i).boundingBox();
     boundingBox_ = least ? boundingBox_.extend(box) : boundingBox_.intersection(box);
   }
   if (!least) guarantee_ = detail::swapped(guarantee_);
   if (boundingBox_.empty()) boundingBox_ = {};
-  clearanceBox_ = detail::clearanceBoxOf<T>(operands_, least);
+  clearanceBox_ = detail::clearanceBoxOf<T>(this->operands(), least);
   tree_ = detail::OperandTree<T>(bounds, beginning != nullptr ? &beginning->tree_ : nullptr);
 }
 
@@ -73,7 +75,7 @@ auto Combination<T>::decide(const Vec3<T>& p, Interval<T> wanted) const -> Decis
     tree_.forLeastAt(p, wanted.upper, ask);
   } else {
     askFirst();
-    for (std::size_t i = 1; i < operands_.size(); ++i) ask(i);
+    for (std::size_t i = 1; i < count(); ++i) ask(i);
   }
   // No operand gave a number, against its promise, or all values are beyond what is wanted.
   if (least.operand == kNone && isAllWanted) askFirst();
@@ -105,43 +107,42 @@ template <std::floating_point T>
 void Combination<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                           std::span<T> distances) const {
   constexpr std::size_t kMost = 256;
-  std::array<T, kMost> scratch;
-  for (std::size_t first = 0; first < points.size(); first += kMost) {
-    const auto count = std::min(kMost, points.size() - first);
-    const auto here = points.subspan(first, count);
-    const auto least = distances.subspan(first, count);
-    const auto other = std::span<T>(scratch).first(count);
+  Scratch<T, kMost> scratch;
+  detail::forBatches(points.size(), kMost, [&](std::size_t first, std::size_t some) {
+    const auto here = points.subspan(first, some);
+    const auto least = distances.subspan(first, some);
+    const auto other = scratch.first(some);
     if (tree_.asksFirst()) {
-      operands_[0].signedDistances(here, least, {.threads = 1});
+      operand(0).signedDistances(here, least, {.threads = 1});
     } else {
       std::ranges::fill(least, side() * std::numeric_limits<T>::infinity());
     }
     for (const auto i : tree_.alwaysButFirst()) {
-      operands_[i].signedDistances(here, other, {.threads = 1});
-      for (std::size_t k = 0; k < count; ++k) {
+      operand(i).signedDistances(here, other, {.threads = 1});
+      for (std::size_t k = 0; k < some; ++k) {
         if (side() * other[k] < side() * least[k]) least[k] = other[k];
       }
     }
-    if (tree_.always().size() == operands_.size()) continue;
-    for (std::size_t k = 0; k < count; ++k) least[k] = decidingValue(here[k], least[k]);
-  }
+    if (tree_.always().size() == count()) return;
+    for (std::size_t k = 0; k < some; ++k) least[k] = decidingValue(here[k], least[k]);
+  });
 }
 
 template <std::floating_point T>
 Vec3<T> Combination<T>::localGradient(const Vec3<T>& p) const {
-  return operands_[decide(p).operand].gradient(p);
+  return operand(decide(p).operand).gradient(p);
 }
 
 template <std::floating_point T>
 SurfaceOwner Combination<T>::localOwner(const Vec3<T>& p) const {
-  const auto operand = decide(p).operand;
-  return patches_.counted(operands_[operand].owner(p), operand);
+  const auto decider = decide(p).operand;
+  return this->counted(operand(decider).owner(p), decider);
 }
 
 template <std::floating_point T>
 SurfacePoint<T> Combination<T>::localClosestPoint(const Vec3<T>& p) const {
   const auto decision = decide(p);
-  const auto found = operands_[decision.operand].closestPoint(p);
+  const auto found = operand(decision.operand).closestPoint(p);
   return checked(p, decision, found, localSignedDistance(found.point));
 }
 
@@ -151,31 +152,29 @@ SurfacePoint<T> Combination<T>::checked(const Vec3<T>& p, const Decision& decisi
   if (!(std::abs(residual) <= guarantee_.error(length(p) + length(found.point)))) {
     return SignedDistanceFunction<T>::localClosestPoint(p);
   }
-  found.owner = patches_.counted(found.owner, decision.operand);
+  found.owner = this->counted(found.owner, decision.operand);
   found.distance = decision.value;
-  detail::rate(found, p, residual, guarantee_);
+  detail::setTolerance(found, p, residual, guarantee_);
   return found;
 }
 
 template <std::floating_point T>
 void Combination<T>::localClosestPoints(std::span<const Vec3<T>> points,
                                         std::span<SurfacePoint<T>> results) const {
-  std::array<Decision, kFew> decisions;
-  std::array<Vec3<T>, kFew> places;
-  std::array<T, kFew> residuals;
-  for (std::size_t first = 0; first < points.size(); first += kFew) {
-    const auto count = std::min(kFew, points.size() - first);
-    const auto here = points.subspan(first, count);
-    const auto found = results.subspan(first, count);
-    for (std::size_t k = 0; k < count; ++k) decisions[k] = decide(here[k]);
-    askDeciding(here, std::span(decisions).first(count), found);
-    for (std::size_t k = 0; k < count; ++k) places[k] = found[k].point;
-    localSignedDistances(std::span<const Vec3<T>>(places).first(count),
-                         std::span(residuals).first(count));
-    for (std::size_t k = 0; k < count; ++k) {
+  Scratch<Decision, kFew> decisions;
+  Scratch<Vec3<T>, kFew> places;
+  Scratch<T, kFew> residuals;
+  detail::forBatches(points.size(), kFew, [&](std::size_t first, std::size_t some) {
+    const auto here = points.subspan(first, some);
+    const auto found = results.subspan(first, some);
+    for (std::size_t k = 0; k < some; ++k) decisions[k] = decide(here[k]);
+    askDeciding(here, decisions.first(some), found);
+    for (std::size_t k = 0; k < some; ++k) places[k] = found[k].point;
+    localSignedDistances(places.first(some), residuals.first(some));
+    for (std::size_t k = 0; k < some; ++k) {
       found[k] = checked(here[k], decisions[k], found[k], residuals[k]);
     }
-  }
+  });
 }
 
 template <std::floating_point T>
@@ -190,14 +189,13 @@ void Combination<T>::askDeciding(std::span<const Vec3<T>> points,
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, operandOf);
   for (std::size_t begin = 0; begin < order.size();) {
-    const auto operand = operandOf(order[begin]);
+    const auto decider = operandOf(order[begin]);
     std::size_t end = begin;
-    for (; end < order.size() && operandOf(order[end]) == operand; ++end) {
+    for (; end < order.size() && operandOf(order[end]) == decider; ++end) {
       asked[end] = points[order[end]];
     }
-    operands_[operand].closestPoints(std::span<const Vec3<T>>(asked).subspan(begin, end - begin),
-                                     std::span(answers).subspan(begin, end - begin),
-                                     {.threads = 1});
+    operand(decider).closestPoints(std::span<const Vec3<T>>(asked).subspan(begin, end - begin),
+                                   std::span(answers).subspan(begin, end - begin), {.threads = 1});
     begin = end;
   }
   for (std::size_t i = 0; i < order.size(); ++i) found[order[i]] = answers[i];
@@ -209,8 +207,8 @@ template <std::floating_point T>
 template <typename Ask>
 void Combination<T>::forEachNear(const OrientedBox<T>& box, double limit, Ask&& ask) const {
   const bool helps = tree_.helpsAt(box.center, box.radius());
-  const std::size_t count = helps ? tree_.always().size() : operands_.size();
-  for (std::size_t i = 0; i < count; ++i) {
+  const std::size_t first = helps ? tree_.always().size() : count();
+  for (std::size_t i = 0; i < first; ++i) {
     limit = ask(helps ? tree_.always()[i] : i);
     if (limit == kStopTraversal) return;
   }
@@ -224,7 +222,7 @@ Interval<T> Combination<T>::localBounds(const OrientedBox<T>& box, BoxHint*) con
   std::optional<Interval<T>> found;
   // Returns the limit up to which another operand's bound would change the result.
   const auto ask = [&](std::size_t i) {
-    const auto other = this->boundsOf(operands_[i], box);
+    const auto other = this->boundsOf(operand(i), box);
     const auto before = found.value_or(other);
     const Interval<T> result{decided(before.lower, other.lower),
                              decided(before.upper, other.upper)};
@@ -240,8 +238,8 @@ bool Combination<T>::localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> vi
   bool areAll = true;
   bool goesOn = true;
   forEachNear(box, 0, [&](std::size_t i) {
-    areAll &= this->facetsOf(operands_[i], box, [&](SurfaceFacet<T> facet) {
-      facet.owner = patches_.counted(facet.owner, i);
+    areAll &= this->facetsOf(operand(i), box, [&](SurfaceFacet<T> facet) {
+      facet.owner = this->counted(facet.owner, i);
       return goesOn = visit(facet);
     });
     return goesOn ? 0.0 : kStopTraversal;
@@ -259,7 +257,7 @@ BoxClass Combination<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint)
   const auto ask = [&](std::size_t i) {
     // If there are two, it only matters whether another one contains the box.
     if (reaching >= 2 && !mayContain(i, around)) return 0.0;
-    const auto c = seen(this->classOf(operands_[i], box));
+    const auto c = seen(this->classOf(operand(i), box));
     reaching += c != BoxClass::Outside;
     cut += c == BoxClass::Cut;
     isInside = isInside || c == BoxClass::Inside;
@@ -278,15 +276,10 @@ BoxClass Combination<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint)
 }
 
 template <std::floating_point T>
-bool Combination<T>::mayContain(std::size_t operand, const Box<T>& box) const {
+bool Combination<T>::mayContain(std::size_t i, const Box<T>& box) const {
   if (decides_ == Decides::Greatest) return true;
-  const auto whole = operands_[operand].boundingBox();
+  const auto whole = operand(i).boundingBox();
   return whole.contains(box.lower) && whole.contains(box.upper);
-}
-
-template <std::floating_point T>
-std::vector<std::string> Combination<T>::localPatchNames() const {
-  return detail::OperandPatches<T>::names(operands_);
 }
 
 template class Combination<float>;

@@ -1,39 +1,42 @@
 #pragma once
 
-#include <Cutwater/Operations/UnaryOperation.hpp>
+#include <Cutwater/Operations/Detail/Forwarding.hpp>
 
 namespace cutwater {
 
 /// All points that are not in the operand.
 ///
-///     f(p) = -g(p)        as good inside as the operand is outside, and vice versa
+///     f(p) = -g(p)        outside, what the operand guarantees inside, and vice versa
 ///
 /// Points of value 0 are outside both, as for any solid.
 template <std::floating_point T>
-class Complement final : public UnaryOperation<T> {
+class Complement final : public Forwarding<T, Complement<T>> {
  public:
-  explicit Complement(Solid<T> solid) : UnaryOperation<T>(std::move(solid)) {}
+  explicit Complement(Solid<T> solid) : Forwarding<T, Complement<T>>(std::move(solid)) {}
 
   using UnaryOperation<T>::operand;
 
  private:
+  friend Forwarding<T, Complement<T>>;
+  [[nodiscard]] Interval<T> wantedOfOperand(const Interval<T>& wanted) const { return -wanted; }
+  [[nodiscard]] T value(T ofOperand) const { return -ofOperand; }
+  [[nodiscard]] Interval<T> range(const Interval<T>& ofOperand) const { return -ofOperand; }
+  [[nodiscard]] BoxClass kind(BoxClass ofOperand) const;
+  void turn(Vec3<T>& direction) const { direction = -direction; }
+  void adjust(SurfacePoint<T>& found, const Vec3<T>& /*p*/) const {
+    found.normal = -found.normal;
+    found.distance = -found.distance;
+  }
+  void adjust(Crossing<T>& found) const {
+    found.normal = -found.normal;
+    found.entering = !found.entering;
+  }
+
   std::string localName() const override { return "Complement"; }
-  T localSignedDistance(const Vec3<T>& p) const override;
-  T localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const override;
-  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
-  Vec3<T> localGradient(const Vec3<T>& p) const override;
-  SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
-  void localClosestPoints(std::span<const Vec3<T>> points,
-                          std::span<SurfacePoint<T>> results) const override;
-  SurfaceOwner localOwner(const Vec3<T>& p) const override { return this->operand().owner(p); }
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
-  Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
-  BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override;
   Guarantee<T> localGuarantee() const override;
   Box<T> localBoundingBox() const override { return Box<T>::everywhere(); }
-
-  [[nodiscard]] static SurfacePoint<T> turned(SurfacePoint<T> found);
 };
 
 extern template class Complement<float>;

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Detail/DerivedGuarantee.hpp>
 #include <Cutwater/Operations/Detail/Displacement.hpp>
 #include <Cutwater/Operations/Detail/Offset.hpp>
@@ -59,35 +60,6 @@ template <std::floating_point T>
 std::vector<std::string> Displacement<T>::localPatchNames() const {
   return this->first().patchNames();
 }
-
-namespace detail {
-
-template <std::floating_point T>
-void requireLimits(const char* name, const FunctionLimits<T>& limits) {
-  const bool isRight = limits.lipschitz >= 0 && std::isfinite(limits.lipschitz) &&
-                       limits.amplitude >= 0 && limits.ulps >= 0;
-  if (isRight) return;
-  const std::string message =
-      std::string(name) + ": need a finite Lipschitz constant, and no limit that is negative";
-  require(false, message.c_str(), Named{"lipschitz", limits.lipschitz},
-          Named{"amplitude", limits.amplitude}, Named{"ulps", limits.ulps});
-}
-
-template <std::floating_point T>
-Guarantee<T> guaranteeOf(const FunctionLimits<T>& limits, T atOrigin) {
-  // |h(p)| is at most |h(0)| + lipschitz |p|.
-  return {.lipschitz = limits.lipschitz,
-          .continuous = true,
-          .ulps = limits.ulps * (1 + limits.lipschitz),
-          .size = std::abs(atOrigin)};
-}
-
-template void requireLimits(const char*, const FunctionLimits<float>&);
-template void requireLimits(const char*, const FunctionLimits<double>&);
-template Guarantee<float> guaranteeOf(const FunctionLimits<float>&, float);
-template Guarantee<double> guaranteeOf(const FunctionLimits<double>&, double);
-
-}  // namespace detail
 
 template class Displacement<float>;
 template class Displacement<double>;

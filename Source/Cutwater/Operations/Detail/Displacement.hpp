@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Cutwater/Operations/Detail/BinaryOperation.hpp>
-#include <Cutwater/Sdf/FunctionSDF.hpp>
 
 namespace cutwater {
 
@@ -34,18 +33,5 @@ class Displacement final : public BinaryOperation<T> {
 
 extern template class Displacement<float>;
 extern template class Displacement<double>;
-
-namespace detail {
-
-/// @throws Error, as from the operator `name`, unless the Lipschitz constant is finite and no limit
-/// is negative.
-template <std::floating_point T>
-void requireLimits(const char* name, const FunctionLimits<T>& limits);
-
-/// Guarantee, as a solid, of a function within these limits that has this value at the origin.
-template <std::floating_point T>
-[[nodiscard]] Guarantee<T> guaranteeOf(const FunctionLimits<T>& limits, T atOrigin);
-
-}  // namespace detail
 
 }  // namespace cutwater

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/DomainUnder.hpp>
 #include <Cutwater/Operations/Detail/Fold.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
 
@@ -55,7 +56,7 @@ SurfacePoint<T> Fold<T>::localClosestPoint(const Vec3<T>& p) const {
   if (!(std::abs(residual) <= promise.error(length(p) + length(found.point)))) {
     return PointMap<T>::localClosestPoint(p);
   }
-  detail::rate(found, p, residual, promise);
+  detail::setTolerance(found, p, residual, promise);
   return found;
 }
 

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/DomainUnder.hpp>
 #include <Cutwater/Core/Detail/UnitVector.hpp>
 #include <Cutwater/Operations/Detail/Mirror.hpp>
 #include <Cutwater/Shapes/Detail/Arguments.hpp>

@@ -10,7 +10,8 @@ T PointMap<T>::localSignedDistance(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 T PointMap<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const {
-  return this->operandValueWithin(mapped(p), factor(), wanted);
+  return factor() *
+         this->operand().signedDistanceWithin(mapped(p), this->wantedOverFactor(wanted, factor()));
 }
 
 template <std::floating_point T>

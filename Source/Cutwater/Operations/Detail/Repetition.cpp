@@ -157,7 +157,7 @@ SurfacePoint<T> Repetition<T>::localClosestPoint(const Vec3<T>& p) const {
     return SignedDistanceFunction<T>::localClosestPoint(p);
   }
   found.distance = decision.value;
-  detail::rate(found, p, residual, guarantee_);
+  detail::setTolerance(found, p, residual, guarantee_);
   return found;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Operations/UnaryOperation.hpp>
+#include <Cutwater/Operations/Detail/Forwarding.hpp>
 
 namespace cutwater {
 
@@ -12,32 +12,32 @@ namespace cutwater {
 ///
 /// @throws Error unless the factor and its reciprocal are finite.
 template <std::floating_point T>
-class Scale final : public UnaryOperation<T> {
+class Scale final : public Forwarding<T, Scale<T>> {
  public:
   Scale(Solid<T> operand, T factor);
 
  private:
-  std::string localName() const override { return "Scaled by " + detail::toText(double{factor_}); }
-  T localSignedDistance(const Vec3<T>& p) const override;
-  T localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const override;
-  void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
-  Vec3<T> localGradient(const Vec3<T>& p) const override;
-  SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
-  void localClosestPoints(std::span<const Vec3<T>> points,
-                          std::span<SurfacePoint<T>> results) const override;
-  SurfaceOwner localOwner(const Vec3<T>& p) const override;
-  CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
-  Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
-  BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
-  Guarantee<T> localGuarantee() const override;
-  Box<T> localBoundingBox() const override;
-  Box<T> localClearanceBox() const override;
+  friend Forwarding<T, Scale<T>>;
+  static constexpr bool kMovesPoints = true;
+  [[nodiscard]] Vec3<T> place(const Vec3<T>& p) const { return p / factor_; }
+  [[nodiscard]] OrientedBox<T> place(const OrientedBox<T>& box) const;
+  [[nodiscard]] Interval<T> wantedOfOperand(const Interval<T>& wanted) const {
+    return this->wantedOverFactor(wanted, std::abs(factor_));
+  }
+  [[nodiscard]] T value(T ofOperand) const { return std::abs(factor_) * ofOperand; }
+  [[nodiscard]] Interval<T> range(const Interval<T>& ofOperand) const;
+  void turn(Vec3<T>& direction) const {
+    if (factor_ < 0) direction = -direction;
+  }
+  void adjust(SurfacePoint<T>& found, const Vec3<T>& p) const;
+  void adjust(Crossing<T>& found) const;
 
-  [[nodiscard]] Vec3<T> mirrored(const Vec3<T>& direction) const;
+  std::string localName() const override { return "Scaled by " + detail::toText(double{factor_}); }
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override { return image(this->operand().boundingBox()); }
+  Box<T> localClearanceBox() const override { return image(this->operand().clearanceBox()); }
+
   [[nodiscard]] Box<T> image(const Box<T>& box) const;
-  [[nodiscard]] OrientedBox<T> shrunk(const OrientedBox<T>& box) const;
-  /// The operand's result for `p`, scaled to this solid's size.
-  [[nodiscard]] SurfacePoint<T> grown(SurfacePoint<T> found, const Vec3<T>& p) const;
 
   T factor_;
 };

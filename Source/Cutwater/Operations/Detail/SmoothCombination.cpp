@@ -1,7 +1,10 @@
+#include <Cutwater/Core/Detail/Batches.hpp>
+#include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Detail/DerivedGuarantee.hpp>
 #include <Cutwater/Operations/Detail/Offset.hpp>
 #include <Cutwater/Operations/Detail/SmoothCombination.hpp>
+#include <Cutwater/Operations/Detail/SmoothMinimum.hpp>
 
 #include <algorithm>
 #include <array>
@@ -61,44 +64,43 @@ constexpr std::size_t kFew = 8;
 template <std::floating_point T>
 SmoothCombination<T>::SmoothCombination(Result result, std::vector<Solid<T>> operands,
                                         const Smoothing<T>& smoothing)
-    : result_(result), operands_(std::move(operands)), smoothing_(smoothing), patches_(operands_) {
-  require(!operands_.empty(), "smooth combination: need an operand");
+    : Composite<T>(std::move(operands)), result_(result), smoothing_(smoothing) {
+  require(count() > 0, "smooth combination: need an operand");
   require(smoothing.reach > 0 && std::isfinite(smoothing.reach),
           "smooth combination: need 0 < reach < infinity", Named{"reach", smoothing.reach});
   deriveGuarantee();
   deriveBoxes();
   std::vector<detail::OperandBound<T>> bounds;
-  for (const auto& operand : operands_) {
-    bounds.push_back(detail::boundOf(operand, result == Result::Intersection));
+  for (const auto& each : this->operands()) {
+    bounds.push_back(detail::boundOf(each, result == Result::Intersection));
   }
   tree_ = detail::OperandTree<T>(bounds, nullptr);
 }
 
 template <std::floating_point T>
 void SmoothCombination<T>::deriveGuarantee() {
-  guarantee_ = operands_[0].guarantee();
-  for (const auto& operand : operands_) {
-    guarantee_ = detail::common(guarantee_, operand.guarantee());
-  }
+  guarantee_ = this->operand(0).guarantee();
+  for (const auto& each : this->operands())
+    guarantee_ = detail::common(guarantee_, each.guarantee());
   guarantee_.outside = guarantee_.inside = detail::qualityBy(guarantee_.lipschitz);
   const T k = smoothing_.reach;
   guarantee_.size += k;
   guarantee_.ulps +=
-      2 + detail::SmoothMinimum<T>::ulps(smoothing_, operands_.size()) * (k / guarantee_.size);
+      2 + detail::SmoothMinimum<T>::ulps(smoothing_, count()) * (k / guarantee_.size);
 }
 
 template <std::floating_point T>
 void SmoothCombination<T>::deriveBoxes() {
-  clearanceBox_ = detail::clearanceBoxOf<T>(operands_, result_ == Result::Union);
+  clearanceBox_ = detail::clearanceBoxOf<T>(this->operands(), result_ == Result::Union);
   if (result_ == Result::Intersection) {  // no larger than the plain one
-    boundingBox_ = operands_[0].boundingBox();
-    for (const auto& operand : operands_) {
-      boundingBox_ = boundingBox_.intersection(operand.boundingBox());
+    boundingBox_ = this->operand(0).boundingBox();
+    for (const auto& each : this->operands()) {
+      boundingBox_ = boundingBox_.intersection(each.boundingBox());
     }
   } else {
-    const T most = detail::SmoothMinimum<T>::mostAdded(smoothing_, operands_.size());
-    for (const auto& operand : operands_) {
-      boundingBox_.extend(Offset<T>(operand, most).boundingBox());
+    const T most = detail::SmoothMinimum<T>::mostAdded(smoothing_, count());
+    for (const auto& each : this->operands()) {
+      boundingBox_.extend(Offset<T>(each, most).boundingBox());
     }
     clearanceBox_ = guarantee_.grown(clearanceBox_.grown(most));
   }
@@ -109,7 +111,7 @@ template <std::floating_point T>
 template <typename Ask>
 void SmoothCombination<T>::forEachAt(const Vec3<T>& p, T limit, Ask&& ask) const {
   if (isExponential() || !tree_.helpsAt(p)) {
-    for (std::size_t i = 0; i < operands_.size(); ++i) ask(i);
+    for (std::size_t i = 0; i < count(); ++i) ask(i);
     return;
   }
   for (const auto i : tree_.always()) limit = ask(i);
@@ -120,7 +122,7 @@ template <std::floating_point T>
 template <typename Ask>
 void SmoothCombination<T>::forEachIn(const OrientedBox<T>& box, T limit, Ask&& ask) const {
   if (isExponential() || !tree_.helpsAt(box.center, box.radius())) {
-    for (std::size_t i = 0; i < operands_.size(); ++i) ask(i);
+    for (std::size_t i = 0; i < count(); ++i) ask(i);
     return;
   }
   for (const auto i : tree_.always()) limit = ask(i);
@@ -172,7 +174,7 @@ T SmoothCombination<T>::foldedAt(const Vec3<T>& p, Visit&& visit) const {
   return side() * folded(
                       [&](T limit, auto&& ask) {
                         forEachAt(p, limit, [&](std::size_t i) {
-                          return ask(i, side() * operands_[i].signedDistance(p));
+                          return ask(i, side() * this->operand(i).signedDistance(p));
                         });
                       },
                       visit);
@@ -187,30 +189,29 @@ template <std::floating_point T>
 void SmoothCombination<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                                 std::span<T> distances) const {
   constexpr std::size_t kMost = 64;  // points at a time: operands may keep rows on the stack, too
-  if (operands_.size() > kFew) {
+  if (count() > kFew) {
     return SignedDistanceFunction<T>::localSignedDistances(points, distances);
   }
-  std::array<std::array<T, kMost>, kFew> rows;
-  for (std::size_t first = 0; first < points.size(); first += kMost) {
-    const auto count = std::min(kMost, points.size() - first);
-    for (std::size_t i = 0; i < operands_.size(); ++i) {
-      operands_[i].signedDistances(points.subspan(first, count), std::span(rows[i]).first(count),
-                                   {.threads = 1});
+  std::array<Scratch<T, kMost>, kFew> rows;
+  detail::forBatches(points.size(), kMost, [&](std::size_t first, std::size_t some) {
+    for (std::size_t i = 0; i < count(); ++i) {
+      this->operand(i).signedDistances(points.subspan(first, some), rows[i].first(some),
+                                       {.threads = 1});
     }
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < some; ++k) {
       const auto each = [&](T, auto&& ask) {
-        for (std::size_t i = 0; i < operands_.size(); ++i) ask(i, side() * rows[i][k]);
+        for (std::size_t i = 0; i < count(); ++i) ask(i, side() * rows[i][k]);
       };
       distances[first + k] = side() * folded(each, kIgnore);
     }
-  }
+  });
 }
 
 template <std::floating_point T>
 Vec3<T> SmoothCombination<T>::localGradient(const Vec3<T>& p) const {
   Vec3<T> gradient;
   static_cast<void>(foldedAt(p, [&](std::size_t i, T weight) {
-    gradient = (1 - weight) * gradient + weight * operands_[i].gradient(p);
+    gradient = (1 - weight) * gradient + weight * this->operand(i).gradient(p);
   }));
   return gradient;
 }
@@ -219,10 +220,10 @@ template <std::floating_point T>
 SurfaceOwner SmoothCombination<T>::localOwner(const Vec3<T>& p) const {
   Ranked<T> least{kInf<T>, 0};
   forEachAt(p, kInf<T>, [&](std::size_t i) {
-    least = std::min(least, Ranked<T>{side() * operands_[i].signedDistance(p), i});
+    least = std::min(least, Ranked<T>{side() * this->operand(i).signedDistance(p), i});
     return least.value;
   });
-  return patches_.counted(operands_[least.operand].owner(p), least.operand);
+  return this->counted(this->operand(least.operand).owner(p), least.operand);
 }
 
 template <std::floating_point T>
@@ -231,8 +232,8 @@ Interval<T> SmoothCombination<T>::localBounds(const OrientedBox<T>& box, BoxHint
   // would be 2^n times.
   std::array<std::optional<Interval<T>>, kFew> known;
   const auto rangeOf = [&](std::size_t i) {
-    if (i >= kFew) return this->boundsOf(operands_[i], box);
-    if (!known[i]) known[i] = this->boundsOf(operands_[i], box);
+    if (i >= kFew) return this->boundsOf(this->operand(i), box);
+    if (!known[i]) known[i] = this->boundsOf(this->operand(i), box);
     return *known[i];
   };
   // The smooth minimum grows with each of its arguments.
@@ -245,20 +246,14 @@ Interval<T> SmoothCombination<T>::localBounds(const OrientedBox<T>& box, BoxHint
     };
     const T value = folded(each, kIgnore);
     if (!std::isfinite(value)) return value;
-    const T rounding =
-        2 * kEps<T> *
-        (3 * std::abs(value) +
-         detail::SmoothMinimum<T>::ulps(smoothing_, operands_.size()) * smoothing_.reach);
+    const T rounding = 2 * kEps<T> *
+                       (3 * std::abs(value) +
+                        detail::SmoothMinimum<T>::ulps(smoothing_, count()) * smoothing_.reach);
     return isLower ? value - rounding : value + rounding;
   };
   const Interval<T> range{end(true), end(false)};
   if (std::isnan(range.lower) || std::isnan(range.upper)) return Interval<T>::everything();
   return side() > 0 ? range : -range;
-}
-
-template <std::floating_point T>
-std::vector<std::string> SmoothCombination<T>::localPatchNames() const {
-  return detail::OperandPatches<T>::names(operands_);
 }
 
 template class SmoothCombination<float>;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Cutwater/Operations/Detail/OperandPatches.hpp>
+#include <Cutwater/Operations/Detail/Composite.hpp>
 #include <Cutwater/Operations/Detail/OperandTree.hpp>
-#include <Cutwater/Operations/SmoothMinimum.hpp>
+#include <Cutwater/Operations/Smoothing.hpp>
 
 namespace cutwater {
 
@@ -23,7 +23,7 @@ namespace cutwater {
 /// each operand. If there are many, those out of reach are skipped where the rules of OperandTree
 /// allow, unless the kind is Exponential.
 template <std::floating_point T>
-class SmoothCombination final : public SignedDistanceFunction<T> {
+class SmoothCombination final : public Composite<T> {
  public:
   /// What the result is without the fillets.
   enum class Result : std::uint8_t { Union, Intersection };
@@ -32,6 +32,8 @@ class SmoothCombination final : public SignedDistanceFunction<T> {
   SmoothCombination(Result result, std::vector<Solid<T>> operands, const Smoothing<T>& smoothing);
 
  private:
+  using Composite<T>::count;
+
   T localSignedDistance(const Vec3<T>& p) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   Vec3<T> localGradient(const Vec3<T>& p) const override;
@@ -40,12 +42,8 @@ class SmoothCombination final : public SignedDistanceFunction<T> {
   Guarantee<T> localGuarantee() const override { return guarantee_; }
   Box<T> localBoundingBox() const override { return boundingBox_; }
   Box<T> localClearanceBox() const override { return clearanceBox_; }
-  std::vector<std::string> localPatchNames() const override;
   std::string localName() const override {
     return result_ == Result::Union ? "Smooth union" : "Smooth intersection";
-  }
-  void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const override {
-    for (const auto& operand : operands_) visit(operand);
   }
 
   void deriveGuarantee();
@@ -71,9 +69,7 @@ class SmoothCombination final : public SignedDistanceFunction<T> {
   [[nodiscard]] T foldedAt(const Vec3<T>& p, Visit&& visit) const;
 
   Result result_;
-  std::vector<Solid<T>> operands_;
   Smoothing<T> smoothing_;
-  detail::OperandPatches<T> patches_;
   Guarantee<T> guarantee_;
   Box<T> boundingBox_;
   Box<T> clearanceBox_;

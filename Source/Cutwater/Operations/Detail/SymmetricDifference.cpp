@@ -52,7 +52,7 @@ SurfacePoint<T> SymmetricDifference<T>::localClosestPoint(const Vec3<T>& p) cons
   if (at.turns) found.normal = -found.normal;
   found.owner = this->counted(found.owner, at.operand);
   found.distance = at.value;
-  detail::rate(found, p, residual, promise);
+  detail::setTolerance(found, p, residual, promise);
   return found;
 }
 

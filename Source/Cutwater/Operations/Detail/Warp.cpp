@@ -1,12 +1,11 @@
 #include <Cutwater/Operations/Detail/DerivedGuarantee.hpp>
-#include <Cutwater/Operations/Detail/Displacement.hpp>
 #include <Cutwater/Operations/Detail/Warp.hpp>
 
 namespace cutwater {
 
 template <std::floating_point T>
-Warp<T>::Warp(Solid<T> operand, const FunctionLimits<T>& limits)
-    : PointMap<T>(std::move(operand)), limits_(limits) {
+Warp<T>::Warp(Solid<T> operand, detail::PointShift<T> shift, const FunctionLimits<T>& limits)
+    : PointMap<T>(std::move(operand)), shift_(std::move(shift)), limits_(limits) {
   detail::requireLimits("warped", limits);
 }
 
@@ -30,7 +29,7 @@ Vec3<T> Warp<T>::pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const {
   for (int axis = 0; axis < 3; ++axis) {
     Vec3<T> step;
     step[axis] = delta;
-    result[axis] += dot(shift(p + step) - shift(p - step), gradient) / (2 * delta);
+    result[axis] += dot(shift_(p + step) - shift_(p - step), gradient) / (2 * delta);
   }
   return result;
 }
@@ -41,7 +40,7 @@ Guarantee<T> Warp<T>::localGuarantee() const {
   const T stretch = 1 + limits_.lipschitz;
   // |p + v(p)| <= stretch |p| + |v(0)|, and the rounding of v moves the point.
   promise.ulps = stretch * (promise.ulps + (limits_.ulps + 1) * promise.lipschitz.value_or(T(1)));
-  promise.size += length(shift({}));
+  promise.size += length(shift_({}));
   if (promise.lipschitz) promise.lipschitz = *promise.lipschitz * stretch;
   promise.outside = promise.inside = detail::qualityBy(promise.lipschitz);
   if (promise.domain != Box<T>::everywhere()) {

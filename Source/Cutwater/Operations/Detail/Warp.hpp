@@ -1,7 +1,7 @@
 #pragma once
 
+#include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/Detail/PointMap.hpp>
-#include <Cutwater/Sdf/FunctionSDF.hpp>
 
 namespace cutwater {
 
@@ -13,37 +13,21 @@ namespace cutwater {
 /// than 1, values are not bounds of the distance, but box queries and crossings are certain all the
 /// same. Patches are the operand's.
 template <std::floating_point T>
-class Warp : public PointMap<T> {
- protected:
-  /// @throws Error unless the limits are finite or none, and not negative.
-  Warp(Solid<T> operand, const FunctionLimits<T>& limits);
-
-  /// v(p).
-  [[nodiscard]] virtual Vec3<T> shift(const Vec3<T>& p) const = 0;
-
- private:
-  std::string localName() const final { return "Warp"; }
-  Vec3<T> mapped(const Vec3<T>& p) const final { return p + shift(p); }
-  OrientedBox<T> mapped(const OrientedBox<T>& box) const final;
-  Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const final;
-  Guarantee<T> localGuarantee() const final;
-  Box<T> localBoundingBox() const final;
-
-  FunctionLimits<T> limits_;
-};
-
-/// The same with any callable that takes a point and returns a shift. It is called from several
-/// threads at once and must not throw.
-template <std::floating_point T, typename Function>
-class WarpBy final : public Warp<T> {
+class Warp final : public PointMap<T> {
  public:
-  WarpBy(Solid<T> operand, Function function, const FunctionLimits<T>& limits)
-      : Warp<T>(std::move(operand), limits), function_(std::move(function)) {}
+  /// @throws Error unless the limits are finite or none, and not negative.
+  Warp(Solid<T> operand, detail::PointShift<T> shift, const FunctionLimits<T>& limits);
 
  private:
-  Vec3<T> shift(const Vec3<T>& p) const override { return function_(p); }
+  std::string localName() const override { return "Warp"; }
+  Vec3<T> mapped(const Vec3<T>& p) const override { return p + shift_(p); }
+  OrientedBox<T> mapped(const OrientedBox<T>& box) const override;
+  Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const override;
+  Guarantee<T> localGuarantee() const override;
+  Box<T> localBoundingBox() const override;
 
-  Function function_;
+  detail::PointShift<T> shift_;  // v
+  FunctionLimits<T> limits_;
 };
 
 extern template class Warp<float>;

@@ -1,4 +1,4 @@
-#include <Cutwater/Core/AffineMap.hpp>
+#include <Cutwater/Core/Detail/DomainUnder.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ class Projection {
     result.distance = startValue_;
     result.owner = field_.owner(point_);
     result.normal = normal_;
-    rate(result, start_, residual_, field_.guarantee);
+    setTolerance(result, start_, residual_, field_.guarantee);
     return result;
   }
 
@@ -142,12 +142,13 @@ std::optional<SurfacePoint<T>> steppedPoint(FunctionRef<T(const Vec3<T>&)> value
   const T residual = value(found.point);
   const T allowed = guarantee.error(length(p) + length(found.point));
   if (!(std::abs(residual) <= allowed)) return {};
-  rate(found, p, residual, guarantee);
+  setTolerance(found, p, residual, guarantee);
   return found;
 }
 
 template <std::floating_point T>
-void rate(SurfacePoint<T>& result, const Vec3<T>& p, T residual, const Guarantee<T>& guarantee) {
+void setTolerance(SurfacePoint<T>& result, const Vec3<T>& p, T residual,
+                  const Guarantee<T>& guarantee) {
   if (guarantee.quality(result.distance) == Quality::SignOnly) return;
   if (!guarantee.domain.contains(p)) return;
   // The surface is no nearer than |value|, and one of its points is this much farther away.
@@ -329,7 +330,7 @@ Interval<T> distanceRange(const Interval<T>& values, const Guarantee<T>& guarant
 template <std::floating_point T>
 Guarantee<T> placed(Guarantee<T> local, const RigidTransform<T>& placement) {
   if (placement.isIdentity()) return local;
-  // transformPoint() moves the point by up to one rounding error of the offset's size, and a
+  // The motion moves the point by up to one rounding error of the offset's size, and a
   // rotation by up to eight more; the value changes accordingly, by the Lipschitz constant.
   local.ulps += local.lipschitz.value_or(T(1)) * (placement.isRotated() ? T(9) : T(1));
   local.size += length(placement.offset());
@@ -361,8 +362,10 @@ template std::optional<SurfacePoint<double>> steppedPoint(FunctionRef<double(con
                                                           const Vec3<double>&, double,
                                                           const Vec3<double>&,
                                                           const Guarantee<double>&);
-template void rate(SurfacePoint<float>&, const Vec3<float>&, float, const Guarantee<float>&);
-template void rate(SurfacePoint<double>&, const Vec3<double>&, double, const Guarantee<double>&);
+template void setTolerance(SurfacePoint<float>&, const Vec3<float>&, float,
+                           const Guarantee<float>&);
+template void setTolerance(SurfacePoint<double>&, const Vec3<double>&, double,
+                           const Guarantee<double>&);
 template CrossingCount isolatedCrossings(const Field<float>&, const Segment<float>&,
                                          CrossingVisitor<float>);
 template CrossingCount isolatedCrossings(const Field<double>&, const Segment<double>&,

@@ -41,11 +41,12 @@ std::optional<SurfacePoint<T>> steppedPoint(FunctionRef<T(const Vec3<T>&)> value
                                             T atP, const Vec3<T>& gradient,
                                             const Guarantee<T>& guarantee);
 
-/// Fills in what is known about how near `result.point` is to the surface point nearest to `p`,
-/// where the function has the value result.distance: nothing if the guarantee does not hold at `p`.
-/// `residual` is the value at result.point.
+/// Sets result.tolerance and result.exact: how near result.point is to the surface point nearest to
+/// `p`, where the function has the value result.distance. Leaves them alone if the guarantee does
+/// not hold at `p`. `residual` is the value at result.point.
 template <std::floating_point T>
-void rate(SurfacePoint<T>& result, const Vec3<T>& p, T residual, const Guarantee<T>& guarantee);
+void setTolerance(SurfacePoint<T>& result, const Vec3<T>& p, T residual,
+                  const Guarantee<T>& guarantee);
 
 /// Finds crossings with the Lipschitz constant: a stretch whose ends have the same sign has none if
 /// |f(a)| + |f(b)| > L |b - a|. Other stretches are halved down to rounding or, if there is no

@@ -1,5 +1,5 @@
 #include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
-#include <Cutwater/Core/DoubleDouble.hpp>
+#include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/Surface/Detail/InsideOut.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
 #include <Cutwater/Triangles/SurfaceLocation.hpp>

@@ -1,4 +1,4 @@
-#include <Cutwater/Core/OutputFile.hpp>
+#include <Cutwater/Core/Detail/OutputFile.hpp>
 #include <Cutwater/Io/Pvtu.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
 #include <Cutwater/P4est/DistributedVtu.hpp>

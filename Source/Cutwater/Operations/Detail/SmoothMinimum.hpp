@@ -1,32 +1,12 @@
 #pragma once
 
+#include <Cutwater/Operations/Smoothing.hpp>
+
 #include <cmath>
-#include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <numbers>
 
-namespace cutwater {
-
-/// How the edge is rounded where two solids meet smoothly.
-enum class SmoothKind : std::uint8_t {
-  Quadratic,    ///< continuous normals
-  Cubic,        ///< continuous curvature
-  Circular,     ///< an arc of a circle, for surfaces at a right angle; continuous normals
-  Exponential,  ///< log-sum-exp: smooth everywhere, and independent of the operands' order; costs
-                ///< an exp per operand, and reaches everywhere
-};
-
-/// Parameters of a smooth union, intersection or difference.
-template <std::floating_point T>
-struct Smoothing {
-  /// Operands whose values differ by this much or more do not affect each other; for Exponential, k
-  /// in -k log(sum exp(-f / k)), whose effect fades but has no such end.
-  T reach{};
-  SmoothKind kind = SmoothKind::Quadratic;
-};
-
-namespace detail {
+namespace cutwater::detail {
 
 /// A smooth minimum: takes one number after the other, in ascending order unless Exponential.
 ///
@@ -72,6 +52,4 @@ class SmoothMinimum {
 extern template class SmoothMinimum<float>;
 extern template class SmoothMinimum<double>;
 
-}  // namespace detail
-
-}  // namespace cutwater
+}  // namespace cutwater::detail

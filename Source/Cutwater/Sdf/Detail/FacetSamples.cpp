@@ -1,4 +1,4 @@
-#include <Cutwater/Sdf/SurfaceFacet.hpp>
+#include <Cutwater/Sdf/Detail/FacetSamples.hpp>
 
 #include <cmath>
 

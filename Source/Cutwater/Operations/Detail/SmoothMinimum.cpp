@@ -1,4 +1,4 @@
-#include <Cutwater/Operations/SmoothMinimum.hpp>
+#include <Cutwater/Operations/Detail/SmoothMinimum.hpp>
 
 #include <algorithm>
 

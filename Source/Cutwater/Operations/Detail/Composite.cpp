@@ -1,12 +1,12 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Operations/Detail/OperandPatches.hpp>
+#include <Cutwater/Operations/Detail/Composite.hpp>
 
-namespace cutwater::detail {
+namespace cutwater {
 
 template <std::floating_point T>
-OperandPatches<T>::OperandPatches(std::span<const Solid<T>> operands) {
+Composite<T>::Composite(std::vector<Solid<T>> operands) : operands_(std::move(operands)) {
   std::size_t patches = 0;
-  for (const auto& operand : operands) {
+  for (const auto& operand : operands_) {
     firstPatch_.push_back(static_cast<std::uint32_t>(patches));
     patches += operand.patchNames().size();
   }
@@ -14,22 +14,22 @@ OperandPatches<T>::OperandPatches(std::span<const Solid<T>> operands) {
 }
 
 template <std::floating_point T>
-SurfaceOwner OperandPatches<T>::counted(SurfaceOwner owner, std::size_t operand) const {
+SurfaceOwner Composite<T>::counted(SurfaceOwner owner, std::size_t operand) const {
   owner.object = static_cast<std::uint32_t>(operand);
   owner.patch += firstPatch_[operand];
   return owner;
 }
 
 template <std::floating_point T>
-std::vector<std::string> OperandPatches<T>::names(std::span<const Solid<T>> operands) {
+std::vector<std::string> Composite<T>::localPatchNames() const {
   std::vector<std::string> names;
-  for (const auto& operand : operands) {
+  for (const auto& operand : operands_) {
     for (auto& name : operand.patchNames()) names.push_back(std::move(name));
   }
   return names;
 }
 
-template class OperandPatches<float>;
-template class OperandPatches<double>;
+template class Composite<float>;
+template class Composite<double>;
 
-}  // namespace cutwater::detail
+}  // namespace cutwater

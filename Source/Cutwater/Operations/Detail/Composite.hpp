@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Cutwater/Sdf/Solid.hpp>
+
+#include <vector>
+
+namespace cutwater {
+
+/// Base of operators on several operands: holds them, and numbers their patches one after the
+/// other.
+template <std::floating_point T>
+class Composite : public SignedDistanceFunction<T> {
+ public:
+  [[nodiscard]] const std::vector<Solid<T>>& operands() const { return operands_; }
+
+ protected:
+  /// @throws Error if there are more patches than 32-bit ids can count.
+  explicit Composite(std::vector<Solid<T>> operands);
+
+  [[nodiscard]] const Solid<T>& operand(std::size_t i) const { return operands_[i]; }
+  [[nodiscard]] std::size_t count() const { return operands_.size(); }
+  /// Converts an owner that an operand returned to this solid's numbering.
+  [[nodiscard]] SurfaceOwner counted(SurfaceOwner owner, std::size_t operand) const;
+
+  std::vector<std::string> localPatchNames() const override;
+  void forEachOperand(FunctionRef<void(const SignedDistanceFunction<T>&)> visit) const override {
+    for (const auto& operand : operands_) visit(operand);
+  }
+
+ private:
+  std::vector<Solid<T>> operands_;
+  std::vector<std::uint32_t> firstPatch_;
+};
+
+extern template class Composite<float>;
+extern template class Composite<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <Cutwater/Sdf/SurfaceFacet.hpp>
+
+namespace cutwater::detail {
+
+/// Visits the surface points nearest to a few points of a box, if they lie in it or nearly so.
+template <std::floating_point T>
+void sampleFacets(FunctionRef<SurfacePoint<T>(const Vec3<T>&)> closestPoint,
+                  const OrientedBox<T>& box, FacetVisitor<T> visit);
+
+}  // namespace cutwater::detail

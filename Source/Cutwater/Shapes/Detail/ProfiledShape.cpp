@@ -1,0 +1,35 @@
+#include <Cutwater/Shapes/Detail/CapsuleProfile.hpp>
+#include <Cutwater/Shapes/Detail/ConeSphereProfile.hpp>
+#include <Cutwater/Shapes/Detail/FrustumProfile.hpp>
+#include <Cutwater/Shapes/Detail/ProfiledShape.hpp>
+
+namespace cutwater {
+
+template <std::floating_point T, typename Profile>
+T ProfiledShape<T, Profile>::profileDistance(const ProfilePoint<T>& p) const {
+  return profile_.distance(p);
+}
+
+template <std::floating_point T, typename Profile>
+ProfilePoint<T> ProfiledShape<T, Profile>::profileGradient(const ProfilePoint<T>& p) const {
+  return profile_.gradient(p);
+}
+
+template <std::floating_point T, typename Profile>
+Guarantee<T> ProfiledShape<T, Profile>::localGuarantee() const {
+  return Guarantee<T>::exact(size_);
+}
+
+template <std::floating_point T, typename Profile>
+Box<T> ProfiledShape<T, Profile>::localBoundingBox() const {
+  return localGuarantee().grown(profile_.box(this->rotationAxis()));
+}
+
+template class ProfiledShape<float, detail::CapsuleProfile<float>>;
+template class ProfiledShape<double, detail::CapsuleProfile<double>>;
+template class ProfiledShape<float, detail::ConeSphereProfile<float>>;
+template class ProfiledShape<double, detail::ConeSphereProfile<double>>;
+template class ProfiledShape<float, detail::FrustumProfile<float>>;
+template class ProfiledShape<double, detail::FrustumProfile<double>>;
+
+}  // namespace cutwater
