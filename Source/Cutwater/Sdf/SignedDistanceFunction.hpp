@@ -115,6 +115,11 @@ class SignedDistanceFunction {
   [[nodiscard]] const RigidTransform<T>& placement() const { return placement_; }
   void setPlacement(const RigidTransform<T>& placement) { placement_ = placement; }
 
+  /// From the world to the shape's own frame. Already applied when a local function is called.
+  [[nodiscard]] Vec3<T> transformPoint(const Vec3<T>& point) const {
+    return placement_.toLocal(point);
+  }
+
  protected:
   // Copying is for subclasses only: through the base it would slice.
   SignedDistanceFunction() = default;
