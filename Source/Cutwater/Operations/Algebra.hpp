@@ -6,37 +6,18 @@
 #include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
-#include <memory>
 #include <string>
 #include <vector>
 
 /// Operators and functions that combine solids: they take shapes and Solids alike and return
 /// Solids.
 ///
-///     const auto body = rounded(hull, 0.1) | translated(mast, {2, 0, 0}) - hatch;
+///     const auto body = offset(hull, 0.1) | translated(mast, {2, 0, 0}) - hatch;
 ///
 /// `-` binds tighter than `&`, `&` tighter than `^`, and `^` tighter than `|`.
 namespace cutwater {
 
 namespace detail {
-
-/// Any callable that takes a point and returns a vector. Copies share it.
-template <std::floating_point T>
-class PointShift {
- public:
-  template <typename Function>
-  explicit PointShift(Function function)
-      : function_(std::make_shared<const Function>(std::move(function))),
-        call_([](const void* f, const Vec3<T>& p) -> Vec3<T> {
-          return (*static_cast<const Function*>(f))(p);
-        }) {}
-
-  [[nodiscard]] Vec3<T> operator()(const Vec3<T>& p) const { return call_(function_.get(), p); }
-
- private:
-  std::shared_ptr<const void> function_;
-  Vec3<T> (*call_)(const void* function, const Vec3<T>& p);
-};
 
 // Work on Solids; out of line, so that a user's file parses no operator it does not use.
 template <std::floating_point T>

@@ -4,6 +4,7 @@
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 #include <concepts>
+#include <memory>
 #include <utility>
 
 namespace cutwater {
@@ -66,6 +67,24 @@ struct FunctionLimits {
 };
 
 namespace detail {
+
+/// Any callable that takes a point and returns a vector. Copies share it.
+template <std::floating_point T>
+class PointShift {
+ public:
+  template <typename Function>
+  explicit PointShift(Function function)
+      : function_(std::make_shared<const Function>(std::move(function))),
+        call_([](const void* f, const Vec3<T>& p) -> Vec3<T> {
+          return (*static_cast<const Function*>(f))(p);
+        }) {}
+
+  [[nodiscard]] Vec3<T> operator()(const Vec3<T>& p) const { return call_(function_.get(), p); }
+
+ private:
+  std::shared_ptr<const void> function_;
+  Vec3<T> (*call_)(const void* function, const Vec3<T>& p);
+};
 
 /// @throws Error, as from the operator `name`, unless the Lipschitz constant is finite and no limit
 /// is negative.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/Detail/PointMap.hpp>
+#include <Cutwater/Sdf/FunctionSDF.hpp>
 
 namespace cutwater {
 
