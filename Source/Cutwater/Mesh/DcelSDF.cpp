@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
-#include <Cutwater/Mesh/Detail/TriangleSurfaceData.hpp>
+#include <Cutwater/Mesh/Detail/TriangleSurfaceArrays.hpp>
 #include <Cutwater/Surface/Detail/PatchNames.hpp>
 #include <Cutwater/Surface/MeshReport.hpp>
 
@@ -13,7 +13,7 @@ template <std::floating_point T>
 DcelSDF<T>::DcelSDF(DcelMesh<T> mesh)
     : mesh_(std::make_shared<const DcelMesh<T>>(std::move(mesh))),
       patchNames_(detail::patchNamesOf(*mesh_)) {
-  const TriangleSurfaceData<T> data(*mesh_);
+  const TriangleSurfaceArrays<T> data(*mesh_);
   if (!data.openEdges().empty()) {
     throw Error(ErrorKind::Topology,
                 "the surface is not closed and consistently oriented: " + check(*mesh_).summary());

@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
-#include <Cutwater/Mesh/Detail/TriangleSurfaceData.hpp>
+#include <Cutwater/Mesh/Detail/TriangleSurfaceArrays.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/Detail/PatchNames.hpp>
 #include <Cutwater/Surface/MeshReport.hpp>
@@ -45,7 +45,7 @@ MeshSDF<T>::MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options) : op
   const auto data = [&] {
     const DcelMesh<T> mesh(soup);  // needed only here
     names = joined(detail::patchNamesOf(mesh));
-    return TriangleSurfaceData<T>(mesh);
+    return TriangleSurfaceArrays<T>(mesh);
   }();
   build(data, buildTriangleTree(data.positions(), data.triangles()), names,
         [&] { return check(DcelMesh<T>(soup)).summary(); });
@@ -53,7 +53,7 @@ MeshSDF<T>::MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options) : op
 
 template <std::floating_point T>
 MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) : options_(options) {
-  const TriangleSurfaceData<T> data(mesh);
+  const TriangleSurfaceArrays<T> data(mesh);
   build(data, buildTriangleTree(data.positions(), data.triangles()),
         joined(detail::patchNamesOf(mesh)), [&] { return check(mesh).summary(); });
 }
@@ -73,7 +73,7 @@ MeshSDF<T> MeshSDF<T>::refitted(std::span<const Vec3<T>> positions) const {
   result.options_ = options_;
   result.setPlacement(this->placement());
   const auto insideOut = block_.array<std::uint32_t>(layout_.insideOut);
-  const TriangleSurfaceData<T> data(surface, this->signReport(), insideOut, positions);
+  const TriangleSurfaceArrays<T> data(surface, this->signReport(), insideOut, positions);
   result.build(data, refittedTriangleTree(tree_, data.positions(), data.triangles()),
                block_.array<char>(layout_.patchNames),
                [&] { return check(DcelMesh<T>(trianglesOf(surface, positions))).summary(); });
@@ -81,14 +81,14 @@ MeshSDF<T> MeshSDF<T>::refitted(std::span<const Vec3<T>> positions) const {
 }
 
 template <std::floating_point T>
-void MeshSDF<T>::build(const TriangleSurfaceData<T>& data, const TriangleTreeArrays& tree,
+void MeshSDF<T>::build(const TriangleSurfaceArrays<T>& data, const TriangleTreeArrays& tree,
                        std::span<const char> patchNames, FunctionRef<std::string()> defects) {
   const auto packets = packTriangles(data.positions(), data.triangles(), tree.tree());
   const auto hulls = buildHulls(data.positions(), data.triangles(), tree.tree());
   const bool needsWinding =
       !data.openEdges().empty() && options_.signs != SignScheme::NearestFeature;
-  const auto winding =
-      needsWinding ? OpenWindingData(data.positions(), data.openEdges()) : OpenWindingData();
+  const auto winding = needsWinding ? CappedWindingArrays(data.positions(), data.openEdges())
+                                    : CappedWindingArrays();
 
   BlockWriter writer;
   MeshLayout<T> layout;  // sections in the order of visitArrays()
@@ -126,7 +126,7 @@ void MeshSDF<T>::takeBlock(Block block, const MeshLayout<T>& layout) {
 }
 
 template <std::floating_point T>
-void MeshSDF<T>::checkSurface(const TriangleSurfaceData<T>& data, bool needsWinding) {
+void MeshSDF<T>::checkSurface(const TriangleSurfaceArrays<T>& data, bool needsWinding) {
   auto signs = checkSigns<T>(this->surface(), data, this->search(), options_.probes);
   if (needsWinding) probeAmbiguity(options_.probes, signs);
   if (options_.findSelfIntersections) {

@@ -99,16 +99,16 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   void around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const override;
   bool isSurrounded(const Vec3<T>& p) const override;
   bool isDecided(const Box<double>& box) const override;
-  const OpenWinding* openWinding() const override { return &winding_; }
+  const CappedWinding* openWinding() const override { return &winding_; }
   std::vector<std::string> localPatchNames() const override;
 
   MeshSDF() = default;
   /// `defects` describes a surface that is refused in more detail.
-  void build(const TriangleSurfaceData<T>& data, const TriangleTreeArrays& tree,
+  void build(const TriangleSurfaceArrays<T>& data, const TriangleTreeArrays& tree,
              std::span<const char> patchNames, FunctionRef<std::string()> defects);
   void takeBlock(Block block, const MeshLayout<T>& layout);
   [[nodiscard]] std::vector<std::byte> header(std::uint64_t source) const;
-  void checkSurface(const TriangleSurfaceData<T>& data, bool needsWinding);
+  void checkSurface(const TriangleSurfaceArrays<T>& data, bool needsWinding);
   void probeAmbiguity(std::size_t count, SignReport& signs) const;
 
   MeshSDFOptions options_;
@@ -116,7 +116,7 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   MeshLayout<T> layout_;
   TriangleTree tree_;
   TriangleSearch search_;
-  OpenWinding winding_;  // of a surface that is not closed
+  CappedWinding winding_;  // of a surface that is not closed
 };
 
 extern template class MeshSDF<float>;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Mesh/Detail/OpenWinding.hpp>
+#include <Cutwater/Mesh/Detail/CappedWinding.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 #include <Cutwater/Triangles/QueryBox.hpp>
@@ -60,7 +60,7 @@ class TriangleSurfaceSDF : public SignedDistanceFunction<T> {
   [[nodiscard]] virtual bool isSurrounded(const Vec3<T>& p) const = 0;
   [[nodiscard]] virtual bool isDecided(const Box<double>& box) const = 0;
   /// The winding number itself; none if the class takes only closed surfaces.
-  [[nodiscard]] virtual const OpenWinding* openWinding() const { return nullptr; }
+  [[nodiscard]] virtual const CappedWinding* openWinding() const { return nullptr; }
 
   /// Called by the subclass's constructor when the block is complete. The solid may reach beyond
   /// the triangles' box by `margin`, in scaled units.
