@@ -11,24 +11,12 @@ namespace cutwater {
 
 namespace {
 
-/// From this distance on, the whole surface, of size 1, is a point within rounding, but squares do
-/// not yet overflow. Points beyond are pulled in along their ray.
-template <std::floating_point T>
-constexpr T kFarthest = T(0x1p60);
-
 /// The least depth of a point inside a closed surface, so that a point whose distance rounds to 0
 /// keeps its sign: far below any error, but still not 0 after division by a surface's scale.
 template <std::floating_point T>
 constexpr T kLeastDepth = T(sizeof(T) == sizeof(float) ? 0x1p-63 : 0x1p-511);
 
 }  // namespace
-
-template <std::floating_point T, typename Index>
-Vec3<T> PointAnswers<T, Index>::scaled(const Vec3<T>& point) const {
-  const Vec3<T> p = surface().scale * point;
-  if (maxComponent(abs(p)) <= kFarthest<T>) return p;
-  return kFarthest<T> * (point / maxComponent(abs(point)));
-}
 
 template <std::floating_point T, typename Index>
 int PointAnswers<T, Index>::side(const Vec3<T>& p, const Nearest& nearest) const {
@@ -56,18 +44,12 @@ template <std::floating_point T, typename Index>
 T PointAnswers<T, Index>::valueAt(const Vec3<T>& point, const Vec3<T>& p,
                                   const Nearest& nearest) const {
   const int side = this->side(p, nearest);
-  const bool isFar = maxComponent(abs(p)) >= kFarthest<T>;
+  const bool isFar = maxComponent(abs(p)) >= kFarthest;
   if (isFar) return static_cast<T>(side) * std::hypot(point.x, point.y, point.z);
   const T magnitude = std::sqrt(nearest.distanceSquared);
   const T value =
       side < 0 ? -std::max(magnitude, kLeastDepth<T>) : static_cast<T>(side) * magnitude;
   return value / surface().scale;
-}
-
-template <std::floating_point T, typename Index>
-T PointAnswers<T, Index>::signedDistance(const Vec3<T>& point) const {
-  const Vec3<T> p = scaled(point);
-  return valueAt(point, p, index_.nearest(p));
 }
 
 template <std::floating_point T, typename Index>
@@ -83,7 +65,7 @@ T PointAnswers<T, Index>::signedDistanceWithin(const Vec3<T>& point,
   constexpr T kInf = std::numeric_limits<T>::infinity();
   const T radius = std::max(wanted.upper, T(0));
   const Vec3<T> p = scaled(point);
-  if (!(radius < kInf) || index_.signJumps() || maxComponent(abs(p)) >= kFarthest<T> ||
+  if (!(radius < kInf) || index_.signJumps() || maxComponent(abs(p)) >= kFarthest ||
       !leavesBox(point, radius)) {
     return signedDistance(point);
   }
@@ -111,12 +93,6 @@ void PointAnswers<T, Index>::signedDistances(std::span<const Vec3<T>> points,
   forNearest(points, [&](std::size_t i, const Vec3<T>& p, const Nearest& nearest) {
     distances[i] = valueAt(points[i], p, nearest);
   });
-}
-
-template <std::floating_point T, typename Index>
-SurfacePoint<T> PointAnswers<T, Index>::closestPoint(const Vec3<T>& point) const {
-  const Vec3<T> p = scaled(point);
-  return closestPointAt(point, p, index_.nearest(p));
 }
 
 template <std::floating_point T, typename Index>
