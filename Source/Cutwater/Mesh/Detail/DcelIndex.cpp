@@ -19,7 +19,7 @@ DcelIndex<T>::DcelIndex(DcelMesh<T> mesh)
   block_ = writer.finish();
   this->setSurface(sections.view(block_));
   const MeshSDFOptions options;
-  this->setSigns(checkSigns<T>(surface(), arrays, search(), options.probes), options.signs);
+  this->setSigns(checkSigns<T>(surface(), arrays, trianglesAlong(), options.probes), options.signs);
 }
 
 template <std::floating_point T>
@@ -34,11 +34,6 @@ auto DcelIndex<T>::nearest(const Vec3<T>& p) const -> Nearest {
 template <std::floating_point T>
 void DcelIndex<T>::nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const {
   for (std::size_t i = 0; i < points.size(); ++i) nearest[i] = this->nearest(points[i]);
-}
-
-template <std::floating_point T>
-void DcelIndex<T>::along(const Segment<double>& /*segment*/, TriangleVisitor visit) const {
-  for (std::uint32_t id = 0; id < surface().triangles.size(); ++id) visit({&id, 1});
 }
 
 template <std::floating_point T>

@@ -28,9 +28,10 @@ class DcelIndex final : public SignedSurface<T> {
     return nearest(p);
   }
   void nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const;
-  void along(const Segment<double>& segment, TriangleVisitor visit) const;
-  [[nodiscard]] auto search() const {
-    return [this](const Segment<double>& segment, TriangleVisitor visit) { along(segment, visit); };
+  [[nodiscard]] auto trianglesAlong() const {
+    return [this](const Segment<double>& /*segment*/, TriangleVisitor visit) {
+      for (std::uint32_t id = 0; id < surface().triangles.size(); ++id) visit({&id, 1});
+    };
   }
   [[nodiscard]] BoxOverlap overlapWith(const OrientedBox<double>& box, std::uint32_t& place) const;
   void around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const;

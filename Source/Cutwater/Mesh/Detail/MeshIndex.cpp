@@ -30,7 +30,7 @@ MeshIndex<T>::MeshIndex(const TriangleSurfaceArrays<T>& arrays, const TriangleTr
                         std::span<const char> patchNames, const MeshSDFOptions& options)
     : options_(options) {
   fill(arrays, tree, patchNames);
-  auto signs = checkSigns<T>(surface(), arrays, search(), options.probes);
+  auto signs = checkSigns<T>(surface(), arrays, trianglesAlong(), options.probes);
   if (needsWinding(arrays, options)) probeAmbiguity(signs);
   if (options.findSelfIntersections) {
     signs.selfIntersections =
@@ -89,7 +89,7 @@ void MeshIndex<T>::probeAmbiguity(SignReport& signs) const {
     const double w = winding_.estimate(surface(), metered, p, kAmbiguous / 100).value;
     if (std::abs(w - std::round(w)) > kAmbiguous) ++ambiguous;
   };
-  signs.probes = runProbes(options_.probes, surface().triangles.size(), search(), probe);
+  signs.probes = runProbes(options_.probes, surface().triangles.size(), trianglesAlong(), probe);
   signs.ambiguous = ambiguous;
 }
 

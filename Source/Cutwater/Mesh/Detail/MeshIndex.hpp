@@ -6,21 +6,21 @@
 
 namespace cutwater {
 
-/// Everything behind a MeshSDF, immutable and shared by its copies: one block of arrays, views of
-/// it, and the searches that find triangles. What follows once they are found is in PointAnswers,
-/// BoxAnswers and SegmentAnswers.
+/// Everything behind a MeshSDF, immutable and shared by its copies: one block of arrays, and the
+/// searches that find triangles in them. What follows once they are found is in PointAnswers,
+/// SegmentAnswers and BoxAnswers.
 ///
-/// In the block lie, at the places that MeshLayout lists, in the order in which they are made:
+/// MeshLayout says where in the block these lie:
 ///
-///     a view            the arrays it views       what it is
-///     TriangleSurface   TriangleSurfaceArrays     triangles: corners, neighbours, normals, owners
-///     TriangleTree      TriangleTreeArrays        a tree over their boxes
-///     ...               TrianglePackets           the tree's leaves in single precision
-///     ...               HullArrays                tighter bounds than boxes around fans of slivers
-///     CappedWinding     CappedWindingArrays       caps over the holes of an open surface
+///     TriangleSurface  from TriangleSurfaceArrays  corners, neighbours, normals, owners
+///     TriangleTree     from TriangleTreeArrays     a tree over the triangles' boxes
+///     TrianglePacket   from packTriangles()        the triangles of a leaf in single precision
+///     ChildHulls       from HullArrays             tighter bounds for nodes of slivers
+///     CappedWinding    from CappedWindingArrays    caps over the holes of a surface that is open
 ///
-/// TriangleSearch is what the kernels see of tree, packets and hulls, and KernelTriangles what they
-/// see of the surface: plain pointers.
+/// Those on the left are records in the block or views of it; what they come from owns the arrays
+/// until the block is written. KernelTriangles and TriangleSearch are plain pointers to surface and
+/// tree, for kernels: code that is compiled once per instruction set.
 ///
 /// Points, segments and boxes are in the surface's scaled units.
 template <std::floating_point T>
@@ -56,13 +56,11 @@ class MeshIndex final : public SignedSurface<T> {
   /// The same for each of the points.
   void nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const;
 
-  /// See TrianglesAlong.
-  void along(const Segment<double>& segment, TriangleVisitor visit) const {
-    tree_.along(segment, visit);
-  }
-  /// along() as a function object.
-  [[nodiscard]] auto search() const {
-    return [this](const Segment<double>& segment, TriangleVisitor visit) { along(segment, visit); };
+  /// A TrianglesAlong.
+  [[nodiscard]] auto trianglesAlong() const {
+    return [this](const Segment<double>& segment, TriangleVisitor visit) {
+      tree_.along(segment, visit);
+    };
   }
 
   /// The most certain of the results of QueryBox for the triangles. `place` records where the
@@ -79,10 +77,10 @@ class MeshIndex final : public SignedSurface<T> {
   // The winding number of a surface that is not closed: whether it exceeds 1/2 at the point, and
   // whether it certainly does so everywhere or nowhere in the box, apart from jumps at triangles.
   [[nodiscard]] bool isSurrounded(const Vec3<T>& p) const {
-    return winding_.isInside(surface(), search(), Vec3<double>(p));
+    return winding_.isInside(surface(), trianglesAlong(), Vec3<double>(p));
   }
   [[nodiscard]] bool isDecided(const Box<double>& box) const {
-    return winding_.isDecided(surface(), search(), box);
+    return winding_.isDecided(surface(), trianglesAlong(), box);
   }
   /// The winding number itself; null for an index that takes only closed surfaces.
   [[nodiscard]] const CappedWinding* winding() const { return &winding_; }

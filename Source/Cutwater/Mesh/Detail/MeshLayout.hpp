@@ -9,7 +9,7 @@
 
 namespace cutwater {
 
-/// Where the arrays of a MeshSDF lie in its block, and values that belong to them.
+/// Where the arrays of a MeshIndex lie in its block, and values that belong to them.
 template <std::floating_point T>
 struct MeshLayout {
   typename TriangleSurfaceArrays<T>::Sections surface;

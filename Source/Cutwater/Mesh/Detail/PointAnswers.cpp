@@ -31,7 +31,7 @@ int PointAnswers<T, Index>::side(const Vec3<T>& p, const Nearest& nearest) const
     if (!signs().isClosed()) return surface().pseudonormalSide(p, nearest);
   }
   if (!signs().isClosed()) return index_.isSurrounded(p) ? -1 : 1;
-  const auto location = locate(surface(), Vec3<double>(p), index_.search());
+  const auto location = locate(surface(), Vec3<double>(p), index_.trianglesAlong());
   return location.onSurface ? 0 : location.isInside() ? -1 : 1;
 }
 

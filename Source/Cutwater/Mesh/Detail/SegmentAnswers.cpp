@@ -18,7 +18,7 @@ CrossingCount SegmentAnswers<T, Index>::crossings(const Segment<T>& segment,
   };
   const bool byWinding = index_.signJumps() && index_.signs().scheme == SignScheme::WindingNumber;
   return meshCrossings<T>({.surface = index_.surface(),
-                           .along = index_.search(),
+                           .along = index_.trianglesAlong(),
                            .nearest = [this](const Vec3<T>& p) { return index_.nearest(p); },
                            .isInside = [this](const Vec3<T>& p) { return points_.isInside(p); },
                            .winding = byWinding ? index_.winding() : nullptr,
