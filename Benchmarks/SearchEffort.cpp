@@ -68,7 +68,7 @@ Openings necessary(const TriangleTree& tree, const Vec3<double>& p, double dista
 double CountedSearch::ask(const Vec3<double>& p, Effort& effort) const {
   const Openings before = effort.opened;
   auto best = mesh_.surface.nothing(p);
-  counting::nearestOne(mesh_.search, TriangleArrays<double>(mesh_.surface), p, best,
+  counting::nearestOne(mesh_.search, KernelTriangles<double>(mesh_.surface), p, best,
                        TriangleSearch::kAnywhere, Counter(effort));
   const double distance = std::sqrt(best.distanceSquared);
   const auto least = necessary(mesh_.arrays.tree(), p, distance);

@@ -63,6 +63,7 @@
 #include <Cutwater/Lattice/UnitCell.hpp>
 #include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/GeometryFile.hpp>
+#include <Cutwater/Mesh/MeshFunction.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
 #include <Cutwater/Operations/Algebra.hpp>

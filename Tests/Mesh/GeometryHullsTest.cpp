@@ -1,5 +1,7 @@
 // Geometry files of meshes whose trees have hulls; see ChildHulls.
 
+#include <Cutwater/Triangles/Search/TrianglePacket.hpp>
+
 #include "Mesh/ForgedBytes.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/SameMeshes.hpp"

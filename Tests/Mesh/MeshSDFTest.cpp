@@ -10,6 +10,8 @@
 #include <Cutwater/Surface/Tessellation.hpp>
 #include <Cutwater/Surface/Triangulation.hpp>
 
+#include <algorithm>
+
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
 #include "Support/Scale.hpp"

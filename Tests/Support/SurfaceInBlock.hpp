@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Block.hpp>
-#include <Cutwater/Mesh/Detail/TriangleSurfaceData.hpp>
+#include <Cutwater/Mesh/Detail/TriangleSurfaceArrays.hpp>
 #include <Cutwater/Triangles/Search/TriangleSearch.hpp>
 
 namespace cutwater::test {
@@ -16,7 +16,7 @@ struct SurfaceInBlock {
     surface = sections.view(block);
   }
 
-  TriangleSurfaceData<T> data;
+  TriangleSurfaceArrays<T> data;
   Block block;
   TriangleSurface<T> surface;
 };

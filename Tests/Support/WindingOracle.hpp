@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Mesh/Detail/TriangleSurfaceSDF.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
 
 #include <numbers>
 #include <vector>
@@ -13,7 +13,7 @@ class WindingOracle {
  public:
   /// Of the triangles as the mesh has oriented them, in its own frame.
   template <typename T>
-  explicit WindingOracle(const TriangleSurfaceSDF<T>& mesh) {
+  explicit WindingOracle(const MeshSDF<T>& mesh) {
     for (std::uint32_t id = 0; id < mesh.triangleCount(); ++id) {
       const auto t = mesh.triangle(id);
       triangles_.push_back({Vec3<Real>(t[0]), Vec3<Real>(t[1]), Vec3<Real>(t[2])});

@@ -80,7 +80,7 @@ int medianOpenings(std::uint32_t slivers) {
     const auto q = mesh.surface.scale * p;
     auto best = mesh.surface.nothing(q);
     openings.push_back(0);
-    counting::nearestOne(mesh.search, TriangleArrays<double>(mesh.surface), q, best,
+    counting::nearestOne(mesh.search, KernelTriangles<double>(mesh.surface), q, best,
                          TriangleSearch::kAnywhere, Counter{&openings.back()});
   }
   std::ranges::nth_element(openings, openings.begin() + 250);

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <Cutwater/Core/Block.hpp>
-#include <Cutwater/Mesh/Detail/TriangleSurfaceSDF.hpp>
+#include <Cutwater/Mesh/MeshFunction.hpp>
 #include <Cutwater/Surface/DcelMesh.hpp>
-
-#include <memory>
 
 namespace cutwater {
 
@@ -13,7 +10,7 @@ namespace cutwater {
 /// For small meshes, and as the plain definition of MeshSDF's results: both return the same values
 /// to the bit. Faces may be polygons of any size.
 template <std::floating_point T>
-class DcelSDF final : public TriangleSurfaceSDF<T> {
+class DcelSDF final : public MeshFunction<T, DcelIndex<T>> {
  public:
   /// Patches that have no name in the mesh are called "surface".
   /// @throws Error(Topology) with a one-line report unless the mesh, once its shells are oriented,
@@ -21,21 +18,7 @@ class DcelSDF final : public TriangleSurfaceSDF<T> {
   /// patch id from 2^20 on without a name.
   explicit DcelSDF(DcelMesh<T> mesh);
 
-  [[nodiscard]] const DcelMesh<T>& mesh() const { return *mesh_; }
-
- private:
-  typename TriangleSurface<T>::Nearest nearest(const Vec3<T>& p) const override;
-  void along(const Segment<double>& segment, TriangleVisitor visit) const override;
-  BoxOverlap overlapWith(const OrientedBox<double>& box, std::uint32_t& place) const override;
-  void around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const override;
-  // Never called: the surface is closed.
-  bool isSurrounded(const Vec3<T>&) const override { return false; }
-  bool isDecided(const Box<double>&) const override { return true; }
-  std::vector<std::string> localPatchNames() const override { return patchNames_; }
-
-  std::shared_ptr<const DcelMesh<T>> mesh_;
-  std::vector<std::string> patchNames_;
-  Block block_;
+  [[nodiscard]] const DcelMesh<T>& mesh() const;
 };
 
 extern template class DcelSDF<float>;

@@ -1,13 +1,13 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
-#include <Cutwater/Mesh/Detail/TriangleSurfaceData.hpp>
+#include <Cutwater/Core/OutputFile.hpp>
+#include <Cutwater/Mesh/Detail/GeometryHeader.hpp>
+#include <Cutwater/Mesh/Detail/MeshIndex.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/Detail/PatchNames.hpp>
 #include <Cutwater/Surface/MeshReport.hpp>
-#include <Cutwater/Surface/SelfIntersections.hpp>
-#include <Cutwater/Triangles/Search/BoxSearch.hpp>
+#include <Cutwater/Text/MappedFile.hpp>
 
-#include <atomic>
+#include <algorithm>
 #include <cmath>
 
 namespace cutwater {
@@ -37,185 +37,158 @@ PolygonSoup trianglesOf(const TriangleSurface<T>& surface, std::span<const Vec3<
   return soup;
 }
 
+template <std::floating_point T>
+using SharedIndex = std::shared_ptr<const MeshIndex<T>>;
+
+/// `defects` describes a surface that is refused in more detail.
+template <std::floating_point T>
+SharedIndex<T> indexOf(const TriangleSurfaceArrays<T>& arrays, const TriangleTreeArrays& tree,
+                       std::span<const char> patchNames, const MeshSDFOptions& options,
+                       FunctionRef<std::string()> defects) {
+  auto index = std::make_shared<const MeshIndex<T>>(arrays, tree, patchNames, options);
+  if (options.requireWatertight && !index->signs().isSound()) {
+    throw Error(ErrorKind::Topology, "the surface does not bound a solid: " +
+                                         index->signs().summary() + "; " + defects());
+  }
+  return index;
+}
+
+template <std::floating_point T>
+SharedIndex<T> indexOf(const PolygonSoup& soup, const MeshSDFOptions& options) {
+  std::string names;
+  const auto arrays = [&] {
+    const DcelMesh<T> mesh(soup);  // needed only here
+    names = joined(detail::patchNamesOf(mesh));
+    return TriangleSurfaceArrays<T>(mesh);
+  }();
+  return indexOf(arrays, buildTriangleTree(arrays.positions(), arrays.triangles()), names, options,
+                 [&] { return check(DcelMesh<T>(soup)).summary(); });
+}
+
+template <std::floating_point T>
+SharedIndex<T> indexOf(const DcelMesh<T>& mesh, const MeshSDFOptions& options) {
+  const TriangleSurfaceArrays<T> arrays(mesh);
+  return indexOf(arrays, buildTriangleTree(arrays.positions(), arrays.triangles()),
+                 joined(detail::patchNamesOf(mesh)), options,
+                 [&] { return check(mesh).summary(); });
+}
+
+/// Of the same triangles between vertices that have moved.
+template <std::floating_point T>
+SharedIndex<T> refittedIndex(const MeshIndex<T>& before, std::span<const Vec3<T>> positions) {
+  const auto& surface = before.surface();
+  const auto& block = before.block();
+  const auto insideOut = block.template array<std::uint32_t>(before.layout().insideOut);
+  const TriangleSurfaceArrays<T> arrays(surface, before.signs(), insideOut, positions);
+  return indexOf(arrays,
+                 refittedTriangleTree(before.tree(), arrays.positions(), arrays.triangles()),
+                 block.template array<char>(before.layout().patchNames), before.options(),
+                 [&] { return check(DcelMesh<T>(trianglesOf(surface, positions))).summary(); });
+}
+
+/// The header of a geometry file, which the index's block follows.
+template <std::floating_point T>
+std::vector<std::byte> headerOf(const MeshIndex<T>& index, const RigidTransform<T>& placement,
+                                std::uint64_t source) {
+  const auto& patches = index.surface().patches;
+  const std::uint64_t highest = patches.empty() ? 0 : *std::ranges::max_element(patches);
+  return detail::geometryHeader<T>({.layout = index.layout(),
+                                    .options = index.options(),
+                                    .signs = index.signs(),
+                                    .placement = placement,
+                                    .patches = highest + 1,
+                                    .source = source},
+                                   index.block().bytes());
+}
+
 }  // namespace
 
 template <std::floating_point T>
-MeshSDF<T>::MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options) : options_(options) {
-  std::string names;
-  const auto data = [&] {
-    const DcelMesh<T> mesh(soup);  // needed only here
-    names = joined(detail::patchNamesOf(mesh));
-    return TriangleSurfaceData<T>(mesh);
-  }();
-  build(data, buildTriangleTree(data.positions(), data.triangles()), names,
-        [&] { return check(DcelMesh<T>(soup)).summary(); });
-}
+MeshSDF<T>::MeshSDF(std::shared_ptr<const MeshIndex<T>> index)
+    : MeshFunction<T, MeshIndex<T>>(std::move(index)) {}
 
 template <std::floating_point T>
-MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options) : options_(options) {
-  const TriangleSurfaceData<T> data(mesh);
-  build(data, buildTriangleTree(data.positions(), data.triangles()),
-        joined(detail::patchNamesOf(mesh)), [&] { return check(mesh).summary(); });
-}
+MeshSDF<T>::MeshSDF(const PolygonSoup& soup, const MeshSDFOptions& options)
+    : MeshSDF(indexOf<T>(soup, options)) {}
+
+template <std::floating_point T>
+MeshSDF<T>::MeshSDF(const DcelMesh<T>& mesh, const MeshSDFOptions& options)
+    : MeshSDF(indexOf<T>(mesh, options)) {}
 
 template <std::floating_point T>
 MeshSDF<T> MeshSDF<T>::refitted(std::span<const Vec3<T>> positions) const {
-  const auto& surface = this->surface();
-  require(positions.size() == surface.positions.size(),
-          "refitted: need one position for each vertex", Named{"positions", positions.size()},
-          Named{"vertices", surface.positions.size()});
+  const auto vertices = this->index().surface().positions.size();
+  require(positions.size() == vertices, "refitted: need one position for each vertex",
+          Named{"positions", positions.size()}, Named{"vertices", vertices});
   for (std::size_t i = 0; i < positions.size(); ++i) {
     require(std::isfinite(lengthSquared(Vec3<double>(positions[i]))),
             "refitted: need finite coordinates with finite squares", Named{"vertex", i},
             Named{"position", positions[i]});
   }
-  MeshSDF result;
-  result.options_ = options_;
+  MeshSDF result(refittedIndex<T>(this->index(), positions));
   result.setPlacement(this->placement());
-  const auto insideOut = block_.array<std::uint32_t>(layout_.insideOut);
-  const TriangleSurfaceData<T> data(surface, this->signReport(), insideOut, positions);
-  result.build(data, refittedTriangleTree(tree_, data.positions(), data.triangles()),
-               block_.array<char>(layout_.patchNames),
-               [&] { return check(DcelMesh<T>(trianglesOf(surface, positions))).summary(); });
   return result;
 }
 
 template <std::floating_point T>
-void MeshSDF<T>::build(const TriangleSurfaceData<T>& data, const TriangleTreeArrays& tree,
-                       std::span<const char> patchNames, FunctionRef<std::string()> defects) {
-  const auto packets = packTriangles(data.positions(), data.triangles(), tree.tree());
-  const auto hulls = buildHulls(data.positions(), data.triangles(), tree.tree());
-  const bool needsWinding =
-      !data.openEdges().empty() && options_.signs != SignScheme::NearestFeature;
-  const auto winding =
-      needsWinding ? OpenWindingData(data.positions(), data.openEdges()) : OpenWindingData();
-
+Block MeshSDF<T>::toBytes(std::uint64_t source) const {
+  const auto header = headerOf(this->index(), this->placement(), source);
   BlockWriter writer;
-  MeshLayout<T> layout;  // sections in the order of visitArrays()
-  layout.surface = data.addTo(writer);
-  layout.nodes = writer.add(tree.nodes);
-  layout.slots = writer.add(tree.slots);
-  layout.frame = tree.frame;
-  layout.depth = tree.depth;
-  layout.packets = writer.add(packets);
-  layout.hulls = writer.add(hulls.hulls);
-  layout.hullsOfNode = writer.add(hulls.ofNode);
-  layout.winding = winding.addTo(writer);
-  layout.reach = winding.reach();
-  layout.insideOut = writer.add(data.orientation().insideOut);
-  layout.patchNames = writer.add(patchNames);
-  takeBlock(writer.finish(), layout);
+  writer.add(header);
+  writer.add(this->index().block().bytes());
+  return writer.finish();
+}
 
-  checkSurface(data, needsWinding);
-  if (options_.requireWatertight && !this->signReport().isSound()) {
-    throw Error(ErrorKind::Topology, "the surface does not bound a solid: " +
-                                         this->signReport().summary() + "; " + defects());
+template <std::floating_point T>
+void MeshSDF<T>::save(const std::filesystem::path& path, std::uint64_t source) const {
+  OutputFile file(path);
+  file.write(headerOf(this->index(), this->placement(), source));
+  file.write(this->index().block().bytes());
+  file.commit();
+}
+
+template <std::floating_point T>
+MeshSDF<T> MeshSDF<T>::view(const Block& bytes, const MeshViewOptions& options) {
+  const auto misaligned =
+      reinterpret_cast<std::uintptr_t>(bytes.bytes().data()) % BlockWriter::kAlignment;
+  require(misaligned == 0, "MeshSDF::view: need bytes that begin at a multiple of 64",
+          Named{"beyond one by", misaligned});
+  const auto [record, block] = detail::readGeometry<T>(bytes, options);
+  MeshSDF result(
+      std::make_shared<const MeshIndex<T>>(block, record.layout, record.signs, record.options));
+  result.setPlacement(record.placement);
+  return result;
+}
+
+template <std::floating_point T>
+MeshSDF<T> MeshSDF<T>::view(std::span<const std::byte> bytes, const MeshViewOptions& options) {
+  return view(Block(nullptr, bytes), options);
+}
+
+template <std::floating_point T>
+MeshSDF<T> MeshSDF<T>::open(const std::filesystem::path& path, const MeshViewOptions& options) {
+  const auto bytes = formats::mapFile(path);
+  try {
+    return view(bytes, options);
+  } catch (const Error& error) {
+    throw Error(error.kind(), path.string() + ": " + error.what());
   }
-}
-
-template <std::floating_point T>
-void MeshSDF<T>::takeBlock(Block block, const MeshLayout<T>& layout) {
-  block_ = std::move(block);
-  layout_ = layout;
-  this->setSurface(layout.surface.view(block_), layout.reach);
-  tree_ = layout.tree(block_);
-  search_ = TriangleSearch(tree_, block_.array<TrianglePacket>(layout.packets),
-                           block_.array<ChildHulls>(layout.hulls),
-                           block_.array<std::uint32_t>(layout.hullsOfNode));
-  winding_ = layout.winding.view(block_);
-}
-
-template <std::floating_point T>
-void MeshSDF<T>::checkSurface(const TriangleSurfaceData<T>& data, bool needsWinding) {
-  auto signs = checkSigns<T>(this->surface(), data, this->search(), options_.probes);
-  if (needsWinding) probeAmbiguity(options_.probes, signs);
-  if (options_.findSelfIntersections) {
-    signs.selfIntersections =
-        findSelfIntersections<T>(data.positions(), data.triangles(), tree_).pairs.count;
-  }
-  this->setSigns(signs, options_.signs);
-}
-
-template <std::floating_point T>
-void MeshSDF<T>::probeAmbiguity(std::size_t count, SignReport& signs) const {
-  constexpr double kAmbiguous = 0.1;
-  const auto& surface = this->surface();
-  std::atomic<std::size_t> ambiguous{0};
-  signs.probes = runProbes(
-      count, surface.triangles.size(), this->search(), [&](std::size_t i, TrianglesAlong metered) {
-        Vec3<double> p = evenlySpread(i);
-        for (int axis = 0; axis < 3; ++axis) {
-          const double lower = surface.box.lower[axis];
-          p[axis] = lower + p[axis] * (surface.box.upper[axis] - lower);
-        }
-        const double w = winding_.estimate(surface, metered, p, kAmbiguous / 100).value;
-        if (std::abs(w - std::round(w)) > kAmbiguous) ++ambiguous;
-      });
-  signs.ambiguous = ambiguous;
-}
-
-template <std::floating_point T>
-auto MeshSDF<T>::nearest(const Vec3<T>& p) const -> Nearest {
-  return nearestWithin(p, TriangleSearch::kAnywhere);
-}
-
-template <std::floating_point T>
-auto MeshSDF<T>::nearestWithin(const Vec3<T>& p, double reach) const -> Nearest {
-  auto best = this->surface().nothing(p);
-  search_.nearest(this->surface(), p, best, reach);
-  return best;
-}
-
-template <std::floating_point T>
-void MeshSDF<T>::nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const {
-  for (std::size_t i = 0; i < points.size(); ++i) nearest[i] = this->surface().nothing(points[i]);
-  search_.nearest(this->surface(), points, nearest);
-}
-
-template <std::floating_point T>
-void MeshSDF<T>::along(const Segment<double>& segment, TriangleVisitor visit) const {
-  tree_.along(segment, visit);
-}
-
-template <std::floating_point T>
-BoxOverlap MeshSDF<T>::overlapWith(const OrientedBox<double>& box, std::uint32_t& place) const {
-  return overlapOf(search_, this->surface(), box, place);
-}
-
-template <std::floating_point T>
-void MeshSDF<T>::around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const {
-  tree_.nearest(box, limit, visit);
-}
-
-template <std::floating_point T>
-bool MeshSDF<T>::isSurrounded(const Vec3<T>& p) const {
-  return winding_.isInside(this->surface(), this->search(), Vec3<double>(p));
-}
-
-template <std::floating_point T>
-bool MeshSDF<T>::isDecided(const Box<double>& box) const {
-  return winding_.isDecided(this->surface(), this->search(), box);
-}
-
-template <std::floating_point T>
-std::vector<std::string> MeshSDF<T>::localPatchNames() const {
-  std::vector<std::string> names;
-  for (auto rest = block_.array<char>(layout_.patchNames); !rest.empty();
-       rest = rest.subspan(names.back().size() + 1)) {
-    names.emplace_back(rest.data());
-  }
-  return names;
 }
 
 template <std::floating_point T>
 PolygonSoup MeshSDF<T>::soup() const {
-  const auto& surface = this->surface();
+  const auto& surface = this->index().surface();
   std::vector<Vec3<T>> positions;
   positions.reserve(surface.positions.size());
   for (const auto& p : surface.positions) positions.push_back(p / surface.scale);
   auto soup = trianglesOf<T>(surface, positions);
-  soup.patchNames = localPatchNames();
+  soup.patchNames = this->patchNames();
   return soup;
+}
+
+template <std::floating_point T>
+std::size_t MeshSDF<T>::memoryBytes() const {
+  return this->index().block().bytes().size();
 }
 
 template class MeshSDF<float>;

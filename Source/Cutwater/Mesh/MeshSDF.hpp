@@ -1,11 +1,9 @@
 #pragma once
 
 #include <Cutwater/Core/Block.hpp>
-#include <Cutwater/Mesh/Detail/MeshLayout.hpp>
-#include <Cutwater/Mesh/Detail/TriangleSurfaceSDF.hpp>
 #include <Cutwater/Mesh/GeometryFile.hpp>
+#include <Cutwater/Mesh/MeshFunction.hpp>
 #include <Cutwater/Surface/DcelMesh.hpp>
-#include <Cutwater/Triangles/Search/TriangleSearch.hpp>
 
 namespace cutwater {
 
@@ -22,9 +20,9 @@ namespace cutwater {
 /// mean. Unused points may be anywhere. Equal points are not shared points: see weldExactly().
 ///
 /// closestPoint() returns the polygon of the soup (face), its patch, and barycentric coordinates
-/// that refer to `triangle(id)`. Copies share one read-only block of memory.
+/// that refer to `triangle(id)`. Copies share everything but the placement.
 template <std::floating_point T>
-class MeshSDF final : public TriangleSurfaceSDF<T> {
+class MeshSDF final : public MeshFunction<T, MeshIndex<T>> {
  public:
   /// Patches that have no name in the soup are called "surface".
   /// @throws Error(Topology) with a one-line report if the soup has no triangles, or if options
@@ -86,37 +84,10 @@ class MeshSDF final : public TriangleSurfaceSDF<T> {
   [[nodiscard]] PolygonSoup soup() const;
 
   /// Size in bytes of the block that queries use.
-  [[nodiscard]] std::size_t memoryBytes() const { return block_.bytes().size(); }
+  [[nodiscard]] std::size_t memoryBytes() const;
 
  private:
-  using Nearest = typename TriangleSurface<T>::Nearest;
-
-  Nearest nearest(const Vec3<T>& p) const override;
-  Nearest nearestWithin(const Vec3<T>& p, double reach) const override;
-  void nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const override;
-  void along(const Segment<double>& segment, TriangleVisitor visit) const override;
-  BoxOverlap overlapWith(const OrientedBox<double>& box, std::uint32_t& place) const override;
-  void around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const override;
-  bool isSurrounded(const Vec3<T>& p) const override;
-  bool isDecided(const Box<double>& box) const override;
-  const OpenWinding* openWinding() const override { return &winding_; }
-  std::vector<std::string> localPatchNames() const override;
-
-  MeshSDF() = default;
-  /// `defects` describes a surface that is refused in more detail.
-  void build(const TriangleSurfaceData<T>& data, const TriangleTreeArrays& tree,
-             std::span<const char> patchNames, FunctionRef<std::string()> defects);
-  void takeBlock(Block block, const MeshLayout<T>& layout);
-  [[nodiscard]] std::vector<std::byte> header(std::uint64_t source) const;
-  void checkSurface(const TriangleSurfaceData<T>& data, bool needsWinding);
-  void probeAmbiguity(std::size_t count, SignReport& signs) const;
-
-  MeshSDFOptions options_;
-  Block block_;
-  MeshLayout<T> layout_;
-  TriangleTree tree_;
-  TriangleSearch search_;
-  OpenWinding winding_;  // of a surface that is not closed
+  explicit MeshSDF(std::shared_ptr<const MeshIndex<T>> index);
 };
 
 extern template class MeshSDF<float>;

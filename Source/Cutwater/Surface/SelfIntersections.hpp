@@ -2,7 +2,7 @@
 
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Surface/MeshReport.hpp>
-#include <Cutwater/Triangles/Search/TrianglePackets.hpp>
+#include <Cutwater/Triangles/Search/TriangleTree.hpp>
 
 #include <array>
 #include <span>

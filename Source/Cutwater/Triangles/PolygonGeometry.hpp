@@ -51,6 +51,14 @@ template <std::floating_point T>
 [[nodiscard]] std::vector<Vec3<double>> normalizedPositions(
     std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles);
 
+/// The corners of a triangle whose vertices are indices of positions.
+template <std::floating_point T>
+[[nodiscard]] std::array<Vec3<double>, 3> cornersOf(std::span<const Vec3<T>> positions,
+                                                    const std::array<std::uint32_t, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  return {Vec3<double>(positions[a]), Vec3<double>(positions[b]), Vec3<double>(positions[c])};
+}
+
 /// The box of each triangle, whose corners are indices of positions.
 template <std::floating_point T>
 [[nodiscard]] std::vector<Box<double>> triangleBoxes(

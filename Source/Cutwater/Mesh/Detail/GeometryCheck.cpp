@@ -124,7 +124,7 @@ void checkSurface(const TriangleSurface<T>& surface, std::uint64_t patches, int 
                 "a polygon's patch is none");
 }
 
-void checkWinding(const OpenWindingData::Sections& sections, const Block& block, int threads) {
+void checkWinding(const CappedWindingArrays::Sections& sections, const Block& block, int threads) {
   const auto vertices = sections.positions.count;
   requireIntact(all(block.array<Vec3<double>>(sections.positions), threads,
                     [](const Vec3<double>& p) { return length(p) <= kFarthest; }),

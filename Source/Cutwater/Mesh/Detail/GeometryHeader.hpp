@@ -34,7 +34,7 @@ static_assert(sizeof(GeometryHead) == 64);
 /// Reads the head; fields beyond the end keep their initial values.
 [[nodiscard]] GeometryHead geometryHead(std::span<const std::byte> bytes);
 
-/// Everything in a MeshSDF except its block.
+/// Everything in a MeshSDF and its index, except the block.
 template <std::floating_point T>
 struct MeshRecord {
   MeshLayout<T> layout;

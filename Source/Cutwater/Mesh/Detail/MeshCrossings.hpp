@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Mesh/Detail/OpenWinding.hpp>
+#include <Cutwater/Mesh/Detail/CappedWinding.hpp>
 #include <Cutwater/Mesh/Detail/PassageWalk.hpp>
 
 namespace cutwater {
@@ -14,7 +14,7 @@ struct MeshField {
   /// Whether the function is negative.
   FunctionRef<bool(const Vec3<T>&)> isInside;
   /// Decides signs if the surface is not closed; without it, pseudonormals do.
-  const OpenWinding* winding = nullptr;
+  const CappedWinding* winding = nullptr;
   bool isClosed = true;
 };
 

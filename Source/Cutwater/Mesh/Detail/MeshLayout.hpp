@@ -1,29 +1,29 @@
 #pragma once
 
 #include <Cutwater/Core/Block.hpp>
-#include <Cutwater/Mesh/Detail/OpenWinding.hpp>
-#include <Cutwater/Mesh/Detail/TriangleSurfaceData.hpp>
+#include <Cutwater/Mesh/Detail/CappedWinding.hpp>
+#include <Cutwater/Mesh/Detail/TriangleSurfaceArrays.hpp>
 #include <Cutwater/Triangles/Search/ChildHulls.hpp>
 
 #include <type_traits>
 
 namespace cutwater {
 
-/// Where the arrays of a MeshSDF lie in its block, and values that belong to them.
+/// Where the arrays of a MeshIndex lie in its block, and values that belong to them.
 template <std::floating_point T>
 struct MeshLayout {
-  typename TriangleSurfaceData<T>::Sections surface;
+  typename TriangleSurfaceArrays<T>::Sections surface;
   Section nodes;
   Section slots;
   BvhFrame frame;
   int depth = 0;
   Section packets;
   Section hulls;
-  Section hullsOfNode;                ///< see HullArrays
-  OpenWindingData::Sections winding;  ///< empty for a closed surface
-  double reach = 0;                   ///< see OpenWindingData::reach()
-  Section insideOut;                  ///< see ShellOrientation
-  Section patchNames;                 ///< characters; each name is ended by a zero
+  Section hullsOfNode;                    ///< see HullArrays
+  CappedWindingArrays::Sections winding;  ///< empty for a closed surface
+  double reach = 0;                       ///< see CappedWindingArrays::reach()
+  Section insideOut;                      ///< see ShellOrientation
+  Section patchNames;                     ///< characters; each name is ended by a zero
 
   /// A view of the tree that lies in a block.
   [[nodiscard]] TriangleTree tree(const Block& block) const {

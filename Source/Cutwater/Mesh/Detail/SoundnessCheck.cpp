@@ -120,7 +120,7 @@ SoundnessProbes probeSoundness(const TriangleSurface<T>& surface, TrianglesAlong
 }
 
 template <std::floating_point T>
-SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceData<T>& data,
+SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceArrays<T>& data,
                       TrianglesAlong along, std::size_t probes) {
   SignReport report;
   const auto& orientation = data.orientation();
@@ -138,7 +138,7 @@ SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceDa
 }
 
 #define CUTWATER_INSTANTIATE(T)                                                                   \
-  template SignReport checkSigns(const TriangleSurface<T>&, const TriangleSurfaceData<T>&,        \
+  template SignReport checkSigns(const TriangleSurface<T>&, const TriangleSurfaceArrays<T>&,      \
                                  TrianglesAlong, std::size_t);                                    \
   template SoundnessProbes probeSoundness(const TriangleSurface<T>&, TrianglesAlong, std::size_t, \
                                           std::span<const std::uint32_t>);

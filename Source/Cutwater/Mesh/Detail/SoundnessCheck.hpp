@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Mesh/Detail/TriangleSurfaceData.hpp>
+#include <Cutwater/Mesh/Detail/TriangleSurfaceArrays.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
 #include <Cutwater/Triangles/SurfaceLocation.hpp>
 
@@ -37,13 +37,13 @@ template <std::floating_point T>
 /// probeSoundness().
 template <std::floating_point T>
 [[nodiscard]] SignReport checkSigns(const TriangleSurface<T>& surface,
-                                    const TriangleSurfaceData<T>& data, TrianglesAlong along,
+                                    const TriangleSurfaceArrays<T>& data, TrianglesAlong along,
                                     std::size_t probes);
 
-#define CUTWATER_DECLARE(T)                                                                       \
-  extern template SignReport checkSigns(const TriangleSurface<T>&, const TriangleSurfaceData<T>&, \
-                                        TrianglesAlong, std::size_t);                             \
-  extern template SoundnessProbes probeSoundness(const TriangleSurface<T>&, TrianglesAlong,       \
+#define CUTWATER_DECLARE(T)                                                                     \
+  extern template SignReport checkSigns(                                                        \
+      const TriangleSurface<T>&, const TriangleSurfaceArrays<T>&, TrianglesAlong, std::size_t); \
+  extern template SoundnessProbes probeSoundness(const TriangleSurface<T>&, TrianglesAlong,     \
                                                  std::size_t, std::span<const std::uint32_t>);
 CUTWATER_DECLARE(float)
 CUTWATER_DECLARE(double)

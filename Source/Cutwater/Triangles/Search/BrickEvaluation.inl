@@ -19,7 +19,7 @@ class BrickEvaluation {
   static constexpr int kBrick = Points::kBrick;
   static constexpr int kMost = 160;  ///< most candidates
 
-  CUTWATER_INLINE BrickEvaluation(const TriangleArrays<T>& arrays, const Points& points)
+  CUTWATER_INLINE BrickEvaluation(const KernelTriangles<T>& arrays, const Points& points)
       : arrays_(arrays), points_(points) {}
 
   /// Starts with points [first, first + used); the rest of the brick repeats the last.
@@ -138,7 +138,7 @@ class BrickEvaluation {
     }
   }
 
-  const TriangleArrays<T>& arrays_;
+  const KernelTriangles<T>& arrays_;
   const Points& points_;
   int first_ = 0;
   int used_ = 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Triangles/Search/TrianglePackets.hpp>
+#include <Cutwater/Triangles/Search/TrianglePacket.hpp>
 
 #include <cstdint>
 #include <span>

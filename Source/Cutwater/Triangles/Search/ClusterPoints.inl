@@ -19,7 +19,7 @@ class ClusterPoints {
   static constexpr int kBrick = 16;
   using Nearest = typename TriangleSurface<T>::Nearest;
 
-  CUTWATER_INLINE ClusterPoints(const TriangleSearch& tree, const TriangleArrays<T>& arrays)
+  CUTWATER_INLINE ClusterPoints(const TriangleSearch& tree, const KernelTriangles<T>& arrays)
       : tree_(tree), arrays_(arrays) {}
 
   /// Returns false if the points are too far away for single precision.
@@ -109,7 +109,7 @@ class ClusterPoints {
   static constexpr double kFarAway = 0x1p20;
 
   const TriangleSearch& tree_;
-  const TriangleArrays<T>& arrays_;
+  const KernelTriangles<T>& arrays_;
   const Vec3<T>* points_ = nullptr;
   Nearest* bests_ = nullptr;
   int count_ = 0;

@@ -21,7 +21,7 @@ class ClusterSearch {
   using Points = ClusterPoints<T>;
   using Nearest = typename Points::Nearest;
 
-  CUTWATER_INLINE ClusterSearch(const TriangleSearch& tree, const TriangleArrays<T>& arrays)
+  CUTWATER_INLINE ClusterSearch(const TriangleSearch& tree, const KernelTriangles<T>& arrays)
       : tree_(tree),
         arrays_(arrays),
         points_(tree, arrays),
@@ -122,7 +122,7 @@ class ClusterSearch {
   }
 
   const TriangleSearch& tree_;
-  const TriangleArrays<T>& arrays_;
+  const KernelTriangles<T>& arrays_;
   Points points_;
   TriangleCluster<T> triangles_;
   LeafCluster<T> leafwise_;

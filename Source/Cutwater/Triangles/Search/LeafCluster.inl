@@ -16,7 +16,7 @@ class LeafCluster {
  public:
   using Points = ClusterPoints<T>;
 
-  CUTWATER_INLINE LeafCluster(const TriangleSearch& tree, const TriangleArrays<T>& arrays,
+  CUTWATER_INLINE LeafCluster(const TriangleSearch& tree, const KernelTriangles<T>& arrays,
                               const Points& points, TriangleCluster<T>& triangles)
       : tree_(tree), points_(points), triangles_(triangles), search_(tree, arrays) {}
 

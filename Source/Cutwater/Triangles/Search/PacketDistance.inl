@@ -4,7 +4,7 @@
 // instruction set.
 
 #include <Cutwater/Simd/Lanes.inl>
-#include <Cutwater/Triangles/Search/TrianglePackets.hpp>
+#include <Cutwater/Triangles/Search/TrianglePacket.hpp>
 
 namespace cutwater::CUTWATER_SIMD {
 

@@ -39,7 +39,7 @@ struct NoObserver {
 template <typename T, typename Observer = NoObserver>
 class Search {
  public:
-  CUTWATER_INLINE Search(const TriangleSearch& tree, const TriangleArrays<T>& surface,
+  CUTWATER_INLINE Search(const TriangleSearch& tree, const KernelTriangles<T>& surface,
                          Observer observer = {})
       : tree_(tree), surface_(surface), observer_(observer) {}
 
@@ -258,7 +258,7 @@ class Search {
   static constexpr int kCrowd = 12;  // more are narrowed at once where slivers abound
 
   const TriangleSearch& tree_;
-  const TriangleArrays<T>& surface_;
+  const KernelTriangles<T>& surface_;
   [[no_unique_address]] Observer observer_;
   const Vec3<T>* p_ = nullptr;
   typename TriangleSurface<T>::Nearest* best_ = nullptr;
@@ -277,8 +277,9 @@ class Search {
 };
 
 template <typename T, typename Observer = NoObserver>
-CUTWATER_INLINE inline void nearestOne(const TriangleSearch& tree, const TriangleArrays<T>& surface,
-                                       const Vec3<T>& p, typename TriangleSurface<T>::Nearest& best,
+CUTWATER_INLINE inline void nearestOne(const TriangleSearch& tree,
+                                       const KernelTriangles<T>& surface, const Vec3<T>& p,
+                                       typename TriangleSurface<T>::Nearest& best,
                                        double reach = TriangleSearch::kAnywhere,
                                        Observer observer = {}) {
   Search<T, Observer> search(tree, surface, observer);

@@ -16,7 +16,7 @@ class TriangleCluster {
  public:
   using Points = ClusterPoints<T>;
 
-  CUTWATER_INLINE TriangleCluster(const TriangleSearch& tree, const TriangleArrays<T>& arrays,
+  CUTWATER_INLINE TriangleCluster(const TriangleSearch& tree, const KernelTriangles<T>& arrays,
                                   const Points& points)
       : tree_(tree), points_(points), evaluation_(arrays, points) {}
 

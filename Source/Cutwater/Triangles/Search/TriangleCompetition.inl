@@ -18,7 +18,7 @@ class Competition {
   static constexpr int kMost = 48;
   using Nearest = typename TriangleSurface<T>::Nearest;
 
-  CUTWATER_INLINE Competition(const TriangleArrays<T>& arrays, const Vec3<T>& p)
+  CUTWATER_INLINE Competition(const KernelTriangles<T>& arrays, const Vec3<T>& p)
       : arrays_(arrays), p_(p) {}
 
   CUTWATER_INLINE void run(const std::uint32_t* ids, int count, Nearest& best) {
@@ -139,7 +139,7 @@ class Competition {
     return orientation(Vec3<double>(t.a), Vec3<double>(t.b), Vec3<double>(t.c), Vec3<double>(p_));
   }
 
-  const TriangleArrays<T>& arrays_;
+  const KernelTriangles<T>& arrays_;
   const Vec3<T>& p_;
   alignas(64) T rows_[9][kMost];  // a, b, c
   alignas(64) T squared_[kMost];  // to the edges, for slivers

@@ -6,18 +6,18 @@ namespace cutwater {
 namespace {
 
 template <std::floating_point T>
-using NearestTriangle = void(const TriangleSearch&, const TriangleArrays<T>&, const Vec3<T>&,
+using NearestTriangle = void(const TriangleSearch&, const KernelTriangles<T>&, const Vec3<T>&,
                              typename TriangleSurface<T>::Nearest&, double);
 template <std::floating_point T>
-using NearestTriangles = void(const TriangleSearch&, const TriangleArrays<T>&, const Vec3<T>*,
+using NearestTriangles = void(const TriangleSearch&, const KernelTriangles<T>&, const Vec3<T>*,
                               typename TriangleSurface<T>::Nearest*, std::size_t);
 
 }  // namespace
 
-#define CUTWATER_DECLARE_FOR(T)                                                          \
-  void nearestTriangle(const TriangleSearch&, const TriangleArrays<T>&, const Vec3<T>&,  \
-                       TriangleSurface<T>::Nearest&, double);                            \
-  void nearestTriangles(const TriangleSearch&, const TriangleArrays<T>&, const Vec3<T>*, \
+#define CUTWATER_DECLARE_FOR(T)                                                           \
+  void nearestTriangle(const TriangleSearch&, const KernelTriangles<T>&, const Vec3<T>&,  \
+                       TriangleSurface<T>::Nearest&, double);                             \
+  void nearestTriangles(const TriangleSearch&, const KernelTriangles<T>&, const Vec3<T>*, \
                         TriangleSurface<T>::Nearest*, std::size_t);
 #define CUTWATER_DECLARE(set)  \
   namespace set {              \
@@ -29,14 +29,14 @@ CUTWATER_FOR_INSTRUCTION_SETS(CUTWATER_DECLARE)
 #undef CUTWATER_DECLARE_FOR
 
 template <std::floating_point T>
-Vec3<T> TriangleArrays<T>::closestPoint(std::uint32_t id, const Vec3<T>& p) const {
+Vec3<T> KernelTriangles<T>::closestPoint(std::uint32_t id, const Vec3<T>& p) const {
   const auto t = triangle(id);
   const auto weights = closestBarycentric(p, t, triangleDistance(p, t).part);
   return weights.x * t.a + weights.y * t.b + weights.z * t.c;
 }
 
-template struct TriangleArrays<float>;
-template struct TriangleArrays<double>;
+template struct KernelTriangles<float>;
+template struct KernelTriangles<double>;
 
 namespace {
 
@@ -59,7 +59,7 @@ template <std::floating_point T>
 void TriangleSearch::nearest(const TriangleSurface<T>& surface, const Vec3<T>& p,
                              typename TriangleSurface<T>::Nearest& best, double reach) const {
   static NearestTriangle<T>* const function = CUTWATER_BEST_OF(NearestTriangle<T>, nearestTriangle);
-  function(*this, TriangleArrays<T>(surface), p, best, reach);
+  function(*this, KernelTriangles<T>(surface), p, best, reach);
 }
 
 template <std::floating_point T>
@@ -67,7 +67,7 @@ void TriangleSearch::nearest(const TriangleSurface<T>& surface, std::span<const 
                              std::span<typename TriangleSurface<T>::Nearest> bests) const {
   static NearestTriangles<T>* const function =
       CUTWATER_BEST_OF(NearestTriangles<T>, nearestTriangles);
-  function(*this, TriangleArrays<T>(surface), points.data(), bests.data(), points.size());
+  function(*this, KernelTriangles<T>(surface), points.data(), bests.data(), points.size());
 }
 
 template void TriangleSearch::nearest(const TriangleSurface<float>&, const Vec3<float>&,

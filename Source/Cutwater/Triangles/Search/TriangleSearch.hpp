@@ -5,14 +5,16 @@
 
 namespace cutwater {
 
-/// The triangles of a surface in the form that the vector code reads.
+/// The triangles of a surface by plain pointers: all that code compiled once per instruction set
+/// may touch, as functions of TriangleSurface or std::span would be shared with code for older
+/// processors.
 template <std::floating_point T>
-struct TriangleArrays {
+struct KernelTriangles {
   const Vec3<T>* positions;
   const std::uint32_t* corners;  ///< three for each triangle
   const std::uint32_t* slivers;  ///< one bit per triangle
 
-  explicit TriangleArrays(const TriangleSurface<T>& surface)
+  explicit KernelTriangles(const TriangleSurface<T>& surface)
       : positions(surface.positions.data()),
         corners(surface.triangles.data()->data()),
         slivers(surface.slivers.data()) {}

@@ -14,7 +14,7 @@ class Team {
  public:
   using Nearest = typename TriangleSurface<T>::Nearest;
 
-  CUTWATER_INLINE Team(const TriangleSearch& tree, const TriangleArrays<T>& surface,
+  CUTWATER_INLINE Team(const TriangleSearch& tree, const KernelTriangles<T>& surface,
                        const Vec3<T>* points, Nearest* bests)
       : points_(points), bests_(bests), search_{{tree, surface}, {tree, surface}, {tree, surface},
                                                 {tree, surface}, {tree, surface}, {tree, surface},
@@ -74,7 +74,7 @@ class Team {
 /// have too little in common.
 template <typename T>
 [[gnu::noinline]] std::size_t nearestTogether(const TriangleSearch& tree,
-                                              const TriangleArrays<T>& surface,
+                                              const KernelTriangles<T>& surface,
                                               const Vec3<T>* points,
                                               typename TriangleSurface<T>::Nearest* bests,
                                               std::size_t count) {
@@ -92,7 +92,7 @@ template <typename T>
 }
 
 template <typename T>
-[[gnu::noinline]] void nearestInTurns(const TriangleSearch& tree, const TriangleArrays<T>& surface,
+[[gnu::noinline]] void nearestInTurns(const TriangleSearch& tree, const KernelTriangles<T>& surface,
                                       const Vec3<T>* points,
                                       typename TriangleSurface<T>::Nearest* bests,
                                       std::size_t count) {
@@ -101,7 +101,7 @@ template <typename T>
 
 template <typename T>
 CUTWATER_INLINE inline void nearestOfMany(const TriangleSearch& tree,
-                                          const TriangleArrays<T>& surface, const Vec3<T>* points,
+                                          const KernelTriangles<T>& surface, const Vec3<T>* points,
                                           typename TriangleSurface<T>::Nearest* bests,
                                           std::size_t count) {
   auto done = nearestTogether(tree, surface, points, bests, count);
@@ -114,11 +114,11 @@ CUTWATER_INLINE inline void nearestOfMany(const TriangleSearch& tree,
 }  // namespace
 
 #define CUTWATER_DEFINE(T)                                                                  \
-  void nearestTriangle(const TriangleSearch& tree, const TriangleArrays<T>& surface,        \
+  void nearestTriangle(const TriangleSearch& tree, const KernelTriangles<T>& surface,       \
                        const Vec3<T>& p, TriangleSurface<T>::Nearest& best, double reach) { \
     nearestOne(tree, surface, p, best, reach);                                              \
   }                                                                                         \
-  void nearestTriangles(const TriangleSearch& tree, const TriangleArrays<T>& surface,       \
+  void nearestTriangles(const TriangleSearch& tree, const KernelTriangles<T>& surface,      \
                         const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,          \
                         std::size_t count) {                                                \
     nearestOfMany(tree, surface, points, bests, count);                                     \

@@ -14,7 +14,7 @@ namespace cutwater {
 ///
 /// A view of arrays in a block. Queries take the surface and a function that finds its triangles;
 /// points are in its scaled units.
-class OpenWinding {
+class CappedWinding {
  public:
   /// The threshold for inside: see WindingNumber::kThreshold.
   static constexpr double kThreshold = WindingNumber<double>::kThreshold;
@@ -56,7 +56,7 @@ class OpenWinding {
   [[nodiscard]] double gradientBound(const Box<double>& box) const;
 
  private:
-  friend class OpenWindingData;
+  friend class CappedWindingArrays;
 
   /// On an edge of a cap, which may be anywhere, its solid angle is undefined: the winding number
   /// there is that of a nearby point.
@@ -76,15 +76,15 @@ class OpenWinding {
   WindingNumber<double> caps_;
 };
 
-/// The arrays of an OpenWinding, fresh from a surface.
-class OpenWindingData {
+/// The arrays that a CappedWinding is a view of, made from a surface's holes.
+class CappedWindingArrays {
  public:
   /// Empty: for a closed surface.
-  OpenWindingData() = default;
+  CappedWindingArrays() = default;
   /// Built from the surface's positions and the open edges that findOpenEdges() finds in its
   /// triangles.
   template <std::floating_point T>
-  OpenWindingData(std::span<const Vec3<T>> positions, std::span<const OpenEdge> edges);
+  CappedWindingArrays(std::span<const Vec3<T>> positions, std::span<const OpenEdge> edges);
 
   /// No point farther than this from the surface's box counts as inside.
   [[nodiscard]] double reach() const;
@@ -100,7 +100,7 @@ class OpenWindingData {
       return {frame, block.array<BvhNode<WindingTree::kArity>>(nodes),
               block.array<std::uint32_t>(slots), depth};
     }
-    [[nodiscard]] OpenWinding view(const Block& block) const;
+    [[nodiscard]] CappedWinding view(const Block& block) const;
   };
   /// Adds the arrays, which must live until BlockWriter::finish().
   [[nodiscard]] Sections addTo(BlockWriter& writer) const;

@@ -1,5 +1,5 @@
 #include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
-#include <Cutwater/Mesh/Detail/OpenWinding.hpp>
+#include <Cutwater/Mesh/Detail/CappedWinding.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 #include <Cutwater/Surface/Triangulation.hpp>
 #include <Cutwater/Triangles/SolidAngle.hpp>
@@ -35,7 +35,7 @@ class Pieces {
     tree_ = buildBvh<16, 4>(boxes);
     BlockWriter writer;
     const auto edges = findOpenEdges(triangles_, positions_.size());
-    const OpenWindingData data(std::span<const Vec3<T>>(positions_), edges);
+    const CappedWindingArrays data(std::span<const Vec3<T>>(positions_), edges);
     reach_ = data.reach();
     const auto sections = data.addTo(writer);
     block_ = writer.finish();
@@ -65,13 +65,13 @@ class Pieces {
   TriangleSurface<T> surface_;
   BvhArrays<16, 4> tree_;
   Block block_;
-  OpenWinding winding_;
+  CappedWinding winding_;
   double reach_ = 0;
 };
 
 template <typename T>
-class OpenWindingTest : public ::testing::Test {};
-TYPED_TEST_SUITE(OpenWindingTest, Precisions);
+class CappedWindingTest : public ::testing::Test {};
+TYPED_TEST_SUITE(CappedWindingTest, Precisions);
 
 PolygonSoup without(PolygonSoup soup, std::size_t polygons) {
   soup.offsets.resize(soup.offsets.size() - polygons);
@@ -91,7 +91,7 @@ PolygonSoup randomTriangles(std::size_t count, unsigned seed) {
   return soup;
 }
 
-TYPED_TEST(OpenWindingTest, IsTheSumOfAllSolidAngles) {
+TYPED_TEST(CappedWindingTest, IsTheSumOfAllSolidAngles) {
   const PolygonSoup soups[] = {
       without(tessellation::icosphere(1, 3), 1),
       without(tessellation::icosphere(1, 3), 300),
@@ -111,14 +111,14 @@ TYPED_TEST(OpenWindingTest, IsTheSumOfAllSolidAngles) {
         ASSERT_LE(std::abs(found.value - expected), found.error + 1e-11) << p;
         ASSERT_LE(found.error, tolerance);
       }
-      if (std::abs(expected - OpenWinding::kThreshold) > 1e-9) {
-        ASSERT_EQ(pieces.isInside(p), expected > OpenWinding::kThreshold) << p;
+      if (std::abs(expected - CappedWinding::kThreshold) > 1e-9) {
+        ASSERT_EQ(pieces.isInside(p), expected > CappedWinding::kThreshold) << p;
       }
     }
   }
 }
 
-TYPED_TEST(OpenWindingTest, NothingIsInsideBeyondItsReach) {
+TYPED_TEST(CappedWindingTest, NothingIsInsideBeyondItsReach) {
   // Bowls one in the other: their winding numbers add up to more than a half outside of their box.
   auto bowls = without(tessellation::box({-1, -1, -1}, {1, 1, 0}), 1);
   for (int i = 1; i < 8; ++i)
@@ -130,7 +130,7 @@ TYPED_TEST(OpenWindingTest, NothingIsInsideBeyondItsReach) {
   EXPECT_GT(reach, 1);
 }
 
-TYPED_TEST(OpenWindingTest, HoldsInThePlanesOfCaps) {
+TYPED_TEST(CappedWindingTest, HoldsInThePlanesOfCaps) {
   // A box without lid: the plane of its hole, its walls' planes, and the edges themselves.
   const Pieces<TypeParam> tray(without(tessellation::box({-1, -1, -1}, {1, 1, 0.5}, 4), 16));
   for (int i = -10; i <= 10; ++i) {

@@ -1,7 +1,6 @@
-#include <Cutwater/Bvh/Detail/BvhRefit.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
-#include <Cutwater/Triangles/Search/TrianglePackets.hpp>
+#include <Cutwater/Triangles/Search/TrianglePacket.hpp>
 #include <Cutwater/Triangles/TriangleDistance.hpp>
 
 #include <cmath>
@@ -11,13 +10,6 @@ namespace cutwater {
 namespace {
 
 using Corners = std::array<Vec3<double>, 3>;
-
-template <std::floating_point T>
-Corners cornersOf(std::span<const Vec3<T>> positions,
-                  const std::array<std::uint32_t, 3>& triangle) {
-  const auto& [a, b, c] = triangle;
-  return {Vec3<double>(positions[a]), Vec3<double>(positions[b]), Vec3<double>(positions[c])};
-}
 
 void set(std::array<TrianglePacket::Lanes, 3>& to, std::size_t lane, const Vec3<double>& v) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -58,27 +50,6 @@ TrianglePacket packTriangles(std::span<const Corners> triangles) {
 }
 
 template <std::floating_point T>
-TriangleTreeArrays buildTriangleTree(std::span<const Vec3<T>> positions,
-                                     std::span<const std::array<std::uint32_t, 3>> triangles) {
-  const auto corners = [&](std::uint32_t id) { return cornersOf(positions, triangles[id]); };
-  return buildTurnedBvh<TriangleTree::kArity, TriangleTree::kLeafWidth>(
-      triangleBoxes(positions, triangles), corners);
-}
-
-template <std::floating_point T>
-TriangleTreeArrays refittedTriangleTree(const TriangleTree& tree,
-                                        std::span<const Vec3<T>> positions,
-                                        std::span<const std::array<std::uint32_t, 3>> triangles) {
-  const auto corners = [&](std::uint32_t id) { return cornersOf(positions, triangles[id]); };
-  TriangleTreeArrays result{.frame = tree.frame(),
-                            .nodes = {tree.nodes().begin(), tree.nodes().end()},
-                            .slots = {tree.slots().begin(), tree.slots().end()},
-                            .depth = tree.depth()};
-  refitTurnedBvh(result, triangleBoxes(positions, triangles), corners);
-  return result;
-}
-
-template <std::floating_point T>
 std::vector<TrianglePacket> packTriangles(std::span<const Vec3<T>> positions,
                                           std::span<const std::array<std::uint32_t, 3>> triangles,
                                           const TriangleTree& tree) {
@@ -100,17 +71,9 @@ std::vector<TrianglePacket> packTriangles(std::span<const Vec3<T>> positions,
   return packets;
 }
 
-template TriangleTreeArrays buildTriangleTree(std::span<const Vec3<float>>,
-                                              std::span<const std::array<std::uint32_t, 3>>);
-template TriangleTreeArrays refittedTriangleTree(const TriangleTree&, std::span<const Vec3<float>>,
-                                                 std::span<const std::array<std::uint32_t, 3>>);
 template std::vector<TrianglePacket> packTriangles(std::span<const Vec3<float>>,
                                                    std::span<const std::array<std::uint32_t, 3>>,
                                                    const TriangleTree&);
-template TriangleTreeArrays buildTriangleTree(std::span<const Vec3<double>>,
-                                              std::span<const std::array<std::uint32_t, 3>>);
-template TriangleTreeArrays refittedTriangleTree(const TriangleTree&, std::span<const Vec3<double>>,
-                                                 std::span<const std::array<std::uint32_t, 3>>);
 template std::vector<TrianglePacket> packTriangles(std::span<const Vec3<double>>,
                                                    std::span<const std::array<std::uint32_t, 3>>,
                                                    const TriangleTree&);

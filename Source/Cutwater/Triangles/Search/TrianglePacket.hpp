@@ -1,11 +1,6 @@
 #pragma once
 
-#include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
-
-#include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
+#include <Cutwater/Triangles/Search/TriangleTree.hpp>
 
 namespace cutwater {
 
@@ -14,7 +9,7 @@ namespace cutwater {
 ///
 /// Lengths are in the tree's frame. Unused lanes repeat the last triangle.
 struct alignas(64) TrianglePacket {
-  static constexpr int kWidth = 16;
+  static constexpr int kWidth = TriangleTree::kLeafWidth;
   using Lanes = std::array<float, kWidth>;
 
   std::array<Lanes, 3> a;  ///< relative to `center`
@@ -28,21 +23,6 @@ struct alignas(64) TrianglePacket {
   /// Returns the triangle that the rounded numbers represent.
   [[nodiscard]] std::array<Vec3<double>, 3> corners(std::size_t lane) const;
 };
-
-/// The tree of a triangle mesh.
-using TriangleTree = BvhTree<16, TrianglePacket::kWidth>;
-using TriangleTreeArrays = BvhArrays<TriangleTree::kArity, TriangleTree::kLeafWidth>;
-
-/// Builds the tree over the boxes of the triangles, whose corners are indices of positions.
-template <std::floating_point T>
-[[nodiscard]] TriangleTreeArrays buildTriangleTree(
-    std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles);
-
-/// Returns the tree with the same triangles in every leaf, refitted to vertices that have moved.
-template <std::floating_point T>
-[[nodiscard]] TriangleTreeArrays refittedTriangleTree(
-    const TriangleTree& tree, std::span<const Vec3<T>> positions,
-    std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// Packs triangles, at most as many as a packet has lanes.
 [[nodiscard]] TrianglePacket packTriangles(std::span<const std::array<Vec3<double>, 3>> triangles);

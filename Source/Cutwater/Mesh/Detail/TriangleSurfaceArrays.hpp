@@ -13,22 +13,23 @@
 
 namespace cutwater {
 
-/// The arrays of a TriangleSurface, made from a mesh.
+/// The arrays that a TriangleSurface is a view of, made from a mesh.
 template <std::floating_point T>
-class TriangleSurfaceData {
+class TriangleSurfaceArrays {
  public:
   /// Accepts any mesh. Faces with more than three corners are triangulated, those with fewer than
   /// three distinct corners are left out, and the rest is oriented (see Shells.hpp).
   /// @throws Error(Topology) if no triangle is left.
-  explicit TriangleSurfaceData(const DcelMesh<T>& mesh);
+  explicit TriangleSurfaceArrays(const DcelMesh<T>& mesh);
 
   /// The same triangles between vertices that have moved to `positions`, in the mesh's own units:
   /// everything that a mesh of those triangles would give, to the bit, without half-edges.
   /// Triangles keep their order and their neighbours; only which shells are inside out is decided
   /// anew. `signs` and `insideOut` (see ShellOrientation) are those of `before`, which must outlive
   /// this object.
-  TriangleSurfaceData(const TriangleSurface<T>& before, const SignReport& signs,
-                      std::span<const std::uint32_t> insideOut, std::span<const Vec3<T>> positions);
+  TriangleSurfaceArrays(const TriangleSurface<T>& before, const SignReport& signs,
+                        std::span<const std::uint32_t> insideOut,
+                        std::span<const Vec3<T>> positions);
 
   /// Where the arrays will lie in the block.
   struct Sections {
@@ -103,7 +104,7 @@ class TriangleSurfaceData {
   std::vector<OpenEdge> openEdges_;
 };
 
-extern template class TriangleSurfaceData<float>;
-extern template class TriangleSurfaceData<double>;
+extern template class TriangleSurfaceArrays<float>;
+extern template class TriangleSurfaceArrays<double>;
 
 }  // namespace cutwater

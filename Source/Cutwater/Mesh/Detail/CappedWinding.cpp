@@ -1,5 +1,5 @@
 #include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
-#include <Cutwater/Mesh/Detail/OpenWinding.hpp>
+#include <Cutwater/Mesh/Detail/CappedWinding.hpp>
 #include <Cutwater/Surface/Detail/HoleCaps.hpp>
 #include <Cutwater/Triangles/ExactPredicates.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
@@ -11,8 +11,8 @@
 namespace cutwater {
 
 template <std::floating_point T>
-int OpenWinding::closedWinding(const TriangleSurface<T>& surface, TrianglesAlong along,
-                               const Vec3<double>& p) const {
+int CappedWinding::closedWinding(const TriangleSurface<T>& surface, TrianglesAlong along,
+                                 const Vec3<double>& p) const {
   const auto& box = surface.box;  // the caps' corners belong to the surface
   if (!box.contains(p)) return 0;
   const auto exit = exitOf(box, p);
@@ -21,7 +21,7 @@ int OpenWinding::closedWinding(const TriangleSurface<T>& surface, TrianglesAlong
 
 /// A cap is passed where the point is on the side of its plane to which the segment leads: as
 /// decided for the caps' own winding number.
-int OpenWinding::capsPassed(const Segment<double>& segment, const Vec3<double>& p) const {
+int CappedWinding::capsPassed(const Segment<double>& segment, const Vec3<double>& p) const {
   int sum = 0;
   visitPassages<double>(triangles_, segment, alongCaps(), [&](std::uint32_t id, int direction) {
     if (sideOf(p, triangles_.corners(id)) == direction) sum += direction;
@@ -31,12 +31,12 @@ int OpenWinding::capsPassed(const Segment<double>& segment, const Vec3<double>& 
 }
 
 /// The point itself at first, then points a few of its ulps away, in directions that no edge has.
-Vec3<double> OpenWinding::nudged(const Vec3<double>& p, int attempt) {
+Vec3<double> CappedWinding::nudged(const Vec3<double>& p, int attempt) {
   const double step = attempt * 0x1p-50 * std::max(1.0, maxComponent(abs(p)));
   return p + step * Vec3<double>{1, 1.625, -2.3125 + attempt};
 }
 
-bool OpenWinding::isInside(Closed closed, const Vec3<double>& p) const {
+bool CappedWinding::isInside(Closed closed, const Vec3<double>& p) const {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const auto q = nudged(p, attempt);
     // winding - caps > threshold
@@ -45,8 +45,8 @@ bool OpenWinding::isInside(Closed closed, const Vec3<double>& p) const {
   return false;
 }
 
-WindingNumber<double>::Estimate OpenWinding::estimate(Closed closed, const Vec3<double>& p,
-                                                      double tolerance) const {
+WindingNumber<double>::Estimate CappedWinding::estimate(Closed closed, const Vec3<double>& p,
+                                                        double tolerance) const {
   WindingNumber<double>::Estimate result;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const auto q = nudged(p, attempt);
@@ -57,7 +57,7 @@ WindingNumber<double>::Estimate OpenWinding::estimate(Closed closed, const Vec3<
   return result;
 }
 
-bool OpenWinding::isDecided(Closed closed, const Vec3<double>& p, const Box<double>& box) const {
+bool CappedWinding::isDecided(Closed closed, const Vec3<double>& p, const Box<double>& box) const {
   constexpr double kTolerance = 0x1p-20;
   const auto whole = Box<double>{box}.extend(p);
   const double change = length(max(p - whole.lower, whole.upper - p)) * gradientBound(whole);
@@ -67,27 +67,27 @@ bool OpenWinding::isDecided(Closed closed, const Vec3<double>& p, const Box<doub
 }
 
 template <std::floating_point T>
-bool OpenWinding::isInside(const TriangleSurface<T>& surface, TrianglesAlong along,
-                           const Vec3<double>& p) const {
+bool CappedWinding::isInside(const TriangleSurface<T>& surface, TrianglesAlong along,
+                             const Vec3<double>& p) const {
   return isInside([&](const Vec3<double>& q) { return closedWinding(surface, along, q); }, p);
 }
 
 template <std::floating_point T>
-WindingNumber<double>::Estimate OpenWinding::estimate(const TriangleSurface<T>& surface,
-                                                      TrianglesAlong along, const Vec3<double>& p,
-                                                      double tolerance) const {
+WindingNumber<double>::Estimate CappedWinding::estimate(const TriangleSurface<T>& surface,
+                                                        TrianglesAlong along, const Vec3<double>& p,
+                                                        double tolerance) const {
   return estimate([&](const Vec3<double>& q) { return closedWinding(surface, along, q); }, p,
                   tolerance);
 }
 
 template <std::floating_point T>
-bool OpenWinding::isDecided(const TriangleSurface<T>& surface, TrianglesAlong along,
-                            const Box<double>& box) const {
+bool CappedWinding::isDecided(const TriangleSurface<T>& surface, TrianglesAlong along,
+                              const Box<double>& box) const {
   return isDecided([&](const Vec3<double>& q) { return closedWinding(surface, along, q); },
                    box.center(), box);
 }
 
-double OpenWinding::gradientBound(const Box<double>& box) const {
+double CappedWinding::gradientBound(const Box<double>& box) const {
   const double byEdges = caps_.gradientBound(box);
   // Sufficient to distinguish 0 and 1 from 1/2 anywhere in the box.
   if (byEdges * box.diagonal() < 0.5) return byEdges;
@@ -95,8 +95,8 @@ double OpenWinding::gradientBound(const Box<double>& box) const {
 }
 
 template <std::floating_point T>
-OpenWindingData::OpenWindingData(std::span<const Vec3<T>> positions,
-                                 std::span<const OpenEdge> edges) {
+CappedWindingArrays::CappedWindingArrays(std::span<const Vec3<T>> positions,
+                                         std::span<const OpenEdge> edges) {
   auto caps = capHoles(positions, edges);
   positions_ = std::move(caps.positions);
   triangles_ = std::move(caps.triangles);
@@ -109,7 +109,7 @@ OpenWindingData::OpenWindingData(std::span<const Vec3<T>> positions,
   slots_ = std::move(tree.slots);
 }
 
-double OpenWindingData::reach() const {
+double CappedWindingArrays::reach() const {
   // At a distance d the caps, of total area A, subtend at most A / d^2: at most half of the full
   // sphere where d^2 >= A / (2 pi).
   double area = 0;
@@ -119,7 +119,7 @@ double OpenWindingData::reach() const {
   return std::sqrt(area / (2 * std::numbers::pi));
 }
 
-auto OpenWindingData::addTo(BlockWriter& writer) const -> Sections {
+auto CappedWindingArrays::addTo(BlockWriter& writer) const -> Sections {
   return {.positions = writer.add(positions_),
           .triangles = writer.add(triangles_),
           .nodes = writer.add(nodes_),
@@ -131,8 +131,8 @@ auto OpenWindingData::addTo(BlockWriter& writer) const -> Sections {
           .depth = depth_};
 }
 
-OpenWinding OpenWindingData::Sections::view(const Block& block) const {
-  OpenWinding result;
+CappedWinding CappedWindingArrays::Sections::view(const Block& block) const {
+  CappedWinding result;
   result.triangles_.positions = block.array<Vec3<double>>(positions);
   result.triangles_.triangles = block.array<std::array<std::uint32_t, 3>>(triangles);
   result.tree_ = tree(block);
@@ -143,20 +143,22 @@ OpenWinding OpenWindingData::Sections::view(const Block& block) const {
   return result;
 }
 
-#define CUTWATER_INSTANTIATE(T)                                                      \
-  template bool OpenWinding::isInside(const TriangleSurface<T>&, TrianglesAlong,     \
-                                      const Vec3<double>&) const;                    \
-  template WindingNumber<double>::Estimate OpenWinding::estimate(                    \
-      const TriangleSurface<T>&, TrianglesAlong, const Vec3<double>&, double) const; \
-  template bool OpenWinding::isDecided(const TriangleSurface<T>&, TrianglesAlong,    \
-                                       const Box<double>&) const;                    \
-  template int OpenWinding::closedWinding(const TriangleSurface<T>&, TrianglesAlong, \
-                                          const Vec3<double>&) const;
+#define CUTWATER_INSTANTIATE(T)                                                        \
+  template bool CappedWinding::isInside(const TriangleSurface<T>&, TrianglesAlong,     \
+                                        const Vec3<double>&) const;                    \
+  template WindingNumber<double>::Estimate CappedWinding::estimate(                    \
+      const TriangleSurface<T>&, TrianglesAlong, const Vec3<double>&, double) const;   \
+  template bool CappedWinding::isDecided(const TriangleSurface<T>&, TrianglesAlong,    \
+                                         const Box<double>&) const;                    \
+  template int CappedWinding::closedWinding(const TriangleSurface<T>&, TrianglesAlong, \
+                                            const Vec3<double>&) const;
 CUTWATER_INSTANTIATE(float)
 CUTWATER_INSTANTIATE(double)
 #undef CUTWATER_INSTANTIATE
 
-template OpenWindingData::OpenWindingData(std::span<const Vec3<float>>, std::span<const OpenEdge>);
-template OpenWindingData::OpenWindingData(std::span<const Vec3<double>>, std::span<const OpenEdge>);
+template CappedWindingArrays::CappedWindingArrays(std::span<const Vec3<float>>,
+                                                  std::span<const OpenEdge>);
+template CappedWindingArrays::CappedWindingArrays(std::span<const Vec3<double>>,
+                                                  std::span<const OpenEdge>);
 
 }  // namespace cutwater

@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Parallel.hpp>
-#include <Cutwater/Mesh/Detail/TriangleSurfaceData.hpp>
+#include <Cutwater/Mesh/Detail/TriangleSurfaceArrays.hpp>
 #include <Cutwater/Surface/Detail/InsideOut.hpp>
 #include <Cutwater/Surface/Detail/Pseudonormals.hpp>
 #include <Cutwater/Surface/MeshReport.hpp>
@@ -47,7 +47,7 @@ bool hasOnlyTriangles(const DcelMesh<T>& mesh) {
 }  // namespace
 
 template <std::floating_point T>
-TriangleSurfaceData<T>::TriangleSurfaceData(const DcelMesh<T>& mesh) {
+TriangleSurfaceArrays<T>::TriangleSurfaceArrays(const DcelMesh<T>& mesh) {
   for (const FaceId face : mesh.faces()) patches_.own().push_back(mesh.patch(face));
   std::optional<DcelMesh<T>> split;
   auto& polygons = polygons_.own();
@@ -66,12 +66,12 @@ TriangleSurfaceData<T>::TriangleSurfaceData(const DcelMesh<T>& mesh) {
 }
 
 template <std::floating_point T>
-void TriangleSurfaceData<T>::findEdges() {
+void TriangleSurfaceArrays<T>::findEdges() {
   openEdges_ = findOpenEdges(triangles(), positions_.size(), neighbours_.view());
 }
 
 template <std::floating_point T>
-void TriangleSurfaceData<T>::takeOriented(const DcelMesh<T>& triangles) {
+void TriangleSurfaceArrays<T>::takeOriented(const DcelMesh<T>& triangles) {
   orientation_ = orientShells(triangles);
   if (orientation_.changesNothing()) {
     take(triangles);
@@ -84,7 +84,7 @@ void TriangleSurfaceData<T>::takeOriented(const DcelMesh<T>& triangles) {
 }
 
 template <std::floating_point T>
-void TriangleSurfaceData<T>::take(const DcelMesh<T>& triangles) {
+void TriangleSurfaceArrays<T>::take(const DcelMesh<T>& triangles) {
   pseudonormals_.reserve(triangles.positions().size());
   for (const VertexId v : triangles.vertices()) pseudonormals_.push_back(triangles.pseudonormal(v));
   auto& corners = triangles_.own();
@@ -106,10 +106,10 @@ void TriangleSurfaceData<T>::take(const DcelMesh<T>& triangles) {
 }
 
 template <std::floating_point T>
-TriangleSurfaceData<T>::TriangleSurfaceData(const TriangleSurface<T>& before,
-                                            const SignReport& signs,
-                                            std::span<const std::uint32_t> insideOut,
-                                            std::span<const Vec3<T>> positions)
+TriangleSurfaceArrays<T>::TriangleSurfaceArrays(const TriangleSurface<T>& before,
+                                                const SignReport& signs,
+                                                std::span<const std::uint32_t> insideOut,
+                                                std::span<const Vec3<T>> positions)
     : triangles_(before.triangles),
       neighbours_(before.neighbours),
       polygons_(before.polygons),
@@ -126,7 +126,7 @@ TriangleSurfaceData<T>::TriangleSurfaceData(const TriangleSurface<T>& before,
 }
 
 template <std::floating_point T>
-void TriangleSurfaceData<T>::takePositions(std::span<const Vec3<T>> positions) {
+void TriangleSurfaceArrays<T>::takePositions(std::span<const Vec3<T>> positions) {
   scale_ = normalizingScale(positions, triangles());
   // Points of no triangle may be too far away for this scale.
   constexpr T kMost = std::numeric_limits<T>::max();
@@ -138,9 +138,9 @@ void TriangleSurfaceData<T>::takePositions(std::span<const Vec3<T>> positions) {
 }
 
 template <std::floating_point T>
-void TriangleSurfaceData<T>::orientAgain(std::span<const Vec3<T>> positions,
-                                         const SignReport& signs,
-                                         std::span<const std::uint32_t> wereInsideOut) {
+void TriangleSurfaceArrays<T>::orientAgain(std::span<const Vec3<T>> positions,
+                                           const SignReport& signs,
+                                           std::span<const std::uint32_t> wereInsideOut) {
   orientation_.turnedFaces = signs.turnedFaces;
   orientation_.unorientable = signs.unorientable;
   auto shells = signs.shells == 1
@@ -159,8 +159,8 @@ void TriangleSurfaceData<T>::orientAgain(std::span<const Vec3<T>> positions,
 }
 
 template <std::floating_point T>
-void TriangleSurfaceData<T>::turnShells(const ConnectedShells& shells,
-                                        std::span<const std::uint32_t> chosen) {
+void TriangleSurfaceArrays<T>::turnShells(const ConnectedShells& shells,
+                                          std::span<const std::uint32_t> chosen) {
   if (chosen.empty()) return;
   auto& triangles = triangles_.own();
   auto& neighbours = neighbours_.own();
@@ -172,7 +172,7 @@ void TriangleSurfaceData<T>::turnShells(const ConnectedShells& shells,
 }
 
 template <std::floating_point T>
-void TriangleSurfaceData<T>::measureTriangles() {
+void TriangleSurfaceArrays<T>::measureTriangles() {
   for (const auto& triangle : triangles()) {
     for (const auto v : triangle) {
       box_.extend(Vec3<double>(positions_[v]));
@@ -183,7 +183,7 @@ void TriangleSurfaceData<T>::measureTriangles() {
 }
 
 template <std::floating_point T>
-void TriangleSurfaceData<T>::markSlivers() {
+void TriangleSurfaceArrays<T>::markSlivers() {
   const auto triangles = this->triangles();
   slivers_.assign((triangles.size() + 31) / 32, 0);
   // In whole words, so that no two threads write to the same one.
@@ -196,7 +196,7 @@ void TriangleSurfaceData<T>::markSlivers() {
 }
 
 template <std::floating_point T>
-auto TriangleSurfaceData<T>::addTo(BlockWriter& writer) const -> Sections {
+auto TriangleSurfaceArrays<T>::addTo(BlockWriter& writer) const -> Sections {
   return {.positions = writer.add(positions_),
           .triangles = writer.add(triangles_.view()),
           .neighbours = writer.add(neighbours_.view()),
@@ -210,7 +210,7 @@ auto TriangleSurfaceData<T>::addTo(BlockWriter& writer) const -> Sections {
 }
 
 template <std::floating_point T>
-TriangleSurface<T> TriangleSurfaceData<T>::Sections::view(const Block& block) const {
+TriangleSurface<T> TriangleSurfaceArrays<T>::Sections::view(const Block& block) const {
   TriangleSurface<T> surface;
   surface.positions = block.array<Vec3<T>>(positions);
   surface.triangles = block.array<Corners>(triangles);
@@ -225,7 +225,7 @@ TriangleSurface<T> TriangleSurfaceData<T>::Sections::view(const Block& block) co
   return surface;
 }
 
-template class TriangleSurfaceData<float>;
-template class TriangleSurfaceData<double>;
+template class TriangleSurfaceArrays<float>;
+template class TriangleSurfaceArrays<double>;
 
 }  // namespace cutwater

@@ -1,0 +1,115 @@
+#include <Cutwater/Mesh/Detail/MeshIndex.hpp>
+#include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
+#include <Cutwater/Surface/SelfIntersections.hpp>
+
+#include <atomic>
+#include <cmath>
+
+namespace cutwater {
+
+namespace {
+
+/// Whether signs depend on the winding number of an open surface.
+template <std::floating_point T>
+bool needsWinding(const TriangleSurfaceArrays<T>& arrays, const MeshSDFOptions& options) {
+  return !arrays.openEdges().empty() && options.signs != SignScheme::NearestFeature;
+}
+
+}  // namespace
+
+template <std::floating_point T>
+MeshIndex<T>::MeshIndex(Block block, const MeshLayout<T>& layout, const SignReport& signs,
+                        const MeshSDFOptions& options)
+    : options_(options) {
+  take(std::move(block), layout);
+  this->setSigns(signs, signs.scheme);
+}
+
+template <std::floating_point T>
+MeshIndex<T>::MeshIndex(const TriangleSurfaceArrays<T>& arrays, const TriangleTreeArrays& tree,
+                        std::span<const char> patchNames, const MeshSDFOptions& options)
+    : options_(options) {
+  fill(arrays, tree, patchNames);
+  auto signs = checkSigns<T>(surface(), arrays, trianglesAlong(), options.probes);
+  if (needsWinding(arrays, options)) probeAmbiguity(signs);
+  if (options.findSelfIntersections) {
+    signs.selfIntersections =
+        findSelfIntersections<T>(arrays.positions(), arrays.triangles(), tree_).pairs.count;
+  }
+  this->setSigns(signs, options.signs);
+}
+
+template <std::floating_point T>
+void MeshIndex<T>::fill(const TriangleSurfaceArrays<T>& arrays, const TriangleTreeArrays& tree,
+                        std::span<const char> patchNames) {
+  const auto packets = packTriangles(arrays.positions(), arrays.triangles(), tree.tree());
+  const auto hulls = buildHulls(arrays.positions(), arrays.triangles(), tree.tree());
+  const auto winding = needsWinding(arrays, options_)
+                           ? CappedWindingArrays(arrays.positions(), arrays.openEdges())
+                           : CappedWindingArrays();
+  BlockWriter writer;
+  MeshLayout<T> layout;  // sections in the order of visitArrays()
+  layout.surface = arrays.addTo(writer);
+  layout.nodes = writer.add(tree.nodes);
+  layout.slots = writer.add(tree.slots);
+  layout.frame = tree.frame;
+  layout.depth = tree.depth;
+  layout.packets = writer.add(packets);
+  layout.hulls = writer.add(hulls.hulls);
+  layout.hullsOfNode = writer.add(hulls.ofNode);
+  layout.winding = winding.addTo(writer);
+  layout.reach = winding.reach();
+  layout.insideOut = writer.add(arrays.orientation().insideOut);
+  layout.patchNames = writer.add(patchNames);
+  take(writer.finish(), layout);
+}
+
+template <std::floating_point T>
+void MeshIndex<T>::take(Block block, const MeshLayout<T>& layout) {
+  block_ = std::move(block);
+  layout_ = layout;
+  this->setSurface(layout.surface.view(block_), layout.reach);
+  tree_ = layout.tree(block_);
+  search_ = TriangleSearch(tree_, block_.array<TrianglePacket>(layout.packets),
+                           block_.array<ChildHulls>(layout.hulls),
+                           block_.array<std::uint32_t>(layout.hullsOfNode));
+  winding_ = layout.winding.view(block_);
+}
+
+template <std::floating_point T>
+void MeshIndex<T>::probeAmbiguity(SignReport& signs) const {
+  constexpr double kAmbiguous = 0.1;
+  std::atomic<std::size_t> ambiguous{0};
+  const auto probe = [&](std::size_t i, TrianglesAlong metered) {
+    Vec3<double> p = evenlySpread(i);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double lower = surface().box.lower[axis];
+      p[axis] = lower + p[axis] * (surface().box.upper[axis] - lower);
+    }
+    const double w = winding_.estimate(surface(), metered, p, kAmbiguous / 100).value;
+    if (std::abs(w - std::round(w)) > kAmbiguous) ++ambiguous;
+  };
+  signs.probes = runProbes(options_.probes, surface().triangles.size(), trianglesAlong(), probe);
+  signs.ambiguous = ambiguous;
+}
+
+template <std::floating_point T>
+void MeshIndex<T>::nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const {
+  for (std::size_t i = 0; i < points.size(); ++i) nearest[i] = surface().nothing(points[i]);
+  search_.nearest(surface(), points, nearest);
+}
+
+template <std::floating_point T>
+std::vector<std::string> MeshIndex<T>::patchNames() const {
+  std::vector<std::string> names;
+  for (auto rest = block_.array<char>(layout_.patchNames); !rest.empty();
+       rest = rest.subspan(names.back().size() + 1)) {
+    names.emplace_back(rest.data());
+  }
+  return names;
+}
+
+template class MeshIndex<float>;
+template class MeshIndex<double>;
+
+}  // namespace cutwater

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Cutwater/Mesh/SignScheme.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+#include <Cutwater/Triangles/TriangleSurface.hpp>
+
+namespace cutwater {
+
+/// What a mesh answers about points, once its index, a MeshIndex or a DcelIndex, has found the
+/// nearest triangles. How it finds them does not affect a single bit.
+///
+/// Points are in the mesh's own frame and units, except for `p`: that is the same point in the
+/// surface's scaled units.
+template <std::floating_point T, typename Index>
+class PointAnswers {
+ public:
+  using Nearest = typename TriangleSurface<T>::Nearest;
+  /// The number of points that are searched together.
+  static constexpr std::size_t kBatch = 256;
+
+  explicit PointAnswers(const Index& index) : index_(index) {}
+
+  // See the functions of SignedDistanceFunction that begin with local.
+  [[nodiscard]] T signedDistance(const Vec3<T>& point) const {
+    const Vec3<T> p = scaled(point);
+    return valueAt(point, p, index_.nearest(p));
+  }
+  [[nodiscard]] T signedDistanceWithin(const Vec3<T>& point, const Interval<T>& wanted) const;
+  void signedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const;
+  [[nodiscard]] Vec3<T> gradient(const Vec3<T>& point) const;
+  [[nodiscard]] SurfacePoint<T> closestPoint(const Vec3<T>& point) const {
+    const Vec3<T> p = scaled(point);
+    return closestPointAt(point, p, index_.nearest(p));
+  }
+  void closestPoints(std::span<const Vec3<T>> points, std::span<SurfacePoint<T>> results) const;
+  [[nodiscard]] Guarantee<T> guarantee() const;
+
+  /// Converts from the mesh's own units; points for which squares would overflow are pulled in.
+  [[nodiscard]] Vec3<T> scaled(const Vec3<T>& point) const {
+    const Vec3<T> p = surface().scale * point;
+    if (maxComponent(abs(p)) <= kFarthest) return p;
+    return kFarthest * (point / maxComponent(abs(point)));
+  }
+  /// 1 outside, -1 inside, 0 exactly on the surface.
+  [[nodiscard]] int side(const Vec3<T>& p, const Nearest& nearest) const;
+  [[nodiscard]] bool isInside(const Vec3<T>& p) const;
+
+ private:
+  /// From this distance on, the whole surface, of size 1, is a point within rounding, but squares
+  /// do not yet overflow. Points beyond are pulled in along their ray.
+  static constexpr T kFarthest = T(0x1p60);
+
+  [[nodiscard]] const TriangleSurface<T>& surface() const { return index_.surface(); }
+  [[nodiscard]] const SignReport& signs() const { return index_.signs(); }
+  [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest) const;
+  [[nodiscard]] SurfacePoint<T> closestPointAt(const Vec3<T>& point, const Vec3<T>& p,
+                                               const Nearest& nearest) const;
+  /// Calls visit(i, p, nearest) for each of the points; searches them in batches.
+  template <typename Visit>
+  void forNearest(std::span<const Vec3<T>> points, Visit visit) const;
+  /// Whether a ball about the point extends beyond the solid's box: if it contains no triangle of a
+  /// closed surface, the point is outside.
+  [[nodiscard]] bool leavesBox(const Vec3<T>& point, T radius) const;
+
+  const Index& index_;
+};
+
+}  // namespace cutwater
