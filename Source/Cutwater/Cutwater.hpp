@@ -62,10 +62,12 @@
 #include <Cutwater/Lattice/Thickness.hpp>
 #include <Cutwater/Lattice/UnitCell.hpp>
 #include <Cutwater/Mesh/DcelSDF.hpp>
+#include <Cutwater/Mesh/Diagnosis.hpp>
 #include <Cutwater/Mesh/GeometryFile.hpp>
 #include <Cutwater/Mesh/MeshFunction.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
+#include <Cutwater/Mesh/Treatment.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/GradedValue.hpp>
 #include <Cutwater/Operations/Smoothing.hpp>

@@ -1,3 +1,4 @@
+#include <Cutwater/Mesh/Diagnosis.hpp>
 #include <Cutwater/Repair/FillHoles.hpp>
 
 #include "RepairChecks.hpp"
@@ -146,6 +147,23 @@ TEST(FillHoles, PointsOfARimOnALineDoNotStopIt) {
                        {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {0, 5, 3}});
   const auto report = fillHoles(soup, {.mostEdges = 4});
   EXPECT_EQ(report.unfillable.count + report.filled.count, 2U) << report.text();
+}
+
+TEST(FillHoles, DiagnosesCanTryIt) {
+  // No axis is normal to the hole, so no cap closes it.
+  auto surface = ballWithout([](const Vec3<double>& p) { return p.x + p.y + p.z > 1.65; });
+  EXPECT_TRUE(std::ranges::none_of(diagnose(surface).treatments, &Treatment::isClosed));
+  // [DOCS
+  const HoleFilling filling = [](PolygonSoup& soup, double widest) {
+    return fillHoles(soup, {.widest = widest}).filled.count;
+  };
+  const Diagnosis diagnosis = diagnose(surface, {.fillHoles = filling});
+  if (!diagnosis.treatments.empty()) treat(surface, diagnosis.treatments.front(), filling);
+  // DOCS]
+  ASSERT_EQ(diagnosis.treatments.size(), 1U);
+  EXPECT_TRUE(diagnosis.treatments[0].effect.ends_with("holes filled: 1; closed then"))
+      << diagnosis.treatments[0].effect;
+  expectSolid(surface);
 }
 
 TEST(FillHoles, Refusals) {

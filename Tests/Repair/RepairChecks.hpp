@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "Mesh/CleanChecks.hpp"
+#include "Surface/CleanChecks.hpp"
 
 namespace cutwater::test {
 

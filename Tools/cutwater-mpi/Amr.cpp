@@ -5,17 +5,17 @@
 #include <Cutwater/P4est/DistributedVtu.hpp>
 #include <Cutwater/P4est/SharedGeometry.hpp>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <memory>
 
-#include "Format.hpp"
 #include "Memory.hpp"
-#include "MeshFields.hpp"
-#include "MeshOptions.hpp"
-#include "OutputFile.hpp"
-#include "Surface.hpp"
+#include "Options/LoadSurface.hpp"
+#include "Options/MeshOptions.hpp"
+#include "Options/OutputFile.hpp"
+#include "Report/Format.hpp"
+#include "Report/MeshFields.hpp"
+#include "Report/Stopwatch.hpp"
 
 namespace cutwater::tool {
 
@@ -119,7 +119,7 @@ void report(const Options& options, const DistributedOctree<double>& mesh, std::
   const auto onRanks = cellsOnRanks(mesh);
   const auto forest = mesh.forestChecksum();
   if (rankIn(options.comm) != 0 || options.surface.quiet) return;
-  std::cout << "wrote " << options.output << ": " << counted(mesh.cellCount(), "cell") << '\n';
+  std::cout << "wrote " << options.output << ": " << grouped(mesh.cellCount(), "cell") << '\n';
   report(counts, mesh.local().domain());
   std::cout << onRanks << '\n'
             << "checksum: cells and values " << hexadecimal(sum) << ", p8est " << forest << '\n'
@@ -176,10 +176,10 @@ void run(Options options) {
 
 }  // namespace
 
-void addDistributedAmr(CLI::App& program, MPI_Comm comm) {
+void addDistributedAmr(Program& program, MPI_Comm comm) {
   const auto options = std::make_shared<Options>();
   options->comm = comm;
-  auto& command = *program.add_subcommand(
+  auto command = program.addCommand(
       "amr", "Build the octree mesh of 'cutwater amr' on all ranks; each writes a piece of it");
   addSurfaceOptions(command, options->surface);
   addSignOptions(command, options->surface);
@@ -187,22 +187,21 @@ void addDistributedAmr(CLI::App& program, MPI_Comm comm) {
             "The file that binds the pieces, which are written beside it")
       .required();
   addMeshOptions(command, options->mesh);
-  command
-      .add_option("--cut-weight", options->cutWeight,
-                  "A cell that the surface may meet counts for so many others when ranks get their "
-                  "shares; without it: 1")
-      ->check(CLI::Range(1, 1000))
-      ->type_name("N");
-  command.add_flag("--private", options->isPrivate,
-                   "Every rank reads the surface and has a copy of its own");
-  command.footer(
+  command.addNumber(
+      "--cut-weight", "N",
+      "A cell that the surface may meet counts for so many others when ranks get their "
+      "shares; without it: 1",
+      options->cutWeight, {1, 1000});
+  command.addFlag("--private", "Every rank reads the surface and has a copy of its own",
+                  options->isPrivate);
+  command.setFooter(
       "Examples:\n"
       "  mpirun -n 4 cutwater-mpi amr hull.stl --level 8 -o hull.pvtu\n"
       "  mpirun -n 64 cutwater-mpi amr hull.cutwater --level 10 --band 0.5:7 --cut-weight 4 -o "
       "hull.pvtu\n"
       "\n"
       "--threads N: of each rank; without it, those that there are, shared by a node's ranks.");
-  command.callback([=] { run(*options); });
+  command.setAction([=] { run(*options); });
 }
 
 }  // namespace cutwater::tool

@@ -2,13 +2,11 @@
 
 #include <mpi.h>
 
-namespace CLI {
-class App;
-}
+#include "Options/Program.hpp"
 
 namespace cutwater::tool {
 
 /// Adds the subcommand `amr`, which runs on all ranks of the communicator.
-void addDistributedAmr(CLI::App& program, MPI_Comm comm);
+void addDistributedAmr(Program& program, MPI_Comm comm);
 
 }  // namespace cutwater::tool

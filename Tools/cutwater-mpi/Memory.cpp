@@ -6,7 +6,7 @@
 #include <malloc.h>
 #endif
 
-#include "Format.hpp"
+#include "Report/Format.hpp"
 
 namespace cutwater::tool {
 

@@ -1,48 +1,32 @@
 #include <Cutwater/Core/Error.hpp>
 
-#include <CLI/CLI.hpp>
-#include <iostream>
 #include <mpi.h>
-#include <string>
 
 #include "Amr.hpp"
-#include "Failure.hpp"
+#include "Report/Failure.hpp"
 
 namespace {
 
+using cutwater::tool::failed;
 using cutwater::tool::kFailed;
-using cutwater::tool::kUsage;
 
 constexpr const char* kName = "cutwater-mpi";
 
-void describe(CLI::App& program) {
-  program.name(kName);
-  program.description(
-      "AMR meshes around surface meshes on many processes (MPI). Links p4est, which is GPL.");
-  program.set_version_flag("--version", "cutwater-mpi " CUTWATER_VERSION);
-  program.require_subcommand(1);
-  program.footer(
+/// The same on all ranks; the first one reports.
+int run(int argc, const char* const* argv, bool isFirst) {
+  cutwater::tool::Program program(
+      kName, "AMR meshes around surface meshes on many processes (MPI). Links p4est, which is GPL.",
       "Example:\n"
       "  mpirun -n 4 cutwater-mpi amr hull.stl --level 8 -o hull.pvtu\n"
       "\n"
       "Exit status: 0 done; 1 a file or a surface is not what it must be; 2 wrong usage.");
-}
-
-/// The same on all ranks; rank 0 tells.
-int run(int argc, const char* const* argv, bool tells) {
-  CLI::App program;
-  describe(program);
+  if (!isFirst) program.beSilent();
   cutwater::tool::addDistributedAmr(program, MPI_COMM_WORLD);
   try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return tells ? program.exit(error) : 0;
-    return tells ? cutwater::tool::failed(program, error) : kUsage;
-  } catch (const cutwater::Error& error) {  // all ranks have got it
-    return tells ? cutwater::tool::failed(kName, error.what(), kFailed) : kFailed;
+    return program.run(argc, argv);
+  } catch (const cutwater::Error& error) {  // all ranks have it
+    return isFirst ? failed(kName, error.what(), kFailed) : kFailed;
   }
-  std::cout.flush();
-  return std::cout ? 0 : cutwater::tool::failed(kName, "cannot write to standard output", kFailed);
 }
 
 }  // namespace
@@ -57,7 +41,7 @@ int main(int argc, char** argv) {
     MPI_Finalize();
     return status;
   } catch (const std::exception& error) {  // of this rank alone; the others would wait for it
-    MPI_Abort(MPI_COMM_WORLD, cutwater::tool::failed(kName, error.what(), kFailed));
+    MPI_Abort(MPI_COMM_WORLD, failed(kName, error.what(), kFailed));
   }
   return kFailed;
 }

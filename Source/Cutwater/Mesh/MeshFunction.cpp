@@ -4,6 +4,7 @@
 #include <Cutwater/Mesh/Detail/MeshIndex.hpp>
 #include <Cutwater/Mesh/Detail/SegmentAnswers.hpp>
 #include <Cutwater/Mesh/MeshFunction.hpp>
+#include <Cutwater/Text/Counted.hpp>
 
 namespace cutwater {
 

@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Surface/DcelMesh.hpp>
+#include <Cutwater/Surface/Detail/EdgesAtVertex.hpp>
 #include <Cutwater/Surface/Detail/Pseudonormals.hpp>
 #include <Cutwater/Surface/Triangulation.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
@@ -12,75 +13,8 @@
 namespace cutwater {
 namespace {
 
-/// Most vertices have at most this many outgoing half-edges.
-constexpr std::size_t kFew = 16;
-
-/// Converts counts per bin into offsets; there must be one extra bin at the end.
-void accumulate(std::vector<std::uint32_t>& counts) {
-  std::uint32_t sum = 0;
-  for (auto& count : counts) sum += std::exchange(count, sum);
-}
-
-/// The half-edges at one vertex, grouped into edges by their other end. Takes linear time: each
-/// other end points to its edge through an array over all vertices, which is reset afterwards.
-class EdgesAtVertex {
- public:
-  explicit EdgesAtVertex(std::size_t vertexCount) : edgeTo_(vertexCount, kNone) {}
-
-  /// Visits the edges to higher vertices, among the half-edges for which `wanted` returns true.
-  template <typename Mesh, typename Visit, typename Wanted>
-  void visit(const Mesh& mesh, VertexId vertex, Visit visit, Wanted wanted) {
-    for (const HalfEdgeId out : mesh.outgoing(vertex)) {
-      const HalfEdgeId in = mesh.prev(out);
-      if (mesh.target(out) > vertex && wanted(out)) add(mesh.target(out), out);
-      if (mesh.origin(in) > vertex && wanted(in)) add(mesh.origin(in), in);
-    }
-    if (uses_.empty()) return;
-    flush([&](VertexId otherEnd, std::span<const HalfEdgeId> uses) {
-      visit({vertex, otherEnd, uses});
-    });
-  }
-
- private:
-  struct Use {
-    std::uint32_t edge;
-    HalfEdgeId halfEdge;
-  };
-
-  void add(VertexId otherEnd, HalfEdgeId e) {
-    auto& edge = edgeTo_[index(otherEnd)];
-    if (edge == kNone) {
-      edge = static_cast<std::uint32_t>(otherEnds_.size());
-      otherEnds_.push_back(otherEnd);
-    }
-    uses_.push_back({edge, e});
-  }
-
-  /// Calls visit(other end, half-edges) for each edge, and clears the edges.
-  template <typename Visit>
-  void flush(Visit visit) {
-    offsets_.assign(otherEnds_.size() + 1, 0);
-    for (const auto& use : uses_) ++offsets_[use.edge];
-    accumulate(offsets_);
-    sorted_.resize(uses_.size());
-    for (const auto& use : uses_) sorted_[offsets_[use.edge]++] = use.halfEdge;
-    std::uint32_t begin = 0;  // filling has moved every offset to the end of its edge
-    for (std::size_t i = 0; i < otherEnds_.size(); ++i) {
-      visit(otherEnds_[i],
-            std::span<const HalfEdgeId>(sorted_).subspan(begin, offsets_[i] - begin));
-      begin = offsets_[i];
-    }
-    for (const VertexId end : otherEnds_) edgeTo_[index(end)] = kNone;
-    otherEnds_.clear();
-    uses_.clear();
-  }
-
-  std::vector<std::uint32_t> edgeTo_;
-  std::vector<VertexId> otherEnds_;
-  std::vector<Use> uses_;
-  std::vector<std::uint32_t> offsets_;
-  std::vector<HalfEdgeId> sorted_;
-};
+/// Up to this many half-edges at a vertex, as most have, comparing all with all is fastest.
+constexpr std::size_t kMostComparedPairwise = 16;
 
 void checkArrays(const PolygonSoup& soup) {
   constexpr std::size_t kMost = kNone - 1;
@@ -139,7 +73,7 @@ template <std::floating_point T>
 void DcelMesh<T>::collectOutgoing() {
   outgoingOffsets_.assign(positions_.size() + 1, 0);
   for (const VertexId v : origins_) ++outgoingOffsets_[index(v)];
-  accumulate(outgoingOffsets_);
+  detail::countsToOffsets(outgoingOffsets_);
   std::vector<std::uint32_t> nextFree(outgoingOffsets_.begin(), outgoingOffsets_.end());
   outgoing_.resize(origins_.size());
   for (const HalfEdgeId e : halfEdges()) outgoing_[nextFree[index(origin(e))]++] = e;
@@ -147,7 +81,7 @@ void DcelMesh<T>::collectOutgoing() {
 
 template <std::floating_point T>
 void DcelMesh<T>::visitEdges(FunctionRef<void(const Edge&)> visit) const {
-  EdgesAtVertex edges(positions_.size());
+  detail::EdgesAtVertex edges(positions_.size());
   for (const VertexId vertex : vertices()) {
     edges.visit(*this, vertex, visit, [](HalfEdgeId) { return true; });
   }
@@ -158,7 +92,7 @@ void DcelMesh<T>::visitEdgesWithoutTwins(FunctionRef<void(const Edge&)> visit) c
   // All half-edges of an edge have twins or none has.
   const auto hasNone = [this](HalfEdgeId e) { return !hasTwin(e); };
   if (std::ranges::find(twins_, kNoHalfEdge) == twins_.end()) return;
-  EdgesAtVertex edges(positions_.size());
+  detail::EdgesAtVertex edges(positions_.size());
   for (const VertexId vertex : vertices()) edges.visit(*this, vertex, visit, hasNone);
 }
 
@@ -166,12 +100,12 @@ template <std::floating_point T>
 void DcelMesh<T>::pairTwins() {
   twins_.assign(origins_.size(), kNoHalfEdge);
   // An edge belongs to its lower vertex, so threads write to different half-edges.
-  const auto pairFew = [this](std::size_t begin, std::size_t end) {
+  const auto pairAtMostVertices = [this](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
-      if (outgoing(VertexId{v}).size() <= kFew) pairTwinsAt(VertexId{v});
+      if (outgoing(VertexId{v}).size() <= kMostComparedPairwise) pairTwinsAt(VertexId{v});
     }
   };
-  parallelFor(positions_.size(), {.grain = 4096}, pairFew);
+  parallelFor(positions_.size(), {.grain = 4096}, pairAtMostVertices);
 
   const auto pair = [this](const Edge& edge) {
     if (edge.halfEdges.size() != 2) return;
@@ -181,9 +115,9 @@ void DcelMesh<T>::pairTwins() {
     twins_[index(one)] = other;
     twins_[index(other)] = one;
   };
-  std::optional<EdgesAtVertex> edges;
+  std::optional<detail::EdgesAtVertex> edges;
   for (const VertexId vertex : vertices()) {
-    if (outgoing(vertex).size() <= kFew) continue;
+    if (outgoing(vertex).size() <= kMostComparedPairwise) continue;
     if (!edges) edges.emplace(positions_.size());
     edges->visit(*this, vertex, FunctionRef<void(const Edge&)>(pair),
                  [](HalfEdgeId) { return true; });
@@ -194,8 +128,8 @@ void DcelMesh<T>::pairTwins() {
 template <std::floating_point T>
 void DcelMesh<T>::pairTwinsAt(VertexId vertex) {
   const auto out = outgoing(vertex);
-  std::array<VertexId, kFew> targets;
-  std::array<VertexId, kFew> sources;
+  std::array<VertexId, kMostComparedPairwise> targets;
+  std::array<VertexId, kMostComparedPairwise> sources;
   for (std::size_t i = 0; i < out.size(); ++i) {
     targets[i] = target(out[i]);
     sources[i] = origin(prev(out[i]));
@@ -218,7 +152,7 @@ void DcelMesh<T>::takeTriangles(const PolygonSoup& soup) {
   auto triangulation = triangulate(soup);
   triangleOffsets_.assign(soup.polygonCount() + 1, 0);
   for (const std::uint32_t face : triangulation.polygons) ++triangleOffsets_[face];
-  accumulate(triangleOffsets_);
+  detail::countsToOffsets(triangleOffsets_);
   triangles_ = std::move(triangulation.triangles);
 }
 

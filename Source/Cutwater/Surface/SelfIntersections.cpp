@@ -26,12 +26,13 @@ void requireTriangles(std::span<const Vec3<T>> positions, std::span<const Corner
   }
 }
 
-class Search {
+class IntersectionSearch {
  public:
   /// `faces` gives the face of each triangle, ascending; if empty, each triangle is a face of its
   /// own. The boxes and the tree may be in units of their own.
-  Search(std::span<const Vec3<double>> positions, std::span<const Corners> triangles,
-         std::span<const std::uint32_t> faces, std::span<const Box<double>> boxes, const Tree& tree)
+  IntersectionSearch(std::span<const Vec3<double>> positions, std::span<const Corners> triangles,
+                     std::span<const std::uint32_t> faces, std::span<const Box<double>> boxes,
+                     const Tree& tree)
       : positions_(positions), triangles_(triangles), faces_(faces), boxes_(boxes), tree_(tree) {
     flat_.reserve(triangles.size());
     for (const auto& [a, b, c] : triangles) {
@@ -44,13 +45,16 @@ class Search {
     // where the limit ends the search, the processed ranges hold the first examples, and the count
     // is the limit.
     const std::size_t limit = std::max(options.limit, Findings<FacePair>::kExamples);
-    std::vector<Findings<FacePair>> found((triangles_.size() + kGrain - 1) / kGrain);
+    std::vector<Findings<FacePair>> found((triangles_.size() + kTrianglesPerTask - 1) /
+                                          kTrianglesPerTask);
     std::atomic<std::size_t> total{0};
-    parallelFor(triangles_.size(),
-                {.threads = options.threads, .grain = kGrain, .progress = options.progress},
-                [&](std::size_t begin, std::size_t end) {
-                  if (total < limit) total += searchRange(begin, end, limit, found[begin / kGrain]);
-                });
+    parallelFor(
+        triangles_.size(),
+        {.threads = options.threads, .grain = kTrianglesPerTask, .progress = options.progress},
+        [&](std::size_t begin, std::size_t end) {
+          if (total < limit)
+            total += searchRange(begin, end, limit, found[begin / kTrianglesPerTask]);
+        });
     SelfIntersections result;
     for (const auto& part : found) result.pairs.add(part);
     result.complete = result.pairs.count < limit;
@@ -60,7 +64,7 @@ class Search {
   }
 
  private:
-  static constexpr std::size_t kGrain = 256;
+  static constexpr std::size_t kTrianglesPerTask = 256;
 
   [[nodiscard]] std::uint32_t faceOf(std::size_t triangle) const {
     return faces_.empty() ? static_cast<std::uint32_t>(triangle) : faces_[triangle];
@@ -121,7 +125,7 @@ SelfIntersections searchWithOwnTree(std::span<const Vec3<double>> positions,
                                     const SelfIntersectionOptions& options) {
   const auto boxes = triangleBoxes(positions, triangles);
   const auto arrays = buildBvh<Tree::kArity, Tree::kLeafWidth>(boxes);
-  return Search(positions, triangles, faces, boxes, arrays.tree()).run(options);
+  return IntersectionSearch(positions, triangles, faces, boxes, arrays.tree()).run(options);
 }
 
 }  // namespace
@@ -140,7 +144,8 @@ SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
                                         const SelfIntersectionOptions& options) {
   requireTriangles(positions, triangles);
   const auto boxes = triangleBoxes(positions, triangles);
-  return Search(normalizedPositions(positions, triangles), triangles, {}, boxes, tree).run(options);
+  return IntersectionSearch(normalizedPositions(positions, triangles), triangles, {}, boxes, tree)
+      .run(options);
 }
 
 template <std::floating_point T>

@@ -20,24 +20,24 @@ bool hasRepeats(std::vector<std::uint32_t> corners) {
 }
 
 /// A polygon of distinct corners, which may be collinear.
-class Line {
+class CornersInLine {
  public:
-  Line(const PolygonSoup& soup, Polygon corners) : soup_(soup), corners_(corners) {
+  CornersInLine(const PolygonSoup& soup, Polygon corners) : soup_(soup), corners_(corners) {
     const auto& first = soup.points[corners[0]];
     Box<double> box;
     for (const auto corner : corners) box.extend(soup.points[corner]);
     const auto size = box.size();
     axis_ = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    far_ = *std::ranges::max_element(corners, {}, [&](std::uint32_t corner) {
+    farthest_ = *std::ranges::max_element(corners, {}, [&](std::uint32_t corner) {
       return maxComponent(abs(soup.points[corner] - first));
     });
   }
 
   /// Whether all corners are collinear.
-  [[nodiscard]] bool isAll() const {
+  [[nodiscard]] bool isCollinear() const {
     return std::ranges::all_of(corners_, [&](std::uint32_t corner) {
-      if (corner == corners_[0] || corner == far_) return true;
-      const std::array triangle{soup_.points[corners_[0]], soup_.points[far_],
+      if (corner == corners_[0] || corner == farthest_) return true;
+      const std::array triangle{soup_.points[corners_[0]], soup_.points[farthest_],
                                 soup_.points[corner]};
       return polygonArea(triangle).normal == Vec3<double>{};
     });
@@ -68,11 +68,11 @@ class Line {
   const PolygonSoup& soup_;
   Polygon corners_;
   int axis_ = 0;
-  std::uint32_t far_ = 0;
+  std::uint32_t farthest_ = 0;
 };
 
 /// Removes repeated corners, and polygons that have too few corners without them.
-class Tidying {
+class RepeatedCornerRemoval {
  public:
   /// Reports which polygons were changed.
   Correction run(PolygonSoup& soup) {
@@ -117,22 +117,22 @@ class Tidying {
 
 Correction removeDegenerateFaces(PolygonSoup& soup) {
   PolygonSoup work = soup;
-  Correction correction = Tidying().run(work);
+  Correction correction = RepeatedCornerRemoval().run(work);
   // Every round splits edges into shorter ones between the same points, so the loop terminates.
   // Only faces without area leave such faces behind, which are not counted again.
   for (bool first = true;; first = false) {
     detail::EdgeSplits splits;
-    std::vector<bool> flat(work.polygonCount());
-    for (std::size_t i = 0; i < flat.size(); ++i) {
-      const Line line(work, work.polygon(i));
-      flat[i] = line.isAll();
-      if (!flat[i]) continue;
+    std::vector<bool> collinear(work.polygonCount());
+    for (std::size_t i = 0; i < collinear.size(); ++i) {
+      const CornersInLine line(work, work.polygon(i));
+      collinear[i] = line.isCollinear();
+      if (!collinear[i]) continue;
       line.splitEdges(splits);
       if (first) correction.add(detail::middleOf(work, i), detail::extentOf(work, i));
     }
     if (splits.empty()) break;
-    work = splits.appliedTo(work, flat);
-    Tidying().run(work);
+    work = splits.appliedTo(work, collinear);
+    RepeatedCornerRemoval().run(work);
   }
   if (correction) soup = std::move(work);
   return correction;

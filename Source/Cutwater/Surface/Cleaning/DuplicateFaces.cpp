@@ -13,7 +13,7 @@ namespace {
 using Cycle = detail::CanonicalCycle<std::uint32_t>;
 
 /// Number of faces with the same corners, by orientation: forward, backward.
-struct Twins {
+struct EqualFaces {
   std::array<std::uint32_t, 2> count{};
   std::array<std::uint32_t, 2> seen{};
 };
@@ -25,14 +25,14 @@ bool hasDistinctCorners(std::span<const std::uint32_t> polygon,
   return std::ranges::adjacent_find(sorted) == sorted.end();
 }
 
-/// Removes the faces for which goes(face, twins, way) returns true; twins.seen[way] equal ones
+/// Removes the faces for which goes(face, equals, way) returns true; equals.seen[way] equal ones
 /// precede the face.
 template <typename Goes>
-Correction removeTwins(PolygonSoup& soup, Goes goes) {
+Correction removeEqualFaces(PolygonSoup& soup, Goes goes) {
   const auto faces = static_cast<std::uint32_t>(soup.polygonCount());
   const auto cycleOf = [&](std::uint32_t i) { return Cycle(soup.polygon(i)); };
   std::vector<std::uint32_t> firstOf(faces, kNone);
-  std::vector<Twins> twins(faces);
+  std::vector<EqualFaces> equals(faces);
   std::vector<std::uint32_t> sorted;
   detail::IndexTable table;
   for (std::uint32_t i = 0; i < faces; ++i) {
@@ -41,14 +41,14 @@ Correction removeTwins(PolygonSoup& soup, Goes goes) {
     firstOf[i] = table.findOrInsert(
         i, [&](std::uint32_t j) { return cycleOf(j).hash(); },
         [&](std::uint32_t j) { return cycleOf(j) == cycle; });
-    ++twins[firstOf[i]].count[cycle.isForward() ? 0 : 1];
+    ++equals[firstOf[i]].count[cycle.isForward() ? 0 : 1];
   }
   Correction correction;
   std::vector<bool> keep(faces, true);
   for (std::uint32_t i = 0; i < faces; ++i) {
     if (firstOf[i] == kNone) continue;
     const std::size_t way = cycleOf(i).isForward() ? 0 : 1;
-    auto& those = twins[firstOf[i]];
+    auto& those = equals[firstOf[i]];
     keep[i] = !goes(i, those, way);
     ++those.seen[way];
     if (!keep[i]) correction.add(detail::middleOf(soup, i), detail::extentOf(soup, i));
@@ -87,13 +87,13 @@ class OddEdges {
 }  // namespace
 
 Correction removeDuplicateFaces(PolygonSoup& soup) {
-  Correction all = removeTwins(
-      soup, [](std::uint32_t, const Twins& twins, std::size_t way) { return twins.seen[way] > 0; });
+  Correction all = removeEqualFaces(soup, [](std::uint32_t, const EqualFaces& equals,
+                                             std::size_t way) { return equals.seen[way] > 0; });
   for (;;) {  // terminates, as every round removes faces
     const OddEdges odd(soup);
     const Correction more =
-        removeTwins(soup, [&](std::uint32_t face, const Twins& twins, std::size_t way) {
-          return twins.seen[1 - way] > 0 && odd.areMostOf(soup.polygon(face));
+        removeEqualFaces(soup, [&](std::uint32_t face, const EqualFaces& equals, std::size_t way) {
+          return equals.seen[1 - way] > 0 && odd.areMostOf(soup.polygon(face));
         });
     if (!more) return all;
     all.add(more);
@@ -101,9 +101,9 @@ Correction removeDuplicateFaces(PolygonSoup& soup) {
 }
 
 Correction cancelOppositeFaces(PolygonSoup& soup) {
-  return removeTwins(soup, [](std::uint32_t, const Twins& twins, std::size_t way) {
-    const auto count = twins.count[way];
-    return twins.seen[way] >= count - std::min(count, twins.count[1 - way]);
+  return removeEqualFaces(soup, [](std::uint32_t, const EqualFaces& equals, std::size_t way) {
+    const auto count = equals.count[way];
+    return equals.seen[way] >= count - std::min(count, equals.count[1 - way]);
   });
 }
 

@@ -18,7 +18,7 @@ struct Shell {
   double triangles = 0;
   double volume = 0;
   double area = 0;
-  double sizes = 0;  // sum of the products of lengths in the volume's terms
+  double volumeScale = 0;  // sum of the products of lengths in the volume's terms
   // For unbalanced edges: the sum of their corners, the number of these, and the edges' length.
   Vec3<double> corners;
   double cornerCount = 0;
@@ -79,7 +79,7 @@ class InsideOutSearch {
   std::vector<std::uint32_t> run() {
     noteRims();
     measure();
-    judge();
+    correctSmallVolumes();
     turnShells();
     std::vector<std::uint32_t> turned;
     for (std::uint32_t s = 0; s < shells_.size(); ++s) {
@@ -110,20 +110,20 @@ class InsideOutSearch {
       const auto a = first - (shell.closed ? start(t) : shell.corners / shell.cornerCount);
       const auto normal = cross(ab, ac);
       shell.volume += dot(a, normal) / 6;
-      shell.sizes += length(a) * length(ab) * length(ac) / 6;
+      shell.volumeScale += length(a) * length(ab) * length(ac) / 6;
       shell.area += length(normal) / 2;
       ++shell.triangles;
     }
   }
 
   /// Recomputes volumes that are within rounding of zero; sheets get none.
-  void judge() {
+  void correctSmallVolumes() {
     std::vector<bool> thin(shells_.size());
     bool someAreThin = false;
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       const auto& shell = shells_[s];
       // A dozen roundings in each term, and one per addition.
-      const double rounding = 0x1p-53 * (16 + shell.triangles) * shell.sizes;
+      const double rounding = 0x1p-53 * (16 + shell.triangles) * shell.volumeScale;
       thin[s] = shell.closed && std::abs(shell.volume) <= rounding;
       someAreThin = someAreThin || thin[s];
     }

@@ -19,11 +19,11 @@ Vec3<T> directionOfSum(const Vec3<double>& sum, double weight, double epsilon) {
   return length(sum) > 8 * epsilon * weight ? static_cast<Vec3<T>>(normalized(sum)) : Vec3<T>{};
 }
 
-constexpr std::size_t kBlock = 16384;
+constexpr std::size_t kTrianglesPerBlock = 16384;
 // Parts that the points are divided into; all parts read all triangles.
 constexpr std::size_t kMostParts = 8;
 // Neighbours in memory belong to the same part.
-constexpr std::size_t kOwned = 64;
+constexpr std::size_t kPointsTogether = 64;
 
 struct WeightedSum {
   Vec3<double> vector;
@@ -46,9 +46,10 @@ Pseudonormals<T> pseudonormals(std::span<const Vec3<T>> points,
   const std::size_t parts =
       std::bit_floor(std::min(kMostParts, static_cast<std::size_t>(availableThreads())));
   // Block by block, so that the shapes stay in the cache.
-  std::vector<TriangleShape> shapes(std::min(kBlock, triangles.size()));
-  for (std::size_t first = 0; first < triangles.size(); first += kBlock) {
-    const auto block = triangles.subspan(first, std::min(kBlock, triangles.size() - first));
+  std::vector<TriangleShape> shapes(std::min(kTrianglesPerBlock, triangles.size()));
+  for (std::size_t first = 0; first < triangles.size(); first += kTrianglesPerBlock) {
+    const auto block =
+        triangles.subspan(first, std::min(kTrianglesPerBlock, triangles.size() - first));
     const auto measure = [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const auto [a, b, c] = block[i];
@@ -63,7 +64,7 @@ Pseudonormals<T> pseudonormals(std::span<const Vec3<T>> points,
       for (std::size_t i = 0; i < block.size(); ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
           const std::size_t point = index(block[i][k]);
-          if ((point / kOwned & (parts - 1)) != part) continue;
+          if ((point / kPointsTogether & (parts - 1)) != part) continue;
           auto& [vector, weight] = sums[point];
           vector += shapes[i].angles[k] * shapes[i].normal;
           weight += shapes[i].angles[k];

@@ -18,14 +18,15 @@ bool isText(std::string_view bytes) {
 // The first word outside comments; no longer than any keyword.
 std::string_view firstWord(std::string_view bytes) {
   constexpr std::string_view kBlanks = " \t\v\f\r\n";
-  constexpr std::string_view kEnds = " \t\v\f\r\n#";
-  constexpr std::size_t kLongest = 16;
+  constexpr std::string_view kWordEnds = " \t\v\f\r\n#";
+  constexpr std::size_t kLongestKeyword = 16;
   for (;;) {
     bytes.remove_prefix(std::min(bytes.find_first_not_of(kBlanks), bytes.size()));
     if (!bytes.starts_with('#')) break;
     bytes.remove_prefix(std::min(bytes.find_first_of("\r\n"), bytes.size()));
   }
-  return bytes.substr(0, std::min(bytes.substr(0, kLongest).find_first_of(kEnds), kLongest));
+  return bytes.substr(
+      0, std::min(bytes.substr(0, kLongestKeyword).find_first_of(kWordEnds), kLongestKeyword));
 }
 
 // OFF, with optional prefixes for texture coordinates, colours or normals: STOFF, COFF, NOFF,
@@ -44,12 +45,12 @@ bool isBrokenBinaryStl(std::string_view bytes, bool beginsWithSolid) {
   return !isText(beginsWithSolid ? header.substr(0, header.find_first_of("\r\n")) : header);
 }
 
-struct Foreign {
+struct ForeignFormat {
   std::string_view magic;
   const char* name;
 };
 
-constexpr std::array<Foreign, 11> kForeign = {{
+constexpr std::array<ForeignFormat, 11> kForeignFormats = {{
     {"\x89\x43utwat", "a prepared geometry file (for MeshSDF::open)"},
     {"PK\x03\x04", "a zip archive"},
     {"\xfd\x37zXZ", "an xz archive"},
@@ -64,8 +65,9 @@ constexpr std::array<Foreign, 11> kForeign = {{
 }};
 
 bool isForeign(std::string_view bytes) {
-  return std::any_of(kForeign.begin(), kForeign.end(),
-                     [bytes](const Foreign& foreign) { return bytes.starts_with(foreign.magic); });
+  return std::any_of(
+      kForeignFormats.begin(), kForeignFormats.end(),
+      [bytes](const ForeignFormat& foreign) { return bytes.starts_with(foreign.magic); });
 }
 
 // The file is complete by its own count, and not text: the count of an ASCII file, read from its
@@ -81,7 +83,7 @@ bool isCompleteBinaryStl(std::string_view bytes) {
 
 [[noreturn]] void failUnknown(const Content& content) {
   const TextCursor text(content);
-  for (const auto& [magic, name] : kForeign) {
+  for (const auto& [magic, name] : kForeignFormats) {
     if (content.bytes.starts_with(magic)) {
       text.failAt({Place::Unit::Byte, 0}, std::string("this is ") + name + ", not a surface");
     }

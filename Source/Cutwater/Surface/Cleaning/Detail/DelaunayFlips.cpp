@@ -80,10 +80,10 @@ class DelaunayFlips {
                                 std::uint32_t d) const {
     const Angle atC = angle(a, c, b);
     const Angle atD = angle(a, d, b);
-    constexpr double kShare = 0.01;
+    constexpr double kShareOfRadius = 0.01;
     constexpr double kRounding = 1e-14;
     return atC.sine * atD.cosine + atC.cosine * atD.sine <
-           -kShare * std::max(atC.sine * atD.size, atD.sine * atC.size) -
+           -kShareOfRadius * std::max(atC.sine * atD.size, atD.sine * atC.size) -
                kRounding * atC.size * atD.size;
   }
 

@@ -19,9 +19,9 @@ Loop joined(std::span<const Loop> loops) {
   return result;
 }
 
-class Filler {
+class RegionFiller {
  public:
-  Filler(std::span<const Vec3<double>> positions, std::span<const Loop> loops, int axis)
+  RegionFiller(std::span<const Vec3<double>> positions, std::span<const Loop> loops, int axis)
       : positions_(normalizedPositions(positions, joined(loops))),
         view_(positions_, axis),
         loops_(loops),
@@ -157,7 +157,7 @@ class Filler {
 
 PlanarFilling fillLoops(std::span<const Vec3<double>> positions, std::span<const Loop> loops,
                         int axis) {
-  return Filler(positions, loops, axis).run();
+  return RegionFiller(positions, loops, axis).run();
 }
 
 }  // namespace cutwater::detail

@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "Commands/Commands.hpp"
+#include "Options/Arguments.hpp"
+#include "Options/LoadSurface.hpp"
+#include "Options/OutputFile.hpp"
+#include "Report/Format.hpp"
+#include "Report/Stopwatch.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+struct Options {
+  SurfaceOptions surface;
+  std::string output;
+  bool inFloat = false;
+};
+
+template <std::floating_point T>
+void prepare(const Options& options, const MeshSDF<T>& solid, double seconds) {
+  Stopwatch watch;
+  solid.save(options.output, sourceHash(options.surface));
+  const double secondsToWrite = watch.lap();
+  static_cast<void>(MeshSDF<T>::open(options.output));
+  const double secondsToOpen = watch.lap();
+  if (options.surface.quiet) return;
+  std::cout << "wrote " << options.output << ": " << grouped(solid.triangleCount(), "triangle")
+            << " in " << (sizeof(T) == 4 ? "single" : "double") << " precision, "
+            << bytes(std::filesystem::file_size(options.output)) << '\n'
+            << "built in " << duration(seconds) << ", written in " << duration(secondsToWrite)
+            << ", opened and verified in " << duration(secondsToOpen) << '\n';
+}
+
+/// Any name but those of other files, as it is the content that tells what a file is.
+void requireOwnName(const std::string& path) {
+  constexpr const char* kOthers[] = {".stl", ".ply", ".obj", ".off", ".vtk", ".gz", ".toml"};
+  const bool isOther = path == "-" || std::ranges::count(kOthers, extensionOf(path)) > 0;
+  if (isOther) refuse("--output", path, "a name for a prepared file, such as FILE.cutwater");
+}
+
+void run(const Options& options) {
+  Stopwatch watch;
+  if (options.inFloat) {
+    const auto solid = loadMesh<float>(options.surface);
+    prepare(options, solid, watch.lap());
+  } else {
+    const auto solid = loadMesh<double>(options.surface);
+    prepare(options, solid, watch.lap());
+  }
+}
+
+}  // namespace
+
+void addPrepare(Program& program) {
+  const auto options = std::make_shared<Options>();
+  auto command = program.addCommand(
+      "prepare", "Build a surface's tree and signs once, as a file that is ready to be used");
+  addSurfaceOptions(command, options->surface);
+  addSignOptions(command, options->surface);
+  command
+      .add("-o,--output", "FILE.cutwater", "The geometry file to write",
+           [=](const std::string& path) {
+             requireOwnName(path);
+             requireFolder(path);
+             options->output = path;
+           })
+      .required();
+  command.addFlag("--float",
+                  "In single precision, for codes that compute in it; other commands build anew "
+                  "from its triangles",
+                  options->inFloat);
+  command.setFooter(
+      "Examples:\n"
+      "  cutwater prepare hull.stl -o hull.cutwater\n"
+      "  cutwater prepare part.stl --scale 0.001 --signs winding -o part.cutwater\n"
+      "\n"
+      "Every command that reads a surface takes such a file, too; MeshSDF::open() maps it.\n"
+      "Told to move it or to decide signs otherwise, they build it anew from its triangles.");
+  command.setAction([=] { run(*options); });
+}
+
+}  // namespace cutwater::tool

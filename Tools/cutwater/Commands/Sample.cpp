@@ -1,0 +1,140 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/Fill.hpp>
+#include <Cutwater/Io/Vti.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <unistd.h>
+
+#include "Commands/Commands.hpp"
+#include "Options/Arguments.hpp"
+#include "Options/LoadSurface.hpp"
+#include "Options/OutputFile.hpp"
+#include "Options/SampleGrid.hpp"
+#include "Report/Format.hpp"
+#include "Report/ProgressBar.hpp"
+#include "Report/Stopwatch.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+struct Options {
+  SurfaceOptions surface;
+  std::string output;
+  GridRequest grid;
+  double band = 0;
+  std::vector<std::string> write{"distance"};
+};
+
+/// The requested arrays, in the forms that fill() and a file take.
+class Fields {
+ public:
+  Fields(const IndexBox& box, const std::vector<std::string>& names) {
+    for (const auto& name : names) {
+      if (name == "distance" && distance_.empty()) {
+        distance_.resize(box.count());
+        targets_.distance = GridView<double>::contiguous(distance_.data(), box);
+        arrays_.push_back({name, std::span<const double>(distance_)});
+      } else if (name == "patch" && patch_.empty()) {
+        patch_.resize(box.count());
+        targets_.patch = GridView<std::uint32_t>::contiguous(patch_.data(), box);
+        // Where there is none, viewers get -1.
+        static_assert(static_cast<std::int32_t>(kNone) == -1);
+        const auto* const first = reinterpret_cast<const std::int32_t*>(patch_.data());
+        arrays_.push_back({name, std::span(first, patch_.size())});
+      }
+    }
+  }
+
+  [[nodiscard]] const FillTargets<double>& targets() const { return targets_; }
+  [[nodiscard]] std::span<const VtkArray> arrays() const { return arrays_; }
+  [[nodiscard]] std::span<const double> distance() const { return distance_; }
+
+ private:
+  std::vector<double> distance_;
+  std::vector<std::uint32_t> patch_;
+  FillTargets<double> targets_;
+  std::vector<VtkArray> arrays_;
+};
+
+void report(const Options& options, const GridPatch<double>& grid, const Fields& fields,
+            double seconds) {
+  const auto& n = grid.indices;
+  const std::string kind = options.grid.nodes ? "nodes" : "cells";
+  std::cout << "wrote " << options.output << ": " << n.length(0) << " x " << n.length(1) << " x "
+            << n.length(2) << " = " << grouped(n.count()) << ' ' << kind << " of "
+            << extent(grid.level.spacing()) << '\n';
+  const auto distances = fields.distance();
+  if (!distances.empty()) {
+    const auto inside =
+        std::count_if(distances.begin(), distances.end(), [](double d) { return d < 0; });
+    std::cout << "inside: " << grouped(static_cast<std::size_t>(inside)) << ' ' << kind << '\n';
+  }
+  const double each = seconds / static_cast<double>(n.count());
+  std::cout << "sampled in " << duration(seconds) << ", " << number(each * 1e9, 3) << " ns each\n";
+}
+
+/// @throws Error if the values cannot be in memory all at once.
+void requireMemory(const IndexBox& grid, const std::vector<std::string>& names) {
+  const std::size_t each = (std::ranges::count(names, "distance") > 0 ? sizeof(double) : 0) +
+                           (std::ranges::count(names, "patch") > 0 ? sizeof(std::uint32_t) : 0);
+  const auto most = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
+                    static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t needed = grid.count() * each;
+  if (needed <= most) return;
+  throw Error(ErrorKind::Limit, "the grid's " + grouped(grid.count()) + " values take " +
+                                    bytes(needed) + ", and this machine has " + bytes(most) +
+                                    " of memory; use fewer --cells");
+}
+
+void run(const Options& options) {
+  const auto solid = loadSolid(options.surface);
+  const auto grid = gridAround(boxAround(solid), options.grid);
+  requireMemory(grid.indices, options.write);
+  const Fields fields(grid.indices, options.write);
+  Stopwatch watch;
+  {
+    ProgressBar bar("sampling", !options.surface.quiet);
+    fill(solid, grid, fields.targets(),
+         {.band = options.band, .threads = options.surface.threads, .progress = bar.callback()});
+  }
+  const double seconds = watch.lap();
+  writeVti(options.output, grid, fields.arrays());
+  if (!options.surface.quiet) report(options, grid, fields, seconds);
+}
+
+}  // namespace
+
+void addSample(Program& program) {
+  const auto options = std::make_shared<Options>();
+  auto command = program.addCommand(
+      "sample", "Sample the signed distance on a grid, as a VTK image that ParaView opens");
+  addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
+  addSignOptions(command, options->surface);
+  addOutput(command, "-o,--output", options->output, {".vti"}, "The image to write").required();
+  addSizeOptions(command, options->grid);
+  addPlaceOptions(command, options->grid);
+  command.addFlag("--nodes", "Values at the nodes of the cells, not at their centres",
+                  options->grid.nodes);
+  command.add("--band", "CELLS",
+              "Tell distances within so many cells of the surface, by the smallest of their sides; "
+              "beyond, just this width and the sign",
+              [=](const std::string& text) { options->band = positiveNumber("--band", text); });
+  command.addWords("--write", "distance,patch",
+                   "What to write; patch is that of the closest surface point, -1 beyond the band; "
+                   "without it: distance",
+                   options->write, {"distance", "patch"}, Values::Several);
+  command.setFooter(
+      "Examples:\n"
+      "  cutwater sample hull.stl -o hull.vti\n"
+      "  cutwater sample hull.stl --spacing 0.02 --band 4 -o band.vti\n"
+      "  cutwater sample part.stl --scale 0.001 --rotate 90,x --translate 0,0,1 --cells 200 -o "
+      "part.vti\n"
+      "  cutwater sample hull.stl --box -1,-1,-1,7,1,1 --cells 400x100x100 --write "
+      "distance,patch -o hull.vti");
+  command.setAction([=] { run(*options); });
+}
+
+}  // namespace cutwater::tool

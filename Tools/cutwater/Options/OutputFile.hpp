@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "Options/Command.hpp"
+
+// Names of files to write, refused before any work where nothing good can come of it.
+namespace cutwater::tool {
+
+/// Every name is good for devices such as /dev/stdout.
+/// @throws UsageError unless the name ends in one of the extensions (".vti"), in either
+/// case.
+void requireExtension(const std::string& option, const std::string& path,
+                      const std::vector<std::string>& extensions);
+
+/// @throws Error unless the folder that the file is to be in exists.
+void requireFolder(const std::string& path);
+
+/// Adds an option, as in "-o,--output", for a file with one of the extensions in a folder that
+/// exists. `output` must outlive the command.
+Option addOutput(Command command, const std::string& names, std::string& output,
+                 const std::vector<std::string>& extensions, const std::string& meaning);
+
+}  // namespace cutwater::tool

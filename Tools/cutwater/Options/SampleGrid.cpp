@@ -1,0 +1,110 @@
+#include "Options/SampleGrid.hpp"
+
+#include <Cutwater/Core/Error.hpp>
+
+#include <algorithm>
+#include <array>
+
+#include "Options/Arguments.hpp"
+
+namespace cutwater::tool {
+
+namespace {
+
+constexpr double kDefaultMargin = 0.1;  // of the diagonal
+constexpr std::int32_t kDefaultCells = 128;
+constexpr double kMostAlongAxis = 2147483646.0;  // so that nodes have indices, too
+constexpr double kMostInAll = 1e12;              // far beyond any memory; keeps products finite
+
+/// The side of cubic cells.
+double cubeOf(const Vec3<double>& size, const GridRequest& request) {
+  if (request.spacing.size() == 1) return request.spacing[0];
+  if (request.total) return std::cbrt(size.x * size.y * size.z / *request.total);
+  return maxComponent(size) / (request.cells.empty() ? kDefaultCells : request.cells[0]);
+}
+
+/// The number of cells that cover the length; rounding does not add one.
+std::int32_t cellsAlong(double length, double spacing) {
+  const double cells = std::max(std::ceil(length / spacing * (1 - 1e-12)), 1.0);
+  if (!(cells <= kMostAlongAxis)) {
+    throw Error(ErrorKind::Limit, "the grid would have more than 2^31 cells along an axis");
+  }
+  return static_cast<std::int32_t>(cells);
+}
+
+}  // namespace
+
+GridPatch<double> gridAround(const Box<double>& surface, const GridRequest& request) {
+  const double margin = request.margin.value_or(kDefaultMargin * surface.diagonal());
+  auto box = request.box ? *request.box : surface.grown(margin);
+  const auto size = box.size();
+  if (!(size.x > 0 && size.y > 0 && size.z > 0) || !isFinite(size)) {
+    throw Error(ErrorKind::Argument,
+                "the box of the grid has no extent or no end: --box sets another");
+  }
+  std::array<std::int32_t, 3> count{};
+  Vec3<double> spacing;
+  if (request.cells.size() == 3) {
+    count = {request.cells[0], request.cells[1], request.cells[2]};
+    for (int i = 0; i < 3; ++i) spacing[i] = box.size()[i] / count[static_cast<std::size_t>(i)];
+  } else {
+    const double cube = cubeOf(box.size(), request);
+    spacing = {cube, cube, cube};
+    if (request.spacing.size() == 3) {
+      spacing = {request.spacing[0], request.spacing[1], request.spacing[2]};
+    }
+    for (int i = 0; i < 3; ++i) {
+      const auto cells = cellsAlong(box.size()[i], spacing[i]);
+      count[static_cast<std::size_t>(i)] = cells;
+      box.lower[i] = box.center()[i] - 0.5 * cells * spacing[i];
+    }
+  }
+  if (1.0 * count[0] * count[1] * count[2] > kMostInAll) {
+    throw Error(ErrorKind::Limit, "the grid would have more than 10^12 cells");
+  }
+  const std::int32_t more = request.nodes ? 1 : 0;
+  return {Level<double>(box.lower, spacing, request.nodes ? Centering::Node : Centering::Cell),
+          IndexBox::ofSize(count[0] + more, count[1] + more, count[2] + more)};
+}
+
+void addSizeOptions(Command command, GridRequest& grid) {
+  const auto cells = command.add(
+      "--cells", "N|NXxNYxNZ",
+      "Cubic cells, N along the longest side; or so many along each axis; without it: 128",
+      [&](const std::string& text) {
+        constexpr const char* kNeed = "one whole number above 0 or three: 200 or 200x80x40";
+        grid.cells = sizes("--cells", text, kNeed);
+        if (grid.cells.size() != 1 && grid.cells.size() != 3) refuse("--cells", text, kNeed);
+      });
+  const auto spacing =
+      command.add("--spacing", "H|HX,HY,HZ", "Sides of a cell, instead of --cells",
+                  [&](const std::string& text) {
+                    constexpr const char* kNeed = "one number above 0 or three: 0.1 or 0.1,0.1,0.2";
+                    grid.spacing = numbers("--spacing", text, kNeed);
+                    if ((grid.spacing.size() != 1 && grid.spacing.size() != 3) ||
+                        *std::min_element(grid.spacing.begin(), grid.spacing.end()) <= 0) {
+                      refuse("--spacing", text, kNeed);
+                    }
+                  });
+  spacing.excludes(cells);
+  command
+      .add("--total", "N", "Cubic cells, about so many in all, instead of --cells",
+           [&](const std::string& text) { grid.total = positiveNumber("--total", text); })
+      .excludes(cells)
+      .excludes(spacing);
+}
+
+void addPlaceOptions(Command command, GridRequest& grid) {
+  const auto box = command.add("--box", "X0,Y0,Z0,X1,Y1,Z1",
+                               "The box to cover; without it: the surface's, with a margin",
+                               [&](const std::string& text) { grid.box = boxOf("--box", text); });
+  command
+      .add("--margin", "LENGTH", "Room around the surface; without it: a tenth of its diagonal",
+           [&](const std::string& text) {
+             grid.margin = numbers("--margin", text, 1).front();
+             if (*grid.margin < 0) refuse("--margin", text, "a number from 0");
+           })
+      .excludes(box);
+}
+
+}  // namespace cutwater::tool

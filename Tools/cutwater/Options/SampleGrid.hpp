@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Cutwater/Core/Level.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "Options/Command.hpp"
+
+namespace cutwater::tool {
+
+/// The options that describe the grid around a surface. At most one of cells, total and spacing.
+struct GridRequest {
+  /// One number: cubes, this many along the longest side. Three: cells along each axis.
+  std::vector<std::int32_t> cells;
+  std::optional<double> total;  ///< cubes, about this many in all
+  /// One number or three: sides of a cell.
+  std::vector<double> spacing;
+  std::optional<Box<double>> box;
+  std::optional<double> margin;  ///< around the surface, if there is no box
+  bool nodes = false;            ///< values at nodes, not at cell centres
+};
+
+/// The grid that covers the box, or the surface and a margin of a tenth of its diagonal. Cells
+/// whose size is given keep it: the box grows to whole cells, about its centre.
+/// @throws Error(Argument) if the surface has no extent, Error(Limit) if the grid is too large.
+[[nodiscard]] GridPatch<double> gridAround(const Box<double>& surface, const GridRequest& request);
+
+/// Adds --cells, --spacing and --total. `grid` must outlive the command.
+void addSizeOptions(Command command, GridRequest& grid);
+/// Adds --box and --margin, likewise.
+void addPlaceOptions(Command command, GridRequest& grid);
+
+}  // namespace cutwater::tool

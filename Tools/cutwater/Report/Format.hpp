@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Cutwater/Text/Numbers.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+// Numbers and words formatted for people; the same in every locale.
+namespace cutwater::tool {
+
+using detail::exactly;
+using detail::grouped;
+using detail::listed;
+using detail::number;
+using detail::point;
+using detail::rounded;
+
+/// "6.27 x 0.859 x 0.784"
+[[nodiscard]] std::string extent(const Vec3<double>& size);
+/// "14.1 MB", in powers of 1000
+[[nodiscard]] std::string bytes(std::size_t count);
+/// "0.31 s", "12 ms", "45 us", "2 min 5 s"
+[[nodiscard]] std::string duration(double seconds);
+/// "00c0ffee00c0ffee"
+[[nodiscard]] std::string hexadecimal(std::uint64_t value);
+/// The text as one word of a shell's command line, quoted where needed.
+[[nodiscard]] std::string shellWord(const std::string& text);
+/// The same for the name of a file, which no command takes for an option.
+[[nodiscard]] std::string fileWord(const std::string& file);
+/// Padded with blanks to `width`.
+[[nodiscard]] std::string leftAligned(std::string_view text, std::size_t width);
+[[nodiscard]] std::string rightAligned(std::string_view text, std::size_t width);
+
+}  // namespace cutwater::tool
