@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/BeamTable.hpp>
 #include <Cutwater/Io/Detail/CsvRows.hpp>
+#include <Cutwater/Io/Tables.hpp>
 #include <Cutwater/Text/Output.hpp>
 
 #include <cmath>

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/OutputFile.hpp>
+#include <Cutwater/Io/Detail/VtkXml.hpp>
 #include <Cutwater/Io/Pvtu.hpp>
 
 namespace cutwater {

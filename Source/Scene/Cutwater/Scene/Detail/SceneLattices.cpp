@@ -1,9 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/BeamTable.hpp>
-#include <Cutwater/Io/ReadBalls.hpp>
+#include <Cutwater/Io/Tables.hpp>
+#include <Cutwater/Lattice/BeamGraph.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
-#include <Cutwater/Lattice/BeamsWithin.hpp>
-#include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Lattice/PackedBed.hpp>
 #include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Scene/Detail/SceneLattices.hpp>
@@ -89,10 +87,8 @@ namespace {
 Made lattice(const Record& r) {
   const auto cell = unitCellOf(r, "lattice");
   const auto thickness = strutRadiusOf(r);
-  const Repeats<double> cells{.period = r.point("cell"), .count = r.counts("count")};
-  const auto& [x, y, z] = cells.count;
-  if (x == 0 && y == 0 && z == 0) return PeriodicLattice<double>(cell, cells.period, thickness);
-  return CellArray<double>(cell, cells, thickness);
+  return PeriodicLattice<double>(cell, {.period = r.point("cell"), .count = r.counts("count")},
+                                 thickness);
 }
 
 Made beams(const Record& r) {
