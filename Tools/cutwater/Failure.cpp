@@ -26,7 +26,7 @@ int failed(const CLI::App& program, const CLI::ParseError& error) {
   for (const auto* command : program.get_subcommands({})) commands.push_back(command->get_name());
   return failed(
       program.get_name(),
-      "there is no command \"" + rest.front() + '"' + scene::suggestion(rest.front(), commands),
+      "there is no command \"" + rest.front() + '"' + text::suggestion(rest.front(), commands),
       kUsage);
 }
 
