@@ -4,7 +4,7 @@
 //   cutwater_isosurface_benchmark [surface]
 
 #include <Cutwater/Grid/Isosurface.hpp>
-#include <Cutwater/Lattice/CellArray.hpp>
+#include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
@@ -60,7 +60,8 @@ void run(const char* file) {
       "| solid | million nodes | triangles | loop, s | isosurface, s | 2 threads | million nodes/s "
       "| loop / isosurface |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
   const Sphere<double> ball({0, 0, 0}, 1);
-  const CellArray<double> octet(UnitCell::octet(), {.period = {1, 1, 1}, .count = {4, 4, 4}}, 0.08);
+  const PeriodicLattice<double> octet(UnitCell::octet(), {.period = {1, 1, 1}, .count = {4, 4, 4}},
+                                      0.08);
   const MeshSDF<double> capsule(file != nullptr ? readSurface(file).soup
                                                 : tessellation::capsule(0.4, 3, 256, 96));
   for (const int cells : {100, 200, 400}) {

@@ -5,7 +5,7 @@
 
 #include <Cutwater/Lattice/Beam.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
-#include <Cutwater/Lattice/CellArray.hpp>
+#include <Cutwater/Lattice/Detail/SearchedCells.hpp>
 #include <Cutwater/Lattice/PeriodicLattice.hpp>
 
 #include <algorithm>
@@ -62,7 +62,7 @@ void printCells() {
   const auto points = pointsIn(10, 50'000);
   for (const auto& cell : UnitCell::all()) {
     const PeriodicLattice<double> endless(cell, {1, 1, 1}, kRadius);
-    const CellArray<double> array(cell, {{1, 1, 1}, {10, 10, 10}}, kRadius);
+    const PeriodicLattice<double> array(cell, {{1, 1, 1}, {10, 10, 10}}, kRadius);
     const BeamLattice<double> beams(beamsOf(cell, array.cells(), kRadius));
     const detail::SearchedCells<double> search(cell, {.period = {1, 1, 1}});
     const auto value = [](const auto& solid) {

@@ -1,5 +1,5 @@
 // The library's unit cells side by side. See README.md.
-#include <Cutwater/Lattice/CellArray.hpp>
+#include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Render.hpp>
 
@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     // [DOCS
     // Two cells along each axis; the thicker, the less length there is.
     const double radius = 0.12 / std::sqrt(cell.lengthPerCell());
-    const CellArray<double> array(cell, {.period = {1, 1, 1}, .count = {2, 2, 2}}, radius);
+    const PeriodicLattice<double> array(cell, {.period = {1, 1, 1}, .count = {2, 2, 2}}, radius);
     RenderOptions options;
     options.view = View::fromAngles(-62, 24);
     options.width = options.height = width;

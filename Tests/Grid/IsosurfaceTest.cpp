@@ -1,7 +1,7 @@
 #include <Cutwater/Cutwater.hpp>
 #include <Cutwater/Grid/Isosurface.hpp>
 #include <Cutwater/Grid/SolidVolume.hpp>
-#include <Cutwater/Lattice/CellArray.hpp>
+#include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/SurfaceMeasure.hpp>
 
@@ -89,7 +89,7 @@ TYPED_TEST(IsosurfaceTest, HasTheVolumeOfTheSolid) {
 TYPED_TEST(IsosurfaceTest, LiesWithinTheCertainVolume) {
   using T = TypeParam;
   for (const auto& cell : UnitCell::all()) {
-    const CellArray<T> array(cell, {.period = {1, 1, 1}, .count = {1, 1, 1}}, T(0.08));
+    const PeriodicLattice<T> array(cell, {.period = {1, 1, 1}, .count = {1, 1, 1}}, T(0.08));
     const auto nodes = nodesAround(array.boundingBox(), T(0.025));
     const auto soup = isosurface<T>(array, nodes);
     expectClosed(soup, cell.name());

@@ -1,4 +1,4 @@
-#include <Cutwater/Io/BeamTable.hpp>
+#include <Cutwater/Io/Tables.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
 
 #include <fstream>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/ReadTableOptions.hpp>
+#include <Cutwater/Io/Tables.hpp>
 
 #include <fstream>
 

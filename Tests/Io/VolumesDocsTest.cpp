@@ -2,7 +2,7 @@
 
 #include <Cutwater/Bvh/PointCloud.hpp>
 #include <Cutwater/Grid/PorosityRadius.hpp>
-#include <Cutwater/Io/ReadBalls.hpp>
+#include <Cutwater/Io/Tables.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>
 

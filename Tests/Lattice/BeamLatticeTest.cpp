@@ -1,7 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Lattice/Beam.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
-#include <Cutwater/Lattice/CellArray.hpp>
+#include <Cutwater/Lattice/Detail/CappedBeam.hpp>
+#include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 #include <Cutwater/Shapes/ConeSphere.hpp>
 
@@ -241,13 +242,13 @@ TYPED_TEST(BeamLatticeTest, RandomGraphsKeepTheirGuarantee) {
 }
 
 /// The evaluators against each other: folding or search without memory, and explicit beams.
-TYPED_TEST(BeamLatticeTest, BeamsOfCellsAreTheCellArray) {
+TYPED_TEST(BeamLatticeTest, BeamsOfCellsAreTheArrayOfCells) {
   using T = TypeParam;
   constexpr T kEps = std::numeric_limits<T>::epsilon();
   for (const auto& cell : UnitCell::all()) {
     SCOPED_TRACE(cell.name());
     const BeamLattice<T> explicitly(beamsOf(cell, {{1, 1, 1}, {3, 2, 4}}, 0.0625));
-    const CellArray<T> array(cell, {{1, 1, 1}, {3, 2, 4}}, T(0.0625));
+    const PeriodicLattice<T> array(cell, {{1, 1, 1}, {3, 2, 4}}, T(0.0625));
     RandomPoints<T> random(3, 8);
     for (int i = 0; i < scaled(400); ++i) {
       const Vec3<T> p = random.next() + Vec3<T>{T(1.5), 1, 2};

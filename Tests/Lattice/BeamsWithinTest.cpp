@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Lattice/BeamGraph.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
-#include <Cutwater/Lattice/BeamsWithin.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>

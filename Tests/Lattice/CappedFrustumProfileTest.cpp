@@ -1,4 +1,4 @@
-#include <Cutwater/Lattice/Beam.hpp>
+#include <Cutwater/Lattice/Detail/CappedBeam.hpp>
 #include <Cutwater/Sdf/FunctionSDF.hpp>
 
 #include <cmath>

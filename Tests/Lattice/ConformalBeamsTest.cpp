@@ -1,8 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
-#include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Lattice/CellMappings.hpp>
 #include <Cutwater/Lattice/ConformalBeams.hpp>
+#include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
 #include <algorithm>
@@ -62,7 +62,7 @@ TEST(ConformalBeamsTest, RegularBoxesAreRegularArrays) {
       EXPECT_EQ(mapped.beams[i].radii, plain.beams[i].radii);
     }
     const BeamLattice<double> solid(mapped);
-    const CellArray<double> array(cell, {size, {3, 2, 4}}, 0.0625);
+    const PeriodicLattice<double> array(cell, {size, {3, 2, 4}}, 0.0625);
     RandomPoints<double> random(3, 8);
     for (int i = 0; i < scaled(200); ++i) {
       const auto p = random.next() + Vec3<double>{1.5, 1, 2};

@@ -1,7 +1,6 @@
 // The code of Docs/lattices.md.
+#include <Cutwater/Lattice/BeamGraph.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
-#include <Cutwater/Lattice/BeamsWithin.hpp>
-#include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Lattice/CellMappings.hpp>
 #include <Cutwater/Lattice/ConformalBeams.hpp>
 #include <Cutwater/Lattice/PeriodicLattice.hpp>
@@ -19,8 +18,9 @@ TEST(DocsTest, LatticesWithoutMemory) {
   const PeriodicLattice<double> octet(UnitCell::octet(), {5, 5, 5}, 0.4);
   const Solid<double> ball = Sphere<double>({0, 0, 0}, 40) & octet;
 
-  // A block of 20 x 20 x 4 cells, from the origin, with its ends as the struts have them.
-  const CellArray<double> core(UnitCell::bccz(), {.period = {5, 5, 8}, .count = {20, 20, 4}}, 0.4);
+  // An array of 20 x 20 x 4 cells, from the origin, with round ends of struts at its sides.
+  const PeriodicLattice<double> core(UnitCell::bccz(), {.period = {5, 5, 8}, .count = {20, 20, 4}},
+                                     0.4);
   // DOCS]
   EXPECT_DOUBLE_EQ(ball.signedDistance({50, 0, 0}), 10);
   EXPECT_DOUBLE_EQ(octet.signedDistance({5, 0, 0}), -0.4);

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Lattice/Detail/CellMirrors.hpp>
 #include <Cutwater/Lattice/UnitCell.hpp>
 
 #include <algorithm>

@@ -47,8 +47,8 @@ TEST(ParseTomlTest, RefusalsHaveALine) {
   EXPECT_EQ(refusal("[a]\n[b]\n[a]\n").substr(0, 12), "it: line 3: ");
   EXPECT_EQ(refusal("a = \"\xff\"").substr(0, 12), "it: line 1: ");
   EXPECT_EQ(refusal(std::string("a = 1\n\0", 7)).substr(0, 4), "it: ");
-  EXPECT_EQ(refusal("\na = 1979-05-27"), "it: line 2: a scene has no dates");
-  EXPECT_EQ(refusal("a = 9007199254740993"), "it: line 1: whole numbers end at 2^53");
+  EXPECT_EQ(refusal("\na = 1979-05-27"), "it: line 2: a scene cannot contain dates");
+  EXPECT_EQ(refusal("a = 9007199254740993"), "it: line 1: whole numbers beyond 2^53 are not exact");
   EXPECT_EQ(refusal("a = 9007199254740992"), "nothing");
   EXPECT_EQ(refusal("a = [[[[[[[1]]]]]]]"), "nothing");
   EXPECT_EQ(refusal("\na = [[[[[[[[1]]]]]]]]"),
@@ -62,7 +62,7 @@ TEST(ParseTomlTest, KeysOfManyDotsAreRefusedBeforeTheyAreParsed) {
     for (int i = 0; i < times; ++i) text += part;
     return text;
   };
-  const std::string kMany = ": more than 16 dots that are no decimal points";
+  const std::string kMany = ": more than 16 dots that are not decimal points";
   EXPECT_EQ(refusal("\n[" + repeated("a.", 1000000) + "a]\n"), "it: line 2" + kMany);
   EXPECT_EQ(refusal(repeated("0.", 1000000) + "0 = 1"), "it: line 1" + kMany);
   EXPECT_EQ(refusal(repeated("0 . ", 1000000) + "0 = 1"), "it: line 1" + kMany);

@@ -109,11 +109,11 @@ TEST_F(SceneGraphTest, FormsAreToldApart) {
   for (const auto& group : scene::allSceneForms()) {
     for (const auto& form : group.forms) {
       ASSERT_NE(form.make, nullptr);
-      if (form.head.empty()) {
-        EXPECT_TRUE(heads.insert(form.headKey()).second) << form.name;
+      if (form.kindKey.empty()) {
+        EXPECT_TRUE(heads.insert(form.identifyingKey()).second) << form.name;
       }
       for (const auto& key : form.keys) {
-        if (key.name != form.headKey()) others.insert(key.name);
+        if (key.name != form.identifyingKey()) others.insert(key.name);
       }
     }
   }
@@ -126,7 +126,7 @@ TEST_F(SceneGraphTest, RefusesWhatIsNoSolid) {
   EXPECT_EQ(refusal(""), "there is no solid in it");
   EXPECT_EQ(refusal("solid = \"a\""), "there is no solid in it");
   EXPECT_EQ(refusal("# nothing\n\nradius = 1\n"),
-            "line 3: \"radius\" is no key of a scene, which has \"solid\", a text, and a table "
+            "line 3: \"radius\" is not a key of a scene, which has \"solid\", a text, and a table "
             "[name] for each solid");
   EXPECT_EQ(refusal("[[a]]\nshape = \"plane\"").substr(0, 11), "line 1: \"a\"");
   EXPECT_EQ(refusal("[a]\n").substr(0, 54),

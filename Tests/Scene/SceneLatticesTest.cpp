@@ -1,8 +1,6 @@
-#include <Cutwater/Io/BeamTable.hpp>
-#include <Cutwater/Io/ReadBalls.hpp>
+#include <Cutwater/Io/Tables.hpp>
+#include <Cutwater/Lattice/BeamGraph.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
-#include <Cutwater/Lattice/BeamsWithin.hpp>
-#include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Lattice/PackedBed.hpp>
 #include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
@@ -43,10 +41,12 @@ TEST_F(SceneLatticesTest, HasEveryUnitCell) {
 }
 
 TEST_F(SceneLatticesTest, MayEnd) {
-  expectSame(read(latticeOf("BCC") + "radius = 0.05\ncount = [2, 3, 1]"),
-             CellArray<double>(UnitCell::bcc(), {.period = {1, 1, 1.5}, .count = {2, 3, 1}}, 0.05));
-  expectSame(read(latticeOf("BCC") + "radius = 0.05\ncount = [2, 0, 0]"),
-             CellArray<double>(UnitCell::bcc(), {.period = {1, 1, 1.5}, .count = {2, 0, 0}}, 0.05));
+  expectSame(
+      read(latticeOf("BCC") + "radius = 0.05\ncount = [2, 3, 1]"),
+      PeriodicLattice<double>(UnitCell::bcc(), {.period = {1, 1, 1.5}, .count = {2, 3, 1}}, 0.05));
+  expectSame(
+      read(latticeOf("BCC") + "radius = 0.05\ncount = [2, 0, 0]"),
+      PeriodicLattice<double>(UnitCell::bcc(), {.period = {1, 1, 1.5}, .count = {2, 0, 0}}, 0.05));
 }
 
 TEST_F(SceneLatticesTest, MayBeGraded) {

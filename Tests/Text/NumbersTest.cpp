@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cutwater::detail {
+namespace cutwater::text {
 namespace {
 
 TEST(NumbersTest, DigitsAreGroupedByThousands) {
@@ -10,6 +10,12 @@ TEST(NumbersTest, DigitsAreGroupedByThousands) {
   EXPECT_EQ(grouped(999), "999");
   EXPECT_EQ(grouped(1000), "1 000");
   EXPECT_EQ(grouped(1234567), "1 234 567");
+}
+
+TEST(NumbersTest, CountsAreWords) {
+  EXPECT_EQ(counted(0, "face", "faces"), "0 faces");
+  EXPECT_EQ(counted(1, "face", "faces"), "1 face");
+  EXPECT_EQ(counted(4'000'000'000, "vertex", "vertices"), "4000000000 vertices");
 }
 
 TEST(NumbersTest, NounsFollowTheCount) {
@@ -41,4 +47,4 @@ TEST(NumbersTest, PointsAndLists) {
 }
 
 }  // namespace
-}  // namespace cutwater::detail
+}  // namespace cutwater::text

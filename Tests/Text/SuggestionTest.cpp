@@ -5,7 +5,7 @@
 namespace cutwater::test {
 namespace {
 
-using scene::suggestion;
+using text::suggestion;
 
 TEST(SuggestionTest, IsTheNearestWordWithinAThirdOfItsLength) {
   const std::vector<std::string> words{"radius", "radii", "center", "to"};

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
+#include <Cutwater/Tpms/Detail/PatternDistance.hpp>
 #include <Cutwater/Tpms/MetricWall.hpp>
 #include <Cutwater/Tpms/TpmsSolid.hpp>
 

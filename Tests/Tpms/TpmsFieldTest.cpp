@@ -38,7 +38,7 @@ TYPED_TEST(TpmsFieldTest, CylindricalCellsKeepTheirGuarantee) {
   const auto map = TpmsMap<T>::cylindrical(
       {.radialSize = T(0.5), .cellsPerTurn = 7, .axialSize = T(0.75), .turnsPerLength = T(0.125)});
   const TpmsField<T> field(TpmsPattern::gyroid(), map);
-  EXPECT_FALSE(field.isBare());
+  EXPECT_FALSE(field.isUniform());
   const auto inside = [](const Vec3<double>& p) {
     return std::abs(plainAt(kGyroid, cylindrical(p, 0.5, 7, 0.125, 0.75))) < static_cast<T>(0.3);
   };

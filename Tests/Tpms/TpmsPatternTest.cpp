@@ -71,13 +71,13 @@ TYPED_TEST(TpmsPatternTest, BatchesAreOnePointAfterTheOther) {
       for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         const auto p = random.next();
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          batch.turns[axis][i] = p[static_cast<int>(axis)];
+          batch.inCells[axis][i] = p[static_cast<int>(axis)];
         }
       }
       detail::samplePattern(pattern.kind(), batch, count);
       for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         const auto alone =
-            pattern.sample(Vec3<T>{batch.turns[0][i], batch.turns[1][i], batch.turns[2][i]});
+            pattern.sample(Vec3<T>{batch.inCells[0][i], batch.inCells[1][i], batch.inCells[2][i]});
         ASSERT_EQ(alone.value, batch.value[i]) << pattern.name();
         ASSERT_EQ(alone.gradient,
                   (Vec3<T>{batch.gradient[0][i], batch.gradient[1][i], batch.gradient[2][i]}));

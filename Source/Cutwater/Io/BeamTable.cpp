@@ -1,7 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/BeamTable.hpp>
 #include <Cutwater/Io/Detail/CsvRows.hpp>
+#include <Cutwater/Io/Tables.hpp>
 #include <Cutwater/Text/Output.hpp>
+#include <Cutwater/Text/Words.hpp>
 
 #include <cmath>
 
@@ -15,11 +16,11 @@ constexpr std::array<std::string_view, 3> kCapNames{"butt", "hemisphere", "spher
 
 BeamCap capOf(const CsvRows& rows, std::size_t field) {
   for (std::size_t cap = 0; cap < kCapNames.size(); ++cap) {
-    if (formats::equalIgnoringCase(rows.text(field), kCapNames[cap])) {
+    if (text::equalIgnoringCase(rows.text(field), kCapNames[cap])) {
       return static_cast<BeamCap>(cap);
     }
   }
-  rows.fail("expected butt, hemisphere or sphere, found " + formats::quoted(rows.text(field)));
+  rows.fail("expected butt, hemisphere or sphere, found " + text::quoted(rows.text(field)));
 }
 
 /// Fills a graph line by line.
@@ -30,14 +31,14 @@ class Lines {
   BeamGraph read() {
     while (rows_.next()) {
       const auto kind = rows_.text(0);
-      if (formats::equalIgnoringCase(kind, "node")) {
+      if (text::equalIgnoringCase(kind, "node")) {
         addNode();
-      } else if (formats::equalIgnoringCase(kind, "beam")) {
+      } else if (text::equalIgnoringCase(kind, "beam")) {
         addBeam();
-      } else if (formats::equalIgnoringCase(kind, "ball")) {
+      } else if (text::equalIgnoringCase(kind, "ball")) {
         addBall();
       } else {
-        rows_.fail("expected node, beam or ball, found " + formats::quoted(kind));
+        rows_.fail("expected node, beam or ball, found " + text::quoted(kind));
       }
     }
     if (graph_.beams.empty() && graph_.balls.empty()) rows_.fail("the file ends without a beam");
@@ -128,7 +129,7 @@ BeamGraph readBeams(const std::filesystem::path& path, const ReadTableOptions& o
 void writeBeams(const std::filesystem::path& path, const BeamGraph& graph) {
   check(graph);
   OutputFile file(path);
-  formats::Output out(file);
+  text::Output out(file);
   for (const auto& p : graph.nodes) out << "node," << p.x << ',' << p.y << ',' << p.z << '\n';
   for (const auto& [nodes, radii, body, caps] : graph.beams) {
     out << "beam," << std::uint64_t{nodes[0]} << ',' << std::uint64_t{nodes[1]} << ',' << radii[0]

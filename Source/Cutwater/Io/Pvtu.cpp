@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Detail/OutputFile.hpp>
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Io/Detail/VtkXml.hpp>
 #include <Cutwater/Io/Pvtu.hpp>
 
 namespace cutwater {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Vec3.hpp>
-#include <Cutwater/Io/VtkXml.hpp>
+#include <Cutwater/Io/VtkArray.hpp>
 
 #include <filesystem>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Level.hpp>
-#include <Cutwater/Io/VtkXml.hpp>
+#include <Cutwater/Io/VtkArray.hpp>
 
 #include <filesystem>
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Cutwater/Grid/OctreeCells.hpp>
-#include <Cutwater/Io/VtkXml.hpp>
+#include <Cutwater/Io/VtkArray.hpp>
 
 #include <filesystem>
 
 namespace cutwater {
+
+class OutputFile;
 
 /// Options of writeVtu().
 struct VtuOptions {

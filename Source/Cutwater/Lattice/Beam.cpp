@@ -1,4 +1,5 @@
 #include <Cutwater/Lattice/Beam.hpp>
+#include <Cutwater/Lattice/Detail/CappedBeam.hpp>
 #include <Cutwater/Sdf/Guarantee.hpp>
 #include <Cutwater/Shapes/Detail/Arguments.hpp>
 

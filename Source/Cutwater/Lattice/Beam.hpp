@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Cutwater/Bvh/LinearBVH.hpp>
-#include <Cutwater/Lattice/Detail/CappedFrustumProfile.hpp>
 #include <Cutwater/Shapes/Detail/CapsuleProfile.hpp>
 #include <Cutwater/Shapes/Detail/ConeSphereProfile.hpp>
 #include <Cutwater/Shapes/Detail/FrustumProfile.hpp>
@@ -64,17 +63,6 @@ class CappedConeBeam : public Beam<T, detail::FrustumProfile<T>> {
   CappedConeBeam(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB);
 };
 
-/// A frustum with a cap at each end: see BeamCap. If both ends are flat, its surface is that of a
-/// CappedCone.
-template <std::floating_point T>
-class CappedBeam : public Beam<T, detail::CappedFrustumProfile<T>> {
- public:
-  /// @throws Error unless the nodes are finite and differ, both radii are finite and not negative,
-  /// and one of them is positive.
-  CappedBeam(const Vec3<T>& a, const Vec3<T>& b, T radiusA, T radiusB,
-             const std::array<BeamCap, 2>& caps);
-};
-
 extern template class Beam<float, detail::CapsuleProfile<float>>;
 extern template class Beam<double, detail::CapsuleProfile<double>>;
 extern template class CapsuleBeam<float>;
@@ -87,10 +75,6 @@ extern template class Beam<float, detail::FrustumProfile<float>>;
 extern template class Beam<double, detail::FrustumProfile<double>>;
 extern template class CappedConeBeam<float>;
 extern template class CappedConeBeam<double>;
-extern template class Beam<float, detail::CappedFrustumProfile<float>>;
-extern template class Beam<double, detail::CappedFrustumProfile<double>>;
-extern template class CappedBeam<float>;
-extern template class CappedBeam<double>;
 // Trees of beams are compiled in the library, too.
 extern template class LinearBVH<float, CapsuleBeam<float>>;
 extern template class LinearBVH<double, CapsuleBeam<double>>;
@@ -98,7 +82,5 @@ extern template class LinearBVH<float, ConeSphereBeam<float>>;
 extern template class LinearBVH<double, ConeSphereBeam<double>>;
 extern template class LinearBVH<float, CappedConeBeam<float>>;
 extern template class LinearBVH<double, CappedConeBeam<double>>;
-extern template class LinearBVH<float, CappedBeam<float>>;
-extern template class LinearBVH<double, CappedBeam<double>>;
 
 }  // namespace cutwater

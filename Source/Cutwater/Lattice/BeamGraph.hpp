@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Cutwater/Lattice/UnitCell.hpp>
 #include <Cutwater/Core/Repeats.hpp>
+#include <Cutwater/Lattice/UnitCell.hpp>
+#include <Cutwater/Sdf/Solid.hpp>
 
 namespace cutwater {
 
@@ -46,9 +47,22 @@ struct BeamGraph {
 };
 
 /// The beams of an array of cells, one for each strut, all with this radius: the same solid as
-/// CellArray, which does not store them.
+/// a PeriodicLattice of these cells, which does not store them.
 /// @throws Error unless there are cells along each axis, and their sizes are positive and finite;
 /// of kind Limit beyond 2^31 beams.
 [[nodiscard]] BeamGraph beamsOf(const UnitCell& cell, const Repeats<double>& cells, double radius);
+
+/// The beams and balls of a graph, without those that certainly lie outside a solid, judging by the
+/// class of the box around each, and without nodes that are no longer needed.
+///
+/// What is left has the same points in common with the solid. A lattice can thus be clipped by it
+/// with no more memory than the remaining part takes:
+///
+///     BeamLattice<double>(beamsWithin(graph, part)) & part
+///
+/// There may be no beam left at all. The order is kept.
+/// @throws Error if a beam or ball refers to a node that does not exist.
+[[nodiscard]] BeamGraph beamsWithin(const BeamGraph& graph, const Solid<double>& solid,
+                                    const ParallelOptions& options = {});
 
 }  // namespace cutwater

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
+#include <Cutwater/Lattice/Detail/CappedBeam.hpp>
 #include <Cutwater/Lattice/Detail/NeighborLimits.hpp>
 #include <Cutwater/Lattice/Detail/RoundBeamTree.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>

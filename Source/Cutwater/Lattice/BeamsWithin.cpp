@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Lattice/BeamsWithin.hpp>
+#include <Cutwater/Lattice/BeamGraph.hpp>
 
 #include <algorithm>
 

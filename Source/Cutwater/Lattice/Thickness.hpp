@@ -7,8 +7,8 @@ namespace cutwater {
 /// The radius of struts, constant or dependent on position. A value type: copies share what it
 /// depends on.
 ///
-///     CellArray<double>(cell, cells, 0.4)  // a plain number will do
-///     CellArray<double>(cell, cells, Thickness<double>::byDistanceTo(part, {1, 0.4, 10}))
+///     PeriodicLattice<double>(cell, cells, 0.4)  // a plain number will do
+///     PeriodicLattice<double>(cell, cells, Thickness<double>::byDistanceTo(part, {1, 0.4, 10}))
 ///
 /// Positions are in the frame of the lattice; solids and functions given here move along with it.
 template <std::floating_point T>

@@ -1,11 +1,35 @@
 #pragma once
 
-#include <Cutwater/Lattice/Detail/CellMirrors.hpp>
+#include <Cutwater/Core/Vec3.hpp>
 
 #include <array>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace cutwater {
+
+/// A straight strut between two points, in units of the unit cell.
+struct CellStrut {
+  Vec3<double> a, b;
+
+  /// The point half-way between its ends.
+  [[nodiscard]] Vec3<double> middle() const { return 0.5 * (a + b); }
+};
+
+/// Mirrors that a lattice may have, given as a rule that folds points into one chamber between
+/// them. A fold never moves two points apart, so the strut nearest to a folded point has an image
+/// in the chamber: what is there determines the distance to the whole endless lattice.
+enum class CellFold : std::uint8_t {
+  None,
+  Octant,  ///< planes through faces and middles of cells: x, y, z in [0, 1/2]
+  SortXY,  ///< and x = y: y <= x
+  Sort,    ///< and y = z: z <= y <= x
+  /// The planes x +- y = n / 2 and so on, of the diamond, whose points repeat on a face-centred
+  /// lattice: |z| <= y <= x, x + y <= 1/2 (the alcove of the affine Weyl group A3).
+  Fcc,
+};
 
 /// A pattern of straight struts that repeats with period 1 along each axis, without a size or
 /// thickness of its own.

@@ -45,7 +45,7 @@ std::optional<double> wrapGapOf(const PolygonSoup& soup, const Diagnosis& found)
                         hasAny(found.defects, Severity::Error) &&
                         std::ranges::none_of(found.treatments, &Treatment::isClosed);
   if (!isNeeded) return {};
-  return detail::rounded(soup.boundingBox().diagonal() / 30, /*digits=*/1);
+  return text::rounded(soup.boundingBox().diagonal() / 30, /*digits=*/1);
 }
 
 void decideSigns(const PolygonSoup& soup, Diagnosis& found) {

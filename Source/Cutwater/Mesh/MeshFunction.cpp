@@ -4,7 +4,7 @@
 #include <Cutwater/Mesh/Detail/MeshIndex.hpp>
 #include <Cutwater/Mesh/Detail/SegmentAnswers.hpp>
 #include <Cutwater/Mesh/MeshFunction.hpp>
-#include <Cutwater/Text/Counted.hpp>
+#include <Cutwater/Text/Numbers.hpp>
 
 namespace cutwater {
 
@@ -127,7 +127,7 @@ std::vector<std::string> MeshFunction<T, Index>::localPatchNames() const {
 
 template <std::floating_point T, typename Index>
 std::string MeshFunction<T, Index>::localName() const {
-  return "Mesh of " + detail::counted(triangleCount(), "triangle", "triangles");
+  return "Mesh of " + text::counted(triangleCount(), "triangle", "triangles");
 }
 
 template class MeshFunction<float, MeshIndex<float>>;

@@ -167,7 +167,7 @@ MeshSDF<T> MeshSDF<T>::view(std::span<const std::byte> bytes, const MeshViewOpti
 
 template <std::floating_point T>
 MeshSDF<T> MeshSDF<T>::open(const std::filesystem::path& path, const MeshViewOptions& options) {
-  const auto bytes = formats::mapFile(path);
+  const auto bytes = text::mapFile(path);
   try {
     return view(bytes, options);
   } catch (const Error& error) {

@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
-#include <Cutwater/Text/Counted.hpp>
+#include <Cutwater/Text/Numbers.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@ namespace cutwater {
 
 namespace {
 
-using detail::counted;
+using text::counted;
 
 std::string percent(double share) {
   return detail::toText(std::round(1000 * share) / 10) + " %";

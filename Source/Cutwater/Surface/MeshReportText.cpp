@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Surface/MeshReport.hpp>
-#include <Cutwater/Text/Counted.hpp>
+#include <Cutwater/Text/Numbers.hpp>
 #include <Cutwater/Text/ReportLine.hpp>
 
 #include <string_view>
@@ -8,20 +8,20 @@
 namespace cutwater {
 namespace {
 
-using detail::counted;
-using detail::reportLine;
+using text::counted;
+using text::reportLine;
 
-std::string text(std::size_t count) {
+std::string textOf(std::size_t count) {
   return detail::toText(static_cast<long long>(count));
 }
 
-std::string text(const EdgePlace& edge) {
-  return text(index(edge.origin)) + "-" + text(index(edge.target));
+std::string textOf(const EdgePlace& edge) {
+  return textOf(index(edge.origin)) + "-" + textOf(index(edge.target));
 }
 
 template <MeshId Id>
-std::string text(Id id) {
-  return text(std::size_t{index(id)});
+std::string textOf(Id id) {
+  return textOf(std::size_t{index(id)});
 }
 
 /// A kind of defect, in the wording of the summary and of the table.
@@ -49,10 +49,10 @@ void forAllDefects(const MeshReport& r, Visit visit) {
 
 template <typename Place>
 std::string withExamples(const Kind& kind, const Findings<Place>& findings) {
-  std::string result = text(findings.count);
+  std::string result = textOf(findings.count);
   if (!findings) return result;
   result += "  (" + std::string(kind.places);
-  for (const auto& place : findings.examples) result.append(" ").append(text(place));
+  for (const auto& place : findings.examples) result.append(" ").append(textOf(place));
   return result + (findings.count > findings.examples.size() ? " ...)" : ")");
 }
 
@@ -85,11 +85,11 @@ std::string MeshReport::summary() const {
 
 std::string MeshReport::table() const {
   std::string result;
-  result += reportLine("vertices", text(vertices));
-  result += reportLine("edges", text(edges));
-  result += reportLine("faces", text(faces));
-  result += reportLine("triangles", text(triangles));
-  result += reportLine("components", text(components));
+  result += reportLine("vertices", textOf(vertices));
+  result += reportLine("edges", textOf(edges));
+  result += reportLine("faces", textOf(faces));
+  result += reportLine("triangles", textOf(triangles));
+  result += reportLine("components", textOf(components));
   result += reportLine("closed", yesOrNo(isClosed()));
   result += reportLine("oriented", yesOrNo(isOriented()));
   result += reportLine("manifold", yesOrNo(isManifold()));

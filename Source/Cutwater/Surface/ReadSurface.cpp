@@ -1,8 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Surface/Formats/Readers.hpp>
 #include <Cutwater/Surface/ReadSurface.hpp>
-#include <Cutwater/Text/Input.hpp>
-#include <Cutwater/Text/TextCursor.hpp>
+#include <Cutwater/Text/Gzip.hpp>
 
 #include <cmath>
 
@@ -25,14 +24,12 @@ std::string stem(const std::string& name) {
   return file.empty() ? "surface" : file.string();
 }
 
-SurfaceFile readContent(formats::Content content, bool compressed, const ReadOptions& options) {
+SurfaceFile readContent(text::Content content, bool compressed, const ReadOptions& options) {
   if (content.bytes.empty()) throw Error(ErrorKind::File, content.name + ": the file is empty");
   ReadReport report;
   report.compressed = compressed;
   report.bytes = content.bytes.size();
-  if (content.bytes.starts_with(formats::kByteOrderMark)) {
-    content.bytes.remove_prefix(formats::kByteOrderMark.size());
-  }
+  content.bytes = text::withoutByteOrderMark(content.bytes);
   const auto [format, reader] = formats::detectFormat(content);
   report.format = format;
   formats::SoupBuilder builder(options, stem(content.name));
@@ -45,9 +42,9 @@ SurfaceFile readContent(formats::Content content, bool compressed, const ReadOpt
 SurfaceFile readSurface(const std::filesystem::path& path, const ReadOptions& options) {
   requireOptions(options);
   const std::string name = path.string();
-  formats::Bytes file = formats::loadFile(path, options.maxBytes);
-  const bool compressed = formats::isGzip(file.view());
-  if (compressed) file = formats::gunzip(name, file.view(), options.maxBytes);
+  text::Bytes file = text::loadFile(path, options.maxBytes);
+  const bool compressed = text::isGzip(file.view());
+  if (compressed) file = text::gunzip(name, file.view(), options.maxBytes);
   return readContent({name, file.view()}, compressed, options);
 }
 
@@ -55,9 +52,9 @@ SurfaceFile readSurface(std::span<const std::byte> bytes, const std::string& nam
                         const ReadOptions& options) {
   requireOptions(options);
   const std::string_view view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  formats::requireSize(name, view.size(), options.maxBytes);
-  if (!formats::isGzip(view)) return readContent({name, view}, false, options);
-  const formats::Bytes inflated = formats::gunzip(name, view, options.maxBytes);
+  text::requireSize(name, view.size(), options.maxBytes);
+  if (!text::isGzip(view)) return readContent({name, view}, false, options);
+  const text::Bytes inflated = text::gunzip(name, view, options.maxBytes);
   return readContent({name, inflated.view()}, true, options);
 }
 

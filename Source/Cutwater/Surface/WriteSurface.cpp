@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Surface/Formats/Writers.hpp>
 #include <Cutwater/Surface/WriteSurface.hpp>
-#include <Cutwater/Text/TextCursor.hpp>
+#include <Cutwater/Text/Words.hpp>
 
 #include <array>
 
@@ -9,7 +9,7 @@ namespace cutwater {
 
 namespace {
 
-using Writer = void (*)(formats::Output&, const PolygonSoup&, const std::string& name);
+using Writer = void (*)(text::Output&, const PolygonSoup&, const std::string& name);
 
 struct Format {
   std::string_view extension;
@@ -28,7 +28,7 @@ constexpr std::array<Format, 5> kFormats = {{
 const Format& formatOf(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
   for (const Format& format : kFormats) {
-    if (formats::equalIgnoringCase(extension, format.extension)) return format;
+    if (text::equalIgnoringCase(extension, format.extension)) return format;
   }
   throw Error(ErrorKind::Argument,
               path.string() + ": unknown extension \"" + extension +
@@ -55,7 +55,7 @@ void writeSurface(const std::filesystem::path& path, const PolygonSoup& soup,
   const std::string name = path.string();
   if (format.extension == ".stl") requireTriangles(name, soup);
   OutputFile file(path);
-  formats::Output out(file);
+  text::Output out(file);
   (options.ascii ? format.ascii : format.binary)(out, soup, name);
   out.flush();
   file.commit();

@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-namespace cutwater::formats {
+namespace cutwater::text {
 
 namespace {
 
@@ -80,4 +80,4 @@ void ByteCursor::requireOnlyPadding() {
   fail("data behind the last element: a count in the header is too small");
 }
 
-}  // namespace cutwater::formats
+}  // namespace cutwater::text

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-namespace cutwater::formats {
+namespace cutwater::text {
 
 /// The number types of PLY and VTK.
 enum class ScalarType : std::uint8_t {
@@ -65,4 +65,4 @@ class ByteCursor final : public Cursor {
   std::uint64_t record_ = 0;
 };
 
-}  // namespace cutwater::formats
+}  // namespace cutwater::text

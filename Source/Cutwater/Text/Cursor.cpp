@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Text/Cursor.hpp>
 
-namespace cutwater::formats {
+namespace cutwater::text {
 
 namespace {
 
@@ -31,19 +31,4 @@ std::uint64_t Cursor::requireRecords(std::int64_t count, std::uint64_t smallestR
   return records;
 }
 
-bool isPrintable(char c) {
-  return static_cast<unsigned char>(c) >= ' ' && c != '\x7f';
-}
-
-std::string shortened(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  std::string result;
-  for (const char c : text.substr(0, kLongest)) result += isPrintable(c) ? c : '?';
-  return result + (text.size() > kLongest ? "..." : "");
-}
-
-std::string quoted(std::string_view text) {
-  return '"' + shortened(text) + '"';
-}
-
-}  // namespace cutwater::formats
+}  // namespace cutwater::text

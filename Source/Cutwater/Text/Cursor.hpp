@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace cutwater::formats {
+namespace cutwater::text {
 
 /// A position in a file: a line, counted from 1, or a byte, counted from 0.
 struct Place {
@@ -55,11 +55,4 @@ class Cursor {
   std::uint64_t position_ = 0;
 };
 
-/// Whether the character is not a control character: messages may have it.
-[[nodiscard]] bool isPrintable(char c);
-
-/// A piece of a file as it appears in messages: short and printable; the second adds quotes.
-[[nodiscard]] std::string shortened(std::string_view text);
-[[nodiscard]] std::string quoted(std::string_view text);
-
-}  // namespace cutwater::formats
+}  // namespace cutwater::text

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Text/Input.hpp>
+#include <Cutwater/Text/ChunkedBytes.hpp>
+#include <Cutwater/Text/Gzip.hpp>
 
 #include <algorithm>
 #include <new>
@@ -9,7 +10,7 @@
 #include <zlib.h>
 #endif
 
-namespace cutwater::formats {
+namespace cutwater::text {
 
 bool isGzip(std::string_view bytes) {
   return bytes.starts_with("\x1f\x8b");
@@ -97,8 +98,8 @@ class Inflation {
   std::uint64_t maxBytes_;
   std::uint64_t position_ = 0;
   z_stream stream_{};
-  Gathering output_;
-  Gathering::Chunk chunk_{};
+  ChunkedBytes output_;
+  ChunkedBytes::Chunk chunk_{};
 };
 
 }  // namespace
@@ -116,4 +117,4 @@ Bytes gunzip(const std::string& name, std::string_view, std::uint64_t) {
 
 #endif
 
-}  // namespace cutwater::formats
+}  // namespace cutwater::text

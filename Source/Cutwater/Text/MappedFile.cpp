@@ -1,4 +1,4 @@
-#include <Cutwater/Text/Input.hpp>
+#include <Cutwater/Text/LoadFile.hpp>
 #include <Cutwater/Text/MappedFile.hpp>
 
 #include <limits>
@@ -11,7 +11,7 @@
 #include <unistd.h>
 #endif
 
-namespace cutwater::formats {
+namespace cutwater::text {
 
 namespace {
 
@@ -49,4 +49,4 @@ Block mapFile(const std::filesystem::path& path) {
   return alignedCopy(std::as_bytes(std::span(content.view())));
 }
 
-}  // namespace cutwater::formats
+}  // namespace cutwater::text

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace cutwater::formats {
+namespace cutwater::text {
 
 /// The file's bytes, read-only: mapped into memory if it is a regular file and the system supports
 /// that, so that all processes of a node share one copy; otherwise read. They begin at a multiple
@@ -12,4 +12,4 @@ namespace cutwater::formats {
 /// @throws Error(File) if it cannot be read.
 [[nodiscard]] Block mapFile(const std::filesystem::path& path);
 
-}  // namespace cutwater::formats
+}  // namespace cutwater::text

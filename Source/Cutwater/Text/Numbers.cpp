@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 
-namespace cutwater::detail {
+namespace cutwater::text {
 
 std::string grouped(std::size_t count) {
   auto digits = std::to_string(count);
@@ -17,6 +17,10 @@ std::string grouped(std::size_t count, std::string_view noun) {
   std::string text = grouped(count).append(" ").append(noun);
   if (count == 1) return text;
   return text.append(noun.ends_with("ch") ? "es" : "s");
+}
+
+std::string counted(std::size_t count, std::string_view singular, std::string_view plural) {
+  return std::to_string(count).append(" ").append(count == 1 ? singular : plural);
 }
 
 std::string number(double value, int digits) {
@@ -49,4 +53,4 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
-}  // namespace cutwater::detail
+}  // namespace cutwater::text

@@ -7,13 +7,16 @@
 #include <string_view>
 #include <vector>
 
-// Numbers and lists as people read them; the same in every locale.
-namespace cutwater::detail {
+// Numbers, counts and lists as people read them; the same in every locale.
+namespace cutwater::text {
 
 /// "1 234 567"
 [[nodiscard]] std::string grouped(std::size_t count);
 /// With its noun: "1 hole", "1 234 holes", "3 patches"
 [[nodiscard]] std::string grouped(std::size_t count, std::string_view noun);
+/// "1 open edge", "7 open edges".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view singular,
+                                  std::string_view plural);
 /// Up to `digits` significant digits: "6.2731", "1.5e-05"
 [[nodiscard]] std::string number(double value, int digits = 6);
 /// The value rounded to so many significant digits: 0.3, not 0.30000000000000004.
@@ -25,4 +28,4 @@ namespace cutwater::detail {
 /// "a, b, c"
 [[nodiscard]] std::string listed(const std::vector<std::string>& words);
 
-}  // namespace cutwater::detail
+}  // namespace cutwater::text

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <string>
 
-namespace cutwater::formats {
+namespace cutwater::text {
 
 /// Assembles text and numbers (little-endian unless stated otherwise) and passes them on in large
 /// pieces.
@@ -28,6 +28,7 @@ class Output {
   Output& operator<<(std::uint64_t value) { return digits(value); }
   Output& operator<<(const Vec3<double>& p) { return *this << p.x << ' ' << p.y << ' ' << p.z; }
 
+  /// The number's bytes.
   template <typename Number>
   void binary(Number value) {
     static_assert(std::endian::native == std::endian::little);
@@ -42,6 +43,7 @@ class Output {
     *this << std::string_view(bytes, sizeof(value));
   }
 
+  /// Passes on what is left. Nothing does so by itself.
   void flush() {
     file_.write(buffer_);
     buffer_.clear();
@@ -61,4 +63,4 @@ class Output {
   std::string buffer_;
 };
 
-}  // namespace cutwater::formats
+}  // namespace cutwater::text

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace cutwater::detail {
+namespace cutwater::text {
 
 /// A line of a report: a name, and its value in a column of its own.
 inline std::string reportLine(std::string_view name, const std::string& value) {
@@ -13,4 +13,4 @@ inline std::string reportLine(std::string_view name, const std::string& value) {
   return result + value + "\n";
 }
 
-}  // namespace cutwater::detail
+}  // namespace cutwater::text

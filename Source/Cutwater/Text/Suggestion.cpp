@@ -1,9 +1,9 @@
-#include <Cutwater/Text/Cursor.hpp>
 #include <Cutwater/Text/Suggestion.hpp>
+#include <Cutwater/Text/Words.hpp>
 
 #include <algorithm>
 
-namespace cutwater::scene {
+namespace cutwater::text {
 
 namespace {
 
@@ -43,7 +43,7 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
     least = edits;
     nearest = &other;
   }
-  return nearest == nullptr ? std::string() : "; is it " + formats::quoted(*nearest) + "?";
+  return nearest == nullptr ? std::string() : "; is it " + quoted(*nearest) + "?";
 }
 
-}  // namespace cutwater::scene
+}  // namespace cutwater::text

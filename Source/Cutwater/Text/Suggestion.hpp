@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-namespace cutwater::scene {
+namespace cutwater::text {
 
-/// Returns `; is it "radius"?` with the nearest of the words, by the number of characters to
-/// insert, remove, replace or swap with their neighbour. Returns nothing if that exceeds a third of
-/// the word's length.
+/// The end of a message about an unknown word: `; is it "radius"?`, with the nearest of the known
+/// words by the number of characters to insert, remove, replace or swap with their neighbour. Empty
+/// if none is nearer than a third of the word's length.
 [[nodiscard]] std::string suggestion(const std::string& word,
                                      const std::vector<std::string>& words);
 
-}  // namespace cutwater::scene
+}  // namespace cutwater::text

@@ -1,10 +1,11 @@
 #include <Cutwater/Text/TextCursor.hpp>
+#include <Cutwater/Text/Words.hpp>
 
 #include <algorithm>
 #include <charconv>
 #include <system_error>
 
-namespace cutwater::formats {
+namespace cutwater::text {
 
 namespace {
 
@@ -14,10 +15,6 @@ bool isBlank(char c) {
 
 bool endsLine(char c) {
   return c == '\n' || c == '\r' || c == '\0';
-}
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 // from_chars rejects a leading plus, which printf("%+g") and Fortran write.
@@ -171,9 +168,10 @@ void TextCursor::requireLineEnd() {
   if (!extra.empty()) fail("expected the end of the line, found " + quoted(extra));
 }
 
-bool equalIgnoringCase(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return lower(x) == lower(y); });
+std::string_view withoutByteOrderMark(std::string_view text) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  return text;
 }
 
-}  // namespace cutwater::formats
+}  // namespace cutwater::text

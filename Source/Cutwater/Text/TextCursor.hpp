@@ -2,7 +2,7 @@
 
 #include <Cutwater/Text/Cursor.hpp>
 
-namespace cutwater::formats {
+namespace cutwater::text {
 
 /// Splits text into lines and words for all ASCII formats.
 ///
@@ -73,9 +73,7 @@ class TextCursor final : public Cursor {
   bool loneReturns_ = false;
 };
 
-[[nodiscard]] bool equalIgnoringCase(std::string_view a, std::string_view b);
+/// The text without the byte order mark that some programs put before UTF-8.
+[[nodiscard]] std::string_view withoutByteOrderMark(std::string_view text);
 
-/// A byte order mark, which some programs put before UTF-8 text.
-inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-
-}  // namespace cutwater::formats
+}  // namespace cutwater::text

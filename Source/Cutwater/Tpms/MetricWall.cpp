@@ -1,4 +1,7 @@
-#include <Cutwater/Tpms/Detail/Turns.hpp>
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Tpms/Detail/Constants.hpp>
+#include <Cutwater/Tpms/Detail/NumericalGradient.hpp>
+#include <Cutwater/Tpms/Detail/PatternDistance.hpp>
 #include <Cutwater/Tpms/MetricWall.hpp>
 
 #include <algorithm>
@@ -21,8 +24,8 @@ MetricWall<T>::MetricWall(TpmsPattern pattern, T cellSize, GradedValue<T> halfTh
       cellSize_(cellSize),
       halfThickness_(std::move(halfThickness)),
       reach_(1.5 * double{halfThickness_.most()} / double{cellSize} * kTwoPi<double>),
-      toleranceRadians_(toleranceWithin(pattern, reach_)),
-      distance_(pattern, toleranceRadians_) {
+      tolerance_(toleranceWithin(pattern, reach_)),
+      distance_(std::make_shared<const detail::PatternDistance>(pattern, tolerance_)) {
   require(cellSize > 0 && std::isfinite(cellSize) && std::isfinite(1 / cellSize),
           "MetricWall: need 0 < cellSize < infinity", Named{"cellSize", cellSize});
   require(halfThickness_.guarantee().domain == Box<T>::everywhere(),
@@ -43,7 +46,7 @@ MetricWall<T>::MetricWall(TpmsPattern pattern, T cellSize, GradedValue<T> halfTh
 
 template <std::floating_point T>
 T MetricWall<T>::tolerance() const {
-  return static_cast<T>(toleranceRadians_ / kTwoPi<double> * double{cellSize_});
+  return static_cast<T>(tolerance_ / kTwoPi<double> * double{cellSize_});
 }
 
 template <std::floating_point T>
@@ -53,7 +56,7 @@ T MetricWall<T>::localSignedDistance(const Vec3<T>& p) const {
     const double cells = double{p[axis]} / double{cellSize_};
     place[axis] = kTwoPi<double> * (cells - std::floor(cells));
   }
-  const double distance = distance_.upTo(reach_, place) / kTwoPi<double> * double{cellSize_};
+  const double distance = distance_->upTo(reach_, place) / kTwoPi<double> * double{cellSize_};
   const double half{halfThickness_.at(p)};
   return static_cast<T>((distance - half) / (1 + double{halfThickness_.lipschitz()}));
 }
@@ -61,7 +64,7 @@ T MetricWall<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 Vec3<T> MetricWall<T>::localGradient(const Vec3<T>& p) const {
   const auto value = [this](const Vec3<T>& q) { return localSignedDistance(q); };
-  return detail::gradientAmongCells(value, p, cellSize_);
+  return detail::numericalGradient(value, p, cellSize_);
 }
 
 template <std::floating_point T>

@@ -1,9 +1,15 @@
 #pragma once
 
 #include <Cutwater/Operations/GradedValue.hpp>
-#include <Cutwater/Tpms/Detail/PatternDistance.hpp>
+#include <Cutwater/Tpms/TpmsPattern.hpp>
+
+#include <memory>
 
 namespace cutwater {
+
+namespace detail {
+class PatternDistance;
+}  // namespace detail
 
 /// The wall of even thickness about the surface F = 0 of a pattern in cubic cells: all points
 /// within half the thickness, which is a length, of the surface. Endless, with nothing stored.
@@ -40,9 +46,9 @@ class MetricWall final : public SignedDistanceFunction<T> {
   TpmsPattern pattern_;
   T cellSize_;
   GradedValue<T> halfThickness_;
-  double reach_;  // in radians
-  double toleranceRadians_;
-  detail::PatternDistance distance_;
+  double reach_;      // how far from the surface distances are found; in radians
+  double tolerance_;  // in radians
+  std::shared_ptr<const detail::PatternDistance> distance_;
   Guarantee<T> guarantee_;
 };
 

@@ -1,6 +1,8 @@
 #include <Cutwater/Core/Detail/Scratch.hpp>
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Tpms/Detail/Constants.hpp>
 #include <Cutwater/Tpms/Detail/LargestRadius.hpp>
-#include <Cutwater/Tpms/Detail/Turns.hpp>
+#include <Cutwater/Tpms/Detail/LevelDistances.hpp>
 #include <Cutwater/Tpms/TpmsField.hpp>
 
 #include <algorithm>
@@ -24,13 +26,13 @@ TpmsField<T>::TpmsField(TpmsPattern pattern, TpmsMap<T> map)
   const auto rates = map_.constantRates();
   if (!rates) return;
   const T most = maxComponent(*rates);
-  Bare bare{*rates, *rates / most, 0, 1 / (kTwoPi<T> * most)};
-  require(std::isfinite(bare.lengthPerRadian) && isFinite(bare.weight),
+  UniformCells uniform{*rates, *rates / most, 0, 1 / (kTwoPi<T> * most)};
+  require(std::isfinite(uniform.lengthPerRadian) && isFinite(uniform.weight),
           "TpmsField: need cells of ordinary size", Named{"cells per length", *rates});
-  bare.lipschitz = std::min(static_cast<T>(from_.lipschitz()),
-                            static_cast<T>(from_.slopeAlongAxis()) * length(bare.weight)) *
-                   kOutward<T>;
-  bare_ = bare;
+  uniform.lipschitz = std::min(static_cast<T>(from_.lipschitz()),
+                               static_cast<T>(from_.slopeAlongAxis()) * length(uniform.weight)) *
+                      kOutward<T>;
+  uniform_ = uniform;
 }
 
 template <std::floating_point T>
@@ -46,7 +48,7 @@ TpmsField<T>::TpmsField(TpmsTransition<T> transition, TpmsMap<T> map)
           "TpmsField: need weights that are known everywhere");
   const auto a = from_.range();
   const auto b = to_.range();
-  mostBetween_ = static_cast<T>(std::max(a.upper - b.lower, b.upper - a.lower)) * kOutward<T>;
+  mostDifference_ = static_cast<T>(std::max(a.upper - b.lower, b.upper - a.lower)) * kOutward<T>;
 }
 
 template <std::floating_point T>
@@ -70,7 +72,7 @@ T TpmsField<T>::lipschitzWithin(const Vec3<T>& p, T radius) const {
     const T weight = weight_->at(p);
     if (weight == 0 || weight == 1) return of(weight == 0 ? from_ : to_);
   }
-  return std::max(of(from_), of(to_)) + change * mostBetween_;
+  return std::max(of(from_), of(to_)) + change * mostDifference_;
 }
 
 template <std::floating_point T>
@@ -83,21 +85,21 @@ T TpmsField<T>::freeRadius(T change, const GradedValue<T>& level, const Vec3<T>&
 template <std::floating_point T>
 detail::LevelTerms<T> TpmsField<T>::terms(const detail::PartTerms<T>& part,
                                           const GradedValue<T>& level) const {
-  const T levelSlope = level.lipschitz() * bare_->lengthPerRadian * kOutward<T>;
+  const T levelSlope = level.lipschitz() * uniform_->lengthPerRadian * kOutward<T>;
   return {.part = part,
-          .weight = bare_->weight,
+          .weight = uniform_->weight,
           .levelSlope = levelSlope,
-          .leastSlope = static_cast<T>(kLeastSlope) * bare_->lipschitz,
-          .perLipschitz = 1 / (bare_->lipschitz + levelSlope),
+          .leastSlope = static_cast<T>(kLeastSlope) * uniform_->lipschitz,
+          .perLipschitz = 1 / (uniform_->lipschitz + levelSlope),
           .twiceCurvature = static_cast<T>(2 * from_.curvature()),
-          .lengthPerRadian = bare_->lengthPerRadian};
+          .lengthPerRadian = uniform_->lengthPerRadian};
 }
 
 template <std::floating_point T>
 T TpmsField<T>::distance(const detail::PartTerms<T>& part, const GradedValue<T>& level,
                          const Vec3<T>& p) const {
   const T h = level.at(p);
-  if (bare_) {
+  if (uniform_) {
     return detail::levelDistance(from_.kind(), terms(part, level), map_.toCells(p), h);
   }
   const T field = value(p);
@@ -110,7 +112,7 @@ T TpmsField<T>::distance(const detail::PartTerms<T>& part, const GradedValue<T>&
 template <std::floating_point T>
 void TpmsField<T>::distances(const detail::PartTerms<T>& part, const GradedValue<T>& level,
                              std::span<const Vec3<T>> points, std::span<T> result) const {
-  if (!bare_) {
+  if (!uniform_) {
     for (std::size_t i = 0; i < points.size(); ++i) result[i] = distance(part, level, points[i]);
     return;
   }
@@ -118,9 +120,9 @@ void TpmsField<T>::distances(const detail::PartTerms<T>& part, const GradedValue
   auto& batch = scratch[0];
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto cells = map_.toCells(points[i]);
-    batch.turns[0][i] = cells.x;
-    batch.turns[1][i] = cells.y;
-    batch.turns[2][i] = cells.z;
+    batch.inCells[0][i] = cells.x;
+    batch.inCells[1][i] = cells.y;
+    batch.inCells[2][i] = cells.z;
     batch.level[i] = level.at(points[i]);
   }
   detail::levelDistances(from_.kind(), terms(part, level), batch, static_cast<int>(points.size()));
@@ -142,7 +144,7 @@ Guarantee<T> TpmsField<T>::guarantee(const GradedValue<T>& level) const {
   promise.ulps = map_.ulps() + 4;
   promise.size = 8 * map_.size();
   if (!level.isConstant()) ofSlope(level, 1);
-  if (weight_ && !weight_->isConstant()) ofSlope(*weight_, mostBetween_);
+  if (weight_ && !weight_->isConstant()) ofSlope(*weight_, mostDifference_);
   return promise;
 }
 

@@ -1,10 +1,17 @@
 #pragma once
 
 #include <Cutwater/Operations/GradedValue.hpp>
-#include <Cutwater/Tpms/Detail/LevelDistances.hpp>
 #include <Cutwater/Tpms/TpmsMap.hpp>
+#include <Cutwater/Tpms/TpmsPattern.hpp>
 
 namespace cutwater {
+
+namespace detail {
+template <std::floating_point T>
+struct PartTerms;
+template <std::floating_point T>
+struct LevelTerms;
+}  // namespace detail
 
 /// A transition from one pattern to another: (1 - w) F1 + w F2.
 template <std::floating_point T>
@@ -22,10 +29,10 @@ struct TpmsTransition {
 ///     TpmsField<double>(TpmsPattern::gyroid(), TpmsMap<double>::cylindrical({5, 12, 5}))
 ///     TpmsField<double>(TpmsTransition<double>{gyroid, schwarzP, weight}, 5)
 ///
-/// Lower bounds of the distance to a level are found in two ways. For a bare pattern, i.e. a single
-/// one in cells of constant size along each axis, they follow from its second derivatives: see
-/// LevelDistances. Otherwise the bound is the radius of the largest ball in which the pattern, as
-/// seen through the map, cannot change by enough to reach the level.
+/// Lower bounds of the distance to a level are found in two ways. For a uniform field, i.e. a
+/// single pattern in cells of constant size along each axis, they follow from its second
+/// derivatives (see Docs/tpms.md). Otherwise the bound is the radius of the largest ball in which
+/// the pattern, as seen through the map, cannot change by enough to reach the level.
 template <std::floating_point T>
 class TpmsField {
  public:
@@ -47,8 +54,8 @@ class TpmsField {
   /// The guarantee of these bounds.
   [[nodiscard]] Guarantee<T> guarantee(const GradedValue<T>& level) const;
 
-  /// Whether distances follow from second derivatives.
-  [[nodiscard]] bool isBare() const { return bare_.has_value(); }
+  /// Whether this is a single pattern in cells of constant size along each axis.
+  [[nodiscard]] bool isUniform() const { return uniform_.has_value(); }
   [[nodiscard]] const TpmsPattern& pattern() const { return from_; }
   [[nodiscard]] const TpmsMap<T>& map() const { return map_; }
   /// The least TpmsPattern::pinch() of the patterns; between two patterns, channels may break up
@@ -58,7 +65,7 @@ class TpmsField {
 
  private:
   /// Data of a pattern in cells of constant size.
-  struct Bare {
+  struct UniformCells {
     Vec3<T> rates;  // cells per length
     Vec3<T> weight;
     T lipschitz;
@@ -73,9 +80,9 @@ class TpmsField {
   TpmsPattern from_;
   TpmsPattern to_;
   std::optional<GradedValue<T>> weight_;
-  T mostBetween_ = 0;  // |F1 - F2| is at most this
+  T mostDifference_ = 0;  // an upper bound of |F1 - F2|
   TpmsMap<T> map_;
-  std::optional<Bare> bare_;
+  std::optional<UniformCells> uniform_;
 };
 
 extern template class TpmsField<float>;

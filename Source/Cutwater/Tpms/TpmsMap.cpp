@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Tpms/Detail/Turns.hpp>
+#include <Cutwater/Tpms/Detail/Constants.hpp>
 #include <Cutwater/Tpms/TpmsMap.hpp>
 
 #include <algorithm>
@@ -59,15 +59,15 @@ Vec3<T> TpmsMap<T>::toCells(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 T TpmsMap<T>::lipschitzWithin(const Vec3<T>& center, T radius, T lipschitz, T along) const {
-  if (!deformation_) return kTwoPi<T> * turnsWithin(center, radius, lipschitz, along);
+  if (!deformation_) return kTwoPi<T> * undeformedRateWithin(center, radius, lipschitz, along);
   // The ball's image lies in a ball about its centre's image, larger by this factor.
   const T stretch = (1 + deformation_->lipschitz()) * kOutward<T>;
   const auto image = center + deformation_->shiftAt(center);
-  return kTwoPi<T> * stretch * turnsWithin(image, stretch * radius, lipschitz, along);
+  return kTwoPi<T> * stretch * undeformedRateWithin(image, stretch * radius, lipschitz, along);
 }
 
 template <std::floating_point T>
-T TpmsMap<T>::turnsWithin(const Vec3<T>& center, T radius, T lipschitz, T along) const {
+T TpmsMap<T>::undeformedRateWithin(const Vec3<T>& center, T radius, T lipschitz, T along) const {
   const auto most = [&](int axis, T place) {
     return along_[static_cast<std::size_t>(axis)].mostPerLength({place - radius, place + radius});
   };
@@ -78,7 +78,7 @@ T TpmsMap<T>::turnsWithin(const Vec3<T>& center, T radius, T lipschitz, T along)
   const T toAxis = std::sqrt(center.x * center.x + center.y * center.y);
   const T nearest = toAxis - radius;
   if (!(nearest > 0)) return std::numeric_limits<T>::infinity();
-  // The largest singular value of the derivatives of (phi, z): [[a, b], [0, c]], in turns.
+  // The largest singular value of the derivatives of (phi, z): [[a, b], [0, c]], in cells.
   const T n = static_cast<T>(cellsPerTurn_);
   const T a = n / (kTwoPi<T> * nearest);
   const T b = n * std::abs(turnsPerLength_);

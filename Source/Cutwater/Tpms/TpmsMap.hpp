@@ -40,7 +40,7 @@ class TpmsMap {
   /// @throws Error as DeformationField::check() does.
   [[nodiscard]] TpmsMap deformed(const DeformationField<T>& field) const;
 
-  /// The coordinates of a point in cells, at which the pattern is evaluated, in turns.
+  /// The coordinates, in cells, at which the pattern is evaluated for a point.
   [[nodiscard]] Vec3<T> toCells(const Vec3<T>& p) const;
 
   /// Bound of how fast a pattern, as seen through the map, may change per length within a ball, if
@@ -57,7 +57,8 @@ class TpmsMap {
 
  private:
   [[nodiscard]] Vec3<T> undeformed(const Vec3<T>& p) const;
-  [[nodiscard]] T turnsWithin(const Vec3<T>& center, T radius, T lipschitz, T along) const;
+  /// lipschitzWithin() of the map without its deformation, over 2 pi.
+  [[nodiscard]] T undeformedRateWithin(const Vec3<T>& center, T radius, T lipschitz, T along) const;
 
   std::array<CellSizes<T>, 3> along_;  // of cylindrical cells: rho, none, z
   int cellsPerTurn_ = 0;               // 0: they are not cylindrical

@@ -9,7 +9,7 @@ namespace cutwater {
 /// greatest of this over all u. As the derivative is symmetric, it is no greater in three different
 /// directions. Bounds are given as they were found; their proof leaves a margin, which is added
 /// where they are used.
-struct detail::TpmsFacts {
+struct detail::PatternConstants {
   const char* name;
   double lipschitz;
   double slopeAlongAxis;
@@ -24,7 +24,7 @@ struct detail::TpmsFacts {
 
 namespace {
 
-constexpr std::array<detail::TpmsFacts, 10> kFacts{{
+constexpr std::array<detail::PatternConstants, 10> kConstants{{
     {"gyroid",
      1.732051,
      1.41422,
@@ -129,59 +129,59 @@ std::vector<TpmsPattern> TpmsPattern::all() {
           splitP(), neovius(),  iwp(),      frd(),       fischerKochS()};
 }
 
-const detail::TpmsFacts& TpmsPattern::facts() const {
-  return kFacts[static_cast<std::size_t>(kind_)];
+const detail::PatternConstants& TpmsPattern::constants() const {
+  return kConstants[static_cast<std::size_t>(kind_)];
 }
 
 std::string TpmsPattern::name() const {
-  return facts().name;
+  return constants().name;
 }
 
 template <std::floating_point T>
-T TpmsPattern::value(const Vec3<T>& turns) const {
-  return detail::samplePattern(kind_, turns).value;
+T TpmsPattern::value(const Vec3<T>& inCells) const {
+  return detail::samplePattern(kind_, inCells).value;
 }
 
 template <std::floating_point T>
-TpmsSample<T> TpmsPattern::sample(const Vec3<T>& turns) const {
-  return detail::samplePattern(kind_, turns);
+TpmsSample<T> TpmsPattern::sample(const Vec3<T>& inCells) const {
+  return detail::samplePattern(kind_, inCells);
 }
 
 double TpmsPattern::lipschitz() const {
   // Branch and bound ends within 6e-6 of the maximum, for IWP within 1e-4.
-  return facts().lipschitz + (kind_ == detail::TpmsKind::Iwp ? 1e-4 : 7e-6);
+  return constants().lipschitz + (kind_ == detail::TpmsKind::Iwp ? 1e-4 : 7e-6);
 }
 
 double TpmsPattern::slopeAlongAxis() const {
-  return std::min(facts().slopeAlongAxis + 1e-4, lipschitz());
+  return std::min(constants().slopeAlongAxis + 1e-4, lipschitz());
 }
 
 double TpmsPattern::curvature() const {
-  return 1.05 * facts().curvature;  // certain to 4 %
+  return 1.05 * constants().curvature;  // certain to 4 %
 }
 
 Interval<double> TpmsPattern::range() const {
-  return facts().range;
+  return constants().range;
 }
 
 double TpmsPattern::thirdDerivative() const {
-  return facts().thirdDerivative;
+  return constants().thirdDerivative;
 }
 
 double TpmsPattern::leastSlope() const {
-  return facts().leastSlope;
+  return constants().leastSlope;
 }
 
 double TpmsPattern::meanSlope() const {
-  return facts().meanSlope;
+  return constants().meanSlope;
 }
 
 double TpmsPattern::pinch(TpmsChannel channel) const {
-  return facts().pinch[static_cast<std::size_t>(channel)];
+  return constants().pinch[static_cast<std::size_t>(channel)];
 }
 
 double TpmsPattern::inscribedRadius(TpmsChannel channel) const {
-  return facts().inscribedRadius[static_cast<std::size_t>(channel)] / (2 * std::numbers::pi);
+  return constants().inscribedRadius[static_cast<std::size_t>(channel)] / (2 * std::numbers::pi);
 }
 
 template float TpmsPattern::value(const Vec3<float>&) const;

@@ -18,7 +18,7 @@ enum class TpmsChannel : std::uint8_t {
 
 namespace detail {
 enum class TpmsKind : std::uint8_t;
-struct TpmsFacts;
+struct PatternConstants;
 }  // namespace detail
 
 /// A level function and its gradient.
@@ -33,8 +33,8 @@ struct TpmsSample {
 ///
 ///     gyroid            sin x cos y + sin y cos z + sin z cos x       with x, y, z in radians
 ///
-/// Coordinates are in turns, so the cubic cell is [0, 1]^3 and the period is 1 along each axis;
-/// derivatives per radian are smaller than those per turn by a factor of 2 pi. The constants below,
+/// Coordinates are in cells, so the cubic cell is [0, 1]^3 and the period is 1 along each axis;
+/// derivatives per radian are smaller than those per cell by a factor of 2 pi. The constants below,
 /// which were proven by branch and bound, hold for F as written here.
 class TpmsPattern {
  public:
@@ -55,11 +55,11 @@ class TpmsPattern {
   /// "gyroid", "Schwarz P" and so on.
   [[nodiscard]] std::string name() const;
 
-  /// F at a point in turns. Far away, no accuracy is lost beyond that of the coordinates.
+  /// F at a point, given in cells. Far away, no accuracy is lost beyond that of the coordinates.
   template <std::floating_point T>
-  [[nodiscard]] T value(const Vec3<T>& turns) const;
+  [[nodiscard]] T value(const Vec3<T>& inCells) const;
   template <std::floating_point T>
-  [[nodiscard]] TpmsSample<T> sample(const Vec3<T>& turns) const;
+  [[nodiscard]] TpmsSample<T> sample(const Vec3<T>& inCells) const;
 
   /// An upper bound of |grad F|, per radian.
   [[nodiscard]] double lipschitz() const;
@@ -87,7 +87,7 @@ class TpmsPattern {
 
  private:
   explicit TpmsPattern(detail::TpmsKind kind) : kind_(kind) {}
-  [[nodiscard]] const detail::TpmsFacts& facts() const;
+  [[nodiscard]] const detail::PatternConstants& constants() const;
 
   detail::TpmsKind kind_;
 };

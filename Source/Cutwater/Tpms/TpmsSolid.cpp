@@ -1,4 +1,7 @@
-#include <Cutwater/Tpms/Detail/Turns.hpp>
+#include <Cutwater/Core/Detail/Batches.hpp>
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Tpms/Detail/LevelDistances.hpp>
+#include <Cutwater/Tpms/Detail/NumericalGradient.hpp>
 #include <Cutwater/Tpms/TpmsSolid.hpp>
 
 namespace cutwater {
@@ -68,17 +71,16 @@ template <std::floating_point T>
 void TpmsSolid<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                         std::span<T> distances) const {
   constexpr std::size_t kMost = detail::LevelBatch<T>::kMost;
-  for (std::size_t first = 0; first < points.size(); first += kMost) {
-    const std::size_t some = std::min(kMost, points.size() - first);
-    field_.distances(termsOf<T>(part_), level_, points.subspan(first, some),
-                     distances.subspan(first, some));
-  }
+  detail::forBatches(points.size(), kMost, [&](std::size_t first, std::size_t count) {
+    field_.distances(termsOf<T>(part_), level_, points.subspan(first, count),
+                     distances.subspan(first, count));
+  });
 }
 
 template <std::floating_point T>
 Vec3<T> TpmsSolid<T>::localGradient(const Vec3<T>& p) const {
   const auto value = [this](const Vec3<T>& q) { return localSignedDistance(q); };
-  return detail::gradientAmongCells(value, p, field_.map().size());
+  return detail::numericalGradient(value, p, field_.map().size());
 }
 
 template <std::floating_point T>

@@ -59,7 +59,7 @@ std::string Program::explained(const std::string& message) const {
   if (!isUnknown) return message;
   std::vector<std::string> commands;
   for (const auto* command : app_->get_subcommands({})) commands.push_back(command->get_name());
-  return "there is no command \"" + rest.front() + '"' + scene::suggestion(rest.front(), commands);
+  return "there is no command \"" + rest.front() + '"' + text::suggestion(rest.front(), commands);
 }
 
 }  // namespace cutwater::tool

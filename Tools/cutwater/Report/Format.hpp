@@ -10,12 +10,12 @@
 // Numbers and words formatted for people; the same in every locale.
 namespace cutwater::tool {
 
-using detail::exactly;
-using detail::grouped;
-using detail::listed;
-using detail::number;
-using detail::point;
-using detail::rounded;
+using text::exactly;
+using text::grouped;
+using text::listed;
+using text::number;
+using text::point;
+using text::rounded;
 
 /// "6.27 x 0.859 x 0.784"
 [[nodiscard]] std::string extent(const Vec3<double>& size);

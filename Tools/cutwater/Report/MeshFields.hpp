@@ -2,7 +2,7 @@
 
 #include <Cutwater/Grid/CellPatches.hpp>
 #include <Cutwater/Grid/OctreeFill.hpp>
-#include <Cutwater/Io/VtkXml.hpp>
+#include <Cutwater/Io/VtkArray.hpp>
 
 #include <array>
 #include <string>

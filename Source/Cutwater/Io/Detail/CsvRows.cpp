@@ -1,4 +1,6 @@
 #include <Cutwater/Io/Detail/CsvRows.hpp>
+#include <Cutwater/Text/Gzip.hpp>
+#include <Cutwater/Text/Words.hpp>
 
 #include <cmath>
 
@@ -6,15 +8,10 @@ namespace cutwater::detail {
 
 namespace {
 
-formats::Bytes load(const std::filesystem::path& path, std::uint64_t maxBytes) {
-  auto bytes = formats::loadFile(path, maxBytes);
-  if (!formats::isGzip(bytes.view())) return bytes;
-  return formats::gunzip(path.string(), bytes.view(), maxBytes);
-}
-
-std::string_view withoutMark(std::string_view text) {
-  if (text.starts_with(formats::kByteOrderMark)) text.remove_prefix(formats::kByteOrderMark.size());
-  return text;
+text::Bytes load(const std::filesystem::path& path, std::uint64_t maxBytes) {
+  auto bytes = text::loadFile(path, maxBytes);
+  if (!text::isGzip(bytes.view())) return bytes;
+  return text::gunzip(path.string(), bytes.view(), maxBytes);
 }
 
 std::string_view trimmed(std::string_view field) {
@@ -28,8 +25,8 @@ std::string_view trimmed(std::string_view field) {
 
 CsvRows::CsvRows(const std::filesystem::path& path, std::uint64_t maxBytes)
     : bytes_(load(path, maxBytes)),
-      content_{path.string(), withoutMark(bytes_.view())},
-      text_(content_, {.comments = formats::TextCursor::Comments::AtWords}) {}
+      content_{path.string(), text::withoutByteOrderMark(bytes_.view())},
+      text_(content_, {.comments = text::TextCursor::Comments::AtWords}) {}
 
 bool CsvRows::next() {
   if (!text_.nextFilledLine()) return false;
@@ -46,7 +43,7 @@ bool CsvRows::next() {
 double CsvRows::number(std::size_t field) const {
   if (fields_[field].empty()) fail("field " + std::to_string(field + 1) + " is empty");
   const double value = text_.toNumber(fields_[field]);
-  if (!std::isfinite(value)) fail("need finite numbers, found " + formats::quoted(fields_[field]));
+  if (!std::isfinite(value)) fail("need finite numbers, found " + text::quoted(fields_[field]));
   return value;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Vec3.hpp>
-#include <Cutwater/Text/Input.hpp>
+#include <Cutwater/Text/LoadFile.hpp>
 #include <Cutwater/Text/TextCursor.hpp>
 
 #include <filesystem>
@@ -37,9 +37,9 @@ class CsvRows {
   [[noreturn]] void failLimit(const std::string& message) const { text_.failLimit(message); }
 
  private:
-  formats::Bytes bytes_;
-  formats::Content content_;
-  formats::TextCursor text_;
+  text::Bytes bytes_;
+  text::Content content_;
+  text::TextCursor text_;
   std::vector<std::string_view> fields_;
 };
 

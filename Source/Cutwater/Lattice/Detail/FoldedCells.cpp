@@ -1,3 +1,4 @@
+#include <Cutwater/Lattice/Detail/CellMirrors.hpp>
 #include <Cutwater/Lattice/Detail/FoldedCells.hpp>
 
 #include <type_traits>

@@ -1,21 +1,10 @@
 #pragma once
 
-#include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/Lattice/PeriodicLattice.hpp>
 
 #include <algorithm>
 
-namespace cutwater {
-
-/// The point of a lattice's skeleton, the axes of its struts, that is nearest to a query point.
-template <std::floating_point T>
-struct SkeletonPoint {
-  T distance = std::numeric_limits<T>::infinity();  ///< of the query point from it
-  Vec3<T> away;                                     ///< from it to the query point
-  std::uint32_t strut = kNone;  ///< index into UnitCell::struts(), of the strut or its mirror image
-  Vec3<T> middle;               ///< of that strut
-};
-
-namespace detail {
+namespace cutwater::detail {
 
 /// A strut's axis, prepared for computing distances.
 template <std::floating_point T>
@@ -45,6 +34,4 @@ template <std::floating_point T>
   return {a.x / b.x, a.y / b.y, a.z / b.z};
 }
 
-}  // namespace detail
-
-}  // namespace cutwater
+}  // namespace cutwater::detail

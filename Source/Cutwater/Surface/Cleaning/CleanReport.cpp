@@ -82,7 +82,7 @@ std::string CleanReport::text() const {
     if (correction.largest > 0) value += ", largest " + detail::shortText(correction.largest);
     value += detail::changeText(before, after);
     if (!places.examples.empty()) value += "; at" + detail::placesText(places);
-    result += detail::reportLine(nameOf(kind), value);
+    result += text::reportLine(nameOf(kind), value);
   }
   return result;
 }

@@ -6,7 +6,7 @@
 namespace cutwater {
 
 std::string OpeningReport::text() const {
-  using detail::reportLine;
+  using text::reportLine;
   const auto number = [](std::size_t n) { return detail::toText(static_cast<long long>(n)); };
   const auto at = [](const Findings<Vec3<double>>& found) {
     return found ? "; at" + detail::placesText(found) : std::string();

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <Cutwater/Text/ByteCursor.hpp>
-#include <Cutwater/Text/TextCursor.hpp>
+#include <Cutwater/Surface/Formats/TextNames.hpp>
 
 #include <optional>
 #include <vector>

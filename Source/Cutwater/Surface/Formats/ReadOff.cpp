@@ -1,5 +1,4 @@
 #include <Cutwater/Surface/Formats/Readers.hpp>
-#include <Cutwater/Text/TextCursor.hpp>
 
 namespace cutwater::formats {
 

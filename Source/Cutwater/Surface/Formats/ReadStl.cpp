@@ -1,6 +1,4 @@
 #include <Cutwater/Surface/Formats/Readers.hpp>
-#include <Cutwater/Text/ByteCursor.hpp>
-#include <Cutwater/Text/TextCursor.hpp>
 
 namespace cutwater::formats {
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Cutwater/Surface/Detail/IndexTable.hpp>
+#include <Cutwater/Surface/Formats/TextNames.hpp>
 #include <Cutwater/Surface/ReadSurface.hpp>
-#include <Cutwater/Text/Cursor.hpp>
 
 #include <string_view>
 

@@ -1,6 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Surface/Formats/Writers.hpp>
-#include <Cutwater/Text/TextCursor.hpp>
 
 #include <algorithm>
 

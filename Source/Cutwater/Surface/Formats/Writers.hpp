@@ -1,7 +1,7 @@
 #pragma once
 
+#include <Cutwater/Surface/Formats/TextNames.hpp>
 #include <Cutwater/Surface/PolygonSoup.hpp>
-#include <Cutwater/Text/Output.hpp>
 
 namespace cutwater::formats {
 

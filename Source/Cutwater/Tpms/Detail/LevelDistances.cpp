@@ -30,14 +30,15 @@ template <std::floating_point T>
 void detail::levelDistances(TpmsKind kind, const LevelTerms<T>& terms, LevelBatch<T>& batch,
                             int count) {
   static LevelRows<T>* const function = CUTWATER_BEST_OF(LevelRows<T>, levelRows);
-  padRows<T>({&batch.turns[0], &batch.turns[1], &batch.turns[2], &batch.level}, count);
-  function(kind, terms, batch.turns[0].data(), count);
+  padRows<T>({&batch.inCells[0], &batch.inCells[1], &batch.inCells[2], &batch.level}, count);
+  function(kind, terms, batch.inCells[0].data(), count);
 }
 
 template <std::floating_point T>
-T detail::levelDistance(TpmsKind kind, const LevelTerms<T>& terms, const Vec3<T>& turns, T level) {
+T detail::levelDistance(TpmsKind kind, const LevelTerms<T>& terms, const Vec3<T>& inCells,
+                        T level) {
   static LevelPoint<T>* const function = CUTWATER_BEST_OF(LevelPoint<T>, levelPoint);
-  const std::array<T, 4> numbers{turns.x, turns.y, turns.z, level};
+  const std::array<T, 4> numbers{inCells.x, inCells.y, inCells.z, level};
   return function(kind, terms, numbers.data());
 }
 

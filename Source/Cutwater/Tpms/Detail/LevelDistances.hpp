@@ -33,7 +33,7 @@ struct alignas(64) LevelBatch {
   static constexpr int kMost = 64;
   using Row = std::array<T, kMost>;
 
-  std::array<Row, 3> turns;
+  std::array<Row, 3> inCells;
   Row level;     ///< h at each
   Row distance;  ///< the result
 };
@@ -53,7 +53,7 @@ void levelDistances(TpmsKind kind, const LevelTerms<T>& terms, LevelBatch<T>& ba
 
 /// The same, to the bit, at one point.
 template <std::floating_point T>
-[[nodiscard]] T levelDistance(TpmsKind kind, const LevelTerms<T>& terms, const Vec3<T>& turns,
+[[nodiscard]] T levelDistance(TpmsKind kind, const LevelTerms<T>& terms, const Vec3<T>& inCells,
                               T level);
 
 extern template void levelDistances(TpmsKind, const LevelTerms<float>&, LevelBatch<float>&, int);

@@ -26,14 +26,14 @@ using SamplePoint = void(detail::TpmsKind, T*);
 template <std::floating_point T>
 void detail::samplePattern(TpmsKind kind, PatternBatch<T>& batch, int count) {
   static SampleRows<T>* const function = CUTWATER_BEST_OF(SampleRows<T>, samplePatternRows);
-  padRows<T>({&batch.turns[0], &batch.turns[1], &batch.turns[2]}, count);
-  function(kind, batch.turns[0].data(), count);
+  padRows<T>({&batch.inCells[0], &batch.inCells[1], &batch.inCells[2]}, count);
+  function(kind, batch.inCells[0].data(), count);
 }
 
 template <std::floating_point T>
-TpmsSample<T> detail::samplePattern(TpmsKind kind, const Vec3<T>& turns) {
+TpmsSample<T> detail::samplePattern(TpmsKind kind, const Vec3<T>& inCells) {
   static SamplePoint<T>* const function = CUTWATER_BEST_OF(SamplePoint<T>, samplePatternPoint);
-  std::array<T, 4> numbers{turns.x, turns.y, turns.z, 0};
+  std::array<T, 4> numbers{inCells.x, inCells.y, inCells.z, 0};
   function(kind, numbers.data());
   return {numbers[0], {numbers[1], numbers[2], numbers[3]}};
 }

@@ -25,7 +25,7 @@ struct alignas(64) PatternBatch {
   static constexpr int kMost = 64;
   using Row = std::array<T, kMost>;
 
-  std::array<Row, 3> turns;     ///< positions, in turns
+  std::array<Row, 3> inCells;   ///< positions, in cells
   Row value;                    ///< F there
   std::array<Row, 3> gradient;  ///< per radian
 };
@@ -46,7 +46,7 @@ void samplePattern(TpmsKind kind, PatternBatch<T>& batch, int count);
 
 /// The same, to the bit, at one point.
 template <std::floating_point T>
-[[nodiscard]] TpmsSample<T> samplePattern(TpmsKind kind, const Vec3<T>& turns);
+[[nodiscard]] TpmsSample<T> samplePattern(TpmsKind kind, const Vec3<T>& inCells);
 
 extern template void samplePattern(TpmsKind, PatternBatch<float>&, int);
 extern template void samplePattern(TpmsKind, PatternBatch<double>&, int);

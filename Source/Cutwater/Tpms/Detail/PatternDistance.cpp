@@ -1,7 +1,7 @@
+#include <Cutwater/Tpms/Detail/Constants.hpp>
 #include <Cutwater/Tpms/Detail/CubeInBall.hpp>
 #include <Cutwater/Tpms/Detail/FootPoint.hpp>
 #include <Cutwater/Tpms/Detail/PatternDistance.hpp>
-#include <Cutwater/Tpms/Detail/Turns.hpp>
 
 #include <algorithm>
 #include <numbers>

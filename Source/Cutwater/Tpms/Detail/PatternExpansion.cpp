@@ -1,6 +1,6 @@
+#include <Cutwater/Tpms/Detail/Constants.hpp>
 #include <Cutwater/Tpms/Detail/PatternBatch.hpp>
 #include <Cutwater/Tpms/Detail/PatternExpansion.hpp>
-#include <Cutwater/Tpms/Detail/Turns.hpp>
 
 #include <algorithm>
 
@@ -45,7 +45,7 @@ void expandPattern(const TpmsPattern& pattern, std::span<const Vec3<double>> pla
     for (std::size_t i = 0; i < kSamples; ++i) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double step = i == axis + 1 ? kStep : 0;
-        batch.turns[axis][kSamples * k + i] =
+        batch.inCells[axis][kSamples * k + i] =
             (places[k][static_cast<int>(axis)] + step) / kTwoPi<double>;
       }
     }

@@ -20,20 +20,20 @@ struct Angles {
   Real sx, cx, sy, cy, sz, cz;
 };
 
-/// The angles at consecutive points, whose x, y and z in turns are in rows of this length.
+/// The angles at consecutive points, whose x, y and z in cells are in rows of this length.
 template <typename T>
-CUTWATER_INLINE inline Angles<T> anglesInRows(const T* turns, int row) {
-  const auto x = sineCosineOfTurns<T>(load(turns));
-  const auto y = sineCosineOfTurns<T>(load(turns + row));
-  const auto z = sineCosineOfTurns<T>(load(turns + 2 * row));
+CUTWATER_INLINE inline Angles<T> anglesInRows(const T* inCells, int row) {
+  const auto x = sineCosineOfTurns<T>(load(inCells));
+  const auto y = sineCosineOfTurns<T>(load(inCells + row));
+  const auto z = sineCosineOfTurns<T>(load(inCells + 2 * row));
   return {x.sine, x.cosine, y.sine, y.cosine, z.sine, z.cosine};
 }
 
 /// The angles at one point, in all lanes. Its sines and cosines are found in neighbouring lanes.
 template <typename T>
-CUTWATER_INLINE inline Angles<T> anglesAtPoint(const T* turns) {
+CUTWATER_INLINE inline Angles<T> anglesAtPoint(const T* inCells) {
   constexpr int kRoom = kLanesOf<T> < 4 ? 4 : kLanesOf<T>;
-  alignas(64) T places[kRoom] = {turns[0], turns[1], turns[2]};
+  alignas(64) T places[kRoom] = {inCells[0], inCells[1], inCells[2]};
   alignas(64) T sines[kRoom];
   alignas(64) T cosines[kRoom];
   for (int i = 0; i < 3; i += kLanesOf<T>) {

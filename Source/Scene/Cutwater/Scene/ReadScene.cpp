@@ -1,13 +1,13 @@
 #include <Cutwater/Scene/Detail/ParseToml.hpp>
 #include <Cutwater/Scene/Detail/SceneGraph.hpp>
 #include <Cutwater/Scene/ReadScene.hpp>
-#include <Cutwater/Text/Input.hpp>
+#include <Cutwater/Text/LoadFile.hpp>
 
 namespace cutwater {
 
 Solid<double> readScene(const std::filesystem::path& path, const ReadSceneOptions& options) {
   const auto name = path.string();
-  const auto bytes = formats::loadFile(path, options.maxBytes);
+  const auto bytes = text::loadFile(path, options.maxBytes);
   scene::SceneGraph graph(scene::parseToml(bytes.view(), name), {.file = name,
                                                                  .folder = path.parent_path(),
                                                                  .maxBeams = options.maxBeams,

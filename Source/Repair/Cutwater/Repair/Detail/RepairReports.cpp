@@ -9,7 +9,7 @@
 namespace cutwater {
 namespace {
 
-using detail::reportLine;
+using text::reportLine;
 using detail::shortText;
 
 std::string number(std::size_t n) {

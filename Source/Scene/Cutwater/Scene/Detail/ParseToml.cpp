@@ -65,7 +65,7 @@ void requireFewDots(std::string_view text, const std::string& file) {
     for (auto at = line.find('.'); at != std::string_view::npos; at = line.find('.', at + 1)) {
       if (!isDecimalPoint(line, at)) ++dots;
     }
-    if (dots > kMostDots) failAt(file, number, "more than 16 dots that are no decimal points");
+    if (dots > kMostDots) failAt(file, number, "more than 16 dots that are not decimal points");
   }
 }
 
@@ -98,7 +98,7 @@ class Conversion {
     if (const auto* whole = node.as_integer()) return {number(whole->get(), line), line};
     if (const auto* below = node.as_table()) return {table(*below, depth + 1), line};
     const auto* const array = node.as_array();
-    if (array == nullptr) failAt(file_, line, "a scene has no dates");
+    if (array == nullptr) failAt(file_, line, "a scene cannot contain dates");
     SceneValue::List list;
     for (const auto& element : *array) list.push_back(value(element, depth + 1));
     return {std::move(list), line};
@@ -106,7 +106,7 @@ class Conversion {
 
   [[nodiscard]] double number(std::int64_t whole, std::uint64_t line) const {
     constexpr std::int64_t kMost = std::int64_t{1} << 53U;
-    if (whole < -kMost || kMost < whole) failAt(file_, line, "whole numbers end at 2^53");
+    if (whole < -kMost || kMost < whole) failAt(file_, line, "whole numbers beyond 2^53 are not exact");
     return static_cast<double>(whole);
   }
 
@@ -126,7 +126,7 @@ SceneValue::Table parseToml(std::string_view text, const std::string& file) {
         ' ');
     failAt(file, error.source().begin.line, message);
   } catch (const std::logic_error&) {
-    throw SceneError(file + ": is no TOML: a value or a separator is missing somewhere");
+    throw SceneError(file + ": not valid TOML: a value or a separator is missing somewhere");
   }
 }
 

@@ -12,10 +12,10 @@ namespace {
 
 using enum KeyType;
 using Record = SceneRecord;
-using Made = cutwater::Solid<double>;
+using SceneSolid = cutwater::Solid<double>;
 
 SceneKey length() {
-  return {"length", Positive, "along z, from 0; none: the spine's", kNothing};
+  return {"length", Positive, "along z, from 0; none: the spine's", kOptional};
 }
 
 const std::vector<SceneForm>& fitForms() {
@@ -36,8 +36,8 @@ const std::vector<SceneForm>& fitForms() {
        .keys = {{"diameter", Positive, "of a lens about the z axis, its middle at the origin"},
                 {"center_thickness", Positive, "of the lens"},
                 {"front_radius", Number, "of its lower face; below 0: concave; none: flat",
-                 kNothing},
-                {"back_radius", Number, "of its upper face", kNothing}}},
+                 kOptional},
+                {"back_radius", Number, "of its upper face", kOptional}}},
       {.name = "a box",
        .meaning = "Along the axes.",
        .keys = {{"lower", Point, "the corner of a box"}, {"upper", Point, "the opposite"}}}};
@@ -105,7 +105,7 @@ void requireFewBeams(const Record& r, const UnitCell& cell) {
               "its cells have more than " + std::to_string(r.maxBeams()) + " beams");
 }
 
-Made conformal(const Record& r) {
+SceneSolid conformal(const Record& r) {
   const auto cell = unitCellOf(r, "conformal");
   requireFewBeams(r, cell);
   auto cells = cellsOf(r);
@@ -129,13 +129,13 @@ SceneForm conformalForm() {
                    strutRadiusKey(),
                    {.name = "fit", .type = Part, .meaning = "the shape", .forms = &fitForms()},
                    {"spine", Points, "a smooth curve through these becomes the shape's z axis",
-                    kNothing},
+                    kOptional},
                    {"side", Point, "where the shape's x axis looks to where the curve begins",
                     "[0, 0, 0]"},
                    {.name = "noise",
                     .type = Part,
                     .meaning = "shifts corners at random",
-                    .preset = kNothing,
+                    .preset = kOptional,
                     .forms = &noiseForms()},
                    {"subdivisions", Whole, "beams that a bent strut is made of", "4"},
                    reentrantHeightKey()},

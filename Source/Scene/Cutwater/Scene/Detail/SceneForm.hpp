@@ -36,7 +36,7 @@ enum class KeyType : std::uint8_t {
   SizesByPlace,    ///< a number above 0, or a list of places with a size for each
 };
 
-inline const std::string kNothing;  ///< the default of an optional key
+inline const std::string kOptional;  ///< the default of a key that may be left out
 
 /// A key that a table of a scene file may have.
 struct SceneKey {
@@ -57,18 +57,18 @@ struct SceneForm {
   Solid<double> (*make)(const SceneRecord&) = nullptr;
   /// The key whose value, the form's name, identifies the form: shape = "torus". If empty, the form
   /// is identified by its first key.
-  std::string head = {};
-  std::size_t copies = 1;  ///< how often its expression contains each of its operands
+  std::string kindKey = {};
+  std::size_t operandCopies = 1;  ///< how often its expression contains each of its operands
 
-  [[nodiscard]] const std::string& headKey() const {
-    return head.empty() ? keys.front().name : head;
+  [[nodiscard]] const std::string& identifyingKey() const {
+    return kindKey.empty() ? keys.front().name : kindKey;
   }
 };
 
 /// Forms listed under one heading.
 struct SceneForms {
   std::string title;
-  std::string text;
+  std::string introduction;
   const std::vector<SceneForm>& forms;
 };
 

@@ -1,8 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Scene/Detail/ParseToml.hpp>
 #include <Cutwater/Scene/Detail/SceneGraph.hpp>
-#include <Cutwater/Text/Cursor.hpp>
 #include <Cutwater/Text/Suggestion.hpp>
+#include <Cutwater/Text/Words.hpp>
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace cutwater::scene {
 
 namespace {
 
-constexpr const char* kMeant = "solid";
+constexpr const char* kSelectionKey = "solid";
 // Queries descend an expression by recursive calls, and a solid that is named twice is queried
 // twice: after 50 unions, each of the one before with itself, that makes 2^50 queries.
 constexpr std::size_t kMostNested = 100;
@@ -28,10 +28,10 @@ std::vector<const SceneForm*> formsOfSolids() {
 
 SceneGraph::SceneGraph(const SceneValue::Table& top, SceneContext context)
     : context_(std::move(context)) {
-  const SceneValue::Entry* meant = nullptr;
+  const SceneValue::Entry* selection = nullptr;
   for (const auto& entry : top) {
-    if (entry.key == kMeant && entry.value.as<std::string>() != nullptr) {
-      meant = &entry;
+    if (entry.key == kSelectionKey && entry.value.as<std::string>() != nullptr) {
+      selection = &entry;
     } else {
       add(entry);
     }
@@ -45,20 +45,21 @@ SceneGraph::SceneGraph(const SceneValue::Table& top, SceneContext context)
   }
   std::vector<std::size_t> path;
   for (std::size_t i = 0; i < items_.size(); ++i) measure(i, path);
-  meant_ = items_.size() - 1;
-  if (meant != nullptr) meant_ = indexOf(*meant->value.as<std::string>(), meant->line);
+  selected_ = items_.size() - 1;
+  if (selection != nullptr)
+    selected_ = indexOf(*selection->value.as<std::string>(), selection->line);
 }
 
 void SceneGraph::add(const SceneValue::Entry& entry) {
   const auto* const table = entry.value.as<SceneValue::Table>();
   if (table == nullptr) {
     failAt(context_.file, entry.line,
-           formats::quoted(entry.key) + " is no key of a scene, which has \"" + kMeant +
+           text::quoted(entry.key) + " is not a key of a scene, which has \"" + kSelectionKey +
                "\", a text, and a table [name] for each solid");
   }
   static const auto kForms = formsOfSolids();
   const auto& form =
-      formOf(context_, *table, entry.line, "[" + formats::shortened(entry.key) + "]", kForms);
+      formOf(context_, *table, entry.line, "[" + text::shortened(entry.key) + "]", kForms);
   indices_.emplace(entry.key, items_.size());
   items_.push_back({entry.key, {context_, form, *table, entry.line, commonKeys()}});
 }
@@ -73,7 +74,7 @@ std::size_t SceneGraph::indexOf(const std::string& name, std::uint64_t line) con
   const auto found = indices_.find(name);
   if (found != indices_.end()) return found->second;
   failAt(context_.file, line,
-         "there is no solid " + formats::quoted(name) + suggestion(name, names()));
+         "there is no solid " + text::quoted(name) + text::suggestion(name, names()));
 }
 
 void SceneGraph::measure(std::size_t index, std::vector<std::size_t>& path) {
@@ -90,7 +91,7 @@ void SceneGraph::measure(std::size_t index, std::vector<std::size_t>& path) {
     measure(reference.item, path);
     const auto& operand = items_[reference.item];
     depth = std::max(depth, operand.depth + 1);
-    pieces += operand.pieces * item.record.form().copies;
+    pieces += operand.pieces * item.record.form().operandCopies;
     if (depth > kMostNested) failLimit(item, "solids are nested more than 100 deep");
     if (pieces > kMostPieces) failLimit(item, "it is made of more than 65536 solids");
   }
@@ -108,25 +109,25 @@ void SceneGraph::failCycle(const std::vector<std::size_t>& path, const Reference
   const auto first = std::find(path.begin(), path.end(), back.item);
   std::string chain;
   for (auto i = first; i != path.end() && i != first + kMost; ++i) {
-    chain += formats::quoted(items_[*i].name) + " -> ";
+    chain += text::quoted(items_[*i].name) + " -> ";
   }
   if (path.end() - first > kMost) chain += "... -> ";
-  const auto name = formats::quoted(items_[back.item].name);
+  const auto name = text::quoted(items_[back.item].name);
   failAt(context_.file, back.line, name + " is made of itself: " + chain + name);
 }
 
 std::string SceneGraph::at(const Item& item) const {
   return context_.file + ": line " + std::to_string(item.record.line()) + ": [" +
-         formats::shortened(item.name) + "]: ";
+         text::shortened(item.name) + "]: ";
 }
 
 Solid<double> SceneGraph::make(const std::string& name) {
   const auto found = indices_.find(name);
   if (!name.empty() && found == indices_.end()) {
-    throw Error(ErrorKind::Argument, context_.file + ": there is no solid " +
-                                         formats::quoted(name) + suggestion(name, names()));
+    throw Error(ErrorKind::Argument, context_.file + ": there is no solid " + text::quoted(name) +
+                                         text::suggestion(name, names()));
   }
-  const auto& item = items_[name.empty() ? meant_ : found->second];
+  const auto& item = items_[name.empty() ? selected_ : found->second];
   make(item);
   return context_.solids.find(item.name)->second;
 }

@@ -50,7 +50,7 @@ class SceneGraph {
   SceneContext context_;
   std::vector<Item> items_;
   std::map<std::string, std::size_t, std::less<>> indices_;
-  std::size_t meant_ = 0;
+  std::size_t selected_ = 0;
 };
 
 }  // namespace cutwater::scene

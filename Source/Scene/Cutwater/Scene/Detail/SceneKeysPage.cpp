@@ -34,7 +34,7 @@ std::string tableOf(const std::vector<scene::SceneKey>& keys) {
 }
 
 std::string sectionOf(const scene::SceneForm& form) {
-  const auto title = form.head.empty() ? form.name : form.head + " = \"" + form.name + '"';
+  const auto title = form.kindKey.empty() ? form.name : form.kindKey + " = \"" + form.name + '"';
   return "\n#### " + code(title) + "\n\n" + form.meaning + "\n\n" + tableOf(form.keys);
 }
 
@@ -42,8 +42,8 @@ std::string sectionOf(const scene::SceneForm& form) {
 
 std::string sceneKeys() {
   std::string text = "### Every solid\n\n" + tableOf(scene::commonKeys());
-  for (const auto& [title, words, forms] : scene::allSceneForms()) {
-    text += "\n### " + title + "\n\n" + words + '\n';
+  for (const auto& [title, introduction, forms] : scene::allSceneForms()) {
+    text += "\n### " + title + "\n\n" + introduction + '\n';
     for (const auto& form : forms) text += sectionOf(form);
   }
   return text;

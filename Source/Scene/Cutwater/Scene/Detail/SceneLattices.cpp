@@ -1,9 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/BeamTable.hpp>
-#include <Cutwater/Io/ReadBalls.hpp>
+#include <Cutwater/Io/Tables.hpp>
+#include <Cutwater/Lattice/BeamGraph.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>
-#include <Cutwater/Lattice/BeamsWithin.hpp>
-#include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Lattice/PackedBed.hpp>
 #include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Scene/Detail/SceneLattices.hpp>
@@ -14,7 +12,7 @@ namespace {
 
 using enum KeyType;
 using Record = SceneRecord;
-using Made = cutwater::Solid<double>;
+using SceneSolid = cutwater::Solid<double>;
 
 const std::string kReentrant = "re-entrant";
 
@@ -51,7 +49,7 @@ Thickness<double> strutRadiusOf(const Record& r) {
   const auto parts = r.parts("radius");
   if (parts.empty()) return r.number("radius");
   const auto& part = parts.front();
-  if (part.form().headKey() == "at_center") {
+  if (part.form().identifyingKey() == "at_center") {
     return Thickness<double>::byDistanceToCellCenter(part.number("at_center"),
                                                      part.number("at_corners"));
   }
@@ -86,16 +84,14 @@ SceneKey reentrantHeightKey() {
 
 namespace {
 
-Made lattice(const Record& r) {
+SceneSolid lattice(const Record& r) {
   const auto cell = unitCellOf(r, "lattice");
   const auto thickness = strutRadiusOf(r);
-  const Repeats<double> cells{.period = r.point("cell"), .count = r.counts("count")};
-  const auto& [x, y, z] = cells.count;
-  if (x == 0 && y == 0 && z == 0) return PeriodicLattice<double>(cell, cells.period, thickness);
-  return CellArray<double>(cell, cells, thickness);
+  return PeriodicLattice<double>(cell, {.period = r.point("cell"), .count = r.counts("count")},
+                                 thickness);
 }
 
-Made beams(const Record& r) {
+SceneSolid beams(const Record& r) {
   const auto graph = readBeams(r.file("beams"), {.scale = r.number("scale")});
   if (!r.has("within")) return BeamLattice<double>(graph);
   return BeamLattice<double>(beamsWithin(graph, r.solid("within")));
@@ -125,13 +121,13 @@ const std::vector<SceneForm>& latticeForms() {
        .keys = {{"beams", File, "the table"},
                 {"scale", Positive, "coordinates and radii are multiplied by it", "1"},
                 {"within", KeyType::Solid, "leave out beams that lie outside of this solid",
-                 kNothing}},
+                 kOptional}},
        .make = beams},
       {.name = "balls",
        .meaning = "A packed bed: balls from a table in text, of lines `x, y, z, radius`.",
        .keys = {{"balls", File, "the table"},
                 {"scale", Positive, "coordinates and radii are multiplied by it", "1"}},
-       .make = [](const Record& r) -> Made {
+       .make = [](const Record& r) -> SceneSolid {
          return PackedBed<double>(readBalls(r.file("balls"), {.scale = r.number("scale")}));
        }},
   };

@@ -8,7 +8,7 @@ namespace {
 
 using enum KeyType;
 using Record = SceneRecord;
-using Made = cutwater::Solid<double>;
+using SceneSolid = cutwater::Solid<double>;
 
 /// Keys of a smooth union, intersection or difference.
 std::vector<SceneKey> withFillet(SceneKey operands) {
@@ -27,20 +27,20 @@ Smoothing<double> smoothingOf(const Record& r) {
   return {.reach = r.number("reach"), .kind = static_cast<SmoothKind>(r.choice("fillet"))};
 }
 
-Made difference(const Record& r) {
+SceneSolid difference(const Record& r) {
   auto operands = r.solids("difference");
   for (std::size_t i = 1; i < operands.size(); ++i) operands[i] = ~operands[i];
   return smoothIntersectionOf(operands, smoothingOf(r));
 }
 
-Made exclusive(const Record& r) {
+SceneSolid exclusive(const Record& r) {
   const auto operands = r.solids("xor");
   auto result = operands.front();
   for (std::size_t i = 1; i < operands.size(); ++i) result = result ^ operands[i];
   return result;
 }
 
-Made blend(const Record& r) {
+SceneSolid blend(const Record& r) {
   const auto operands = r.solids("blended");
   if (operands.size() != 2) r.fail("blended", "need two solids");
   return blended(operands[0], operands[1], r.number("t"));
@@ -128,7 +128,7 @@ std::vector<SceneKey> withPlane(const char* name) {
           {"point", Point, "a point of the plane", "[0, 0, 0]"}};
 }
 
-Made repetition(const Record& r) {
+SceneSolid repetition(const Record& r) {
   return repeated(r.solid("repeated"), {.period = r.point("period"), .count = r.counts("count")});
 }
 
@@ -155,7 +155,7 @@ std::vector<SceneForm> repetitions() {
            [](const Record& r) {
              return unfolded(r.solid("unfolded"), r.point("normal"), r.point("point"));
            },
-       .copies = 2},
+       .operandCopies = 2},
       {.name = "repeated",
        .meaning = "Copies at multiples of a period.",
        .keys = {{"repeated", KeyType::Solid, "the solid"},
@@ -179,7 +179,7 @@ const std::vector<SceneForm>& moveForms() {
   return kForms;
 }
 
-void rotate(Made& solid, const Record& turn) {
+void rotate(SceneSolid& solid, const Record& turn) {
   const auto axis = turn.axis("axis");
   const auto through = turn.point("through");
   const double degrees = turn.number("rotate");
@@ -220,11 +220,11 @@ const std::vector<SceneKey>& commonKeys() {
       {.name = "patch",
        .type = Text,
        .meaning = "the name of its patch; of several patches, what their names begin with",
-       .preset = kNothing}};
+       .preset = kOptional}};
   return kKeys;
 }
 
-Made placed(Made solid, const SceneRecord& record) {
+SceneSolid placed(SceneSolid solid, const SceneRecord& record) {
   for (const auto& step : record.parts("move")) {
     if (step.form().name == "rotate") {
       rotate(solid, step);

@@ -2,8 +2,8 @@
 #include <Cutwater/Scene/Detail/ParseToml.hpp>
 #include <Cutwater/Scene/Detail/SceneRecord.hpp>
 #include <Cutwater/Scene/Detail/SceneTypes.hpp>
-#include <Cutwater/Text/Cursor.hpp>
 #include <Cutwater/Text/Suggestion.hpp>
+#include <Cutwater/Text/Words.hpp>
 
 #include <algorithm>
 #include <cassert>
@@ -18,41 +18,41 @@ const SceneValue::Entry* find(const SceneValue::Table& table, const std::string&
   return found == table.end() ? nullptr : &*found;
 }
 
-bool isOf(const SceneForm& form, const SceneValue::Table& table) {
-  const auto* const entry = find(table, form.headKey());
-  if (entry == nullptr || form.head.empty()) return entry != nullptr;
+bool hasForm(const SceneValue::Table& table, const SceneForm& form) {
+  const auto* const entry = find(table, form.identifyingKey());
+  if (entry == nullptr || form.kindKey.empty()) return entry != nullptr;
   const auto* const name = entry->value.as<std::string>();
   return name != nullptr && *name == form.name;
 }
 
 /// Explains why a table has none of the forms.
-[[noreturn]] void failToKnow(const SceneContext& context, const SceneValue::Table& table,
-                             std::uint64_t line, const std::string& what,
-                             std::span<const SceneForm* const> forms) {
-  std::vector<std::string> heads;
+[[noreturn]] void failWithoutForm(const SceneContext& context, const SceneValue::Table& table,
+                                  std::uint64_t line, const std::string& what,
+                                  std::span<const SceneForm* const> forms) {
+  std::vector<std::string> keys;
   for (const auto* form : forms) {
-    if (std::find(heads.begin(), heads.end(), form->headKey()) == heads.end()) {
-      heads.push_back(form->headKey());
+    if (std::find(keys.begin(), keys.end(), form->identifyingKey()) == keys.end()) {
+      keys.push_back(form->identifyingKey());
     }
   }
   for (const auto& entry : table) {
-    if (std::find(heads.begin(), heads.end(), entry.key) == heads.end()) continue;
+    if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) continue;
     std::vector<std::string> names;
     for (const auto* form : forms) {
-      if (form->head == entry.key) names.push_back(form->name);
+      if (form->kindKey == entry.key) names.push_back(form->name);
     }
     const auto* const name = entry.value.as<std::string>();
     failAt(context.file, entry.line,
            what + ": there is no " + entry.key + " " + textOf(entry.value) +
-               (name == nullptr ? "" : suggestion(*name, names)));
+               (name == nullptr ? "" : text::suggestion(*name, names)));
   }
   for (const auto& entry : table) {
-    const auto near = suggestion(entry.key, heads);
+    const auto near = text::suggestion(entry.key, keys);
     if (near.empty()) continue;
-    failAt(context.file, entry.line, what + " has no key " + formats::quoted(entry.key) + near);
+    failAt(context.file, entry.line, what + " has no key " + text::quoted(entry.key) + near);
   }
   std::string all;
-  for (const auto& head : heads) all += (all.empty() ? "\"" : ", \"") + head + '"';
+  for (const auto& key : keys) all += (all.empty() ? "\"" : ", \"") + key + '"';
   failAt(context.file, line, what + " needs a key that tells what it is: one of " + all);
 }
 
@@ -63,47 +63,47 @@ const SceneForm& formOf(const SceneContext& context, const SceneValue::Table& ta
                         std::span<const SceneForm* const> forms) {
   const SceneForm* found = nullptr;
   for (const auto* form : forms) {
-    if (!isOf(*form, table)) continue;
+    if (!hasForm(table, *form)) continue;
     if (found != nullptr) {
-      failAt(context.file, find(table, form->headKey())->line,
-             what + R"( cannot have both ")" + found->headKey() + R"(" and ")" + form->headKey() +
-                 '"');
+      failAt(context.file, find(table, form->identifyingKey())->line,
+             what + R"( cannot have both ")" + found->identifyingKey() + R"(" and ")" +
+                 form->identifyingKey() + '"');
     }
     found = form;
   }
-  if (found == nullptr) failToKnow(context, table, line, what, forms);
+  if (found == nullptr) failWithoutForm(context, table, line, what, forms);
   return *found;
 }
 
 SceneRecord::SceneRecord(const SceneContext& context, const SceneForm& form,
                          const SceneValue::Table& table, std::uint64_t line,
-                         const std::vector<SceneKey>& more)
+                         const std::vector<SceneKey>& furtherKeys)
     : context_(&context), form_(&form), line_(line) {
-  for (const auto* keys : {&form.keys, &more}) {
+  for (const auto* keys : {&form.keys, &furtherKeys}) {
     for (const auto& key : *keys) values_.push_back({&key, {}, true, false});
   }
   refuseUnknown(table);
-  for (auto& value : values_) take(value, table);
+  for (auto& value : values_) assign(value, table);
 }
 
 void SceneRecord::refuseUnknown(const SceneValue::Table& table) const {
   std::vector<std::string> names;
-  if (!form_->head.empty()) names.push_back(form_->head);
+  if (!form_->kindKey.empty()) names.push_back(form_->kindKey);
   for (const auto& value : values_) names.push_back(value.key->name);
   for (const auto& entry : table) {
     if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
-    failAt(
-        context_->file, entry.line,
-        form_->name + " has no key " + formats::quoted(entry.key) + suggestion(entry.key, names));
+    failAt(context_->file, entry.line,
+           form_->name + " has no key " + text::quoted(entry.key) +
+               text::suggestion(entry.key, names));
   }
 }
 
-void SceneRecord::take(Value& value, const SceneValue::Table& table) const {
+void SceneRecord::assign(Value& value, const SceneValue::Table& table) const {
   const auto& key = *value.key;
   if (const auto* const entry = find(table, key.name)) {
     value.value = entry->value;
     value.value.line = entry->line;
-    value.isNothing = false;
+    value.isAbsent = false;
     value.isGiven = true;
     check(key, value.value);
     return;
@@ -114,7 +114,7 @@ void SceneRecord::take(Value& value, const SceneValue::Table& table) const {
   value.value.line = line_;
   if (key.preset->empty()) return;
   value.value.content = parseToml("preset = " + *key.preset, key.name).front().value.content;
-  value.isNothing = false;
+  value.isAbsent = false;
   assert(hasType(value.value, key));
 }
 
@@ -123,7 +123,7 @@ void SceneRecord::check(const SceneKey& key, const SceneValue& value) const {
     const auto* const name = value.as<std::string>();
     failAt(context_->file, value.line,
            '"' + key.name + "\" of " + form_->name + ": need " + typeText(key) + ", found " +
-               textOf(value) + (name == nullptr ? "" : suggestion(*name, key.choices)));
+               textOf(value) + (name == nullptr ? "" : text::suggestion(*name, key.choices)));
   }
   if (value.as<SceneValue::Table>() != nullptr) static_cast<void>(part(key, value));
   if (key.type != KeyType::Parts) return;
@@ -246,7 +246,7 @@ const SceneRecord& SceneRecord::record(std::string_view key) const {
 }
 
 std::vector<SceneRecord> SceneRecord::parts(std::string_view key) const {
-  const auto& [declared, value, isNothing, isGiven] = values_[indexOf(key)];
+  const auto& [declared, value, isAbsent, isGiven] = values_[indexOf(key)];
   std::vector<SceneRecord> result;
   if (value.as<SceneValue::Table>() != nullptr) result.push_back(part(*declared, value));
   if (declared->type == KeyType::Parts) {
@@ -258,8 +258,8 @@ std::vector<SceneRecord> SceneRecord::parts(std::string_view key) const {
 
 void SceneRecord::forEachReference(
     FunctionRef<void(const std::string&, std::uint64_t)> visit) const {
-  for (const auto& [key, value, isNothing, isGiven] : values_) {
-    if (isNothing) continue;
+  for (const auto& [key, value, isAbsent, isGiven] : values_) {
+    if (isAbsent) continue;
     if (key->type == KeyType::Solid) visit(*value.as<std::string>(), value.line);
     if (key->type == KeyType::Solids) {
       for (const auto& name : *value.as<SceneValue::List>()) {

@@ -28,12 +28,12 @@ class SceneRecord {
   /// @throws Error(File) with the line, naming the key, for keys that the form does not have, that
   /// are missing, or whose values have the wrong type.
   SceneRecord(const SceneContext& context, const SceneForm& form, const SceneValue::Table& table,
-              std::uint64_t line, const std::vector<SceneKey>& more = {});
+              std::uint64_t line, const std::vector<SceneKey>& furtherKeys = {});
 
   [[nodiscard]] const SceneForm& form() const { return *form_; }
   [[nodiscard]] std::uint64_t line() const { return line_; }
   /// Whether the key has a value, given or by default.
-  [[nodiscard]] bool has(std::string_view key) const { return !values_[indexOf(key)].isNothing; }
+  [[nodiscard]] bool has(std::string_view key) const { return !values_[indexOf(key)].isAbsent; }
   /// Whether the table contains the key.
   [[nodiscard]] bool isGiven(std::string_view key) const { return values_[indexOf(key)].isGiven; }
 
@@ -75,10 +75,10 @@ class SceneRecord {
   struct Value {
     const SceneKey* key;
     SceneValue value;
-    bool isNothing;
+    bool isAbsent;
     bool isGiven;
   };
-  void take(Value& value, const SceneValue::Table& table) const;
+  void assign(Value& value, const SceneValue::Table& table) const;
   void check(const SceneKey& key, const SceneValue& value) const;
   void refuseUnknown(const SceneValue::Table& table) const;
   [[nodiscard]] std::size_t indexOf(std::string_view key) const;

@@ -30,13 +30,15 @@ namespace {
 using enum KeyType;
 using Record = SceneRecord;
 using Keys = std::vector<SceneKey>;
-using Made = cutwater::Solid<double>;
+using SceneSolid = cutwater::Solid<double>;
 
 const std::string kOrigin = "[0, 0, 0]";
 const std::string kAlongZ = "[0, 0, 1]";
 
-SceneForm shape(const char* name, const char* meaning, Keys keys, Made (*make)(const Record&)) {
-  return {.name = name, .meaning = meaning, .keys = std::move(keys), .make = make, .head = "shape"};
+SceneForm shape(const char* name, const char* meaning, Keys keys,
+                SceneSolid (*make)(const Record&)) {
+  return {
+      .name = name, .meaning = meaning, .keys = std::move(keys), .make = make, .kindKey = "shape"};
 }
 
 SceneKey positive(const char* name, const char* meaning) {
@@ -75,27 +77,27 @@ std::vector<SceneForm> roundShapes() {
   return {
       shape("sphere", "A ball.",
             {point("center", "its centre", kOrigin), positive("radius", "its radius")},
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return Sphere<double>(r.point("center"), r.number("radius"));
             }),
       shape("ellipsoid", "An ellipsoid with its axes along x, y and z.",
             {point("center", "its centre", kOrigin),
              {"semi_axes", Sizes, "half its length along each axis"}},
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return Ellipsoid<double>(r.point("center"), r.point("semi_axes"));
             }),
       shape("torus", "A ring: a tube about a circle.",
             {point("center", "the circle's centre", kOrigin),
              point("axis", "the direction across the circle", kAlongZ),
              positive("major", "the circle's radius"), positive("minor", "the tube's radius")},
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return Torus<double>(r.point("center"), r.point("axis"), r.number("major"),
                                    r.number("minor"));
             }),
       shape("capped torus", "A piece of a ring about the z axis, with round ends.",
             {positive("major", "the arc's radius"), positive("minor", "the tube's radius"),
              positive("half_angle", "degrees to both sides of the x axis, at most 180")},
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return CappedTorus<double>(r.number("major"), r.number("minor"),
                                          r.number("half_angle"));
             }),
@@ -103,16 +105,16 @@ std::vector<SceneForm> roundShapes() {
             {{"length", NotNegative, "of its straight parts"},
              positive("major", "the radius of its bends"),
              positive("minor", "the tube's radius")},
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return Link<double>(r.number("length"), r.number("major"), r.number("minor"));
             }),
       shape("capsule", "All within a radius of a segment.",
             betweenEnds({positive("radius", "its radius")}),
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return Capsule<double>(r.point("from"), r.point("to"), r.number("radius"));
             }),
       shape("cone-sphere", "The convex hull of two balls.", betweenEnds(kTwoRadii),
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return ConeSphere<double>(r.point("from"), r.point("to"), r.number("start_radius"),
                                         r.number("end_radius"));
             }),
@@ -123,32 +125,32 @@ std::vector<SceneForm> cylindersAndCones() {
   return {
       shape("cylinder", "A cylinder with flat ends.",
             betweenEnds({positive("radius", "its radius")}),
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return Cylinder<double>(r.point("from"), r.point("to"), r.number("radius"));
             }),
       shape(
           "rounded cylinder", "A cylinder with rounded rims; ends and side stay in their places.",
           betweenEnds({positive("radius", "its radius"),
                        positive("rounding", "the rims' radius, at most that and half the length")}),
-          [](const Record& r) -> Made {
+          [](const Record& r) -> SceneSolid {
             return RoundedCylinder<double>(r.point("from"), r.point("to"), r.number("radius"),
                                            r.number("rounding"));
           }),
       shape("infinite cylinder", "A cylinder without ends.",
             {point("point", "a point of its axis", kOrigin),
              point("axis", "the axis' direction", kAlongZ), positive("radius", "its radius")},
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return InfiniteCylinder<double>(r.point("point"), r.point("axis"),
                                               r.number("radius"));
             }),
       shape("cone", "A cone with a flat base.",
             {point("apex", "its tip"), point("base", "the middle of its base"),
              positive("radius", "the base's radius")},
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return Cone<double>(r.point("apex"), r.point("base"), r.number("radius"));
             }),
       shape("capped cone", "A cone cut off flat at both ends.", betweenEnds(kTwoRadii),
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return CappedCone<double>(r.point("from"), r.point("to"), r.number("start_radius"),
                                         r.number("end_radius"));
             }),
@@ -156,7 +158,7 @@ std::vector<SceneForm> cylindersAndCones() {
             {point("apex", "its tip", kOrigin),
              point("axis", "the direction from the tip into the solid", kAlongZ),
              positive("half_angle", "degrees between axis and flank, below 90")},
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return InfiniteCone<double>(r.point("apex"), r.point("axis"), r.number("half_angle"));
             }),
   };
@@ -167,34 +169,34 @@ std::vector<SceneForm> boxes() {
       shape("plane", "All behind a plane.",
             {point("point", "a point of the plane", kOrigin),
              point("normal", "the direction out of the solid", kAlongZ)},
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return Plane<double>(r.point("point"), r.point("normal"));
             }),
       shape("cuboid", "A box along the axes.", betweenCorners({}),
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return Cuboid<double>(r.point("lower"), r.point("upper"));
             }),
       shape("rounded box", "A box with rounded edges; its faces stay in their places.",
             betweenCorners({positive("radius", "the edges' radius, at most half a side")}),
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return RoundedBox<double>(r.point("lower"), r.point("upper"), r.number("radius"));
             }),
       shape("box frame", "The edges of a box, as square bars.",
             betweenCorners({positive("thickness", "of the bars, less than half a side")}),
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return BoxFrame<double>({r.point("lower"), r.point("upper")}, r.number("thickness"));
             }),
       shape("hexagonal prism", "A regular hexagon about the z axis, with its middle at the origin.",
             {positive("inradius", "from the axis to the sides"), positive("height", "along z")},
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return HexagonalPrism<double>(r.number("inradius"), r.number("height"));
             }),
       shape("octahedron", "A regular octahedron about the origin.",
             {positive("radius", "from the origin to its corners, on the axes")},
-            [](const Record& r) -> Made { return Octahedron<double>(r.number("radius")); }),
+            [](const Record& r) -> SceneSolid { return Octahedron<double>(r.number("radius")); }),
       shape("pyramid", "A pyramid on a square about the origin, its tip on the z axis.",
             {positive("side", "of the square"), positive("height", "of the tip")},
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return Pyramid<double>(r.number("side"), r.number("height"));
             }),
   };
@@ -209,7 +211,7 @@ const std::vector<SceneForm>& halfSpaceForms() {
   return kForms;
 }
 
-Made convexPolyhedron(const Record& r) {
+SceneSolid convexPolyhedron(const Record& r) {
   std::vector<HalfSpace<double>> halfSpaces;
   for (const auto& part : r.parts("half_spaces")) {
     halfSpaces.push_back({part.point("point"), part.point("normal")});
@@ -228,14 +230,14 @@ std::vector<SceneForm> polygonsAndPolyhedra() {
       shape("extrusion", "A polygon in the xy plane, extruded along z.",
             ofPolygon("x and y of each", {{"lower", Number, "where it begins along z"},
                                           {"upper", Number, "where it ends"}}),
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return Extrusion<double>(polygonOf(r), r.number("lower"), r.number("upper"));
             }),
       shape("revolution", "A polygon turned about an axis.",
             ofPolygon("the distance from the axis and the position along it of each",
                       {point("origin", "where positions along the axis begin", kOrigin),
                        point("axis", "the axis' direction", kAlongZ)}),
-            [](const Record& r) -> Made {
+            [](const Record& r) -> SceneSolid {
               return Revolution<double>(polygonOf(r), r.point("origin"), r.point("axis"));
             }),
   };

@@ -9,12 +9,12 @@ namespace {
 
 using enum KeyType;
 using Record = SceneRecord;
-using Made = cutwater::Solid<double>;
+using SceneSolid = cutwater::Solid<double>;
 
 std::vector<SceneKey> cleaningKeys() {
   return {{"clean", Flag, "whether to put it in order first, as told below", "false"},
-          {"weld_within", Positive, "merge points so close to one another", kNothing},
-          {"split_junctions_within", Positive, "put points so close to an edge into it", kNothing},
+          {"weld_within", Positive, "merge points so close to one another", kOptional},
+          {"split_junctions_within", Positive, "put points so close to an edge into it", kOptional},
           {"opposite",
            Choice,
            "two equal faces of opposite orientation",
@@ -62,7 +62,7 @@ void refuseCleaning(const Record& r) {
   }
 }
 
-Made mesh(const Record& r) {
+SceneSolid mesh(const Record& r) {
   auto soup = readSurface(r.file("mesh"), {.scale = r.number("scale")}).soup;
   if (r.flag("clean")) {
     clean(soup, cleaningOf(r));
@@ -83,7 +83,9 @@ const std::vector<SceneForm>& surfaceForms() {
       {.name = "prepared",
        .meaning = "A mesh that `cutwater prepare` has made ready, in double precision.",
        .keys = {{"prepared", File, "what `cutwater prepare` wrote"}},
-       .make = [](const Record& r) -> Made { return MeshSDF<double>::open(r.file("prepared")); }},
+       .make = [](const Record& r) -> SceneSolid {
+         return MeshSDF<double>::open(r.file("prepared"));
+       }},
   };
   return kForms;
 }

@@ -11,7 +11,7 @@ namespace {
 
 using enum KeyType;
 using Record = SceneRecord;
-using Made = cutwater::Solid<double>;
+using SceneSolid = cutwater::Solid<double>;
 
 const std::vector<TpmsPattern>& allPatterns() {
   static const auto kPatterns = TpmsPattern::all();
@@ -81,8 +81,9 @@ TpmsField<double> fieldOf(const Record& r, const TpmsMap<double>& map) {
   const auto parts = r.parts("transition");
   if (parts.empty()) return {pattern, map};
   const auto& part = parts.front();
-  const auto weight =
-      part.form().headKey() == "weight" ? GradedValue<double>(part.number("weight")) : rampOf(part);
+  const auto weight = part.form().identifyingKey() == "weight"
+                          ? GradedValue<double>(part.number("weight"))
+                          : rampOf(part);
   return {TpmsTransition<double>{pattern, patternOf(part, "to"), weight}, map};
 }
 
@@ -112,7 +113,7 @@ CellSizes<double> sizesOf(const Record& part, std::string_view axis) {
 int cellsPerTurn(const Record& part) {
   constexpr int kMost = std::numeric_limits<int>::max();
   const auto count = part.whole("cells_per_turn");
-  if (count > kMost) part.fail("cells_per_turn", "\"cells_per_turn\" ends at 2^31 - 1");
+  if (count > kMost) part.fail("cells_per_turn", "\"cells_per_turn\" must not exceed 2^31 - 1");
   return static_cast<int>(count);
 }
 
@@ -121,7 +122,7 @@ TpmsMap<double> cellsOf(const Record& r) {
   const auto parts = r.parts("cell");
   if (parts.empty()) return TpmsMap<double>(r.point("cell"));
   const auto& part = parts.front();
-  if (part.form().headKey() == "x") {
+  if (part.form().identifyingKey() == "x") {
     return TpmsMap<double>({sizesOf(part, "x"), sizesOf(part, "y"), sizesOf(part, "z")});
   }
   return TpmsMap<double>::cylindrical({.radialSize = part.number("radial_size"),
@@ -172,14 +173,14 @@ SceneForm tpmsForm() {
                    {.name = "transition",
                     .type = Part,
                     .meaning = "to another pattern",
-                    .preset = kNothing,
+                    .preset = kOptional,
                     .forms = &transitionForms()},
                    {.name = "deformation",
                     .type = Part,
                     .meaning = "of the cells, at random",
-                    .preset = kNothing,
+                    .preset = kOptional,
                     .forms = &deformationForms()}},
-          .make = [](const Record& r) -> Made {
+          .make = [](const Record& r) -> SceneSolid {
             return TpmsSolid<double>(fieldOf(r, mapOf(r)), static_cast<TpmsPart>(r.choice("part")),
                                      gradedOf(r, "level"));
           }};
@@ -198,7 +199,7 @@ SceneForm evenWallForm() {
                     .type = PositiveOrPart,
                     .meaning = "how far to either side of the surface",
                     .forms = &halfThicknessForms()}},
-          .make = [](const Record& r) -> Made { return evenWall(r); }};
+          .make = [](const Record& r) -> SceneSolid { return evenWall(r); }};
 }
 
 /// The channels on both sides of the named wall, moved with the wall.
@@ -240,14 +241,14 @@ SceneForm exchangerForm(const char* name, const char* meaning, std::vector<Scene
   return {.name = name,
           .meaning = meaning,
           .keys = std::move(keys),
-          .make = [](const Record& r) -> Made { return twoFluidsOf(r).wall; },
-          .head = "exchanger",
-          .copies = 2};
+          .make = [](const Record& r) -> SceneSolid { return twoFluidsOf(r).wall; },
+          .kindKey = "exchanger",
+          .operandCopies = 2};
 }
 
-Made fluid(const Record& r) {
+SceneSolid fluid(const Record& r) {
   const auto& exchanger = r.record("of");
-  if (exchanger.form().head != "exchanger")
+  if (exchanger.form().kindKey != "exchanger")
     r.fail("of", "\"of\": need the name of an \"exchanger\"");
   const auto parts = twoFluidsOf(exchanger);
   return placed(r.text("fluid") == "A" ? parts.a : parts.b, exchanger);

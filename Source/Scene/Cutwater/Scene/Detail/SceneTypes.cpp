@@ -1,17 +1,16 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Scene/Detail/SceneTypes.hpp>
-#include <Cutwater/Text/Cursor.hpp>
+#include <Cutwater/Text/Words.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cutwater::scene {
 
 namespace {
 
-using Test = bool (*)(double);
-
-bool isAny(double x) {
+bool isFinite(double x) {
   return std::isfinite(x);
 }
 bool isPositive(double x) {
@@ -25,9 +24,33 @@ bool isWhole(double x) {
   return x >= 0 && x <= kMost && std::floor(x) == x;
 }
 
-bool isNumber(const SceneValue& value, Test test) {
+using NumberTest = bool (*)(double);
+using ValueTest = bool (*)(const SceneValue&);
+
+template <NumberTest kTest>
+bool isNumber(const SceneValue& value) {
   const auto* const number = value.as<double>();
-  return number != nullptr && test(*number);
+  return number != nullptr && kTest(*number);
+}
+
+template <ValueTest kTest>
+bool isListOf(const SceneValue& value) {
+  const auto* const list = value.as<SceneValue::List>();
+  return list != nullptr && std::all_of(list->begin(), list->end(), kTest);
+}
+
+template <std::size_t kCount, ValueTest kTest>
+bool isListOf(const SceneValue& value) {
+  return isListOf<kTest>(value) && value.as<SceneValue::List>()->size() == kCount;
+}
+
+template <ValueTest... kTests>
+bool isAnyOf(const SceneValue& value) {
+  return (kTests(value) || ...);
+}
+
+bool isFlag(const SceneValue& value) {
+  return value.as<bool>() != nullptr;
 }
 
 bool isText(const SceneValue& value) {
@@ -35,167 +58,99 @@ bool isText(const SceneValue& value) {
   return text != nullptr && !text->empty();
 }
 
-template <typename Test>
-bool isListOf(const SceneValue& value, const Test& test) {
-  const auto* const list = value.as<SceneValue::List>();
-  return list != nullptr && std::all_of(list->begin(), list->end(), test);
-}
-
-bool areNumbers(const SceneValue& value, std::size_t count, Test test) {
-  return isListOf(value, [&](const auto& element) { return isNumber(element, test); }) &&
-         value.as<SceneValue::List>()->size() == count;
-}
-
-bool isAxis(const SceneValue& value) {
-  const auto* const name = value.as<std::string>();
-  return name != nullptr ? axisNamed(*name) >= 0 : areNumbers(value, 3, isAny);
-}
-
-bool isChoice(const SceneValue& value, const std::vector<std::string>& choices) {
-  const auto* const text = value.as<std::string>();
-  return text != nullptr && std::find(choices.begin(), choices.end(), *text) != choices.end();
-}
-
-bool arePoints(const SceneValue& value) {
-  return isListOf(value, [](const auto& point) { return areNumbers(point, 3, isAny); });
-}
-
-bool isOutline(const SceneValue& value) {
-  return isListOf(value, [](const auto& point) { return areNumbers(point, 2, isAny); });
-}
-
 /// Without control characters: errors that name the file stay on one line.
 bool isFileName(const SceneValue& value) {
-  return isText(value) && std::ranges::all_of(*value.as<std::string>(), formats::isPrintable);
+  return isText(value) && std::ranges::all_of(*value.as<std::string>(), text::isPrintable);
+}
+
+bool isNameOfAxis(const SceneValue& value) {
+  const auto* const name = value.as<std::string>();
+  return name != nullptr && axisNamed(*name) >= 0;
 }
 
 bool areNames(const SceneValue& value) {
-  return isListOf(value, isText) && !value.as<SceneValue::List>()->empty();
+  return isListOf<isText>(value) && !value.as<SceneValue::List>()->empty();
 }
 
 bool isTable(const SceneValue& value) {
   return value.as<SceneValue::Table>() != nullptr;
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string text = "one of ";
-  for (const auto& word : words) text += (&word == words.data() ? "\"" : ", \"") + word + '"';
-  return text;
+constexpr ValueTest kIsPoint = isListOf<3, isNumber<isFinite>>;
+constexpr ValueTest kIsSizes = isListOf<3, isNumber<isPositive>>;
+constexpr ValueTest kIsOutline = isListOf<isListOf<2, isNumber<isFinite>>>;
+
+/// What the keys of a type take: in words, and as a test.
+struct TypeRule {
+  KeyType type;
+  const char* words;
+  ValueTest accepts;
+};
+
+using enum KeyType;
+
+/// In the order of KeyType.
+constexpr std::array kRules{
+    TypeRule{Number, "a number", isNumber<isFinite>},
+    TypeRule{Positive, "a number above 0", isNumber<isPositive>},
+    TypeRule{NotNegative, "a number from 0", isNumber<isNotNegative>},
+    TypeRule{Whole, "a whole number from 0", isNumber<isWhole>},
+    TypeRule{Flag, "true or false", isFlag},
+    TypeRule{Text, "a text", isText},
+    TypeRule{File, "the name of a file", isFileName},
+    TypeRule{Choice, "one of", isText},  // the key's choices; see below
+    TypeRule{Point, "three numbers", kIsPoint},
+    TypeRule{Points, "a list of points, three numbers each", isListOf<kIsPoint>},
+    TypeRule{Sizes, "three numbers above 0", kIsSizes},
+    TypeRule{Counts, "three whole numbers from 0", isListOf<3, isNumber<isWhole>>},
+    TypeRule{Axis, R"("x", "y", "z" or three numbers)", isAnyOf<isNameOfAxis, kIsPoint>},
+    TypeRule{Columns, "three columns of three numbers", isListOf<3, kIsPoint>},
+    TypeRule{Outline, "a list of points, two numbers each", kIsOutline},
+    TypeRule{Outlines, "lists of points, two numbers each", isListOf<kIsOutline>},
+    TypeRule{KeyType::Solid, "the name of a solid", isText},
+    TypeRule{Solids, "a list of names of solids", areNames},
+    TypeRule{Parts, "a list of tables", isListOf<isTable>},
+    TypeRule{Part, "a table", isTable},
+    TypeRule{NumberOrPart, "a number, or a table", isAnyOf<isNumber<isFinite>, isTable>},
+    TypeRule{PositiveOrPart, "a number above 0, or a table",
+             isAnyOf<isNumber<isPositive>, isTable>},
+    TypeRule{SizesOrPart, "a number above 0, three of them, or a table",
+             isAnyOf<isNumber<isPositive>, kIsSizes, isTable>},
+    TypeRule{SizesByPlace, "a number above 0, or a list of points, two numbers each",
+             isAnyOf<isNumber<isPositive>, kIsOutline>},
+};
+
+constexpr bool isInOrder() {
+  for (std::size_t i = 0; i < kRules.size(); ++i) {
+    if (kRules[i].type != static_cast<KeyType>(i)) return false;
+  }
+  return kRules.back().type == SizesByPlace;
+}
+static_assert(isInOrder());
+
+const TypeRule& ruleOf(const SceneKey& key) {
+  return kRules[static_cast<std::size_t>(key.type)];
 }
 
 }  // namespace
 
 bool hasType(const SceneValue& value, const SceneKey& key) {
-  switch (key.type) {
-    case KeyType::Number:
-      return isNumber(value, isAny);
-    case KeyType::Positive:
-      return isNumber(value, isPositive);
-    case KeyType::NotNegative:
-      return isNumber(value, isNotNegative);
-    case KeyType::Whole:
-      return isNumber(value, isWhole);
-    case KeyType::Flag:
-      return value.as<bool>() != nullptr;
-    case KeyType::Text:
-    case KeyType::Solid:
-      return isText(value);
-    case KeyType::File:
-      return isFileName(value);
-    case KeyType::Choice:
-      return isChoice(value, key.choices);
-    case KeyType::Point:
-      return areNumbers(value, 3, isAny);
-    case KeyType::Points:
-      return arePoints(value);
-    case KeyType::Sizes:
-      return areNumbers(value, 3, isPositive);
-    case KeyType::Counts:
-      return areNumbers(value, 3, isWhole);
-    case KeyType::Axis:
-      return isAxis(value);
-    case KeyType::Columns:
-      return arePoints(value) && value.as<SceneValue::List>()->size() == 3;
-    case KeyType::Outline:
-      return isOutline(value);
-    case KeyType::Outlines:
-      return isListOf(value, isOutline);
-    case KeyType::Solids:
-      return areNames(value);
-    case KeyType::Parts:
-      return isListOf(value, isTable);
-    case KeyType::Part:
-      return isTable(value);
-    case KeyType::NumberOrPart:
-      return isNumber(value, isAny) || isTable(value);
-    case KeyType::PositiveOrPart:
-      return isNumber(value, isPositive) || isTable(value);
-    case KeyType::SizesOrPart:
-      return isNumber(value, isPositive) || areNumbers(value, 3, isPositive) || isTable(value);
-    case KeyType::SizesByPlace:
-      return isNumber(value, isPositive) || isOutline(value);
-  }
-  return false;
+  if (!ruleOf(key).accepts(value)) return false;
+  return key.type != Choice || std::ranges::count(key.choices, *value.as<std::string>()) > 0;
 }
 
 std::string typeText(const SceneKey& key) {
-  switch (key.type) {
-    case KeyType::Number:
-      return "a number";
-    case KeyType::Positive:
-      return "a number above 0";
-    case KeyType::NotNegative:
-      return "a number from 0";
-    case KeyType::Whole:
-      return "a whole number from 0";
-    case KeyType::Flag:
-      return "true or false";
-    case KeyType::Text:
-      return "a text";
-    case KeyType::File:
-      return "the name of a file";
-    case KeyType::Choice:
-      return listed(key.choices);
-    case KeyType::Point:
-      return "three numbers";
-    case KeyType::Points:
-      return "a list of points, three numbers each";
-    case KeyType::Sizes:
-      return "three numbers above 0";
-    case KeyType::Counts:
-      return "three whole numbers from 0";
-    case KeyType::Axis:
-      return "\"x\", \"y\", \"z\" or three numbers";
-    case KeyType::Columns:
-      return "three columns of three numbers";
-    case KeyType::Outline:
-      return "a list of points, two numbers each";
-    case KeyType::Outlines:
-      return "lists of points, two numbers each";
-    case KeyType::Solid:
-      return "the name of a solid";
-    case KeyType::Solids:
-      return "a list of names of solids";
-    case KeyType::Parts:
-      return "a list of tables";
-    case KeyType::Part:
-      return "a table";
-    case KeyType::NumberOrPart:
-      return "a number, or a table";
-    case KeyType::PositiveOrPart:
-      return "a number above 0, or a table";
-    case KeyType::SizesOrPart:
-      return "a number above 0, three of them, or a table";
-    case KeyType::SizesByPlace:
-      return "a number above 0, or a list of points, two numbers each";
+  std::string words = ruleOf(key).words;
+  for (const auto& choice : key.choices) {
+    words += (&choice == key.choices.data() ? " \"" : ", \"") + choice + '"';
   }
-  return {};
+  return words;
 }
 
 std::string textOf(const SceneValue& value) {
   if (const auto* flag = value.as<bool>()) return *flag ? "true" : "false";
   if (const auto* number = value.as<double>()) return cutwater::detail::toText(*number);
-  if (const auto* text = value.as<std::string>()) return formats::quoted(*text);
+  if (const auto* text = value.as<std::string>()) return text::quoted(*text);
   if (const auto* list = value.as<SceneValue::List>()) {
     return "a list of " + std::to_string(list->size());
   }

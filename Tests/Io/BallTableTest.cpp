@@ -1,4 +1,4 @@
-#include <Cutwater/Io/ReadBalls.hpp>
+#include <Cutwater/Io/Tables.hpp>
 
 #include <clocale>
 #include <fstream>
@@ -10,9 +10,9 @@
 namespace cutwater::test {
 namespace {
 
-using ReadBallsTest = TableFile<readBalls>;
+using BallTableTest = TableFile<readBalls>;
 
-TEST_F(ReadBallsTest, ReadsALinePerBall) {
+TEST_F(BallTableTest, ReadsALinePerBall) {
   const std::vector<Ball<double>> expected{{{1, -2.5, 3e-3}, 0.1}, {{0, 0, 1e6}, 2}};
   EXPECT_EQ(read("1,-2.5,3e-3,0.1\n0,0,1e6,2\n"), expected);
   EXPECT_EQ(read("x,y,z,r\n1,-2.5,3e-3,0.1\n0,0,1e6,2"), expected);
@@ -21,21 +21,21 @@ TEST_F(ReadBallsTest, ReadsALinePerBall) {
             expected);
 }
 
-TEST_F(ReadBallsTest, ScalesCentresAndRadii) {
+TEST_F(BallTableTest, ScalesCentresAndRadii) {
   const std::vector<Ball<double>> expected{{{2, 4, 6}, 8}};
   EXPECT_EQ(read("1,2,3,4", {.scale = 2}), expected);
   EXPECT_THROW((void)read("1,2,3,4", {.scale = 0}), Error);
   EXPECT_THROW((void)read("1,2,3,4", {.scale = -1}), Error);
 }
 
-TEST_F(ReadBallsTest, ReadsTheSameInEveryLocale) {
+TEST_F(BallTableTest, ReadsTheSameInEveryLocale) {
   const std::string before = std::setlocale(LC_NUMERIC, nullptr);
   for (const auto* const name : {"de_DE.UTF-8", "fr_FR.UTF-8"}) std::setlocale(LC_NUMERIC, name);
   EXPECT_EQ(read("1.5,2,3,0.25")[0], (Ball<double>{{1.5, 2, 3}, 0.25}));
   std::setlocale(LC_NUMERIC, before.c_str());
 }
 
-TEST_F(ReadBallsTest, RefusesWhatIsNoBallWithItsLine) {
+TEST_F(BallTableTest, RefusesWhatIsNoBallWithItsLine) {
   const std::string good = "x,y,z,r\n1,2,3,4\n";
   EXPECT_EQ(refusal(good + "1,2,3\n"), "line 3: need 4 fields, found 3");
   EXPECT_EQ(refusal(good + "1,2,3,4,5\n"), "line 3: need 4 fields, found 5");
@@ -54,7 +54,7 @@ TEST_F(ReadBallsTest, RefusesWhatIsNoBallWithItsLine) {
   EXPECT_NE(refusal("x,y,z,r\n# nothing\n").find("without a ball"), std::string::npos);
 }
 
-TEST_F(ReadBallsTest, RefusesFilesThatAreMissingOrTooLarge) {
+TEST_F(BallTableTest, RefusesFilesThatAreMissingOrTooLarge) {
   EXPECT_THROW((void)readBalls(folder / "none.csv"), Error);
   try {
     static_cast<void>(read("1,2,3,4\n1,2,3,4\n", {.maxBytes = 10}));

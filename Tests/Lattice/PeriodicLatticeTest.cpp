@@ -1,5 +1,4 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Lattice/CellArray.hpp>
 #include <Cutwater/Lattice/PeriodicLattice.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
@@ -16,10 +15,10 @@ namespace cutwater::test {
 namespace {
 
 template <typename T>
-class StrutLatticeTest : public ::testing::Test {};
-TYPED_TEST_SUITE(StrutLatticeTest, Precisions);
+class PeriodicLatticeTest : public ::testing::Test {};
+TYPED_TEST_SUITE(PeriodicLatticeTest, Precisions);
 
-TYPED_TEST(StrutLatticeTest, MatchesHandComputedDistances) {
+TYPED_TEST(PeriodicLatticeTest, MatchesHandComputedDistances) {
   using T = TypeParam;
   const PeriodicLattice<T> cubic(UnitCell::simpleCubic(), {2, 2, 2}, T(0.25));
   EXPECT_EQ(cubic.signedDistance({0, 0, 1}), T(-0.25));  // on an edge
@@ -32,7 +31,7 @@ TYPED_TEST(StrutLatticeTest, MatchesHandComputedDistances) {
   EXPECT_TRUE(cubic.closestPoint({T(0.5), 0, 1}).exact);
   EXPECT_EQ(cubic.boundingBox(), Box<T>::everywhere());
 
-  const CellArray<T> two(UnitCell::simpleCubic(), {{1, 1, 1}, {2, 1, 1}}, T(0.125));
+  const PeriodicLattice<T> two(UnitCell::simpleCubic(), {{1, 1, 1}, {2, 1, 1}}, T(0.125));
   EXPECT_EQ(two.signedDistance({4, 0, 0}), T(1.875));
   EXPECT_EQ(two.signedDistance({1, T(0.5), T(0.5)}), T(0.375));
   EXPECT_EQ(two.closestPoint({4, 1, 1}).point, (Vec3<T>{T(2.125), 1, 1}));
@@ -40,7 +39,7 @@ TYPED_TEST(StrutLatticeTest, MatchesHandComputedDistances) {
   EXPECT_NEAR(two.boundingBox().lower.z, T(-0.125), tolerance<T>(2, 64));
 }
 
-TYPED_TEST(StrutLatticeTest, EveryCellKeepsItsGuarantee) {
+TYPED_TEST(PeriodicLatticeTest, EveryCellKeepsItsGuarantee) {
   using T = TypeParam;
   for (const auto& cell : UnitCell::all()) {
     SCOPED_TRACE(cell.name());
@@ -56,21 +55,21 @@ TYPED_TEST(StrutLatticeTest, EveryCellKeepsItsGuarantee) {
   }
 }
 
-TYPED_TEST(StrutLatticeTest, BoxCellsAndArraysKeepTheirGuarantee) {
+TYPED_TEST(PeriodicLatticeTest, BoxCellsAndArraysKeepTheirGuarantee) {
   using T = TypeParam;
   const GuaranteeOptions options{.probes = 2000, .lines = 24};
   expectGuarantee(PeriodicLattice<T>(UnitCell::octet(), {1, T(1.5), T(0.75)}, T(0.1)), 1, options);
   expectGuarantee(PeriodicLattice<T>(UnitCell::diamond(), {1, 1, 2}, T(0.1)), 1, options);
   for (const auto& cell : {UnitCell::octet(), UnitCell::reentrant(0.8), UnitCell::srs()}) {
     SCOPED_TRACE(cell.name());
-    CellArray<T> array(cell, {{1, T(0.75), 1}, {2, 1, 1}}, T(0.0625));
+    PeriodicLattice<T> array(cell, {{1, T(0.75), 1}, {2, 1, 1}}, T(0.0625));
     array.translate({-1, T(-0.5), T(-0.5)});
     expectGuarantee(array, 1.3, options);
   }
-  expectGuarantee(CellArray<T>(UnitCell::bcc(), {{1, 1, 1}, {0, 0, 1}}, T(0.1)), 1.2, options);
+  expectGuarantee(PeriodicLattice<T>(UnitCell::bcc(), {{1, 1, 1}, {0, 0, 1}}, T(0.1)), 1.2, options);
 }
 
-TYPED_TEST(StrutLatticeTest, TheRadiusIsTakenOffTheSkeletonsDistance) {
+TYPED_TEST(PeriodicLatticeTest, TheRadiusIsTakenOffTheSkeletonsDistance) {
   using T = TypeParam;
   PeriodicLattice<T> lattice(UnitCell::weairePhelan(), {1, 1, 1}, T(0.03));
   lattice.rotate(90, 2);
@@ -86,7 +85,7 @@ TYPED_TEST(StrutLatticeTest, TheRadiusIsTakenOffTheSkeletonsDistance) {
   EXPECT_NE(lattice.signedDistance({0, 0, 0}), T(-0.03));
 }
 
-TYPED_TEST(StrutLatticeTest, ThickStrutsLeaveNothingFree) {
+TYPED_TEST(PeriodicLatticeTest, ThickStrutsLeaveNothingFree) {
   using T = TypeParam;
   const PeriodicLattice<T> full(UnitCell::octet(), {1, 1, 1}, T(0.5));
   RandomPoints<T> points(3);
@@ -109,7 +108,7 @@ std::vector<Thickness<T>> gradedThicknesses() {
                            {.lipschitz = T(0.05), .least = T(0.05), .most = T(0.1)})};
 }
 
-TYPED_TEST(StrutLatticeTest, GradedLatticesAreTheirFormula) {
+TYPED_TEST(PeriodicLatticeTest, GradedLatticesAreTheirFormula) {
   using T = TypeParam;
   const Vec3<double> size{1, 0.75, 1.25};
   const T slopes[] = {T(0.07) / (std::sqrt(T(0.75)) * T(0.75)), T(0.2), T(0.05)};
@@ -133,7 +132,7 @@ TYPED_TEST(StrutLatticeTest, GradedLatticesAreTheirFormula) {
   }
 }
 
-TYPED_TEST(StrutLatticeTest, GradedLatticesKeepTheirGuarantee) {
+TYPED_TEST(PeriodicLatticeTest, GradedLatticesKeepTheirGuarantee) {
   using T = TypeParam;
   for (const auto& cell : UnitCell::all()) {
     SCOPED_TRACE(cell.name());
@@ -154,11 +153,11 @@ TYPED_TEST(StrutLatticeTest, GradedLatticesKeepTheirGuarantee) {
   }
 }
 
-TYPED_TEST(StrutLatticeTest, GradedArraysKeepTheirGuaranteeWhereTheyStand) {
+TYPED_TEST(PeriodicLatticeTest, GradedArraysKeepTheirGuaranteeWhereTheyStand) {
   using T = TypeParam;
   const GuaranteeOptions options{.probes = 1500, .lines = 24};
   for (const auto& thickness : gradedThicknesses<T>()) {
-    CellArray<T> array(UnitCell::octet(), {{1, T(0.75), 1}, {2, 1, 1}}, thickness);
+    PeriodicLattice<T> array(UnitCell::octet(), {{1, T(0.75), 1}, {2, 1, 1}}, thickness);
     EXPECT_TRUE(array.describe().starts_with("Graded lattice of cells: octet: lower bound"))
         << array.describe();
     array.translate({-1, T(-0.5), T(-0.5)});
@@ -170,19 +169,19 @@ TYPED_TEST(StrutLatticeTest, GradedArraysKeepTheirGuaranteeWhereTheyStand) {
   }
 }
 
-TEST(StrutLatticeTest, GradedArraysKeepToTheirRounding) {
+TEST(PeriodicLatticeTest, GradedArraysKeepToTheirRounding) {
   const auto single = gradedThicknesses<float>();
   const auto twice = gradedThicknesses<double>();
   for (std::size_t kind = 0; kind < single.size(); ++kind) {
-    expectRounding(CellArray<float>(UnitCell::octet(), {{1, 1, 1}, {2, 2, 2}}, single[kind]),
-                   CellArray<double>(UnitCell::octet(), {{1, 1, 1}, {2, 2, 2}}, twice[kind]), 3);
+    expectRounding(PeriodicLattice<float>(UnitCell::octet(), {{1, 1, 1}, {2, 2, 2}}, single[kind]),
+                   PeriodicLattice<double>(UnitCell::octet(), {{1, 1, 1}, {2, 2, 2}}, twice[kind]), 3);
   }
 }
 
-TYPED_TEST(StrutLatticeTest, GradedQueriesDoNotAllocate) {
+TYPED_TEST(PeriodicLatticeTest, GradedQueriesDoNotAllocate) {
   using T = TypeParam;
   for (const auto& thickness : gradedThicknesses<T>()) {
-    const CellArray<T> array(UnitCell::srs(), {{1, 1, 1}, {2, 2, 2}}, thickness);
+    const PeriodicLattice<T> array(UnitCell::srs(), {{1, 1, 1}, {2, 2, 2}}, thickness);
     const AllocationCount allocations;
     RandomPoints<T> points(2);
     T sum = 0;
@@ -195,7 +194,7 @@ TYPED_TEST(StrutLatticeTest, GradedQueriesDoNotAllocate) {
   }
 }
 
-TYPED_TEST(StrutLatticeTest, GradedLatticesHoldWhereTheirThicknessDoes) {
+TYPED_TEST(PeriodicLatticeTest, GradedLatticesHoldWhereTheirThicknessDoes) {
   using T = TypeParam;
   const Box<T> domain{{0, 0, 0}, {2, 2, 2}};
   const Guarantee<T> promise{.lipschitz = T(0.05), .continuous = true, .domain = domain};
@@ -206,9 +205,9 @@ TYPED_TEST(StrutLatticeTest, GradedLatticesHoldWhereTheirThicknessDoes) {
   EXPECT_EQ(lattice.classify({{3, 3, 3}, {4, 4, 4}}), BoxClass::Unknown);
 }
 
-TYPED_TEST(StrutLatticeTest, BlocksClippedByOtherSolidsKeepTheirGuarantee) {
+TYPED_TEST(PeriodicLatticeTest, BlocksClippedByOtherSolidsKeepTheirGuarantee) {
   using T = TypeParam;
-  CellArray<T> block(UnitCell::octet(), {{T(0.5), T(0.5), T(0.5)}, {4, 4, 4}}, T(0.06));
+  PeriodicLattice<T> block(UnitCell::octet(), {{T(0.5), T(0.5), T(0.5)}, {4, 4, 4}}, T(0.06));
   block.translate({-1, -1, -1});
   const auto isInBlock = [&](const Vec3<double>& p) {
     return block.signedDistance(Vec3<T>(p)) < 0;
@@ -226,24 +225,24 @@ TYPED_TEST(StrutLatticeTest, BlocksClippedByOtherSolidsKeepTheirGuarantee) {
                    .lines = 24});
 }
 
-TYPED_TEST(StrutLatticeTest, SaysWhatItIs) {
+TYPED_TEST(PeriodicLatticeTest, SaysWhatItIs) {
   using T = TypeParam;
   const auto text = PeriodicLattice<T>(UnitCell::octet(), {1, 1, 1}, T(0.1)).describe();
   EXPECT_TRUE(text.starts_with("Lattice of cells: octet: outside exact, inside lower bound"))
       << text;
 }
 
-TYPED_TEST(StrutLatticeTest, RefusesImpossibleArguments) {
+TYPED_TEST(PeriodicLatticeTest, RefusesImpossibleArguments) {
   using T = TypeParam;
   const auto octet = UnitCell::octet();
   for (const T bad :
        {T(0), T(-1), std::numeric_limits<T>::infinity(), std::numeric_limits<T>::quiet_NaN()}) {
     EXPECT_THROW(PeriodicLattice<T>(octet, {1, 1, 1}, bad), Error) << bad;
     EXPECT_THROW(PeriodicLattice<T>(octet, {1, bad, 1}, T(0.1)), Error) << bad;
-    EXPECT_THROW(CellArray<T>(octet, {{1, 1, bad}, {1, 1, 1}}, T(0.1)), Error) << bad;
+    EXPECT_THROW(PeriodicLattice<T>(octet, {{1, 1, bad}, {1, 1, 1}}, T(0.1)), Error) << bad;
   }
   try {
-    CellArray<T>(octet, {{1, 1, 1}, {1, 1, 1}}, 0);
+    PeriodicLattice<T>(octet, {{1, 1, 1}, {1, 1, 1}}, 0);
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("Thickness: need 0 < radius"));

@@ -1,30 +1,16 @@
 #pragma once
 
-#include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/Io/VtkArray.hpp>
 
-#include <cstdint>
 #include <initializer_list>
-#include <span>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 namespace cutwater {
-
 class OutputFile;
+}  // namespace cutwater
 
-/// A named array of a VTK file: a number or a vector for each cell or node.
-struct VtkArray {
-  std::string name;
-  std::variant<std::span<const float>, std::span<const double>, std::span<const std::int32_t>,
-               std::span<const std::uint32_t>, std::span<const std::uint64_t>,
-               std::span<const std::uint8_t>, std::span<const Vec3<float>>,
-               std::span<const Vec3<double>>>
-      values;
-};
-
-namespace detail {
+namespace cutwater::detail {
 
 /// VTK's name for a type of numbers, such as "Float64".
 template <typename Number>
@@ -94,5 +80,4 @@ void checkVtkArrays(const std::string& caller, std::span<const VtkArray> arrays,
 void writeVtkSize(OutputFile& file, std::uint64_t bytes);
 void writeVtkArrays(OutputFile& file, std::span<const VtkArray> arrays);
 
-}  // namespace detail
-}  // namespace cutwater
+}  // namespace cutwater::detail

@@ -1,11 +1,22 @@
 #pragma once
 
-#include <Cutwater/Io/ReadTableOptions.hpp>
 #include <Cutwater/Lattice/BeamGraph.hpp>
+#include <Cutwater/Lattice/PackedBed.hpp>
 
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace cutwater {
+
+/// Options for reading text tables: beams and balls.
+struct ReadTableOptions {
+  /// Coordinates and radii are multiplied by this (0.001: a file in millimetres, a model in
+  /// metres).
+  double scale = 1;
+  /// Refuse files that decompress to more bytes than this.
+  std::uint64_t maxBytes = std::uint64_t{16} << 30U;
+};
 
 /// Reads the beams of a lattice from a text table, optionally compressed by gzip: a line for each
 /// node, beam and ball, with fields separated by commas.
@@ -33,5 +44,19 @@ namespace cutwater {
 /// beams that are not frusta, and read back as the default.)
 /// @throws Error(File) if the file cannot be written, Error(Argument) if it could not be read back.
 void writeBeams(const std::filesystem::path& path, const BeamGraph& graph);
+
+/// Reads balls, for a PackedBed, from a text table, optionally compressed by gzip: a line per ball
+/// with its centre and radius, separated by commas.
+///
+///     x, y, z, r
+///     0.1, 0.2, 0.3, 0.05
+///
+/// The line of names is optional; empty lines and those that begin with # are skipped. Numbers are
+/// always read in the C locale.
+/// @throws Error(File) "path: line 7: ..." for a line that does not have four finite numbers and a
+/// positive radius, or if there is no ball; Error(Limit) beyond maxBytes or 2^32 - 2 balls;
+/// Error(Argument) unless 0 < scale < infinity.
+[[nodiscard]] std::vector<Ball<double>> readBalls(const std::filesystem::path& path,
+                                                  const ReadTableOptions& options = {});
 
 }  // namespace cutwater

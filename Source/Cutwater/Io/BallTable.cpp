@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Io/Detail/CsvRows.hpp>
-#include <Cutwater/Io/ReadBalls.hpp>
+#include <Cutwater/Io/Tables.hpp>
+#include <Cutwater/Text/Words.hpp>
 
 #include <cmath>
 
@@ -9,7 +10,7 @@ namespace cutwater {
 namespace {
 
 bool namesColumns(const detail::CsvRows& rows) {
-  using formats::equalIgnoringCase;
+  using text::equalIgnoringCase;
   return rows.fields() == 4 && equalIgnoringCase(rows.text(0), "x") &&
          equalIgnoringCase(rows.text(1), "y") && equalIgnoringCase(rows.text(2), "z") &&
          (equalIgnoringCase(rows.text(3), "r") || equalIgnoringCase(rows.text(3), "radius"));

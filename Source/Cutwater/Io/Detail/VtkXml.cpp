@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Detail/OutputFile.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/VtkXml.hpp>
+#include <Cutwater/Io/Detail/VtkXml.hpp>
 
 #include <bit>
 

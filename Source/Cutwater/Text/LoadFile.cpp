@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Text/Input.hpp>
+#include <Cutwater/Text/ChunkedBytes.hpp>
+#include <Cutwater/Text/LoadFile.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -7,7 +8,7 @@
 #include <cstring>
 #include <system_error>
 
-namespace cutwater::formats {
+namespace cutwater::text {
 
 namespace {
 
@@ -20,30 +21,6 @@ struct Close {
 }
 
 }  // namespace
-
-Gathering::Chunk Gathering::next() {
-  // Chunks grow with the data read so far, so that their number stays small.
-  constexpr std::size_t kSmallest = std::size_t{64} << 10U;
-  constexpr std::size_t kLargest = std::size_t{64} << 20U;
-  const std::size_t size = std::clamp<std::size_t>(size_ / 8, kSmallest, kLargest);
-  parts_.push_back({std::make_unique_for_overwrite<char[]>(size), 0});
-  return {parts_.back().data.get(), size};
-}
-
-void Gathering::filled(std::size_t bytes) {
-  parts_.back().used = bytes;
-  size_ += bytes;
-}
-
-std::unique_ptr<char[]> Gathering::joined() && {
-  auto all = std::make_unique_for_overwrite<char[]>(size_);
-  char* to = all.get();
-  for (auto& part : parts_) {
-    to = std::copy_n(part.data.get(), part.used, to);
-    part.data.reset();
-  }
-  return all;
-}
 
 void requireSize(const std::string& name, std::uint64_t size, std::uint64_t maxBytes) {
   if (size <= maxBytes) return;
@@ -67,7 +44,7 @@ Bytes loadFile(const std::filesystem::path& path, std::uint64_t maxBytes) {
     bytes.data = std::make_unique_for_overwrite<char[]>(expected);
     bytes.size = std::fread(bytes.data.get(), 1, expected, file.get());
   }
-  Gathering more;
+  ChunkedBytes more;
   while (std::feof(file.get()) == 0) {
     const auto chunk = more.next();
     more.filled(std::fread(chunk.data, 1, chunk.size, file.get()));
@@ -83,4 +60,4 @@ Bytes loadFile(const std::filesystem::path& path, std::uint64_t maxBytes) {
   return {std::move(all), size};
 }
 
-}  // namespace cutwater::formats
+}  // namespace cutwater::text
