@@ -1,5 +1,5 @@
-#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Detail/OutputFile.hpp>
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/Detail/GeometryHeader.hpp>
 #include <Cutwater/Mesh/Detail/MeshIndex.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>

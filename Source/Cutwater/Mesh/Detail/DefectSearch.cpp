@@ -10,6 +10,9 @@ namespace cutwater::detail {
 
 namespace {
 
+using text::grouped;
+using text::number;
+
 constexpr std::size_t kMostPlaces = Findings<FaceId>::kExamples;
 
 /// Goes through the findings on one surface, kind by kind.

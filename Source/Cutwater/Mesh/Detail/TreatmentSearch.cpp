@@ -15,6 +15,9 @@ namespace cutwater::detail {
 
 namespace {
 
+using text::grouped;
+using text::rounded;
+
 /// The number with the fewest digits within `tolerance` of the value.
 double roundedWithin(double value, double tolerance) {
   if (std::abs(value) <= tolerance) return 0;
