@@ -20,7 +20,7 @@ BeamCap capOf(const CsvRows& rows, std::size_t field) {
       return static_cast<BeamCap>(cap);
     }
   }
-  rows.fail("expected butt, hemisphere or sphere, found " + text::quoted(rows.text(field)));
+  rows.fail("expected butt, hemisphere or sphere, found " + text::inQuotes(rows.text(field)));
 }
 
 /// Fills a graph line by line.
@@ -38,7 +38,7 @@ class Lines {
       } else if (text::equalIgnoringCase(kind, "ball")) {
         addBall();
       } else {
-        rows_.fail("expected node, beam or ball, found " + text::quoted(kind));
+        rows_.fail("expected node, beam or ball, found " + text::inQuotes(kind));
       }
     }
     if (graph_.beams.empty() && graph_.balls.empty()) rows_.fail("the file ends without a beam");

@@ -43,7 +43,7 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
     least = edits;
     nearest = &other;
   }
-  return nearest == nullptr ? std::string() : "; is it " + quoted(*nearest) + "?";
+  return nearest == nullptr ? std::string() : "; is it " + inQuotes(*nearest) + "?";
 }
 
 }  // namespace cutwater::text

@@ -31,10 +31,10 @@ Number parse(const Cursor& cursor, std::string_view word, const char* what) {
   Number value{};
   const auto result = std::from_chars(digits.data(), end, value);
   if (result.ec == std::errc::result_out_of_range && result.ptr == end) {
-    cursor.fail(quoted(word) + " is out of range");
+    cursor.fail(inQuotes(word) + " is out of range");
   }
   if (result.ec != std::errc{} || result.ptr != end) {
-    cursor.fail("expected " + std::string(what) + ", found " + quoted(word));
+    cursor.fail("expected " + std::string(what) + ", found " + inQuotes(word));
   }
   return value;
 }
@@ -165,7 +165,7 @@ void TextCursor::skipNumbers() {
 
 void TextCursor::requireLineEnd() {
   const auto extra = word();
-  if (!extra.empty()) fail("expected the end of the line, found " + quoted(extra));
+  if (!extra.empty()) fail("expected the end of the line, found " + inQuotes(extra));
 }
 
 std::string_view withoutByteOrderMark(std::string_view text) {

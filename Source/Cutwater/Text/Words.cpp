@@ -28,7 +28,7 @@ std::string shortened(std::string_view text) {
   return result + (text.size() > kLongest ? "..." : "");
 }
 
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
   return '"' + shortened(text) + '"';
 }
 

@@ -14,6 +14,6 @@ namespace cutwater::text {
 /// The beginning of a text, fit for a message: 40 characters, with ? for what is not printable.
 [[nodiscard]] std::string shortened(std::string_view text);
 /// The same in quotes.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string inQuotes(std::string_view text);
 
 }  // namespace cutwater::text

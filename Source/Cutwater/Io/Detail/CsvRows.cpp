@@ -43,7 +43,7 @@ bool CsvRows::next() {
 double CsvRows::number(std::size_t field) const {
   if (fields_[field].empty()) fail("field " + std::to_string(field + 1) + " is empty");
   const double value = text_.toNumber(fields_[field]);
-  if (!std::isfinite(value)) fail("need finite numbers, found " + text::quoted(fields_[field]));
+  if (!std::isfinite(value)) fail("need finite numbers, found " + text::inQuotes(fields_[field]));
   return value;
 }
 

@@ -34,7 +34,7 @@ ScalarType scalarType(TextCursor& text) {
   for (const auto& [name, type] : kNames) {
     if (word == name) return type;
   }
-  text.fail("unknown number type " + quoted(word));
+  text.fail("unknown number type " + inQuotes(word));
 }
 
 ScalarType integerType(TextCursor& text) {
@@ -54,10 +54,10 @@ void readFormat(TextCursor& text, PlyHeader& header) {
   header.ascii = encoding == "ascii";
   header.order = encoding == "binary_big_endian" ? std::endian::big : std::endian::little;
   if (!header.ascii && encoding != "binary_big_endian" && encoding != "binary_little_endian") {
-    text.fail("unknown PLY encoding " + quoted(encoding));
+    text.fail("unknown PLY encoding " + inQuotes(encoding));
   }
   const auto version = text.word();
-  if (version != "1.0") text.fail("unknown PLY version " + quoted(version));
+  if (version != "1.0") text.fail("unknown PLY version " + inQuotes(version));
 }
 
 void readElement(TextCursor& text, PlyHeader& header) {
@@ -65,7 +65,7 @@ void readElement(TextCursor& text, PlyHeader& header) {
   if (elements.size() >= kMostElements) text.fail("too many elements");
   const auto elementName = name(text);
   for (const auto& element : elements) {
-    if (element.name == elementName) text.fail("a second element " + quoted(elementName));
+    if (element.name == elementName) text.fail("a second element " + inQuotes(elementName));
   }
   const std::int64_t count = text.integer();
   if (count < 0) text.fail("the number of elements is " + std::to_string(count));
@@ -109,7 +109,7 @@ PlyHeader readPlyHeader(TextCursor& text) {
     } else if (keyword == "property") {
       readProperty(text, header);
     } else {
-      text.fail("unknown header line " + quoted(keyword));
+      text.fail("unknown header line " + inQuotes(keyword));
     }
     text.requireLineEnd();
   }

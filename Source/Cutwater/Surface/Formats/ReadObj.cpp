@@ -70,7 +70,7 @@ class ObjReader {
     } else if (contains(kIgnored, statement)) {
       text_.skipLine();
     } else {
-      text_.fail("unknown statement " + quoted(statement));
+      text_.fail("unknown statement " + inQuotes(statement));
     }
   }
 
@@ -95,7 +95,7 @@ class ObjReader {
     const auto slash = std::min(corner.find('/'), corner.size());
     const auto others = corner.substr(slash);
     if (others.find_first_not_of("/-0123456789") != std::string_view::npos) {
-      text_.fail("expected a corner such as 7/2/3, found " + quoted(corner));
+      text_.fail("expected a corner such as 7/2/3, found " + inQuotes(corner));
     }
     const std::int64_t index = text_.toInteger(corner.substr(0, slash));
     const auto points = static_cast<std::int64_t>(builder_.pointCount());

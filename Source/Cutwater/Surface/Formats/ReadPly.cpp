@@ -87,7 +87,7 @@ class PlyBody {
       const bool corners = element.name == "face" && isCorners(property);
       if (corners) smallest += 3 * Values::smallest(property.type);
     }
-    const std::string what = "elements " + quoted(element.name);
+    const std::string what = "elements " + inQuotes(element.name);
     const auto count = values_.cursor().requireRecords(element.count, smallest, what.c_str());
     return smallest > 0 ? count : 0;
   }

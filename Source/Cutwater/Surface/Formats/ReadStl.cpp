@@ -7,7 +7,7 @@ namespace {
 void expect(TextCursor& text, std::string_view keyword) {
   const auto found = text.wordOfFile();
   if (!equalIgnoringCase(found, keyword)) {
-    text.fail("expected " + quoted(keyword) + ", found " + quoted(found));
+    text.fail("expected " + inQuotes(keyword) + ", found " + inQuotes(found));
   }
 }
 
@@ -38,7 +38,7 @@ void readFacet(TextCursor& text, SoupBuilder& builder) {
     ++corners;
   }
   if (!equalIgnoringCase(keyword, "endloop")) {
-    text.fail("expected \"vertex\" or \"endloop\", found " + quoted(keyword));
+    text.fail("expected \"vertex\" or \"endloop\", found " + inQuotes(keyword));
   }
   if (corners != 3) text.fail("a facet has " + std::to_string(corners) + " vertices");
   expect(text, "endfacet");
@@ -62,7 +62,7 @@ SurfaceFile readAsciiStl(const Content& content, SoupBuilder& builder) {
       text.rest();
       inSolid = false;
     } else {
-      text.fail("expected a facet or a solid, found " + quoted(keyword));
+      text.fail("expected a facet or a solid, found " + inQuotes(keyword));
     }
   }
   if (inSolid) builder.note("The last solid has no endsolid.");

@@ -58,7 +58,7 @@ class VtkReader {
   // The format has each section once, and the reserved memory relies on that.
   void requireFirst(std::string_view keyword) {
     for (const auto before : sections_) {
-      if (is(keyword, before)) text_.fail("a second " + quoted(keyword));
+      if (is(keyword, before)) text_.fail("a second " + inQuotes(keyword));
     }
     sections_.push_back(keyword);
   }
@@ -66,7 +66,7 @@ class VtkReader {
   void readSection(std::string_view keyword) {
     if (is(keyword, "DATASET")) {
       const auto type = text_.word();
-      if (!is(type, "POLYDATA")) text_.fail("expected POLYDATA, found " + quoted(type));
+      if (!is(type, "POLYDATA")) text_.fail("expected POLYDATA, found " + inQuotes(type));
     } else if (is(keyword, "POINTS")) {
       readPoints();
     } else if (is(keyword, "VERTICES") || is(keyword, "LINES")) {
@@ -83,7 +83,7 @@ class VtkReader {
     } else if (is(keyword, "FIELD")) {
       skipFields();
     } else {
-      text_.fail("unknown keyword " + quoted(keyword));
+      text_.fail("unknown keyword " + inQuotes(keyword));
     }
   }
 
@@ -168,7 +168,7 @@ class VtkReader {
 
   ScalarType arrayHeader(std::string_view name) {
     const auto found = text_.wordOfFile();
-    if (!is(found, name)) text_.fail("expected " + quoted(name) + ", found " + quoted(found));
+    if (!is(found, name)) text_.fail("expected " + inQuotes(name) + ", found " + inQuotes(found));
     const ScalarType type = scalarType();
     // Narrow types would let a small file request much memory; VTK does not write them.
     if (!isInteger(type) || sizeOf(type) < 4) text_.fail("expected an array of indices");
@@ -255,7 +255,7 @@ class VtkReader {
     for (const auto& [name, type] : kNames) {
       if (is(word, name)) return type;
     }
-    text_.fail("unknown number type " + quoted(word));
+    text_.fail("unknown number type " + inQuotes(word));
   }
 
   [[nodiscard]] std::uint64_t smallest(ScalarType type) const { return binary_ ? sizeOf(type) : 2; }

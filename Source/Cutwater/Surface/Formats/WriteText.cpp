@@ -41,8 +41,8 @@ std::string_view patchNameOf(const PolygonSoup& soup, std::size_t i) {
   const bool kept = name.empty() || (name.front() != ' ' && name.back() != ' ');
   constexpr std::size_t kLongest = 1024;
   if (!oneLine || !kept || name.ends_with('\\') || name.size() > kLongest) {
-    throw Error(ErrorKind::Argument,
-                "writeSurface: the patch name " + quoted(name) + " does not fit on a line of text");
+    throw Error(ErrorKind::Argument, "writeSurface: the patch name " + inQuotes(name) +
+                                         " does not fit on a line of text");
   }
   return name;
 }

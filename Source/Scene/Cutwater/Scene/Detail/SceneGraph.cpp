@@ -54,7 +54,7 @@ void SceneGraph::add(const SceneValue::Entry& entry) {
   const auto* const table = entry.value.as<SceneValue::Table>();
   if (table == nullptr) {
     failAt(context_.file, entry.line,
-           text::quoted(entry.key) + " is not a key of a scene, which has \"" + kSelectionKey +
+           text::inQuotes(entry.key) + " is not a key of a scene, which has \"" + kSelectionKey +
                "\", a text, and a table [name] for each solid");
   }
   static const auto kForms = formsOfSolids();
@@ -74,7 +74,7 @@ std::size_t SceneGraph::indexOf(const std::string& name, std::uint64_t line) con
   const auto found = indices_.find(name);
   if (found != indices_.end()) return found->second;
   failAt(context_.file, line,
-         "there is no solid " + text::quoted(name) + text::suggestion(name, names()));
+         "there is no solid " + text::inQuotes(name) + text::suggestion(name, names()));
 }
 
 void SceneGraph::measure(std::size_t index, std::vector<std::size_t>& path) {
@@ -109,10 +109,10 @@ void SceneGraph::failCycle(const std::vector<std::size_t>& path, const Reference
   const auto first = std::find(path.begin(), path.end(), back.item);
   std::string chain;
   for (auto i = first; i != path.end() && i != first + kMost; ++i) {
-    chain += text::quoted(items_[*i].name) + " -> ";
+    chain += text::inQuotes(items_[*i].name) + " -> ";
   }
   if (path.end() - first > kMost) chain += "... -> ";
-  const auto name = text::quoted(items_[back.item].name);
+  const auto name = text::inQuotes(items_[back.item].name);
   failAt(context_.file, back.line, name + " is made of itself: " + chain + name);
 }
 
@@ -124,7 +124,7 @@ std::string SceneGraph::at(const Item& item) const {
 Solid<double> SceneGraph::make(const std::string& name) {
   const auto found = indices_.find(name);
   if (!name.empty() && found == indices_.end()) {
-    throw Error(ErrorKind::Argument, context_.file + ": there is no solid " + text::quoted(name) +
+    throw Error(ErrorKind::Argument, context_.file + ": there is no solid " + text::inQuotes(name) +
                                          text::suggestion(name, names()));
   }
   const auto& item = items_[name.empty() ? selected_ : found->second];

@@ -49,7 +49,7 @@ bool hasForm(const SceneValue::Table& table, const SceneForm& form) {
   for (const auto& entry : table) {
     const auto near = text::suggestion(entry.key, keys);
     if (near.empty()) continue;
-    failAt(context.file, entry.line, what + " has no key " + text::quoted(entry.key) + near);
+    failAt(context.file, entry.line, what + " has no key " + text::inQuotes(entry.key) + near);
   }
   std::string all;
   for (const auto& key : keys) all += (all.empty() ? "\"" : ", \"") + key + '"';
@@ -93,7 +93,7 @@ void SceneRecord::refuseUnknown(const SceneValue::Table& table) const {
   for (const auto& entry : table) {
     if (std::find(names.begin(), names.end(), entry.key) != names.end()) continue;
     failAt(context_->file, entry.line,
-           form_->name + " has no key " + text::quoted(entry.key) +
+           form_->name + " has no key " + text::inQuotes(entry.key) +
                text::suggestion(entry.key, names));
   }
 }

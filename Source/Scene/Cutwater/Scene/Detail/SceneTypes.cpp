@@ -150,7 +150,7 @@ std::string typeText(const SceneKey& key) {
 std::string textOf(const SceneValue& value) {
   if (const auto* flag = value.as<bool>()) return *flag ? "true" : "false";
   if (const auto* number = value.as<double>()) return cutwater::detail::toText(*number);
-  if (const auto* text = value.as<std::string>()) return text::quoted(*text);
+  if (const auto* text = value.as<std::string>()) return text::inQuotes(*text);
   if (const auto* list = value.as<SceneValue::List>()) {
     return "a list of " + std::to_string(list->size());
   }
