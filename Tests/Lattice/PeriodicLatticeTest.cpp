@@ -66,7 +66,8 @@ TYPED_TEST(PeriodicLatticeTest, BoxCellsAndArraysKeepTheirGuarantee) {
     array.translate({-1, T(-0.5), T(-0.5)});
     expectGuarantee(array, 1.3, options);
   }
-  expectGuarantee(PeriodicLattice<T>(UnitCell::bcc(), {{1, 1, 1}, {0, 0, 1}}, T(0.1)), 1.2, options);
+  expectGuarantee(PeriodicLattice<T>(UnitCell::bcc(), {{1, 1, 1}, {0, 0, 1}}, T(0.1)), 1.2,
+                  options);
 }
 
 TYPED_TEST(PeriodicLatticeTest, TheRadiusIsTakenOffTheSkeletonsDistance) {
@@ -174,7 +175,8 @@ TEST(PeriodicLatticeTest, GradedArraysKeepToTheirRounding) {
   const auto twice = gradedThicknesses<double>();
   for (std::size_t kind = 0; kind < single.size(); ++kind) {
     expectRounding(PeriodicLattice<float>(UnitCell::octet(), {{1, 1, 1}, {2, 2, 2}}, single[kind]),
-                   PeriodicLattice<double>(UnitCell::octet(), {{1, 1, 1}, {2, 2, 2}}, twice[kind]), 3);
+                   PeriodicLattice<double>(UnitCell::octet(), {{1, 1, 1}, {2, 2, 2}}, twice[kind]),
+                   3);
   }
 }
 

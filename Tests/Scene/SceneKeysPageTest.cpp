@@ -22,7 +22,8 @@ TEST(SceneKeysPageTest, HasEveryFormAndKey) {
   for (const auto& group : scene::allSceneForms()) {
     for (const auto& form : group.forms) {
       ++forms;
-      const auto title = form.kindKey.empty() ? form.name : form.kindKey + " = \"" + form.name + '"';
+      const auto title =
+          form.kindKey.empty() ? form.name : form.kindKey + " = \"" + form.name + '"';
       const auto at = page.find("#### `" + title + "`\n");
       ASSERT_NE(at, std::string::npos) << title;
       const auto section = page.substr(at, page.find("\n#", at + 1) - at);

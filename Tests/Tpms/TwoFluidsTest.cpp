@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Tpms/Detail/PatternDistance.hpp>
 #include <Cutwater/Tpms/TwoFluids.hpp>
 
 #include <numbers>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <Cutwater/Core/Detail/Tiles.hpp>
 #include <Cutwater/Lattice/Detail/Skeleton.hpp>
 #include <Cutwater/Lattice/UnitCell.hpp>
-#include <Cutwater/Core/Detail/Tiles.hpp>
 
 namespace cutwater::detail {
 

@@ -9,8 +9,8 @@
 namespace cutwater {
 namespace {
 
-using text::reportLine;
 using detail::shortText;
+using text::reportLine;
 
 std::string number(std::size_t n) {
   return detail::toText(static_cast<long long>(n));

@@ -106,7 +106,8 @@ class Conversion {
 
   [[nodiscard]] double number(std::int64_t whole, std::uint64_t line) const {
     constexpr std::int64_t kMost = std::int64_t{1} << 53U;
-    if (whole < -kMost || kMost < whole) failAt(file_, line, "whole numbers beyond 2^53 are not exact");
+    if (whole < -kMost || kMost < whole)
+      failAt(file_, line, "whole numbers beyond 2^53 are not exact");
     return static_cast<double>(whole);
   }
 
