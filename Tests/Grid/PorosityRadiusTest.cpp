@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/PorosityRadius.hpp>
+#include <Cutwater/Grid/SolidVolume.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/Detail/Repetition.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>

@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/Pvtu.hpp>
+#include <Cutwater/Io/Vtu.hpp>
 
 #include "Support/Precisions.hpp"
 #include "Support/TemporaryFolder.hpp"

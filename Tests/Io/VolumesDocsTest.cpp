@@ -1,7 +1,7 @@
 // The code of Docs/volumes.md.
 
 #include <Cutwater/Bvh/PointCloud.hpp>
-#include <Cutwater/Grid/PorosityRadius.hpp>
+#include <Cutwater/Grid/SolidVolume.hpp>
 #include <Cutwater/Io/Tables.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>

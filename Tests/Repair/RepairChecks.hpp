@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Surface/Cleaning/UnusedPoints.hpp>
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 #include <Cutwater/Surface/SelfIntersections.hpp>
 
 #include <numbers>

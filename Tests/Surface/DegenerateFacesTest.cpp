@@ -1,4 +1,4 @@
-#include <Cutwater/Surface/Cleaning/DegenerateFaces.hpp>
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 
 #include <random>
 

@@ -1,4 +1,4 @@
-#include <Cutwater/Surface/Cleaning/Orientation.hpp>
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 
 #include "CleanChecks.hpp"
 

@@ -1,6 +1,6 @@
 #include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Surface/SelfIntersections.hpp>
+#include <Cutwater/Surface/Detail/SelfIntersectionSearch.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 #include <Cutwater/Triangles/TriangleIntersection.hpp>
 

@@ -1,5 +1,5 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Surface/Shells.hpp>
+#include <Cutwater/Surface/Detail/Shells.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 #include <Cutwater/Surface/Triangulation.hpp>
 

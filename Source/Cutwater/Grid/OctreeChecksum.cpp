@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Checksum.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/OctreeChecksum.hpp>
+#include <Cutwater/Grid/OctreeFill.hpp>
 
 #include <array>
 #include <atomic>

@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Detail/VolumeSearch.hpp>
-#include <Cutwater/Grid/PorosityRadius.hpp>
+#include <Cutwater/Grid/SolidVolume.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include <Cutwater/Mesh/Detail/TreatmentSearch.hpp>
 #include <Cutwater/Mesh/Diagnosis.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Surface/Cleaning/Orientation.hpp>
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 #include <Cutwater/Surface/SurfaceMeasure.hpp>
 #include <Cutwater/Text/Numbers.hpp>
 

@@ -15,9 +15,10 @@ namespace cutwater {
 /// union once the overlap is known: the check looks for it at probes only, unless
 /// findSelfIntersections is set, and within a missed overlap the sign may be that of the nearest
 /// sheet. For a surface that is not closed, inside is where its winding number exceeds 1/2. Faces
-/// that disagree with their neighbours and shells that are inside out are turned (see Shells.hpp).
-/// signReport() returns what was found and how signs are decided, guarantee() what values then
-/// mean. Unused points may be anywhere. Equal points are not shared points: see weldExactly().
+/// that disagree with their neighbours and shells that are inside out are turned (see
+/// orientFaces()). signReport() returns what was found and how signs are decided, guarantee() what
+/// values then mean. Unused points may be anywhere. Equal points are not shared points: see
+/// weldExactly().
 ///
 /// closestPoint() returns the polygon of the soup (face), its patch, and barycentric coordinates
 /// that refer to `triangle(id)`. Copies share everything but the placement.

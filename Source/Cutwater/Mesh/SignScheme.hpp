@@ -40,7 +40,7 @@ struct SignReport {
   SignScheme scheme = SignScheme::NearestFeature;
   std::size_t unbalancedEdges = 0;  ///< triangles run more often one way than the other
   std::size_t shells = 0;
-  std::size_t turnedFaces = 0;   ///< turned to agree with their neighbours: see orientShells()
+  std::size_t turnedFaces = 0;   ///< turned to agree with their neighbours: see orientFaces()
   std::size_t turnedShells = 0;  ///< turned because they were inside out
   std::size_t unorientable = 0;  ///< parts like a Moebius strip
 

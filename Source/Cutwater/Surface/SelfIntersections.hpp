@@ -2,7 +2,6 @@
 
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Surface/MeshReport.hpp>
-#include <Cutwater/Triangles/Search/TriangleTree.hpp>
 
 #include <array>
 #include <span>
@@ -49,12 +48,6 @@ template <std::floating_point T>
 [[nodiscard]] SelfIntersections findSelfIntersections(
     std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
     const SelfIntersectionOptions& options = {});
-
-/// The same, with a tree over the bounding boxes of these triangles, in the units of the positions.
-template <std::floating_point T>
-[[nodiscard]] SelfIntersections findSelfIntersections(
-    std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
-    const TriangleTree& tree, const SelfIntersectionOptions& options = {});
 
 /// The same for polygons as triangulated, see DcelMesh::triangles(): two faces count once, however
 /// many of their triangles meet, and a face whose own triangles meet counts as a pair with itself.

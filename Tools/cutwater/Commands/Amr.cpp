@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/OctreeChecksum.hpp>
+#include <Cutwater/Grid/OctreeFill.hpp>
 #include <Cutwater/Grid/OctreeRegions.hpp>
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
 #include <Cutwater/Io/Vtu.hpp>

@@ -1,5 +1,5 @@
 #include <Cutwater/Mesh/Detail/DefectSearch.hpp>
-#include <Cutwater/Surface/Shells.hpp>
+#include <Cutwater/Surface/Detail/Shells.hpp>
 #include <Cutwater/Surface/Triangulation.hpp>
 #include <Cutwater/Text/Numbers.hpp>
 

@@ -1,6 +1,6 @@
 #include <Cutwater/Mesh/Detail/MeshIndex.hpp>
 #include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
-#include <Cutwater/Surface/SelfIntersections.hpp>
+#include <Cutwater/Surface/Detail/SelfIntersectionSearch.hpp>
 
 #include <atomic>
 #include <cmath>

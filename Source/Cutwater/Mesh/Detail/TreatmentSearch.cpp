@@ -2,8 +2,7 @@
 #include <Cutwater/Mesh/Detail/PlanarOpenings.hpp>
 #include <Cutwater/Mesh/Detail/TreatmentSearch.hpp>
 #include <Cutwater/Mesh/Detail/TreatmentTrial.hpp>
-#include <Cutwater/Surface/Cleaning/Junctions.hpp>
-#include <Cutwater/Surface/Cleaning/WeldWithin.hpp>
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 #include <Cutwater/Text/Numbers.hpp>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <Cutwater/Mesh/SignScheme.hpp>
 #include <Cutwater/Surface/DcelMesh.hpp>
 #include <Cutwater/Surface/Detail/ConnectedShells.hpp>
-#include <Cutwater/Surface/Shells.hpp>
+#include <Cutwater/Surface/Detail/Shells.hpp>
 #include <Cutwater/Triangles/OpenEdges.hpp>
 #include <Cutwater/Triangles/TriangleSurface.hpp>
 
@@ -18,7 +18,7 @@ template <std::floating_point T>
 class TriangleSurfaceArrays {
  public:
   /// Accepts any mesh. Faces with more than three corners are triangulated, those with fewer than
-  /// three distinct corners are left out, and the rest is oriented (see Shells.hpp).
+  /// three distinct corners are left out, and the rest is oriented (see orientShells()).
   /// @throws Error(Topology) if no triangle is left.
   explicit TriangleSurfaceArrays(const DcelMesh<T>& mesh);
 

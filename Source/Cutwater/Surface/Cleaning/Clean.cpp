@@ -1,9 +1,5 @@
 #include <Cutwater/Surface/Cleaning/Clean.hpp>
-#include <Cutwater/Surface/Cleaning/DegenerateFaces.hpp>
-#include <Cutwater/Surface/Cleaning/Junctions.hpp>
-#include <Cutwater/Surface/Cleaning/Orientation.hpp>
-#include <Cutwater/Surface/Cleaning/UnusedPoints.hpp>
-#include <Cutwater/Surface/Cleaning/WeldWithin.hpp>
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 #include <Cutwater/Surface/Detail/PointMerging.hpp>
 
 #include <utility>

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <Cutwater/Surface/Cleaning/CleanReport.hpp>
-#include <Cutwater/Surface/Cleaning/DuplicateFaces.hpp>
-#include <Cutwater/Surface/Shells.hpp>
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 
 #include <optional>
 

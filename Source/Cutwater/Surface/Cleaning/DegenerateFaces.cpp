@@ -1,4 +1,4 @@
-#include <Cutwater/Surface/Cleaning/DegenerateFaces.hpp>
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/EdgeSplits.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/SoupEdits.hpp>
 #include <Cutwater/Surface/Detail/DistinctCorners.hpp>

@@ -1,5 +1,5 @@
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/SoupEdits.hpp>
-#include <Cutwater/Surface/Cleaning/DuplicateFaces.hpp>
 #include <Cutwater/Surface/Detail/CanonicalCycle.hpp>
 #include <Cutwater/Surface/Detail/IndexTable.hpp>
 

@@ -1,10 +1,10 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/PlanarRegions.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/PlanarView.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/PlaneFrame.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/SoupEdits.hpp>
 #include <Cutwater/Surface/Cleaning/ExtendTo.hpp>
-#include <Cutwater/Surface/Cleaning/Orientation.hpp>
 #include <Cutwater/Surface/SelfIntersections.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
 

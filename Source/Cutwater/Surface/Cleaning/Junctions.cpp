@@ -1,8 +1,8 @@
 #include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/EdgeSplits.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/SoupEdits.hpp>
-#include <Cutwater/Surface/Cleaning/Junctions.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/PlaneFrame.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/SoupEdits.hpp>
 #include <Cutwater/Surface/Cleaning/MirrorAt.hpp>
-#include <Cutwater/Surface/Cleaning/UnusedPoints.hpp>
 
 #include <algorithm>
 #include <utility>

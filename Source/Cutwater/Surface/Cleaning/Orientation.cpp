@@ -1,5 +1,6 @@
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/SoupEdits.hpp>
-#include <Cutwater/Surface/Cleaning/Orientation.hpp>
+#include <Cutwater/Surface/Detail/Shells.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
 
 namespace cutwater {

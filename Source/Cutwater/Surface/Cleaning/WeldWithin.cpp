@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Surface/Cleaning/WeldWithin.hpp>
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 #include <Cutwater/Surface/Detail/IndexTable.hpp>
 #include <Cutwater/Surface/Detail/PointMerging.hpp>
 

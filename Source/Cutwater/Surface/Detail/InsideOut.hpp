@@ -1,21 +1,11 @@
 #pragma once
 
 #include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/Surface/Cleaning/CleaningSteps.hpp>
 #include <Cutwater/Surface/Detail/ConnectedShells.hpp>
 #include <Cutwater/Triangles/OpenEdges.hpp>
 
 namespace cutwater {
-
-/// How shells inside other closed shells are oriented.
-enum class NestedShells : std::uint8_t {
-  /// A shell oriented opposite to the one around it is a cavity and stays one.
-  AsTheyAre,
-  /// Alternating: the outermost are solids, a shell within one shell is a cavity, within two a
-  /// solid.
-  Cavities,
-  /// All face outward: parts of an assembly, whose union is meant.
-  Solids,
-};
 
 /// Triangles whose orientations agree with those of their neighbours, as far as possible.
 struct AgreeingTriangles {

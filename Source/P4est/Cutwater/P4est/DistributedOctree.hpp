@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Grid/Octree.hpp>
-#include <Cutwater/Grid/OctreeChecksum.hpp>
+#include <Cutwater/Grid/OctreeFill.hpp>
 
 #include <memory>
 #include <mpi.h>

@@ -1,5 +1,5 @@
 #include <Cutwater/Surface/Detail/InsideOut.hpp>
-#include <Cutwater/Surface/Shells.hpp>
+#include <Cutwater/Surface/Detail/Shells.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
 
 #include <algorithm>

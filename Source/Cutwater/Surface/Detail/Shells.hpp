@@ -24,17 +24,7 @@ struct ShellOrientation {
   [[nodiscard]] bool changesNothing() const { return turned.empty(); }
 };
 
-/// Orients a mesh. Faces connected across edges of exactly two faces are made to agree; the
-/// majority decides. Faces connected across edges of any kind then form a shell and are judged
-/// together.
-///
-/// A closed shell is inside out if its volume is negative and it is not a cavity, that is, not
-/// within any other closed shell (decided exactly, for one of its vertices). It is turned together
-/// with the shells within it, so its cavities stay cavities. An open shell is judged by the volume
-/// that it encloses together with fans from the middle of its rim. But if its rim is longer than
-/// the root of its area and it would enclose less than a tenth of a sphere of the same area, it is
-/// a sheet and stays as it is. This holds for NestedShells::AsTheyAre; otherwise, whether a shell
-/// is turned depends on how many closed shells it lies within, or not even on that.
+/// Finds what orientFaces() turns.
 template <std::floating_point T>
 [[nodiscard]] ShellOrientation orientShells(const DcelMesh<T>& mesh,
                                             NestedShells nested = NestedShells::AsTheyAre);
