@@ -44,7 +44,8 @@ template <std::floating_point T>
                                      const GridPatch<T>& nodes,
                                      const IsosurfaceOptions& options = {});
 
-/// The nodes of a grid of cubes around a box, with a margin of at least one cell on each side.
+/// The nodes of a grid of cubic cells around a box, with a margin of at least one cell on each
+/// side.
 /// @throws Error unless the box is finite and not empty, the spacing is positive and finite, and
 /// there are less than 2^31 nodes along each axis.
 template <std::floating_point T>

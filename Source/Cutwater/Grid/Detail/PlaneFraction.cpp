@@ -20,7 +20,8 @@ double halfFraction(const std::array<double, 3>& m, double a) {
   return (a * a * (3 - 2 * a) + cut(m1) + cut(m2) + cut(m3)) / (6 * m1 * m2 * m3);
 }
 
-/// Below it, differences of cubes are too inaccurate: such a component of the gradient counts as 0.
+/// Below it, differences of third powers are too inaccurate: such a component of the gradient
+/// counts as 0.
 constexpr double kSmallest = 1e-5;
 
 }  // namespace

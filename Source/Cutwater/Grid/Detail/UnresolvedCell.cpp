@@ -8,7 +8,7 @@ namespace cutwater::detail {
 
 namespace {
 
-/// Whether the corners whose bits are set are connected along edges of the cube.
+/// Whether the corners whose bits are set are connected along edges of the cell.
 bool areConnected(unsigned corners) {
   unsigned reached = corners & -corners;
   for (unsigned before = 0; before != reached;) {
