@@ -44,6 +44,7 @@ class CutOff final : public cutwater::UnaryOperation<double> {
   // The surface is the operand's.
   cutwater::SurfacePoint<double> localClosestPoint(const Point& p) const override {
     auto found = operand().closestPoint(p);
+    found.exact = found.exact && std::abs(found.distance) < width_;  // beyond, it is a bound
     found.distance = cut(found.distance);
     return found;
   }

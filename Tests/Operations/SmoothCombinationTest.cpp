@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/Detail/Combination.hpp>
+#include <Cutwater/Operations/Detail/SmoothMinimum.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/Plane.hpp>

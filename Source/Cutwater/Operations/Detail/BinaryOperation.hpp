@@ -10,10 +10,10 @@ namespace cutwater {
 /// The patch at a surface point is that of the operand whose value there is nearer to zero, or of
 /// the first one if both are equally near.
 template <std::floating_point T>
-class BinaryOperation : public Composite<T> {
+class BinaryOperation : public Composite<T, std::array<Solid<T>, 2>> {
  protected:
   BinaryOperation(Solid<T> first, Solid<T> second)
-      : Composite<T>({std::move(first), std::move(second)}) {}
+      : Composite<T, std::array<Solid<T>, 2>>({std::move(first), std::move(second)}) {}
 
   /// The operands: number 0 and number 1.
   [[nodiscard]] const Solid<T>& first() const { return this->operand(0); }

@@ -2,20 +2,21 @@
 
 #include <Cutwater/Sdf/Solid.hpp>
 
+#include <array>
 #include <vector>
 
 namespace cutwater {
 
 /// Base of operators on several operands: holds them, and numbers their patches one after the
-/// other.
-template <std::floating_point T>
+/// other. `Operands`: a vector; or an array, of two, which saves each query a step.
+template <std::floating_point T, typename Operands = std::vector<Solid<T>>>
 class Composite : public SignedDistanceFunction<T> {
  public:
-  [[nodiscard]] const std::vector<Solid<T>>& operands() const { return operands_; }
+  [[nodiscard]] const Operands& operands() const { return operands_; }
 
  protected:
   /// @throws Error if there are more patches than 32-bit ids can count.
-  explicit Composite(std::vector<Solid<T>> operands);
+  explicit Composite(Operands operands);
 
   [[nodiscard]] const Solid<T>& operand(std::size_t i) const { return operands_[i]; }
   [[nodiscard]] std::size_t count() const { return operands_.size(); }
@@ -28,11 +29,13 @@ class Composite : public SignedDistanceFunction<T> {
   }
 
  private:
-  std::vector<Solid<T>> operands_;
+  Operands operands_;
   std::vector<std::uint32_t> firstPatch_;
 };
 
 extern template class Composite<float>;
 extern template class Composite<double>;
+extern template class Composite<float, std::array<Solid<float>, 2>>;
+extern template class Composite<double, std::array<Solid<double>, 2>>;
 
 }  // namespace cutwater
