@@ -21,7 +21,7 @@ MAY_INCLUDE = {
     "Operations": "Core Bvh Sdf Shapes",
     "Triangles": "Core Simd Bvh Sdf",
     "Surface": "Core Text Bvh Triangles",
-    "Mesh": "Core Text Simd Bvh Sdf Triangles Surface",
+    "Mesh": "Core Text Bvh Sdf Triangles Surface",
     "Lattice": "Core Simd Bvh Sdf Shapes Operations",
     "Tpms": "Core Simd Sdf Shapes Operations",
     "Grid": "Core Sdf Surface",
@@ -30,7 +30,7 @@ MAY_INCLUDE = {
     "Render": "Core Sdf Grid",
     "Scene": "Core Text Sdf Shapes Operations Surface Mesh Lattice Tpms Io",
     "Repair": "Core Text Bvh Surface Mesh",
-    "P4est": "Core Sdf Surface Mesh Grid Io",
+    "P4est": "Core Surface Mesh Grid Io",
 }
 PARTS = {"Render", "Scene", "Repair", "P4est"}  # components, each in a folder of its own
 GPL = {"Repair", "P4est"}
