@@ -3,6 +3,7 @@
 #include <Cutwater/Surface/Cleaning/Detail/PlanarRegions.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/PlanarView.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/PlaneFrame.hpp>
+#include <Cutwater/Surface/Cleaning/Detail/RimWalls.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/SoupEdits.hpp>
 #include <Cutwater/Surface/Cleaning/ExtendTo.hpp>
 #include <Cutwater/Surface/SelfIntersections.hpp>
@@ -84,41 +85,6 @@ void requireApart(const PolygonSoup& soup, std::span<const Loop> rims,
   }
 }
 
-/// Adds walls with one point below each point of the rims, shared by all rims that share the point.
-class Walls {
- public:
-  Walls(PolygonSoup& soup, int axis, double level)
-      : soup_(soup), axis_(axis), level_(level), foot_(soup.points.size(), kNone) {}
-
-  /// Adds the walls along a rim; returns the rim's image on the plane.
-  Loop add(const Loop& rim, std::uint32_t patch) {
-    Loop feet;
-    for (std::size_t i = 0; i < rim.size(); ++i) {
-      const auto from = rim[i];
-      const auto to = rim[(i + 1) % rim.size()];
-      feet.push_back(footOf(from));
-      soup_.addPolygon(std::array{from, to, footOf(to)}, patch);
-      soup_.addPolygon(std::array{from, footOf(to), footOf(from)}, patch);
-    }
-    return feet;
-  }
-
- private:
-  std::uint32_t footOf(std::uint32_t point) {
-    if (foot_[point] == kNone) {
-      foot_[point] = static_cast<std::uint32_t>(soup_.points.size());
-      soup_.points.push_back(soup_.points[point]);
-      soup_.points.back()[axis_] = level_;
-    }
-    return foot_[point];
-  }
-
-  PolygonSoup& soup_;
-  int axis_;
-  double level_;
-  std::vector<std::uint32_t> foot_;
-};
-
 /// Throws if a face from `firstAdded` on meets another in more than what they share.
 void requireClear(const PolygonSoup& soup, std::size_t firstAdded) {
   const auto triangulation = triangulate(soup);
@@ -157,7 +123,7 @@ void addWallsAndBottom(PolygonSoup& soup, std::size_t firstAdded, int axis, doub
   const auto rims = rimsOf(soup);
   const auto parts = partsAt(rims, soup);
   const auto sides = detail::patchNamed(soup, options.sides);
-  Walls walls(soup, axis, level);
+  detail::RimWalls walls(soup, axis, level);
   std::vector<Loop> feet;
   for (const auto& rim : rims.loops) {
     report.closed.add(soup.points[rim.front()]);
