@@ -91,6 +91,17 @@ TYPED_TEST(RevolutionTest, AgreesWithAllEdgesOffTheAxis) {
   }
 }
 
+TYPED_TEST(RevolutionTest, AnswersWhereSquaresOverflow) {
+  using T = TypeParam;
+  const T far = std::sqrt(std::numeric_limits<T>::max()) * 2;
+  const Revolution<T> ring(Polygon<T>(rectangle<T>(1, -1, 2, 1)));
+  for (const auto& p : {Vec3<T>{far, -far, 3}, Vec3<T>{far, 0, 0}, Vec3<T>{0, 0, -far}}) {
+    EXPECT_GT(ring.signedDistance(p), far / 2) << p;
+    EXPECT_TRUE(isFinite(ring.gradient(p))) << p;
+    EXPECT_TRUE(isFinite(ring.closestPoint(p).point)) << p;
+  }
+}
+
 TYPED_TEST(RevolutionTest, RefusesImpossibleArguments) {
   using T = TypeParam;
   const T nan = std::numeric_limits<T>::quiet_NaN();

@@ -1,35 +1,11 @@
+#include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/OctreeRegions.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace cutwater {
-
-namespace detail {
-
-/// Disjoint sets that can be merged (Tarjan 1975), each represented by its first member.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  [[nodiscard]] std::uint32_t find(std::uint32_t member) {
-    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
-}  // namespace detail
 
 namespace {
 
@@ -61,7 +37,7 @@ FluidRegions<T>::FluidRegions(const Octree<T>& mesh) : regionOf_(mesh.cells().si
   const auto contacts = contactsOf(mesh);
   detail::DisjointSets sets(cells.size());
   for (const auto& [cell, other] : contacts) {
-    if (cells[cell].kind == cells[other].kind) sets.join(cell, other);
+    if (cells[cell].kind == cells[other].kind) sets.unite(cell, other);
   }
   numberRegions(mesh, sets);
   assignCutCells(mesh, contacts);

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Eigen.hpp>
 #include <Cutwater/Grid/Detail/SharpFeatures.hpp>
 
 #include <algorithm>
@@ -17,9 +18,6 @@ constexpr double kFarthest = 0.25;
 
 Vec3<double> fromEigen(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};
-}
-Eigen::Vector3d toEigen(const Vec3<double>& v) {
-  return {v.x, v.y, v.z};
 }
 
 /// The part of a line in a box, by the slab method: from + t along, for t in the interval.

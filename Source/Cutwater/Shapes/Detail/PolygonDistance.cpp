@@ -61,6 +61,7 @@ template <std::floating_point T>
 bool PolygonDistance<T>::isInside(const Vec2<T>& p, const NearestEdges& near) const {
   // Near a single edge the solid is to the left of it, also at a corner that it shares with a
   // dropped edge: no query point lies to the right of that one.
+  if (near.count == 0) return false;
   const auto first = near.edges[0].primitive;
   if (near.count == 1) return edge(first).side(p) > 0;
   const auto second = near.edges[1].primitive;
@@ -81,6 +82,7 @@ T PolygonDistance<T>::distance(const Vec2<T>& p) const {
 template <std::floating_point T>
 Vec2<T> PolygonDistance<T>::gradient(const Vec2<T>& p) const {
   const auto near = nearest(p);
+  if (near.count == 0) return normalized(p);  // seen from there, the polygon is at the origin
   const bool inside = isInside(p, near);
   const auto slopeFrom = [&](const Nearest& nearest) {
     const auto foot = edge(nearest.primitive).foot(p);

@@ -34,7 +34,8 @@ class PolygonDistance {
 
  private:
   using Nearest = NearestPrimitive<T>;
-  /// The edges nearest to a point: up to three that are equally near up to rounding.
+  /// The edges nearest to a point: up to three that are equally near up to rounding; none where
+  /// squares of distances overflow.
   struct NearestEdges {
     std::array<Nearest, 3> edges;
     std::size_t count;

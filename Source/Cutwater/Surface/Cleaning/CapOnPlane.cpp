@@ -2,7 +2,7 @@
 #include <Cutwater/Surface/Cleaning/Detail/PlanarRegions.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/PlaneFrame.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/SoupEdits.hpp>
-#include <Cutwater/Surface/Detail/DisjointSets.hpp>
+#include <Cutwater/Core/Detail/DisjointSets.hpp>
 
 #include <utility>
 

@@ -8,7 +8,7 @@
 
 namespace cutwater::detail {
 
-/// Union-find with path halving; the least member represents its set.
+/// Union-find with path halving (Tarjan 1975); the least member represents its set.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) {
