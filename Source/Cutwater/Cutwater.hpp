@@ -59,7 +59,6 @@
 #include <Cutwater/Mesh/MeshFunction.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
-#include <Cutwater/Mesh/Treatment.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Operations/GradedValue.hpp>
 #include <Cutwater/Operations/Smoothing.hpp>
@@ -69,7 +68,6 @@
 #include <Cutwater/Sdf/Guarantee.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
-#include <Cutwater/Sdf/SurfaceFacet.hpp>
 #include <Cutwater/Sdf/SurfacePoint.hpp>
 #include <Cutwater/Shapes/BoxFrame.hpp>
 #include <Cutwater/Shapes/CappedCone.hpp>

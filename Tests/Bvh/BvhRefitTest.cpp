@@ -1,4 +1,4 @@
-#include <Cutwater/Bvh/Detail/BvhRefit.hpp>
+#include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
 #include <Cutwater/Core/Error.hpp>
 
 #include "Bvh/Comparison.hpp"

@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Mesh/Treatment.hpp>
+#include <Cutwater/Mesh/Diagnosis.hpp>
 #include <Cutwater/Surface/SurfaceMeasure.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 

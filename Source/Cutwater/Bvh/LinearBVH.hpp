@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Bvh/Detail/BvhRefit.hpp>
+#include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
 #include <Cutwater/Bvh/Detail/PrimitiveVisitors.hpp>
 #include <Cutwater/Core/Error.hpp>
 

@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Mesh/Treatment.hpp>
+#include <Cutwater/Mesh/Diagnosis.hpp>
 #include <Cutwater/Surface/Cleaning/CapOnPlane.hpp>
 #include <Cutwater/Surface/Cleaning/ExtendTo.hpp>
 #include <Cutwater/Surface/Cleaning/MirrorAt.hpp>

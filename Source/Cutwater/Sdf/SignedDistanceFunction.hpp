@@ -6,7 +6,7 @@
 #include <Cutwater/Core/Segment.hpp>
 #include <Cutwater/Sdf/BoxQuery.hpp>
 #include <Cutwater/Sdf/Guarantee.hpp>
-#include <Cutwater/Sdf/SurfaceFacet.hpp>
+#include <Cutwater/Sdf/SurfacePoint.hpp>
 
 #include <span>
 #include <string>

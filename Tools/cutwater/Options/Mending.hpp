@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Mesh/Treatment.hpp>
+#include <Cutwater/Mesh/Diagnosis.hpp>
 
 #include <functional>
 #include <limits>

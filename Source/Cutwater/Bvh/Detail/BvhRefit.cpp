@@ -1,4 +1,4 @@
-#include <Cutwater/Bvh/Detail/BvhRefit.hpp>
+#include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
 #include <Cutwater/Bvh/Detail/NodeBoxes.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Parallel.hpp>

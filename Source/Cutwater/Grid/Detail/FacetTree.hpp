@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Sdf/SurfaceFacet.hpp>
+#include <Cutwater/Sdf/SurfacePoint.hpp>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Shapes/Detail/RotationAxis.hpp>
+#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
 
 namespace cutwater::detail {
 

@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Detail/UnitVector.hpp>
 #include <Cutwater/Shapes/Detail/Arguments.hpp>
-#include <Cutwater/Shapes/Detail/RotationAxis.hpp>
+#include <Cutwater/Shapes/Detail/Axisymmetric.hpp>
 
 namespace cutwater::detail {
 

@@ -1,4 +1,4 @@
-#include <Cutwater/Bvh/Detail/BvhRefit.hpp>
+#include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
 #include <Cutwater/Triangles/Search/TriangleTree.hpp>
 

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
+#include <Cutwater/P4est/Detail/NodeMemory.hpp>
 #include <Cutwater/P4est/SharedGeometry.hpp>
 
 namespace cutwater {
@@ -34,17 +35,21 @@ SharedGeometry<T>::SharedGeometry(const std::filesystem::path& path, MPI_Comm co
 
 template <std::floating_point T>
 SharedGeometry<T>::SharedGeometry(MPI_Comm comm, FunctionRef<MeshSDF<T>()> make, int ranksPerCopy)
-    : memory_(comm, bytesOf<T>(comm, make).bytes(), ranksPerCopy) {
+    : memory_(std::make_unique<detail::NodeMemory>(comm, bytesOf<T>(comm, make).bytes(),
+                                                   ranksPerCopy)) {
   // The rank that wrote a copy verifies all of it; the others need not.
-  const MeshViewOptions options{.verifyPayload = memory_.isWriter()};
+  const MeshViewOptions options{.verifyPayload = memory_->isWriter()};
   try {
-    agreed(comm, [&] { mesh_.emplace(MeshSDF<T>::view(memory_.block(), options)); });
+    agreed(comm, [&] { mesh_.emplace(MeshSDF<T>::view(memory_->block(), options)); });
   } catch (const Error&) {
     mesh_.reset();
-    memory_.free();
+    memory_->free();
     throw;
   }
 }
+
+template <std::floating_point T>
+SharedGeometry<T>::~SharedGeometry() = default;
 
 template class SharedGeometry<float>;
 template class SharedGeometry<double>;

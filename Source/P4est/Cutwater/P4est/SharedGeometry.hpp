@@ -2,12 +2,17 @@
 
 #include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/P4est/Detail/NodeMemory.hpp>
 #include <Cutwater/Surface/ReadSurface.hpp>
 
+#include <memory>
+#include <mpi.h>
 #include <optional>
 
 namespace cutwater {
+
+namespace detail {
+class NodeMemory;
+}
 
 /// Options of a SharedGeometry; the same on all ranks.
 struct SharedGeometryOptions {
@@ -37,10 +42,16 @@ class SharedGeometry {
   /// @throws Error, the same on all ranks: what `make` throws, and as above.
   SharedGeometry(MPI_Comm comm, FunctionRef<MeshSDF<T>()> make, int ranksPerCopy = 0);
 
+  ~SharedGeometry();
+  SharedGeometry(const SharedGeometry&) = delete;
+  SharedGeometry& operator=(const SharedGeometry&) = delete;
+  SharedGeometry(SharedGeometry&&) = delete;
+  SharedGeometry& operator=(SharedGeometry&&) = delete;
+
   [[nodiscard]] const MeshSDF<T>& mesh() const { return *mesh_; }
 
  private:
-  detail::NodeMemory memory_;
+  std::unique_ptr<detail::NodeMemory> memory_;
   std::optional<MeshSDF<T>> mesh_;
 };
 
