@@ -32,9 +32,9 @@ class LinearBVH {
   explicit LinearBVH(std::vector<P> primitives);
 
   /// Replaces the primitives by ones that have moved, each under its index, and fits the boxes of
-  /// the tree to them: see BvhRefit. Much cheaper than building a tree. No other thread may use the
-  /// tree during the call. Returns the previous primitives, whose memory can be reused for the next
-  /// step:
+  /// the tree to them: see refitBvh(). Much cheaper than building a tree. No other thread may use
+  /// the tree during the call. Returns the previous primitives, whose memory can be reused for the
+  /// next step:
   ///
   ///     spare = bvh.primitives();  move(spare);  spare = bvh.refit(std::move(spare));
   ///

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/OrientedBox.hpp>
 #include <Cutwater/Sdf/SurfacePoint.hpp>
 
 namespace cutwater::detail {
