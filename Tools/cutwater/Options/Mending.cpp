@@ -2,6 +2,7 @@
 
 #include <Cutwater/Core/Error.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include "Options/Arguments.hpp"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/Box.hpp>
 #include <Cutwater/Sdf/SurfacePoint.hpp>
 
 #include <vector>
