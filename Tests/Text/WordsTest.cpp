@@ -17,7 +17,7 @@ TEST(WordsTest, MessagesAreShortAndPrintable) {
   EXPECT_EQ(text::shortened("a\tb\n"), "a?b?");
   EXPECT_EQ(text::shortened("\x7f"), "?");
   EXPECT_EQ(text::shortened(std::string(40, 'x')), std::string(40, 'x'));
-  EXPECT_EQ(text::shortened(std::string(41, 'x')), std::string(40, 'x') + "...");
+  EXPECT_EQ(text::shortened(std::string(41, 'x')), std::string(40, 'x').append("..."));
   EXPECT_EQ(text::inQuotes("a b"), "\"a b\"");
 }
 

@@ -59,9 +59,9 @@ class Inspection {
                               const auto some = places.subspan(first, count);
                               std::array<detail::CellSigns, kTogether> signs;
                               signs_.signs(some, signs);
-                              auto& features = found[first / kTogether];
+                              auto& here = found[first / kTogether];
                               for (std::size_t n = 0; n < count; ++n)
-                                inspect(some[n], signs[n], features);
+                                inspect(some[n], signs[n], here);
                             });
     for (const auto& some : found) features.insert(features.end(), some.begin(), some.end());
   }
