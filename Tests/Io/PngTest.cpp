@@ -1,13 +1,12 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Render/Png.hpp>
 
+#include <png.h>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "Support/TemporaryFolder.hpp"
-
-#include <png.h>
 
 namespace cutwater::test {
 namespace {

@@ -18,6 +18,7 @@ class DcelSDF final : public MeshFunction<T, DcelIndex<T>> {
   /// patch id from 2^20 on without a name.
   explicit DcelSDF(DcelMesh<T> mesh);
 
+  /// The mesh as it was given.
   [[nodiscard]] const DcelMesh<T>& mesh() const;
 };
 

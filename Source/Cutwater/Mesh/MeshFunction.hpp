@@ -7,10 +7,12 @@
 
 namespace cutwater {
 
+/// What a MeshSDF searches: its triangles in a tree.
 template <std::floating_point T>
-class MeshIndex;  ///< of a MeshSDF
+class MeshIndex;
+/// What a DcelSDF searches: its triangles, one after the other.
 template <std::floating_point T>
-class DcelIndex;  ///< of a DcelSDF
+class DcelIndex;
 
 /// What MeshSDF and DcelSDF have in common, down to the last bit: only the index by which they find
 /// triangles differs. Copies share it.

@@ -1,5 +1,5 @@
-#include <Cutwater/Surface/Detail/CanonicalCycle.hpp>
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
+#include <Cutwater/Surface/Detail/CanonicalCycle.hpp>
 #include <Cutwater/Surface/Detail/IndexTable.hpp>
 #include <Cutwater/Surface/MeshReport.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>

@@ -82,7 +82,7 @@ T PolygonDistance<T>::distance(const Vec2<T>& p) const {
 template <std::floating_point T>
 Vec2<T> PolygonDistance<T>::gradient(const Vec2<T>& p) const {
   const auto near = nearest(p);
-  if (near.count == 0) return normalized(p);  // seen from there, the polygon is at the origin
+  if (near.count == 0) return {};
   const bool inside = isInside(p, near);
   const auto slopeFrom = [&](const Nearest& nearest) {
     const auto foot = edge(nearest.primitive).foot(p);

@@ -1,8 +1,8 @@
+#include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/Surface/Cleaning/CapOnPlane.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/PlanarRegions.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/PlaneFrame.hpp>
 #include <Cutwater/Surface/Cleaning/Detail/SoupEdits.hpp>
-#include <Cutwater/Core/Detail/DisjointSets.hpp>
 
 #include <utility>
 
