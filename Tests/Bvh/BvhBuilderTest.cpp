@@ -11,12 +11,12 @@ namespace cutwater::test {
 namespace {
 
 // Enough for several tasks, and for several chunks of the first splits.
-constexpr std::size_t kMany = 150'000;
+constexpr std::size_t kManyBuilt = 150'000;
 
 TEST(BvhBuilderTest, TheTreeDoesNotDependOnTheNumberOfThreads) {
-  const auto all = manyTriangles(kMany);
+  const auto all = manyTriangles(kManyBuilt);
   const auto expected = turnedTree(all, 1);
-  EXPECT_GT(expected.nodes.size(), kMany / 300);
+  EXPECT_GT(expected.nodes.size(), kManyBuilt / 300);
   for (const int threads : {2, 3, 8, 0}) {
     SCOPED_TRACE(threads);
     expectSame(turnedTree(all, threads), expected);

@@ -44,7 +44,7 @@ auto cornersOf(const std::vector<Corners>& triangles) {
   return [&triangles](std::uint32_t id) { return triangles[id]; };
 }
 
-constexpr std::size_t kMany = 20'000;
+constexpr std::size_t kManyRefitted = 20'000;
 
 TEST(BvhRefitTest, WithoutMotionNothingChanges) {
   for (const std::size_t count : {0U, 1U, 16U, 17U, 300U, 20'000U}) {
@@ -63,7 +63,7 @@ TEST(BvhRefitTest, WithoutMotionNothingChanges) {
 }
 
 TEST(BvhRefitTest, BoxesEncloseWhatHasMoved) {
-  const auto all = manyTriangles(kMany);
+  const auto all = manyTriangles(kManyRefitted);
   const auto start = turnedTree(all, 2);
   const auto areaBefore = expectEnclosing(start, all);
   RandomPoints<double> random(1, /*seed=*/5);

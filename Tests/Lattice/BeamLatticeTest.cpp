@@ -13,6 +13,7 @@
 #include "Support/Guarantee.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
+#include "Support/Refusal.hpp"
 #include "Support/Scale.hpp"
 
 namespace cutwater::test {
@@ -259,26 +260,21 @@ TYPED_TEST(BeamLatticeTest, BeamsOfCellsAreTheArrayOfCells) {
 }
 
 template <typename T>
-std::string refusal(const BeamGraph& graph) {
-  try {
-    const BeamLattice<T> lattice(graph);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+std::string latticeRefusal(const BeamGraph& graph) {
+  return refusal([&] { return BeamLattice<T>(graph); });
 }
 
 TYPED_TEST(BeamLatticeTest, RefusesWhatIsNoGraphAndNamesTheBeam) {
   using T = TypeParam;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const BeamGraph good{{{0, 0, 0}, {1, 0, 0}, {nan, 0, 0}}, {{{0, 1}, {1, 1}}}, {{0, 1}}};
-  EXPECT_EQ(refusal<T>(good), "");
-  EXPECT_EQ(refusal<T>({}), "BeamLattice: need a beam");
+  EXPECT_EQ(latticeRefusal<T>(good), "");
+  EXPECT_EQ(latticeRefusal<T>({}), "BeamLattice: need a beam");
   const auto expectRefused = [&](const char* start, auto change) {
     auto graph = good;
     graph.beams.push_back(good.beams[0]);
     change(graph);
-    EXPECT_TRUE(refusal<T>(graph).starts_with(start)) << refusal<T>(graph);
+    EXPECT_TRUE(latticeRefusal<T>(graph).starts_with(start)) << latticeRefusal<T>(graph);
   };
   const char* const second = "BeamLattice: beam 1: ";
   expectRefused(second, [](auto& g) { g.beams[1].nodes[1] = 3; });

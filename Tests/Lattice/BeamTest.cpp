@@ -10,6 +10,7 @@
 #include "Support/Grid.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
+#include "Support/Refusal.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -181,14 +182,6 @@ TYPED_TEST(BeamTest, AreSmall) {
 TYPED_TEST(BeamTest, RefuseImpossibleArguments) {
   using T = TypeParam;
   const T nan = this->kNaN;
-  const auto refusal = [](auto make) -> std::string {
-    try {
-      make();
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
-  };
   const Vec3<T> a{0, 0, 0};
   const Vec3<T> b{0, 0, 1};
   EXPECT_TRUE(refusal([&] { CapsuleBeam<T>(a, b, 0); }).starts_with("CapsuleBeam:"));

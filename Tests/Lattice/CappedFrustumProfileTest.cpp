@@ -11,8 +11,6 @@
 namespace cutwater::test {
 namespace {
 
-using enum BeamCap;
-
 /// A frustum along z from the origin, by definition: what is in it, and points of its boundary.
 struct Frustum {
   double height, radiusA, radiusB;
@@ -20,10 +18,10 @@ struct Frustum {
 
   [[nodiscard]] bool isInside(double y, double x) const {
     const auto inBall = [&](double from, double radius) { return std::hypot(y, from) < radius; };
-    if (caps[0] == Sphere && inBall(x, radiusA)) return true;
-    if (caps[1] == Sphere && inBall(x - height, radiusB)) return true;
-    if (x < 0) return caps[0] == Hemisphere && inBall(x, radiusA);
-    if (x > height) return caps[1] == Hemisphere && inBall(x - height, radiusB);
+    if (caps[0] == BeamCap::Sphere && inBall(x, radiusA)) return true;
+    if (caps[1] == BeamCap::Sphere && inBall(x - height, radiusB)) return true;
+    if (x < 0) return caps[0] == BeamCap::Hemisphere && inBall(x, radiusA);
+    if (x > height) return caps[1] == BeamCap::Hemisphere && inBall(x - height, radiusB);
     return y < radiusA + (radiusB - radiusA) * x / height;
   }
   /// Calls visit(y, x) for points on all sides that may be boundary.
@@ -63,8 +61,8 @@ class CappedFrustumProfileTest : public ::testing::Test {
                                        {1.0, 0.0, 0.5},
                                        {0.25, 0.5, 1.0},
                                        {0.125, 1.0, 0.25}}) {
-      for (const auto capA : {Butt, Hemisphere, Sphere}) {
-        for (const auto capB : {Butt, Hemisphere, Sphere})
+      for (const auto capA : {BeamCap::Butt, BeamCap::Hemisphere, BeamCap::Sphere}) {
+        for (const auto capB : {BeamCap::Butt, BeamCap::Hemisphere, BeamCap::Sphere})
           check(Frustum{height, a, b, {capA, capB}});
       }
     }
@@ -84,7 +82,7 @@ TYPED_TEST(CappedFrustumProfileTest, IsTheDistanceToSampledSides) {
       if (f.isBoundary(y, x)) boundary.push_back({y, x});
     });
     const auto beam = this->beam(f);
-    const bool hasBalls = f.caps[0] == Sphere || f.caps[1] == Sphere;
+    const bool hasBalls = f.caps[0] == BeamCap::Sphere || f.caps[1] == BeamCap::Sphere;
     RandomPoints<T> random(T(1.5), /*seed=*/9);
     for (int i = 0; i < scaled(60); ++i) {
       const auto p = random.next();
@@ -115,9 +113,9 @@ TYPED_TEST(CappedFrustumProfileTest, IsTheDistanceToSampledSides) {
 TYPED_TEST(CappedFrustumProfileTest, MatchesHandComputedValues) {
   using T = TypeParam;
   const auto at = [](const CappedBeam<T>& beam, T y, T x) { return beam.distance({0, y, x}); };
-  const CappedBeam<T> flat({0, 0, 0}, {0, 0, 4}, 1, 1, {Butt, Butt});
-  const CappedBeam<T> half({0, 0, 0}, {0, 0, 4}, 1, 1, {Hemisphere, Butt});
-  const CappedBeam<T> round({0, 0, 0}, {0, 0, 4}, 1, 1, {Sphere, Hemisphere});
+  const CappedBeam<T> flat({0, 0, 0}, {0, 0, 4}, 1, 1, {BeamCap::Butt, BeamCap::Butt});
+  const CappedBeam<T> half({0, 0, 0}, {0, 0, 4}, 1, 1, {BeamCap::Hemisphere, BeamCap::Butt});
+  const CappedBeam<T> round({0, 0, 0}, {0, 0, 4}, 1, 1, {BeamCap::Sphere, BeamCap::Hemisphere});
   EXPECT_EQ(at(flat, 0, -3), T(3));
   EXPECT_EQ(at(half, 0, -3), T(2));
   EXPECT_EQ(at(half, 0, 6), T(2));
@@ -127,7 +125,7 @@ TYPED_TEST(CappedFrustumProfileTest, MatchesHandComputedValues) {
   EXPECT_EQ(at(round, 0, 4), T(-1));
   EXPECT_EQ(at(half, 0, T(3.75)), T(-0.25));
   // Of a beam shorter than its radius, a whole ball comes out at the other end.
-  const CappedBeam<T> disc({0, 0, 0}, {0, 0, T(0.25)}, 1, 1, {Sphere, Butt});
+  const CappedBeam<T> disc({0, 0, 0}, {0, 0, T(0.25)}, 1, 1, {BeamCap::Sphere, BeamCap::Butt});
   EXPECT_EQ(at(disc, 0, 2), T(1));
   EXPECT_EQ(disc.boundingBox().contains({0, 0, 1}), true);
 }

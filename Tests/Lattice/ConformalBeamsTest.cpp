@@ -222,7 +222,7 @@ TEST(ConformalBeamsTest, StraightStrutsAreDividedWhereTheirRadiusIsNotLinear) {
 
 /// By the definition of a round cone, in double precision, beam by beam: the hull of two balls is
 /// the union of all between them.
-bool isInside(const BeamGraph& graph, const Vec3<double>& p) {
+bool isInRoundCones(const BeamGraph& graph, const Vec3<double>& p) {
   return std::ranges::any_of(graph.beams, [&](const BeamGraph::Beam& beam) {
     const auto a = graph.nodes[beam.nodes[0]];
     const auto ab = graph.nodes[beam.nodes[1]] - a;
@@ -246,7 +246,7 @@ template <typename T>
 void expectConformalGuarantee(const BeamGraph& graph, double extent) {
   const BeamLattice<T> lattice(graph);
   expectGuarantee(lattice, extent,
-                  {.inside = [&](const Vec3<double>& p) { return isInside(graph, p); },
+                  {.inside = [&](const Vec3<double>& p) { return isInRoundCones(graph, p); },
                    .probes = 300,
                    .lines = 16,
                    .covering = 6});

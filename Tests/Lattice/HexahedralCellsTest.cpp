@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "Support/Random.hpp"
+#include "Support/Refusal.hpp"
 #include "Support/Scale.hpp"
 
 namespace cutwater::test {
@@ -187,16 +188,6 @@ TEST(HexahedralCellsTest, LeftHandedMappingsWillDo) {
     return Vec3<double>{u.y, u.x, u.z};
   });
   EXPECT_EQ(cells.at({1, 2, 0}), (Vec3<double>{1, 0.5, 0}));
-}
-
-template <typename Make>
-std::string refusal(Make make) {
-  try {
-    (void)make();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(HexahedralCellsTest, RefusesWhatAreNoCells) {

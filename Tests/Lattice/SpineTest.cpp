@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "Support/Refusal.hpp"
+
 namespace cutwater::test {
 namespace {
 
@@ -155,25 +157,21 @@ TEST(SpineTest, FramesOfPlaneCurvesStayUpright) {
   }
 }
 
-std::string refusal(const Points& points, const Vec3<double>& side = {}) {
-  try {
-    const Spine spine(points, side);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+std::string spineRefusal(const Points& points, const Vec3<double>& side = {}) {
+  return refusal([&] { return Spine(points, side); });
 }
 
 TEST(SpineTest, RefusesWhatIsNoCurve) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(refusal({}), "Spine: need two points (points = 0)");
-  EXPECT_EQ(refusal({{1, 2, 3}}), "Spine: need two points (points = 1)");
-  EXPECT_TRUE(refusal({{1, 2, 3}, {nan, 2, 3}}).starts_with("Spine: need points that are finite"));
-  EXPECT_TRUE(refusal({{0, 0, 0}, {1, 2, 3}, {1, 2, 3}})
+  EXPECT_EQ(spineRefusal({}), "Spine: need two points (points = 0)");
+  EXPECT_EQ(spineRefusal({{1, 2, 3}}), "Spine: need two points (points = 1)");
+  EXPECT_TRUE(
+      spineRefusal({{1, 2, 3}, {nan, 2, 3}}).starts_with("Spine: need points that are finite"));
+  EXPECT_TRUE(spineRefusal({{0, 0, 0}, {1, 2, 3}, {1, 2, 3}})
                   .starts_with("Spine: need points that differ from the next (index = 1"));
-  EXPECT_TRUE(refusal({{0, 0, 0}, {0, 0, 1}}, {0, 0, 2})
+  EXPECT_TRUE(spineRefusal({{0, 0, 0}, {0, 0, 1}}, {0, 0, 2})
                   .starts_with("Spine: need a side that is not along the curve"));
-  EXPECT_TRUE(refusal({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}})
+  EXPECT_TRUE(spineRefusal({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}})
                   .starts_with("Spine: need a curve that does not turn on the spot"));
 }
 

@@ -4,6 +4,7 @@
 
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
+#include "Support/Refusal.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -88,16 +89,6 @@ TYPED_TEST(ThicknessTest, LipschitzConstantsAreKept) {
     }
     EXPECT_GT(steepest, T(0.8) * *known.lipschitz);
   }
-}
-
-template <typename Make>
-std::string refusal(Make make) {
-  try {
-    make();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TYPED_TEST(ThicknessTest, RefusesImpossibleArguments) {

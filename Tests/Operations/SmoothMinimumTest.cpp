@@ -10,7 +10,7 @@ namespace cutwater::test {
 namespace {
 
 using Kind = SmoothKind;
-constexpr Kind kKinds[] = {Kind::Quadratic, Kind::Cubic, Kind::Circular, Kind::Exponential};
+constexpr Kind kMinimumKinds[] = {Kind::Quadratic, Kind::Cubic, Kind::Circular, Kind::Exponential};
 
 /// The value of all, and by how much it grows with each of them.
 template <typename T>
@@ -77,7 +77,7 @@ TYPED_TEST(SmoothMinimumTest, CirclesAreCircles) {
 TYPED_TEST(SmoothMinimumTest, AddsNoMoreThanItStates) {
   using T = TypeParam;
   const T k = T(0.5);
-  for (const auto kind : kKinds) {
+  for (const auto kind : kMinimumKinds) {
     for (const std::size_t count : {2U, 3U, 5U, 50U, 1000U}) {
       const std::vector<T> equal(count, T(3));  // the worst case
       const T most = detail::SmoothMinimum<T>::mostAdded({k, kind}, count);
@@ -96,7 +96,7 @@ TYPED_TEST(SmoothMinimumTest, WeightsSumToOneAndAreItsDerivatives) {
   using T = TypeParam;
   std::mt19937 engine(5);
   std::uniform_real_distribution<T> number(-1, 1);
-  for (const auto kind : kKinds) {
+  for (const auto kind : kMinimumKinds) {
     for (int i = 0; i < 200; ++i) {
       std::vector<T> values(5);
       for (auto& value : values) value = number(engine);
@@ -126,7 +126,7 @@ TYPED_TEST(SmoothMinimumTest, WeightsSumToOneAndAreItsDerivatives) {
 
 TYPED_TEST(SmoothMinimumTest, IsInvariantUnderAConstant) {
   using T = TypeParam;
-  for (const auto kind : kKinds) {
+  for (const auto kind : kMinimumKinds) {
     const std::vector<T> values{-1, T(-0.5), 0, T(0.25)};
     auto more = values;
     for (auto& value : more) value += 8;

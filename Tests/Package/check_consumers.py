@@ -8,7 +8,7 @@ repository may show in the consumer's commands. The variants:
   subproject    add_subdirectory, unoptimised
   fastproject   add_subdirectory by a project with -O3 -march=native -ffast-math
   shared        find_package on a shared library
-  plain         find_package on a library built with no optional dependency
+  plain         find_package on a library built file by file, with no optional dependency
   P4est         find_package on the installed build with this component, by an MPI program
   Render, Repair, Scene    the same with that component
 """
@@ -22,7 +22,7 @@ import subprocess
 import sys
 
 FAST = "-O3 -march=native -ffast-math"
-NO_DEPENDENCIES = ["-DCUTWATER_OPENMP=OFF", "-DCUTWATER_ZLIB=OFF", "-DCUTWATER_RENDER=OFF",
+NO_DEPENDENCIES = ["-DCUTWATER_UNITY=OFF", "-DCUTWATER_PRECOMPILE=OFF", "-DCUTWATER_OPENMP=OFF", "-DCUTWATER_ZLIB=OFF", "-DCUTWATER_RENDER=OFF",
                    "-DCUTWATER_SCENE=OFF"]
 LIBRARY_ONLY = ["-DCUTWATER_BUILD_TOOLS=OFF", "-DCUTWATER_BUILD_TESTS=OFF",
                 "-DCUTWATER_BUILD_EXAMPLES=OFF"]

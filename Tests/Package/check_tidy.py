@@ -11,7 +11,6 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 
 SKIPPED = 77  # ctest's SKIP_RETURN_CODE
 
@@ -59,13 +58,16 @@ def units(source, build):
     return result
 
 
-def without_precompiled(build, folder):
-    """Writes the compile commands to a folder without the precompiled headers, which are another
-    compiler's."""
-    entries = json.loads((build / "compile_commands.json").read_text())
-    for entry in entries:
-        entry["command"] = re.sub(r" -Winvalid-pch| -include \S*cmake_pch\.hxx", "", entry["command"])
-    (folder / "compile_commands.json").write_text(json.dumps(entries))
+def configured_plainly(source, build):
+    """Configures the build once more in a folder of its own, file by file and without precompiled
+    headers, which are another compiler's; nothing is built there."""
+    kept = re.findall(r"^((?:CUTWATER_|CMAKE_BUILD_TYPE|CMAKE_CXX_)\w*:\w+=.*)$",
+                      (build / "CMakeCache.txt").read_text(), re.MULTILINE)
+    folder = build / "tidy"
+    subprocess.run(["cmake", "-S", source, "-B", folder, "-G", "Ninja", *(f"-D{entry}" for entry in kept),
+                    "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", "-DCUTWATER_UNITY=OFF",
+                    "-DCUTWATER_PRECOMPILE=OFF"], check=True, capture_output=True)
+    return folder
 
 
 def main():
@@ -74,6 +76,7 @@ def main():
     if not pathlib.Path(program).is_file():
         print("skipped: no clang-tidy here")
         sys.exit(SKIPPED)
+    build = configured_plainly(source, build)
     compiled = units(source, build)
     wanted = None if os.environ.get("CUTWATER_TIDY") == "all" else changed(source)
     if wanted is None:  # headers are seen through the files that include them
@@ -82,10 +85,8 @@ def main():
         files = sorted({unit for file, unit in compiled.items() if file in wanted})
     print(f"{len(files)} files")
 
-    with tempfile.TemporaryDirectory() as folder, \
-            concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        without_precompiled(build, pathlib.Path(folder))
-        command = [program, "-p", folder, "--quiet"]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        command = [program, "-p", build, "--quiet"]
         results = list(pool.map(
             lambda file: subprocess.run([*command, file], capture_output=True, text=True), files))
     failed = [result.stdout for result in results if result.returncode != 0]

@@ -5,11 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "Colors.hpp"
+
 namespace cutwater::test {
 namespace {
-
-constexpr Rgb kWhite{255, 255, 255};
-constexpr Rgb kBlack{0, 0, 0};
 
 double darkness(const Image& image) {
   double sum = 0;

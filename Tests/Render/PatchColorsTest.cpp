@@ -4,12 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "Colors.hpp"
+
 namespace cutwater::test {
 namespace {
-
-int difference(const Rgb& a, const Rgb& b) {
-  return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
-}
 
 TEST(PatchColorsTest, AreToldApart) {
   for (std::size_t a = 0; a < 36; ++a) {

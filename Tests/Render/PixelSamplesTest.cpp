@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "Colors.hpp"
+
 namespace cutwater::test {
 namespace {
 
@@ -15,8 +17,6 @@ using detail::PlotArea;
 using detail::SurfaceSample;
 
 constexpr PlotArea kArea{7, 5, 50, 40};
-constexpr Rgb kWhite{255, 255, 255};
-constexpr Rgb kBlack{0, 0, 0};
 
 /// Pixels of size 1, seen along z.
 Camera camera() {

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "BarePicture.hpp"
+#include "Colors.hpp"
 #include "Support/Precisions.hpp"
 
 namespace cutwater::test {
@@ -40,10 +41,6 @@ int countInLegend(const Image& image, const Rgb& color) {
     for (int x = kWidth * 2 / 3; x < kWidth; ++x) count += image.at(x, y) == color ? 1 : 0;
   }
   return count;
-}
-
-int difference(const Rgb& a, const Rgb& b) {
-  return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
 }
 
 template <typename T>

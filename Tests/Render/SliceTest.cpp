@@ -9,6 +9,7 @@
 
 #include <numbers>
 
+#include "Colors.hpp"
 #include "Support/Precisions.hpp"
 
 namespace cutwater::test {
@@ -47,10 +48,6 @@ struct Shown {
 
 bool isDark(const Rgb& c) {
   return c.red < 110 && c.green < 110 && c.blue < 110;
-}
-
-int difference(const Rgb& a, const Rgb& b) {
-  return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
 }
 
 template <typename T>

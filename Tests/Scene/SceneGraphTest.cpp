@@ -8,41 +8,43 @@
 namespace cutwater::test {
 namespace {
 
-const std::string kA = "[a]\nshape = \"sphere\"\nradius = 1\n";
-const std::string kB = "[b]\nshape = \"sphere\"\nradius = 1\ncenter = [1, 0, 0]\n";
+const std::string kSphereA = "[a]\nshape = \"sphere\"\nradius = 1\n";
+const std::string kSphereB = "[b]\nshape = \"sphere\"\nradius = 1\ncenter = [1, 0, 0]\n";
 const std::string kBoth = "[both]\nunion = [\"a\", \"b\"]\n";
 
 class SceneGraphTest : public SceneTest {};
 
 TEST_F(SceneGraphTest, SolidsMayStandInAnyOrder) {
   const Solid<double> both = Sphere<double>({}, 1) | Sphere<double>({1, 0, 0}, 1);
-  for (const auto& text : {kA + kB + kBoth, kBoth + kA + kB, kB + kBoth + kA}) {
+  for (const auto& text :
+       {kSphereA + kSphereB + kBoth, kBoth + kSphereA + kSphereB, kSphereB + kBoth + kSphereA}) {
     expectSame(read("solid = \"both\"\n" + text), both);
   }
 }
 
 TEST_F(SceneGraphTest, TheLastOneIsMeantUnlessTold) {
-  expectSame(read(kBoth + kA + kB), Sphere<double>({1, 0, 0}, 1));
-  expectSame(read("solid = \"a\"\n" + kBoth + kA + kB), Sphere<double>({}, 1));
-  expectSame(read("solid = \"b\"\n" + kBoth + kA + kB, {.solid = "a"}), Sphere<double>({}, 1));
+  expectSame(read(kBoth + kSphereA + kSphereB), Sphere<double>({1, 0, 0}, 1));
+  expectSame(read("solid = \"a\"\n" + kBoth + kSphereA + kSphereB), Sphere<double>({}, 1));
+  expectSame(read("solid = \"b\"\n" + kBoth + kSphereA + kSphereB, {.solid = "a"}),
+             Sphere<double>({}, 1));
   // Later in the file, not in the alphabet.
-  expectSame(read("[z]\nshape = \"plane\"\n" + kA), Sphere<double>({}, 1));
+  expectSame(read("[z]\nshape = \"plane\"\n" + kSphereA), Sphere<double>({}, 1));
 }
 
 TEST_F(SceneGraphTest, OnlyWhatIsNeededIsMade) {
-  expectSame(read("[lost]\nmesh = \"none.stl\"\n" + kA), Sphere<double>({}, 1));
-  EXPECT_NE(refusal("[lost]\nmesh = \"none.stl\"\nscal = 1\n" + kA), "nothing");
+  expectSame(read("[lost]\nmesh = \"none.stl\"\n" + kSphereA), Sphere<double>({}, 1));
+  EXPECT_NE(refusal("[lost]\nmesh = \"none.stl\"\nscal = 1\n" + kSphereA), "nothing");
 }
 
 TEST_F(SceneGraphTest, RefusesNamesThatThereAreNot) {
-  EXPECT_EQ(refusal(kA + "[it]\nunion = [\"a\",\n  \"aa\"]"),
+  EXPECT_EQ(refusal(kSphereA + "[it]\nunion = [\"a\",\n  \"aa\"]"),
             "line 6: there is no solid \"aa\"; is it \"a\"?");
   EXPECT_EQ(refusal("[pipe]\nshape = \"plane\"\n[it]\ncopy = \"piep\""),
             "line 4: there is no solid \"piep\"; is it \"pipe\"?");
-  EXPECT_EQ(refusal("solid = \"c\"\n" + kA + "[bolts]\ncopy = \"a\""),
+  EXPECT_EQ(refusal("solid = \"c\"\n" + kSphereA + "[bolts]\ncopy = \"a\""),
             "line 1: there is no solid \"c\"; is it \"a\"?");
   try {
-    static_cast<void>(read(kA, {.solid = "bolt"}));
+    static_cast<void>(read(kSphereA, {.solid = "bolt"}));
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::Argument);
@@ -52,8 +54,8 @@ TEST_F(SceneGraphTest, RefusesNamesThatThereAreNot) {
 
 TEST_F(SceneGraphTest, RefusesCyclesAndNamesTheChain) {
   EXPECT_EQ(refusal("[a]\ncopy = \"a\""), "line 2: \"a\" is made of itself: \"a\" -> \"a\"");
-  EXPECT_EQ(refusal(kA + "[p]\nunion = [\"a\", \"q\"]\n[q]\ncomplement = \"r\"\n"
-                         "[r]\nshell = \"q\"\nhalf_thickness = 1\n"),
+  EXPECT_EQ(refusal(kSphereA + "[p]\nunion = [\"a\", \"q\"]\n[q]\ncomplement = \"r\"\n"
+                               "[r]\nshell = \"q\"\nhalf_thickness = 1\n"),
             "line 9: \"q\" is made of itself: \"q\" -> \"r\" -> \"q\"");
   EXPECT_EQ(refusal("[a]\nlattice = \"octet\"\ncell = [1, 1, 1]\n"
                     "radius = { near = \"a\", start = 1, end = 1, over = 1 }"),

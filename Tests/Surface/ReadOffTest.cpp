@@ -5,7 +5,7 @@ namespace {
 
 const std::string kOff = "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n4 0 1 2 3\n";
 
-void expectSoup(const std::string& text) {
+void expectOff(const std::string& text) {
   const auto file = readText(text);
   EXPECT_EQ(file.report.format, SurfaceFormat::Off);
   EXPECT_EQ(file.soup.points,
@@ -23,16 +23,16 @@ TEST(ReadOffTest, ReadsEveryLayout) {
         replaced(kOff, "\n", "#comment\n"), replaced(kOff, "OFF\n4", "OFF 4"),
         replaced(kOff, "4 2 0", "4 2"), replaced(kOff, "OFF", "off"), "# first\n\n" + kOff,
         kOff.substr(0, kOff.size() - 1)}) {
-    expectSoup(text);
+    expectOff(text);
   }
 }
 
 TEST(ReadOffTest, ReadsColoursAndNormals) {
-  expectSoup(replaced(replaced(replaced(kOff, "OFF", "COFF"), "0 0 0\n", "0 0 0 255 0 0 255\n"),
-                      "3 0 1 2\n", "3 0 1 2 0.5 0.5 0.5\n"));
-  expectSoup(replaced(replaced(kOff, "OFF", "NOFF"), "1 0 0\n", "1 0 0 0 0 1\n"));
-  expectSoup(replaced(kOff, "OFF", "STCNOFF"));
-  expectSoup(replaced(kOff, "3 0 1 2\n", "3 0 1 2 4 255 0 0\n"));
+  expectOff(replaced(replaced(replaced(kOff, "OFF", "COFF"), "0 0 0\n", "0 0 0 255 0 0 255\n"),
+                     "3 0 1 2\n", "3 0 1 2 0.5 0.5 0.5\n"));
+  expectOff(replaced(replaced(kOff, "OFF", "NOFF"), "1 0 0\n", "1 0 0 0 0 1\n"));
+  expectOff(replaced(kOff, "OFF", "STCNOFF"));
+  expectOff(replaced(kOff, "3 0 1 2\n", "3 0 1 2 4 255 0 0\n"));
 }
 
 TEST(ReadOffTest, RefusesCountsThatLie) {

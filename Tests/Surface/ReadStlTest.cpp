@@ -8,10 +8,10 @@ const std::string kFacet =
     "facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n"
     " endloop\nendfacet\n";
 const std::string kFacet2 = replaced(kFacet, "vertex 1 0 0", "vertex 0 0 1");
-const std::string kAscii = "solid left wing\n" + kFacet + kFacet2 + "endsolid left wing\n";
+const std::string kAsciiStl = "solid left wing\n" + kFacet + kFacet2 + "endsolid left wing\n";
 
 TEST(ReadStlTest, ReadsAscii) {
-  const auto file = readText(kAscii);
+  const auto file = readText(kAsciiStl);
   EXPECT_EQ(file.report.format, SurfaceFormat::Stl);
   EXPECT_FALSE(file.report.binary);
   EXPECT_EQ(file.report.pointsInFile, 6U);
@@ -26,19 +26,20 @@ TEST(ReadStlTest, ReadsAscii) {
 }
 
 TEST(ReadStlTest, ReadsTheSameInEveryLayout) {
-  const auto expected = readText(kAscii).soup;
+  const auto expected = readText(kAsciiStl).soup;
   const std::string upper = replaced(
-      replaced(replaced(kAscii, "facet", "FACET"), "vertex", "VERTEX"), "solid ", "SOLID ");
+      replaced(replaced(kAsciiStl, "facet", "FACET"), "vertex", "VERTEX"), "solid ", "SOLID ");
   const std::string oneLine = "solid left wing\n" +
                               replaced(replaced(kFacet + kFacet2, "\n", " "), "  ", "\t") +
                               "\nendsolid";
   for (const auto& text :
-       {replaced(kAscii, "\n", "\r\n"), replaced(kAscii, "\n", "\r"),
-        replaced(kAscii, "\n", "\n\n"),
-        replaced(kAscii, " ", "\t").replace(0, 15, "solid left wing"), upper, oneLine,
-        replaced(kAscii, "vertex 1", "vertex +1.0e+00"), "\n \n" + kAscii, "\xef\xbb\xbf" + kAscii,
-        replaced(kAscii, "normal 0", "normal -nan(ind)"),
-        replaced(kAscii, "normal 0", "normal -1.#IND"), kAscii.substr(0, kAscii.size() - 1)}) {
+       {replaced(kAsciiStl, "\n", "\r\n"), replaced(kAsciiStl, "\n", "\r"),
+        replaced(kAsciiStl, "\n", "\n\n"),
+        replaced(kAsciiStl, " ", "\t").replace(0, 15, "solid left wing"), upper, oneLine,
+        replaced(kAsciiStl, "vertex 1", "vertex +1.0e+00"), "\n \n" + kAsciiStl,
+        "\xef\xbb\xbf" + kAsciiStl, replaced(kAsciiStl, "normal 0", "normal -nan(ind)"),
+        replaced(kAsciiStl, "normal 0", "normal -1.#IND"),
+        kAsciiStl.substr(0, kAsciiStl.size() - 1)}) {
     const auto soup = readText(text).soup;
     EXPECT_EQ(soup.points, expected.points) << text;
     EXPECT_EQ(soup.corners, expected.corners) << text;

@@ -8,11 +8,12 @@ std::string start(const std::string& version, const std::string& encoding) {
          "\nDATASET POLYDATA\n";
 }
 const std::string kPoints = "POINTS 4 float\n0 0 0 1 0 0\n0 1 0\n0 0 1\n";  // lines 5 to 8
-const std::string kAscii = start("3.0", "ASCII") + kPoints +
-                           "VERTICES 1 2\n1 0\nLINES 1 3\n2 0 1\nPOLYGONS 2 9\n3 0 1 2\n4 0 1 2 3\n"
-                           "CELL_DATA 2\nSCALARS anything at all\n";
+const std::string kAsciiVtk =
+    start("3.0", "ASCII") + kPoints +
+    "VERTICES 1 2\n1 0\nLINES 1 3\n2 0 1\nPOLYGONS 2 9\n3 0 1 2\n4 0 1 2 3\n"
+    "CELL_DATA 2\nSCALARS anything at all\n";
 
-void expectSoup(const std::string& bytes) {
+void expectVtk(const std::string& bytes) {
   const auto file = readText(bytes);
   EXPECT_EQ(file.report.format, SurfaceFormat::Vtk);
   EXPECT_EQ(file.soup.points,
@@ -23,22 +24,22 @@ void expectSoup(const std::string& bytes) {
 }
 
 TEST(ReadVtkTest, ReadsAscii) {
-  expectSoup(kAscii);
-  expectSoup(replaced(kAscii, "\n", "\r\n"));
-  expectSoup(replaced(kAscii, "float", "double"));
-  expectSoup(replaced(kAscii, "POLYGONS 2 9\n3 0", "POLYGONS 2 9 3\n0"));
-  expectSoup(replaced(kAscii, "POINTS",
-                      "FIELD FieldData 2\nTIME 1 1 double\n0.5\nids 2 2 int\n1 2 3 4\nPOINTS"));
-  expectSoup(replaced(kAscii, "VERTICES", "METADATA\nINFORMATION 0\nNAME x\n\nVERTICES"));
-  EXPECT_EQ(readText(kAscii).report.notes.size(), 1U);
+  expectVtk(kAsciiVtk);
+  expectVtk(replaced(kAsciiVtk, "\n", "\r\n"));
+  expectVtk(replaced(kAsciiVtk, "float", "double"));
+  expectVtk(replaced(kAsciiVtk, "POLYGONS 2 9\n3 0", "POLYGONS 2 9 3\n0"));
+  expectVtk(replaced(kAsciiVtk, "POINTS",
+                     "FIELD FieldData 2\nTIME 1 1 double\n0.5\nids 2 2 int\n1 2 3 4\nPOINTS"));
+  expectVtk(replaced(kAsciiVtk, "VERTICES", "METADATA\nINFORMATION 0\nNAME x\n\nVERTICES"));
+  EXPECT_EQ(readText(kAsciiVtk).report.notes.size(), 1U);
 }
 
 TEST(ReadVtkTest, ReadsOffsetsAndConnectivity) {
-  expectSoup(start("5.1", "ASCII") + kPoints +
-             "VERTICES 2 1\nOFFSETS vtktypeint64\n0 1\nCONNECTIVITY vtktypeint64\n0\n"
-             "LINES 0 0\nOFFSETS vtktypeint64\nCONNECTIVITY vtktypeint64\n"
-             "POLYGONS 3 7\nOFFSETS vtktypeint64\n0 3 7\nCONNECTIVITY vtktypeint64\n"
-             "0 1 2 0 1\n2 3\nMETADATA\nINFORMATION 0\n\nPOINT_DATA 4\n");
+  expectVtk(start("5.1", "ASCII") + kPoints +
+            "VERTICES 2 1\nOFFSETS vtktypeint64\n0 1\nCONNECTIVITY vtktypeint64\n0\n"
+            "LINES 0 0\nOFFSETS vtktypeint64\nCONNECTIVITY vtktypeint64\n"
+            "POLYGONS 3 7\nOFFSETS vtktypeint64\n0 3 7\nCONNECTIVITY vtktypeint64\n"
+            "0 1 2 0 1\n2 3\nMETADATA\nINFORMATION 0\n\nPOINT_DATA 4\n");
 }
 
 std::string binary(bool offsetsApart) {
@@ -57,8 +58,8 @@ std::string binary(bool offsetsApart) {
 }
 
 TEST(ReadVtkTest, ReadsBinary) {
-  expectSoup(binary(false));
-  expectSoup(binary(true));
+  expectVtk(binary(false));
+  expectVtk(binary(true));
   EXPECT_TRUE(readText(binary(true)).report.binary);
 }
 
@@ -78,23 +79,24 @@ TEST(ReadVtkTest, TurnsEverySecondTriangleOfAStrip) {
 }
 
 TEST(ReadVtkTest, RefusesBadHeaders) {
-  expectFailure(replaced(kAscii, "3.0", "5.2"), "line 1", "5.1");
-  expectFailure(replaced(kAscii, "3.0", "x"), "line 1", "\"x\"");
-  expectFailure(replaced(kAscii, "ASCII", "TEXT"), "line 3", "ASCII");
-  expectFailure(replaced(kAscii, "POLYDATA", "UNSTRUCTURED_GRID"), "line 4", "UNSTRUCTURED_GRID");
-  expectFailure(replaced(kAscii, "LINES", "LINE"), "line 11", "\"LINE\"");
-  expectFailure(replaced(kAscii, "LINES", "VERTICES"), "line 11", "a second");
-  expectFailure(replaced(kAscii, "float", "real"), "line 5", "real");
+  expectFailure(replaced(kAsciiVtk, "3.0", "5.2"), "line 1", "5.1");
+  expectFailure(replaced(kAsciiVtk, "3.0", "x"), "line 1", "\"x\"");
+  expectFailure(replaced(kAsciiVtk, "ASCII", "TEXT"), "line 3", "ASCII");
+  expectFailure(replaced(kAsciiVtk, "POLYDATA", "UNSTRUCTURED_GRID"), "line 4",
+                "UNSTRUCTURED_GRID");
+  expectFailure(replaced(kAsciiVtk, "LINES", "LINE"), "line 11", "\"LINE\"");
+  expectFailure(replaced(kAsciiVtk, "LINES", "VERTICES"), "line 11", "a second");
+  expectFailure(replaced(kAsciiVtk, "float", "real"), "line 5", "real");
   expectFailure("# vtk DataFile Version 3.0\n", "line 1", "too early");
 }
 
 TEST(ReadVtkTest, RefusesBadCounts) {
-  expectFailure(replaced(kAscii, "POINTS 4", "POINTS -4"), "line 5", "-4");
-  expectFailure(replaced(kAscii, "POINTS 4", "POINTS 1000000000000"), "line 5", "promises");
-  expectFailure(replaced(kAscii, "POINTS 4", "POINTS 5"), "line 9", "VERTICES");
-  expectFailure(replaced(kAscii, "POINTS 4", "POINTS 3"), "line 8", "\"0\"");
+  expectFailure(replaced(kAsciiVtk, "POINTS 4", "POINTS -4"), "line 5", "-4");
+  expectFailure(replaced(kAsciiVtk, "POINTS 4", "POINTS 1000000000000"), "line 5", "promises");
+  expectFailure(replaced(kAsciiVtk, "POINTS 4", "POINTS 5"), "line 9", "VERTICES");
+  expectFailure(replaced(kAsciiVtk, "POINTS 4", "POINTS 3"), "line 8", "\"0\"");
   const auto polygons = [](const std::string& counts) {
-    return replaced(kAscii, "POLYGONS 2 9", "POLYGONS " + counts);
+    return replaced(kAsciiVtk, "POLYGONS 2 9", "POLYGONS " + counts);
   };
   expectFailure(polygons("9223372036854775807 9"), "line 13", "promises");
   expectFailure(polygons("2 9223372036854775807"), "line 13", "promises");
@@ -106,13 +108,13 @@ TEST(ReadVtkTest, RefusesBadCounts) {
 }
 
 TEST(ReadVtkTest, RefusesBadCells) {
-  const auto cell = [](const std::string& text) { return replaced(kAscii, "3 0 1 2\n", text); };
+  const auto cell = [](const std::string& text) { return replaced(kAsciiVtk, "3 0 1 2\n", text); };
   expectFailure(cell("-1 0 1 2\n"), "line 14", "more points");
   expectFailure(cell("3 0 1 4\n"), "line 14", "index 4");
   expectFailure(cell("3 0 1 -1\n"), "line 14", "index -1");
   expectFailure(cell("3 0 1 4294967297\n"), "line 14", "out of range");
   expectFailure(cell("3 0 1 x\n"), "line 14", "\"x\"");
-  expectFailure(replaced(kAscii, "3 0 1 2\n4 0 1 2 3", "2 0 1 5 0 1 2 3 0"), "line 14",
+  expectFailure(replaced(kAsciiVtk, "3 0 1 2\n4 0 1 2 3", "2 0 1 5 0 1 2 3 0"), "line 14",
                 "2 corners");
   const std::string strips = start("3.0", "ASCII") + kPoints + "TRIANGLE_STRIPS 1 4\n";
   expectFailure(strips + "2 0 1 2\n", "line 10", "2 points");

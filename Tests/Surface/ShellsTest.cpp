@@ -10,7 +10,7 @@
 namespace cutwater::test {
 namespace {
 
-PolygonSoup cube(double lower, double upper, bool insideOut = false) {
+PolygonSoup cubeBetween(double lower, double upper, bool insideOut = false) {
   auto soup = triangulated(tessellation::box({lower, lower, lower}, {upper, upper, upper}));
   for (std::size_t i = 0; insideOut && i < soup.polygonCount(); ++i) {
     std::swap(soup.corners[3 * i], soup.corners[3 * i + 1]);
@@ -45,25 +45,25 @@ std::size_t turned(const PolygonSoup& soup) {
 }
 
 TEST(ShellsTest, LeavesGoodSurfacesAlone) {
-  EXPECT_EQ(turned(cube(0, 1)), 0U);
-  EXPECT_EQ(turned(together({cube(0, 1), cube(3, 4)})), 0U);
-  const auto hollow = together({cube(0, 10), cube(4, 6, true)});
+  EXPECT_EQ(turned(cubeBetween(0, 1)), 0U);
+  EXPECT_EQ(turned(together({cubeBetween(0, 1), cubeBetween(3, 4)})), 0U);
+  const auto hollow = together({cubeBetween(0, 10), cubeBetween(4, 6, true)});
   EXPECT_EQ(turned(hollow), 0U);
   EXPECT_EQ(at(hollow, 5), 1.0);   // in the cavity
   EXPECT_EQ(at(hollow, 2), -2.0);  // in the wall
 }
 
 TEST(ShellsTest, TurnsEachShellThatIsInsideOut) {
-  EXPECT_EQ(turned(cube(0, 1, true)), 1U);
-  EXPECT_EQ(at(cube(0, 1, true), 0.5), -0.5);
-  const auto mixed = together({cube(0, 1), cube(3, 5, true), cube(7, 8)});
+  EXPECT_EQ(turned(cubeBetween(0, 1, true)), 1U);
+  EXPECT_EQ(at(cubeBetween(0, 1, true), 0.5), -0.5);
+  const auto mixed = together({cubeBetween(0, 1), cubeBetween(3, 5, true), cubeBetween(7, 8)});
   EXPECT_EQ(turned(mixed), 1U);
   for (const double x : {0.5, 4.0, 7.5}) EXPECT_LT(at(mixed, x), 0);
   for (const double x : {-0.5, 2.0, 6.0}) EXPECT_GT(at(mixed, x), 0);
 }
 
 TEST(ShellsTest, TurnsCavitiesWithTheirShell) {
-  const auto hollow = together({cube(0, 10, true), cube(4, 6)});
+  const auto hollow = together({cubeBetween(0, 10, true), cubeBetween(4, 6)});
   EXPECT_EQ(turned(hollow), 2U);
   EXPECT_EQ(at(hollow, 5), 1.0);
   EXPECT_EQ(at(hollow, 2), -2.0);
@@ -75,7 +75,7 @@ TEST(ShellsTest, ANeighbourInTheSameBoundingBoxIsNoCavity) {
   for (std::size_t i = 0; i < ring.polygonCount(); ++i) {
     std::swap(ring.corners[3 * i], ring.corners[3 * i + 1]);
   }
-  const auto both = together({ring, cube(-0.5, 0.5)});
+  const auto both = together({ring, cubeBetween(-0.5, 0.5)});
   EXPECT_EQ(orientShells(DcelMesh<double>(both)).turnedShells(), 1U);
   const MeshSDF<double> mesh(both);
   EXPECT_LT(mesh.signedDistance({0, 0, 0}), 0);

@@ -11,7 +11,7 @@ using text::Content;
 using text::ScalarType;
 
 template <typename Action>
-std::string refusal(std::string_view bytes, const Action& action) {
+std::string byteRefusal(std::string_view bytes, const Action& action) {
   const Content content{"it", bytes};
   ByteCursor cursor(content, std::endian::little);
   try {
@@ -49,14 +49,14 @@ TEST(ByteCursorTest, RefusalsNameTheRecord) {
     static_cast<void>(cursor.read<std::uint8_t>());
     static_cast<void>(cursor.read<std::uint32_t>());
   };
-  EXPECT_EQ(refusal("abcdef", readRecord), "none");
-  EXPECT_EQ(refusal("abcde", readRecord), "it: byte 1: the file ends too early");
+  EXPECT_EQ(byteRefusal("abcdef", readRecord), "none");
+  EXPECT_EQ(byteRefusal("abcde", readRecord), "it: byte 1: the file ends too early");
   const auto skipThree = [](ByteCursor& cursor) { cursor.skip(3); };
-  EXPECT_EQ(refusal("ab", skipThree), "it: byte 0: the file ends too early");
+  EXPECT_EQ(byteRefusal("ab", skipThree), "it: byte 0: the file ends too early");
   const auto readLargest = [](ByteCursor& cursor) {
     static_cast<void>(cursor.integer(ScalarType::UInt64));
   };
-  EXPECT_EQ(refusal(std::string(8, '\xff'), readLargest),
+  EXPECT_EQ(byteRefusal(std::string(8, '\xff'), readLargest),
             "it: byte 0: 18446744073709551615 is out of range");
 }
 
@@ -65,8 +65,8 @@ TEST(ByteCursorTest, OnlyPaddingMayFollow) {
     cursor.skip(1);
     cursor.requireOnlyPadding();
   };
-  EXPECT_EQ(refusal(std::string_view("a\0 \n", 4), end), "none");
-  EXPECT_EQ(refusal("a \nb", end),
+  EXPECT_EQ(byteRefusal(std::string_view("a\0 \n", 4), end), "none");
+  EXPECT_EQ(byteRefusal("a \nb", end),
             "it: byte 3: data behind the last element: a count in the header is too small");
 }
 

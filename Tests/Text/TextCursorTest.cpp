@@ -29,7 +29,7 @@ std::vector<std::vector<std::string>> wordsOf(std::string_view bytes,
 using Lines = std::vector<std::vector<std::string>>;
 
 template <typename Action>
-std::string refusal(std::string_view bytes, const Action& action) {
+std::string textRefusal(std::string_view bytes, const Action& action) {
   const Content content{"it", bytes};
   TextCursor cursor(content);
   try {
@@ -78,25 +78,25 @@ TEST(TextCursorTest, RefusalsNameTheLine) {
     cursor.nextLine();
     static_cast<void>(cursor.number());
   };
-  EXPECT_EQ(refusal("\n1x", numberOfSecondLine), "it: line 2: expected a number, found \"1x\"");
-  EXPECT_EQ(refusal("\n1e999", numberOfSecondLine), "it: line 2: \"1e999\" is out of range");
-  EXPECT_EQ(refusal("\n", numberOfSecondLine),
+  EXPECT_EQ(textRefusal("\n1x", numberOfSecondLine), "it: line 2: expected a number, found \"1x\"");
+  EXPECT_EQ(textRefusal("\n1e999", numberOfSecondLine), "it: line 2: \"1e999\" is out of range");
+  EXPECT_EQ(textRefusal("\n", numberOfSecondLine),
             "it: line 1: a number is missing at the end of the line");
   const auto readLine = [](TextCursor& cursor) { cursor.nextLine(); };
-  EXPECT_EQ(refusal(std::string_view("a\0b", 3), readLine), "it: line 1: a NUL byte in text");
+  EXPECT_EQ(textRefusal(std::string_view("a\0b", 3), readLine), "it: line 1: a NUL byte in text");
   const std::string longest(TextCursor::kLongestLine, 'a');
-  EXPECT_EQ(refusal(longest, readLine), "none");
-  EXPECT_EQ(refusal(longest + 'a', readLine), "it: line 1: the line is longer than 64 kB");
+  EXPECT_EQ(textRefusal(longest, readLine), "none");
+  EXPECT_EQ(textRefusal(longest + 'a', readLine), "it: line 1: the line is longer than 64 kB");
 }
 
 TEST(TextCursorTest, CountsMustHaveRoomInTheFile) {
   const auto records = [](std::int64_t count) {
     return [=](TextCursor& cursor) { cursor.requireRecords(count, 2, "points"); };
   };
-  EXPECT_EQ(refusal("1 2 3", records(3)), "none");  // without a last separator
-  EXPECT_EQ(refusal("1 2 3", records(4)),
+  EXPECT_EQ(textRefusal("1 2 3", records(3)), "none");  // without a last separator
+  EXPECT_EQ(textRefusal("1 2 3", records(4)),
             "it: line 1: the file promises 4 points, but only 5 bytes are left");
-  EXPECT_EQ(refusal("1 2 3", records(-1)), "it: line 1: the number of points is -1");
+  EXPECT_EQ(textRefusal("1 2 3", records(-1)), "it: line 1: the number of points is -1");
 }
 
 TEST(TextCursorTest, AByteOrderMarkIsNoText) {

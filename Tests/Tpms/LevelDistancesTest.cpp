@@ -9,8 +9,6 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

@@ -13,8 +13,6 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
 template <typename T>
 class MetricWallTest : public ::testing::Test {};
 TYPED_TEST_SUITE(MetricWallTest, Precisions);

@@ -12,8 +12,6 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
 double smallerRadius(const TpmsPattern& pattern) {
   return kTurn *
          std::min(pattern.inscribedRadius(TpmsChannel::A), pattern.inscribedRadius(TpmsChannel::B));

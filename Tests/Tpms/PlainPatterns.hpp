@@ -4,10 +4,13 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
 namespace cutwater::test {
+
+inline constexpr double kTurn = 2 * std::numbers::pi;
 
 /// The patterns as the literature writes them, with x, y, z in radians, by the standard library's
 /// functions; and what is known of them.

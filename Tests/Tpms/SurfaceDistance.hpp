@@ -82,7 +82,6 @@ class SurfaceDistance {
 
  private:
   static constexpr int kSide = 40;
-  static constexpr double kTurn = 2 * std::numbers::pi;
   static constexpr double kStep = kTurn / kSide;
   static constexpr int kBuckets = 16;
 

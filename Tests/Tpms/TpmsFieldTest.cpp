@@ -14,7 +14,6 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr std::size_t kGyroid = 0;
 constexpr std::size_t kSchwarzP = 1;
 

@@ -16,8 +16,6 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
 template <typename T>
 class TpmsPatternTest : public ::testing::Test {};
 TYPED_TEST_SUITE(TpmsPatternTest, Precisions);

@@ -1,4 +1,5 @@
-#include <Cutwater/Core/Detail/Batches.hpp>
+#include <Cutwater/Core/Detail/Epsilon.hpp>
+#include <Cutwater/Core/Detail/ParallelBatches.hpp>
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
@@ -12,13 +13,13 @@ namespace cutwater {
 
 namespace {
 
-template <std::floating_point T>
-constexpr T kEps = std::numeric_limits<T>::epsilon();
+using detail::kEps;
+
 template <std::floating_point T>
 constexpr T kNaN = std::numeric_limits<T>::quiet_NaN();
 
 /// Points are passed to the shapes in batches of this size, whose local copies fit the L1 cache.
-constexpr std::size_t kBatch = 256;
+constexpr std::size_t kPointBatch = 256;
 
 /// The answer for a point that is not finite.
 template <std::floating_point T>
@@ -70,22 +71,19 @@ void SignedDistanceFunction<T>::forLocalPoints(
     std::span<const Vec3<T>> points, ParallelOptions options,
     FunctionRef<void(std::span<const Vec3<T>>, std::size_t)> answer,
     FunctionRef<void(std::size_t)> refuse) const {
-  options.grain = std::max(options.grain, kBatch) / kBatch * kBatch;
-  parallelFor(points.size(), options, [&](std::size_t begin, std::size_t end) {
-    Scratch<Vec3<T>, kBatch> scratch;
-    detail::forBatches(end - begin, kBatch, [&](std::size_t start, std::size_t count) {
-      const auto first = begin + start;
-      const auto world = points.subspan(first, count);
-      const auto local = scratch.first(count);
-      placement_.toLocal(world, local);
-      const bool areFinite = putOriginForNotFinite<T>(world, local);
-      answer(local, first);
-      if (areFinite) return;
-      for (std::size_t i = 0; i < count; ++i) {
-        if (!isFinite(world[i])) refuse(first + i);
-      }
-    });
-  });
+  const auto visit = [&](std::size_t first, std::size_t count) {
+    Scratch<Vec3<T>, kPointBatch> scratch;
+    const auto world = points.subspan(first, count);
+    const auto local = scratch.first(count);
+    placement_.toLocal(world, local);
+    const bool areFinite = putOriginForNotFinite<T>(world, local);
+    answer(local, first);
+    if (areFinite) return;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!isFinite(world[i])) refuse(first + i);
+    }
+  };
+  detail::parallelBatches(points.size(), kPointBatch, options, visit);
 }
 
 template <std::floating_point T>

@@ -37,7 +37,7 @@ AxisValue axisValueOf(const OpeningOption& option, const std::string& text) {
           numbers(option.name, text.substr(equals + 1), 1).front()};
 }
 
-SurfacePlane planeOf(const OpeningOption& option, const std::string& text) {
+SurfacePlane openingPlaneOf(const OpeningOption& option, const std::string& text) {
   if (text.find('=') != std::string::npos) {
     const auto [axis, value] = axisValueOf(option, text);
     SurfacePlane plane;
@@ -64,13 +64,13 @@ Step capStep(const OpeningOption& option, double tolerance) {
   CapOptions how{.tolerance = tolerance};
   if (patch && patch->empty()) refuse(option.name, option.value, "a patch's name after the colon");
   if (patch) how.patch = *patch;
-  return [plane = planeOf(option, place), how](PolygonSoup& soup) {
+  return [plane = openingPlaneOf(option, place), how](PolygonSoup& soup) {
     return capOnPlane(soup, plane, how);
   };
 }
 
 Step mirrorStep(const OpeningOption& option, double tolerance) {
-  return [plane = planeOf(option, option.value), tolerance](PolygonSoup& soup) {
+  return [plane = openingPlaneOf(option, option.value), tolerance](PolygonSoup& soup) {
     return mirrorAt(soup, plane, tolerance);
   };
 }

@@ -10,7 +10,7 @@ namespace cutwater::detail {
 namespace {
 
 /// Points or edges that are queried together.
-constexpr std::size_t kBatch = 256;
+constexpr std::size_t kSignBatch = 256;
 
 /// Indices of the values that are not 0.
 template <typename Value>
@@ -26,7 +26,7 @@ std::vector<std::size_t> placesOf(const std::vector<std::atomic<Value>>& values)
 template <typename Visit>
 void forPlaces(std::span<const std::size_t> places, const ParallelOptions& options,
                const Visit& visit) {
-  parallelBatches(places.size(), kBatch, options, [&](std::size_t first, std::size_t count) {
+  parallelBatches(places.size(), kSignBatch, options, [&](std::size_t first, std::size_t count) {
     visit(places.subspan(first, count));
   });
 }
@@ -71,8 +71,8 @@ void OctreeSigns<T>::evaluate(const ParallelOptions& options) {
     });
   }
   forPlaces(placesOf(isCorner), options, [&](std::span<const std::size_t> nodes) {
-    Scratch<Vec3<T>, kBatch> points;
-    Scratch<T, kBatch> values;
+    Scratch<Vec3<T>, kSignBatch> points;
+    Scratch<T, kSignBatch> values;
     for (std::size_t i = 0; i < nodes.size(); ++i) points[i] = nodes_.position(nodes[i]);
     solid_.signedDistances(points.first(nodes.size()), values.first(nodes.size()), {.threads = 1});
     for (std::size_t i = 0; i < nodes.size(); ++i) values_[nodes[i]] = values[i];
@@ -123,9 +123,9 @@ Segment<T> OctreeSigns<T>::edge(std::size_t number, int level) const {
 
 template <std::floating_point T>
 void OctreeSigns<T>::countCrossingsOf(int level, std::span<const std::size_t> edges) {
-  Scratch<Box<T>, kBatch> boxes;
-  Scratch<BoxClass, kBatch> classes;
-  Scratch<std::size_t, kBatch> open;
+  Scratch<Box<T>, kSignBatch> boxes;
+  Scratch<BoxClass, kSignBatch> classes;
+  Scratch<std::size_t, kSignBatch> open;
   std::size_t opened = 0;
   for (const auto number : edges) {
     if (edges_[number].load(std::memory_order_relaxed) != kToClassify) continue;

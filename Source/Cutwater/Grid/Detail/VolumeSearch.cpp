@@ -12,12 +12,12 @@ namespace cutwater::detail {
 namespace {
 
 /// Small enough that a batch's scratch memory fits the L1 and L2 caches.
-constexpr std::size_t kBatch = 256;
+constexpr std::size_t kVolumeBatch = 256;
 /// Cells that are divided at once.
 constexpr std::size_t kChunk = 8192;
 
 /// Relative error of sums of cell volumes, batch by batch.
-constexpr double kSumError = kVolumeError + kBatch * 0x1p-53 + 0x1p-52;
+constexpr double kSumError = kVolumeError + kVolumeBatch * 0x1p-53 + 0x1p-52;
 
 }  // namespace
 
@@ -108,9 +108,9 @@ void VolumeSearch<T>::classifyChildren(std::span<const OpenCell> parents) {
   const auto count = parents.size() * static_cast<std::size_t>(grid_.children());
   classes_.resize(count);
   hints_.resize(count);
-  decided_.assign((count + kBatch - 1) / kBatch, {});
+  decided_.assign((count + kVolumeBatch - 1) / kVolumeBatch, {});
   parallelBatches(
-      count, kBatch, {.threads = options_.threads},
+      count, kVolumeBatch, {.threads = options_.threads},
       [&](std::size_t first, std::size_t batch) { classifyBatch(parents, first, batch); });
   // Added in order, whichever thread classified them.
   for (const auto& batch : decided_) {
@@ -124,7 +124,7 @@ template <std::floating_point T>
 void VolumeSearch<T>::classifyBatch(std::span<const OpenCell> parents, std::size_t first,
                                     std::size_t count) {
   const auto children = static_cast<std::size_t>(grid_.children());
-  Scratch<Box<T>, kBatch> boxes;
+  Scratch<Box<T>, kVolumeBatch> boxes;
   for (std::size_t i = 0; i < count; ++i) {
     boxes[i] = childBox(parents, first + i);
     hints_[first + i] = parents[(first + i) / children].hint;
@@ -132,7 +132,7 @@ void VolumeSearch<T>::classifyBatch(std::span<const OpenCell> parents, std::size
   const auto classes = std::span(classes_).subspan(first, count);
   solid_.classify(boxes.first(count), classes, std::span(hints_).subspan(first, count),
                   {.threads = 1});
-  auto& decided = decided_[first / kBatch];
+  auto& decided = decided_[first / kVolumeBatch];
   for (std::size_t i = 0; i < count; ++i) {
     if (classes[i] == BoxClass::Inside) decided.inside += volumeOf(boxes[i]);
     if (classes[i] == BoxClass::Outside) decided.outside += volumeOf(boxes[i]);
@@ -173,10 +173,10 @@ bool VolumeSearch<T>::isWithinTolerance() const {
 
 template <std::floating_point T>
 void VolumeSearch<T>::estimate(std::size_t count, FunctionRef<Box<T>(std::size_t)> cellOf) {
-  std::vector<double> parts((count + kBatch - 1) / kBatch);
-  parallelBatches(count, kBatch, {.threads = options_.threads},
+  std::vector<double> parts((count + kVolumeBatch - 1) / kVolumeBatch);
+  parallelBatches(count, kVolumeBatch, {.threads = options_.threads},
                   [&](std::size_t first, std::size_t batch) {
-                    parts[first / kBatch] = estimateBatch(first, batch, cellOf);
+                    parts[first / kVolumeBatch] = estimateBatch(first, batch, cellOf);
                   });
   for (const double part : parts) estimated_ += part;
 }
@@ -184,8 +184,8 @@ void VolumeSearch<T>::estimate(std::size_t count, FunctionRef<Box<T>(std::size_t
 template <std::floating_point T>
 double VolumeSearch<T>::estimateBatch(std::size_t first, std::size_t count,
                                       FunctionRef<Box<T>(std::size_t)> cellOf) const {
-  Scratch<Vec3<T>, kBatch> centers;
-  Scratch<T, kBatch> values;
+  Scratch<Vec3<T>, kVolumeBatch> centers;
+  Scratch<T, kVolumeBatch> values;
   for (std::size_t i = 0; i < count; ++i) centers[i] = cellOf(first + i).center();
   solid_.signedDistances(centers.first(count), values.first(count), {.threads = 1});
   double sum = 0;

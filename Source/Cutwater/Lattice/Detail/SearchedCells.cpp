@@ -37,7 +37,7 @@ SearchedCells<T>::SearchedCells(const UnitCell& cell, const Repeats<T>& cells) {
       box.extend(Vec3<T>(a)).extend(Vec3<T>(b));
       struts.push_back({StrutAxis<T>(a, b), Vec3<T>(times(strut.middle(), period)), i});
     }
-    groups_.push_back({Tiles<T>({cells.period, count}, box), std::move(struts)});
+    groups_.push_back({Copies<T>({cells.period, count}, box), std::move(struts)});
   }
 }
 
@@ -50,9 +50,9 @@ SkeletonPoint<T> SearchedCells<T>::nearest(const Vec3<T>& p) const {
     return gapSquared < least * (1 - 8 * std::numeric_limits<T>::epsilon());
   };
   for (const auto& group : groups_) {
-    const auto& tiles = group.tiles;
-    tiles.outwards(p, isNear, [&](const Vec3<T>& cell) {
-      const auto local = tiles.seenFrom(cell, p);
+    const auto& copies = group.copies;
+    copies.outwards(p, isNear, [&](const Vec3<T>& cell) {
+      const auto local = copies.seenFrom(cell, p);
       for (const auto& strut : group.struts) {
         const auto away = strut.axis.awayFrom(local);
         const T squared = lengthSquared(away);
@@ -60,7 +60,7 @@ SkeletonPoint<T> SearchedCells<T>::nearest(const Vec3<T>& p) const {
         least = squared;
         best.away = away;
         best.strut = strut.strut;
-        best.middle = tiles.placeOf(cell) + strut.middle;
+        best.middle = copies.placeOf(cell) + strut.middle;
       }
     });
   }
@@ -71,7 +71,7 @@ SkeletonPoint<T> SearchedCells<T>::nearest(const Vec3<T>& p) const {
 template <std::floating_point T>
 Box<T> SearchedCells<T>::box() const {
   Box<T> all;
-  for (const auto& group : groups_) all.extend(group.tiles.boxOfAll());
+  for (const auto& group : groups_) all.extend(group.copies.boxOfAll());
   return all;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Core/Detail/Tiles.hpp>
+#include <Cutwater/Core/Detail/Copies.hpp>
 #include <Cutwater/Lattice/Detail/Skeleton.hpp>
 #include <Cutwater/Lattice/UnitCell.hpp>
 
@@ -31,7 +31,7 @@ class SearchedCells {
   /// Struts that occur in equally many cells: those with midpoints in lower faces, which are the
   /// upper faces of the previous cells, occur in one more along an axis.
   struct Group {
-    Tiles<T> tiles;
+    Copies<T> copies;
     std::vector<Strut> struts;
   };
 

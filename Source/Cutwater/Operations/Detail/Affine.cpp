@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Detail/DomainUnder.hpp>
+#include <Cutwater/Core/Detail/Epsilon.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Detail/Affine.hpp>
 
@@ -11,8 +12,7 @@ namespace cutwater {
 
 namespace {
 
-template <std::floating_point T>
-constexpr T kEps = std::numeric_limits<T>::epsilon();
+using detail::kEps;
 
 // Computed in this type and rounded to double or float, the inverse of a map that is not close to
 // singular is exact to the last place.

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/Epsilon.hpp>
 #include <Cutwater/Operations/Detail/DerivedGuarantee.hpp>
 #include <Cutwater/Operations/Detail/Inversion.hpp>
 
@@ -8,8 +9,8 @@ namespace cutwater {
 
 namespace {
 
-template <std::floating_point T>
-constexpr T kEps = std::numeric_limits<T>::epsilon();
+using detail::kEps;
+
 /// Any nearer to the origin, squares of image points would overflow.
 template <std::floating_point T>
 constexpr T kNearest = sizeof(T) == sizeof(float) ? T(0x1p-60) : T(0x1p-500);

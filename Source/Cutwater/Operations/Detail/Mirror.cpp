@@ -1,16 +1,10 @@
 #include <Cutwater/Core/Detail/DomainUnder.hpp>
+#include <Cutwater/Core/Detail/Epsilon.hpp>
 #include <Cutwater/Core/Detail/UnitVector.hpp>
 #include <Cutwater/Operations/Detail/Mirror.hpp>
 #include <Cutwater/Shapes/Detail/Arguments.hpp>
 
 namespace cutwater {
-
-namespace {
-
-template <std::floating_point T>
-constexpr T kEps = std::numeric_limits<T>::epsilon();
-
-}  // namespace
 
 namespace detail {
 

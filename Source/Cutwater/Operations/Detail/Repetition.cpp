@@ -8,24 +8,24 @@ namespace cutwater {
 
 template <std::floating_point T>
 Repetition<T>::Repetition(Solid<T> operand, const Repeats<T>& repeats)
-    : UnaryOperation<T>(std::move(operand)), tiles_(repeats, this->operand().boundingBox()) {
+    : UnaryOperation<T>(std::move(operand)), copies_(repeats, this->operand().boundingBox()) {
   checkArguments();
   deriveGuarantee();
 }
 
 template <std::floating_point T>
 void Repetition<T>::checkArguments() const {
-  const auto& [period, counts] = tiles_.repeats();
-  const auto& box = tiles_.box();
+  const auto& [period, counts] = copies_.repeats();
+  const auto& box = copies_.box();
   require(isFinite(period) && period.x >= 0 && period.y >= 0 && period.z >= 0 &&
               maxComponent(period) > 0,
           "repeated: need finite periods, none negative and one positive", Named{"period", period});
   double overlapping = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const auto count = counts[static_cast<std::size_t>(axis)];
-    require(tiles_.isRepeated(axis) || count <= 1, "repeated: need a period for several copies",
+    require(copies_.isRepeated(axis) || count <= 1, "repeated: need a period for several copies",
             Named{"axis", axis}, Named{"count", count});
-    if (!tiles_.isRepeated(axis) || count == 1 || box.empty()) continue;
+    if (!copies_.isRepeated(axis) || count == 1 || box.empty()) continue;
     const T size = box.upper[axis] - box.lower[axis];
     require(std::isfinite(size), "repeated: need a bounding box that is finite along the axis",
             Named{"axis", axis});
@@ -52,7 +52,7 @@ void Repetition<T>::deriveGuarantee() {
   if (isClamped_ && guarantee_.lipschitz) {
     guarantee_.lipschitz = std::max(*guarantee_.lipschitz, T(1));
   }
-  if (tiles_.box().empty()) {  // neighbours are not compared
+  if (copies_.box().empty()) {  // neighbours are not compared
     guarantee_.lipschitz.reset();
     guarantee_.continuous = false;
   }
@@ -60,17 +60,17 @@ void Repetition<T>::deriveGuarantee() {
 
   // In the nearest copy's frame, the point is no farther from the origin than before, or than a
   // period.
-  const auto& box = tiles_.box();
+  const auto& box = copies_.box();
   T size = 0;
   for (int axis = 0; axis < 3 && !box.empty(); ++axis) {
-    const T period = tiles_.repeats().period[axis];
-    const auto count = tiles_.repeats().count[static_cast<std::size_t>(axis)];
+    const T period = copies_.repeats().period[axis];
+    const auto count = copies_.repeats().count[static_cast<std::size_t>(axis)];
     size += period * (static_cast<T>(count) + 1);
     for (const T side : {box.lower[axis], box.upper[axis]}) {
       if (std::isfinite(side)) size += 2 * std::abs(side);
     }
     const T gap = period - (box.upper[axis] - box.lower[axis]);
-    if (tiles_.isRepeated(axis) && count != 1 && !(gap > 4 * guarantee_.error(size))) {
+    if (copies_.isRepeated(axis) && count != 1 && !(gap > 4 * guarantee_.error(size))) {
       guarantee_.inside = std::min(guarantee_.inside, Quality::LowerBound);
     }
   }
@@ -80,26 +80,26 @@ void Repetition<T>::deriveGuarantee() {
 
 template <std::floating_point T>
 T Repetition<T>::valueFrom(const Vec3<T>& local, T value) const {
-  if (!isClamped_ || tiles_.box().empty()) return value;
-  const T gap = length(tiles_.gaps(local));
+  if (!isClamped_ || copies_.box().empty()) return value;
+  const T gap = length(copies_.gaps(local));
   return gap > 0 && value < gap ? gap : value;
 }
 
 template <std::floating_point T>
 auto Repetition<T>::decide(const Vec3<T>& p, const Decision& central) const -> Decision {
   Decision best = central;
-  const auto& box = tiles_.box();
+  const auto& box = copies_.box();
   if (box.empty()) return best;
-  const Vec3<T> start = tiles_.seenFrom(central.copy, p);
+  const Vec3<T> start = copies_.seenFrom(central.copy, p);
   const T farthest = stretch_ * length(max(abs(start - box.lower), abs(box.upper - start)));
   // Whether a copy at least this far away may have the least value, apart from rounding.
   const auto mayDecide = [&](T gapSquared) {
     const T limit = std::max(std::min(best.value, farthest), T(0));
     return gapSquared <= limit * limit;
   };
-  tiles_.outwards(p, central.copy, mayDecide, [&](const Vec3<T>& copy) {
+  copies_.outwards(p, central.copy, mayDecide, [&](const Vec3<T>& copy) {
     if (copy == central.copy) return;
-    const auto local = tiles_.seenFrom(copy, p);
+    const auto local = copies_.seenFrom(copy, p);
     const T value = valueFrom(local, this->operand().signedDistance(local));
     if (value < best.value) best = {copy, value};
   });
@@ -110,8 +110,8 @@ auto Repetition<T>::decide(const Vec3<T>& p, const Decision& central) const -> D
 
 template <std::floating_point T>
 auto Repetition<T>::decide(const Vec3<T>& p) const -> Decision {
-  const auto copy = tiles_.central(p);
-  const auto local = tiles_.seenFrom(copy, p);
+  const auto copy = copies_.central(p);
+  const auto local = copies_.seenFrom(copy, p);
   return decide(p, {copy, valueFrom(local, this->operand().signedDistance(local))});
 }
 
@@ -123,14 +123,14 @@ T Repetition<T>::localSignedDistance(const Vec3<T>& p) const {
 template <std::floating_point T>
 void Repetition<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                          std::span<T> distances) const {
-  const auto local = [this](const Vec3<T>& p) { return tiles_.seenFrom(tiles_.central(p), p); };
+  const auto local = [this](const Vec3<T>& p) { return copies_.seenFrom(copies_.central(p), p); };
   this->forImages(points, local, [&](std::span<const Vec3<T>> locals, std::size_t first) {
     const auto here = points.subspan(first, locals.size());
     const auto values = distances.subspan(first, locals.size());
     this->operandValues(locals, values);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const T value = valueFrom(locals[i], values[i]);
-      values[i] = decide(here[i], {tiles_.central(here[i]), value}).value;
+      values[i] = decide(here[i], {copies_.central(here[i]), value}).value;
     }
   });
 }
@@ -138,10 +138,10 @@ void Repetition<T>::localSignedDistances(std::span<const Vec3<T>> points,
 template <std::floating_point T>
 Vec3<T> Repetition<T>::localGradient(const Vec3<T>& p) const {
   const auto decision = decide(p);
-  const auto local = tiles_.seenFrom(decision.copy, p);
-  const auto& box = tiles_.box();
+  const auto local = copies_.seenFrom(decision.copy, p);
+  const auto& box = copies_.box();
   if (isClamped_ && !box.empty() && decision.value > 0 &&
-      decision.value == length(tiles_.gaps(local))) {
+      decision.value == length(copies_.gaps(local))) {
     return normalized(local - max(box.lower, min(box.upper, local)));
   }
   return this->operand().gradient(local);
@@ -150,8 +150,8 @@ Vec3<T> Repetition<T>::localGradient(const Vec3<T>& p) const {
 template <std::floating_point T>
 SurfacePoint<T> Repetition<T>::localClosestPoint(const Vec3<T>& p) const {
   const auto decision = decide(p);
-  auto found = this->operand().closestPoint(tiles_.seenFrom(decision.copy, p));
-  found.point += tiles_.placeOf(decision.copy);
+  auto found = this->operand().closestPoint(copies_.seenFrom(decision.copy, p));
+  found.point += copies_.placeOf(decision.copy);
   const T residual = localSignedDistance(found.point);
   if (!(std::abs(residual) <= guarantee_.error(length(p) + length(found.point)))) {
     return SignedDistanceFunction<T>::localClosestPoint(p);
@@ -163,18 +163,18 @@ SurfacePoint<T> Repetition<T>::localClosestPoint(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 SurfaceOwner Repetition<T>::localOwner(const Vec3<T>& p) const {
-  return this->operand().owner(tiles_.seenFrom(decide(p).copy, p));
+  return this->operand().owner(copies_.seenFrom(decide(p).copy, p));
 }
 
 template <std::floating_point T>
 Box<T> Repetition<T>::localBoundingBox() const {
-  return guarantee_.grown(tiles_.boxOfAll());
+  return guarantee_.grown(copies_.boxOfAll());
 }
 
 template <std::floating_point T>
 Box<T> Repetition<T>::localClearanceBox() const {
   // Values less than the distance to a copy's bounding box are replaced by it.
-  return tiles_.box().empty() ? Box<T>::everywhere() : localBoundingBox();
+  return copies_.box().empty() ? Box<T>::everywhere() : localBoundingBox();
 }
 
 template class Repetition<float>;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Core/Detail/Tiles.hpp>
+#include <Cutwater/Core/Detail/Copies.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 
 namespace cutwater {
@@ -56,7 +56,7 @@ class Repetition final : public UnaryOperation<T> {
   [[nodiscard]] Decision decide(const Vec3<T>& p, const Decision& central) const;
   [[nodiscard]] Decision decide(const Vec3<T>& p) const;
 
-  detail::Tiles<T> tiles_;  // of the operand's box
+  detail::Copies<T> copies_;  // of the operand's box
   Guarantee<T> guarantee_;
   T stretch_ = 1;  // no value is more than this many times the distance
   bool isClamped_ = false;

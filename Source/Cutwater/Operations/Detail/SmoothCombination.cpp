@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Detail/Batches.hpp>
+#include <Cutwater/Core/Detail/Epsilon.hpp>
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Operations/Detail/DerivedGuarantee.hpp>
@@ -13,6 +14,8 @@
 namespace cutwater {
 
 namespace {
+
+using detail::kEps;
 
 /// A value and its operand; ordered by both.
 template <std::floating_point T>
@@ -51,9 +54,6 @@ class FewLeast {
 
 template <std::floating_point T>
 constexpr T kInf = std::numeric_limits<T>::infinity();
-template <std::floating_point T>
-constexpr T kEps = std::numeric_limits<T>::epsilon();
-
 constexpr auto kIgnore = [](std::size_t, auto) {};
 
 /// What is known about this many operands is kept on the stack.

@@ -8,9 +8,9 @@ namespace cutwater::detail {
 namespace {
 
 /// Visitor that CGAL calls for every facet it processes; throws when the time is up.
-class Watch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor {
+class WrapWatch : public CGAL::Alpha_wraps_3::internal::Wrapping_default_visitor {
  public:
-  explicit Watch(const Deadline& deadline) : deadline_(&deadline) {}
+  explicit WrapWatch(const Deadline& deadline) : deadline_(&deadline) {}
 
   template <typename Wrapper, typename Gate>
   void before_facet_treatment(const Wrapper&, const Gate&) {
@@ -29,7 +29,7 @@ PolygonSoup alphaWrap(const PolygonSoup& triangles, double alpha, double offset,
                       const Deadline& deadline) {
   CgalMesh wrap;
   callCgal("wrap", [&] {
-    Watch watch(deadline);
+    WrapWatch watch(deadline);
     CGAL::alpha_wrap_3(cgalPoints(triangles.points), cgalTriangles(triangles), alpha, offset, wrap,
                        CGAL::parameters::default_values(),
                        CGAL::parameters::visitor(std::ref(watch)));

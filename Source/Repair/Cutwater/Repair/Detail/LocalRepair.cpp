@@ -11,9 +11,10 @@ namespace {
 namespace Processing = CGAL::Polygon_mesh_processing;
 
 /// Visitor that CGAL queries before every part that it repairs.
-class Watch : public Processing::experimental::Remove_self_intersection_default_visitor<CgalMesh> {
+class RepairWatch
+    : public Processing::experimental::Remove_self_intersection_default_visitor<CgalMesh> {
  public:
-  explicit Watch(const Deadline& deadline) : deadline_(&deadline) {}
+  explicit RepairWatch(const Deadline& deadline) : deadline_(&deadline) {}
   [[nodiscard]] bool stop() const { return deadline_->isOver(); }
 
  private:
@@ -34,7 +35,7 @@ PolygonSoup withoutSelfIntersections(const PolygonSoup& triangles, int rounds,
     Processing::polygon_soup_to_polygon_mesh(cgalPoints(triangles.points), faces, mesh);
     Processing::experimental::remove_self_intersections(
         mesh, CGAL::parameters::number_of_iterations(rounds).preserve_genus(false).visitor(
-                  Watch(deadline)));
+                  RepairWatch(deadline)));
   });
   return soupOf(mesh);
 }

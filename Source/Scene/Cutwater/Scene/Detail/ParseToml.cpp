@@ -39,7 +39,7 @@ void failAt(const std::string& file, std::uint64_t line, const std::string& mess
 
 namespace {
 
-constexpr int kMostNested = 8;  // a solid is a table of lists of lists of points
+constexpr int kMostTomlLevels = 8;  // a solid is a table of lists of lists of points
 constexpr std::size_t kMostDots = 16;
 
 /// Whether a dot separates the digits of one number.
@@ -91,7 +91,7 @@ class Conversion {
  private:
   [[nodiscard]] SceneValue value(const toml::node& node, int depth) const {
     const std::uint64_t line = node.source().begin.line;
-    if (depth == kMostNested) failAt(file_, line, "lists and tables are nested too deeply");
+    if (depth == kMostTomlLevels) failAt(file_, line, "lists and tables are nested too deeply");
     if (const auto* flag = node.as_boolean()) return {flag->get(), line};
     if (const auto* text = node.as_string()) return {text->get(), line};
     if (const auto* real = node.as_floating_point()) return {real->get(), line};

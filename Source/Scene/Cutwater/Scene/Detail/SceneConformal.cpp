@@ -12,7 +12,6 @@ namespace {
 
 using enum KeyType;
 using Record = SceneRecord;
-using SceneSolid = cutwater::Solid<double>;
 
 SceneKey length() {
   return {"length", Positive, "along z, from 0; none: the spine's", kOptional};

@@ -6,6 +6,8 @@
 
 namespace cutwater::scene {
 
+using SceneSolid = Solid<double>;
+
 class SceneRecord;
 struct SceneForm;
 
@@ -54,7 +56,7 @@ struct SceneForm {
   std::string name;
   std::string meaning;
   std::vector<SceneKey> keys;
-  Solid<double> (*make)(const SceneRecord&) = nullptr;
+  SceneSolid (*make)(const SceneRecord&) = nullptr;
   /// The key whose value, the form's name, identifies the form: shape = "torus". If empty, the form
   /// is identified by its first key.
   std::string kindKey = {};
@@ -84,6 +86,6 @@ const std::vector<SceneForms>& allSceneForms();
 /// The keys that every solid takes, ...
 const std::vector<SceneKey>& commonKeys();
 /// ... and their effect.
-Solid<double> placed(Solid<double> solid, const SceneRecord& record);
+SceneSolid placed(SceneSolid solid, const SceneRecord& record);
 
 }  // namespace cutwater::scene

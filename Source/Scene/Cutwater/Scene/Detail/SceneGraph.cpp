@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kSelectionKey = "solid";
 // Queries descend an expression by recursive calls, and a solid that is named twice is queried
 // twice: after 50 unions, each of the one before with itself, that makes 2^50 queries.
-constexpr std::size_t kMostNested = 100;
+constexpr std::size_t kMostSolidLevels = 100;
 constexpr std::size_t kMostPieces = 65536;
 
 std::vector<const SceneForm*> formsOfSolids() {
@@ -80,7 +80,7 @@ std::size_t SceneGraph::indexOf(const std::string& name, std::uint64_t line) con
 void SceneGraph::measure(std::size_t index, std::vector<std::size_t>& path) {
   auto& item = items_[index];
   if (item.depth > 0) return;
-  if (path.size() == kMostNested) failLimit(item, "solids are nested more than 100 deep");
+  if (path.size() == kMostSolidLevels) failLimit(item, "solids are nested more than 100 deep");
   path.push_back(index);
   std::size_t depth = 1;
   std::size_t pieces = item.references.empty() ? 1 : 0;
@@ -92,7 +92,7 @@ void SceneGraph::measure(std::size_t index, std::vector<std::size_t>& path) {
     const auto& operand = items_[reference.item];
     depth = std::max(depth, operand.depth + 1);
     pieces += operand.pieces * item.record.form().operandCopies;
-    if (depth > kMostNested) failLimit(item, "solids are nested more than 100 deep");
+    if (depth > kMostSolidLevels) failLimit(item, "solids are nested more than 100 deep");
     if (pieces > kMostPieces) failLimit(item, "it is made of more than 65536 solids");
   }
   path.pop_back();
@@ -121,7 +121,7 @@ std::string SceneGraph::at(const Item& item) const {
          text::shortened(item.name) + "]: ";
 }
 
-Solid<double> SceneGraph::make(const std::string& name) {
+SceneSolid SceneGraph::make(const std::string& name) {
   const auto found = indices_.find(name);
   if (!name.empty() && found == indices_.end()) {
     throw Error(ErrorKind::Argument, context_.file + ": there is no solid " + text::inQuotes(name) +

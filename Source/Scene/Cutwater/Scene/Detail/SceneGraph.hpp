@@ -20,7 +20,7 @@ class SceneGraph {
   /// last.
   /// @throws Error(Argument) if there is no solid of this name; whatever the solid's own
   /// constructor throws, with the line.
-  [[nodiscard]] Solid<double> make(const std::string& name);
+  [[nodiscard]] SceneSolid make(const std::string& name);
 
  private:
   struct Reference {

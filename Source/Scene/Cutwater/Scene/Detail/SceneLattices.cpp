@@ -12,7 +12,6 @@ namespace {
 
 using enum KeyType;
 using Record = SceneRecord;
-using SceneSolid = cutwater::Solid<double>;
 
 const std::string kReentrant = "re-entrant";
 

@@ -8,7 +8,6 @@ namespace {
 
 using enum KeyType;
 using Record = SceneRecord;
-using SceneSolid = cutwater::Solid<double>;
 
 /// Keys of a smooth union, intersection or difference.
 std::vector<SceneKey> withFillet(SceneKey operands) {

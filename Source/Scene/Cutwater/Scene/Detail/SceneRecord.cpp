@@ -229,12 +229,12 @@ std::vector<std::vector<Vec2<double>>> SceneRecord::outlines(std::string_view ke
   return result;
 }
 
-const Solid<double>& SceneRecord::solid(std::string_view key) const {
+const SceneSolid& SceneRecord::solid(std::string_view key) const {
   return context_->solids.find(text(key))->second;
 }
 
-std::vector<Solid<double>> SceneRecord::solids(std::string_view key) const {
-  std::vector<Solid<double>> result;
+std::vector<SceneSolid> SceneRecord::solids(std::string_view key) const {
+  std::vector<SceneSolid> result;
   for (const auto& name : *valueOf(key).as<SceneValue::List>()) {
     result.push_back(context_->solids.find(*name.as<std::string>())->second);
   }

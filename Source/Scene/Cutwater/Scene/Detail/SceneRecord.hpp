@@ -14,10 +14,10 @@ namespace cutwater::scene {
 
 /// Context shared by the tables of one file.
 struct SceneContext {
-  std::string file;                                          ///< its name in messages
-  std::filesystem::path folder;                              ///< file names are relative to it
-  std::uint64_t maxBeams = 0;                                ///< of conformal cells
-  std::map<std::string, Solid<double>, std::less<>> solids;  ///< solids made so far
+  std::string file;                                       ///< its name in messages
+  std::filesystem::path folder;                           ///< file names are relative to it
+  std::uint64_t maxBeams = 0;                             ///< of conformal cells
+  std::map<std::string, SceneSolid, std::less<>> solids;  ///< solids made so far
   std::map<std::string, const SceneRecord*, std::less<>> records;  ///< of all solids
 };
 
@@ -55,8 +55,8 @@ class SceneRecord {
   [[nodiscard]] std::array<Vec3<double>, 3> columns(std::string_view key) const;
   [[nodiscard]] std::vector<Vec2<double>> outline(std::string_view key) const;
   [[nodiscard]] std::vector<std::vector<Vec2<double>>> outlines(std::string_view key) const;
-  [[nodiscard]] const Solid<double>& solid(std::string_view key) const;
-  [[nodiscard]] std::vector<Solid<double>> solids(std::string_view key) const;
+  [[nodiscard]] const SceneSolid& solid(std::string_view key) const;
+  [[nodiscard]] std::vector<SceneSolid> solids(std::string_view key) const;
   /// The limit from the options of readScene().
   [[nodiscard]] std::uint64_t maxBeams() const { return context_->maxBeams; }
   /// The table of the solid that the key names.

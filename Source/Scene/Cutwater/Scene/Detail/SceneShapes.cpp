@@ -30,7 +30,6 @@ namespace {
 using enum KeyType;
 using Record = SceneRecord;
 using Keys = std::vector<SceneKey>;
-using SceneSolid = cutwater::Solid<double>;
 
 const std::string kOrigin = "[0, 0, 0]";
 const std::string kAlongZ = "[0, 0, 1]";

@@ -9,7 +9,6 @@ namespace {
 
 using enum KeyType;
 using Record = SceneRecord;
-using SceneSolid = cutwater::Solid<double>;
 
 std::vector<SceneKey> cleaningKeys() {
   return {{"clean", Flag, "whether to put it in order first, as told below", "false"},

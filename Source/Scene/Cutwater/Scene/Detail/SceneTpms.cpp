@@ -11,7 +11,6 @@ namespace {
 
 using enum KeyType;
 using Record = SceneRecord;
-using SceneSolid = cutwater::Solid<double>;
 
 const std::vector<TpmsPattern>& allPatterns() {
   static const auto kPatterns = TpmsPattern::all();
@@ -192,7 +191,7 @@ MetricWall<double> evenWall(const Record& r) {
 
 SceneForm evenWallForm() {
   return {.name = "even_wall",
-          .meaning = "A wall as thick everywhere: all points near the surface F = 0.",
+          .meaning = "A wall of even thickness: all points near the surface F = 0.",
           .keys = {patternKey("even_wall", "the pattern F"),
                    {"cell", Positive, "the side of a cubic cell"},
                    {.name = "half_thickness",

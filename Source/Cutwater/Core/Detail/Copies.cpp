@@ -1,11 +1,11 @@
-#include <Cutwater/Core/Detail/Tiles.hpp>
+#include <Cutwater/Core/Detail/Copies.hpp>
 
 #include <cmath>
 
 namespace cutwater::detail {
 
 template <std::floating_point T>
-Vec3<T> Tiles<T>::central(const Vec3<T>& p) const {
+Vec3<T> Copies<T>::central(const Vec3<T>& p) const {
   Vec3<T> copy;
   for (int axis = 0; axis < 3; ++axis) {
     const auto count = repeats_.count[static_cast<std::size_t>(axis)];
@@ -18,7 +18,7 @@ Vec3<T> Tiles<T>::central(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
-Box<T> Tiles<T>::boxOfAll() const {
+Box<T> Copies<T>::boxOfAll() const {
   auto result = box_;
   if (result.empty()) return result;
   for (int axis = 0; axis < 3; ++axis) {
@@ -34,7 +34,7 @@ Box<T> Tiles<T>::boxOfAll() const {
   return result;
 }
 
-template class Tiles<float>;
-template class Tiles<double>;
+template class Copies<float>;
+template class Copies<double>;
 
 }  // namespace cutwater::detail

@@ -12,10 +12,10 @@ namespace cutwater::detail {
 /// Positions of copies, and which of them may be nearest to a point. Each copy lies in the
 /// original's box moved by multiples of the period; these multiples identify it.
 template <std::floating_point T>
-class Tiles {
+class Copies {
  public:
   /// `box`: that of the original. If it is empty, none of the following gives anything sensible.
-  Tiles(const Repeats<T>& repeats, const Box<T>& box) : repeats_(repeats), box_(box) {}
+  Copies(const Repeats<T>& repeats, const Box<T>& box) : repeats_(repeats), box_(box) {}
 
   [[nodiscard]] const Repeats<T>& repeats() const { return repeats_; }
   [[nodiscard]] const Box<T>& box() const { return box_; }
@@ -80,8 +80,8 @@ class Tiles {
 
 template <std::floating_point T>
 template <typename IsNear, typename Visit>
-void Tiles<T>::outwards(const Vec3<T>& p, const Vec3<T>& start, IsNear&& isNear,
-                        Visit&& visit) const {
+void Copies<T>::outwards(const Vec3<T>& p, const Vec3<T>& start, IsNear&& isNear,
+                         Visit&& visit) const {
   // The start is the nearest along each axis.
   const T leastZ = gapSquared(p, 2, start.z);
   const T leastYZ = gapSquared(p, 1, start.y) + leastZ;
@@ -102,7 +102,7 @@ void Tiles<T>::outwards(const Vec3<T>& p, const Vec3<T>& start, IsNear&& isNear,
   });
 }
 
-extern template class Tiles<float>;
-extern template class Tiles<double>;
+extern template class Copies<float>;
+extern template class Copies<double>;
 
 }  // namespace cutwater::detail
