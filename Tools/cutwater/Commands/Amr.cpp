@@ -27,7 +27,7 @@ namespace cutwater::tool {
 
 namespace {
 
-struct Options {
+struct AmrSettings {
   SurfaceOptions surface;
   std::string output;
   MeshOptions mesh;
@@ -43,7 +43,7 @@ struct Seconds {
   double file = 0;
 };
 
-void report(const Options& options, const Octree<double>& mesh, std::uint64_t sum,
+void report(const AmrSettings& options, const Octree<double>& mesh, std::uint64_t sum,
             const Seconds& seconds) {
   const auto count = mesh.cells().size();
   std::error_code ignored;  // as for a pipe
@@ -119,7 +119,7 @@ void reportFeatures(const SignedDistanceFunction<double>& solid, const Octree<do
   }
 }
 
-void run(const Options& options) {
+void run(const AmrSettings& options) {
   const int threads = options.surface.threads;
   const bool isShown = !options.surface.quiet;
   Seconds seconds;
@@ -158,7 +158,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addAmr(Program& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AmrSettings>();
   auto command = program.addCommand(
       "amr", "Build an octree mesh around the surface, as a VTK grid that ParaView opens");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);

@@ -9,13 +9,13 @@ namespace cutwater::tool {
 
 namespace {
 
-struct Options {
+struct ConvertSettings {
   SurfaceOptions surface;
   std::string output;
   WriteOptions write;
 };
 
-void run(const Options& options) {
+void run(const ConvertSettings& options) {
   const auto surface = asWritten(options.output, load(options.surface).soup, options.write);
   writeSurface(options.output, surface.soup, options.write);
   if (options.surface.quiet) return;
@@ -25,7 +25,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addConvert(Program& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertSettings>();
   auto command = program.addCommand(
       "convert", "Write a surface in another format, or moved, scaled and welded");
   addSurfaceOptions(command, options->surface);

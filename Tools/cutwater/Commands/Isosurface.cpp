@@ -21,7 +21,7 @@ namespace cutwater::tool {
 
 namespace {
 
-struct Options {
+struct IsosurfaceSettings {
   SurfaceOptions surface;
   std::string output;
   GridRequest grid;
@@ -51,7 +51,7 @@ PolygonSoup triangles(const Solid<double>& solid, const GridPatch<double>& grid,
   }
 }
 
-void run(Options options) {
+void run(IsosurfaceSettings options) {
   const auto solid = loadSolid(options.surface);
   options.grid.nodes = true;
   const auto grid = gridAround(boxAround(solid), options.grid);
@@ -81,7 +81,7 @@ void run(Options options) {
 }  // namespace
 
 void addIsosurface(Program& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<IsosurfaceSettings>();
   auto command = program.addCommand(
       "isosurface", "Make a closed surface of triangles from what is inside, by a grid");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);

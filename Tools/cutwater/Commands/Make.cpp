@@ -19,7 +19,7 @@ namespace cutwater::tool {
 
 namespace {
 
-struct Options {
+struct MakeSettings {
   std::string shape;
   std::string output;
   double radius = 1;
@@ -44,28 +44,28 @@ int partsOfCap(int parts) {
   return std::max(parts / 4, 2);
 }
 
-PolygonSoup makeSphere(const Options& o) {
+PolygonSoup makeSphere(const MakeSettings& o) {
   return tessellation::icosphere(o.radius, subdivisionsFor(o.parts));
 }
-PolygonSoup makeEllipsoid(const Options& o) {
+PolygonSoup makeEllipsoid(const MakeSettings& o) {
   auto soup = tessellation::icosphere(0.5, subdivisionsFor(o.parts));
   soup.patchNames = {"ellipsoid"};
   for (auto& p : soup.points) p = {o.size.x * p.x, o.size.y * p.y, o.size.z * p.z};
   return soup;
 }
-PolygonSoup makeBox(const Options& o) {
+PolygonSoup makeBox(const MakeSettings& o) {
   return tessellation::box(-0.5 * o.size, 0.5 * o.size);
 }
-PolygonSoup makeTorus(const Options& o) {
+PolygonSoup makeTorus(const MakeSettings& o) {
   return tessellation::torus(o.radius, o.minor, o.parts, partsOfTube(o.parts));
 }
-PolygonSoup makeCylinder(const Options& o) {
+PolygonSoup makeCylinder(const MakeSettings& o) {
   return tessellation::cylinder(o.radius, o.height, o.parts);
 }
-PolygonSoup makeCone(const Options& o) {
+PolygonSoup makeCone(const MakeSettings& o) {
   return tessellation::cone(o.radius, o.height, o.parts);
 }
-PolygonSoup makeCapsule(const Options& o) {
+PolygonSoup makeCapsule(const MakeSettings& o) {
   return tessellation::capsule(o.radius, o.height, o.parts, partsOfCap(o.parts));
 }
 
@@ -84,7 +84,7 @@ double fewTriangles(int parts) {
 }
 
 struct Shape {
-  PolygonSoup (*make)(const Options&);
+  PolygonSoup (*make)(const MakeSettings&);
   double (*triangles)(int parts);
   std::vector<std::string> options;  ///< that it has, of those for shapes
 };
@@ -111,7 +111,7 @@ std::string withArticle(const std::string& noun) {
   return (noun.front() == 'e' ? "an " : "a ") + noun;
 }
 
-void requireOptionsOf(const Options& options, Command command) {
+void requireOptionsOf(const MakeSettings& options, Command command) {
   const auto& shape = shapes().at(options.shape);
   for (const char* name : {"--radius", "--minor", "--height", "--size", "--parts"}) {
     if (!command.isGiven(name) || std::ranges::count(shape.options, name) > 0) continue;
@@ -130,7 +130,7 @@ void requireOptionsOf(const Options& options, Command command) {
   }
 }
 
-void run(const Options& options) {
+void run(const MakeSettings& options) {
   const auto surface =
       asWritten(options.output, shapes().at(options.shape).make(options), options.write);
   writeSurface(options.output, surface.soup, options.write);
@@ -143,7 +143,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addMake(Program& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MakeSettings>();
   auto command = program.addCommand(
       "make", "Make the surface of a simple solid about the origin or the z axis, closed");
   command

@@ -14,14 +14,14 @@ namespace cutwater::tool {
 
 namespace {
 
-struct Options {
+struct PrepareSettings {
   SurfaceOptions surface;
   std::string output;
   bool inFloat = false;
 };
 
 template <std::floating_point T>
-void prepare(const Options& options, const MeshSDF<T>& solid, double seconds) {
+void prepare(const PrepareSettings& options, const MeshSDF<T>& solid, double seconds) {
   Stopwatch watch;
   solid.save(options.output, sourceHash(options.surface));
   const double secondsToWrite = watch.lap();
@@ -42,7 +42,7 @@ void requireOwnName(const std::string& path) {
   if (isOther) refuse("--output", path, "a name for a prepared file, such as FILE.cutwater");
 }
 
-void run(const Options& options) {
+void run(const PrepareSettings& options) {
   Stopwatch watch;
   if (options.inFloat) {
     const auto solid = loadMesh<float>(options.surface);
@@ -56,7 +56,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addPrepare(Program& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PrepareSettings>();
   auto command = program.addCommand(
       "prepare", "Build a surface's tree and signs once, as a file that is ready to be used");
   addSurfaceOptions(command, options->surface);

@@ -27,7 +27,7 @@ struct Cut {
   std::optional<CutPlane::Keep> keep;  // without it: the part farther from the viewer
 };
 
-struct Options {
+struct RenderSettings {
   SurfaceOptions surface;
   RenderOptions render;
   std::vector<Cut> cuts;
@@ -109,7 +109,7 @@ std::optional<Rgb> colorOf(const std::string& text) {
   return color;
 }
 
-void addCameraOptions(Command command, Options& options) {
+void addCameraOptions(Command command, RenderSettings& options) {
   auto& render = options.render;
   command.add("--view", "VIEW",
               "Where the viewer is: +x, -x, +y, -y, +z, -z, iso, or degrees from +x towards +y and "
@@ -132,7 +132,7 @@ void addCameraOptions(Command command, Options& options) {
                   options.solid);
 }
 
-void addLookOptions(Command command, Options& options) {
+void addLookOptions(Command command, RenderSettings& options) {
   auto& render = options.render;
   command.add(
       "--color", "patches|NAME",
@@ -146,7 +146,7 @@ void addLookOptions(Command command, Options& options) {
   command.addFlag("--transparent", "No background instead of a white one", render.transparent);
 }
 
-void run(Options options) {
+void run(RenderSettings options) {
   auto solid = loadSolid(options.surface);
   auto& render = options.render;
   const auto* const mesh = solid.as<MeshSDF<double>>();
@@ -187,7 +187,7 @@ void run(Options options) {
 }  // namespace
 
 void addRender(Program& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderSettings>();
   auto command = program.addCommand(
       "render", "Draw the surface as a PNG picture, shaded, with cuts and colours of patches");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);

@@ -22,7 +22,7 @@ namespace cutwater::tool {
 
 namespace {
 
-struct Options {
+struct RepairSettings {
   SurfaceOptions surface;
   std::string output;
   RepairOptions repair;
@@ -88,7 +88,7 @@ std::vector<Advice> adviceFor(const std::string& output, const std::vector<Defec
   return next;
 }
 
-RepairFacts repair(const Options& options) {
+RepairFacts repair(const RepairSettings& options) {
   const auto steps = stepsOf(options.repair);  // before any work, as an option may be wrong
   auto soup = load(options.surface).soup;
   const auto before = check(DcelMesh<double>(soup));
@@ -112,7 +112,7 @@ std::string volumeOf(const MeshReport& report) {
   return report.isClosed() ? number(report.volume) : "none: not closed";
 }
 
-std::string pageOf(const Options& options, const RepairFacts& facts) {
+std::string pageOf(const RepairSettings& options, const RepairFacts& facts) {
   Page page;
   for (const auto& step : facts.steps) {
     page.section(step.name + ", in " + duration(step.seconds));
@@ -135,7 +135,7 @@ std::string pageOf(const Options& options, const RepairFacts& facts) {
   return page.text();
 }
 
-std::string jsonOf(const Options& options, const RepairFacts& facts) {
+std::string jsonOf(const RepairSettings& options, const RepairFacts& facts) {
   Json steps = Json::array();
   for (const auto& step : facts.steps) {
     Json json{{"name", step.name}, {"seconds", step.seconds}};
@@ -161,7 +161,7 @@ std::string jsonOf(const Options& options, const RepairFacts& facts) {
   return json.text();
 }
 
-void run(const Options& options) {
+void run(const RepairSettings& options) {
   const auto facts = repair(options);
   if (options.requireWatertight && !facts.after.isSound()) {
     throw Error(ErrorKind::Topology,
@@ -180,7 +180,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addRepair(Program& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RepairSettings>();
   auto command = program.addCommand(
       "repair", "Clean a surface and close its openings, and say what was done and what is left");
   addSurfaceOptions(command, options->surface);

@@ -20,7 +20,7 @@ namespace cutwater::tool {
 
 namespace {
 
-struct Options {
+struct SampleSettings {
   SurfaceOptions surface;
   std::string output;
   GridRequest grid;
@@ -59,7 +59,7 @@ class Fields {
   std::vector<VtkArray> arrays_;
 };
 
-void report(const Options& options, const GridPatch<double>& grid, const Fields& fields,
+void report(const SampleSettings& options, const GridPatch<double>& grid, const Fields& fields,
             double seconds) {
   const auto& n = grid.indices;
   const std::string kind = options.grid.nodes ? "nodes" : "cells";
@@ -89,7 +89,7 @@ void requireMemory(const IndexBox& grid, const std::vector<std::string>& names) 
                                     " of memory; use fewer --cells");
 }
 
-void run(const Options& options) {
+void run(const SampleSettings& options) {
   const auto solid = loadSolid(options.surface);
   const auto grid = gridAround(boxAround(solid), options.grid);
   requireMemory(grid.indices, options.write);
@@ -108,7 +108,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addSample(Program& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SampleSettings>();
   auto command = program.addCommand(
       "sample", "Sample the signed distance on a grid, as a VTK image that ParaView opens");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);

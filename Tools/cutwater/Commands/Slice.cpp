@@ -9,7 +9,7 @@ namespace cutwater::tool {
 
 namespace {
 
-struct Options {
+struct SliceSettings {
   SurfaceOptions surface;
   PictureOptions picture;
 };
@@ -17,7 +17,7 @@ struct Options {
 }  // namespace
 
 void addSlice(Program& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SliceSettings>();
   auto command = program.addCommand(
       "slice", "Draw the signed distance in a plane, with the surface's outline, as a PNG picture");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
