@@ -11,16 +11,15 @@ using Record = SceneRecord;
 
 /// Keys of a smooth union, intersection or difference.
 std::vector<SceneKey> withFillet(SceneKey operands) {
-  return {
-      std::move(operands),
-      {"reach", NotNegative,
-       "how far surfaces feel each other where they meet, for a rounded edge; 0: a sharp one", "0"},
-      {"fillet",
-       Choice,
-       "the rounding's kind, of continuous normals, of continuous curvature, an arc of a "
-       "circle, or smooth everywhere",
-       "\"quadratic\"",
-       {"quadratic", "cubic", "circular", "exponential"}}};
+  return {std::move(operands),
+          {"reach", NotNegative,
+           "surfaces that meet are blended within about this distance; 0: a sharp edge", "0"},
+          {"fillet",
+           Choice,
+           "the rounding's kind, of continuous normals, of continuous curvature, an arc of a "
+           "circle, or smooth everywhere",
+           "\"quadratic\"",
+           {"quadratic", "cubic", "circular", "exponential"}}};
 }
 Smoothing<double> smoothingOf(const Record& r) {
   return {.reach = r.number("reach"), .kind = static_cast<SmoothKind>(r.choice("fillet"))};
