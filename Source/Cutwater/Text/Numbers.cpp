@@ -44,7 +44,9 @@ std::string exactly(double value) {
 }
 
 std::string point(const Vec3<double>& p, int digits) {
-  return "(" + number(p.x, digits) + ", " + number(p.y, digits) + ", " + number(p.z, digits) + ")";
+  std::string text = "(";
+  text += number(p.x, digits) + ", " + number(p.y, digits) + ", " + number(p.z, digits) + ")";
+  return text;
 }
 
 std::string listed(const std::vector<std::string>& words) {
