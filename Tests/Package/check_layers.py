@@ -25,6 +25,7 @@ MAY_INCLUDE = {
     "Lattice": "Core Simd Bvh Sdf Shapes Operations",
     "Tpms": "Core Simd Sdf Shapes Operations",
     "Grid": "Core Sdf Surface",
+    "CutCells": "Core Triangles",
     "Io": "Core Text Lattice Grid",
     "Adapters": "Core Sdf Grid",
     "Render": "Core Sdf Grid",

@@ -236,4 +236,16 @@ bool isOnTriangle(const Vec3<double>& point, const std::array<Vec3<double>, 3>& 
   return false;
 }
 
+DoubleDouble exactDifference(double a, double b) {
+  return difference(a, b);
+}
+
+int determinantSign(const std::array<DoubleDouble3, 3>& rows) {
+  return determinantSign(rows[0], rows[1], rows[2]);
+}
+
+int determinantSign(DoubleDouble a, DoubleDouble b, DoubleDouble c, DoubleDouble d) {
+  return determinant(expansion(a), expansion(b), expansion(c), expansion(d)).signOf();
+}
+
 }  // namespace cutwater

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/Core/Segment.hpp>
 #include <Cutwater/Core/Vec3.hpp>
 
@@ -42,5 +43,14 @@ namespace cutwater {
 /// Whether the point lies on the closed triangle; false for triangles without area.
 [[nodiscard]] bool isOnTriangle(const Vec3<double>& point,
                                 const std::array<Vec3<double>, 3>& triangle);
+
+/// a - b, exactly: what the determinants below are made of.
+[[nodiscard]] DoubleDouble exactDifference(double a, double b);
+
+/// The sign of the determinant of three rows. Entries are results of exactDifference(), or doubles.
+[[nodiscard]] int determinantSign(const std::array<DoubleDouble3, 3>& rows);
+
+/// The sign of a d - b c.
+[[nodiscard]] int determinantSign(DoubleDouble a, DoubleDouble b, DoubleDouble c, DoubleDouble d);
 
 }  // namespace cutwater

@@ -1,0 +1,335 @@
+#include <Cutwater/Core/Detail/DisjointSets.hpp>
+#include <Cutwater/CutCells/Detail/CellPieces.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace cutwater {
+
+namespace {
+
+using Place = TileNumbers::Place;
+
+std::size_t at(int axis) {
+  return static_cast<std::size_t>(axis);
+}
+
+/// An open part of one of a cell's faces.
+struct OpenPart {
+  std::uint32_t arc = 0;
+  int axis = 0;
+  bool isHigh = false;  ///< the face is above the cell
+};
+
+/// Joins and measures the pieces of one cell.
+class CellBuilder {
+ public:
+  CellBuilder(const TileSurface& surface, const EdgeStretches& stretches, const FacePieces& faces,
+              const GridPlanes& planes, std::span<const std::uint32_t> arcOfFullFace,
+              std::span<const TileFragment> fragments, std::uint32_t firstFragment,
+              std::span<const std::vector<std::uint32_t>> tracesOfFragment, CellPieces& out)
+      : surface_(surface),
+        stretches_(stretches),
+        faces_(faces),
+        planes_(planes),
+        arcOfFullFace_(arcOfFullFace),
+        fragments_(fragments),
+        firstFragment_(firstFragment),
+        tracesOfFragment_(tracesOfFragment),
+        out_(out),
+        place_(surface.numbers().placeOfCell(fragments.front().cell)),
+        sets_(countNodes()) {}
+
+  void run() {
+    joinFragments();
+    joinFaces();
+    joinEdges();
+    joinShells();
+    measure();
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t faceOf(int axis, int side) const {
+    auto place = place_;
+    place[at(axis)] += side;
+    return surface_.numbers().face(axis, place);
+  }
+  std::size_t countNodes() {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int side = 0; side < 2; ++side) {
+        const auto face = faceOf(axis, side);
+        auto& first = firstOpen_[at(2 * axis + side)];
+        first = static_cast<std::uint32_t>(open_.size());
+        if (faces_.isCut(face)) {
+          const auto [from, to] = faces_.of(face);
+          for (auto arc = from; arc < to; ++arc) open_.push_back({arc, axis, side == 1});
+        } else if (arcOfFullFace_[face] != kNone) {
+          open_.push_back({arcOfFullFace_[face], axis, side == 1});
+        }
+      }
+    }
+    return fragments_.size() + open_.size();
+  }
+  [[nodiscard]] std::uint32_t nodeOfArc(int axis, int side, std::uint32_t arc) const {
+    auto i = firstOpen_[at(2 * axis + side)];
+    while (open_[i].arc != arc) ++i;
+    return static_cast<std::uint32_t>(fragments_.size()) + i;
+  }
+
+  void joinFragments() {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> edges;
+    for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
+      for (const auto edge : surface_.meshEdges(fragments_[i])) {
+        if (edge != 0) edges.emplace_back(edge, i);
+      }
+    }
+    std::ranges::sort(edges);
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+      if (edges[i].first == edges[i - 1].first) sets_.unite(edges[i].second, edges[i - 1].second);
+    }
+  }
+  void joinFaces() {
+    for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
+      for (const auto trace : tracesOfFragment_[firstFragment_ + i]) {
+        const auto& t = surface_.traces()[trace];
+        const int axis = surface_.numbers().axisOfFace(t.face);
+        const int side = t.below == firstFragment_ + i ? 1 : 0;
+        sets_.unite(i, nodeOfArc(axis, side, faces_.ofTrace(trace)));
+      }
+    }
+  }
+  /// Open parts of two faces that meet in a stretch of an edge.
+  void joinEdges() {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int c = (axis + 1) % 3;
+      const int d = (axis + 2) % 3;
+      for (int corner = 0; corner < 4; ++corner) {
+        const int sideC = corner % 2;
+        const int sideD = corner / 2;
+        auto place = place_;
+        place[at(c)] += sideC;
+        place[at(d)] += sideD;
+        const auto stretches = stretches_.of(axis, place);
+        for (std::size_t s = 0; s < stretches.size(); ++s) {
+          // Of the face across c, the edge runs along the second axis; across d, along the first.
+          const auto onC = arcAt(c, sideC, s, sideD, true);
+          const auto onD = arcAt(d, sideD, s, sideC, false);
+          sets_.unite(nodeOfArc(c, sideC, onC), nodeOfArc(d, sideD, onD));
+        }
+      }
+    }
+  }
+  [[nodiscard]] std::uint32_t arcAt(int axis, int side, std::size_t stretch, int other,
+                                    bool alongSecond) const {
+    const auto face = faceOf(axis, side);
+    if (!faces_.isCut(face)) return arcOfFullFace_[face];
+    return faces_.ofStretch(face, (alongSecond ? 2 : 0) + other, stretch);
+  }
+
+  /// Shells around body that touch no face: their fluid is that around them.
+  void joinShells() {
+    std::vector<char> touchesFace(fragments_.size());
+    for (std::uint32_t i = 0; i < open_.size(); ++i) {
+      const auto root = sets_.find(static_cast<std::uint32_t>(fragments_.size()) + i);
+      if (root < fragments_.size()) touchesFace[root] = 1;
+    }
+    std::vector<double> volumes(fragments_.size());
+    std::vector<Vec3<double>> lowest(fragments_.size());
+    std::vector<char> seen(fragments_.size());
+    for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
+      const auto root = sets_.find(i);
+      if (touchesFace[root] != 0) continue;
+      for (const auto& p : surface_.points(fragments_[i])) {
+        if (seen[root] == 0 || p.z < lowest[root].z) lowest[root] = p;
+        seen[root] = 1;
+      }
+      const auto origin = surface_.points(fragments_[root]).front();
+      forTriangles(i, [&](const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
+        volumes[root] -= dot(a - origin, cross(b - a, c - a));
+      });
+    }
+    std::vector<std::uint32_t> shells;
+    for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
+      if (seen[i] != 0 && volumes[i] < 0) shells.push_back(i);
+    }
+    std::ranges::sort(shells, {}, [&](std::uint32_t i) { return lowest[i].z; });
+    for (const auto shell : shells) sets_.unite(shell, below(lowest[shell], shell));
+  }
+  /// What a ray down the z axis meets first.
+  [[nodiscard]] std::uint32_t below(const Vec3<double>& p, std::uint32_t except) {
+    std::uint32_t found = kNone;
+    double best = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
+      if (sets_.find(i) == sets_.find(except)) continue;
+      const auto points = surface_.points(fragments_[i]);
+      bool isInside = false;
+      Vec3<double> normal;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const auto& a = points[k];
+        const auto& b = points[(k + 1) % points.size()];
+        normal += cross(a - points[0], b - points[0]);
+        if ((a.y <= p.y) == (b.y <= p.y)) continue;
+        if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) isInside = !isInside;
+      }
+      if (!isInside) continue;
+      const double z = points[0].z -
+                       (normal.x * (p.x - points[0].x) + normal.y * (p.y - points[0].y)) / normal.z;
+      if (z <= p.z && z > best) found = i, best = z;
+    }
+    if (found != kNone) return found;
+    const auto face = faceOf(2, 0);
+    const auto arc = faces_.isCut(face) ? faces_.at(face, p) : arcOfFullFace_[face];
+    return arc == kNone ? except : nodeOfArc(2, 0, arc);
+  }
+
+  template <typename Visit>
+  void forTriangles(std::uint32_t fragment, Visit&& visit) const {
+    const auto points = surface_.points(fragments_[fragment]);
+    for (std::size_t k = 2; k < points.size(); ++k) visit(points[0], points[k - 1], points[k]);
+  }
+
+  void measure() {
+    const auto count = static_cast<std::uint32_t>(fragments_.size() + open_.size());
+    std::vector<std::uint32_t> pieceOf(count, kNone);
+    const auto firstPiece = static_cast<std::uint32_t>(out_.pieces.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto root = sets_.find(i);
+      if (pieceOf[root] == kNone) {
+        pieceOf[root] = static_cast<std::uint32_t>(out_.pieces.size());
+        out_.pieces.push_back({.cell = fragments_.front().cell,
+                               .centroid = referenceOf(i),
+                               .areaVector = {},
+                               .wallCentroid = {}});
+        moments_.push_back({});
+      }
+      pieceOf[i] = pieceOf[root];
+      auto& piece = out_.pieces[pieceOf[i]];
+      auto& moment = moments_[pieceOf[i] - firstPiece];
+      if (i < fragments_.size()) {
+        addFragment(piece, moment, i);
+      } else {
+        addOpenPart(piece, moment, open_[i - fragments_.size()], pieceOf[i]);
+      }
+    }
+    for (std::size_t i = 0; i < moments_.size(); ++i) {
+      auto& piece = out_.pieces[firstPiece + i];
+      const auto reference = piece.centroid;
+      piece.volume /= 3;
+      if (piece.volume > 0) piece.centroid += moments_[i] / (4 * piece.volume);
+      piece.wallCentroid =
+          piece.area > 0 ? reference + piece.wallCentroid / piece.area : piece.centroid;
+    }
+  }
+  [[nodiscard]] Vec3<double> referenceOf(std::uint32_t node) const {
+    return node < fragments_.size() ? surface_.points(fragments_[node]).front()
+                                    : out_.arcs[open_[node - fragments_.size()].arc].centroid;
+  }
+  /// While pieces are summed up, `centroid` is the point that moments refer to.
+  void addFragment(CellPiece& piece, Vec3<double>& moment, std::uint32_t fragment) const {
+    forTriangles(fragment,
+                 [&](const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
+                   const auto area = -0.5 * cross(b - a, c - a);  // out of the fluid
+                   const auto middle =
+                       ((a - piece.centroid) + (b - piece.centroid) + (c - piece.centroid)) / 3.0;
+                   const double volume = dot(a - piece.centroid, area);
+                   const double size = length(area);
+                   piece.areaVector += area;
+                   piece.area += size;
+                   piece.wallCentroid += size * middle;
+                   piece.volume += volume;
+                   moment += volume * middle;
+                 });
+  }
+  void addOpenPart(CellPiece& piece, Vec3<double>& moment, const OpenPart& part,
+                   std::uint32_t number) const {
+    auto& arc = out_.arcs[part.arc];
+    (part.isHigh ? arc.below : arc.above) = number;
+    const double plane = planes_.at(part.axis, place_[at(part.axis)] + (part.isHigh ? 1 : 0));
+    const double distance =
+        part.isHigh ? plane - piece.centroid[part.axis] : piece.centroid[part.axis] - plane;
+    piece.volume += distance * arc.area;
+    moment += distance * arc.area * (arc.centroid - piece.centroid);
+  }
+
+  const TileSurface& surface_;
+  const EdgeStretches& stretches_;
+  const FacePieces& faces_;
+  const GridPlanes& planes_;
+  std::span<const std::uint32_t> arcOfFullFace_;
+  std::span<const TileFragment> fragments_;
+  std::uint32_t firstFragment_;
+  std::span<const std::vector<std::uint32_t>> tracesOfFragment_;
+  CellPieces& out_;
+  Place place_;
+  std::vector<OpenPart> open_;
+  std::array<std::uint32_t, 6> firstOpen_{};
+  detail::DisjointSets sets_;
+  std::vector<Vec3<double>> moments_;
+};
+
+PieceArc wholeFace(const TileNumbers& numbers, std::uint32_t face, const GridPlanes& planes) {
+  const int axis = numbers.axisOfFace(face);
+  const auto place = numbers.placeOfFace(face);
+  PieceArc arc{.face = face, .area = 1, .centroid = {}};
+  for (int other = 0; other < 3; ++other) {
+    const double low = planes.at(other, place[at(other)]);
+    arc.centroid[other] = low;
+    if (other == axis) continue;
+    const double high = planes.at(other, place[at(other)] + 1);
+    arc.area *= high - low;
+    arc.centroid[other] = 0.5 * (low + high);
+  }
+  return arc;
+}
+
+/// Adds the faces of cut cells that are whole in the fluid; returns their numbers by face.
+std::vector<std::uint32_t> addFullFaces(const TileSurface& surface, const EdgeStretches& stretches,
+                                        const FacePieces& faces, const GridPlanes& planes,
+                                        std::vector<PieceArc>& arcs) {
+  const auto& numbers = surface.numbers();
+  std::vector<std::uint32_t> arcOf(numbers.faceCount(), kNone);
+  std::uint32_t last = kNone;
+  for (const auto& fragment : surface.fragments()) {
+    if (fragment.cell == std::exchange(last, fragment.cell)) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int side = 0; side < 2; ++side) {
+        auto place = numbers.placeOfCell(fragment.cell);
+        place[at(axis)] += side;
+        const auto face = numbers.face(axis, place);
+        if (faces.isCut(face) || arcOf[face] != kNone || !stretches.isFluid(place)) continue;
+        arcOf[face] = static_cast<std::uint32_t>(arcs.size());
+        arcs.push_back(wholeFace(numbers, face, planes));
+      }
+    }
+  }
+  return arcOf;
+}
+
+}  // namespace
+
+CellPieces findCellPieces(const TileSurface& surface, const EdgeStretches& stretches,
+                          const FacePieces& faces, const GridPlanes& planes) {
+  CellPieces result;
+  for (const auto& piece : faces.pieces()) {
+    result.arcs.push_back({.face = piece.face, .area = piece.area, .centroid = piece.centroid});
+  }
+  const auto fragments = surface.fragments();
+  const auto arcOfFullFace = addFullFaces(surface, stretches, faces, planes, result.arcs);
+  std::vector<std::vector<std::uint32_t>> tracesOfFragment(fragments.size());
+  for (std::uint32_t i = 0; i < surface.traces().size(); ++i) {
+    const auto& trace = surface.traces()[i];
+    if (trace.below != kNone) tracesOfFragment[trace.below].push_back(i);
+    if (trace.above != kNone) tracesOfFragment[trace.above].push_back(i);
+  }
+  for (std::uint32_t first = 0; first < fragments.size();) {
+    auto end = first + 1;
+    while (end < fragments.size() && fragments[end].cell == fragments[first].cell) ++end;
+    CellBuilder(surface, stretches, faces, planes, arcOfFullFace,
+                fragments.subspan(first, end - first), first, tracesOfFragment, result)
+        .run();
+    first = end;
+  }
+  return result;
+}
+
+}  // namespace cutwater

@@ -1,0 +1,103 @@
+#include <Cutwater/CutCells/Detail/EdgeStretches.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace cutwater {
+
+namespace {
+
+using Place = TileNumbers::Place;
+
+template <typename Visit>
+void forPlaces(const Place& sizes, Visit&& visit) {
+  for (int k = 0; k < sizes[2]; ++k) {
+    for (int j = 0; j < sizes[1]; ++j) {
+      for (int i = 0; i < sizes[0]; ++i) visit(Place{i, j, k});
+    }
+  }
+}
+
+}  // namespace
+
+EdgeStretches::EdgeStretches(const TileSurface& surface, const GridPlanes& planes, int winding)
+    : numbers_(surface.numbers()) {
+  setWindings(surface, winding);
+  setStretches(surface, planes);
+}
+
+void EdgeStretches::setWindings(const TileSurface& surface, int winding) {
+  std::vector<std::int32_t> rises(numbers_.edgeCount());
+  for (const auto& crossing : surface.crossings()) rises[crossing.edge] += crossing.rise;
+  windings_.resize(numbers_.nodeCount());
+  windings_[0] = winding;
+  const auto& cells = numbers_.cells();
+  forPlaces({cells[0] + 1, cells[1] + 1, cells[2] + 1}, [&](const Place& node) {
+    // Along x where there is an edge before the node, else along y, else along z.
+    for (int axis = 0; axis < 3; ++axis) {
+      auto before = node;
+      if (--before[static_cast<std::size_t>(axis)] < 0) continue;
+      windings_[numbers_.node(node)] =
+          windings_[numbers_.node(before)] + rises[numbers_.edge(axis, before)];
+      return;
+    }
+  });
+}
+
+void EdgeStretches::setStretches(const TileSurface& surface, const GridPlanes& planes) {
+  auto crossings = surface.crossings();
+  std::vector<EdgeCrossing> here;
+  const auto& cells = numbers_.cells();
+  for (int axis = 0; axis < 3; ++axis) {
+    Place sizes{cells[0] + 1, cells[1] + 1, cells[2] + 1};
+    --sizes[static_cast<std::size_t>(axis)];
+    forPlaces(sizes, [&](const Place& first) {
+      firstOfEdge_.push_back(static_cast<std::uint32_t>(stretches_.size()));
+      here.clear();
+      for (const auto edge = numbers_.edge(axis, first);
+           !crossings.empty() && crossings.front().edge == edge; crossings = crossings.subspan(1)) {
+        here.push_back(crossings.front());
+      }
+      const int plane = first[static_cast<std::size_t>(axis)];
+      divide({planes.at(axis, plane), planes.at(axis, plane + 1)}, winding(first), here);
+    });
+  }
+  firstOfEdge_.push_back(static_cast<std::uint32_t>(stretches_.size()));
+}
+
+void EdgeStretches::divide(const Interval<double>& edge, int winding,
+                           std::vector<EdgeCrossing>& crossings) {
+  std::ranges::stable_sort(crossings, {}, &EdgeCrossing::position);
+  EdgeStretch stretch{.from = edge.lower};
+  for (auto it = crossings.begin(); it != crossings.end(); ++it) {
+    const bool isFluid = winding <= 0;
+    if (isFluid == (winding + it->rise <= 0)) {
+      // Where rounded positions are equal, fluid and body take turns.
+      const auto other = std::find_if(it + 1, crossings.end(), [&](const EdgeCrossing& c) {
+        return c.position == it->position && c.rise != it->rise;
+      });
+      if (other != crossings.end()) std::iter_swap(it, other);
+    }
+    winding += it->rise;
+    if (isFluid == (winding <= 0)) continue;
+    if (isFluid) {
+      stretch.to = it->position;
+      stretch.end = it->triangle;
+      stretches_.push_back(stretch);
+    } else {
+      stretch = {.from = it->position, .start = it->triangle};
+    }
+  }
+  if (winding > 0) return;
+  stretch.to = edge.upper;
+  stretch.end = kNone;
+  stretches_.push_back(stretch);
+}
+
+std::span<const EdgeStretch> EdgeStretches::of(int axis, const Place& first) const {
+  const auto edge = numbers_.edge(axis, first);
+  return std::span(stretches_)
+      .subspan(firstOfEdge_[edge], firstOfEdge_[edge + 1] - firstOfEdge_[edge]);
+}
+
+}  // namespace cutwater

@@ -1,0 +1,303 @@
+#include <Cutwater/Core/Detail/DisjointSets.hpp>
+#include <Cutwater/CutCells/Detail/FacePieces.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+using Place = TileNumbers::Place;
+
+FaceEdge edgeOfFace(int axis, const Place& face, int side) {
+  const FaceAxes axes(axis);
+  FaceEdge edge{side < 2 ? axes.first : axes.second, face};
+  const int other = side < 2 ? axes.second : axes.first;
+  edge.place[static_cast<std::size_t>(other)] += side % 2;
+  return edge;
+}
+
+namespace {
+
+/// The number of the trace that a ray from the point, down the second axis, meets first; kNone if
+/// none of those that `counts` accepts.
+template <typename Counts>
+std::uint32_t traceBelow(std::span<const FaceTrace> traces, const FaceAxes& axes,
+                         const Vec3<double>& p, Counts&& counts) {
+  const int c = axes.first;
+  const int d = axes.second;
+  std::uint32_t found = kNone;
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < traces.size(); ++i) {
+    const auto& from = traces[i].from;
+    const auto& to = traces[i].to;
+    if ((from[c] <= p[c]) == (to[c] <= p[c]) || !counts(i)) continue;
+    const double height = from[d] + (p[c] - from[c]) / (to[c] - from[c]) * (to[d] - from[d]);
+    if (height <= p[d] && height > best) found = i, best = height;
+  }
+  return found;
+}
+
+/// The stretch in which a ray ends that meets no trace before the edge.
+std::size_t stretchAt(std::span<const EdgeStretch> stretches, double position) {
+  std::size_t s = 0;
+  while (s + 1 < stretches.size() && position > stretches[s].to) ++s;
+  return s;
+}
+
+}  // namespace
+
+/// Joins the rims of one face's parts, and measures these.
+class FacePieces::Builder {
+ public:
+  Builder(FacePieces& owner, CutFace& face)
+      : owner_(owner),
+        face_(face),
+        axes_(owner.surface_.numbers().axisOfFace(face.face)),
+        place_(owner.surface_.numbers().placeOfFace(face.face)),
+        traces_(owner.surface_.traces().subspan(face.firstTrace, face.lastTrace - face.firstTrace)),
+        sets_(countNodes()) {}
+
+  void run() {
+    joinTraces();
+    joinStretches();
+    joinCorners();
+    joinHoles();
+    measure();
+  }
+
+ private:
+  std::size_t countNodes() {
+    const auto start = static_cast<std::uint32_t>(owner_.ofStretch_.size());
+    std::uint32_t count = 0;
+    for (int side = 0; side < 4; ++side) {
+      const auto edge = edgeOfFace(axes_.across, place_, side);
+      stretches_[at(side)] = owner_.stretches_.of(edge.axis, edge.place);
+      gridEdges_[at(side)] = owner_.surface_.numbers().edge(edge.axis, edge.place);
+      face_.firstStretch[at(side)] = start + count;
+      count += static_cast<std::uint32_t>(stretches_[at(side)].size());
+    }
+    face_.firstStretch[4] = start + count;
+    owner_.ofStretch_.resize(start + count);
+    return traces_.size() + count;
+  }
+  static std::size_t at(int side) { return static_cast<std::size_t>(side); }
+  [[nodiscard]] std::uint32_t node(int side, std::size_t stretch) const {
+    return static_cast<std::uint32_t>(traces_.size() + stretch) + face_.firstStretch[at(side)] -
+           face_.firstStretch[0];
+  }
+
+  /// Traces of triangles that share an edge of the mesh.
+  void joinTraces() {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> ends;
+    for (std::uint32_t i = 0; i < traces_.size(); ++i) {
+      for (const auto& end : {traces_[i].start, traces_[i].end}) {
+        if (end.gridEdge == kNone) ends.emplace_back(end.meshEdge, i);
+      }
+    }
+    std::ranges::sort(ends);
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      if (ends[i].first == ends[i - 1].first) sets_.unite(ends[i].second, ends[i - 1].second);
+    }
+  }
+  /// Stretches with the traces at their ends.
+  void joinStretches() {
+    for (std::uint32_t i = 0; i < traces_.size(); ++i) {
+      for (const auto& end : {traces_[i].start, traces_[i].end}) {
+        if (end.gridEdge == kNone) continue;
+        const int side =
+            static_cast<int>(std::ranges::find(gridEdges_, end.gridEdge) - gridEdges_.begin());
+        const auto stretches = stretches_[at(side)];
+        for (std::size_t s = 0; s < stretches.size(); ++s) {
+          const bool isAtStart = stretches[s].start == traces_[i].triangle;
+          if (isAtStart || stretches[s].end == traces_[i].triangle) sets_.unite(i, node(side, s));
+        }
+      }
+    }
+  }
+  /// Stretches of two edges that meet in a corner in the fluid.
+  void joinCorners() {
+    for (int corner = 0; corner < 4; ++corner) {
+      auto place = place_;
+      place[at(axes_.first)] += corner % 2;
+      place[at(axes_.second)] += corner / 2;
+      if (!owner_.stretches_.isFluid(place)) continue;
+      const int along = corner / 2;       // the edge along the first axis, low or high
+      const int across = 2 + corner % 2;  // the one along the second
+      const auto last = [&](int side, bool isHigh) {
+        return node(side, isHigh ? stretches_[at(side)].size() - 1 : 0);
+      };
+      sets_.unite(last(along, corner % 2 == 1), last(across, corner / 2 == 1));
+    }
+  }
+
+  /// Loops around body: their fluid is that around them.
+  void joinHoles() {
+    std::vector<char> touchesRim(traces_.size());
+    for (std::uint32_t i = static_cast<std::uint32_t>(traces_.size()); i < nodes(); ++i) {
+      const auto root = sets_.find(i);
+      if (root < traces_.size()) touchesRim[root] = 1;
+    }
+    std::vector<double> areas(traces_.size());
+    std::vector<std::uint32_t> lowest(traces_.size(), kNone);
+    for (std::uint32_t i = 0; i < traces_.size(); ++i) {
+      const auto root = sets_.find(i);
+      if (touchesRim[root] != 0) continue;
+      areas[root] += areaBetween(traces_[root].from, traces_[i]);
+      if (lowest[root] == kNone || height(i) < height(lowest[root])) lowest[root] = i;
+    }
+    std::vector<std::uint32_t> holes;
+    for (std::uint32_t i = 0; i < traces_.size(); ++i) {
+      if (lowest[i] != kNone && areas[i] < 0) holes.push_back(i);
+    }
+    std::ranges::sort(holes, {}, [&](std::uint32_t i) { return height(lowest[i]); });
+    for (const auto hole : holes) sets_.unite(hole, below(traces_[lowest[hole]].from, hole));
+  }
+  [[nodiscard]] std::uint32_t nodes() const {
+    return static_cast<std::uint32_t>(traces_.size()) + face_.firstStretch[4] -
+           face_.firstStretch[0];
+  }
+  [[nodiscard]] double height(std::uint32_t trace) const {
+    return traces_[trace].from[axes_.second];
+  }
+  /// Twice the area between a trace and a point.
+  [[nodiscard]] double areaBetween(const Vec3<double>& p, const FaceTrace& t) const {
+    const auto q = t.from - p;
+    const auto way = t.to - t.from;
+    return q[axes_.first] * way[axes_.second] - q[axes_.second] * way[axes_.first];
+  }
+
+  /// What a ray from the point meets first, down the second axis; not traces of the set `except`.
+  [[nodiscard]] std::uint32_t below(const Vec3<double>& p, std::uint32_t except) {
+    const auto found = traceBelow(
+        traces_, axes_, p, [&](std::uint32_t i) { return sets_.find(i) != sets_.find(except); });
+    if (found != kNone) return found;
+    // Nothing there only if rounding hides it.
+    if (stretches_[0].empty()) return except;
+    return node(0, stretchAt(stretches_[0], p[axes_.first]));
+  }
+
+  void measure() {
+    std::vector<std::uint32_t> pieceOf(nodes(), kNone);
+    face_.firstPiece = static_cast<std::uint32_t>(owner_.pieces_.size());
+    for (std::uint32_t i = 0; i < nodes(); ++i) {
+      const auto root = sets_.find(i);
+      if (pieceOf[root] == kNone) {
+        pieceOf[root] = static_cast<std::uint32_t>(owner_.pieces_.size());
+        owner_.pieces_.push_back({.face = face_.face, .centroid = {}});
+        references_.push_back(referenceOf(i));
+      }
+      pieceOf[i] = pieceOf[root];
+    }
+    sums_.resize(references_.size());
+    for (std::uint32_t i = 0; i < traces_.size(); ++i) {
+      owner_.ofTrace_[face_.firstTrace + i] = pieceOf[i];
+      addTrace(pieceOf[i] - face_.firstPiece, traces_[i]);
+    }
+    for (int side = 0; side < 4; ++side) {
+      for (std::size_t s = 0; s < stretches_[at(side)].size(); ++s) {
+        const auto piece = pieceOf[node(side, s)];
+        owner_.ofStretch_[face_.firstStretch[at(side)] + s] = piece;
+        addStretch(piece - face_.firstPiece, side, stretches_[at(side)][s]);
+      }
+    }
+    for (std::size_t i = 0; i < sums_.size(); ++i) finish(i);
+  }
+  /// A point near the part, for which sums do not cancel.
+  [[nodiscard]] Vec3<double> referenceOf(std::uint32_t first) const {
+    if (first < traces_.size()) return traces_[first].from;
+    Vec3<double> corner;
+    for (int axis = 0; axis < 3; ++axis) corner[axis] = owner_.planes_.at(axis, place_[at(axis)]);
+    return corner;
+  }
+  struct Sum {
+    double area = 0;   // times 2
+    double first = 0;  // of the coordinates from the reference, times 3
+    double second = 0;
+  };
+  void addTrace(std::size_t piece, const FaceTrace& t) {
+    const double twice = areaBetween(references_[piece], t);
+    const auto middle = 0.5 * ((t.from - references_[piece]) + (t.to - references_[piece]));
+    sums_[piece].area += twice;
+    sums_[piece].first += twice * middle[axes_.first];
+    sums_[piece].second += twice * middle[axes_.second];
+  }
+  void addStretch(std::size_t piece, int side, const EdgeStretch& stretch) {
+    const int along = side < 2 ? axes_.first : axes_.second;
+    const int across = side < 2 ? axes_.second : axes_.first;
+    const auto& origin = references_[piece];
+    const double place = owner_.planes_.at(across, place_[at(across)] + side % 2) - origin[across];
+    const double twice = (side % 2 == 0 ? -place : place) * stretch.length();
+    sums_[piece].area += twice;
+    const double middle = stretch.middle() - origin[along];
+    sums_[piece].first += twice * (side < 2 ? middle : place);
+    sums_[piece].second += twice * (side < 2 ? place : middle);
+  }
+  void finish(std::size_t i) {
+    auto& piece = owner_.pieces_[face_.firstPiece + i];
+    const Sum& sum = sums_[i];
+    piece.area = 0.5 * sum.area;
+    piece.centroid = references_[i];
+    if (!(piece.area > 0)) return;
+    piece.centroid[axes_.first] += sum.first / 3 / piece.area;
+    piece.centroid[axes_.second] += sum.second / 3 / piece.area;
+  }
+
+  FacePieces& owner_;
+  CutFace& face_;
+  FaceAxes axes_;
+  Place place_;
+  std::span<const FaceTrace> traces_;
+  std::array<std::span<const EdgeStretch>, 4> stretches_;
+  std::array<std::uint32_t, 4> gridEdges_{};
+  detail::DisjointSets sets_;
+  std::vector<Vec3<double>> references_;
+  std::vector<Sum> sums_;
+};
+
+FacePieces::FacePieces(const TileSurface& surface, const EdgeStretches& stretches,
+                       const GridPlanes& planes)
+    : surface_(surface),
+      stretches_(stretches),
+      planes_(planes),
+      ofTrace_(surface.traces().size(), kNone) {
+  const auto traces = surface.traces();
+  for (std::uint32_t first = 0; first < traces.size();) {
+    auto last = first + 1;
+    while (last < traces.size() && traces[last].face == traces[first].face) ++last;
+    cutFaces_.push_back({.face = traces[first].face, .firstTrace = first, .lastTrace = last});
+    Builder(*this, cutFaces_.back()).run();
+    first = last;
+  }
+}
+
+std::uint32_t FacePieces::cutFace(std::uint32_t face) const {
+  const auto found = std::ranges::lower_bound(cutFaces_, face, {}, &CutFace::face);
+  return found != cutFaces_.end() && found->face == face
+             ? static_cast<std::uint32_t>(found - cutFaces_.begin())
+             : kNone;
+}
+
+std::uint32_t FacePieces::ofStretch(std::uint32_t face, int side, std::size_t stretch) const {
+  const auto& cut = cutFaces_[cutFace(face)];
+  return ofStretch_[cut.firstStretch[static_cast<std::size_t>(side)] + stretch];
+}
+
+std::pair<std::uint32_t, std::uint32_t> FacePieces::of(std::uint32_t face) const {
+  const auto cut = cutFace(face);
+  const auto last = cut + 1 < cutFaces_.size() ? cutFaces_[cut + 1].firstPiece
+                                               : static_cast<std::uint32_t>(pieces_.size());
+  return {cutFaces_[cut].firstPiece, last};
+}
+
+std::uint32_t FacePieces::at(std::uint32_t face, const Vec3<double>& point) const {
+  const auto& cut = cutFaces_[cutFace(face)];
+  const FaceAxes axes(surface_.numbers().axisOfFace(face));
+  const auto traces = surface_.traces().subspan(cut.firstTrace, cut.lastTrace - cut.firstTrace);
+  const auto found = traceBelow(traces, axes, point, [](std::uint32_t) { return true; });
+  if (found != kNone) return ofTrace_[cut.firstTrace + found];
+  const auto edge = edgeOfFace(axes.across, surface_.numbers().placeOfFace(face), 0);
+  const auto stretches = stretches_.of(edge.axis, edge.place);
+  if (stretches.empty()) return cut.firstPiece;  // only if rounding hides it
+  return ofStretch(face, 0, stretchAt(stretches, point[axes.first]));
+}
+
+}  // namespace cutwater

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Cutwater/CutCells/Detail/EdgeStretches.hpp>
+
+namespace cutwater {
+
+/// A connected open part of a face between two cells.
+struct FacePiece {
+  std::uint32_t face = 0;
+  double area = 0;
+  Vec3<double> centroid;  ///< on the face; of the whole face if the area is 0
+};
+
+/// The open parts of all faces that the surface meets, in the order of faces.
+///
+/// Moments are sums over the boundary, by the divergence theorem in the plane: each trace and each
+/// stretch adds its distance from a point of the part times the integral of the monomial along it.
+class FacePieces {
+ public:
+  FacePieces(const TileSurface& surface, const EdgeStretches& stretches, const GridPlanes& planes);
+
+  [[nodiscard]] std::span<const FacePiece> pieces() const { return pieces_; }
+
+  /// The open part on whose rim a trace lies; kNone for traces with body on both sides.
+  [[nodiscard]] std::uint32_t ofTrace(std::uint32_t trace) const { return ofTrace_[trace]; }
+  /// The open part of a face that has a stretch of one of its edges on its rim: edges 0 and 1 along
+  /// the first of the other axes, low and high, 2 and 3 along the second. Only for cut faces.
+  [[nodiscard]] std::uint32_t ofStretch(std::uint32_t face, int side, std::size_t stretch) const;
+  /// Whether the surface has a trace on the face.
+  [[nodiscard]] bool isCut(std::uint32_t face) const { return cutFace(face) != kNone; }
+  /// The parts of a cut face.
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> of(std::uint32_t face) const;
+  /// The part that a point of a cut face lies in, as far as rounding tells.
+  [[nodiscard]] std::uint32_t at(std::uint32_t face, const Vec3<double>& point) const;
+
+ private:
+  struct CutFace {
+    std::uint32_t face = 0;
+    std::uint32_t firstTrace = 0;
+    std::uint32_t lastTrace = 0;
+    std::uint32_t firstPiece = 0;
+    std::array<std::uint32_t, 5> firstStretch{};  ///< in ofStretch_, per side; then the end
+  };
+  class Builder;
+
+  [[nodiscard]] std::uint32_t cutFace(std::uint32_t face) const;
+
+  const TileSurface& surface_;
+  const EdgeStretches& stretches_;
+  const GridPlanes& planes_;
+  std::vector<CutFace> cutFaces_;
+  std::vector<FacePiece> pieces_;
+  std::vector<std::uint32_t> ofTrace_;
+  std::vector<std::uint32_t> ofStretch_;
+};
+
+/// The axes of a face: across it, and the others in cyclic order.
+struct FaceAxes {
+  explicit FaceAxes(int axis) : across(axis), first((axis + 1) % 3), second((axis + 2) % 3) {}
+  int across;
+  int first;
+  int second;
+};
+
+/// The edges of a face, as ofStretch() numbers them: the axis along which each runs, and where it
+/// begins.
+struct FaceEdge {
+  int axis = 0;
+  TileNumbers::Place place{};
+};
+[[nodiscard]] FaceEdge edgeOfFace(int axis, const TileNumbers::Place& face, int side);
+
+}  // namespace cutwater

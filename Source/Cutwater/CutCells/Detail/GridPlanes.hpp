@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <array>
+#include <span>
+
+namespace cutwater {
+
+/// The planes of a grid, across each axis, in ascending order: cell i lies between planes i and i
+/// + 1. Cell -1 is below the first plane, and the last number stands for what is above the last
+/// plane.
+struct GridPlanes {
+  std::array<std::span<const double>, 3> positions;
+
+  /// The number of cells between planes.
+  [[nodiscard]] int cells(int axis) const {
+    return static_cast<int>(positions[static_cast<std::size_t>(axis)].size()) - 1;
+  }
+  [[nodiscard]] double at(int axis, int plane) const {
+    return positions[static_cast<std::size_t>(axis)][static_cast<std::size_t>(plane)];
+  }
+
+  /// The cell along the axis that holds a point whose coordinate is known up to `error`.
+  /// `isAbove(plane)` decides on planes that are no farther away than that.
+  template <typename IsAbove>
+  [[nodiscard]] int cellAt(int axis, double x, double error, IsAbove&& isAbove) const {
+    const auto planes = positions[static_cast<std::size_t>(axis)];
+    const auto isBelow = [&](int plane) {
+      const double gap = x - at(axis, plane);
+      return gap > error || (gap >= -error && isAbove(plane));
+    };
+    // Nearly always right for grids of equal cells, and near for others.
+    const double share = (x - planes.front()) / (planes.back() - planes.front());
+    const int last = static_cast<int>(planes.size()) - 1;
+    int plane = share >= 1 ? last : share <= 0 ? 0 : static_cast<int>(share * last);
+    while (plane >= 0 && !isBelow(plane)) --plane;
+    while (plane < last && isBelow(plane + 1)) ++plane;
+    return plane;
+  }
+};
+
+}  // namespace cutwater

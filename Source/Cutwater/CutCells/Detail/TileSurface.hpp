@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Cutwater/CutCells/Detail/MovedSurface.hpp>
+#include <Cutwater/CutCells/Detail/TileNumbers.hpp>
+#include <Cutwater/CutCells/Detail/TriangleSplitter.hpp>
+
+#include <vector>
+
+namespace cutwater {
+
+/// Where a piece of a trace ends: on an edge of the mesh, which the next triangle shares, or on an
+/// edge of the grid.
+struct TraceEnd {
+  std::uint64_t meshEdge = 0;  ///< both vertices; only if gridEdge is kNone
+  std::uint32_t gridEdge = kNone;
+  bool operator==(const TraceEnd&) const = default;
+};
+
+/// The trace of a triangle on a face. Seen against the face's axis, fluid is on its left.
+struct FaceTrace {
+  std::uint32_t face = 0;
+  std::uint32_t triangle = 0;
+  std::uint32_t below = kNone;  ///< the fragments on both sides, where they are in the tile
+  std::uint32_t above = kNone;
+  Vec3<double> from;
+  Vec3<double> to;
+  TraceEnd start;
+  TraceEnd end;
+};
+
+/// Where a triangle crosses an edge of the grid.
+struct EdgeCrossing {
+  std::uint32_t edge = 0;
+  std::uint32_t triangle = 0;
+  double position = 0;  ///< along the edge's axis
+  int rise = 0;         ///< of the winding number, going up the axis
+};
+
+/// A triangle's part in a cell.
+struct TileFragment {
+  std::uint32_t cell = 0;
+  std::uint32_t triangle = 0;
+  std::uint32_t first = 0;  ///< of its points and edges
+  std::uint32_t size = 0;
+};
+
+/// What a surface has in a box of cells, sorted by cell, face and edge, and in each of these by
+/// triangle.
+class TileSurface {
+ public:
+  /// Takes the triangles of these numbers, in ascending order; all that meet the box.
+  TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> triangles,
+              const GridPlanes& planes);
+
+  [[nodiscard]] const TileNumbers& numbers() const { return numbers_; }
+  [[nodiscard]] std::span<const TileFragment> fragments() const { return fragments_; }
+  [[nodiscard]] std::span<const FaceTrace> traces() const { return traces_; }
+  [[nodiscard]] std::span<const EdgeCrossing> crossings() const { return crossings_; }
+
+  [[nodiscard]] std::span<const Vec3<double>> points(const TileFragment& fragment) const {
+    return std::span(points_).subspan(fragment.first, fragment.size);
+  }
+  /// The edges of the mesh that bound the fragment, in place of planes 0.
+  [[nodiscard]] std::span<const std::uint64_t> meshEdges(const TileFragment& fragment) const {
+    return std::span(meshEdges_).subspan(fragment.first, fragment.size);
+  }
+
+ private:
+  void add(const MovedSurface& surface, std::uint32_t triangle, const Fragment& fragment);
+  void sort();
+
+  TileNumbers numbers_;
+  std::vector<TileFragment> fragments_;
+  std::vector<Vec3<double>> points_;
+  std::vector<std::uint64_t> meshEdges_;
+  std::vector<FaceTrace> traces_;
+  std::vector<EdgeCrossing> crossings_;
+};
+
+}  // namespace cutwater

@@ -1,0 +1,221 @@
+#include <Cutwater/CutCells/Detail/TriangleSplitter.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cutwater {
+
+namespace {
+
+/// The unit of rounding.
+constexpr double kU = 0x1p-53;
+
+using Rows = std::array<std::int32_t, 3>;
+
+std::size_t at(int axis) {
+  return static_cast<std::size_t>(axis);
+}
+
+/// A polygon on the way to fragments. Its points are in these cells along each axis; along an axis
+/// of a plane through a point, in the one that holds the polygon.
+struct Part {
+  Fragment polygon;
+  std::array<Rows, Fragment::kMost> rows;
+
+  void add(const Vec3<double>& point, const FragmentEdge& edge, const Rows& in) {
+    const auto i = static_cast<std::size_t>(polygon.size++);
+    polygon.points[i] = point;
+    polygon.edges[i] = edge;
+    rows[i] = in;
+  }
+};
+
+class Splitter {
+ public:
+  Splitter(const GridPlanes& planes, const std::array<MovedVertex, 3>& triangle,
+           const std::array<std::uint32_t, 3>& vertices, FunctionRef<void(const Fragment&)> visit)
+      : planes_(planes), triangle_(triangle), vertices_(vertices), visit_(visit) {
+    const auto& [a, b, c] = triangle;
+    normal_ = abs(cross(b.position - a.position, c.position - a.position));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& p = triangle[i].position;
+      size_ = std::max(size_, 2 * maxComponent(abs(p)));
+      for (int axis = 0; axis < 3; ++axis) {
+        cornerRows_[i][at(axis)] = planes.cellAt(axis, p[axis], 0, [&](int plane) {
+          return isAbove(triangle[i], axis, planes.at(axis, plane));
+        });
+      }
+    }
+  }
+
+  void run() const {
+    Part part;
+    for (int i = 0; i < 3; ++i) {
+      part.add(triangle_[at(i)].position, {.axis = -1, .number = i}, cornerRows_[at(i)]);
+    }
+    divide(part, 0);
+  }
+
+ private:
+  /// Divides along this axis and the later ones.
+  void divide(Part& part, int axis) const {
+    if (axis == 3) return visit_(part.polygon);
+    auto [row, last] = rowsAlong(part, axis);
+    last = std::min(last, planes_.cells(axis) - 1);
+    for (row = std::max(row, -1); row <= last; ++row) {
+      Part above;
+      above.polygon.cell = part.polygon.cell;
+      cut(part, axis, row + 1, above);
+      part.polygon.cell[at(axis)] = row;
+      if (row >= 0) divide(part, axis + 1);
+      part = above;
+    }
+  }
+  static std::pair<int, int> rowsAlong(const Part& part, int axis) {
+    int least = part.rows[0][at(axis)];
+    int most = least;
+    for (int i = 1; i < part.polygon.size; ++i) {
+      least = std::min(least, part.rows[at(i)][at(axis)]);
+      most = std::max(most, part.rows[at(i)][at(axis)]);
+    }
+    return {least, most};
+  }
+
+  /// Moves what is above the plane to `above`.
+  void cut(Part& part, int axis, int plane, Part& above) const {
+    const Part whole = std::exchange(part, {});
+    part.polygon.cell = whole.polygon.cell;
+    const FragmentEdge alongPlane{axis, plane};
+    for (int i = 0; i < whole.polygon.size; ++i) {
+      const auto& rows = whole.rows[at(i)];
+      const auto& edge = whole.polygon.edges[at(i)];
+      const bool isHigh = rows[at(axis)] >= plane;
+      (isHigh ? above : part).add(whole.polygon.points[at(i)], edge, rows);
+      const int next = i + 1 < whole.polygon.size ? i + 1 : 0;
+      const bool goesHigh = whole.rows[at(next)][at(axis)] >= plane;
+      if (isHigh == goesHigh) continue;
+      Rows there = whole.polygon.cell;
+      const auto point = edge.isPlane() ? onLine(edge, alongPlane, goesHigh, there)
+                                        : onEdge(edge.number, alongPlane, there);
+      there[at(axis)] = plane - 1;
+      part.add(point, goesHigh ? alongPlane : edge, there);
+      there[at(axis)] = plane;
+      above.add(point, goesHigh ? edge : alongPlane, there);
+    }
+  }
+
+  /// Where an edge of the triangle meets a plane. `rows` has the cells along axes before the
+  /// plane's; sets those along axes after it.
+  [[nodiscard]] Vec3<double> onEdge(int edge, const FragmentEdge& plane, Rows& rows) const {
+    const auto& p = triangle_[at(edge)];
+    const auto& q = triangle_[at((edge + 1) % 3)];
+    const AxisPlane crossed{plane.axis, planes_.at(plane.axis, plane.number)};
+    const auto point = crossing(edge, crossed);
+    for (int axis = plane.axis + 1; axis < 3; ++axis) {
+      // Three roundings for the share of the edge, two for the product, one for the sum: 6.
+      const double error = 8 * kU * (std::abs(p.position[axis]) + std::abs(q.position[axis]));
+      rows[at(axis)] = planes_.cellAt(axis, point[axis], error, [&](int other) {
+        return isCrossingAbove(p, q, crossed, {axis, planes_.at(axis, other)});
+      });
+    }
+    return withinCell(point, rows, plane.axis, plane.axis);
+  }
+
+  /// Where the triangle's traces on two planes meet. The part's edge along the first plane goes up
+  /// or down the second's axis.
+  [[nodiscard]] Vec3<double> onLine(const FragmentEdge& first, const FragmentEdge& second,
+                                    bool goesUp, Rows& rows) const {
+    // Along the trace on the plane to which the triangle is closer to parallel: that on the other
+    // one may be as short as rounding.
+    const bool isFirst = normal_[first.axis] >= normal_[second.axis];
+    const auto& [axis, number] = isFirst ? first : second;
+    const auto& other = isFirst ? second : first;
+    const auto [from, to] = trace(axis, number);
+    const double wanted = planes_.at(other.axis, other.number);
+    const double length = to[other.axis] - from[other.axis];
+    const double share = length == 0 ? 0.5 : (wanted - from[other.axis]) / length;
+    auto point = from + std::clamp(share, 0.0, 1.0) * (to - from);
+    point[axis] = planes_.at(axis, number);
+    point[other.axis] = wanted;
+
+    const int third = 3 - first.axis - second.axis;
+    if (third > second.axis) {
+      const bool isBelow = rows[at(first.axis)] < first.number;
+      rows[at(third)] = rowOnLine(point, third, (to - from)[third] / length, goesUp == isBelow);
+    }
+    return withinCell(point, rows, first.axis, second.axis);
+  }
+  /// The cell along z of a point on a line along z, whose height was computed along a trace that
+  /// rises by `slope` in z. `facesUp`: whether the moved triangle's normal points up: the edge of a
+  /// part below a plane x = const then runs up the y axis.
+  [[nodiscard]] int rowOnLine(const Vec3<double>& point, int axis, double slope,
+                              bool facesUp) const {
+    // The trace's ends are within 8 u of the size S. The share of the trace is off by 24 u S over
+    // its length, and 3 u; the height by that times the rise, and by 12 u S.
+    double error = 16 * kU * size_ + 24 * kU * size_ * std::abs(slope);
+    if (!(error < size_)) error = size_;
+    return planes_.cellAt(axis, point[axis], error, [&](int plane) {
+      auto node = point;
+      node[axis] = planes_.at(axis, plane);
+      return facesUp == (sideOfNode(triangle_, node) < 0);
+    });
+  }
+
+  /// The points in which two edges cross a plane.
+  [[nodiscard]] std::pair<Vec3<double>, Vec3<double>> trace(int axis, int number) const {
+    const AxisPlane plane{axis, planes_.at(axis, number)};
+    std::array<Vec3<double>, 2> ends;
+    std::size_t count = 0;
+    for (int edge = 0; edge < 3 && count < 2; ++edge) {
+      const bool isHigh = cornerRows_[at(edge)][at(axis)] >= number;
+      const bool goesHigh = cornerRows_[at((edge + 1) % 3)][at(axis)] >= number;
+      if (isHigh != goesHigh) ends[count++] = crossing(edge, plane);
+    }
+    return {ends[0], ends[1]};
+  }
+  /// From the end with the lower number, so that both triangles at the edge compute the same.
+  [[nodiscard]] Vec3<double> crossing(int edge, const AxisPlane& plane) const {
+    int from = edge;
+    int to = (edge + 1) % 3;
+    if (vertices_[at(from)] > vertices_[at(to)]) std::swap(from, to);
+    const auto& p = triangle_[at(from)].position;
+    const auto& q = triangle_[at(to)].position;
+    const double rise = q[plane.axis] - p[plane.axis];
+    const double share = rise == 0 ? 0.5 : (plane.position - p[plane.axis]) / rise;
+    auto point = max(min(p, q), min(max(p, q), p + share * (q - p)));
+    point[plane.axis] = plane.position;
+    return point;
+  }
+  /// Moves a point by rounding, into its cell along the axes but these two.
+  [[nodiscard]] Vec3<double> withinCell(Vec3<double> point, const Rows& rows, int axis,
+                                        int second) const {
+    for (int other = 0; other < 3; ++other) {
+      if (other == axis || other == second) continue;
+      const int row = rows[at(other)];
+      if (row >= 0) point[other] = std::max(point[other], planes_.at(other, row));
+      if (row < planes_.cells(other)) {
+        point[other] = std::min(point[other], planes_.at(other, row + 1));
+      }
+    }
+    return point;
+  }
+
+  const GridPlanes& planes_;
+  const std::array<MovedVertex, 3>& triangle_;
+  const std::array<std::uint32_t, 3>& vertices_;
+  FunctionRef<void(const Fragment&)> visit_;
+  Vec3<double> normal_;  // its components' sizes, as computed
+  double size_ = 0;      // at least the sum of the coordinates of any two corners
+  std::array<Rows, 3> cornerRows_{};
+};
+
+}  // namespace
+
+void splitTriangle(const GridPlanes& planes, const std::array<MovedVertex, 3>& triangle,
+                   const std::array<std::uint32_t, 3>& vertices,
+                   FunctionRef<void(const Fragment&)> visit) {
+  Splitter(planes, triangle, vertices, visit).run();
+}
+
+}  // namespace cutwater

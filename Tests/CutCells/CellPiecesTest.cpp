@@ -1,0 +1,224 @@
+#include <Cutwater/Surface/Tessellation.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "Support/CutTile.hpp"
+#include "Support/Scale.hpp"
+
+namespace cutwater::test {
+namespace {
+
+IndexedTriangles trianglesOf(const PolygonSoup& soup) {
+  const auto whole = triangulated(soup);
+  IndexedTriangles result{.positions = whole.points, .triangles = {}};
+  for (std::size_t i = 0; i < whole.polygonCount(); ++i) {
+    const auto corners = whole.polygon(i);
+    result.triangles.push_back({corners[0], corners[1], corners[2]});
+  }
+  return result;
+}
+
+/// Turned by angles that nobody chooses, and moved.
+IndexedTriangles placed(IndexedTriangles surface, const Vec3<double>& by) {
+  for (auto& p : surface.positions) {
+    p = {0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y, p.z};
+    p = {p.x, 0.28 * p.y - 0.96 * p.z, 0.96 * p.y + 0.28 * p.z};
+    p += by;
+  }
+  return surface;
+}
+
+void add(IndexedTriangles& to, const IndexedTriangles& more) {
+  const auto first = static_cast<std::uint32_t>(to.positions.size());
+  to.positions.insert(to.positions.end(), more.positions.begin(), more.positions.end());
+  for (const auto& [a, b, c] : more.triangles) {
+    to.triangles.push_back({first + a, first + b, first + c});
+  }
+}
+
+IndexedTriangles box(const Vec3<double>& lower, const Vec3<double>& upper) {
+  return trianglesOf(tessellation::box(lower, upper));
+}
+
+double volumeOf(const IndexedTriangles& surface) {
+  double sum = 0;
+  for (const auto& [a, b, c] : surface.triangles) {
+    sum += dot(surface.positions[a], cross(surface.positions[b], surface.positions[c])) / 6;
+  }
+  return sum;
+}
+
+double areaOf(const IndexedTriangles& surface) {
+  double sum = 0;
+  for (const auto& [a, b, c] : surface.triangles) {
+    const auto& p = surface.positions;
+    sum += length(cross(p[b] - p[a], p[c] - p[a])) / 2;
+  }
+  return sum;
+}
+
+TEST(CellPiecesTest, SurfacesInGeneralPositionKeepVolumeAndArea) {
+  for (const auto& surface :
+       {placed(trianglesOf(tessellation::icosphere(0.37, 3)), {.5, .49, .51}),
+        placed(trianglesOf(tessellation::torus(0.3, 0.1, 40, 20)), {.5, .51, .49}),
+        placed(box({-.3, -.2, -.25}, {.3, .2, .25}), {.51, .5, .5})}) {
+    for (const int n : {5, 16}) {
+      const CutTile cut(surface, 0, 1, n);
+      EXPECT_NEAR(cut.fluidVolume(), 1 - volumeOf(surface), 1e-14);
+      EXPECT_NEAR(cut.wallArea(), areaOf(surface), 1e-12);
+      EXPECT_LT(cut.worstClosure(), 4e-15);
+    }
+  }
+}
+
+TEST(CellPiecesTest, WallsInPlanesOfTheGridBelongToTheCellsOfTheFluid) {
+  const CutTile cut(box({.25, .25, .25}, {.5, .75, .625}), 0, 1, 8);
+  EXPECT_EQ(cut.fluidVolume(), 1 - 0.25 * 0.5 * 0.375);
+  EXPECT_EQ(cut.wallArea(), 2 * (0.25 * 0.5 + 0.25 * 0.375 + 0.5 * 0.375));
+  EXPECT_EQ(cut.worstClosure(), 0);
+  std::size_t walls = 0;
+  for (const auto& piece : cut.result.pieces) {
+    EXPECT_EQ(piece.volume, 0x1p-9);
+    walls += piece.area > 0 ? 1 : 0;  // others touch an edge or a corner of the box
+  }
+  EXPECT_EQ(walls, 2U * (2 * 4 + 2 * 3 + 4 * 3));
+}
+
+TEST(CellPiecesTest, APlateParsACellHoweverThin) {
+  for (const double thickness : {0.01, 1e-6, 1e-12}) {
+    const auto surface = box({-.5, -.5, .4}, {1.5, 1.5, .4 + thickness});
+    const CutTile cut(surface, 0, 1, 1);
+    ASSERT_EQ(cut.result.pieces.size(), 2U);
+    const auto& [below, above] = std::pair(cut.result.pieces[0], cut.result.pieces[1]);
+    EXPECT_NEAR(std::min(below.volume, above.volume), 0.4, 1e-15);
+    EXPECT_NEAR(below.volume + above.volume, 1 - thickness, 1e-15);
+    EXPECT_NEAR(std::min(below.centroid.z, above.centroid.z), 0.2, 1e-15);
+    EXPECT_LT(cut.worstClosure(), 1e-15);
+    EXPECT_EQ(cut.result.arcs.size(), 2U + 4 * 2);  // two parts of each face at the side
+  }
+}
+
+TEST(CellPiecesTest, ABubbleAndTheFluidAroundItAreTwoPieces) {
+  // A cavity within a ball within one cell.
+  auto surface = trianglesOf(tessellation::icosphere(0.4, 2));
+  auto cavity = trianglesOf(tessellation::icosphere(0.2, 2));
+  const double inside = volumeOf(cavity);
+  const double outside = 1 - volumeOf(surface);
+  for (auto& [a, b, c] : cavity.triangles) std::swap(b, c);
+  add(surface, cavity);
+  for (auto& p : surface.positions) p += {.5, .5, .5};
+  const CutTile cut(surface, 0, 1, 1);
+  ASSERT_EQ(cut.result.pieces.size(), 2U);
+  EXPECT_NEAR(std::min(cut.result.pieces[0].volume, cut.result.pieces[1].volume), inside, 1e-15);
+  EXPECT_NEAR(std::max(cut.result.pieces[0].volume, cut.result.pieces[1].volume), outside, 1e-15);
+  EXPECT_EQ(cut.result.arcs.size(), 6U);  // of the piece around the ball
+}
+
+TEST(CellPiecesTest, RodsPierceFacesWithoutTouchingEdges) {
+  const CutTile cut(box({-.5, .4, .4}, {1.5, .6, .6}), 0, 1, 1);
+  ASSERT_EQ(cut.result.pieces.size(), 1U);
+  EXPECT_NEAR(cut.result.pieces[0].volume, 0.96, 1e-15);
+  EXPECT_NEAR(length(cut.result.pieces[0].centroid - Vec3<double>{.5, .5, .5}), 0, 1e-15);
+  EXPECT_LT(cut.worstClosure(), 1e-15);
+}
+
+/// The sizes of the parts of a cell that a voxel solid leaves, by flooding the boxes between all
+/// planes.
+std::vector<double> flooded(const VoxelSolid& solid, const CutTile& cut,
+                            const TileNumbers::Place& cell) {
+  std::array<std::vector<double>, 3> planes;
+  std::array<int, 3> first{};
+  std::array<int, 3> size{};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double lower = cut.positions[static_cast<std::size_t>(cell[a])];
+    const double upper = cut.positions[static_cast<std::size_t>(cell[a]) + 1];
+    first[a] = static_cast<int>(std::floor(lower / solid.width()));
+    planes[a] = {lower};
+    for (int i = first[a] + 1; i * solid.width() < upper; ++i) {
+      planes[a].push_back(i * solid.width());
+    }
+    size[a] = static_cast<int>(planes[a].size());
+    planes[a].push_back(upper);
+  }
+  const auto isBody = [&](const VoxelSolid::Place& p) {
+    return solid.has({first[0] + p[0], first[1] + p[1], first[2] + p[2]});
+  };
+  std::set<VoxelSolid::Place> seen;
+  std::vector<double> result;
+  for (int x = 0; x < size[0]; ++x) {
+    for (int y = 0; y < size[1]; ++y) {
+      for (int z = 0; z < size[2]; ++z) {
+        if (isBody({x, y, z}) || !seen.insert({x, y, z}).second) continue;
+        double volume = 0;
+        std::vector<VoxelSolid::Place> pending{{x, y, z}};
+        while (!pending.empty()) {
+          const auto p = pending.back();
+          pending.pop_back();
+          double part = 1;
+          for (std::size_t a = 0; a < 3; ++a) {
+            const auto i = static_cast<std::size_t>(p[a]);
+            part *= planes[a][i + 1] - planes[a][i];
+            for (const int step : {-1, 1}) {
+              auto next = p;
+              next[a] += step;
+              if (next[a] < 0 || next[a] >= size[a] || isBody(next)) continue;
+              if (seen.insert(next).second) pending.push_back(next);
+            }
+          }
+          volume += part;
+        }
+        result.push_back(volume);
+      }
+    }
+  }
+  return result;
+}
+
+VoxelSolid randomSolid(std::mt19937& random, int kind) {
+  VoxelSolid solid(1.0 / 16);
+  const int share = 15 + static_cast<int>(random() % 70);
+  for (int x = 1; x < 11; ++x) {
+    for (int y = 1; y < 11; ++y) {
+      for (int z = 1; z < 11; ++z) {
+        const bool isIn = static_cast<int>(random() % 100) < share;
+        const bool isTunnel = kind == 1 && x % 3 == 1 && y % 3 == 1;
+        const bool isPlate = kind == 2 && x % 4 == 2;
+        if ((isIn && !isTunnel) || isPlate) solid.add({x, y, z});
+      }
+    }
+  }
+  solid.close(11);
+  return solid;
+}
+
+TEST(CellPiecesTest, PiecesOfVoxelSolidsAreThoseOfAFlood) {
+  std::mt19937 random(5);
+  std::size_t several = 0;
+  for (int n = 0; n < scaled(24); ++n) {
+    const auto solid = randomSolid(random, n % 3);
+    const double lower = -0.0317 - 0.0001 * n;
+    const auto surface = solid.surface();
+    const CutTile cut(surface, lower, lower + 0.85, 3 + n % 3);
+    const auto found = cut.volumes();
+    for (std::uint32_t cell = 0; cell < found.size(); ++cell) {
+      auto volumes = found[cell];
+      auto expected = flooded(solid, cut, cut.tile.numbers().placeOfCell(cell));
+      std::ranges::sort(volumes);
+      std::ranges::sort(expected);
+      ASSERT_EQ(volumes.size(), expected.size()) << "solid " << n << ", cell " << cell;
+      for (std::size_t i = 0; i < volumes.size(); ++i) EXPECT_NEAR(volumes[i], expected[i], 1e-15);
+      several += volumes.size() > 1 ? 1 : 0;
+    }
+    EXPECT_LT(cut.worstClosure(), 4e-15);
+    EXPECT_NEAR(cut.wallArea(), areaOf(surface), 1e-12);
+  }
+  EXPECT_GT(several, 200U);  // cells with several pieces
+}
+
+}  // namespace
+}  // namespace cutwater::test
