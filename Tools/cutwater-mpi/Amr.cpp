@@ -119,7 +119,8 @@ void report(const Options& options, const DistributedOctree<double>& mesh, std::
   const auto onRanks = cellsOnRanks(mesh);
   const auto forest = mesh.forestChecksum();
   if (rankIn(options.comm) != 0 || options.surface.quiet) return;
-  std::cout << "wrote " << options.output << ": " << grouped(mesh.cellCount(), "cell") << '\n';
+  std::cout << "wrote " << onOneLine(options.output) << ": " << grouped(mesh.cellCount(), "cell")
+            << '\n';
   report(counts, mesh.local().domain());
   std::cout << onRanks << '\n'
             << "checksum: cells and values " << hexadecimal(sum) << ", p8est " << forest << '\n'
