@@ -3,7 +3,9 @@ import math
 import os
 import re
 import resource
+import signal
 import subprocess
+import time
 import unittest
 
 try:
@@ -788,6 +790,65 @@ class Prepare(CommandTest):
                 why = self.fails(1, command[0], file, *command[1:])
                 self.assertIn(f"{file}: the geometry file is damaged: ", why)
         self.assertFalse([f.name for f in self.folder.iterdir() if f.name.startswith("a.")])
+
+
+class Interruptions(CommandTest):
+    """The program is ended while it writes a large file."""
+    WORK = ("sample", "box.off", "--cells", "220", "--band", "1", "--threads", "1", "--quiet", "-o", "out.vti")
+
+    def parts(self):
+        return list(self.folder.glob(".cutwater-*.part"))
+
+    def ended_by(self, number):
+        program = subprocess.Popen([PROGRAM, *self.WORK], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        while program.poll() is None and not any(part.stat().st_size > 0 for part in self.parts()):
+            time.sleep(0.0005)
+        program.send_signal(number)
+        _, said = program.communicate(timeout=60)
+        self.assertEqual(program.returncode, -number)
+        return said
+
+    def setUp(self):
+        super().setUp()
+        self.box()
+
+    def test_signals_leave_nothing(self):
+        (self.folder / "out.vti").write_text("old")
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
+            self.assertEqual(self.ended_by(number), "")
+            self.assertEqual(self.parts(), [])
+        self.assertIn("limit on processor time", self.ended_by(signal.SIGXCPU))
+        self.assertEqual(self.parts(), [])
+        self.assertEqual((self.folder / "out.vti").read_text(), "old")
+
+    def test_signals_that_are_ignored_stay_so(self):
+        done = subprocess.Popen([PROGRAM, *self.WORK], cwd=self.folder,
+                                preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        while done.poll() is None and not self.parts():
+            time.sleep(0.0005)
+        done.send_signal(signal.SIGHUP)
+        self.assertEqual(done.wait(60), 0)
+        self.assertTrue((self.folder / "out.vti").exists())
+
+    def test_what_a_killed_run_left_goes_with_the_next(self):
+        self.ended_by(signal.SIGKILL)
+        self.assertEqual(len(self.parts()), 1)
+        self.succeeds("sample", "box.off", "--cells", "4", "--quiet", "-o", "other.vti")
+        self.assertEqual(len(self.parts()), 1)  # not that of this output
+        self.succeeds("sample", "box.off", "--cells", "4", "--quiet", "-o", "out.vti")
+        self.assertEqual(self.parts(), [])
+
+    def test_a_limit_on_the_size_of_files(self):
+        def limited():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (10_000,) * 2)
+        for command in (("sample", "box.off", "--cells", "20", "-o", "out.vti"),
+                        ("make", "sphere", "--parts", "40", "-o", "out.vti.ply"), ("slice", "box.off", "-o", "out.png")):
+            done = subprocess.run([PROGRAM, *command], cwd=self.folder, preexec_fn=limited, capture_output=True,
+                                  text=True, check=False)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, r"\Acutwater: error: out\.\S+: cannot write: [^\n]*: files of this process are "
+                                          r"limited to 10000 bytes \(ulimit -f\)\n\Z")
+        self.assertEqual([f.name for f in self.folder.iterdir()], ["box.off"])
 
 
 class Refusals(CommandTest):

@@ -1,5 +1,6 @@
 #include "Amr.hpp"
 
+#include <Cutwater/Core/Detail/PartFile.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
 #include <Cutwater/P4est/DistributedVtu.hpp>
@@ -169,6 +170,7 @@ void run(Options options) {
     }
   });
   seconds.values = lap();
+  removeStaleParts(piecePath(options.output, rankIn(comm), sizeOf(comm)));
   writePvtu(options.output, mesh, fields->arrays(), {.threads = threads});
   seconds.file = lap();
   memory.atEnd = residentMemory(comm);

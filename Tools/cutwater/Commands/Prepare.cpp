@@ -66,7 +66,7 @@ void addPrepare(Program& program) {
       .add("-o,--output", "FILE.cutwater", "The geometry file to write",
            [=](const std::string& path) {
              requireOwnName(path);
-             requireFolder(path);
+             prepareOutput(path);
              options->output = path;
            })
       .required();
