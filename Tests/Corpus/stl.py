@@ -95,7 +95,7 @@ def binary_cases():
         part = "promises 4" if size < 283 else "cut off"
         yield bad(f"stl-binary-cut-to-{size}", whole[:size], "byte 80", part)
     for size in (1, 79, 83):
-        yield bad(f"stl-binary-cut-to-{size}", whole[:size], "byte 0", "none of")
+        yield bad(f"stl-binary-cut-to-{size}", whole[:size], "byte 0", f"too short: {size} of the 84 bytes")
     for name, number in [("nan", float("nan")), ("inf", float("inf")), ("minus-inf", float("-inf"))]:
         yield bad(f"stl-binary-{name}", with_float(number, 84 + 150 + 44), "byte 234", "not finite")
         yield good(f"stl-binary-normal-{name}", with_float(number, 84))

@@ -37,7 +37,7 @@ def words():
     yield from bad_words("vtk-points", OLD.replace("POINTS 4", "POINTS @"), NO_COUNTS)
     yield from bad_words("vtk-cells", OLD.replace("POLYGONS 4", "POLYGONS @"), NO_COUNTS)
     yield from bad_words("vtk-cell-numbers", OLD.replace("4 16", "4 @"), NO_COUNTS)
-    corners = {word: "more points than are left" if "promises" in part or word == "-1" else part
+    corners = {word: "of the numbers are left" if "promises" in part or word == "-1" else part
                for word, part in NO_COUNTS.items()}
     yield from bad_words("vtk-corners", FIVE + "POLYGONS 1 4\n@ 0 1 2\n", corners)
     offsets = {word: "ascend" if "promises" in part or word == "-1" else part for word, part in NO_COUNTS.items()}
@@ -80,9 +80,9 @@ def refused():
             ("one-point-more", "POINTS 4", "POINTS 5", "line 10", '"POLYGONS"'),
             ("one-point-less", "POINTS 4", "POINTS 3", "line 9", '"0"'),
             ("one-cell-more", "4 16", "5 16", "line 10", "promises 5"),
-            ("one-cell-less", "4 16", "3 16", "line 13", "fewer points"),
-            ("too-few-numbers", "4 16", "4 15", "line 10", "too few"),
-            ("too-many-numbers", "4 16", "4 17", "line 14", "fewer points"),
+            ("one-cell-less", "4 16", "3 16", "line 13", "leave 4 of the 16 numbers"),
+            ("too-few-numbers", "4 16", "4 15", "line 10", "4 cells with only 15 numbers, and they take 16"),
+            ("too-many-numbers", "4 16", "4 17", "line 14", "leave 1 of the 17 numbers"),
             ("two-corners", "3 0 2 1\n3 0 1 3", "2 0 2 4 1 0 1 3", "line 11", "2 corners"),
             ("two-coordinates", "0 1 0\n", "0 1\n", "line 10", '"POLYGONS"'),
             ("nul", "0 1 0\n", "0 1 0\0\n", "line 8", "NUL"),
@@ -91,7 +91,7 @@ def refused():
         yield bad(f"vtk-{name}", OLD.replace(old, new), at, part)
     for name, old, new, at, part in [
             ("first", "0 3 6", "1 3 6", "line 12", "begin with 0"), ("descend", "0 3 6", "0 6 3", "line 12", "ascend"),
-            ("last", "9 12", "9 11", "line 13", "last offset"), ("equal", "0 3 6", "0 0 6", "line 13", "0 corners"),
+            ("last", "9 12", "9 11", "line 13", "last offset is 11, not the number of cell points, 12"), ("equal", "0 3 6", "0 0 6", "line 13", "0 corners"),
             ("narrow", "OFFSETS vtktypeint64", "OFFSETS char", "line 11", "array of indices"),
             ("real", "OFFSETS vtktypeint64", "OFFSETS double", "line 11", "array of indices"),
             ("missing", "OFFSETS vtktypeint64\n0 3 6 9 12\n", "", "line 11", '"OFFSETS"'),

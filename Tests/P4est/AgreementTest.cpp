@@ -26,6 +26,18 @@ TEST(AgreementTest, ErrorOfOneRankReachesAll) {
   }
 }
 
+TEST(AgreementTest, RanksThatDifferAllFail) {
+  for (const std::uint64_t same : {std::uint64_t{0}, std::uint64_t{77}, ~std::uint64_t{0}}) {
+    EXPECT_NO_THROW(requireSame(MPI_COMM_WORLD, same, "differ"));
+    for (int other = 0; rankCount() > 1 && other < rankCount(); ++other) {
+      const auto text = expectAgreedError(ErrorKind::Argument, [&] {
+        requireSame(MPI_COMM_WORLD, ownRank() == other ? same + 1 : same, "differ");
+      });
+      EXPECT_EQ(text, "differ");
+    }
+  }
+}
+
 TEST(AgreementTest, LowestRankSpeaksForAll) {
   const auto text = expectAgreedError(ErrorKind::File, [&] {
     agreed(MPI_COMM_WORLD, [&] {

@@ -1,5 +1,6 @@
 #include <Cutwater/P4est/DistributedOctree.hpp>
 #include <Cutwater/P4est/SharedGeometry.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
 
 #include <algorithm>
 #include <array>
@@ -173,6 +174,44 @@ TYPED_TEST(DistributedOctreeTest, RefusesWhatCannotBe) {
   refused(this->domain, {.cut = 1}, {.cutWeight = 0});
   refused(this->domain, {.cut = 1}, {.cutWeight = 1001});
   refused(this->domain, {.cut = 1}, {.threads = -1});
+}
+
+TYPED_TEST(DistributedOctreeTest, RefusesRanksThatDiffer) {
+  using T = TypeParam;
+  if (rankCount() == 1) GTEST_SKIP() << "needs two ranks";
+  using Rules = Refinement<T>;
+  struct Arguments {
+    OctreeDomain<T> domain;
+    Rules rules = {.cut = 3};
+    DistributedOctreeOptions options = {};
+    T radius = 1;
+  };
+  const auto expectRefused = [&](const std::string& what, const auto& change) {
+    Arguments arguments{this->domain};
+    if (ownRank() == rankCount() - 1) change(arguments);
+    try {
+      const DistributedOctree<T> mesh(Sphere<T>({0, 0, 0}, arguments.radius), arguments.domain,
+                                      arguments.rules, MPI_COMM_WORLD, arguments.options);
+      ADD_FAILURE() << what;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.what(), "DistributedOctree: the ranks have different " + what);
+    }
+  };
+  expectRefused("refinements", [](Arguments& a) { a.rules.cut = 4; });
+  expectRefused("refinements", [](Arguments& a) { a.rules.bands = {{T(0.1), 2}}; });
+  expectRefused("refinements", [](Arguments& a) { a.rules.patches = {{0, 2}}; });
+  for (auto Rules::*angle : {&Rules::curvature, &Rules::edges}) {
+    expectRefused("refinements", [=](Arguments& a) { a.rules.*angle = {T(20), 4}; });
+  }
+  for (auto Rules::*width : {&Rules::gaps, &Rules::walls}) {
+    expectRefused("refinements", [=](Arguments& a) { a.rules.*width = {T(3), 4}; });
+  }
+  expectRefused("options", [](Arguments& a) { a.options.balance = Balance::Face; });
+  expectRefused("options", [](Arguments& a) { a.options.cutWeight = 2; });
+  expectRefused("solids", [](Arguments& a) { a.radius = T(0.9); });
+  expectRefused("domains", [](Arguments& a) {
+    a.domain = OctreeDomain<T>(a.domain.origin(), a.domain.spacing() / 2, a.domain.roots());
+  });
 }
 
 /// Fails for points on one side on the last rank only, as if it ran out of memory.

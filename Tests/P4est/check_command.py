@@ -79,6 +79,15 @@ class CommandTest(unittest.TestCase):
             self.assertNotIn("wrote", done.stdout)
         self.assertEqual(list(self.folder.glob("m*")), [])
 
+    def test_ranks_with_other_options_end(self):
+        same = ["amr", "torus.stl", "-o", "m.pvtu", "--level"]
+        for other in ([*same, "3"], [*same, "30"], ["amr"], [*same, "2", "--private"]):
+            done = self.run_it(MPIEXEC, "--oversubscribe", "-n", "1", ON_RANKS, *same, "2", ":", "-n", "2", ON_RANKS,
+                               *other, status=1)
+            errors = [line for line in done.stderr.split("\n") if "error:" in line]
+            self.assertEqual(errors, ["cutwater-mpi: error: the ranks have different command lines"])
+        self.assertEqual(list(self.folder.glob("m*")), [])
+
     def test_quiet_is_quiet_and_help_is_told_once(self):
         self.assertEqual(self.on_ranks(2, "amr", "torus.stl", *MESH, "-q", "-o", "m.pvtu").stdout, "")
         self.assertEqual(self.on_ranks(2, "amr", "--help").stdout.count("--cut-weight N"), 1)

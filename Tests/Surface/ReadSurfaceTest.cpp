@@ -61,6 +61,9 @@ TEST(ReadSurfaceTest, RefusesWhatIsNoSurfaceFile) {
   expectFailure("hello, world\n", "byte 0", "none of");
   expectFailure(" \n\n", "byte 0", "none of");
   expectFailure("# only a comment", "byte 0", "none of");
+  for (const char* cut : {"#", "# vtk Data", "pl", "SOL", "of"}) {
+    expectFailure(cut, "byte 0", "too short: it ends within its first word");
+  }
   expectFailure("PK\x03\x04 and so on", "byte 0", "zip");
   expectFailure("<?xml version='1.0'?>", "byte 0", "XML");
   expectFailure("\x89PNG\r\n\x1a\n" + std::string(100, '\0'), "byte 0", "PNG");

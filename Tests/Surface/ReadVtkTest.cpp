@@ -101,15 +101,19 @@ TEST(ReadVtkTest, RefusesBadCounts) {
   expectFailure(polygons("9223372036854775807 9"), "line 13", "promises");
   expectFailure(polygons("2 9223372036854775807"), "line 13", "promises");
   expectFailure(polygons("-2 9"), "line 13", "-2");
-  expectFailure(polygons("2 7"), "line 13", "too few");
-  expectFailure(polygons("2 8"), "line 15", "more points than are left");
-  expectFailure(polygons("2 10"), "line 15", "fewer points");
+  expectFailure(polygons("2 7"), "line 13",
+                "2 cells with only 7 numbers, and they take 8 at least");
+  expectFailure(polygons("2 8"), "line 15",
+                "a cell of 4 points, but only 3 of the numbers are left");
+  expectFailure(polygons("2 10"), "line 15",
+                "the cells leave 1 of the 10 numbers that the header promises");
   expectFailure(polygons("3 12"), "line 16", "CELL_DATA");
 }
 
 TEST(ReadVtkTest, RefusesBadCells) {
   const auto cell = [](const std::string& text) { return replaced(kAsciiVtk, "3 0 1 2\n", text); };
-  expectFailure(cell("-1 0 1 2\n"), "line 14", "more points");
+  expectFailure(cell("-1 0 1 2\n"), "line 14",
+                "a cell of -1 points, but only 8 of the numbers are left");
   expectFailure(cell("3 0 1 4\n"), "line 14", "index 4");
   expectFailure(cell("3 0 1 -1\n"), "line 14", "index -1");
   expectFailure(cell("3 0 1 4294967297\n"), "line 14", "out of range");
@@ -128,9 +132,11 @@ TEST(ReadVtkTest, RefusesBadOffsets) {
   };
   expectFailure(file("3 7", "1 3 7"), "line 11", "ascend");
   expectFailure(file("3 7", "0 8 7"), "line 11", "ascend");
-  expectFailure(file("3 7", "0 3 8"), "line 12", "last offset");
+  expectFailure(file("3 7", "0 3 8"), "line 12",
+                "the last offset is 8, not the number of cell points, 7");
   expectFailure(file("3 7", "0 -1 7"), "line 11", "ascend");
-  expectFailure(file("4 7", "0 3 3 7"), "line 12", "too few");
+  expectFailure(file("4 7", "0 3 3 7"), "line 12",
+                "3 cells with only 7 points, and they take 9 at least");
   expectFailure(file("3 7", "0 2 7"), "line 13", "2 corners");
   expectFailure(file("3 7", "0 3 7", "float"), "line 10", "array of indices");
   expectFailure(file("3 7", "0 3 7", "char"), "line 10", "array of indices");
@@ -146,7 +152,7 @@ TEST(ReadVtkTest, RefusesBadBinaryWithItsByte) {
   expectFailure(bad, at, "index 4");
   bad = good;
   bad[polygons] = '\x80';
-  expectFailure(bad, at, "more points");
+  expectFailure(bad, at, "a cell of -2147483645 points, but only 8 of the numbers are left");
   expectFailure(good.substr(0, polygons + 20), "byte " + std::to_string(polygons - 1), "promises");
   bad = good;
   const std::size_t points = good.find("POINTS 4 double\n") + 16;

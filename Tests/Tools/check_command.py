@@ -3,7 +3,9 @@ import math
 import os
 import re
 import resource
+import signal
 import subprocess
+import time
 import unittest
 
 try:
@@ -453,6 +455,36 @@ class Amr(CommandTest):
             self.assertEqual(done.returncode, 1)
             self.assertRegex(done.stderr, rf"\Acutwater: error: out of memory.*{advice}[^\n]*\n\Z")
 
+    def test_out_of_memory_while_reading(self):
+        def limited():
+            resource.setrlimit(resource.RLIMIT_AS, (150_000_000,) * 2)
+        with open(self.folder / "large.stl", "wb") as large:
+            large.truncate(400_000_000)
+        for command in ("info",), ("amr", "-o", "a.vtu", "--level", "2"), ("repair", "-o", "a.stl"):
+            done = subprocess.run([PROGRAM, command[0], "large.stl", *command[1:]], cwd=self.folder, text=True,
+                                  capture_output=True, preexec_fn=limited, check=False)
+            self.assertEqual((done.returncode, done.stderr),
+                             (1, "cutwater: error: large.stl: out of memory while reading it\n"))
+
+    def test_names_the_repair_of_an_open_surface_before_the_work(self):
+        self.succeeds("make", "sphere", "--parts", "24", "-o", "ball.off")
+        points, faces = read_off(self.folder / "ball.off")
+        apart = [tuple(x + 1e-6 * math.sin(7 * n + 3 * axis) for axis, x in enumerate(points[corner]))
+                 for n, face in enumerate(faces) for corner in face]
+        self.surface("apart.off", apart, [(3 * n, 3 * n + 1, 3 * n + 2) for n in range(len(faces))])
+        text = self.succeeds("amr", "apart.off", "-o", "out.vtu", "--level", "0")
+        signs, advice, wrote = text.splitlines()[:3]
+        self.assertIn("signs: winding number", signs)
+        self.assertRegex(wrote, "^wrote ")
+        command = re.search(r"a repair closes it: 'cutwater (repair apart.off .* --weld \S+)' \(", advice)[1]
+        self.assertIn("closed then)", advice)
+        self.succeeds(*command.split())
+        self.assertNotIn("unbalanced", self.succeeds("amr", "repaired.ply", "-o", "out.vtu", "--level", "0"))
+        self.assertNotIn("signs", self.succeeds("amr", "apart.off", "-o", "out.vtu", "--level", "0", "--quiet"))
+        self.surface("open.off", BOX_POINTS, OPEN_BOX_FACES)
+        self.assertIn("a repair closes it: see 'cutwater info open.off' (openings closed: 1; closed then)",
+                      self.succeeds("amr", "open.off", "-o", "out.vtu", "--level", "0"))
+
     def test_refusals(self):
         self.assertIn("--level: '18': need a level up to 17, the finest with 16 roots",
                       self.fails(2, "amr", "box.off", "-o", "a.vtu", "--level", "18"))
@@ -650,6 +682,20 @@ class Convert(CommandTest):
         self.assertRegex(text, r"warning: single precision made \d+ points equal")
         self.assertIn("single precision", self.fails(1, "convert", "two.obj", "a.stl", "--scale", "1e39"))
 
+    def test_says_why_nothing_is_left(self):
+        self.two_patches()
+        very_far = ("--translate", "3e11,3e11,0")
+        for command in [("convert", "two.obj", "a.stl"), ("repair", "two.obj", "-o", "a.stl")]:
+            why = self.fails(1, *command, *very_far)
+            self.assertIn("a.stl: single precision, which binary STL has, makes points of every face equal", why)
+            self.assertIn(" at (3e+11, 3e+11, 0.5); .obj, .ply and --ascii keep all digits, or move it to the origin: "
+                          "--translate -3e+11,-3e+11,-0.5\n", why)
+        self.assertFalse((self.folder / "a.stl").exists())
+        self.succeeds("convert", "two.obj", "a.ply", *very_far)
+        self.succeeds("convert", "a.ply", "a.stl", "--translate", "-3e+11,-3e+11,-0.5")
+        small = self.fails(1, "convert", "two.obj", "b.stl", "--scale", "1e-60")
+        self.assertIn("measures 1e-60 x 1e-60 x 1e-60; .obj, .ply and --ascii keep all digits\n", small)
+
 
 class Prepare(CommandTest):
     def prepared(self, *options, surface="two.obj"):
@@ -746,6 +792,65 @@ class Prepare(CommandTest):
         self.assertFalse([f.name for f in self.folder.iterdir() if f.name.startswith("a.")])
 
 
+class Interruptions(CommandTest):
+    """The program is ended while it writes a large file."""
+    WORK = ("sample", "box.off", "--cells", "220", "--band", "1", "--threads", "1", "--quiet", "-o", "out.vti")
+
+    def parts(self):
+        return list(self.folder.glob(".cutwater-*.part"))
+
+    def ended_by(self, number):
+        program = subprocess.Popen([PROGRAM, *self.WORK], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        while program.poll() is None and not any(part.stat().st_size > 0 for part in self.parts()):
+            time.sleep(0.0005)
+        program.send_signal(number)
+        _, said = program.communicate(timeout=60)
+        self.assertEqual(program.returncode, -number)
+        return said
+
+    def setUp(self):
+        super().setUp()
+        self.box()
+
+    def test_signals_leave_nothing(self):
+        (self.folder / "out.vti").write_text("old")
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT):
+            self.assertEqual(self.ended_by(number), "")
+            self.assertEqual(self.parts(), [])
+        self.assertIn("limit on processor time", self.ended_by(signal.SIGXCPU))
+        self.assertEqual(self.parts(), [])
+        self.assertEqual((self.folder / "out.vti").read_text(), "old")
+
+    def test_signals_that_are_ignored_stay_so(self):
+        done = subprocess.Popen([PROGRAM, *self.WORK], cwd=self.folder,
+                                preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        while done.poll() is None and not self.parts():
+            time.sleep(0.0005)
+        done.send_signal(signal.SIGHUP)
+        self.assertEqual(done.wait(60), 0)
+        self.assertTrue((self.folder / "out.vti").exists())
+
+    def test_what_a_killed_run_left_goes_with_the_next(self):
+        self.ended_by(signal.SIGKILL)
+        self.assertEqual(len(self.parts()), 1)
+        self.succeeds("sample", "box.off", "--cells", "4", "--quiet", "-o", "other.vti")
+        self.assertEqual(len(self.parts()), 1)  # not that of this output
+        self.succeeds("sample", "box.off", "--cells", "4", "--quiet", "-o", "out.vti")
+        self.assertEqual(self.parts(), [])
+
+    def test_a_limit_on_the_size_of_files(self):
+        def limited():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (10_000,) * 2)
+        for command in (("sample", "box.off", "--cells", "20", "-o", "out.vti"),
+                        ("make", "sphere", "--parts", "40", "-o", "out.vti.ply"), ("slice", "box.off", "-o", "out.png")):
+            done = subprocess.run([PROGRAM, *command], cwd=self.folder, preexec_fn=limited, capture_output=True,
+                                  text=True, check=False)
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr, r"\Acutwater: error: out\.\S+: cannot write: [^\n]*: files of this process are "
+                                          r"limited to 10000 bytes \(ulimit -f\)\n\Z")
+        self.assertEqual([f.name for f in self.folder.iterdir()], ["box.off"])
+
+
 class Refusals(CommandTest):
     def test_missing_and_broken_files(self):
         for command in [("info",), ("sample", "-o", "a.vti"), ("slice", "-o", "a.png"), ("convert", "a.stl")]:
@@ -791,6 +896,20 @@ class Refusals(CommandTest):
 
     def test_errors_stay_on_one_line(self):
         self.fails(1, "info", "two\nlines.stl")
+
+    def test_names_stay_on_one_line(self):
+        self.box("two\nlines.off")
+        for command in [("info",), ("repair", "-o", "it's\na.ply"), ("sample", "--cells", "4", "-o", "\n\x1ba.vti"),
+                        ("amr", "--level", "0", "-o", "\na.vtu"), ("convert", "\na.ply"), ("slice", "-o", "\na.png"),
+                        ("prepare", "-o", "\na.cutwater")]:
+            text = self.succeeds(command[0], "two\nlines.off", *command[1:])
+            self.assertNotRegex(text, r"(?m)^(lines|a)\.|\x1b")
+            self.assertIn(r"two\nlines.off" if command[0] == "info" else r"\na." if "\x1b" not in command[-1]
+                          else r"\n\033a.vti", text)
+        for text in (self.succeeds("info", "two\nlines.off"), self.succeeds("repair", "two\nlines.off", "-o", "it's\na.ply")):
+            advice = re.search(r"cutwater (slice .*)", text)[1]
+            self.assertIn("$'", advice)
+            subprocess.run(["bash", "-c", f"{PROGRAM} {advice}"], cwd=self.folder, check=True, capture_output=True)
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "no device that is always full")
     def test_a_full_standard_output(self):

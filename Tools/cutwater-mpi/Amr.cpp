@@ -1,5 +1,6 @@
 #include "Amr.hpp"
 
+#include <Cutwater/Core/Detail/PartFile.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
 #include <Cutwater/P4est/DistributedVtu.hpp>
@@ -119,7 +120,8 @@ void report(const Options& options, const DistributedOctree<double>& mesh, std::
   const auto onRanks = cellsOnRanks(mesh);
   const auto forest = mesh.forestChecksum();
   if (rankIn(options.comm) != 0 || options.surface.quiet) return;
-  std::cout << "wrote " << options.output << ": " << grouped(mesh.cellCount(), "cell") << '\n';
+  std::cout << "wrote " << onOneLine(options.output) << ": " << grouped(mesh.cellCount(), "cell")
+            << '\n';
   report(counts, mesh.local().domain());
   std::cout << onRanks << '\n'
             << "checksum: cells and values " << hexadecimal(sum) << ", p8est " << forest << '\n'
@@ -168,6 +170,7 @@ void run(Options options) {
     }
   });
   seconds.values = lap();
+  removeStaleParts(piecePath(options.output, rankIn(comm), sizeOf(comm)));
   writePvtu(options.output, mesh, fields->arrays(), {.threads = threads});
   seconds.file = lap();
   memory.atEnd = residentMemory(comm);

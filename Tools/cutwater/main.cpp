@@ -2,6 +2,7 @@
 #include <string>
 
 #include "Commands/Commands.hpp"
+#include "Options/OutputFile.hpp"
 #include "Report/Failure.hpp"
 
 namespace {
@@ -41,6 +42,7 @@ int run(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  cutwater::tool::removeOutputsOnSignals();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {

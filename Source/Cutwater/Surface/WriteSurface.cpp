@@ -51,8 +51,10 @@ void writeSurface(const std::filesystem::path& path, const PolygonSoup& soup,
                   const WriteOptions& options) {
   const Format& format = formatOf(path);
   soup.validate();
-  require(soup.polygonCount() > 0, "writeSurface: the soup has no polygons");
   const std::string name = path.string();
+  if (soup.polygonCount() == 0) {
+    throw Error(ErrorKind::Argument, name + ": there is no polygon to write");
+  }
   if (format.extension == ".stl") requireTriangles(name, soup);
   OutputFile file(path);
   text::Output out(file);

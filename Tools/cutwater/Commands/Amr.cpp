@@ -48,7 +48,7 @@ void report(const AmrSettings& options, const Octree<double>& mesh, std::uint64_
   const auto count = mesh.cells().size();
   std::error_code ignored;  // as for a pipe
   const auto size = std::filesystem::file_size(options.output, ignored);
-  std::cout << "wrote " << options.output << ": " << grouped(count, "cell")
+  std::cout << "wrote " << onOneLine(options.output) << ": " << grouped(count, "cell")
             << (ignored ? "" : ", " + bytes(size)) << '\n';
   report(CellCounts(mesh), mesh.domain());
   std::cout << "checksum: cells and values " << hexadecimal(sum) << '\n';

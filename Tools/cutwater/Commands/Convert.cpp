@@ -19,7 +19,8 @@ void run(const ConvertSettings& options) {
   const auto surface = asWritten(options.output, load(options.surface).soup, options.write);
   writeSurface(options.output, surface.soup, options.write);
   if (options.surface.quiet) return;
-  std::cout << "wrote " << options.output << ": " << sizeOf(surface) << '\n' << lossesOf(surface);
+  std::cout << "wrote " << onOneLine(options.output) << ": " << sizeOf(surface) << '\n'
+            << lossesOf(surface);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ void run(IsosurfaceSettings options) {
   const auto surface = asWritten(options.output, patchByPatch(std::move(soup)), options.write);
   writeSurface(options.output, surface.soup, options.write);
   if (options.surface.quiet) return;
-  std::cout << "wrote " << options.output << ": "
+  std::cout << "wrote " << onOneLine(options.output) << ": "
             << grouped(surface.soup.polygonCount(), "triangle") << ", "
             << grouped(surface.soup.points.size(), "point") << ", from "
             << grouped(grid.indices.count()) << " nodes of " << extent(grid.level.spacing())

@@ -135,7 +135,7 @@ void run(const MakeSettings& options) {
       asWritten(options.output, shapes().at(options.shape).make(options), options.write);
   writeSurface(options.output, surface.soup, options.write);
   if (options.quiet) return;
-  std::cout << "wrote " << options.output << ": " << withArticle(options.shape) << " of "
+  std::cout << "wrote " << onOneLine(options.output) << ": " << withArticle(options.shape) << " of "
             << grouped(surface.soup.polygonCount(), "polygon") << '\n'
             << lossesOf(surface);
 }

@@ -84,7 +84,7 @@ void writePicture(const Solid<double>& solid, const SurfaceOptions& surface,
     writePng(options.output, renderSlice(solid, plane, slice));
   }
   if (surface.quiet) return;
-  std::cout << "wrote " << options.output << ": " << slice.width << " x " << slice.height
+  std::cout << "wrote " << onOneLine(options.output) << ": " << slice.width << " x " << slice.height
             << " pixels of the plane " << axis << " = " << number(at) << ", in "
             << duration(watch.lap()) << '\n';
   if (isFreeOfSurface(solid, shownOf(plane, slice.window, box, options.axis), options.axis)) {

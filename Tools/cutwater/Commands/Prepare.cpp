@@ -28,8 +28,9 @@ void prepare(const PrepareSettings& options, const MeshSDF<T>& solid, double sec
   static_cast<void>(MeshSDF<T>::open(options.output));
   const double secondsToOpen = watch.lap();
   if (options.surface.quiet) return;
-  std::cout << "wrote " << options.output << ": " << grouped(solid.triangleCount(), "triangle")
-            << " in " << (sizeof(T) == 4 ? "single" : "double") << " precision, "
+  std::cout << "wrote " << onOneLine(options.output) << ": "
+            << grouped(solid.triangleCount(), "triangle") << " in "
+            << (sizeof(T) == 4 ? "single" : "double") << " precision, "
             << bytes(std::filesystem::file_size(options.output)) << '\n'
             << "built in " << duration(seconds) << ", written in " << duration(secondsToWrite)
             << ", opened and verified in " << duration(secondsToOpen) << '\n';
@@ -65,7 +66,7 @@ void addPrepare(Program& program) {
       .add("-o,--output", "FILE.cutwater", "The geometry file to write",
            [=](const std::string& path) {
              requireOwnName(path);
-             requireFolder(path);
+             prepareOutput(path);
              options->output = path;
            })
       .required();

@@ -176,8 +176,8 @@ void run(RenderSettings options) {
     writePng(options.output, cutwater::render(solid, render));
   }
   if (options.surface.quiet) return;
-  std::cout << "wrote " << options.output << ": " << render.width << " x " << render.height
-            << " pixels, in " << duration(watch.lap()) << '\n';
+  std::cout << "wrote " << onOneLine(options.output) << ": " << render.width << " x "
+            << render.height << " pixels, in " << duration(watch.lap()) << '\n';
   if (render.sheets) {
     std::cout << "the surface is not closed: all of it is shown; --solid shows what the signs make "
                  "of it\n";

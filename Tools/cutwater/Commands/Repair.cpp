@@ -15,6 +15,7 @@
 #include "Report/DiagnosisPage.hpp"
 #include "Report/Format.hpp"
 #include "Report/JsonViews.hpp"
+#include "Report/OutOfMemory.hpp"
 #include "Report/Page.hpp"
 #include "Report/Stopwatch.hpp"
 
@@ -60,7 +61,7 @@ std::string inWordsOfOptions(const RepairStep& step, std::string message) {
 
 StepReport run(const RepairStep& step, PolygonSoup& soup) {
   try {
-    return step.run(soup);
+    return namingMemory("out of memory", [&] { return step.run(soup); });
   } catch (const Error& error) {
     if (step.name == "clean") throw;  // always done, without an option
     throw Error(error.kind(), inWordsOfOptions(step, error.what()));

@@ -63,8 +63,8 @@ void report(const SampleSettings& options, const GridPatch<double>& grid, const 
             double seconds) {
   const auto& n = grid.indices;
   const std::string kind = options.grid.nodes ? "nodes" : "cells";
-  std::cout << "wrote " << options.output << ": " << n.length(0) << " x " << n.length(1) << " x "
-            << n.length(2) << " = " << grouped(n.count()) << ' ' << kind << " of "
+  std::cout << "wrote " << onOneLine(options.output) << ": " << n.length(0) << " x " << n.length(1)
+            << " x " << n.length(2) << " = " << grouped(n.count()) << ' ' << kind << " of "
             << extent(grid.level.spacing()) << '\n';
   const auto distances = fields.distance();
   if (!distances.empty()) {

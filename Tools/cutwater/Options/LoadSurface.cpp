@@ -12,7 +12,9 @@
 #include <iostream>
 #include <iterator>
 
+#include "Options/OpenSurface.hpp"
 #include "Report/Format.hpp"
+#include "Report/OutOfMemory.hpp"
 #include "Report/Stopwatch.hpp"
 
 namespace cutwater::tool {
@@ -60,19 +62,8 @@ void requireNear(const PolygonSoup& soup, const SurfaceOptions& options) {
   }
 }
 
-}  // namespace
-
-LoadedSurface load(const SurfaceOptions& options) {
-  if (isScene(options)) {
-    throw Error(ErrorKind::File, options.file +
-                                     ": a scene has no surface mesh to work on; 'cutwater "
-                                     "isosurface' makes one of it, and info, sample, amr, slice "
-                                     "and render take scenes");
-  }
-  if (const auto info = geometryFileInfo(options.file)) {
-    return info->bytesPerNumber == sizeof(float) ? loadPrepared<float>(options, *info)
-                                                 : loadPrepared<double>(options, *info);
-  }
+/// The surface in a file of one of the formats for surfaces.
+LoadedSurface loadFile(const SurfaceOptions& options) {
   Stopwatch watch;
   auto [soup, report] = readSurface(
       options.file, {.scale = options.scale, .placement = options.placement, .weld = false});
@@ -84,19 +75,54 @@ LoadedSurface load(const SurfaceOptions& options) {
   return surface;
 }
 
+}  // namespace
+
+LoadedSurface load(const SurfaceOptions& options) {
+  if (isScene(options)) {
+    throw Error(ErrorKind::File, options.file +
+                                     ": a scene has no surface mesh to work on; 'cutwater "
+                                     "isosurface' makes one of it, and info, sample, amr, slice "
+                                     "and render take scenes");
+  }
+  return namingMemory(options.file + ": out of memory while reading it", [&] {
+    const auto info = geometryFileInfo(options.file);
+    if (!info) return loadFile(options);
+    return info->bytesPerNumber == sizeof(float) ? loadPrepared<float>(options, *info)
+                                                 : loadPrepared<double>(options, *info);
+  });
+}
+
+namespace {
+
+/// Builds the solid, and says what its signs are based on unless that is sound.
+template <std::floating_point T>
+MeshSDF<T> built(const SurfaceOptions& options) {
+  const auto soup = load(options).soup;
+  auto solid = namingMemory(options.file + ": out of memory while building the tree of " +
+                                grouped(soup.polygonCount(), "polygon"),
+                            [&] { return MeshSDF<T>(soup, options.solid); });
+  if (options.quiet || solid.signReport().isSound()) return solid;
+  std::cout << "signs: " << solid.signReport().summary() << '\n'
+            << adviceOnOpenings(soup, solid.signReport(), options) << std::flush;
+  return solid;
+}
+
+}  // namespace
+
 template <std::floating_point T>
 MeshSDF<T> loadMesh(const SurfaceOptions& options) {
-  auto solid = ready<T>(options);
+  if (auto solid = ready<T>(options)) {
+    if (!options.quiet && !solid->signReport().isSound()) {
+      std::cout << "signs: " << solid->signReport().summary() << '\n';
+    }
+    return *std::move(solid);
+  }
   try {
-    if (!solid) solid.emplace(load(options).soup, options.solid);
+    return built<T>(options);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::Topology) throw;
     throw Error(ErrorKind::Topology, options.file + ": " + error.what());
   }
-  if (!options.quiet && !solid->signReport().isSound()) {
-    std::cout << "signs: " << solid->signReport().summary() << '\n';
-  }
-  return *std::move(solid);
 }
 
 template MeshSDF<float> loadMesh(const SurfaceOptions&);
@@ -110,7 +136,8 @@ Solid<double> loadSolid(const SurfaceOptions& options) {
                     ": --signs and --require-watertight are for surfaces; in a scene, "
                     "\"signs\" and \"require_watertight\" are keys of its meshes");
   }
-  auto solid = readScene(options.file);
+  auto solid = namingMemory(options.file + ": out of memory while making the scene's solid",
+                            [&] { return readScene(options.file); });
   if (options.scale != 1) solid = scaled(solid, options.scale);
   solid.setPlacement(RigidTransform<double>::composed(solid.placement(), options.placement));
   return solid;

@@ -17,6 +17,15 @@ void requireExtension(const std::string& option, const std::string& path,
 /// @throws Error unless the folder that the file is to be in exists.
 void requireFolder(const std::string& path);
 
+/// Accepts the name of a file to write: removes what a run that was killed has left of it.
+/// @throws Error as requireFolder().
+void prepareOutput(const std::string& path);
+
+/// Lets signals that end the program (Ctrl-C, SIGTERM, and others that can be caught) remove the
+/// unfinished files first, and lets writing fail, with a message, at a limit on the size of files.
+/// For main(). Signals that the caller ignores or handles stay as they are.
+void removeOutputsOnSignals();
+
 /// Adds an option, as in "-o,--output", for a file with one of the extensions in a folder that
 /// exists. `output` must outlive the command.
 Option addOutput(Command command, const std::string& names, std::string& output,

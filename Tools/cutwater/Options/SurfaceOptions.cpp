@@ -6,6 +6,7 @@
 #include "Options/Arguments.hpp"
 #include "Options/Choice.hpp"
 #include "Options/UsageError.hpp"
+#include "Report/Format.hpp"
 
 namespace cutwater::tool {
 
@@ -96,7 +97,7 @@ bool isScene(const SurfaceOptions& options) {
 }
 
 std::string fileName(const SurfaceOptions& options) {
-  return std::filesystem::path(options.file).filename().string();
+  return onOneLine(std::filesystem::path(options.file).filename().string());
 }
 
 }  // namespace cutwater::tool

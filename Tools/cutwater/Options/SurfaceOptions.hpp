@@ -36,7 +36,7 @@ void addQuiet(Command command, bool& quiet);
 /// The extension in lower case: ".stl".
 [[nodiscard]] std::string extensionOf(const std::string& file);
 
-/// The file's name for people: "hull.stl.gz".
+/// The file's name for people, on one line: "hull.stl.gz".
 [[nodiscard]] std::string fileName(const SurfaceOptions& options);
 
 }  // namespace cutwater::tool

@@ -46,6 +46,22 @@ std::string rounded(const std::string& file, PolygonSoup& soup) {
          "are lost";
 }
 
+/// Why single precision leaves no face, and what keeps them.
+std::string whyNothingIsLeft(const std::string& file, const Box<double>& box) {
+  const auto middle = box.center();
+  const bool isFar = maxComponent(box.size()) < 1e-3 * maxComponent(abs(middle));
+  std::string text =
+      file +
+      ": single precision, which binary STL has, makes points of every face equal, or puts " +
+      "them in a line: the surface measures " + extent(box.size());
+  if (isFar) text += " at " + point(middle, 3);
+  text += "; .obj, .ply and --ascii keep all digits";
+  if (!isFar) return text;
+  const auto back = -middle;
+  return text + ", or move it to the origin: --translate " + number(back.x, 3) + "," +
+         number(back.y, 3) + "," + number(back.z, 3);
+}
+
 }  // namespace
 
 void addSurfaceOutput(Command command, const std::string& names, std::string& output,
@@ -63,6 +79,8 @@ SurfaceOutput asWritten(const std::string& file, PolygonSoup soup, const WriteOp
   const bool keepsPatches = extension == ".obj" || (isStl && options.ascii);
   SurfaceOutput output{.soup = std::move(soup), .patches = 1, .losses = {}};
   const std::size_t patches = output.soup.patchNames.size();
+  const auto box = output.soup.boundingBox();
+  const bool hadFaces = output.soup.polygonCount() > 0;
   if (keepsPatches) {
     output.patches = patches;
   } else if (patches > 1) {
@@ -77,6 +95,9 @@ SurfaceOutput asWritten(const std::string& file, PolygonSoup soup, const WriteOp
   }
   const bool hasOnlyTriangles = output.soup.corners.size() == 3 * output.soup.polygonCount();
   if (isStl && !(hasOnlyTriangles && isExact)) output.soup = triangulated(output.soup);
+  if (hadFaces && output.soup.polygonCount() == 0) {
+    throw Error(ErrorKind::Argument, whyNothingIsLeft(file, box));
+  }
   return output;
 }
 

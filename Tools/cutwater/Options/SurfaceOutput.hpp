@@ -23,7 +23,8 @@ void addSurfaceOutput(Command command, const std::string& names, std::string& ou
 
 /// STL holds only triangles, so polygons are triangulated for it. Binary STL has single precision:
 /// coordinates are rounded, and points that become equal are merged.
-/// @throws Error for a coordinate beyond single precision in a binary STL.
+/// @throws Error for a coordinate beyond single precision in a binary STL, and if single precision
+/// leaves no face.
 [[nodiscard]] SurfaceOutput asWritten(const std::string& file, PolygonSoup soup,
                                       const WriteOptions& options);
 

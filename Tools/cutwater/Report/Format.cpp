@@ -1,10 +1,26 @@
 #include "Report/Format.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace cutwater::tool {
+
+namespace {
+
+/// As shells quote control characters: $'a\nb'.
+std::string inDollarQuotes(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '\\' || c == '\'') escaped += '\\';
+    escaped += c;
+  }
+  return "$'" + onOneLine(escaped) + "'";
+}
+
+}  // namespace
 
 std::string extent(const Vec3<double>& size) {
   return number(size.x) + " x " + number(size.y) + " x " + number(size.z);
@@ -38,10 +54,30 @@ std::string hexadecimal(std::uint64_t value) {
   return std::string(kDigits - count, '0').append(digits.data(), count);
 }
 
+std::string onOneLine(std::string_view text) {
+  constexpr std::array<std::pair<char, char>, 3> kLetters = {
+      {{'\n', 'n'}, {'\r', 'r'}, {'\t', 't'}}};
+  std::string result;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    const auto* const letter = std::ranges::find(kLetters, c, &std::pair<char, char>::first);
+    if (letter != kLetters.end()) {
+      result += {'\\', letter->second};
+    } else if (code < ' ' || c == '\x7f') {
+      result += {'\\', static_cast<char>('0' + code / 64), static_cast<char>('0' + code / 8 % 8),
+                 static_cast<char>('0' + code % 8)};
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
 std::string shellWord(const std::string& text) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:%@";
   if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  if (onOneLine(text) != text) return inDollarQuotes(text);
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";

@@ -29,6 +29,8 @@ using text::rounded;
 [[nodiscard]] std::string shellWord(const std::string& text);
 /// The same for the name of a file, which no command takes for an option.
 [[nodiscard]] std::string fileWord(const std::string& file);
+/// The text with line breaks and other control characters as C writes them: a name can hold any.
+[[nodiscard]] std::string onOneLine(std::string_view text);
 /// Padded with blanks to `width`.
 [[nodiscard]] std::string leftAligned(std::string_view text, std::size_t width);
 [[nodiscard]] std::string rightAligned(std::string_view text, std::size_t width);

@@ -8,6 +8,7 @@
 
 #include "Options/RepairSteps.hpp"
 #include "Report/Format.hpp"
+#include "Report/OutOfMemory.hpp"
 #include "Report/PeakMemory.hpp"
 #include "Report/Stopwatch.hpp"
 
@@ -71,7 +72,9 @@ InfoFacts gather(const InfoOptions& options) {
   std::error_code ignored;
   const auto onDisk = std::filesystem::file_size(options.file, ignored);
   if (!ignored) facts.bytesOnDisk = onDisk;
-  facts.found = diagnose(soup, {.fillHoles = holeFilling()});
+  facts.found = namingMemory(
+      options.file + ": out of memory while examining " + grouped(soup.polygonCount(), "polygon"),
+      [&] { return diagnose(soup, {.fillHoles = holeFilling()}); });
   if (facts.found.signs && options.inFloat) {
     const bool meets = static_cast<bool>(facts.found.selfIntersections);
     facts.bytesInFloat = MeshSDF<float>(soup, {.findSelfIntersections = meets}).memoryBytes();

@@ -13,7 +13,7 @@ class Page {
   void line(const std::string& name, const std::string& value) {
     plain(leftAligned(name, 18) + "  " + value);
   }
-  void plain(const std::string& text) { text_ += "  " + text + "\n"; }
+  void plain(const std::string& text) { text_ += "  " + onOneLine(text) + "\n"; }
   /// Adds text, broken between words so that lines end before column 100. Lines after the first are
   /// indented.
   void wrapped(const std::string& head, const std::string& words);

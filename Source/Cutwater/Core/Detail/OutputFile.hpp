@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Cutwater/Core/Detail/PartFile.hpp>
+
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
@@ -38,8 +40,8 @@ class OutputFile {
   [[noreturn]] void fail(const char* what, int systemError) const;
 
   std::filesystem::path path_;
-  std::filesystem::path target_;     // path_ with symbolic links followed
-  std::filesystem::path temporary_;  // empty: written in place
+  std::filesystem::path target_;  // path_ with symbolic links followed
+  PartFile part_;                 // without a path: written in place
   std::unique_ptr<std::FILE, Closer> file_;
 };
 

@@ -80,6 +80,17 @@ bool isCompleteBinaryStl(std::string_view bytes) {
   return bytes.size() == size || !isForeign(bytes);
 }
 
+constexpr std::string_view kVtk = "# vtk DataFile";
+
+/// Whether the file ends before the word that some format begins with does.
+bool isCutWithinFirstWord(std::string_view bytes) {
+  constexpr std::array<std::string_view, 4> kFirst = {kVtk, "ply", "solid", "OFF"};
+  const auto isBeginOf = [bytes](std::string_view first) {
+    return bytes.size() < first.size() && equalIgnoringCase(bytes, first.substr(0, bytes.size()));
+  };
+  return std::any_of(kFirst.begin(), kFirst.end(), isBeginOf);
+}
+
 [[noreturn]] void failUnknown(const Content& content) {
   const TextCursor text(content);
   for (const auto& [magic, name] : kForeignFormats) {
@@ -87,14 +98,22 @@ bool isCompleteBinaryStl(std::string_view bytes) {
       text.failAt({Place::Unit::Byte, 0}, std::string("this is ") + name + ", not a surface");
     }
   }
-  text.failAt({Place::Unit::Byte, 0}, "the content is none of STL, OBJ, PLY, OFF and legacy VTK");
+  if (isCutWithinFirstWord(content.bytes)) {
+    text.failAt({Place::Unit::Byte, 0}, "the file is too short: it ends within its first word");
+  }
+  std::string message = "the content is none of STL, OBJ, PLY, OFF and legacy VTK";
+  if (content.bytes.size() < kBinaryStlHeader) {
+    message +=
+        "; if it should be a binary STL, it is too short: " + std::to_string(content.bytes.size()) +
+        " of the " + std::to_string(kBinaryStlHeader) + " bytes of the header";
+  }
+  text.failAt({Place::Unit::Byte, 0}, message);
 }
 
 }  // namespace
 
 Detected detectFormat(const Content& content) {
   const std::string_view bytes = content.bytes;
-  constexpr std::string_view kVtk = "# vtk DataFile";
   if (equalIgnoringCase(bytes.substr(0, kVtk.size()), kVtk)) return {SurfaceFormat::Vtk, readVtk};
   const std::string_view word = firstWord(bytes);
   if (word == "ply") return {SurfaceFormat::Ply, readPly};

@@ -120,17 +120,28 @@ class VtkReader {
     const std::uint64_t fewest = kind == Cells::Skipped ? 1 : 4;
     const auto cells = text_.requireRecords(cellsPromised, fewest * smallest(kInt), "cells");
     std::uint64_t left = text_.requireRecords(numbersPromised, smallest(kInt), "cell numbers");
-    if (left < cells * fewest) text_.fail("too few numbers for so many cells");
+    if (left < cells * fewest) failTooFew(cells, left, "numbers", cells * fewest);
     reserve(kind, cells, left - cells);
     beginData();
     for (std::uint64_t i = 0; i < cells; ++i) {
       bytes_.beginRecord();
       const auto corners = static_cast<std::uint64_t>(integer(kInt));  // negative: huge
-      if (left == 0 || corners > left - 1) cursor().fail("a cell has more points than are left");
-      left -= 1 + corners;
+      if (left == 0) {
+        cursor().fail("no numbers are left for cell " + std::to_string(i) + " of " +
+                      std::to_string(cells));
+      }
+      left -= 1;
+      if (corners > left) {
+        cursor().fail("a cell of " + std::to_string(static_cast<std::int64_t>(corners)) +
+                      " points, but only " + std::to_string(left) + " of the numbers are left");
+      }
+      left -= corners;
       readCell(kind, kInt, corners);
     }
-    if (left > 0) cursor().fail("the cells have fewer points than the header promises");
+    if (left > 0) {
+      cursor().fail("the cells leave " + std::to_string(left) + " of the " +
+                    std::to_string(numbersPromised) + " numbers that the header promises");
+    }
     endData();
   }
 
@@ -152,11 +163,13 @@ class VtkReader {
     endData();
     const ScalarType type = arrayHeader("CONNECTIVITY");
     const auto points = text_.requireRecords(pointsPromised, smallest(type), "cell points");
-    if ((offsets.empty() ? 0 : offsets.back()) != points) {
-      text_.fail("the last offset is not the number of cell points");
+    const std::uint64_t last = offsets.empty() ? 0 : offsets.back();
+    if (last != points) {
+      text_.fail("the last offset is " + std::to_string(last) +
+                 ", not the number of cell points, " + std::to_string(points));
     }
     const std::uint64_t cells = offsets.empty() ? 0 : count - 1;
-    if (cells > 0 && points / cells < fewest) text_.fail("too few points for so many cells");
+    if (cells > 0 && points / cells < fewest) failTooFew(cells, points, "points", cells * fewest);
     reserve(kind, cells, points);
     beginData();
     for (std::uint64_t i = 0; i < cells; ++i) {
@@ -164,6 +177,12 @@ class VtkReader {
       readCell(kind, type, offsets[i + 1] - offsets[i]);
     }
     endData();
+  }
+
+  [[noreturn]] void failTooFew(std::uint64_t cells, std::uint64_t found, const std::string& what,
+                               std::uint64_t needed) const {
+    text_.fail(std::to_string(cells) + " cells with only " + std::to_string(found) + " " + what +
+               ", and they take " + std::to_string(needed) + " at least");
   }
 
   ScalarType arrayHeader(std::string_view name) {

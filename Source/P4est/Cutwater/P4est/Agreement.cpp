@@ -26,13 +26,14 @@ std::optional<Error> errorOf(FunctionRef<void()> work) {
   }
 }
 
-/// The least of all ranks' numbers. During a long wait it yields the core to others, such as rank
-/// 0's threads, which read a surface while the other ranks wait: MPI's own waiting does not.
-int leastOf(int own, MPI_Comm comm) {
+/// The least of all ranks' values of each number. During a long wait it yields the core to others,
+/// such as rank 0's threads, which read a surface while the other ranks wait: MPI's own waiting
+/// does not.
+std::array<std::uint64_t, 2> leastOf(const std::array<std::uint64_t, 2>& own, MPI_Comm comm) {
   constexpr int kTries = 1000;
-  int least = 0;
+  std::array<std::uint64_t, 2> least{};
   MPI_Request request = MPI_REQUEST_NULL;
-  MPI_Iallreduce(&own, &least, 1, MPI_INT, MPI_MIN, comm, &request);
+  MPI_Iallreduce(own.data(), least.data(), 2, MPI_UINT64_T, MPI_MIN, comm, &request);
   int isDone = 0;
   for (int tries = 0; isDone == 0; ++tries) {
     if (tries > kTries) std::this_thread::sleep_for(std::chrono::microseconds(500));
@@ -50,7 +51,8 @@ void agreed(MPI_Comm comm, FunctionRef<void()> work) {
   int size = 0;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &size);
-  const int first = leastOf(error ? rank : size, comm);
+  const auto own = static_cast<std::uint64_t>(error ? rank : size);
+  const auto first = static_cast<int>(leastOf({own, 0}, comm).front());
   if (first == size) return;
   std::string text = rank == first ? error->what() : "";
   std::array<int, 2> kindAndLength{};
@@ -60,6 +62,11 @@ void agreed(MPI_Comm comm, FunctionRef<void()> work) {
   text.resize(static_cast<std::size_t>(kindAndLength[1]));
   MPI_Bcast(text.data(), kindAndLength[1], MPI_CHAR, first, comm);
   throw Error(static_cast<ErrorKind>(kindAndLength[0]), text);
+}
+
+void requireSame(MPI_Comm comm, std::uint64_t checksum, const std::string& message) {
+  const auto [least, complementOfMost] = leastOf({checksum, ~checksum}, comm);
+  if (least != ~complementOfMost) throw Error(ErrorKind::Argument, message);
 }
 
 }  // namespace cutwater

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Checksum.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
 #include <Cutwater/P4est/Detail/ForestBuilder.hpp>
@@ -21,6 +22,60 @@ void check(const OctreeDomain<T>& domain, int deepest, const DistributedOctreeOp
           Named{"threads", options.threads});
 }
 
+/// Bytes of numbers, for a checksum.
+class Bytes {
+ public:
+  template <typename... Numbers>
+  Bytes& add(const Numbers&... numbers) {
+    (append(std::as_bytes(std::span(&numbers, 1))), ...);
+    return *this;
+  }
+  template <std::floating_point T>
+  Bytes& add(const Vec3<T>& p) {
+    return add(p.x, p.y, p.z);
+  }
+  [[nodiscard]] std::uint64_t checksum() const { return xxHash64(bytes_); }
+
+ private:
+  void append(std::span<const std::byte> some) {
+    bytes_.insert(bytes_.end(), some.begin(), some.end());
+  }
+
+  std::vector<std::byte> bytes_;
+};
+
+template <std::floating_point T>
+std::uint64_t checksumOf(const Refinement<T>& rules) {
+  Bytes bytes;
+  bytes.add(rules.cut, rules.bands.size(), rules.patches.size());
+  for (const auto& [distance, level] : rules.bands) bytes.add(distance, level);
+  for (const auto& [patch, level] : rules.patches) bytes.add(patch, level);
+  for (const auto& rule : {rules.curvature, rules.edges}) {
+    bytes.add(rule.has_value());
+    if (rule) bytes.add(rule->degrees, rule->level);
+  }
+  for (const auto& rule : {rules.gaps, rules.walls}) {
+    bytes.add(rule.has_value());
+    if (rule) bytes.add(rule->cells, rule->level);
+  }
+  return bytes.checksum();
+}
+
+/// Ranks that divide cells by different rules would wait for one another without end.
+template <std::floating_point T>
+void requireSameArguments(const SignedDistanceFunction<T>& solid, const OctreeDomain<T>& domain,
+                          const Refinement<T>& rules, MPI_Comm comm,
+                          const DistributedOctreeOptions& options) {
+  const std::string begin = "DistributedOctree: the ranks have different ";
+  const auto& n = domain.roots();
+  const auto box = solid.boundingBox();
+  requireSame(comm, Bytes().add(domain.origin()).add(domain.spacing(), n.i, n.j, n.k).checksum(),
+              begin + "domains");
+  requireSame(comm, checksumOf(rules), begin + "refinements");
+  requireSame(comm, Bytes().add(options.balance, options.cutWeight).checksum(), begin + "options");
+  requireSame(comm, Bytes().add(box.lower).add(box.upper).checksum(), begin + "solids");
+}
+
 }  // namespace
 
 template <std::floating_point T>
@@ -29,6 +84,7 @@ DistributedOctree<T>::DistributedOctree(const SignedDistanceFunction<T>& solid,
                                         const Refinement<T>& refinement, MPI_Comm comm,
                                         const DistributedOctreeOptions& options)
     : comm_(comm) {
+  requireSameArguments(solid, domain, refinement, comm, options);
   std::optional<detail::CellTagger<T>> tagger;
   const int deepest = refinement.deepest();
   agreed(comm, [&] {

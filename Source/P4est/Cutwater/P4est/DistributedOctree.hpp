@@ -10,7 +10,7 @@ struct p8est;
 
 namespace cutwater {
 
-/// Options of a DistributedOctree; the same on all ranks.
+/// Options of a DistributedOctree; the same on all ranks, but for `threads`.
 struct DistributedOctreeOptions {
   Balance balance = Balance::Corner;
   /// Weight, in the partition among ranks, of a cell that the surface may meet; other cells weigh
@@ -30,12 +30,13 @@ struct DistributedOctreeOptions {
 /// holds the list of all roots, a few hundred bytes each.
 ///
 /// Constructors, and functions documented as such, are collective: all ranks call them, with the
-/// same arguments. The communicator must outlive the mesh.
+/// same arguments but for the number of threads. The communicator must outlive the mesh.
 template <std::floating_point T>
 class DistributedOctree {
  public:
   /// Collective. The solid must be the same on all ranks: see SharedGeometry.
-  /// @throws Error, the same on all ranks: as Octree; if there are levels beyond p4est's 18 or more
+  /// @throws Error, the same on all ranks: if they have different domains, refinements, options, or
+  /// solids with different bounding boxes; as Octree; if there are levels beyond p4est's 18 or more
   /// than 2^24 roots, or the weight is not in 1 ... 1000.
   DistributedOctree(const SignedDistanceFunction<T>& solid, const OctreeDomain<T>& domain,
                     const Refinement<T>& refinement, MPI_Comm comm,

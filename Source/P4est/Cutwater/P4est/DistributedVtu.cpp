@@ -7,15 +7,12 @@
 
 namespace cutwater {
 
-namespace {
-
-std::string pieceName(const std::filesystem::path& path, int rank, int size) {
+std::filesystem::path piecePath(const std::filesystem::path& path, int rank, int size) {
   const auto number = std::to_string(rank);
   const auto digits = std::to_string(size - 1).size();
-  return path.stem().string() + "_" + std::string(digits - number.size(), '0') + number + ".vtu";
+  return path.parent_path() /
+         (path.stem().string() + "_" + std::string(digits - number.size(), '0') + number + ".vtu");
 }
-
-}  // namespace
 
 template <std::floating_point T>
 void writePvtu(const std::filesystem::path& path, const DistributedOctree<T>& mesh,
@@ -27,14 +24,14 @@ void writePvtu(const std::filesystem::path& path, const DistributedOctree<T>& me
   MPI_Comm_size(comm, &size);
   std::optional<OutputFile> file;
   agreed(comm, [&] {
-    file.emplace(path.parent_path() / pieceName(path, rank, size));
+    file.emplace(piecePath(path, rank, size));
     detail::writeVtu(*file, mesh.local(), arrays, options);
   });
   agreed(comm, [&] { file->commit(); });
   agreed(comm, [&] {
     if (rank != 0) return;
     std::vector<std::string> pieces;
-    for (int r = 0; r < size; ++r) pieces.push_back(pieceName(path, r, size));
+    for (int r = 0; r < size; ++r) pieces.push_back(piecePath(path, r, size).filename().string());
     writePvtu<T>(path, pieces, arrays);
   });
 }
