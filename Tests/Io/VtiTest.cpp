@@ -54,6 +54,19 @@ TEST(VtiTest, CellDataIsReadBackToTheBit) {
   EXPECT_EQ(vti.rest(), "\n  </AppendedData>\n</VTKFile>\n");
 }
 
+TEST(VtiTest, TellsTheNamesOfPatches) {
+  const TemporaryFolder folder;
+  const std::vector<std::int32_t> ids(kBox.count(), 1);
+  const VtkArray patch{"patch", std::span<const std::int32_t>(ids)};
+  const GridPatch<double> grid{Level<double>({0, 0, 0}, {1, 1, 1}), kBox};
+  const std::vector<std::string> names{"hull", "two words"};
+  writeVti(folder / "a.vti", grid, std::span(&patch, 1), {.patchNames = names});
+  const ParsedVtk vti(contentOf(folder / "a.vti"));
+  EXPECT_EQ(vti.texts("patch names"), names);
+  EXPECT_LT(vti.header().find("<FieldData>"), vti.header().find("<Piece "));
+  EXPECT_EQ(vti.array<std::int32_t>("patch", "Int32"), ids);
+}
+
 TEST(VtiTest, NodesArePointData) {
   const TemporaryFolder folder;
   const auto values = ramp(1);

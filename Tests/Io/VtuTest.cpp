@@ -120,6 +120,16 @@ TYPED_TEST(VtuTest, ValuesAreReadBackToTheBit) {
   EXPECT_EQ(vtu.rest(), "\n  </AppendedData>\n</VTKFile>\n");
 }
 
+TYPED_TEST(VtuTest, TellsTheNamesOfPatches) {
+  const std::vector<std::string> names{"hull", "a<b & \"c\"", "", "R\xC3\xBC\xC3\xA7kseite"};
+  const auto vtu = this->written({.patchNames = names});
+  EXPECT_EQ(vtu.texts("patch names"), names);
+  EXPECT_LT(vtu.header().find("<FieldData>"), vtu.header().find("<Piece "));
+  EXPECT_NE(vtu.header().find("NumberOfTuples=\"4\""), std::string::npos);
+  EXPECT_EQ(vtu.template array<std::uint8_t>("level", "UInt8"), this->levels);
+  EXPECT_EQ(this->written().header().find("FieldData"), std::string::npos);
+}
+
 TYPED_TEST(VtuTest, WideIndicesSayTheSame) {
   const auto narrow = this->written();
   const auto wide = this->written({.wideIndices = true});

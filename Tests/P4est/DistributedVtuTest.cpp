@@ -49,7 +49,8 @@ TYPED_TEST_SUITE(DistributedVtuTest, Precisions);
 
 TYPED_TEST(DistributedVtuTest, PiecesTogetherAreTheMesh) {
   using T = TypeParam;
-  writePvtu(this->folder / "m.pvtu", this->mesh, this->arrays());
+  const std::vector<std::string> patches{"ball"};
+  writePvtu(this->folder / "m.pvtu", this->mesh, this->arrays(), {.patchNames = patches});
   EXPECT_EQ(this->folder.fileCount(), 1U + static_cast<std::size_t>(rankCount()));
   const auto content = contentOf(this->folder / "m.pvtu");
   EXPECT_NE(content.find("<VTKFile type=\"PUnstructuredGrid\""), std::string::npos);
@@ -59,6 +60,7 @@ TYPED_TEST(DistributedVtuTest, PiecesTogetherAreTheMesh) {
   std::size_t n = 0;
   for (const auto& name : this->piecesOf(content)) {
     const ParsedVtk piece(contentOf(this->folder / name));
+    EXPECT_EQ(piece.texts("patch names"), patches);
     const auto points = piece.template array<Vec3<T>>("Points", this->type);
     const auto corners = piece.template array<std::int32_t>("connectivity", "Int32");
     const auto values = piece.template array<T>("distance", this->type);

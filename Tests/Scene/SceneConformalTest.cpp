@@ -26,23 +26,23 @@ BeamLattice<double> octets(const Cells& cells) {
 class SceneConformalTest : public SceneTest {};
 
 TEST_F(SceneConformalTest, FitsEveryShape) {
-  expectSame(
+  expectIt(
       read(octetsIn("[1, 8, 2]", "inner_radius = 1, outer_radius = 2, length = 3")),
       octets(Cells({1, 8, 2}, PipeMapping({.innerRadius = 1, .outerRadius = 2, .length = 3}))));
-  expectSame(read(octetsIn("[1, 4, 2]",
-                           "inner_radius = 1, outer_radius = 2, length = 3, "
-                           "from_degrees = 10, to_degrees = 90")),
-             octets(Cells({1, 4, 2}, PipeMapping({1, 2, 3, 10, 90}))));
-  expectSame(read(octetsIn("[2, 2, 3]", "radius = 1.5, length = 2")),
-             octets(Cells({2, 2, 3}, CylinderMapping(1.5, 2))));
-  expectSame(
+  expectIt(read(octetsIn("[1, 4, 2]",
+                         "inner_radius = 1, outer_radius = 2, length = 3, "
+                         "from_degrees = 10, to_degrees = 90")),
+           octets(Cells({1, 4, 2}, PipeMapping({1, 2, 3, 10, 90}))));
+  expectIt(read(octetsIn("[2, 2, 3]", "radius = 1.5, length = 2")),
+           octets(Cells({2, 2, 3}, CylinderMapping(1.5, 2))));
+  expectIt(
       read(octetsIn("[2, 2, 1]", "diameter = 3, center_thickness = 1, back_radius = 3")),
       octets(Cells({2, 2, 1}, LensMapping({.diameter = 3,
                                            .centerThickness = 1,
                                            .frontRadius = std::numeric_limits<double>::infinity(),
                                            .backRadius = 3}))));
-  expectSame(read(octetsIn("[1, 2, 3]", "lower = [-1, -1, -1], upper = [1, 2, 2]")),
-             octets(Cells({1, 2, 3}, BoxMapping({{-1, -1, -1}, {1, 2, 2}}))));
+  expectIt(read(octetsIn("[1, 2, 3]", "lower = [-1, -1, -1], upper = [1, 2, 2]")),
+           octets(Cells({1, 2, 3}, BoxMapping({{-1, -1, -1}, {1, 2, 2}}))));
 }
 
 TEST_F(SceneConformalTest, FollowsCurves) {
@@ -54,9 +54,9 @@ TEST_F(SceneConformalTest, FollowsCurves) {
                          PipeMapping({.innerRadius = 0.2, .outerRadius = 0.4, .length = length}))));
   };
   const std::string pipe = "inner_radius = 0.2, outer_radius = 0.4";
-  expectSame(read(octetsIn("[1, 6, 4]", pipe) + kSpine + "side = [0, 1, 0]"),
-             along(spine, spine.length()));
-  expectSame(read(octetsIn("[1, 6, 4]", pipe + ", length = 2") + kSpine), along(Spine(kCurve), 2));
+  expectIt(read(octetsIn("[1, 6, 4]", pipe) + kSpine + "side = [0, 1, 0]"),
+           along(spine, spine.length()));
+  expectIt(read(octetsIn("[1, 6, 4]", pipe + ", length = 2") + kSpine), along(Spine(kCurve), 2));
   EXPECT_EQ(refusal(octetsIn("[1, 6, 4]", pipe)),
             "line 5: a pipe: \"length\" is needed where there is no \"spine\"");
   EXPECT_EQ(refusal(octetsIn("[1, 6, 4]", pipe + ", length = 2") + "side = [0, 1, 0]"),
@@ -66,16 +66,15 @@ TEST_F(SceneConformalTest, FollowsCurves) {
 TEST_F(SceneConformalTest, HasNoiseAndRadiiByThePlace) {
   const auto text = octetsIn("[2, 2, 2]", "lower = [-1, -1, -1], upper = [1, 2, 2]");
   const Cells cells({2, 2, 2}, BoxMapping({{-1, -1, -1}, {1, 2, 2}}));
-  expectSame(read(text + "noise = { amplitude = 0.1 }"),
-             octets(cells.withNoise({.amplitude = 0.1})));
-  expectSame(read(text + "noise = { amplitude = 0.1, seed = 3, unit = \"shortest edge\", "
-                         "keeps_boundary = true }"),
-             octets(cells.withNoise({0.1, 3, NoiseUnit::ShortestEdge, true})));
+  expectIt(read(text + "noise = { amplitude = 0.1 }"), octets(cells.withNoise({.amplitude = 0.1})));
+  expectIt(read(text + "noise = { amplitude = 0.1, seed = 3, unit = \"shortest edge\", "
+                       "keeps_boundary = true }"),
+           octets(cells.withNoise({0.1, 3, NoiseUnit::ShortestEdge, true})));
   const std::string graded =
       "[it]\nconformal = \"BCC\"\nradius = { at_center = 0.1, at_corners = 0.02 }\n"
       "cells = [2, 2, 2]\nsubdivisions = 2\nfit = { lower = [-1, -1, -1], upper = [1, 2, 2] }";
-  expectSame(read(graded), BeamLattice<double>(
-                               beamsOf(UnitCell::bcc(), cells,
+  expectIt(read(graded),
+           BeamLattice<double>(beamsOf(UnitCell::bcc(), cells,
                                        Thickness<double>::byDistanceToCellCenter(0.1, 0.02), {2})));
 }
 

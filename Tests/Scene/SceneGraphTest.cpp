@@ -10,12 +10,14 @@ namespace {
 
 const std::string kSphereA = "[a]\nshape = \"sphere\"\nradius = 1\n";
 const std::string kSphereB = "[b]\nshape = \"sphere\"\nradius = 1\ncenter = [1, 0, 0]\n";
+const Solid<double> kBallA = named(Sphere<double>({}, 1), "a");
+const Solid<double> kBallB = named(Sphere<double>({1, 0, 0}, 1), "b");
 const std::string kBoth = "[both]\nunion = [\"a\", \"b\"]\n";
 
 class SceneGraphTest : public SceneTest {};
 
 TEST_F(SceneGraphTest, SolidsMayStandInAnyOrder) {
-  const Solid<double> both = Sphere<double>({}, 1) | Sphere<double>({1, 0, 0}, 1);
+  const Solid<double> both = kBallA | kBallB;
   for (const auto& text :
        {kSphereA + kSphereB + kBoth, kBoth + kSphereA + kSphereB, kSphereB + kBoth + kSphereA}) {
     expectSame(read("solid = \"both\"\n" + text), both);
@@ -23,16 +25,15 @@ TEST_F(SceneGraphTest, SolidsMayStandInAnyOrder) {
 }
 
 TEST_F(SceneGraphTest, TheLastOneIsMeantUnlessTold) {
-  expectSame(read(kBoth + kSphereA + kSphereB), Sphere<double>({1, 0, 0}, 1));
-  expectSame(read("solid = \"a\"\n" + kBoth + kSphereA + kSphereB), Sphere<double>({}, 1));
-  expectSame(read("solid = \"b\"\n" + kBoth + kSphereA + kSphereB, {.solid = "a"}),
-             Sphere<double>({}, 1));
+  expectSame(read(kBoth + kSphereA + kSphereB), kBallB);
+  expectSame(read("solid = \"a\"\n" + kBoth + kSphereA + kSphereB), kBallA);
+  expectSame(read("solid = \"b\"\n" + kBoth + kSphereA + kSphereB, {.solid = "a"}), kBallA);
   // Later in the file, not in the alphabet.
-  expectSame(read("[z]\nshape = \"plane\"\n" + kSphereA), Sphere<double>({}, 1));
+  expectSame(read("[z]\nshape = \"plane\"\n" + kSphereA), kBallA);
 }
 
 TEST_F(SceneGraphTest, OnlyWhatIsNeededIsMade) {
-  expectSame(read("[lost]\nmesh = \"none.stl\"\n" + kSphereA), Sphere<double>({}, 1));
+  expectSame(read("[lost]\nmesh = \"none.stl\"\n" + kSphereA), kBallA);
   EXPECT_NE(refusal("[lost]\nmesh = \"none.stl\"\nscal = 1\n" + kSphereA), "nothing");
 }
 

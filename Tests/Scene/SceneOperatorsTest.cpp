@@ -14,9 +14,9 @@ const std::string kOperands =
     "[a]\nshape = \"sphere\"\ncenter = [0.5, 0.25, 0]\nradius = 1\n"
     "[b]\nshape = \"cuboid\"\nlower = [0.25, 0.5, -1]\nupper = [2, 1.5, 1]\n"
     "[c]\nshape = \"sphere\"\nradius = 0.75\n";
-const S kA = Sphere<double>({0.5, 0.25, 0}, 1);
-const S kB = Cuboid<double>({0.25, 0.5, -1}, {2, 1.5, 1});
-const S kC = Sphere<double>({}, 0.75);
+const S kA = named(Sphere<double>({0.5, 0.25, 0}, 1), "a");
+const S kB = named(Cuboid<double>({0.25, 0.5, -1}, {2, 1.5, 1}), "b");
+const S kC = named(Sphere<double>({}, 0.75), "c");
 
 std::vector<Expected> combinations() {
   const Smoothing<double> cubic{.reach = 0.25, .kind = SmoothKind::Cubic};
@@ -83,14 +83,14 @@ TEST_F(SceneOperatorsTest, AreThoseOfTheLibrary) {
 TEST_F(SceneOperatorsTest, MotionsActInTheirOrder) {
   const std::string box = "[it]\nshape = \"cuboid\"\nlower = [0, 0, 0]\nupper = [1, 2, 3]\n";
   const Cuboid<double> plain({0, 0, 0}, {1, 2, 3});
-  expectSame(read(box + "move = [{ translate = [1, 0, 0] }, { rotate = 90, axis = \"z\" }]"),
-             rotated(translated(plain, {1, 0, 0}), 90, 2));
-  expectSame(read(box + "move = [{ rotate = 90, axis = \"x\" }, { translate = [1, 0, 0] }]"),
-             translated(rotated(plain, 90, 0), {1, 0, 0}));
-  expectSame(read(box + "move = [{ rotate = 30, axis = [1, 1, 0], through = [0, 1, 0] }]"),
-             rotated(plain, 30, {1, 1, 0}, {0, 1, 0}));
-  expectSame(read(box + "move = [{ rotate = 30, axis = \"y\", through = [1, 1, 0] }]"),
-             rotated(plain, 30, {0, 1, 0}, {1, 1, 0}));
+  expectIt(read(box + "move = [{ translate = [1, 0, 0] }, { rotate = 90, axis = \"z\" }]"),
+           rotated(translated(plain, {1, 0, 0}), 90, 2));
+  expectIt(read(box + "move = [{ rotate = 90, axis = \"x\" }, { translate = [1, 0, 0] }]"),
+           translated(rotated(plain, 90, 0), {1, 0, 0}));
+  expectIt(read(box + "move = [{ rotate = 30, axis = [1, 1, 0], through = [0, 1, 0] }]"),
+           rotated(plain, 30, {1, 1, 0}, {0, 1, 0}));
+  expectIt(read(box + "move = [{ rotate = 30, axis = \"y\", through = [1, 1, 0] }]"),
+           rotated(plain, 30, {0, 1, 0}, {1, 1, 0}));
   EXPECT_EQ(refusal(box + "move = [{ rotate = 30 }]"),
             "line 5: rotate needs \"axis\", \"x\", \"y\", \"z\" or three numbers");
   EXPECT_EQ(refusal(box + "move = [{ rotate = 30, axis = \"xy\" }]"),
@@ -107,6 +107,19 @@ TEST_F(SceneOperatorsTest, MotionsActInTheirOrder) {
 TEST_F(SceneOperatorsTest, PatchesHaveNames) {
   const auto solid = read(kOperands + "[both]\nunion = [\"a\", \"b\"]\npatch = \"body\"\n");
   expectSame(solid, named(kA | kB, "body"));
+}
+
+TEST_F(SceneOperatorsTest, PatchesAreCalledAfterTheTablesOfShapes) {
+  using Names = std::vector<std::string>;
+  const std::string both = kOperands + "[both]\nunion = [\"a\", \"b\"]\n";
+  EXPECT_EQ(read(both).patchNames(), (Names{"a", "b"}));
+  EXPECT_EQ(read(both + "[shelled]\nshell = \"both\"\nhalf_thickness = 0.1").patchNames(),
+            (Names{"a", "b"}));
+  EXPECT_EQ(read(both + "[moved]\ncopy = \"c\"\nmove = [{ translate = [1, 0, 0] }]").patchNames(),
+            (Names{"c"}));
+  EXPECT_EQ(read(both + "[it]\ncopy = \"a\"\npatch = \"bore\"").patchNames(), (Names{"bore"}));
+  EXPECT_EQ(read(both + "[it]\nshape = \"sphere\"\nradius = 1\npatch = \"bore\"").patchNames(),
+            (Names{"bore"}));
 }
 
 TEST_F(SceneOperatorsTest, TellTheLineOfWhatIsRefused) {

@@ -23,8 +23,12 @@ class SceneSurfacesTest : public SceneTest {
     open.patches.pop_back();
     writeSurface(folder / "open.off", open);
   }
-  [[nodiscard]] PolygonSoup box(double scale = 1) const {
-    return readSurface(folder / "parts/box.ply", {.scale = scale}).soup;
+  [[nodiscard]] PolygonSoup box(double scale = 1) const { return soupIn("parts/box.ply", scale); }
+  /// With the patch called after the table.
+  [[nodiscard]] PolygonSoup soupIn(const std::string& name, double scale = 1) const {
+    auto soup = readSurface(folder / name, {.scale = scale}).soup;
+    soup.patchNames = {"it"};
+    return soup;
   }
 };
 
@@ -32,7 +36,7 @@ TEST_F(SceneSurfacesTest, AreThoseOfTheLibrary) {
   const std::string mesh = "[it]\nmesh = \"parts/box.ply\"\n";
   expectSame(read(mesh), Mesh(box()));
   expectSame(read(mesh + "scale = 0.5"), Mesh(box(0.5)));
-  const auto open = readSurface(folder / "open.off").soup;
+  const auto open = soupIn("open.off");
   const std::string openMesh = "[it]\nmesh = \"open.off\"\n";
   expectSame(read(openMesh), Mesh(open));
   expectSame(read(openMesh + "signs = \"nearest\""),
@@ -69,7 +73,7 @@ TEST_F(SceneSurfacesTest, MayBeCleaned) {
   }
   writeSurface(folder / "dirty.off", soup);
   const std::string mesh = "[it]\nmesh = \"dirty.off\"\n";
-  auto cleaned = readSurface(folder / "dirty.off").soup;
+  auto cleaned = soupIn("dirty.off");
   clean(cleaned, {.weldWithin = 1e-3});
   EXPECT_LT(cleaned.polygonCount(), soup.polygonCount());
   expectSame(read(mesh + "clean = true\nweld_within = 1e-3"), Mesh(cleaned));
@@ -104,7 +108,7 @@ TEST_F(SceneSurfacesTest, HandOnHowToClean) {
   const auto expectCleaned = [&](const char* name, const std::string& keys,
                                  const CleanOptions& options) {
     SCOPED_TRACE(keys);
-    auto soup = readSurface(folder / name).soup;
+    auto soup = soupIn(name);
     clean(soup, options);
     const std::string text = "[it]\nmesh = \"" + std::string(name) + "\"\nclean = true\n";
     expectSame(read(text + keys), Mesh(soup));
@@ -118,6 +122,17 @@ TEST_F(SceneSurfacesTest, HandOnHowToClean) {
   EXPECT_TRUE(refusal("[it]\nmesh = \"twice.off\"\nclean = true\nopposite = \"cancel\"",
                       ErrorKind::Topology)
                   .starts_with("line 1: [it]: "));  // nothing is left
+}
+
+TEST_F(SceneSurfacesTest, SeveralPatchesKeepTheNamesInTheFile) {
+  auto two = box();
+  two.patchNames = {"deck", "hull"};
+  two.patches[3] = 1;
+  writeSurface(folder / "two.obj", two);
+  using Names = std::vector<std::string>;
+  const std::string mesh = "[it]\nmesh = \"two.obj\"\n";
+  EXPECT_EQ(read(mesh).patchNames(), (Names{"deck", "hull"}));
+  EXPECT_EQ(read(mesh + "patch = \"ship\"").patchNames(), (Names{"ship/deck", "ship/hull"}));
 }
 
 TEST_F(SceneSurfacesTest, MayBePrepared) {

@@ -21,8 +21,8 @@ class SceneTpmsTest : public SceneTest {};
 TEST_F(SceneTpmsTest, HasEveryPattern) {
   for (const auto& pattern : TpmsPattern::all()) {
     SCOPED_TRACE(pattern.name());
-    expectSame(read("[it]\ntpms = \"" + pattern.name() + "\"\ncell = 1.5\nlevel = 0.1"),
-               TpmsSolid<double>(Field(pattern, 1.5), TpmsPart::Wall, 0.1));
+    expectIt(read("[it]\ntpms = \"" + pattern.name() + "\"\ncell = 1.5\nlevel = 0.1"),
+             TpmsSolid<double>(Field(pattern, 1.5), TpmsPart::Wall, 0.1));
   }
   const auto unknown = refusal("[it]\ntpms = \"gyriod\"\ncell = 1\nlevel = 0.1");
   EXPECT_TRUE(unknown.starts_with("line 2: \"tpms\" of tpms: need one of \"gyroid\", ")) << unknown;
@@ -34,11 +34,11 @@ TEST_F(SceneTpmsTest, HasEveryPart) {
                                        "channel B", "wall in A", "wall in B"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     SCOPED_TRACE(names[i]);
-    expectSame(read(kGyroid + "cell = 2\nlevel = 0.3\npart = \"" + names[i] + "\""),
-               TpmsSolid<double>(Field(TpmsPattern::gyroid(), 2), static_cast<TpmsPart>(i), 0.3));
+    expectIt(read(kGyroid + "cell = 2\nlevel = 0.3\npart = \"" + names[i] + "\""),
+             TpmsSolid<double>(Field(TpmsPattern::gyroid(), 2), static_cast<TpmsPart>(i), 0.3));
   }
-  expectSame(read(kGyroid + "cell = 2\nlevel = -0.5\npart = \"channel B\""),
-             TpmsSolid<double>(Field(TpmsPattern::gyroid(), 2), TpmsPart::ChannelB, -0.5));
+  expectIt(read(kGyroid + "cell = 2\nlevel = -0.5\npart = \"channel B\""),
+           TpmsSolid<double>(Field(TpmsPattern::gyroid(), 2), TpmsPart::ChannelB, -0.5));
 }
 
 TEST_F(SceneTpmsTest, HasCellsOfEveryKind) {
@@ -48,44 +48,44 @@ TEST_F(SceneTpmsTest, HasCellsOfEveryKind) {
   const auto withCell = [&](const std::string& cell) {
     return read(kGyroid + "level = 0.3\ncell = " + cell);
   };
-  expectSame(withCell("[1, 2, 3]"), wallIn(Map(Vec3<double>{1, 2, 3})));
+  expectIt(withCell("[1, 2, 3]"), wallIn(Map(Vec3<double>{1, 2, 3})));
   const std::string round = "{ radial_size = 1, cells_per_turn = 6, axial_size = 1.5";
-  expectSame(withCell(round + " }"), wallIn(Map::cylindrical({1, 6, 1.5})));
-  expectSame(withCell(round + ", turns_per_length = 0.1 }"),
-             wallIn(Map::cylindrical({1, 6, 1.5, 0.1})));
+  expectIt(withCell(round + " }"), wallIn(Map::cylindrical({1, 6, 1.5})));
+  expectIt(withCell(round + ", turns_per_length = 0.1 }"),
+           wallIn(Map::cylindrical({1, 6, 1.5, 0.1})));
   const CellSizes<double> along({{-1, 2}, {0, 1}, {2, 3}});
-  expectSame(withCell("{ x = 2, y = 1, z = [[-1, 2], [0, 1], [2, 3]] }"),
-             wallIn(Map({CellSizes<double>(2), CellSizes<double>(1), along})));
-  expectSame(withCell("2\ndeformation = { amplitude = 0.2, spacing = [1, 2, 3] }"),
-             wallIn(Map(2).deformed({.amplitude = 0.2, .spacing = {1, 2, 3}, .seed = 1})));
-  expectSame(withCell("2\ndeformation = { amplitude = 0.2, spacing = [1, 2, 3], seed = 7 }"),
-             wallIn(Map(2).deformed({.amplitude = 0.2, .spacing = {1, 2, 3}, .seed = 7})));
+  expectIt(withCell("{ x = 2, y = 1, z = [[-1, 2], [0, 1], [2, 3]] }"),
+           wallIn(Map({CellSizes<double>(2), CellSizes<double>(1), along})));
+  expectIt(withCell("2\ndeformation = { amplitude = 0.2, spacing = [1, 2, 3] }"),
+           wallIn(Map(2).deformed({.amplitude = 0.2, .spacing = {1, 2, 3}, .seed = 1})));
+  expectIt(withCell("2\ndeformation = { amplitude = 0.2, spacing = [1, 2, 3], seed = 7 }"),
+           wallIn(Map(2).deformed({.amplitude = 0.2, .spacing = {1, 2, 3}, .seed = 7})));
 }
 
 TEST_F(SceneTpmsTest, MayBeGraded) {
   const auto level = Graded::byValueOf(kPlane, {.start = 0.1, .end = 0.4, .over = 2});
-  expectSame(read(kGround + kGyroid +
-                  "cell = 2\nlevel = { near = \"ground\", start = 0.1, end = 0.4, over = 2 }"),
-             TpmsSolid<double>(Field(TpmsPattern::gyroid(), 2), TpmsPart::Wall, level));
+  expectIt(read(kGround + kGyroid +
+                "cell = 2\nlevel = { near = \"ground\", start = 0.1, end = 0.4, over = 2 }"),
+           TpmsSolid<double>(Field(TpmsPattern::gyroid(), 2), TpmsPart::Wall, level));
   const auto between = [](const Graded& weight) {
     const TpmsTransition<double> transition{TpmsPattern::gyroid(), TpmsPattern::schwarzP(), weight};
     return TpmsSolid<double>(Field(transition, 2), TpmsPart::Wall, 0.3);
   };
   const auto passing =
       kGround + kGyroid + "cell = 2\nlevel = 0.3\ntransition = { to = \"Schwarz P\", ";
-  expectSame(read(passing + "near = \"ground\", over = 2 }"),
-             between(Graded::byValueOf(kPlane, {.start = 0, .end = 1, .over = 2})));
-  expectSame(read(passing + "near = \"ground\", over = 2, start = 0.75, end = 0.25 }"),
-             between(Graded::byValueOf(kPlane, {.start = 0.75, .end = 0.25, .over = 2})));
-  expectSame(read(passing + "weight = 0.25 }"), between(0.25));
+  expectIt(read(passing + "near = \"ground\", over = 2 }"),
+           between(Graded::byValueOf(kPlane, {.start = 0, .end = 1, .over = 2})));
+  expectIt(read(passing + "near = \"ground\", over = 2, start = 0.75, end = 0.25 }"),
+           between(Graded::byValueOf(kPlane, {.start = 0.75, .end = 0.25, .over = 2})));
+  expectIt(read(passing + "weight = 0.25 }"), between(0.25));
 }
 
 TEST_F(SceneTpmsTest, HasWallsOfEvenThickness) {
   const std::string wall = "[it]\neven_wall = \"Schwarz P\"\ncell = 2\nhalf_thickness = ";
-  expectSame(read(wall + "0.1"), MetricWall<double>(TpmsPattern::schwarzP(), 2, 0.1));
-  expectSame(read(kGround + wall + "{ near = \"ground\", start = 0.1, end = 0.15, over = 2 }"),
-             MetricWall<double>(TpmsPattern::schwarzP(), 2,
-                                Graded::byValueOf(kPlane, {.start = 0.1, .end = 0.15, .over = 2})));
+  expectIt(read(wall + "0.1"), MetricWall<double>(TpmsPattern::schwarzP(), 2, 0.1));
+  expectIt(read(kGround + wall + "{ near = \"ground\", start = 0.1, end = 0.15, over = 2 }"),
+           MetricWall<double>(TpmsPattern::schwarzP(), 2,
+                              Graded::byValueOf(kPlane, {.start = 0.1, .end = 0.15, .over = 2})));
   EXPECT_TRUE(refusal(wall + "1.5", ErrorKind::Argument)
                   .starts_with("line 1: [it]: MetricWall: need half a thickness between"));
 }

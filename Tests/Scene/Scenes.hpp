@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Scene/Detail/SceneForm.hpp>
 #include <Cutwater/Scene/ReadScene.hpp>
 
@@ -51,6 +52,11 @@ inline void expectSame(const Solid<double>& read, const Solid<double>& made) {
     EXPECT_EQ(read.signedDistance(p), made.signedDistance(p)) << p.x << ' ' << p.y << ' ' << p.z;
     EXPECT_EQ(read.closestPoint(p).owner.patch, made.closestPoint(p).owner.patch);
   }
+}
+
+/// The same, of a solid with one patch, which has the name of its table, [it].
+inline void expectIt(const Solid<double>& read, const Solid<double>& made) {
+  expectSame(read, named(made, "it"));
 }
 
 inline std::vector<std::string> namesOf(const std::vector<scene::SceneForm>& forms) {

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,26 @@ class ParsedVtk {
 
   [[nodiscard]] std::string components(const std::string& array) const {
     return attribute("DataArray", "NumberOfComponents", elementOf(array));
+  }
+
+  /// Texts of field data, each a zero behind the numbers of its bytes.
+  [[nodiscard]] std::vector<std::string> texts(const std::string& name) const {
+    const auto field = header_.find("<FieldData>");
+    const auto start = header_.find("Name=\"" + name + "\"", field);
+    if (field == std::string::npos || start == std::string::npos) return {};
+    const auto begin = header_.find('>', start) + 1;
+    std::istringstream numbers(header_.substr(begin, header_.find('<', begin) - begin));
+    std::vector<std::string> texts{""};
+    for (int code = 0; numbers >> code;) {
+      if (code == 0) {
+        texts.emplace_back();
+      } else {
+        texts.back() += static_cast<char>(code);
+      }
+    }
+    EXPECT_EQ(texts.back(), "");
+    texts.pop_back();
+    return texts;
   }
 
   /// What stands behind the array that was read last.

@@ -32,6 +32,19 @@ PolygonSoup wildSoup(bool trianglesOnly) {
   return soup;
 }
 
+/// The polygons sorted by patch, which is how formats with groups hold them.
+PolygonSoup patchByPatch(const PolygonSoup& soup) {
+  PolygonSoup sorted;
+  sorted.points = soup.points;
+  sorted.patchNames = soup.patchNames;
+  for (std::uint32_t patch = 0; patch < soup.patchNames.size(); ++patch) {
+    for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
+      if (soup.patches[i] == patch) sorted.addPolygon(soup.polygon(i), patch);
+    }
+  }
+  return sorted;
+}
+
 void expectSameBits(const std::vector<Vec3<double>>& a, const std::vector<Vec3<double>>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -51,22 +64,57 @@ SurfaceFile throughFile(const PolygonSoup& soup, const std::string& name, bool a
 }
 
 TEST(WriteSurfaceTest, IndexedFormatsComeBackToTheBit) {
-  const auto soup = wildSoup(false);
+  const auto original = wildSoup(false);
   for (const auto& [name, ascii] : {std::pair{"a.obj", false},
                                     {"a.off", false},
                                     {"a.PLY", false},
                                     {"a.ply", true},
                                     {"a.vtk", false},
                                     {"a.VTK", true}}) {
-    const auto file = throughFile(soup, name, ascii);
+    const auto file = throughFile(original, name, ascii);
     const std::string text = name;
+    const bool hasGroups = file.report.format == SurfaceFormat::Obj;
+    const auto soup = hasGroups ? patchByPatch(original) : original;
     EXPECT_EQ(file.report.binary, text == "a.PLY" || text == "a.vtk");
     expectSameBits(file.soup.points, soup.points);
     EXPECT_EQ(file.soup.corners, soup.corners);
     EXPECT_EQ(file.soup.offsets, soup.offsets);
-    if (file.report.format != SurfaceFormat::Obj) continue;
+    if (!hasGroups) continue;
     EXPECT_EQ(file.soup.patches, soup.patches);
     EXPECT_EQ(file.soup.patchNames, soup.patchNames);
+  }
+}
+
+std::size_t countOf(const std::string& word, const std::string& text) {
+  std::size_t count = 0;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+TEST(WriteSurfaceTest, EachPatchIsWrittenOnce) {
+  const TemporaryFolder folder;
+  PolygonSoup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  soup.patchNames = {"a", "unused", "b", "a"};
+  soup.addPolygon(std::array{0U, 1U, 2U}, 2);
+  soup.addPolygon(std::array{0U, 1U, 3U}, 7);  // without a name
+  soup.addPolygon(std::array{0U, 2U, 1U}, 3);
+  soup.addPolygon(std::array{0U, 2U, 3U}, 2);
+  soup.addPolygon(std::array{1U, 2U, 3U}, 0);
+  writeSurface(folder / "c.obj", soup);
+  EXPECT_EQ(contentOf(folder / "c.obj"),
+            "# Cutwater\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+            "g a\nf 1 3 2\nf 2 3 4\ng b\nf 1 2 3\nf 1 3 4\ng \nf 1 2 4\n");
+  writeSurface(folder / "c.stl", soup, {.ascii = true});
+  const auto text = contentOf(folder / "c.stl");
+  EXPECT_EQ(countOf("\nendsolid ", text), 3U) << text;
+  EXPECT_TRUE(text.starts_with("solid a\nfacet normal 0 0 -1\n")) << text;
+  for (const auto* name : {"c.obj", "c.stl"}) {
+    const auto read = readSurface(folder / name).soup;
+    EXPECT_EQ(read.patchNames, (std::vector<std::string>{"a", "b", "c"}));
+    EXPECT_EQ(read.patches, (std::vector<std::uint32_t>{0, 0, 1, 1, 2}));
+    writeSurface(folder / "d.obj", read);
+    EXPECT_EQ(readSurface(folder / "d.obj").soup.patches, read.patches);
   }
 }
 
@@ -94,8 +142,8 @@ std::vector<Vec3<double>> unshared(const PolygonSoup& soup) {
 }
 
 TEST(WriteSurfaceTest, AsciiStlComesBackToTheBit) {
-  const auto soup = wildSoup(true);
-  const auto file = throughFile(soup, "a.stl", true);
+  const auto soup = patchByPatch(wildSoup(true));
+  const auto file = throughFile(wildSoup(true), "a.stl", true);
   expectSameBits(file.soup.points, unshared(soup));
   EXPECT_EQ(file.soup.patches, soup.patches);
   EXPECT_EQ(file.soup.patchNames, soup.patchNames);

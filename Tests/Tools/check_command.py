@@ -262,6 +262,8 @@ class Sample(CommandTest):
                              surface="two.obj")
         self.assertEqual(list(image.arrays), ["patch", "distance"])
         self.assertEqual(set(image.arrays["patch"]), {0})  # below the base
+        self.assertEqual(image.patch_names(), ["base", "sides"])
+        self.assertEqual(self.sampled("--cells", "4", surface="two.obj").patch_names(), [])
         image = self.sampled("--box", "-1,1,1,0,2,2", "--cells", "4", "--write", "patch", surface="two.obj")
         self.assertEqual(list(image.arrays), ["patch"])
         self.assertEqual(set(image.arrays["patch"]), {1})
@@ -335,6 +337,7 @@ class Amr(CommandTest):
     def test_patches(self):
         self.succeeds(*self.two_patches(), "--level", "1", "--patch", "base:3", "--write", "level,patches", "--quiet")
         mesh = Vtu(self.folder / "out.vtu")
+        self.assertEqual(mesh.patch_names(), ["base", "sides"])
         counts = [0] * 4
         for (low, high), level, patches in zip(mesh.boxes, mesh.arrays["level"], mesh.arrays["patches"]):
             expected = 0

@@ -45,6 +45,13 @@ class VtkXml:
             values = struct.unpack_from(f"<{size // struct.calcsize(letter)}{letter}", data, offset + 8)
             self.arrays[name] = values if components == 1 else list(zip(*[iter(values)] * components))
 
+    def patch_names(self):
+        """Field data: texts, each ended by a zero."""
+        codes = re.search(r'<Array type="String" Name="patch names"[^>]*>([^<]*)<', self.header)
+        texts = bytes(int(w) for w in codes[1].split()).decode().split("\0") if codes else [""]
+        assert texts.pop() == ""
+        return texts
+
     def numbers(self, name, kind):
         return [kind(w) for w in re.search(f' {name}="([^"]*)"', self.header)[1].split()]
 

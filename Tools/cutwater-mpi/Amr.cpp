@@ -171,7 +171,8 @@ void run(Options options) {
   });
   seconds.values = lap();
   removeStaleParts(piecePath(options.output, rankIn(comm), sizeOf(comm)));
-  writePvtu(options.output, mesh, fields->arrays(), {.threads = threads});
+  writePvtu(options.output, mesh, fields->arrays(),
+            {.threads = threads, .patchNames = fields->patchNamesOf(solid)});
   seconds.file = lap();
   memory.atEnd = residentMemory(comm);
   report(options, mesh, mesh.checksum(fields->targets()), seconds, memory);

@@ -38,13 +38,15 @@ void checkArguments(const IndexBox& box, std::span<const VtkArray> arrays) {
 }
 
 template <std::floating_point T>
-std::string header(const GridPatch<T>& gridPatch, std::span<const VtkArray> arrays) {
+std::string header(const GridPatch<T>& gridPatch, std::span<const VtkArray> arrays,
+                   const VtiOptions& options) {
   const auto& level = gridPatch.level;
   const auto extent = extentOf(gridPatch.indices, level.centering());
   const bool cells = level.centering() == Centering::Cell;
   detail::VtkXml xml("ImageData", {{"WholeExtent", extent},
                                    {"Origin", numbers(level.origin())},
                                    {"Spacing", numbers(level.spacing())}});
+  xml.patchNames(options.patchNames);
   xml.open("Piece", {{"Extent", extent}});
   xml.arrays(cells ? "CellData" : "PointData", arrays);
   xml.empty(cells ? "PointData" : "CellData");
@@ -56,18 +58,18 @@ std::string header(const GridPatch<T>& gridPatch, std::span<const VtkArray> arra
 
 template <std::floating_point T>
 void writeVti(const std::filesystem::path& path, const GridPatch<T>& gridPatch,
-              std::span<const VtkArray> arrays) {
+              std::span<const VtkArray> arrays, const VtiOptions& options) {
   checkArguments(gridPatch.indices, arrays);
   OutputFile file(path);
-  file.write(header(gridPatch, arrays));
+  file.write(header(gridPatch, arrays, options));
   detail::writeVtkArrays(file, arrays);
   file.write(detail::VtkXml::kEnd);
   file.commit();
 }
 
 template void writeVti(const std::filesystem::path&, const GridPatch<float>&,
-                       std::span<const VtkArray>);
+                       std::span<const VtkArray>, const VtiOptions&);
 template void writeVti(const std::filesystem::path&, const GridPatch<double>&,
-                       std::span<const VtkArray>);
+                       std::span<const VtkArray>, const VtiOptions&);
 
 }  // namespace cutwater

@@ -4,8 +4,17 @@
 #include <Cutwater/Io/VtkArray.hpp>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace cutwater {
+
+/// Options of writeVti().
+struct VtiOptions {
+  /// The names of the surface's patches, see patchNames(), for arrays that hold patches as numbers:
+  /// written as field data, an array of texts called "patch names".
+  std::vector<std::string> patchNames = {};
+};
 
 /// Writes arrays over a grid patch, one value per index, x fastest, as a VTK image (.vti; XML
 /// followed by the numbers in raw binary), which ParaView and VisIt open: cell data for a level of
@@ -18,11 +27,11 @@ namespace cutwater {
 /// names are empty or occur twice, or the extent does not fit because of the outermost index.
 template <std::floating_point T>
 void writeVti(const std::filesystem::path& path, const GridPatch<T>& gridPatch,
-              std::span<const VtkArray> arrays);
+              std::span<const VtkArray> arrays, const VtiOptions& options = {});
 
 extern template void writeVti(const std::filesystem::path&, const GridPatch<float>&,
-                              std::span<const VtkArray>);
+                              std::span<const VtkArray>, const VtiOptions&);
 extern template void writeVti(const std::filesystem::path&, const GridPatch<double>&,
-                              std::span<const VtkArray>);
+                              std::span<const VtkArray>, const VtiOptions&);
 
 }  // namespace cutwater

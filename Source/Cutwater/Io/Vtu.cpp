@@ -22,8 +22,8 @@ constexpr std::size_t kCorners = 8;
 template <std::floating_point T, typename Index>
 class VtuWriter {
  public:
-  VtuWriter(const OctreeCells<T>& mesh, const OctreeNodes<T>& nodes, int threads)
-      : mesh_(mesh), nodes_(nodes), threads_(threads) {}
+  VtuWriter(const OctreeCells<T>& mesh, const OctreeNodes<T>& nodes, const VtuOptions& options)
+      : mesh_(mesh), nodes_(nodes), options_(options) {}
 
   void write(OutputFile& file, std::span<const VtkArray> arrays) const {
     file.write(header(arrays));
@@ -51,6 +51,7 @@ class VtuWriter {
     using detail::vtkType;
     const auto cells = cellCount();
     detail::VtkXml xml("UnstructuredGrid");
+    xml.patchNames(options_.patchNames);
     xml.open("Piece", {{"NumberOfPoints", toText(static_cast<long long>(nodes_.count()))},
                        {"NumberOfCells", toText(static_cast<long long>(cells))}});
     xml.open("Points");
@@ -74,7 +75,7 @@ class VtuWriter {
     std::vector<Record> records(std::min(count, kStretch));
     for (std::size_t first = 0; first < count; first += kStretch) {
       const auto some = std::span(records).first(std::min(kStretch, count - first));
-      parallelFor(some.size(), {.threads = threads_, .grain = kGrain},
+      parallelFor(some.size(), {.threads = options_.threads, .grain = kGrain},
                   [&](std::size_t begin, std::size_t end) {
                     make(first + begin, some.subspan(begin, end - begin));
                   });
@@ -93,7 +94,7 @@ class VtuWriter {
 
   const OctreeCells<T>& mesh_;
   const OctreeNodes<T>& nodes_;
-  int threads_;
+  const VtuOptions& options_;
 };
 
 }  // namespace
@@ -107,9 +108,9 @@ void detail::writeVtu(OutputFile& file, const OctreeCells<T>& mesh,
   constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();
   const bool isWide = options.wideIndices || kCorners * mesh.cells().size() > kMost;
   if (isWide) {
-    VtuWriter<T, std::int64_t>(mesh, nodes, options.threads).write(file, arrays);
+    VtuWriter<T, std::int64_t>(mesh, nodes, options).write(file, arrays);
   } else {
-    VtuWriter<T, std::int32_t>(mesh, nodes, options.threads).write(file, arrays);
+    VtuWriter<T, std::int32_t>(mesh, nodes, options).write(file, arrays);
   }
 }
 

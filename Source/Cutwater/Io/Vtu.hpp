@@ -15,6 +15,9 @@ struct VtuOptions {
   bool wideIndices = false;
   /// At most this many threads; 0: as many as there are. See ParallelOptions.
   int threads = 0;
+  /// The names of the surface's patches, see patchNames(), for arrays that hold patches as numbers:
+  /// written as field data, an array of texts called "patch names".
+  std::vector<std::string> patchNames = {};
 };
 
 /// Writes an octree mesh with arrays of one value per cell, in the order of its cells, as a VTK

@@ -144,7 +144,8 @@ void run(const AmrSettings& options) {
   seconds.values = watch.lap();
   const auto sum = checksum(mesh, fields.targets(), threads);
   if (options.keep) keepRegion(*options.keep, mesh, fields, isShown);
-  writeVtu(options.output, mesh, fields.arrays(), {.threads = threads});
+  writeVtu(options.output, mesh, fields.arrays(),
+           {.threads = threads, .patchNames = fields.patchNamesOf(solid)});
   seconds.file = watch.lap();
   if (isShown) report(options, mesh, sum, seconds);
   if (isShown && options.features) reportFeatures(solid, mesh, threads);

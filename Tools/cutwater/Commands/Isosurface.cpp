@@ -1,11 +1,9 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Isosurface.hpp>
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <new>
-#include <numeric>
 #include <utility>
 
 #include "Commands/Commands.hpp"
@@ -28,18 +26,6 @@ struct IsosurfaceSettings {
   IsosurfaceOptions isosurface;
   WriteOptions write;
 };
-
-/// The same polygons patch by patch: files with groups then have one for each.
-PolygonSoup patchByPatch(PolygonSoup soup) {
-  std::vector<std::size_t> order(soup.polygonCount());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return soup.patches[i]; });
-  PolygonSoup sorted;
-  for (const auto i : order) sorted.addPolygon(soup.polygon(i), soup.patches[i]);
-  sorted.points = std::move(soup.points);
-  sorted.patchNames = std::move(soup.patchNames);
-  return sorted;
-}
 
 PolygonSoup triangles(const Solid<double>& solid, const GridPatch<double>& grid,
                       const IsosurfaceOptions& options) {
@@ -67,7 +53,7 @@ void run(IsosurfaceSettings options) {
   if (soup.polygonCount() == 0) {
     throw Error(ErrorKind::Argument, fileName(options.surface) + ": no surface between the nodes");
   }
-  const auto surface = asWritten(options.output, patchByPatch(std::move(soup)), options.write);
+  const auto surface = asWritten(options.output, std::move(soup), options.write);
   writeSurface(options.output, surface.soup, options.write);
   if (options.surface.quiet) return;
   std::cout << "wrote " << onOneLine(options.output) << ": "

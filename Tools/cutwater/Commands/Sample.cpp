@@ -50,6 +50,7 @@ class Fields {
 
   [[nodiscard]] const FillTargets<double>& targets() const { return targets_; }
   [[nodiscard]] std::span<const VtkArray> arrays() const { return arrays_; }
+  [[nodiscard]] bool hasPatch() const { return !patch_.empty(); }
   [[nodiscard]] std::span<const double> distance() const { return distance_; }
 
  private:
@@ -101,7 +102,8 @@ void run(const SampleSettings& options) {
          {.band = options.band, .threads = options.surface.threads, .progress = bar.callback()});
   }
   const double seconds = watch.lap();
-  writeVti(options.output, grid, fields.arrays());
+  writeVti(options.output, grid, fields.arrays(),
+           {.patchNames = fields.hasPatch() ? solid.patchNames() : std::vector<std::string>{}});
   if (!options.surface.quiet) report(options, grid, fields, seconds);
 }
 

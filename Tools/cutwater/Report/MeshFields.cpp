@@ -44,6 +44,12 @@ void MeshFields::setPatches(const CellPatches& patches) {
   }
 }
 
+std::vector<std::string> MeshFields::patchNamesOf(
+    const SignedDistanceFunction<double>& solid) const {
+  if (patch_.empty() && patches_.empty()) return {};
+  return solid.patchNames();
+}
+
 void MeshFields::cover(std::span<const std::size_t> cells) {
   if (class_.empty()) return;
   for (const auto n : cells) class_[n] = kCovered;

@@ -24,6 +24,9 @@ class MeshFields {
   [[nodiscard]] bool hasPatches() const { return !patches_.empty(); }
   /// Patch n, of the first 64, is bit n of a cell's number.
   void setPatches(const CellPatches& patches);
+  /// The names of the solid's patches if an array refers to them, for the file; otherwise none.
+  [[nodiscard]] std::vector<std::string> patchNamesOf(
+      const SignedDistanceFunction<double>& solid) const;
   /// Gives the cells to be covered a class of their own.
   void cover(std::span<const std::size_t> cells);
   [[nodiscard]] std::span<const VtkArray> arrays() const { return arrays_; }

@@ -80,6 +80,10 @@ void VtkXml::tag(std::string_view element, Attributes attributes, std::string_vi
   text_.append(end).append("\n");
 }
 
+void VtkXml::line(std::string_view text) {
+  text_.append(2 * depth_, ' ').append(text).append("\n");
+}
+
 void VtkXml::open(std::string_view element, Attributes attributes) {
   tag(element, attributes, ">");
   ++depth_;
@@ -117,6 +121,22 @@ void VtkXml::arrays(std::string_view element, std::span<const VtkArray> arrays) 
     this->array(array.name, type, components, bytesOf(array).size());
   }
   close(element);
+}
+
+void VtkXml::patchNames(const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  open("FieldData");
+  open("Array", {{"type", "String"},
+                 {"Name", "patch names"},
+                 {"NumberOfTuples", toText(static_cast<long long>(names.size()))},
+                 {"format", "ascii"}});
+  for (const auto& name : names) {
+    std::string codes;
+    for (const char c : name) codes += std::to_string(static_cast<unsigned char>(c)) + ' ';
+    line(codes + '0');
+  }
+  close("Array");
+  close("FieldData");
 }
 
 void VtkXml::declaration(std::string_view name, std::string_view type, int components) {

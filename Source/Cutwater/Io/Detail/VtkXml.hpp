@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace cutwater {
 class OutputFile;
@@ -30,7 +31,8 @@ constexpr std::string_view vtkType() {
 ///
 /// Format: "VTK File Formats", section XML, https://docs.vtk.org; appended data with
 /// encoding="raw": after an underscore, each array is stored as its number of bytes, a UInt64,
-/// followed by the bytes.
+/// followed by the bytes. Texts are numbers, one for each byte, and a zero ends each text, as
+/// vtkXMLWriter writes them.
 class VtkXml {
  public:
   using Attributes = std::initializer_list<std::pair<std::string_view, std::string>>;
@@ -47,6 +49,10 @@ class VtkXml {
   /// Adds an element with arrays, of which viewers show the first one first.
   void arrays(std::string_view element, std::span<const VtkArray> arrays);
 
+  /// Adds the names of patches as field data, an array of texts in the order of their indices, so
+  /// that files with patches as numbers tell what these are called. Nothing without names.
+  void patchNames(const std::vector<std::string>& names);
+
   /// The same for arrays that are in other files: their types only.
   void declarations(std::string_view element, std::span<const VtkArray> arrays);
   void declaration(std::string_view name, std::string_view type, int components);
@@ -62,6 +68,7 @@ class VtkXml {
   /// Opens the element that selects the array to show first.
   void openArrays(std::string_view element, const VtkArray& first);
   void tag(std::string_view element, Attributes attributes, std::string_view end);
+  void line(std::string_view text);
 
   std::string dataSet_;
   std::string text_;

@@ -1,15 +1,10 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Surface/Formats/PatchRuns.hpp>
 #include <Cutwater/Surface/Formats/Writers.hpp>
-
-#include <algorithm>
 
 namespace cutwater::formats {
 
 namespace {
-
-bool startsPatch(const PolygonSoup& soup, std::size_t i) {
-  return i == 0 || soup.patches[i] != soup.patches[i - 1];
-}
 
 void writePoints(Output& out, const PolygonSoup& soup, std::string_view before) {
   for (const auto& point : soup.points) out << before << point << '\n';
@@ -31,36 +26,28 @@ void writeFaces(Output& out, const PolygonSoup& soup, const std::string& name) {
   }
 }
 
-}  // namespace
-
-std::string_view patchNameOf(const PolygonSoup& soup, std::size_t i) {
-  if (soup.patches[i] >= soup.patchNames.size()) return {};
-  const std::string_view name = soup.patchNames[soup.patches[i]];
-  const bool oneLine = std::none_of(name.begin(), name.end(),
-                                    [](char c) { return static_cast<unsigned char>(c) < ' '; });
-  const bool kept = name.empty() || (name.front() != ' ' && name.back() != ' ');
-  constexpr std::size_t kLongest = 1024;
-  if (!oneLine || !kept || name.ends_with('\\') || name.size() > kLongest) {
-    throw Error(ErrorKind::Argument, "writeSurface: the patch name " + inQuotes(name) +
-                                         " does not fit on a line of text");
+void writeObjFace(Output& out, std::span<const std::uint32_t> corners) {
+  constexpr std::size_t kCornersPerLine = 4096;
+  out << 'f';
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    if (c > 0 && c % kCornersPerLine == 0) out << " \\\n";
+    out << ' ' << std::uint64_t{corners[c]} + 1;
   }
-  return name;
+  out << '\n';
 }
 
+}  // namespace
+
 void writeAsciiStl(Output& out, const PolygonSoup& soup, const std::string&) {
-  std::string_view name;
-  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
-    if (startsPatch(soup, i)) {
-      if (i > 0) out << "endsolid " << name << '\n';
-      name = patchNameOf(soup, i);
-      out << "solid " << name << '\n';
+  for (const auto& [name, polygons] : PatchRuns(soup)) {
+    out << "solid " << name << '\n';
+    for (const std::uint32_t i : polygons) {
+      out << "facet normal " << facetNormal(soup, i) << "\nouter loop\n";
+      for (const std::uint32_t c : soup.polygon(i)) out << "vertex " << soup.points[c] << '\n';
+      out << "endloop\nendfacet\n";
     }
-    const auto corners = soup.polygon(i);
-    out << "facet normal " << facetNormal(soup, i) << "\nouter loop\n";
-    for (const std::uint32_t corner : corners) out << "vertex " << soup.points[corner] << '\n';
-    out << "endloop\nendfacet\n";
+    out << "endsolid " << name << '\n';
   }
-  out << "endsolid " << name << '\n';
 }
 
 void writeAsciiPly(Output& out, const PolygonSoup& soup, const std::string& name) {
@@ -77,20 +64,11 @@ void writeOff(Output& out, const PolygonSoup& soup, const std::string& name) {
 }
 
 void writeObj(Output& out, const PolygonSoup& soup, const std::string&) {
-  constexpr std::size_t kCornersPerLine = 4096;
   out << "# Cutwater\n";
   writePoints(out, soup, "v ");
-  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
-    if (startsPatch(soup, i) && !soup.patchNames.empty()) {
-      out << "g " << patchNameOf(soup, i) << '\n';
-    }
-    const auto corners = soup.polygon(i);
-    out << 'f';
-    for (std::size_t c = 0; c < corners.size(); ++c) {
-      if (c > 0 && c % kCornersPerLine == 0) out << " \\\n";
-      out << ' ' << std::uint64_t{corners[c]} + 1;
-    }
-    out << '\n';
+  for (const auto& [name, polygons] : PatchRuns(soup)) {
+    if (!soup.patchNames.empty()) out << "g " << name << '\n';
+    for (const std::uint32_t i : polygons) writeObjFace(out, soup.polygon(i));
   }
 }
 

@@ -21,8 +21,4 @@ void writePlyHeader(Output& out, const PolygonSoup& soup, std::string_view encod
 /// The unit normal of triangle i, zero if it has no area.
 [[nodiscard]] Vec3<double> facetNormal(const PolygonSoup& soup, std::size_t i);
 
-/// The name of polygon i's patch, empty if it has none.
-/// @throws Error(Argument) for a name that a reader would not recover from a line of text.
-[[nodiscard]] std::string_view patchNameOf(const PolygonSoup& soup, std::size_t i);
-
 }  // namespace cutwater::formats

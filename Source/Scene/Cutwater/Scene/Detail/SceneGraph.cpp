@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Scene/Detail/ParseToml.hpp>
 #include <Cutwater/Scene/Detail/SceneGraph.hpp>
 #include <Cutwater/Text/Suggestion.hpp>
@@ -38,7 +39,7 @@ SceneGraph::SceneGraph(const SceneValue::Table& top, SceneContext context)
   }
   if (items_.empty()) throw Error(ErrorKind::File, context_.file + ": there is no solid in it");
   for (auto& item : items_) {
-    context_.records.emplace(item.name, &item.record);
+    context_.records.emplace(item.record.name(), &item.record);
     item.record.forEachReference([&](const std::string& name, std::uint64_t line) {
       item.references.push_back({indexOf(name, line), line});
     });
@@ -61,12 +62,12 @@ void SceneGraph::add(const SceneValue::Entry& entry) {
   const auto& form =
       formOf(context_, *table, entry.line, "[" + text::shortened(entry.key) + "]", kForms);
   indices_.emplace(entry.key, items_.size());
-  items_.push_back({entry.key, {context_, form, *table, entry.line, commonKeys()}});
+  items_.push_back({{context_, form, *table, entry.line, commonKeys(), entry.key}});
 }
 
 std::vector<std::string> SceneGraph::names() const {
   std::vector<std::string> names;
-  for (const auto& item : items_) names.push_back(item.name);
+  for (const auto& item : items_) names.push_back(item.record.name());
   return names;
 }
 
@@ -109,16 +110,16 @@ void SceneGraph::failCycle(const std::vector<std::size_t>& path, const Reference
   const auto first = std::find(path.begin(), path.end(), back.item);
   std::string chain;
   for (auto i = first; i != path.end() && i != first + kMost; ++i) {
-    chain += text::inQuotes(items_[*i].name) + " -> ";
+    chain += text::inQuotes(items_[*i].record.name()) + " -> ";
   }
   if (path.end() - first > kMost) chain += "... -> ";
-  const auto name = text::inQuotes(items_[back.item].name);
+  const auto name = text::inQuotes(items_[back.item].record.name());
   failAt(context_.file, back.line, name + " is made of itself: " + chain + name);
 }
 
 std::string SceneGraph::at(const Item& item) const {
   return context_.file + ": line " + std::to_string(item.record.line()) + ": [" +
-         text::shortened(item.name) + "]: ";
+         text::shortened(item.record.name()) + "]: ";
 }
 
 SceneSolid SceneGraph::make(const std::string& name) {
@@ -129,15 +130,20 @@ SceneSolid SceneGraph::make(const std::string& name) {
   }
   const auto& item = items_[name.empty() ? selected_ : found->second];
   make(item);
-  return context_.solids.find(item.name)->second;
+  return context_.solids.find(item.record.name())->second;
 }
 
 void SceneGraph::make(const Item& item) {
-  if (context_.solids.contains(item.name)) return;
+  if (context_.solids.contains(item.record.name())) return;
   for (const auto& reference : item.references) make(items_[reference.item]);
   try {
     const auto& record = item.record;
-    context_.solids.emplace(item.name, placed(record.form().make(record), record));
+    auto solid = placed(record.form().make(record), record);
+    const bool isNameless = solid.patchNames() == std::vector<std::string>{"surface"};
+    if (isNameless && !record.has("patch") && !record.name().empty()) {
+      solid = named(solid, record.name());
+    }
+    context_.solids.emplace(record.name(), std::move(solid));
   } catch (const SceneError&) {
     throw;  // it already has a line
   } catch (const Error& error) {

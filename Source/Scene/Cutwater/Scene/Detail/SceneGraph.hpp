@@ -28,7 +28,6 @@ class SceneGraph {
     std::uint64_t line;
   };
   struct Item {
-    std::string name;
     SceneRecord record;
     std::vector<Reference> references = {};
     // Sizes of the expression, once measured:

@@ -217,7 +217,8 @@ const std::vector<SceneKey>& commonKeys() {
        .forms = &moveForms()},
       {.name = "patch",
        .type = Text,
-       .meaning = "the name of its patch; of several patches, what their names begin with",
+       .meaning = "the name of its patch; of several patches, what their names begin with; without "
+                  "it, a shape, a lattice, or a mesh of one patch is called after its table",
        .preset = kOptional}};
   return kKeys;
 }

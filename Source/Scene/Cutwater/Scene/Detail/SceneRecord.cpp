@@ -77,8 +77,8 @@ const SceneForm& formOf(const SceneContext& context, const SceneValue::Table& ta
 
 SceneRecord::SceneRecord(const SceneContext& context, const SceneForm& form,
                          const SceneValue::Table& table, std::uint64_t line,
-                         const std::vector<SceneKey>& furtherKeys)
-    : context_(&context), form_(&form), line_(line) {
+                         const std::vector<SceneKey>& furtherKeys, std::string name)
+    : context_(&context), form_(&form), line_(line), name_(std::move(name)) {
   for (const auto* keys : {&form.keys, &furtherKeys}) {
     for (const auto& key : *keys) values_.push_back({&key, {}, true, false});
   }

@@ -28,10 +28,13 @@ class SceneRecord {
   /// @throws Error(File) with the line, naming the key, for keys that the form does not have, that
   /// are missing, or whose values have the wrong type.
   SceneRecord(const SceneContext& context, const SceneForm& form, const SceneValue::Table& table,
-              std::uint64_t line, const std::vector<SceneKey>& furtherKeys = {});
+              std::uint64_t line, const std::vector<SceneKey>& furtherKeys = {},
+              std::string name = {});
 
   [[nodiscard]] const SceneForm& form() const { return *form_; }
   [[nodiscard]] std::uint64_t line() const { return line_; }
+  /// The name of the table; empty for one within another.
+  [[nodiscard]] const std::string& name() const { return name_; }
   /// Whether the key has a value, given or by default.
   [[nodiscard]] bool has(std::string_view key) const { return !values_[indexOf(key)].isAbsent; }
   /// Whether the table contains the key.
@@ -90,6 +93,7 @@ class SceneRecord {
   const SceneContext* context_;
   const SceneForm* form_;
   std::uint64_t line_;
+  std::string name_;
   std::vector<Value> values_;
 };
 

@@ -68,6 +68,7 @@ SceneSolid mesh(const Record& r) {
   } else {
     refuseCleaning(r);
   }
+  if (soup.patchNames.size() == 1 && !r.name().empty()) soup.patchNames.front() = r.name();
   return MeshSDF<double>(soup, {.signs = static_cast<SignScheme>(r.choice("signs")),
                                 .requireWatertight = r.flag("require_watertight"),
                                 .findSelfIntersections = r.flag("find_self_intersections"),
