@@ -129,8 +129,7 @@ TEST(CellPiecesTest, RodsPierceFacesWithoutTouchingEdges) {
 
 /// The sizes of the parts of a cell that a voxel solid leaves, by flooding the boxes between all
 /// planes.
-std::vector<double> flooded(const VoxelSolid& solid, const CutTile& cut,
-                            const TileNumbers::Place& cell) {
+std::vector<double> flooded(const VoxelSolid& solid, const CutTile& cut, const TilePlace& cell) {
   std::array<std::vector<double>, 3> planes;
   std::array<int, 3> first{};
   std::array<int, 3> size{};

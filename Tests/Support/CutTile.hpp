@@ -80,7 +80,7 @@ struct CutTile {
     std::iota(numbers.begin(), numbers.end(), 0U);
     return numbers;
   }
-  [[nodiscard]] double volumeOf(const TileNumbers::Place& place) const {
+  [[nodiscard]] double volumeOf(const TilePlace& place) const {
     double volume = 1;
     for (const auto i : place) {
       volume *= positions[static_cast<std::size_t>(i) + 1] - positions[static_cast<std::size_t>(i)];

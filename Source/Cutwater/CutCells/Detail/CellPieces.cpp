@@ -8,12 +8,6 @@ namespace cutwater {
 
 namespace {
 
-using Place = TileNumbers::Place;
-
-std::size_t at(int axis) {
-  return static_cast<std::size_t>(axis);
-}
-
 /// An open part of one of a cell's faces.
 struct OpenPart {
   std::uint32_t arc = 0;
@@ -51,14 +45,14 @@ class CellBuilder {
  private:
   [[nodiscard]] std::uint32_t faceOf(int axis, int side) const {
     auto place = place_;
-    place[at(axis)] += side;
+    place[asIndex(axis)] += side;
     return surface_.numbers().face(axis, place);
   }
   std::size_t countNodes() {
     for (int axis = 0; axis < 3; ++axis) {
       for (int side = 0; side < 2; ++side) {
         const auto face = faceOf(axis, side);
-        auto& first = firstOpen_[at(2 * axis + side)];
+        auto& first = firstOpen_[asIndex(2 * axis + side)];
         first = static_cast<std::uint32_t>(open_.size());
         if (faces_.isCut(face)) {
           const auto [from, to] = faces_.of(face);
@@ -71,7 +65,7 @@ class CellBuilder {
     return fragments_.size() + open_.size();
   }
   [[nodiscard]] std::uint32_t nodeOfArc(int axis, int side, std::uint32_t arc) const {
-    auto i = firstOpen_[at(2 * axis + side)];
+    auto i = firstOpen_[asIndex(2 * axis + side)];
     while (open_[i].arc != arc) ++i;
     return static_cast<std::uint32_t>(fragments_.size()) + i;
   }
@@ -107,8 +101,8 @@ class CellBuilder {
         const int sideC = corner % 2;
         const int sideD = corner / 2;
         auto place = place_;
-        place[at(c)] += sideC;
-        place[at(d)] += sideD;
+        place[asIndex(c)] += sideC;
+        place[asIndex(d)] += sideD;
         const auto stretches = stretches_.of(axis, place);
         for (std::size_t s = 0; s < stretches.size(); ++s) {
           // Of the face across c, the edge runs along the second axis; across d, along the first.
@@ -244,7 +238,7 @@ class CellBuilder {
                    std::uint32_t number) const {
     auto& arc = out_.arcs[part.arc];
     (part.isHigh ? arc.below : arc.above) = number;
-    const double plane = planes_.at(part.axis, place_[at(part.axis)] + (part.isHigh ? 1 : 0));
+    const double plane = planes_.at(part.axis, place_[asIndex(part.axis)] + (part.isHigh ? 1 : 0));
     const double distance =
         part.isHigh ? plane - piece.centroid[part.axis] : piece.centroid[part.axis] - plane;
     piece.volume += distance * arc.area;
@@ -260,7 +254,7 @@ class CellBuilder {
   std::uint32_t firstFragment_;
   std::span<const std::vector<std::uint32_t>> tracesOfFragment_;
   CellPieces& out_;
-  Place place_;
+  TilePlace place_;
   std::vector<OpenPart> open_;
   std::array<std::uint32_t, 6> firstOpen_{};
   detail::DisjointSets sets_;
@@ -272,10 +266,10 @@ PieceArc wholeFace(const TileNumbers& numbers, std::uint32_t face, const GridPla
   const auto place = numbers.placeOfFace(face);
   PieceArc arc{.face = face, .area = 1, .centroid = {}};
   for (int other = 0; other < 3; ++other) {
-    const double low = planes.at(other, place[at(other)]);
+    const double low = planes.at(other, place[asIndex(other)]);
     arc.centroid[other] = low;
     if (other == axis) continue;
-    const double high = planes.at(other, place[at(other)] + 1);
+    const double high = planes.at(other, place[asIndex(other)] + 1);
     arc.area *= high - low;
     arc.centroid[other] = 0.5 * (low + high);
   }
@@ -294,7 +288,7 @@ std::vector<std::uint32_t> addFullFaces(const TileSurface& surface, const EdgeSt
     for (int axis = 0; axis < 3; ++axis) {
       for (int side = 0; side < 2; ++side) {
         auto place = numbers.placeOfCell(fragment.cell);
-        place[at(axis)] += side;
+        place[asIndex(axis)] += side;
         const auto face = numbers.face(axis, place);
         if (faces.isCut(face) || arcOf[face] != kNone || !stretches.isFluid(place)) continue;
         arcOf[face] = static_cast<std::uint32_t>(arcs.size());

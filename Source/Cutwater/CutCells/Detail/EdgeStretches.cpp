@@ -7,13 +7,11 @@ namespace cutwater {
 
 namespace {
 
-using Place = TileNumbers::Place;
-
 template <typename Visit>
-void forPlaces(const Place& sizes, Visit&& visit) {
+void forTilePlaces(const TilePlace& sizes, Visit&& visit) {
   for (int k = 0; k < sizes[2]; ++k) {
     for (int j = 0; j < sizes[1]; ++j) {
-      for (int i = 0; i < sizes[0]; ++i) visit(Place{i, j, k});
+      for (int i = 0; i < sizes[0]; ++i) visit(TilePlace{i, j, k});
     }
   }
 }
@@ -32,7 +30,7 @@ void EdgeStretches::setWindings(const TileSurface& surface, int winding) {
   windings_.resize(numbers_.nodeCount());
   windings_[0] = winding;
   const auto& cells = numbers_.cells();
-  forPlaces({cells[0] + 1, cells[1] + 1, cells[2] + 1}, [&](const Place& node) {
+  forTilePlaces({cells[0] + 1, cells[1] + 1, cells[2] + 1}, [&](const TilePlace& node) {
     // Along x where there is an edge before the node, else along y, else along z.
     for (int axis = 0; axis < 3; ++axis) {
       auto before = node;
@@ -49,9 +47,9 @@ void EdgeStretches::setStretches(const TileSurface& surface, const GridPlanes& p
   std::vector<EdgeCrossing> here;
   const auto& cells = numbers_.cells();
   for (int axis = 0; axis < 3; ++axis) {
-    Place sizes{cells[0] + 1, cells[1] + 1, cells[2] + 1};
+    TilePlace sizes{cells[0] + 1, cells[1] + 1, cells[2] + 1};
     --sizes[static_cast<std::size_t>(axis)];
-    forPlaces(sizes, [&](const Place& first) {
+    forTilePlaces(sizes, [&](const TilePlace& first) {
       firstOfEdge_.push_back(static_cast<std::uint32_t>(stretches_.size()));
       here.clear();
       for (const auto edge = numbers_.edge(axis, first);
@@ -94,7 +92,7 @@ void EdgeStretches::divide(const Interval<double>& edge, int winding,
   stretches_.push_back(stretch);
 }
 
-std::span<const EdgeStretch> EdgeStretches::of(int axis, const Place& first) const {
+std::span<const EdgeStretch> EdgeStretches::of(int axis, const TilePlace& first) const {
   const auto edge = numbers_.edge(axis, first);
   return std::span(stretches_)
       .subspan(firstOfEdge_[edge], firstOfEdge_[edge + 1] - firstOfEdge_[edge]);

@@ -24,15 +24,13 @@ class EdgeStretches {
   /// `winding` is that of the node of lowest indices.
   EdgeStretches(const TileSurface& surface, const GridPlanes& planes, int winding);
 
-  [[nodiscard]] bool isFluid(const TileNumbers::Place& node) const {
+  [[nodiscard]] bool isFluid(const TilePlace& node) const {
     return windings_[numbers_.node(node)] <= 0;
   }
-  [[nodiscard]] int winding(const TileNumbers::Place& node) const {
-    return windings_[numbers_.node(node)];
-  }
+  [[nodiscard]] int winding(const TilePlace& node) const { return windings_[numbers_.node(node)]; }
   /// The stretches of an edge, in ascending order: one, from node to node, where nothing crosses
   /// it.
-  [[nodiscard]] std::span<const EdgeStretch> of(int axis, const TileNumbers::Place& first) const;
+  [[nodiscard]] std::span<const EdgeStretch> of(int axis, const TilePlace& first) const;
 
  private:
   void setWindings(const TileSurface& surface, int winding);

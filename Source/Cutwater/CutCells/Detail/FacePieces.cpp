@@ -5,9 +5,7 @@
 
 namespace cutwater {
 
-using Place = TileNumbers::Place;
-
-FaceEdge edgeOfFace(int axis, const Place& face, int side) {
+FaceEdge edgeOfFace(int axis, const TilePlace& face, int side) {
   const FaceAxes axes(axis);
   FaceEdge edge{side < 2 ? axes.first : axes.second, face};
   const int other = side < 2 ? axes.second : axes.first;
@@ -70,19 +68,18 @@ class FacePieces::Builder {
     std::uint32_t count = 0;
     for (int side = 0; side < 4; ++side) {
       const auto edge = edgeOfFace(axes_.across, place_, side);
-      stretches_[at(side)] = owner_.stretches_.of(edge.axis, edge.place);
-      gridEdges_[at(side)] = owner_.surface_.numbers().edge(edge.axis, edge.place);
-      face_.firstStretch[at(side)] = start + count;
-      count += static_cast<std::uint32_t>(stretches_[at(side)].size());
+      stretches_[asIndex(side)] = owner_.stretches_.of(edge.axis, edge.place);
+      gridEdges_[asIndex(side)] = owner_.surface_.numbers().edge(edge.axis, edge.place);
+      face_.firstStretch[asIndex(side)] = start + count;
+      count += static_cast<std::uint32_t>(stretches_[asIndex(side)].size());
     }
     face_.firstStretch[4] = start + count;
     owner_.ofStretch_.resize(start + count);
     return traces_.size() + count;
   }
-  static std::size_t at(int side) { return static_cast<std::size_t>(side); }
   [[nodiscard]] std::uint32_t node(int side, std::size_t stretch) const {
-    return static_cast<std::uint32_t>(traces_.size() + stretch) + face_.firstStretch[at(side)] -
-           face_.firstStretch[0];
+    return static_cast<std::uint32_t>(traces_.size() + stretch) +
+           face_.firstStretch[asIndex(side)] - face_.firstStretch[0];
   }
 
   /// Traces of triangles that share an edge of the mesh.
@@ -105,7 +102,7 @@ class FacePieces::Builder {
         if (end.gridEdge == kNone) continue;
         const int side =
             static_cast<int>(std::ranges::find(gridEdges_, end.gridEdge) - gridEdges_.begin());
-        const auto stretches = stretches_[at(side)];
+        const auto stretches = stretches_[asIndex(side)];
         for (std::size_t s = 0; s < stretches.size(); ++s) {
           const bool isAtStart = stretches[s].start == traces_[i].triangle;
           if (isAtStart || stretches[s].end == traces_[i].triangle) sets_.unite(i, node(side, s));
@@ -117,13 +114,13 @@ class FacePieces::Builder {
   void joinCorners() {
     for (int corner = 0; corner < 4; ++corner) {
       auto place = place_;
-      place[at(axes_.first)] += corner % 2;
-      place[at(axes_.second)] += corner / 2;
+      place[asIndex(axes_.first)] += corner % 2;
+      place[asIndex(axes_.second)] += corner / 2;
       if (!owner_.stretches_.isFluid(place)) continue;
       const int along = corner / 2;       // the edge along the first axis, low or high
       const int across = 2 + corner % 2;  // the one along the second
       const auto last = [&](int side, bool isHigh) {
-        return node(side, isHigh ? stretches_[at(side)].size() - 1 : 0);
+        return node(side, isHigh ? stretches_[asIndex(side)].size() - 1 : 0);
       };
       sets_.unite(last(along, corner % 2 == 1), last(across, corner / 2 == 1));
     }
@@ -193,10 +190,10 @@ class FacePieces::Builder {
       addTrace(pieceOf[i] - face_.firstPiece, traces_[i]);
     }
     for (int side = 0; side < 4; ++side) {
-      for (std::size_t s = 0; s < stretches_[at(side)].size(); ++s) {
+      for (std::size_t s = 0; s < stretches_[asIndex(side)].size(); ++s) {
         const auto piece = pieceOf[node(side, s)];
-        owner_.ofStretch_[face_.firstStretch[at(side)] + s] = piece;
-        addStretch(piece - face_.firstPiece, side, stretches_[at(side)][s]);
+        owner_.ofStretch_[face_.firstStretch[asIndex(side)] + s] = piece;
+        addStretch(piece - face_.firstPiece, side, stretches_[asIndex(side)][s]);
       }
     }
     for (std::size_t i = 0; i < sums_.size(); ++i) finish(i);
@@ -205,7 +202,8 @@ class FacePieces::Builder {
   [[nodiscard]] Vec3<double> referenceOf(std::uint32_t first) const {
     if (first < traces_.size()) return traces_[first].from;
     Vec3<double> corner;
-    for (int axis = 0; axis < 3; ++axis) corner[axis] = owner_.planes_.at(axis, place_[at(axis)]);
+    for (int axis = 0; axis < 3; ++axis)
+      corner[axis] = owner_.planes_.at(axis, place_[asIndex(axis)]);
     return corner;
   }
   struct Sum {
@@ -224,7 +222,8 @@ class FacePieces::Builder {
     const int along = side < 2 ? axes_.first : axes_.second;
     const int across = side < 2 ? axes_.second : axes_.first;
     const auto& origin = references_[piece];
-    const double place = owner_.planes_.at(across, place_[at(across)] + side % 2) - origin[across];
+    const double place =
+        owner_.planes_.at(across, place_[asIndex(across)] + side % 2) - origin[across];
     const double twice = (side % 2 == 0 ? -place : place) * stretch.length();
     sums_[piece].area += twice;
     const double middle = stretch.middle() - origin[along];
@@ -244,7 +243,7 @@ class FacePieces::Builder {
   FacePieces& owner_;
   CutFace& face_;
   FaceAxes axes_;
-  Place place_;
+  TilePlace place_;
   std::span<const FaceTrace> traces_;
   std::array<std::span<const EdgeStretch>, 4> stretches_;
   std::array<std::uint32_t, 4> gridEdges_{};

@@ -66,8 +66,8 @@ struct FaceAxes {
 /// begins.
 struct FaceEdge {
   int axis = 0;
-  TileNumbers::Place place{};
+  TilePlace place{};
 };
-[[nodiscard]] FaceEdge edgeOfFace(int axis, const TileNumbers::Place& face, int side);
+[[nodiscard]] FaceEdge edgeOfFace(int axis, const TilePlace& face, int side);
 
 }  // namespace cutwater

@@ -3,9 +3,15 @@
 #include <Cutwater/Core/Vec3.hpp>
 
 #include <array>
+#include <cstddef>
 #include <span>
 
 namespace cutwater {
+
+/// An axis as the index of an array.
+constexpr std::size_t asIndex(int axis) {
+  return static_cast<std::size_t>(axis);
+}
 
 /// The planes of a grid, across each axis, in ascending order: cell i lies between planes i and i
 /// + 1. Cell -1 is below the first plane, and the last number stands for what is above the last
@@ -15,17 +21,17 @@ struct GridPlanes {
 
   /// The number of cells between planes.
   [[nodiscard]] int cells(int axis) const {
-    return static_cast<int>(positions[static_cast<std::size_t>(axis)].size()) - 1;
+    return static_cast<int>(positions[asIndex(axis)].size()) - 1;
   }
   [[nodiscard]] double at(int axis, int plane) const {
-    return positions[static_cast<std::size_t>(axis)][static_cast<std::size_t>(plane)];
+    return positions[asIndex(axis)][static_cast<std::size_t>(plane)];
   }
 
   /// The cell along the axis that holds a point whose coordinate is known up to `error`.
   /// `isAbove(plane)` decides on planes that are no farther away than that.
   template <typename IsAbove>
   [[nodiscard]] int cellAt(int axis, double x, double error, IsAbove&& isAbove) const {
-    const auto planes = positions[static_cast<std::size_t>(axis)];
+    const auto planes = positions[asIndex(axis)];
     const auto isBelow = [&](int plane) {
       const double gap = x - at(axis, plane);
       return gap > error || (gap >= -error && isAbove(plane));

@@ -30,7 +30,7 @@ constexpr auto kInPlane = [] {
       {{P, P}, {S, P}, {P, S}, {S, S}, {G, P}, {P, G}, {S, G}, {G, S}}};
 }();
 
-DoubleDouble entry(const MovedVertex& v, int axis, Column column, double origin) {
+DoubleDouble columnEntry(const MovedVertex& v, int axis, Column column, double origin) {
   if (column == Column::P) return exactDifference(v.position[axis], origin);
   return column == Column::S ? static_cast<double>(v.shift[static_cast<std::size_t>(axis)]) : -1.0;
 }
@@ -38,9 +38,9 @@ DoubleDouble entry(const MovedVertex& v, int axis, Column column, double origin)
 /// The sign of (p - origin) x (q - origin) along the axis that completes a < c.
 int turnSign(const MovedVertex& p, const MovedVertex& q, const AxisPlane& a, const AxisPlane& c) {
   for (const auto& [first, second] : kInPlane) {
-    const int sign =
-        determinantSign(entry(p, a.axis, first, a.position), entry(q, a.axis, first, a.position),
-                        entry(p, c.axis, second, c.position), entry(q, c.axis, second, c.position));
+    const int sign = determinantSign(
+        columnEntry(p, a.axis, first, a.position), columnEntry(q, a.axis, first, a.position),
+        columnEntry(p, c.axis, second, c.position), columnEntry(q, c.axis, second, c.position));
     if (sign != 0) return sign;
   }
   return 0;
@@ -62,9 +62,9 @@ int sideOfNode(const std::array<MovedVertex, 3>& triangle, const Vec3<double>& n
   for (const auto& columns : kInSpace) {
     std::array<DoubleDouble3, 3> rows;
     for (std::size_t i = 0; i < 3; ++i) {
-      rows[i] = {entry(triangle[i], 0, columns[0], node.x),
-                 entry(triangle[i], 1, columns[1], node.y),
-                 entry(triangle[i], 2, columns[2], node.z)};
+      rows[i] = {columnEntry(triangle[i], 0, columns[0], node.x),
+                 columnEntry(triangle[i], 1, columns[1], node.y),
+                 columnEntry(triangle[i], 2, columns[2], node.z)};
     }
     // Positive where the vertices turn right as seen from the node: then it is behind them.
     if (const int sign = determinantSign(rows); sign != 0) return -sign;

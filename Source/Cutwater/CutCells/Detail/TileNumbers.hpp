@@ -6,18 +6,20 @@
 
 namespace cutwater {
 
+/// Indices of a cell, a face, an edge or a node in a box of cells; a face or an edge has those of
+/// the node where it begins.
+using TilePlace = std::array<std::int32_t, 3>;
+
 /// Numbers of the cells, faces, edges and nodes of a box of cells. Faces and edges are numbered
 /// axis by axis: faces by the axis that they are across, edges by the one along which they run.
 class TileNumbers {
  public:
-  using Place = std::array<std::int32_t, 3>;
-
-  explicit TileNumbers(const Place& cells) : cells_(cells) {
+  explicit TileNumbers(const TilePlace& cells) : cells_(cells) {
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
-      Place faces = cells;
+      TilePlace faces = cells;
       ++faces[a];
-      Place edges{cells[0] + 1, cells[1] + 1, cells[2] + 1};
+      TilePlace edges{cells[0] + 1, cells[1] + 1, cells[2] + 1};
       --edges[a];
       faceSizes_[a] = faces;
       edgeSizes_[a] = edges;
@@ -26,7 +28,7 @@ class TileNumbers {
     }
   }
 
-  [[nodiscard]] const Place& cells() const { return cells_; }
+  [[nodiscard]] const TilePlace& cells() const { return cells_; }
   [[nodiscard]] std::uint32_t cellCount() const { return product(cells_); }
   [[nodiscard]] std::uint32_t faceCount() const { return firstFace_[3]; }
   [[nodiscard]] std::uint32_t edgeCount() const { return firstEdge_[3]; }
@@ -34,37 +36,37 @@ class TileNumbers {
     return product({cells_[0] + 1, cells_[1] + 1, cells_[2] + 1});
   }
 
-  [[nodiscard]] std::uint32_t cell(const Place& p) const { return number(p, cells_); }
+  [[nodiscard]] std::uint32_t cell(const TilePlace& p) const { return number(p, cells_); }
   /// The face below the cell at this place.
-  [[nodiscard]] std::uint32_t face(int axis, const Place& p) const {
+  [[nodiscard]] std::uint32_t face(int axis, const TilePlace& p) const {
     const auto a = static_cast<std::size_t>(axis);
     return firstFace_[a] + number(p, faceSizes_[a]);
   }
   /// The edge that begins at the node of this place.
-  [[nodiscard]] std::uint32_t edge(int axis, const Place& p) const {
+  [[nodiscard]] std::uint32_t edge(int axis, const TilePlace& p) const {
     const auto a = static_cast<std::size_t>(axis);
     return firstEdge_[a] + number(p, edgeSizes_[a]);
   }
-  [[nodiscard]] std::uint32_t node(const Place& p) const {
+  [[nodiscard]] std::uint32_t node(const TilePlace& p) const {
     return number(p, {cells_[0] + 1, cells_[1] + 1, cells_[2] + 1});
   }
 
-  [[nodiscard]] Place placeOfCell(std::uint32_t number) const { return place(number, cells_); }
+  [[nodiscard]] TilePlace placeOfCell(std::uint32_t number) const { return place(number, cells_); }
   [[nodiscard]] int axisOfFace(std::uint32_t face) const { return axisOf(face, firstFace_); }
-  [[nodiscard]] Place placeOfFace(std::uint32_t face) const {
+  [[nodiscard]] TilePlace placeOfFace(std::uint32_t face) const {
     const auto a = static_cast<std::size_t>(axisOfFace(face));
     return place(face - firstFace_[a], faceSizes_[a]);
   }
 
  private:
-  static std::uint32_t product(const Place& sizes) {
+  static std::uint32_t product(const TilePlace& sizes) {
     return static_cast<std::uint32_t>(sizes[0]) * static_cast<std::uint32_t>(sizes[1]) *
            static_cast<std::uint32_t>(sizes[2]);
   }
-  static std::uint32_t number(const Place& p, const Place& sizes) {
+  static std::uint32_t number(const TilePlace& p, const TilePlace& sizes) {
     return static_cast<std::uint32_t>((p[2] * sizes[1] + p[1]) * sizes[0] + p[0]);
   }
-  static Place place(std::uint32_t number, const Place& sizes) {
+  static TilePlace place(std::uint32_t number, const TilePlace& sizes) {
     const auto n = static_cast<std::int32_t>(number);
     return {n % sizes[0], n / sizes[0] % sizes[1], n / sizes[0] / sizes[1]};
   }
@@ -72,9 +74,9 @@ class TileNumbers {
     return number >= first[2] ? 2 : number >= first[1] ? 1 : 0;
   }
 
-  Place cells_;
-  std::array<Place, 3> faceSizes_;
-  std::array<Place, 3> edgeSizes_;
+  TilePlace cells_;
+  std::array<TilePlace, 3> faceSizes_;
+  std::array<TilePlace, 3> edgeSizes_;
   std::array<std::uint32_t, 4> firstFace_{};
   std::array<std::uint32_t, 4> firstEdge_{};
 };

@@ -12,12 +12,12 @@ std::uint64_t meshEdge(std::uint32_t p, std::uint32_t q) {
   return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
 }
 
-bool isBelow(const Fragment& fragment, const FragmentEdge& plane) {
+bool isUnderPlane(const Fragment& fragment, const FragmentEdge& plane) {
   return fragment.cell[static_cast<std::size_t>(plane.axis)] < plane.number;
 }
 
 /// The node of lowest indices at which the planes of two edges, and the cell, begin.
-TileNumbers::Place placeOf(const Fragment& fragment, const FragmentEdge& a, const FragmentEdge& b) {
+TilePlace placeOnPlanes(const Fragment& fragment, const FragmentEdge& a, const FragmentEdge& b) {
   auto place = fragment.cell;
   place[static_cast<std::size_t>(a.axis)] = a.number;
   place[static_cast<std::size_t>(b.axis)] = b.number;
@@ -30,7 +30,7 @@ int riseAt(const Fragment& fragment, const FragmentEdge& in, const FragmentEdge&
   // A polygon that faces up goes up along the plane that limits it in x, then back along the one
   // that limits it in y; the other way round beyond either of them.
   const bool isCyclic = (in.axis + 1) % 3 == out.axis;
-  const bool facesUp = (isCyclic == isBelow(fragment, in)) == isBelow(fragment, out);
+  const bool facesUp = (isCyclic == isUnderPlane(fragment, in)) == isUnderPlane(fragment, out);
   return facesUp ? -1 : 1;
 }
 
@@ -66,18 +66,18 @@ void TileSurface::add(const MovedSurface& surface, std::uint32_t triangle,
 
     const auto end = [&](const FragmentEdge& other) {
       if (!other.isPlane()) return TraceEnd{.meshEdge = meshEdgeOf(other)};
-      return TraceEnd{
-          .gridEdge = numbers_.edge(3 - edge.axis - other.axis, placeOf(fragment, edge, other))};
+      return TraceEnd{.gridEdge = numbers_.edge(3 - edge.axis - other.axis,
+                                                placeOnPlanes(fragment, edge, other))};
     };
     const auto& before = fragment.edges[(i + size - 1) % size];
     const auto& after = fragment.edges[(i + 1) % size];
-    FaceTrace trace{.face = numbers_.face(edge.axis, placeOf(fragment, edge, edge)),
+    FaceTrace trace{.face = numbers_.face(edge.axis, placeOnPlanes(fragment, edge, edge)),
                     .triangle = triangle,
                     .from = fragment.points[i],
                     .to = fragment.points[(i + 1) % size],
                     .start = end(before),
                     .end = end(after)};
-    if (isBelow(fragment, edge)) {
+    if (isUnderPlane(fragment, edge)) {
       trace.below = number;
     } else {
       trace.above = number;

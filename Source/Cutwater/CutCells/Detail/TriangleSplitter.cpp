@@ -11,19 +11,15 @@ namespace {
 /// The unit of rounding.
 constexpr double kU = 0x1p-53;
 
-using Rows = std::array<std::int32_t, 3>;
-
-std::size_t at(int axis) {
-  return static_cast<std::size_t>(axis);
-}
+using PointCells = std::array<std::int32_t, 3>;
 
 /// A polygon on the way to fragments. Its points are in these cells along each axis; along an axis
 /// of a plane through a point, in the one that holds the polygon.
-struct Part {
+struct SplitPart {
   Fragment polygon;
-  std::array<Rows, Fragment::kMost> rows;
+  std::array<PointCells, Fragment::kMost> rows;
 
-  void add(const Vec3<double>& point, const FragmentEdge& edge, const Rows& in) {
+  void add(const Vec3<double>& point, const FragmentEdge& edge, const PointCells& in) {
     const auto i = static_cast<std::size_t>(polygon.size++);
     polygon.points[i] = point;
     polygon.edges[i] = edge;
@@ -42,7 +38,7 @@ class Splitter {
       const auto& p = triangle[i].position;
       size_ = std::max(size_, 2 * maxComponent(abs(p)));
       for (int axis = 0; axis < 3; ++axis) {
-        cornerRows_[i][at(axis)] = planes.cellAt(axis, p[axis], 0, [&](int plane) {
+        cornerRows_[i][asIndex(axis)] = planes.cellAt(axis, p[axis], 0, [&](int plane) {
           return isAbove(triangle[i], axis, planes.at(axis, plane));
         });
       }
@@ -50,72 +46,72 @@ class Splitter {
   }
 
   void run() const {
-    Part part;
+    SplitPart part;
     for (int i = 0; i < 3; ++i) {
-      part.add(triangle_[at(i)].position, {.axis = -1, .number = i}, cornerRows_[at(i)]);
+      part.add(triangle_[asIndex(i)].position, {.axis = -1, .number = i}, cornerRows_[asIndex(i)]);
     }
     divide(part, 0);
   }
 
  private:
   /// Divides along this axis and the later ones.
-  void divide(Part& part, int axis) const {
+  void divide(SplitPart& part, int axis) const {
     if (axis == 3) return visit_(part.polygon);
     auto [row, last] = rowsAlong(part, axis);
     last = std::min(last, planes_.cells(axis) - 1);
     for (row = std::max(row, -1); row <= last; ++row) {
-      Part above;
+      SplitPart above;
       above.polygon.cell = part.polygon.cell;
       cut(part, axis, row + 1, above);
-      part.polygon.cell[at(axis)] = row;
+      part.polygon.cell[asIndex(axis)] = row;
       if (row >= 0) divide(part, axis + 1);
       part = above;
     }
   }
-  static std::pair<int, int> rowsAlong(const Part& part, int axis) {
-    int least = part.rows[0][at(axis)];
+  static std::pair<int, int> rowsAlong(const SplitPart& part, int axis) {
+    int least = part.rows[0][asIndex(axis)];
     int most = least;
     for (int i = 1; i < part.polygon.size; ++i) {
-      least = std::min(least, part.rows[at(i)][at(axis)]);
-      most = std::max(most, part.rows[at(i)][at(axis)]);
+      least = std::min(least, part.rows[asIndex(i)][asIndex(axis)]);
+      most = std::max(most, part.rows[asIndex(i)][asIndex(axis)]);
     }
     return {least, most};
   }
 
   /// Moves what is above the plane to `above`.
-  void cut(Part& part, int axis, int plane, Part& above) const {
-    const Part whole = std::exchange(part, {});
+  void cut(SplitPart& part, int axis, int plane, SplitPart& above) const {
+    const SplitPart whole = std::exchange(part, {});
     part.polygon.cell = whole.polygon.cell;
     const FragmentEdge alongPlane{axis, plane};
     for (int i = 0; i < whole.polygon.size; ++i) {
-      const auto& rows = whole.rows[at(i)];
-      const auto& edge = whole.polygon.edges[at(i)];
-      const bool isHigh = rows[at(axis)] >= plane;
-      (isHigh ? above : part).add(whole.polygon.points[at(i)], edge, rows);
+      const auto& rows = whole.rows[asIndex(i)];
+      const auto& edge = whole.polygon.edges[asIndex(i)];
+      const bool isHigh = rows[asIndex(axis)] >= plane;
+      (isHigh ? above : part).add(whole.polygon.points[asIndex(i)], edge, rows);
       const int next = i + 1 < whole.polygon.size ? i + 1 : 0;
-      const bool goesHigh = whole.rows[at(next)][at(axis)] >= plane;
+      const bool goesHigh = whole.rows[asIndex(next)][asIndex(axis)] >= plane;
       if (isHigh == goesHigh) continue;
-      Rows there = whole.polygon.cell;
+      PointCells there = whole.polygon.cell;
       const auto point = edge.isPlane() ? onLine(edge, alongPlane, goesHigh, there)
                                         : onEdge(edge.number, alongPlane, there);
-      there[at(axis)] = plane - 1;
+      there[asIndex(axis)] = plane - 1;
       part.add(point, goesHigh ? alongPlane : edge, there);
-      there[at(axis)] = plane;
+      there[asIndex(axis)] = plane;
       above.add(point, goesHigh ? edge : alongPlane, there);
     }
   }
 
   /// Where an edge of the triangle meets a plane. `rows` has the cells along axes before the
   /// plane's; sets those along axes after it.
-  [[nodiscard]] Vec3<double> onEdge(int edge, const FragmentEdge& plane, Rows& rows) const {
-    const auto& p = triangle_[at(edge)];
-    const auto& q = triangle_[at((edge + 1) % 3)];
+  [[nodiscard]] Vec3<double> onEdge(int edge, const FragmentEdge& plane, PointCells& rows) const {
+    const auto& p = triangle_[asIndex(edge)];
+    const auto& q = triangle_[asIndex((edge + 1) % 3)];
     const AxisPlane crossed{plane.axis, planes_.at(plane.axis, plane.number)};
     const auto point = crossing(edge, crossed);
     for (int axis = plane.axis + 1; axis < 3; ++axis) {
       // Three roundings for the share of the edge, two for the product, one for the sum: 6.
       const double error = 8 * kU * (std::abs(p.position[axis]) + std::abs(q.position[axis]));
-      rows[at(axis)] = planes_.cellAt(axis, point[axis], error, [&](int other) {
+      rows[asIndex(axis)] = planes_.cellAt(axis, point[axis], error, [&](int other) {
         return isCrossingAbove(p, q, crossed, {axis, planes_.at(axis, other)});
       });
     }
@@ -125,7 +121,7 @@ class Splitter {
   /// Where the triangle's traces on two planes meet. The part's edge along the first plane goes up
   /// or down the second's axis.
   [[nodiscard]] Vec3<double> onLine(const FragmentEdge& first, const FragmentEdge& second,
-                                    bool goesUp, Rows& rows) const {
+                                    bool goesUp, PointCells& rows) const {
     // Along the trace on the plane to which the triangle is closer to parallel: that on the other
     // one may be as short as rounding.
     const bool isFirst = normal_[first.axis] >= normal_[second.axis];
@@ -141,8 +137,9 @@ class Splitter {
 
     const int third = 3 - first.axis - second.axis;
     if (third > second.axis) {
-      const bool isBelow = rows[at(first.axis)] < first.number;
-      rows[at(third)] = rowOnLine(point, third, (to - from)[third] / length, goesUp == isBelow);
+      const bool isBelow = rows[asIndex(first.axis)] < first.number;
+      rows[asIndex(third)] =
+          rowOnLine(point, third, (to - from)[third] / length, goesUp == isBelow);
     }
     return withinCell(point, rows, first.axis, second.axis);
   }
@@ -168,8 +165,8 @@ class Splitter {
     std::array<Vec3<double>, 2> ends;
     std::size_t count = 0;
     for (int edge = 0; edge < 3 && count < 2; ++edge) {
-      const bool isHigh = cornerRows_[at(edge)][at(axis)] >= number;
-      const bool goesHigh = cornerRows_[at((edge + 1) % 3)][at(axis)] >= number;
+      const bool isHigh = cornerRows_[asIndex(edge)][asIndex(axis)] >= number;
+      const bool goesHigh = cornerRows_[asIndex((edge + 1) % 3)][asIndex(axis)] >= number;
       if (isHigh != goesHigh) ends[count++] = crossing(edge, plane);
     }
     return {ends[0], ends[1]};
@@ -178,9 +175,9 @@ class Splitter {
   [[nodiscard]] Vec3<double> crossing(int edge, const AxisPlane& plane) const {
     int from = edge;
     int to = (edge + 1) % 3;
-    if (vertices_[at(from)] > vertices_[at(to)]) std::swap(from, to);
-    const auto& p = triangle_[at(from)].position;
-    const auto& q = triangle_[at(to)].position;
+    if (vertices_[asIndex(from)] > vertices_[asIndex(to)]) std::swap(from, to);
+    const auto& p = triangle_[asIndex(from)].position;
+    const auto& q = triangle_[asIndex(to)].position;
     const double rise = q[plane.axis] - p[plane.axis];
     const double share = rise == 0 ? 0.5 : (plane.position - p[plane.axis]) / rise;
     auto point = max(min(p, q), min(max(p, q), p + share * (q - p)));
@@ -188,11 +185,11 @@ class Splitter {
     return point;
   }
   /// Moves a point by rounding, into its cell along the axes but these two.
-  [[nodiscard]] Vec3<double> withinCell(Vec3<double> point, const Rows& rows, int axis,
+  [[nodiscard]] Vec3<double> withinCell(Vec3<double> point, const PointCells& rows, int axis,
                                         int second) const {
     for (int other = 0; other < 3; ++other) {
       if (other == axis || other == second) continue;
-      const int row = rows[at(other)];
+      const int row = rows[asIndex(other)];
       if (row >= 0) point[other] = std::max(point[other], planes_.at(other, row));
       if (row < planes_.cells(other)) {
         point[other] = std::min(point[other], planes_.at(other, row + 1));
@@ -207,7 +204,7 @@ class Splitter {
   FunctionRef<void(const Fragment&)> visit_;
   Vec3<double> normal_;  // its components' sizes, as computed
   double size_ = 0;      // at least the sum of the coordinates of any two corners
-  std::array<Rows, 3> cornerRows_{};
+  std::array<PointCells, 3> cornerRows_{};
 };
 
 }  // namespace
