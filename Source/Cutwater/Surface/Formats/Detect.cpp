@@ -87,7 +87,7 @@ bool isCompleteBinaryStl(std::string_view bytes) {
       text.failAt({Place::Unit::Byte, 0}, std::string("this is ") + name + ", not a surface");
     }
   }
-  text.failAt({Place::Unit::Byte, 0}, "the content is none of STL, OBJ, PLY, OFF and legacy VTK");
+  text.failAt({Place::Unit::Byte, 0}, "the content is none of " + surfaceFormats("and"));
 }
 
 }  // namespace
