@@ -188,8 +188,9 @@ std::size_t bytesOf(const Build& build) {
 
 void printBeds(int most) {
   std::printf(
-      "\n| balls | union of Spheres ns | PackedBed ns | in a batch | ratio | built in s | bytes a "
-      "ball | of the union |\n"
+      "\n| balls | union of Spheres ns | PackedBed ns | in a batch | ratio | built in s | bytes "
+      "per "
+      "ball | the same, union of Spheres |\n"
       "|---:|---:|---:|---:|---:|---:|---:|---:|\n");
   for (const int n : {22, 46, 100}) {
     if (n * n * n > most) return;
@@ -228,7 +229,9 @@ void printBeds(int most) {
 
 void printVolumes() {
   std::printf(
-      "\n| fraction | cells | s | volume - exact, from | to | estimate - exact |\n"
+      "\n| fraction | cells classified | s | error of the lower bound | of the upper bound | of "
+      "the "
+      "estimate |\n"
       "|---:|---:|---:|---:|---:|---:|\n");
   const Sphere<double> ball({0.1, 0, 0}, 0.7);
   const Box<double> box{{-1.31, -1.22, -1.24}, {1.13, 1.27, 1.6}};

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <numbers>
 
 using namespace cutwater;
@@ -26,6 +27,7 @@ Solid<double> flange(double z) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const std::filesystem::path file = argc > 1 ? argv[1] : "pipe.png";
   // [DOCS
   const Solid<double> tube = Cylinder<double>({0, 0, 0.1}, {0, 0, 3.9}, 0.9);
   const Solid<double> bore = Cylinder<double>({0, 0, -1}, {0, 0, 5}, 0.7);
@@ -37,8 +39,8 @@ int main(int argc, char** argv) {
   options.title = "Flanged pipe";
   options.unit = "m";
   const Image picture = render(body - named(bore, "bore"), options);
+  writePng(file, picture);
   // DOCS]
-  if (argc > 1) writePng(argv[1], picture);
 
   std::size_t drawn = 0;
   for (const auto& pixel : picture.pixels()) drawn += pixel == Rgb{255, 255, 255} ? 0 : 1;

@@ -77,12 +77,14 @@ int main() {
   std::printf("%s", caps.text().c_str());
 
   PolygonSoup whole = half;  // ... the whole
-  mirrorAt(whole, symmetry, /*tolerance=*/1e-5);
+  const OpeningReport joined = mirrorAt(whole, symmetry, /*tolerance=*/1e-5);
 
   PolygonSoup ground = hill();
-  extendToBox(ground, {{-1, -1, -1}, {3, 3, 2}}, /*axis=*/2);
+  const OpeningReport sides = extendToBox(ground, {{-1, -1, -1}, {3, 3, 2}}, /*axis=*/2);
+  const MeshReport found = check(DcelMesh<double>(ground));  // found.isClean()
   // DOCS]
   const bool sound =
       isSound(capped, "half") && isSound(whole, "whole") && isSound(ground, "ground");
-  return sound && caps.closed.count == 2 ? 0 : 1;
+  const bool closed = caps.closed.count == 2 && joined.rimEdges > 0 && sides.closed.count == 1;
+  return sound && closed && found.isClean() ? 0 : 1;
 }

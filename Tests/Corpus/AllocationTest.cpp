@@ -168,8 +168,10 @@ TEST(AllocationTest, CleaningFailsCleanlyAndChangesNothing) {
   expectUnharmed(open, [](PolygonSoup& soup) {
     EXPECT_EQ(capOnPlane(soup, {{0, 0, 0}, {0, 0, 1}}).closed.count, 1U);
   });
-  expectUnharmed(open, [](PolygonSoup& soup) { mirrorAt(soup, {{0, 0, 0}, {0, 0, 1}}); });
-  expectUnharmed(open, [](PolygonSoup& soup) { extendTo(soup, 2, 1); });
+  expectUnharmed(open, [](PolygonSoup& soup) {
+    static_cast<void>(mirrorAt(soup, {{0, 0, 0}, {0, 0, 1}}));
+  });
+  expectUnharmed(open, [](PolygonSoup& soup) { static_cast<void>(extendTo(soup, 2, 1)); });
 }
 
 TEST(AllocationTest, GeometryFilesFailCleanly) {

@@ -99,7 +99,7 @@ void closeIt(PolygonSoup& soup, Cure& cure) {
   cure.corrections = cleanIt(soup);
   if (isClosed(soup) && enclosesSomething(soup)) return;
   if (isTerrain(soup)) {
-    extendTo(soup, 2, soup.boundingBox().lower.z - 0.1 * diagonal);
+    static_cast<void>(extendTo(soup, 2, soup.boundingBox().lower.z - 0.1 * diagonal));
     cure.extended = true;
     return;
   }

@@ -1,7 +1,7 @@
 """Builds the project in Consumer/ the ways a user would, and compares what it prints.
 
 Every way must print what the build under test prints, to the bit, and no compiler flag of this
-repository may show in the consumer's commands. The variants:
+repository may show in the consumer's commands. Installed headers give no warning. The variants:
 
   static        find_package on the installed build under test, moved after installation
   fast          the same, by a consumer with -O3 -march=native -ffast-math
@@ -22,6 +22,8 @@ import subprocess
 import sys
 
 FAST = "-O3 -march=native -ffast-math"
+CAREFUL = ("-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast "
+           "-Werror").split()
 NO_DEPENDENCIES = ["-DCUTWATER_UNITY=OFF", "-DCUTWATER_PRECOMPILE=OFF", "-DCUTWATER_OPENMP=OFF", "-DCUTWATER_ZLIB=OFF", "-DCUTWATER_RENDER=OFF",
                    "-DCUTWATER_SCENE=OFF"]
 LIBRARY_ONLY = ["-DCUTWATER_BUILD_TOOLS=OFF", "-DCUTWATER_BUILD_TESTS=OFF",
@@ -63,6 +65,20 @@ def check_flags(build, compiler, include, own):
     leaked = [flag for flag in leaked if not flag.strip().startswith("-Wl,-rpath")]
     if leaked or "-o Consumer" not in link:
         raise Failure(f"flags leak to the consumer's link: {leaked} in {link}")
+
+
+def check_warnings(args, build, include, name, header):
+    """To users with many warnings on, our headers have none to give, in g++ nor in clang."""
+    entries = json.loads((build / "compile_commands.json").read_text())
+    entry = next(e for e in entries if e["file"].endswith(f"Consumer/{name}"))
+    words = shlex.split(entry["command"])
+    flags = words[words.index(args.compiler) + 1:words.index("-o")]
+    if str(include) not in flags:
+        raise Failure(f"{name} does not see {include}: {shlex.join(flags)}")
+    flags[flags.index(str(include)) - 1] = "-I"  # the compiler is silent about system headers
+    others = (shutil.which(compiler) for compiler in ("g++", "clang++-14", "clang++"))
+    for compiler in dict.fromkeys([args.compiler, *filter(None, others)]):
+        run(compiler, *flags, *CAREFUL, "-fsyntax-only", "-include", header, entry["file"])
 
 
 def check_c(build, include):
@@ -137,6 +153,7 @@ def check_part(args, part):
     configure(args.source / "Tests/Package/Consumer", build, args.compiler,
               f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCUTWATER_PART={part}")
     run("cmake", "--build", build, "--target", "ConsumerOfPart")
+    check_warnings(args, build, prefix / "include", f"{part}.cpp", f"Cutwater/{part}.hpp")
     print(f"{name}: {run(build / 'ConsumerOfPart').strip()}", flush=True)
 
 
@@ -166,6 +183,9 @@ def check(args):
             prefix = install(args, args.build, "tested")
         if variant == "static":
             packaged(variant, prefix)
+            for name in ("main.cpp", "Arithmetic.cpp"):
+                check_warnings(args, args.work / "consumer-static", prefix / "include", name,
+                               "Cutwater/Cutwater.hpp")
             check_example(args, prefix)
         elif variant == "fast":
             packaged(variant, prefix, FAST)

@@ -36,6 +36,28 @@ TEST(SceneKeysPageTest, HasEveryFormAndKey) {
   EXPECT_GE(forms, 40U);
 }
 
+TEST(SceneKeysPageTest, AWordChoosesSections) {
+  const auto page = sceneKeys("TORUS");
+  EXPECT_TRUE(page.starts_with("### Shapes\n\n")) << page;
+  EXPECT_NE(page.find("#### `shape = \"torus\"`\n"), std::string::npos);
+  EXPECT_NE(page.find("#### `shape = \"capped torus\"`\n"), std::string::npos);
+  EXPECT_EQ(page.find("shape = \"sphere\""), std::string::npos);
+  EXPECT_EQ(page.find("### Operators"), std::string::npos);
+  EXPECT_EQ(sceneKeys("teapot"), "");
+}
+
+TEST(SceneKeysPageTest, TablesOfSeveralKindsAreToldApart) {
+  const auto page = sceneKeys("turns_per_length");
+  const auto either = page.find("| *either* | | *Cells along radius, angle and height");
+  const auto radial = page.find("| `cell.radial_size` | ");
+  const auto other = page.find("| *or* | | *Cells whose size");
+  const auto x = page.find("| `cell.x` | ");
+  EXPECT_LT(either, radial);
+  EXPECT_LT(radial, other);
+  EXPECT_LT(other, x);
+  EXPECT_LT(x, page.size());
+}
+
 /// Scenes on the page are files that are read here and drawn by the tests of the command.
 TEST(SceneKeysPageTest, ScenesOnThePageAreExamples) {
   std::set<std::string> examples;

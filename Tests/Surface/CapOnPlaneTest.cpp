@@ -125,10 +125,10 @@ TEST(CapOnPlane, RimsThatMeetAreReportedAndOthersClosed) {
 
 TEST(CapOnPlane, RefusesPlanesThatAreNone) {
   auto soup = bowl(8);
-  EXPECT_THROW(capOnPlane(soup, {{}, {0, 0, 0}}), Error);
-  EXPECT_THROW(capOnPlane(soup, {{HUGE_VAL, 0, 0}, {0, 0, 1}}), Error);
-  EXPECT_THROW(capOnPlane(soup, {{}, {0, std::nan(""), 1}}), Error);
-  EXPECT_THROW(capOnPlane(soup, {{}, {0, 0, 1}}, {.tolerance = -1}), Error);
+  EXPECT_THROW(static_cast<void>(capOnPlane(soup, {{}, {0, 0, 0}})), Error);
+  EXPECT_THROW(static_cast<void>(capOnPlane(soup, {{HUGE_VAL, 0, 0}, {0, 0, 1}})), Error);
+  EXPECT_THROW(static_cast<void>(capOnPlane(soup, {{}, {0, std::nan(""), 1}})), Error);
+  EXPECT_THROW(static_cast<void>(capOnPlane(soup, {{}, {0, 0, 1}}, {.tolerance = -1})), Error);
   EXPECT_TRUE(sameSoup(soup, bowl(8)));
 }
 

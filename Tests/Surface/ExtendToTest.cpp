@@ -83,11 +83,11 @@ TEST(ExtendTo, TheGroundBelowATerrain) {
 TEST(ExtendTo, TheAirAboveATerrainAndGroundThatFacesDown) {
   const auto ground = terrain(12, 0.25);
   auto air = ground;
-  extendTo(air, 2, 5, {.sides = "walls", .bottom = "sky"});
+  static_cast<void>(extendTo(air, 2, 5, {.sides = "walls", .bottom = "sky"}));
   EXPECT_TRUE(reportOf(air).isClean());
   EXPECT_NEAR(measure(air).volume, -prismVolume(ground, 2, 5), 1e-12);
   auto down = insideOut(ground);
-  extendTo(down, 2, -2);
+  static_cast<void>(extendTo(down, 2, -2));
   EXPECT_TRUE(reportOf(down).isClean());
   EXPECT_NEAR(measure(down).volume, prismVolume(ground, 2, -2), 1e-12);
 }
@@ -149,7 +149,7 @@ TEST(ExtendTo, AnApronReachesTheSidesOfABox) {
       box.lower[(axis + 2) % 3] = -0.5;
       box.upper[(axis + 2) % 3] = 3.5;
       auto soup = ground;
-      extendToBox(soup, box, axis);
+      static_cast<void>(extendToBox(soup, box, axis));
       const auto report = reportOf(soup);
       EXPECT_TRUE(report.isClean()) << report.summary();
       EXPECT_EQ(report.genus, 0);
@@ -178,7 +178,8 @@ TEST(ExtendTo, AnApronNeedsOneRimAroundAllOthers) {
        {Vec3<double>{3, 0, 0}, {0.5, 0.25, 1}, {0, 3, 0}, {1, 0, 0}, {1, 1, 0}}) {
     const auto other = moved(square, place);
     for (const auto& two : {together(square, other), together(insideOut(other), square)}) {
-      EXPECT_EQ(refusal(two, [&](auto& soup) { extendToBox(soup, box, 2); }), ErrorKind::Topology)
+      EXPECT_EQ(refusal(two, [&](auto& soup) { static_cast<void>(extendToBox(soup, box, 2)); }),
+                ErrorKind::Topology)
           << place;
     }
   }
@@ -189,13 +190,15 @@ TEST(ExtendTo, RefusesOnePartAboveAnother) {
   auto large = square;
   for (auto& p : large.points) p = {8 * p.x - 4, 8 * p.y - 4, p.z};
   const auto ground = together(large, moved(square, {6, 0, 0}));
-  const auto down = [](PolygonSoup& soup) { extendTo(soup, 2, 0); };
+  const auto down = [](PolygonSoup& soup) { static_cast<void>(extendTo(soup, 2, 0)); };
   EXPECT_EQ(refusal(ground, down), std::nullopt);
   for (const double height : {-0.5, 0.0, 1.0}) {
     const auto above = moved(square, {0, 0, height});
     for (const auto& sheet : {above, insideOut(above)}) {
       EXPECT_EQ(refusal(together(ground, sheet), down), ErrorKind::Topology) << height;
-      const auto toBox = [](PolygonSoup& soup) { extendToBox(soup, {{-9, -9, 0}, {9, 9, 5}}, 2); };
+      const auto toBox = [](PolygonSoup& soup) {
+        static_cast<void>(extendToBox(soup, {{-9, -9, 0}, {9, 9, 5}}, 2));
+      };
       EXPECT_EQ(refusal(together(large, sheet), toBox), ErrorKind::Topology) << height;
     }
   }
@@ -205,7 +208,7 @@ TEST(ExtendTo, RefusesOnePartAboveAnother) {
   auto smaller = island;
   const Vec3<double> corner{1.1, 1.1, 0};
   for (auto& p : smaller.points) p = corner + 0.3 * (p - corner);
-  const auto under = [](PolygonSoup& soup) { extendTo(soup, 2, -2); };
+  const auto under = [](PolygonSoup& soup) { static_cast<void>(extendTo(soup, 2, -2)); };
   EXPECT_EQ(refusal(together(withHole, smaller), under), std::nullopt);
   EXPECT_EQ(refusal(together(withHole, island), under), ErrorKind::Topology);
 }
@@ -220,7 +223,7 @@ PolygonSoup vase(std::initializer_list<tessellation::ProfilePoint> profile) {
 TEST(ExtendTo, RefusesWallsThatWouldPassThroughTheSurface) {
   const auto to = [](double level) {
     return [level](PolygonSoup& soup) {
-      extendTo(soup, 2, level);
+      static_cast<void>(extendTo(soup, 2, level));
       const DcelMesh<double> solid(soup);
       EXPECT_TRUE(check(solid).isClosedOriented());
       EXPECT_FALSE(findSelfIntersections(solid));
@@ -256,10 +259,13 @@ TEST(ExtendTo, RefusesAnApronThatWouldPassThroughTheSurface) {
   // An umbrella, whose edge hangs down below its rim: the apron would pass through what is above.
   const auto umbrella = vase({{0, 2}, {3, -0.5}, {2, 0}});
   const Box<double> box{{-5, -5, -1}, {5, 5, 3}};
-  EXPECT_EQ(refusal(umbrella, [](auto& soup) { extendTo(soup, 2, -1); }), std::nullopt);
-  EXPECT_EQ(refusal(umbrella, [&](auto& soup) { extendToBox(soup, box, 2); }), ErrorKind::Topology);
+  EXPECT_EQ(refusal(umbrella, [](auto& soup) { static_cast<void>(extendTo(soup, 2, -1)); }),
+            std::nullopt);
+  EXPECT_EQ(refusal(umbrella, [&](auto& soup) { static_cast<void>(extendToBox(soup, box, 2)); }),
+            ErrorKind::Topology);
   const auto mushroom = vase({{0, 2}, {3, 0.5}, {2, 0}});
-  EXPECT_EQ(refusal(mushroom, [&](auto& soup) { extendToBox(soup, box, 2); }), std::nullopt);
+  EXPECT_EQ(refusal(mushroom, [&](auto& soup) { static_cast<void>(extendToBox(soup, box, 2)); }),
+            std::nullopt);
 }
 
 TEST(ExtendTo, AnApronLeavesHolesAndIslandsInThem) {
@@ -283,7 +289,7 @@ TEST(ExtendTo, AnApronLeavesHolesAndIslandsInThem) {
 }
 
 TEST(ExtendTo, RefusesWhatIsNoTerrain) {
-  const auto down = [](PolygonSoup& soup) { extendTo(soup, 2, -9); };
+  const auto down = [](PolygonSoup& soup) { static_cast<void>(extendTo(soup, 2, -9)); };
   EXPECT_EQ(refusal(cube(), down), ErrorKind::Topology);
   EXPECT_EQ(refusal(flipped(terrain(4, 1), 9), down), ErrorKind::Topology);
   EXPECT_EQ(refusal(twistedBand(48, 0.3, 2), down), ErrorKind::Topology);
@@ -293,13 +299,18 @@ TEST(ExtendTo, RefusesWhatIsNoTerrain) {
   EXPECT_EQ(refusal(weldedTogether(one, other), down), ErrorKind::Topology);
   const auto ground = terrain(4, 1);
   EXPECT_EQ(refusal(together(ground, moved(ground, {2, 2, 1})), down), ErrorKind::Topology);
-  EXPECT_EQ(refusal(ground, [](auto& soup) { extendTo(soup, 2, 0); }), ErrorKind::Argument);
-  EXPECT_EQ(refusal(ground, [](auto& soup) { extendTo(soup, 3, -9); }), ErrorKind::Argument);
-  EXPECT_EQ(refusal(ground, [](auto& soup) { extendTo(soup, 2, -HUGE_VAL); }), ErrorKind::Argument);
-  const Box<double> tight{{0, -1, -9}, {5, 5, 9}};
-  EXPECT_EQ(refusal(ground, [&](auto& soup) { extendToBox(soup, tight, 2); }), ErrorKind::Topology);
-  EXPECT_EQ(refusal(ground, [](auto& soup) { extendToBox(soup, Box<double>{}, 2); }),
+  EXPECT_EQ(refusal(ground, [](auto& soup) { static_cast<void>(extendTo(soup, 2, 0)); }),
             ErrorKind::Argument);
+  EXPECT_EQ(refusal(ground, [](auto& soup) { static_cast<void>(extendTo(soup, 3, -9)); }),
+            ErrorKind::Argument);
+  EXPECT_EQ(refusal(ground, [](auto& soup) { static_cast<void>(extendTo(soup, 2, -HUGE_VAL)); }),
+            ErrorKind::Argument);
+  const Box<double> tight{{0, -1, -9}, {5, 5, 9}};
+  EXPECT_EQ(refusal(ground, [&](auto& soup) { static_cast<void>(extendToBox(soup, tight, 2)); }),
+            ErrorKind::Topology);
+  EXPECT_EQ(
+      refusal(ground, [](auto& soup) { static_cast<void>(extendToBox(soup, Box<double>{}, 2)); }),
+      ErrorKind::Argument);
 }
 
 }  // namespace

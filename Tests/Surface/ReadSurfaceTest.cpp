@@ -246,5 +246,25 @@ TEST(ReadSurfaceTest, RefusesMoreThanIndicesCanName) {
   limit(addFace);
 }
 
+TEST(ReadSurfaceTest, ListsOfFormats) {
+  EXPECT_EQ(surfaceFormats("or"), "STL, OBJ, PLY, OFF or legacy VTK");
+  EXPECT_EQ(surfaceExtensions("and"), ".stl, .obj, .ply, .off and .vtk");
+}
+
+/// A row of the table that no writer or reader backs, or another one's, would show here.
+TEST(ReadSurfaceTest, WhatIsWrittenUnderAnExtensionIsReadAsItsFormat) {
+  PolygonSoup triangle;
+  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.addPolygon(std::array<std::uint32_t, 3>{0, 1, 2});
+  const TemporaryFolder folder;
+  for (const auto& [format, name, extension] : kSurfaceFormats) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(namesOf(format).name, name);
+    const auto file = folder / ("triangle" + std::string(extension));
+    writeSurface(file, triangle);
+    EXPECT_EQ(readSurface(file).report.format, format);
+  }
+}
+
 }  // namespace
 }  // namespace cutwater::test

@@ -98,7 +98,8 @@ class Usage(CommandTest):
                 ("one whole number above 0", "amr a.stl --level 1 -o a.vtu --roots 2x3x4"),
                 ("a distance and a level: 0.5:4", "amr a.stl --level 1 -o a.vtu --band 0.1:3:4"),
                 ("a number above 0", "info a.stl --scale abc"),
-                ("a number above 0", "make torus -o a.stl --radius nan"),
+                ("a number above 0", "make torus -o a.stl --major nan"),
+
                 ("degrees and an axis, x, y or z", "info a.stl --rotate 90,w"),
                 ("a plane: AXIS=VALUE as in z=0, or a point", "repair a.stl -o b.stl --cap z"),
                 ("degrees above 0 and below 180", "isosurface a.stl -o b.stl --edges 200"),
@@ -112,7 +113,7 @@ class Usage(CommandTest):
         for command, name, need in [
                 ("sample", "a.vtk", ".vti"), ("sample", "a", ".vti"), ("sample", "-", ".vti"),
                 ("amr --level 1", "a.png", ".vtu"), ("amr --level 1 -o a.vtu --picture", "a.vtu", ".png"),
-                ("isosurface", "a.step", ".stl, .ply, .obj, .off, .vtk"),
+                ("isosurface", "a.step", ".stl, .obj, .ply, .off, .vtk"),
                 ("prepare", "a.stl", "FILE.cutwater"), ("prepare", "-", "FILE.cutwater")]:
             words = command.split() if "-o" in command else [*command.split(), "-o"]
             with self.subTest(command=command):
@@ -132,6 +133,26 @@ class Usage(CommandTest):
     def test_names_a_command_that_there_is_not(self):
         self.assertIn('there is no command "inf"; is it "info"?', self.fails(2, "inf", "a.stl"))
         self.assertIn('there is no command "frobnicate"\n', self.fails(2, "frobnicate"))
+        self.assertIn('there is no command "inf"; is it "info"?', self.fails(2, "inf", "--help"))
+        self.assertIn('there is no command "frobnicate"\n', self.fails(2, "frobnicate", "-h"))
+
+    def test_names_an_option_that_there_is_not(self):
+        for command, near in [
+                ("amr a.stl --levle 3 -o a.vtu", '"--levle"; is it "--level"?'),
+                ("sample a.stl --cell=3 -o a.vti", '"--cell"; is it "--cells"?'),
+                ("info a.stl --jason", '"--jason"; is it "--json"?'),
+                ("make torus --diameter 3 -o a.stl", '"--diameter"\n')]:
+            words = command.split()
+            self.assertIn(f"cutwater: error: {words[0]} has no option {near}", self.fails(2, *words))
+        self.assertIn("not expected: b.stl", self.fails(2, "info", "a.stl", "b.stl"))
+
+    def test_keys_of_scenes_by_a_word(self):
+        self.assertIn("### Every solid", self.succeeds("scene", "--keys"))
+        text = self.succeeds("scene", "--keys", "torus")
+        self.assertIn('#### `shape = "torus"`', text)
+        self.assertNotIn('shape = "sphere"', text)
+        self.assertIn("--keys: nothing in a scene is called 'teapot'", self.fails(2, "scene", "--keys", "teapot"))
+        self.assertIn("Usage: cutwater scene", self.succeeds("scene"))
 
     def test_standard_input_has_a_name(self):
         self.assertIn("/dev/stdin", self.fails(2, "info", "-"))
@@ -139,14 +160,14 @@ class Usage(CommandTest):
 
 class Make(CommandTest):
     def test_all_shapes_are_closed(self):
-        for shape in ["sphere", "ellipsoid", "box", "torus", "cylinder", "cone", "capsule"]:
+        for shape in ["sphere", "ellipsoid", "cuboid", "torus", "cylinder", "cone", "capsule"]:
             for extension in ["stl", "ply", "obj", "off"]:
                 name = f"{shape}.{extension}"
-                self.succeeds("make", shape, "-o", name, *([] if shape == "box" else ["--parts", 12]))
+                self.succeeds("make", shape, "-o", name, *([] if shape == "cuboid" else ["--parts", 12]))
                 self.assertRegex(self.succeeds("info", name), r"watertight +yes", name)
 
     def test_sizes(self):
-        self.succeeds("make", "torus", "--radius", 3, "--minor", 0.5, "--parts", 64, "-o", "t.off")
+        self.succeeds("make", "torus", "--major", 3, "--minor", 0.5, "--parts", 64, "-o", "t.off")
         points, _ = read_off(self.folder / "t.off")
         self.assertEqual(bounds(points), (-3.5, -3.5, -0.5, 3.5, 3.5, 0.5))
         self.succeeds("make", "cylinder", "--radius", 2, "--height", 7, "-o", "c.off")
@@ -158,14 +179,15 @@ class Make(CommandTest):
             self.assertAlmostEqual(point[0] ** 2 + (point[1] / 2) ** 2 + (point[2] / 4) ** 2, 1)
 
     def test_refusals(self):
-        self.fails(2, "make", "teapot", "-o", "a.stl")
+        self.assertIn("SHAPE: 'box': need one of capsule, cone, cuboid, ", self.fails(2, "make", "box", "-o", "a.stl"))
         for shape, option, value in [("torus", "--minor", "2"), ("ellipsoid", "--size", "1,0,1")]:
             self.assertIn(option, self.fails(2, "make", shape, option, value, "-o", "a.stl"))
         for shape, option in [("sphere", "--minor"), ("sphere", "--height"), ("ellipsoid", "--radius"),
-                              ("box", "--parts"), ("box", "--radius"), ("torus", "--height"), ("cone", "--minor")]:
+                              ("cuboid", "--parts"), ("cuboid", "--radius"), ("torus", "--height"),
+                              ("torus", "--radius"), ("cone", "--minor")]:
             why = self.fails(2, "make", shape, option, "3", "-o", "a.stl")
             self.assertRegex(why, rf"{option}: an? {shape} has no such option")
-        self.fails(2, "make", "box", "-o", "a.xyz")
+        self.fails(2, "make", "cuboid", "-o", "a.xyz")
         for shape, triangles in [("sphere", "21 474 836 480"), ("torus", "10 000 000 000"),
                                  ("capsule", "10 000 000 000")]:
             why = self.fails(2, "make", shape, "--parts", "100000", "-o", "a.stl")

@@ -79,9 +79,7 @@ class Info(InfoTest):
         text = self.succeeds("info", "duct.off")
         self.assertEqual(self.value(text, "topology"),
                          "Euler characteristic 0, no genus: not a closed, oriented manifold")
-        details = text[text.index("Details"):]
-        self.assertRegex(details, r"\n  Euler characteristic +0\n  genus +-\n")
-        self.assertNotIn("duplicate faces", details)
+
 
     def test_says_nothing_if_told_so(self):
         self.box()
@@ -100,9 +98,9 @@ class Info(InfoTest):
         text = self.succeeds("info", "open.off")
         self.assertEqual(self.value(text, "watertight"), "no")
         self.assertEqual(float(self.value(text, "area")), 5)
-        self.assertIn("4 open edges", text)
-        self.assertRegex(text, r"open edges +4  \(vertices( [4-7]-[4-7]){4}\)")
-        self.assertNotIn("unused vertices", text)
+        self.assertEqual(self.value(text, "volume"), "not computed: the surface is not closed")
+        self.assertIn("4 open edges", self.value(text, "in short"))
+        self.assertEqual(len(re.findall(r"^ .*\bopen edges$", text, re.MULTILINE)), 1)  # among the defects
         self.assertRegex(self.value(text, "signs"), r"^winding number: 4 unbalanced edges; 1024 probes, \d+ ambiguous")
         self.assertIn("the sign jumps", self.value(text, "distances"))
 
@@ -407,7 +405,7 @@ class Json(InfoTest):
         for page, exact in zip(box, surface["boundingBox"]["lower"] + surface["boundingBox"]["upper"]):
             self.assertAlmostEqual(page, exact, delta=1e-5 * abs(exact))
         self.assertAlmostEqual(float(self.value(text, "area")), surface["area"], delta=1e-5 * surface["area"])
-        self.assertEqual(self.value(text, "volume") == "none: not closed", surface["volume"] is None)
+        self.assertEqual(self.value(text, "volume").startswith("not computed"), surface["volume"] is None)
         self.assertEqual(self.value(text, "watertight"), "yes" if check["watertight"] else "no")
         self.assertEqual(self.value(text, "in short"), check["summary"])
         self.assertEqual(self.value(text, "verdict"), check["verdict"])

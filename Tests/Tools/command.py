@@ -53,7 +53,7 @@ class CommandTest(unittest.TestCase):
         return done.stderr
 
     def box(self, name="box.off", size="2,2,2"):
-        self.succeeds("make", "box", "--size", size, "-o", name)
+        self.succeeds("make", "cuboid", "--size", size, "-o", name)
         return name
 
     def json(self, *arguments):

@@ -194,7 +194,7 @@ void addDistributedAmr(Program& program, MPI_Comm comm) {
   command.addNumber(
       "--cut-weight", "N",
       "A cell that the surface may meet counts for so many others when ranks get their "
-      "shares; without it: 1",
+      "shares [default: 1]",
       options->cutWeight, {1, 1000});
   command.addFlag("--private", "Every rank reads the surface and has a copy of its own",
                   options->isPrivate);

@@ -9,8 +9,8 @@ struct CellPatches {
   /// Row n is patches[offsets[n]] ... patches[offsets[n + 1] - 1].
   std::vector<std::uint64_t> offsets{0};
   std::vector<std::uint32_t> patches;  ///< each once in a row, ascending
-  /// Whether no patch that meets a cell is missing: the rows come from the whole surface rather
-  /// than from samples.
+  /// True if the rows have every patch that meets a cell, because the whole surface was examined
+  /// and not only samples.
   bool isComplete = true;
 
   /// The patches in one cell.

@@ -8,7 +8,7 @@
 namespace cutwater {
 
 /// Arrays for the edges along one axis; those without data are skipped. The edge at a node's index
-/// leads from that node to the next one on the axis: there is one edge less than nodes.
+/// leads from that node to the next one on the axis: there is one edge fewer than nodes along it.
 template <std::floating_point T>
 struct EdgeCrossingTargets {
   /// Number of crossings with the surface: odd exactly if the values at the nodes differ in sign.

@@ -12,7 +12,7 @@ struct IsosurfaceOptions {
   /// Points of the mesh are within this of the surface, in units of the largest spacing.
   double tolerance = 1e-3;
   /// Where gradients in a cell differ by more than this, in degrees, the solid has an edge or a
-  /// corner, and so does the mesh, if it lies within that cell. 180: none.
+  /// corner, and the mesh gets it too, if it lies within that cell. 180 turns this off.
   double featureAngle = 180;
   /// At most this many threads; 0: as many as there are. See ParallelOptions.
   int threads = 0;
@@ -26,16 +26,16 @@ struct IsosurfaceOptions {
 ///
 /// Points lie on edges between nodes of different sign, and the sign certainly changes within the
 /// tolerance of each. Where the signs of a cell are ambiguous, the sign in the middle of its face
-/// decides. Parts thinner than the spacing may be lost between nodes, and edges of the solid are
-/// cut off by as much. Boxes of cells that classify() proves to be free of surface are not
+/// decides. Parts thinner than the spacing may be lost between nodes, and sharp edges are cut off,
+/// by up to one spacing. Boxes of cells that classify() proves to be free of surface are not
 /// evaluated, so the cost is about that of the cells near it.
 ///
 /// With a `featureAngle` the mesh follows edges and corners, by means of closest points on the
 /// solid.
 ///
-/// The mesh has the solid's patches: each triangle that of its middle's owner. Triangles that close
-/// the surface where the grid ends have one more, "end of grid". The mesh is the same for any
-/// number of threads.
+/// The mesh has the solid's patches: each triangle has the patch of the surface at its middle.
+/// Triangles that close the surface where the grid ends have one more, "end of grid". The mesh is
+/// the same for any number of threads.
 /// @throws Error unless the level is one of nodes, and there are two along each axis, the tolerance
 /// is between 1e-9 and 0.5, and `threads` is not negative; of kind Limit beyond 2^32 - 2 points or
 /// triangles, or 2^31 nodes along an axis.

@@ -27,8 +27,8 @@ struct OctreeOptions {
 /// An AMR mesh around a surface: the leaves of octrees, which cover the domain without overlap.
 ///
 /// Cells are divided from the roots down according to the refinement's rules, just as in tag();
-/// then as few more as it takes to balance the mesh. The mesh is the same for any number of
-/// threads. All it stores of the solid is each cell's kind: classify() of its box.
+/// then as few others as balancing needs. The mesh is the same for any number of threads. All it
+/// stores of the solid is each cell's kind: classify() of its box.
 template <std::floating_point T>
 class Octree : public OctreeCells<T> {
  public:
@@ -36,8 +36,8 @@ class Octree : public OctreeCells<T> {
   Octree(const SignedDistanceFunction<T>& solid, const OctreeDomain<T>& domain,
          const Refinement<T>& refinement, const OctreeOptions& options = {});
 
-  /// Index in cells() of the cell that contains the given cell of a level, or is the first one in
-  /// it; nothing outside the domain. `level` is from 0 to domain().deepest().
+  /// Index in cells() of the cell that contains the given cell of a level, or, if that is divided,
+  /// of the first cell in it. No value outside the domain. `level` is from 0 to domain().deepest().
   [[nodiscard]] std::optional<std::size_t> find(const Index3& index, int level) const;
   /// Index of the cell that contains the point; if several share it, of the one on the upper side.
   [[nodiscard]] std::optional<std::size_t> find(const Vec3<T>& point) const;

@@ -12,8 +12,8 @@ namespace cutwater {
 /// nodes of its own cells.
 ///
 /// Numbers below the number of cells() are the cells' lower corners, in the order of the cells;
-/// then come the nodes that are no cell's lower corner. Takes 8 bytes for each cell and each of the
-/// latter.
+/// then come the nodes that are no cell's lower corner. Takes 8 bytes for each cell and 8 for each
+/// such node.
 template <std::floating_point T>
 class OctreeNodes {
  public:

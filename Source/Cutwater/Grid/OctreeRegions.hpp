@@ -18,7 +18,8 @@ struct FluidRegion {
 };
 
 /// The connected regions of the fluid around a solid. Only cells that are certainly free of surface
-/// connect; parts that only cut cells connect count as separate, so no thin wall leaks.
+/// connect; parts that are connected only through cut cells count as separate, so no thin wall
+/// leaks.
 template <std::floating_point T>
 class FluidRegions {
  public:

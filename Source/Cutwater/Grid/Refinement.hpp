@@ -35,13 +35,13 @@ struct Refinement {
 
   /// Level of cells that the surface certainly or possibly meets.
   int cut = 0;
-  /// Cells with a point within a distance of the surface, unless distanceBounds() rules that out:
-  /// all cells where the solid's guarantee says nothing about distances.
+  /// Cells that may have a point within this distance of the surface, by distanceBounds(); all
+  /// cells if the guarantee says nothing about distances.
   std::vector<Band> bands{};
   /// Cells that a patch meets, in addition to `cut`.
   std::vector<Patch> patches{};
-  /// Cells in which normals differ by more than the angle; also some in which they differ by up to
-  /// a seventh less, or up to a third less if the angle is near 180 degrees.
+  /// Cells in which normals differ by more than the angle. Some cells with a smaller difference are
+  /// divided, too: down to 6/7 of the angle, or 2/3 of it near 180 degrees.
   std::optional<Angle> curvature{};
   /// Cells that meet an edge at which the surface bends by more than the angle.
   std::optional<Angle> edges{};

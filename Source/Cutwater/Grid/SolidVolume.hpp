@@ -24,10 +24,10 @@ struct VolumeOptions {
 struct VolumeBounds {
   /// Certainly encloses the volume.
   Interval<double> volume;
-  /// An estimate within these bounds; nothing else about it is certain. Undecided cells are taken
-  /// to be cut by the plane that the value and gradient at their centre define. Its error is about
-  /// that of the planes: second order in the cells' width where surfaces are smooth and gradients
-  /// are those of a distance. Without `isEstimated`, the middle of the bounds.
+  /// An estimate within these bounds; nothing else about it is certain. It assumes that undecided
+  /// cells are cut by the plane that the value and gradient at their centre define; its error is of
+  /// second order in the cells' width where surfaces are smooth and gradients are those of a
+  /// distance. Without `isEstimated`, the middle of the bounds.
   double estimate = 0;
   double boxVolume = 0;
   std::size_t cells = 0;  ///< classified
@@ -62,7 +62,7 @@ struct PorosityRadiusOptions {
   /// The search ends once the radius is known to within this fraction of the given range.
   double tolerance = 0.001;
   /// Limits on computing each solid's volume. `fraction` is the resolution in porosity: a radius
-  /// whose porosity is as near to the target as that remains undecided.
+  /// whose porosity differs from the target by less than this remains undecided.
   VolumeOptions volume = {.fraction = 1e-3, .isEstimated = false};
   /// Number of radii spread over the range whose porosities, to within 0.01, are compared to see
   /// whether the family is monotone; 0 if it is known to be.
@@ -72,7 +72,7 @@ struct PorosityRadiusOptions {
 /// Result of porosityRadius().
 template <std::floating_point T>
 struct PorosityRadius {
-  /// The porosities at its two ends certainly lie on either side of the target.
+  /// The porosities at its two ends certainly lie on opposite sides of the target.
   Interval<T> radius;
   /// True unless two of the radii tried have porosities that are certainly in the opposite order to
   /// those at the ends of the range. If false, radii beyond the interval may give the same
@@ -87,8 +87,8 @@ struct PorosityRadius {
 /// only one such radius. Works by bisection: each radius is certainly too small, certainly too
 /// large, or undecided; bisection continues on both sides of the undecided ones.
 /// @throws Error as solidVolume(), unless the range is finite and not empty and the tolerance
-/// within (0, 1), and if the porosities at the ends of the range are not certainly on either side
-/// of the target.
+/// within (0, 1), and if the porosities at the ends of the range do not certainly lie on opposite
+/// sides of the target.
 template <std::floating_point T>
 [[nodiscard]] PorosityRadius<T> porosityRadius(double porosity,
                                                FunctionRef<Solid<T>(T radius)> solidOf,

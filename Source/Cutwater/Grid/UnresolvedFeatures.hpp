@@ -17,11 +17,12 @@ struct UnresolvedFeature {
   std::size_t cell;  ///< index in Octree::cells()
   UnresolvedKind kind;
   bool isSolid;  ///< the unresolved part is solid, e.g. a thin plate; else fluid, e.g. a slit
-  /// How far it extends, across its thickness or into the cell, in units of the cell size, as found
-  /// from samples: at its deepest point; for several sheets, on the edge with the widest stretch
-  /// from one to the next, or, if there is no such edge, where they are closest.
+  /// Its extent in units of the cell size, found from samples: its thickness, or how far it reaches
+  /// into the cell, at the deepest point. Of several sheets: the widest distance between two along
+  /// one edge, or, if no edge meets two, the least distance between them.
   T depth;
-  /// There: on the surface, or the middle of that stretch; the cell's center if no point was found.
+  /// Where that was measured: a point of the surface, or the middle between two sheets. The cell's
+  /// center if no point was found.
   Vec3<T> point;
   /// Level on which it would be about one cell wide; at most the domain's finest.
   int level;
@@ -39,9 +40,10 @@ struct UnresolvedOptions {
 ///
 /// Complete as far as classify() and crossings() are certain. A cell is listed if it is Cut with
 /// all corners on one side, if an edge is crossed more than once with something in between, or if
-/// corners of one side are not connected along the edges. Cells that are not certainly cut, which
-/// the surface only touches, are listed if a part of positive depth is found in them: that of a
-/// solid whose faces coincide with those of cells, as corners on the surface count as outside.
+/// corners of one side are not connected along the edges. A cell that the surface only touches is
+/// not certainly cut; it is listed if samples find a part of positive depth in it. This happens
+/// where faces of the solid coincide with faces of cells, because corners on the surface count as
+/// outside.
 template <std::floating_point T>
 [[nodiscard]] std::vector<UnresolvedFeature<T>> unresolvedFeatures(
     const SignedDistanceFunction<T>& solid, const Octree<T>& mesh,

@@ -102,7 +102,7 @@ void check(const BeamGraph& graph) {
   }
   for (std::size_t i = 0; i < graph.beams.size(); ++i) {
     const auto& [nodes, radii, body, caps] = graph.beams[i];
-    require(isNode(nodes[0]) && isNode(nodes[1]), "writeBeams: need nodes that there are",
+    require(isNode(nodes[0]) && isNode(nodes[1]), "writeBeams: need nodes that exist",
             Named{"beam", i});
     require(isRadius(radii[0]) && isRadius(radii[1]) && radii[0] + radii[1] > 0,
             "writeBeams: need radii that are finite, not negative, and not both 0",

@@ -9,7 +9,7 @@ namespace cutwater {
 
 /// A straight beam of a lattice: a body of revolution about the line between two nodes, as a
 /// primitive for LinearBVH. Its values are those of the corresponding shape, whose formulas it
-/// shares, but it takes well below half the memory: nothing is virtual, and there is no placement.
+/// shares, but it takes less than half the memory, as it has no virtual functions and no placement.
 template <std::floating_point T, typename Profile>
 class Beam {
  public:
@@ -17,10 +17,10 @@ class Beam {
   [[nodiscard]] T distance(const Vec3<T>& p) const;
   /// Gradient of the distance; zero where it is undefined.
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& p) const;
-  /// Bounding box of the shape: tight, apart from rounding, at the ends of round beams and around
-  /// flat caps.
+  /// Bounding box of the shape: as small as possible, apart from rounding, for round and for flat
+  /// ends.
   [[nodiscard]] Box<T> boundingBox() const;
-  /// Distance of the farthest point from the origin, or more: see Guarantee.
+  /// An upper bound of the distance of any of its points from the origin: see Guarantee::size.
   [[nodiscard]] T size() const { return size_; }
 
   [[nodiscard]] const detail::RotationAxis<T>& axis() const { return axis_; }

@@ -8,7 +8,7 @@ namespace cutwater {
 
 /// The body of a beam between its two nodes.
 enum class BeamBody : std::uint8_t {
-  ConeSphere,  ///< the convex hull of a ball about each node; its caps do not matter
+  ConeSphere,  ///< the convex hull of a ball about each node; `caps` is ignored
   Frustum,     ///< a cone cut off flat at both nodes, to which caps are added
 };
 
@@ -55,8 +55,8 @@ struct BeamGraph {
 /// The beams and balls of a graph, without those that certainly lie outside a solid, judging by the
 /// class of the box around each, and without nodes that are no longer needed.
 ///
-/// What is left has the same points in common with the solid. A lattice can thus be clipped by it
-/// with no more memory than the remaining part takes:
+/// The rest has the same intersection with the solid. So a lattice can be clipped to the solid with
+/// memory for the remaining beams only:
 ///
 ///     BeamLattice<double>(beamsWithin(graph, part)) & part
 ///

@@ -19,8 +19,8 @@ Box<double> boxOf(const Vec3<double>& a, const Vec3<double>& b,
 
 std::vector<Box<double>> boxesOf(const BeamGraph& graph) {
   const auto node = [&](std::uint32_t index) {
-    require(index < graph.nodes.size(), "beamsWithin: need nodes that there are",
-            Named{"node", index}, Named{"nodes", graph.nodes.size()});
+    require(index < graph.nodes.size(), "beamsWithin: need nodes that exist", Named{"node", index},
+            Named{"nodes", graph.nodes.size()});
     return graph.nodes[index];
   };
   std::vector<Box<double>> boxes;

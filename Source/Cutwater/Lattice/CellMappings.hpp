@@ -90,9 +90,9 @@ class LensMapping {
   Lens lens_;
 };
 
-/// Bends the image of another mapping: its z axis, from 0 on, becomes the spine. Where the spine
-/// curves, points beyond its centre of curvature would fold back: radii there must be smaller than
-/// the radius of curvature.
+/// Bends the image of another mapping: its z axis, from 0 on, becomes the spine. Where the spine is
+/// curved, all points of the shape must be nearer to it than its radius of curvature; otherwise
+/// cells turn inside out.
 template <typename Mapping>
 class AlongSpine {
  public:

@@ -30,8 +30,8 @@ concept ClosingMapping = requires(const M& mapping) {
   { mapping.closedAxes() } -> std::same_as<std::array<bool, 3>>;
 };
 
-/// An array of hexahedral cells that fits a shape: the images of the small cubes that divide
-/// [0, 1]^3, by a mapping at their corners, and trilinear in between. Neighbours share their
+/// An array of hexahedral cells that fits a shape. [0, 1]^3 is divided into small cubes; a mapping
+/// gives the images of their corners, and cells are trilinear in between. Neighbours share their
 /// corners.
 ///
 ///     const HexahedralCells cells({4, 24, 10}, PipeMapping({.innerRadius = 2, .outerRadius = 3,
@@ -58,16 +58,16 @@ class HexahedralCells {
 
   /// The same cells with corners moved, each by a hash of its indices and the seed: the result is
   /// the same in every process and for any number of threads. A cube of edge 1 tolerates an
-  /// amplitude of 1 / (2 sqrt(3)) whatever the seed: up to there, no combination of three edges,
-  /// each off by less than twice the amplitude, is flat.
+  /// amplitude of up to 1 / (2 sqrt(3)) whatever the seed: each edge changes by less than twice the
+  /// amplitude, so no three edges become coplanar.
   /// @throws Error unless the amplitude is finite and not negative, and no cell becomes flat or
   /// inverted.
   [[nodiscard]] HexahedralCells withNoise(const NodeNoise& noise) const;
 
   [[nodiscard]] const Counts& count() const { return count_; }
   [[nodiscard]] const std::array<bool, 3>& closed() const { return closed_; }
-  /// The corner i, j, k, with indices in 0 .. count along each axis; beyond the ends of closed
-  /// rows, too.
+  /// The corner i, j, k, with indices in 0 .. count along each axis; along closed axes, indices
+  /// beyond the ends wrap around.
   [[nodiscard]] const Vec3<double>& corner(std::int64_t i, std::int64_t j, std::int64_t k) const;
   /// The image of a point given in units of cells. Beyond the ends of rows, the trilinear function
   /// of the last cell applies.

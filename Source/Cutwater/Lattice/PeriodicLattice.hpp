@@ -38,15 +38,15 @@ struct SkeletonPoint {
 /// An array has all struts whose midpoints lie in its closed box: it is the same solid as explicit
 /// beams for each strut (see beamsOf()), whose ends are round, not cut off.
 ///
-/// Only the struts of one cell are stored. Distances are found by folding, in a few nanoseconds, if
-/// the cell has mirrors (see CellFold) and equal sizes along the axes that they exchange;
+/// Only the struts of one cell are stored. Distances are found by folding, in tens of nanoseconds,
+/// if the cell has mirrors (see CellFold) and equal sizes along axes that its mirrors swap;
 /// otherwise, and at the ends of an array, by a search of neighbouring cells. Copies share what is
 /// stored.
 template <std::floating_point T>
 class PeriodicLattice final : public SignedDistanceFunction<T> {
  public:
   /// Endless: cells of this size at all multiples of it.
-  /// @throws Error unless sizes are positive and of ordinary magnitude.
+  /// @throws Error unless sizes are from 1e-100 to 1e100 (float: from 1e-15 to 1e15).
   PeriodicLattice(UnitCell cell, const Vec3<T>& size, Thickness<T> thickness);
   /// As many cells along each axis as counted, from the origin; endless along axes whose count is
   /// 0.

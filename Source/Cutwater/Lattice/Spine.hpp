@@ -18,16 +18,16 @@ struct SpineFrame {
 /// A smooth curve through points, with a frame that follows it without rotating about it.
 ///
 /// The curve is the natural cubic spline over the lengths of the chords, parametrised by arc
-/// length; it is not curved at its ends, and continues straight beyond them. The frame is the
+/// length; its curvature is 0 at both ends, and it continues straight beyond them. The frame is the
 /// rotation-minimizing one, by double reflection at 32 places per chord (Wang, Juettler, Zheng and
 /// Liu 2008, "Computation of rotation minimizing frames"), whose error falls with the fourth power
 /// of the step.
 class Spine {
  public:
-  /// `side`: the direction of the normal at the first point, as far as the curve's direction
-  /// allows; if zero, the coordinate axis that is most nearly perpendicular to the curve.
+  /// `side`: the direction of the normal at the first point, made perpendicular to the curve; if
+  /// zero, the coordinate axis that is most nearly perpendicular to the curve.
   /// @throws Error unless there are at least two points, all are finite, each differs from the
-  /// next, `side` is not along the curve, and the curve does not turn on the spot.
+  /// next, `side` is not along the curve, and the curve does not reverse its direction at a point.
   explicit Spine(std::span<const Vec3<double>> points, const Vec3<double>& side = {});
 
   /// Arc length from the first point to the last.

@@ -20,7 +20,8 @@ class Thickness {
 
   /// Radii that depend on position, in units of length. @throws Error unless 0 < least.
   explicit Thickness(GradedValue<T> radius);
-  /// Depends on the distance to the surface of a solid, as its values give it, on both sides alike.
+  /// Depends on the distance to the surface of a solid: the magnitude of its value, in the same way
+  /// on both sides.
   /// @throws Error unless its radii and length are positive and finite, and the solid has a
   /// Lipschitz constant.
   [[nodiscard]] static Thickness byDistanceTo(Solid<T> solid, const GradedRamp<T>& ramp) {

@@ -31,7 +31,7 @@ std::vector<CellStrut> joined(std::span<const Vec3<double>> nodes,
                               std::span<const std::array<std::uint32_t, 2>> struts) {
   std::vector<CellStrut> found;
   for (const auto& [a, b] : struts) {
-    require(std::max(a, b) < nodes.size(), "UnitCell: a strut needs nodes that there are",
+    require(std::max(a, b) < nodes.size(), "UnitCell: a strut needs nodes that exist",
             Named{"strut", found.size()}, Named{"node", std::max(a, b)},
             Named{"nodes", nodes.size()});
     found.push_back({nodes[a], nodes[b]});

@@ -38,8 +38,7 @@ enum class CellFold : std::uint8_t {
 /// in a face or edge of the cell is shared with neighbours, and occurs once per period.
 ///
 /// The mirrors of the pattern are detected: they determine how fast distances to the endless
-/// lattice are. A mirror image that differs by more than rounding is none: give nodes to all
-/// digits.
+/// lattice are. Mirror images must agree to rounding: write 1.0 / 3, not 0.333.
 class UnitCell {
  public:
   /// A custom pattern. Struts that are copies of others, reversed or moved by whole periods, count
@@ -86,7 +85,8 @@ class UnitCell {
 
   /// Whether the fold maps the lattice into itself, in cubic cells.
   [[nodiscard]] bool has(CellFold fold) const;
-  /// The fold with the smallest chamber that the lattice has, if cells are stretched to this size.
+  /// Of the folds that the lattice has if cells are stretched to this size, that with the smallest
+  /// chamber.
   [[nodiscard]] CellFold foldAt(const Vec3<double>& size) const;
 
   /// Midpoints of struts within this distance of a face of the cell count as lying in it.

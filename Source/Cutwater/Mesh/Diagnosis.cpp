@@ -74,10 +74,12 @@ std::string Diagnosis::verdict() const {
     return std::string("bounds a solid: signs are exact, distances are those to the solid") +
            (hasAny(defects, Severity::Warning) ? "; see the warnings" : "");
   }
-  return hasAny(defects, Severity::Error)
-             ? "does not bound a solid without question: repair it, or look at a slice of its "
-               "signs first"
-             : "can be used as it is: signs hold, with the warnings below";
+  if (hasAny(defects, Severity::Error)) {
+    return "does not bound a solid without question: repair it, or look at a slice of its signs "
+           "first";
+  }
+  return std::string(report.isClosed() ? "can" : "is not closed, but can") +
+         " be used as it is: signs hold, with the warnings below";
 }
 
 Diagnosis diagnose(const PolygonSoup& soup, const DiagnosisOptions& options) {

@@ -24,8 +24,10 @@ class MeshFunction : public SignedDistanceFunction<T> {
   /// The corners of a triangle as numbered by closestPoint(), in the mesh's own frame.
   /// @throws Error if there is no such triangle.
   [[nodiscard]] std::array<Vec3<T>, 3> triangle(std::uint32_t id) const;
-  /// The box of all triangles, in the mesh's own frame: where to look at a surface that is open, or
-  /// meets itself, and has its signs by the nearest feature, as the solid is then unbounded.
+  /// The box of all triangles, in the mesh's own frame: where to look at a surface, or to close it
+  /// on a plane, if it is open. boundingBox() is that of the solid, which is larger then: the sheet
+  /// that closes a hole by the winding number may bulge out of it, and where an open surface, or
+  /// one that meets itself, has its signs by the nearest feature, the solid is unbounded.
   [[nodiscard]] Box<T> surfaceBox() const;
   /// How signs are decided, and what that is based on.
   [[nodiscard]] const SignReport& signReport() const;

@@ -14,7 +14,8 @@ namespace cutwater {
 /// however close together their sheets and however thin their triangles. Overlapping shells form a
 /// union once the overlap is known: the check looks for it at probes only, unless
 /// findSelfIntersections is set, and within a missed overlap the sign may be that of the nearest
-/// sheet. For a surface that is not closed, inside is where its winding number exceeds 1/2. Faces
+/// sheet. For a surface that is not closed, inside is where its winding number exceeds 1/2;
+/// boundingBox() then reaches beyond the triangles, whose box is surfaceBox(). Faces
 /// that disagree with their neighbours and shells that are inside out are turned (see
 /// orientFaces()). signReport() returns what was found and how signs are decided, guarantee() what
 /// values then mean. Unused points may be anywhere. Equal points are not shared points: see

@@ -77,8 +77,8 @@ concept SameScalar = std::same_as<ScalarOf<A>, ScalarOf<B>>;
 /// matter.
 ///
 /// SurfaceOwner::object is the number of the operand that the surface belongs to; patches are
-/// numbered through the operands' patches one after the other. So it is for everything below that
-/// combines several solids.
+/// numbered consecutively, operand by operand. The same holds for everything below that combines
+/// several solids.
 template <SolidLike A, SolidLike B>
 requires detail::SameScalar<A, B>
 [[nodiscard]] detail::SolidOf<A> operator|(const A& a, const B& b) {
@@ -182,9 +182,9 @@ template <std::floating_point T>
 }
 
 /// The solid grown by a distance, which rounds its convex edges, or shrunk if the distance is
-/// negative. Growing keeps exact values outside, shrinking those inside; the others become lower
-/// bounds. Where values are only lower bounds, it is the solid where they are less than the
-/// distance.
+/// negative. Growing keeps exact values outside, shrinking keeps those inside; values on the other
+/// side become lower bounds. If the values of `a` are only lower bounds, the result is where they
+/// are less than the distance: more is added, or taken away, than by a true offset.
 /// @throws Error unless the distance is finite.
 template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> offset(const A& a, detail::ScalarOf<A> distance) {
@@ -217,8 +217,8 @@ template <SolidLike A>
   return detail::affineImageOf<detail::ScalarOf<A>>(a, map);
 }
 
-/// A wall around the surface, `halfThickness` to either side. For a solid that is exact on both
-/// sides, exact outside the wall, also in the hollow, and a lower bound within the wall.
+/// A wall around the surface, `halfThickness` to either side. If the solid is exact on both sides,
+/// values outside the wall are exact, in the hollow too; within the wall they are lower bounds.
 /// @throws Error unless 0 < halfThickness < infinity.
 template <SolidLike A>
 [[nodiscard]] detail::SolidOf<A> shell(const A& a, detail::ScalarOf<A> halfThickness) {
@@ -270,9 +270,9 @@ template <SolidLike A>
 
 /// Copies at multiples of a period along each axis, e.g. repeated(a, {.period = {2, 2, 0}}) for
 /// endless rows and columns, or with .count = {3, 4, 1}. Values outside are as good as the solid's;
-/// so are those inside if the bounding boxes of neighbours keep apart, otherwise they are lower
-/// bounds. Copies may overlap, at one more query for every bounding box that is nearer than the
-/// nearest copy.
+/// so are those inside if the bounding boxes of neighbours do not overlap, otherwise they are lower
+/// bounds. Copies may overlap; each bounding box that is nearer than the nearest copy costs one
+/// more query.
 /// @throws Error unless periods are finite and not negative, at least one is positive, the bounding
 /// box is finite along repeated axes, and there is one copy along axes of period 0; of kind Limit
 /// if more than 10^5 bounding boxes overlap at one point.
@@ -289,7 +289,7 @@ template <SolidLike A>
 ///     displaced(ball, [](const Vec3<double>& p) { return 0.1 * std::sin(5 * p.x); },
 ///               {.lipschitz = 0.5, .amplitude = 0.1})
 ///
-/// @throws Error unless the limits are finite or none, and not negative.
+/// @throws Error if a limit that is given is negative or not finite.
 template <SolidLike A, typename Function>
 [[nodiscard]] detail::SolidOf<A> displaced(const A& a, Function h,
                                            const FunctionLimits<detail::ScalarOf<A>>& limits) {
@@ -300,14 +300,14 @@ template <SolidLike A, typename Function>
 }
 
 /// The solid evaluated at p + v(p) instead of p, e.g. bent or twisted: the surface moves by about
-/// -v. The Lipschitz constant grows by the factor 1 + limits.lipschitz; values are lower bounds
-/// while it is at most 1, boxes and crossings are certain in any case. The function must not throw,
+/// -v. The Lipschitz constant is multiplied by 1 + limits.lipschitz; values are lower bounds if the
+/// product is at most 1, boxes and crossings are certain in any case. The function must not throw,
 /// and several threads call it.
 ///
 ///     warped(beam, [](const Vec3<double>& p) { return Vec3<double>{0.1 * std::sin(p.z), 0, 0}; },
 ///            {.lipschitz = 0.1, .amplitude = 0.1})
 ///
-/// @throws Error unless the limits are finite or none, and not negative.
+/// @throws Error if a limit that is given is negative or not finite.
 template <SolidLike A, typename Function>
 [[nodiscard]] detail::SolidOf<A> warped(const A& a, Function v,
                                         const FunctionLimits<detail::ScalarOf<A>>& limits) {

@@ -9,6 +9,24 @@ namespace cutwater {
 
 namespace {
 
+constexpr bool isInOrder() {
+  for (std::size_t i = 0; i < kSurfaceFormats.size(); ++i) {
+    if (kSurfaceFormats[i].format != static_cast<SurfaceFormat>(i)) return false;
+  }
+  return kSurfaceFormats.back().format == SurfaceFormat::Vtk;
+}
+static_assert(isInOrder(), "namesOf() finds a format by its number");
+
+std::string listOf(std::string_view SurfaceFormatNames::*name, std::string_view conjunction) {
+  std::string text;
+  for (const auto& format : kSurfaceFormats) {
+    const bool isLast = &format == &kSurfaceFormats.back();
+    if (!text.empty()) text += isLast ? " " + std::string(conjunction) + " " : ", ";
+    text += format.*name;
+  }
+  return text;
+}
+
 void requireOptions(const ReadOptions& options) {
   require(options.scale > 0 && std::isfinite(options.scale),
           "readSurface: need 0 < scale < infinity", Named{"scale", options.scale});
@@ -38,6 +56,14 @@ SurfaceFile readContent(text::Content content, bool compressed, const ReadOption
 }
 
 }  // namespace
+
+std::string surfaceFormats(std::string_view conjunction) {
+  return listOf(&SurfaceFormatNames::name, conjunction);
+}
+
+std::string surfaceExtensions(std::string_view conjunction) {
+  return listOf(&SurfaceFormatNames::extension, conjunction);
+}
 
 SurfaceFile readSurface(const std::filesystem::path& path, const ReadOptions& options) {
   requireOptions(options);

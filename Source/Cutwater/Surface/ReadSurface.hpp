@@ -3,16 +3,45 @@
 #include <Cutwater/Core/RigidTransform.hpp>
 #include <Cutwater/Surface/PolygonSoup.hpp>
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cutwater {
 
-/// The formats that readSurface() reads.
+/// The formats of files that readSurface() reads and writeSurface() writes.
 enum class SurfaceFormat : std::uint8_t { Stl, Obj, Ply, Off, Vtk };
+
+/// What people call a format, and its files.
+struct SurfaceFormatNames {
+  SurfaceFormat format;
+  std::string_view name;
+  std::string_view extension;  ///< in lower case
+};
+
+/// All formats, in the order of SurfaceFormat. Lists of them in messages are made from this.
+inline constexpr std::array kSurfaceFormats{
+    SurfaceFormatNames{SurfaceFormat::Stl, "STL", ".stl"},
+    SurfaceFormatNames{SurfaceFormat::Obj, "OBJ", ".obj"},
+    SurfaceFormatNames{SurfaceFormat::Ply, "PLY", ".ply"},
+    SurfaceFormatNames{SurfaceFormat::Off, "OFF", ".off"},
+    SurfaceFormatNames{SurfaceFormat::Vtk, "legacy VTK", ".vtk"},
+};
+
+/// The names of one format.
+[[nodiscard]] constexpr const SurfaceFormatNames& namesOf(SurfaceFormat format) {
+  return kSurfaceFormats[static_cast<std::size_t>(format)];
+}
+
+/// "STL, OBJ, PLY, OFF or legacy VTK", if the conjunction is "or".
+[[nodiscard]] std::string surfaceFormats(std::string_view conjunction);
+
+/// ".stl, .obj, .ply, .off or .vtk", if the conjunction is "or".
+[[nodiscard]] std::string surfaceExtensions(std::string_view conjunction);
 
 /// Options of readSurface().
 struct ReadOptions {

@@ -1,9 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Surface/Formats/Writers.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
 #include <Cutwater/Surface/WriteSurface.hpp>
 #include <Cutwater/Text/Words.hpp>
-
-#include <array>
 
 namespace cutwater {
 
@@ -11,28 +10,34 @@ namespace {
 
 using Writer = void (*)(text::Output&, const PolygonSoup&, const std::string& name);
 
-struct Format {
-  std::string_view extension;
+struct Writers {
   Writer binary;
   Writer ascii;
 };
 
-constexpr std::array<Format, 5> kFormats = {{
-    {".stl", formats::writeBinaryStl, formats::writeAsciiStl},
-    {".ply", formats::writeBinaryPly, formats::writeAsciiPly},
-    {".obj", formats::writeObj, formats::writeObj},
-    {".off", formats::writeOff, formats::writeOff},
-    {".vtk", formats::writeBinaryVtk, formats::writeAsciiVtk},
-}};
-
-const Format& formatOf(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  for (const Format& format : kFormats) {
-    if (text::equalIgnoringCase(extension, format.extension)) return format;
+Writers writersOf(SurfaceFormat format) {
+  switch (format) {
+    case SurfaceFormat::Stl:
+      return {formats::writeBinaryStl, formats::writeAsciiStl};
+    case SurfaceFormat::Obj:
+      return {formats::writeObj, formats::writeObj};
+    case SurfaceFormat::Ply:
+      return {formats::writeBinaryPly, formats::writeAsciiPly};
+    case SurfaceFormat::Off:
+      return {formats::writeOff, formats::writeOff};
+    case SurfaceFormat::Vtk:
+      return {formats::writeBinaryVtk, formats::writeAsciiVtk};
   }
-  throw Error(ErrorKind::Argument,
-              path.string() + ": unknown extension \"" + extension +
-                  "\": surfaces are written as .stl, .ply, .obj, .off or .vtk");
+  return {};
+}
+
+SurfaceFormat formatOf(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  for (const auto& names : kSurfaceFormats) {
+    if (text::equalIgnoringCase(extension, names.extension)) return names.format;
+  }
+  throw Error(ErrorKind::Argument, path.string() + ": unknown extension \"" + extension +
+                                       "\": surfaces are written as " + surfaceExtensions("or"));
 }
 
 void requireTriangles(const std::string& name, const PolygonSoup& soup) {
@@ -49,16 +54,17 @@ void requireTriangles(const std::string& name, const PolygonSoup& soup) {
 
 void writeSurface(const std::filesystem::path& path, const PolygonSoup& soup,
                   const WriteOptions& options) {
-  const Format& format = formatOf(path);
+  const SurfaceFormat format = formatOf(path);
   soup.validate();
   const std::string name = path.string();
   if (soup.polygonCount() == 0) {
     throw Error(ErrorKind::Argument, name + ": there is no polygon to write");
   }
-  if (format.extension == ".stl") requireTriangles(name, soup);
+  if (format == SurfaceFormat::Stl) requireTriangles(name, soup);
   OutputFile file(path);
   text::Output out(file);
-  (options.ascii ? format.ascii : format.binary)(out, soup, name);
+  const Writers writers = writersOf(format);
+  (options.ascii ? writers.ascii : writers.binary)(out, soup, name);
   out.flush();
   file.commit();
 }

@@ -17,12 +17,12 @@ struct CellSizeAt {
 /// Sizes of cells along an axis, depending on the place. A value type.
 ///
 /// Between the places given, 1/size is linear; beyond them it is constant. The number of cells up
-/// to x is then the integral of 1/size, in closed form. (x/size(x), which is easily mistaken for
-/// it, is the more distorted the larger x is.)
+/// to x is then the integral of 1/size, in closed form. (It is not x / size(x), whose error grows
+/// with x.)
 template <std::floating_point T>
 class CellSizes {
  public:
-  /// @throws Error unless 0 < size < infinity.
+  /// @throws Error unless 0 < size < infinity and 1/size is finite.
   CellSizes(T size);  // NOLINT(google-explicit-constructor): conversion is intended
   /// Places in ascending order.
   /// @throws Error unless there is at least one, places ascend and are finite, and sizes are as

@@ -20,8 +20,8 @@ struct DeformationField {
   /// @throws Error unless spacings are positive, the amplitude is not negative, and all are finite.
   void check() const;
   [[nodiscard]] Vec3<T> shiftAt(const Vec3<T>& p) const;
-  /// |v(p) - v(q)| <= lipschitz() |p - q|. Along no axis does a component change faster than by 2
-  /// amplitude per spacing: this is the norm of the matrix of these bounds.
+  /// |v(p) - v(q)| <= lipschitz() |p - q|. Along an axis, a component changes by at most
+  /// 2 amplitude / spacing per length; lipschitz() is the norm of the matrix of these bounds.
   [[nodiscard]] T lipschitz() const;
 };
 

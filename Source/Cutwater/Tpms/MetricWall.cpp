@@ -12,6 +12,7 @@ namespace {
 
 using detail::kTwoPi;
 
+// In radians.
 double toleranceWithin(const TpmsPattern& pattern, double reach) {
   return reach <= detail::PatternDistance::certainReach(pattern) ? 1e-9 : 1e-4 * kTwoPi<double>;
 }

@@ -16,25 +16,25 @@ class PatternDistance;
 ///
 ///     f(p) = (d(p) - h(p)) / (1 + L_h)        d: distance to the surface, h: half thickness
 ///
-/// The distance d itself is found, not a bound of it: the zero set of a bound would be a wall that
-/// is too thick, by 3 to 16 % for the gyroid. Beyond one and a half times the half thickness, lower
-/// bounds of d are used instead. Values are lower bounds of the distance and 1-Lipschitz, apart
-/// from tolerance(). A value takes about a microsecond if the surface curves less sharply than the
-/// wall is thick. Otherwise, up to walls that leave next to nothing of a channel, it takes 10 to 60
-/// microseconds on average, and up to a millisecond or two where a ball about the point touches the
-/// surface in many places.
+/// d is the distance itself, not a bound: a wall made from a bound would be too thick, by 3 to 16 %
+/// for the gyroid. Where d is more than 1.5 times half the thickness, lower bounds of it are used.
+/// Values are lower bounds of the distance and 1-Lipschitz, apart from tolerance(). A value of a
+/// thin wall takes about a microsecond; half its thickness, in radians (a cell is 2 pi), is less
+/// than 0.64 leastSlope() / curvature() of the pattern, a bound of the surface's radius of
+/// curvature. Thicker walls, up to those that almost fill a channel, take 10 to 60 microseconds on
+/// average, and up to 2 ms at points that many places of the surface are equally near to.
 template <std::floating_point T>
 class MetricWall final : public SignedDistanceFunction<T> {
  public:
-  /// @throws Error unless cells are of ordinary size, and half the thickness is positive and less
-  /// than the radius of the largest balls in the channels.
+  /// @throws Error unless 0 < cellSize < infinity and 1 / cellSize is finite, and half the
+  /// thickness is positive and less than the radius of the largest ball in either channel.
   MetricWall(TpmsPattern pattern, T cellSize, GradedValue<T> halfThickness);
 
   [[nodiscard]] const TpmsPattern& pattern() const { return pattern_; }
   [[nodiscard]] T cellSize() const { return cellSize_; }
   [[nodiscard]] const GradedValue<T>& halfThickness() const { return halfThickness_; }
-  /// The tolerance to which distances are certain: nearly rounding if the surface curves less
-  /// sharply than the wall is thick, and 10^-4 of a cell otherwise.
+  /// The tolerance to which distances are certain: 1.6e-10 of a cell for thin walls, as above, and
+  /// 1e-4 of a cell otherwise.
   [[nodiscard]] T tolerance() const;
 
  private:

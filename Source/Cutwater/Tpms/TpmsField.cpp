@@ -26,9 +26,8 @@ TpmsField<T>::TpmsField(TpmsPattern pattern, TpmsMap<T> map)
   const auto rates = map_.constantRates();
   if (!rates) return;
   const T most = maxComponent(*rates);
+  // Finite, as sizes and their reciprocals are: see CellSizes.
   UniformCells uniform{*rates, *rates / most, 0, 1 / (kTwoPi<T> * most)};
-  require(std::isfinite(uniform.lengthPerRadian) && isFinite(uniform.weight),
-          "TpmsField: need cells of ordinary size", Named{"cells per length", *rates});
   uniform.lipschitz = std::min(static_cast<T>(from_.lipschitz()),
                                static_cast<T>(from_.slopeAlongAxis()) * length(uniform.weight)) *
                       kOutward<T>;

@@ -36,7 +36,6 @@ struct TpmsTransition {
 template <std::floating_point T>
 class TpmsField {
  public:
-  /// @throws Error if cells of constant size are not of ordinary size.
   TpmsField(TpmsPattern pattern, TpmsMap<T> map);
   /// @throws Error unless weights are within [0, 1].
   TpmsField(TpmsTransition<T> transition, TpmsMap<T> map);
@@ -44,8 +43,9 @@ class TpmsField {
   /// The level function F at a point.
   [[nodiscard]] T value(const Vec3<T>& p) const;
 
-  /// Lower bound of the distance to psi = 0, with the sign of psi, for the field F and a level h,
-  /// which may depend on position. 1-Lipschitz.
+  /// Lower bound of the distance to the surface of a part, for the field F and a level h, which may
+  /// depend on position: to psi = 0, with the sign of psi, the function of F and h that is negative
+  /// in the part. 1-Lipschitz.
   [[nodiscard]] T distance(const detail::PartTerms<T>& part, const GradedValue<T>& level,
                            const Vec3<T>& p) const;
   /// The same, to the bit, for 64 points or fewer.
@@ -58,8 +58,8 @@ class TpmsField {
   [[nodiscard]] bool isUniform() const { return uniform_.has_value(); }
   [[nodiscard]] const TpmsPattern& pattern() const { return from_; }
   [[nodiscard]] const TpmsMap<T>& map() const { return map_; }
-  /// The least TpmsPattern::pinch() of the patterns; between two patterns, channels may break up
-  /// earlier.
+  /// The least TpmsPattern::pinch() of the patterns; between two patterns, channels may fall apart
+  /// at smaller levels.
   [[nodiscard]] double pinch(TpmsChannel channel) const;
   [[nodiscard]] std::string name() const;
 

@@ -13,10 +13,10 @@ template <std::floating_point T>
 struct CylindricalCells {
   /// Size of a cell in the direction of the radius.
   T radialSize;
-  /// A whole number, so that both ends of a turn join.
+  /// Number of cells in a full turn.
   int cellsPerTurn;
   T axialSize;
-  /// The turns by which cells wind around the axis per length along it.
+  /// Twist: turns around the axis per length along it.
   T turnsPerLength = 0;
 };
 
@@ -43,12 +43,13 @@ class TpmsMap {
   /// The coordinates, in cells, at which the pattern is evaluated for a point.
   [[nodiscard]] Vec3<T> toCells(const Vec3<T>& p) const;
 
-  /// Bound of how fast a pattern, as seen through the map, may change per length within a ball, if
-  /// it changes by no more than `lipschitz` per radian, and by no more than `along` per radian
-  /// along an axis. Infinite if the ball contains a point of the axis of cylindrical cells.
+  /// An upper bound, within a ball, of the change per length of pattern(toCells(p)), for a pattern
+  /// that changes by at most `lipschitz` per radian in any direction and `along` along an axis.
+  /// Infinite if the ball contains a point of the axis of cylindrical cells.
   [[nodiscard]] T lipschitzWithin(const Vec3<T>& center, T radius, T lipschitz, T along) const;
 
-  /// Cells per length along each axis, if the map consists of nothing else.
+  /// Cells per length along each axis, if cells have one size along each axis and are not deformed;
+  /// otherwise nothing.
   [[nodiscard]] std::optional<Vec3<T>> constantRates() const;
   /// An upper bound of the rounding of toCells(), as an error of the point:
   /// ulps() eps (|p| + size()).

@@ -55,7 +55,8 @@ class TpmsPattern {
   /// "gyroid", "Schwarz P" and so on.
   [[nodiscard]] std::string name() const;
 
-  /// F at a point, given in cells. Far away, no accuracy is lost beyond that of the coordinates.
+  /// F at a point, given in cells. Far from the origin, only the rounding of the coordinates
+  /// matters.
   template <std::floating_point T>
   [[nodiscard]] T value(const Vec3<T>& inCells) const;
   template <std::floating_point T>
@@ -63,7 +64,7 @@ class TpmsPattern {
 
   /// An upper bound of |grad F|, per radian.
   [[nodiscard]] double lipschitz() const;
-  /// An upper bound of |dF/dx|, and of the others, per radian.
+  /// An upper bound of |dF/dx|, |dF/dy| and |dF/dz|, per radian.
   [[nodiscard]] double slopeAlongAxis() const;
   /// An upper bound of the spectral norm of the matrix of second derivatives, per radian squared.
   [[nodiscard]] double curvature() const;
@@ -76,7 +77,7 @@ class TpmsPattern {
   /// The mean of |grad F| over the surface F = 0, per radian: a wall |F| <= h is about
   /// 2 h / meanSlope() thick.
   [[nodiscard]] double meanSlope() const;
-  /// The level |F| beyond which the channel F > h, or F < -h, breaks up.
+  /// The level h above which channel A, F > h (or B, F < -h), falls apart into separate pieces.
   [[nodiscard]] double pinch(TpmsChannel channel) const;
   /// The radius of the largest ball in the channel that the surface F = 0 bounds, in units of the
   /// cubic cell; rounded down.

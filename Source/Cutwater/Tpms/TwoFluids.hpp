@@ -27,8 +27,8 @@ struct ClosedEnd {
 };
 
 /// A domain in three parts: the fluids in both channels, and the solid between them. Every point of
-/// the domain is inside exactly one of them, or has the value 0 in two: they share their decisions
-/// to the bit, as do their box queries.
+/// the domain is inside exactly one of them, or has the value 0 in two: their values and the
+/// classes of boxes follow from the same numbers.
 template <std::floating_point T>
 struct TwoFluids {
   Solid<T> a;
@@ -53,7 +53,7 @@ struct CrossFlow {
   T capThickness;
 };
 
-/// The sides of the box are the patch "outside", which on a fluid is where it flows in and out; the
+/// The sides of the box are the patch "outside"; on a fluid, these are its inlet and outlet. The
 /// caps that close the channels are the patch "caps".
 ///
 /// @throws Error unless the axes are two different ones of 0, 1 and 2, and caps are thinner than

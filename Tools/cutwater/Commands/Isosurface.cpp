@@ -76,14 +76,14 @@ void addIsosurface(Program& program) {
   addSizeOptions(command, options->grid);
   addPlaceOptions(command, options->grid);
   command.add("--tolerance", "CELLS",
-              "Points are within this many cells of the surface; without it: 0.001",
+              "Points are within this many cells of the surface [default: 0.001]",
               [=](const std::string& text) {
                 const double cells = positiveNumber("--tolerance", text);
                 if (cells < 1e-9 || cells > 0.5) refuse("--tolerance", text, "1e-9 to 0.5 cells");
                 options->isosurface.tolerance = cells;
               });
   command.add("--edges", "DEGREES",
-              "Follow edges where normals differ by more than this; without it they are cut off",
+              "Follow edges where normals differ by more than this [default: edges are cut off]",
               [=](const std::string& text) {
                 options->isosurface.featureAngle = angleOf("--edges", text);
               });

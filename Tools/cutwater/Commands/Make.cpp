@@ -23,6 +23,7 @@ struct MakeSettings {
   std::string shape;
   std::string output;
   double radius = 1;
+  double major = 1;
   double minor = 0.35;
   double height = 2;
   Vec3<double> size{1, 1, 1};
@@ -53,11 +54,11 @@ PolygonSoup makeEllipsoid(const MakeSettings& o) {
   for (auto& p : soup.points) p = {o.size.x * p.x, o.size.y * p.y, o.size.z * p.z};
   return soup;
 }
-PolygonSoup makeBox(const MakeSettings& o) {
+PolygonSoup makeCuboid(const MakeSettings& o) {
   return tessellation::box(-0.5 * o.size, 0.5 * o.size);
 }
 PolygonSoup makeTorus(const MakeSettings& o) {
-  return tessellation::torus(o.radius, o.minor, o.parts, partsOfTube(o.parts));
+  return tessellation::torus(o.major, o.minor, o.parts, partsOfTube(o.parts));
 }
 PolygonSoup makeCylinder(const MakeSettings& o) {
   return tessellation::cylinder(o.radius, o.height, o.parts);
@@ -93,8 +94,8 @@ const std::map<std::string, Shape>& shapes() {
   static const std::map<std::string, Shape> all{
       {"sphere", {makeSphere, ballTriangles, {"--radius", "--parts"}}},
       {"ellipsoid", {makeEllipsoid, ballTriangles, {"--size", "--parts"}}},
-      {"box", {makeBox, fewTriangles, {"--size"}}},
-      {"torus", {makeTorus, torusTriangles, {"--radius", "--minor", "--parts"}}},
+      {"cuboid", {makeCuboid, fewTriangles, {"--size"}}},
+      {"torus", {makeTorus, torusTriangles, {"--major", "--minor", "--parts"}}},
       {"cylinder", {makeCylinder, fewTriangles, {"--radius", "--height", "--parts"}}},
       {"cone", {makeCone, fewTriangles, {"--radius", "--height", "--parts"}}},
       {"capsule", {makeCapsule, capsuleTriangles, {"--radius", "--height", "--parts"}}}};
@@ -113,13 +114,13 @@ std::string withArticle(const std::string& noun) {
 
 void requireOptionsOf(const MakeSettings& options, Command command) {
   const auto& shape = shapes().at(options.shape);
-  for (const char* name : {"--radius", "--minor", "--height", "--size", "--parts"}) {
+  for (const char* name : {"--radius", "--major", "--minor", "--height", "--size", "--parts"}) {
     if (!command.isGiven(name) || std::ranges::count(shape.options, name) > 0) continue;
     throw UsageError(
         name, withArticle(options.shape) + " has no such option; it has " + listed(shape.options));
   }
-  if (options.shape == "torus" && options.minor >= options.radius) {
-    refuse("--minor", number(options.minor), "less than --radius, here " + number(options.radius));
+  if (options.shape == "torus" && options.minor >= options.major) {
+    refuse("--minor", number(options.minor), "less than --major, here " + number(options.major));
   }
   const double triangles = shape.triangles(options.parts);
   constexpr double kMost = 1U << 30U;  // corners, three for each, are counted with 32 bits
@@ -147,29 +148,37 @@ void addMake(Program& program) {
   auto command = program.addCommand(
       "make", "Make the surface of a simple solid about the origin or the z axis, closed");
   command
-      .addWord("SHAPE", "sphere, ellipsoid, box, torus, cylinder, cone or capsule", options->shape,
-               shapeNames())
+      .add("SHAPE", "", listed(shapeNames()),
+           [=](const std::string& text) {
+             static_cast<void>(choiceOf("SHAPE", text, shapeNames()));
+             options->shape = text;
+           })
       .required();
   addSurfaceOutput(command, "-o,--output", options->output, options->write);
   const auto length = [&](const char* name, double& value, const char* meaning) {
     command.add(name, "LENGTH", meaning,
                 [name, &value](const std::string& text) { value = positiveNumber(name, text); });
   };
-  length("--radius", options->radius, "Of the solid, or of the torus's centre line [1]");
-  length("--minor", options->minor, "Radius of the torus's tube [0.35]");
-  length("--height", options->height, "Of a cylinder or cone, or of the capsule's axis [2]");
-  command.add("--size", "X,Y,Z", "Of the box, or from end to end of the ellipsoid [1,1,1]",
+  length("--radius", options->radius,
+         "Radius of a sphere, cylinder, capsule or of a cone's base [default: 1]");
+  length("--major", options->major, "Radius of the torus's centre line [default: 1]");
+  length("--minor", options->minor, "Radius of the torus's tube [default: 0.35]");
+  length("--height", options->height,
+         "Height of a cylinder or cone, or length of the capsule's axis [default: 2]");
+  command.add("--size", "X,Y,Z",
+              "Size of the cuboid, or of the ellipsoid from end to end [default: 1,1,1]",
               [=](const std::string& text) {
                 options->size = vectorOf("--size", text);
                 if (!(options->size.x > 0 && options->size.y > 0 && options->size.z > 0))
                   refuse("--size", text, "three numbers above 0");
               });
-  command.addNumber("--parts", "N", "Parts around the axis [96]", options->parts, {3, 100000});
+  command.addNumber("--parts", "N", "Number of parts around the axis [default: 96]", options->parts,
+                    {3, 100000});
   addQuiet(command, options->quiet);
   command.setFooter(
       "Examples:\n"
       "  cutwater make torus -o torus.stl\n"
-      "  cutwater make box --size 2,1,0.5 -o box.obj");
+      "  cutwater make cuboid --size 2,1,0.5 -o cuboid.obj");
   command.setAction([=] {
     requireOptionsOf(*options, command);
     run(*options);

@@ -1,3 +1,5 @@
+#include <Cutwater/Surface/ReadSurface.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -38,9 +40,12 @@ void prepare(const PrepareSettings& options, const MeshSDF<T>& solid, double sec
 
 /// Any name but those of other files, as it is the content that tells what a file is.
 void requireOwnName(const std::string& path) {
-  constexpr const char* kOthers[] = {".stl", ".ply", ".obj", ".off", ".vtk", ".gz", ".toml"};
-  const bool isOther = path == "-" || std::ranges::count(kOthers, extensionOf(path)) > 0;
-  if (isOther) refuse("--output", path, "a name for a prepared file, such as FILE.cutwater");
+  const auto extension = extensionOf(path);
+  const bool isSurface =
+      std::ranges::count(kSurfaceFormats, extension, &SurfaceFormatNames::extension) > 0;
+  if (isSurface || path == "-" || extension == ".gz" || extension == ".toml") {
+    refuse("--output", path, "a name for a prepared file, such as FILE.cutwater");
+  }
 }
 
 void run(const PrepareSettings& options) {

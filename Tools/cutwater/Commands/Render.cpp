@@ -113,7 +113,7 @@ void addCameraOptions(Command command, RenderSettings& options) {
   auto& render = options.render;
   command.add("--view", "VIEW",
               "Where the viewer is: +x, -x, +y, -y, +z, -z, iso, or degrees from +x towards +y and "
-              "above the xy plane; without it: iso",
+              "above the xy plane [default: iso]",
               [&](const std::string& text) { render.view = viewOf(text); });
   command.addNumber("--perspective", "DEGREES",
                     "Draw in perspective, the longer side of the picture as wide as this angle",
@@ -124,7 +124,7 @@ void addCameraOptions(Command command, RenderSettings& options) {
       "viewer; may be repeated",
       [&](const std::string& text) { options.cuts.push_back(cutOf(text)); }, Values::Several);
   command.add("--show", "X0,Y0,Z0,X1,Y1,Z1",
-              "Fill the picture with this box, by its corners; without it: with all of the surface",
+              "The box that fills the picture, by its corners [default: all of the surface]",
               [&](const std::string& text) { render.show = boxOf("--show", text); });
   command.addFlag("--solid",
                   "Of a surface that is not closed, show only what bounds a solid, as the signs "
@@ -136,11 +136,11 @@ void addLookOptions(Command command, RenderSettings& options) {
   auto& render = options.render;
   command.add(
       "--color", "patches|NAME",
-      "One colour: steel, white, grey, graphite, sand, copper, red, green, blue or #RRGGBB; "
-      "without it: by patches",
+      "One colour for each patch, or one for all: steel, white, grey, graphite, sand, copper, red, "
+      "green, blue or #RRGGBB [default: patches]",
       [&](const std::string& text) { render.color = colorOf(text); });
   addSizeOption(command, render.width, render.height);
-  command.addText("--title", "What stands above; without it: the file's name", render.title);
+  command.addText("--title", "The picture's title [default: the file's name]", render.title);
   command.addText("--unit", "Unit of lengths, for the scale bar: m", render.unit);
   command.addFlag("--no-axes", "Neither axes nor a scale bar", options.noAxes);
   command.addFlag("--transparent", "No background instead of a white one", render.transparent);

@@ -125,8 +125,8 @@ void addSample(Program& program) {
               "beyond, just this width and the sign",
               [=](const std::string& text) { options->band = positiveNumber("--band", text); });
   command.addWords("--write", "distance,patch",
-                   "What to write; patch is that of the closest surface point, -1 beyond the band; "
-                   "without it: distance",
+                   "What to write; patch is that of the closest surface point, -1 beyond the band "
+                   "[default: distance]",
                    options->write, {"distance", "patch"}, Values::Several);
   command.setFooter(
       "Examples:\n"

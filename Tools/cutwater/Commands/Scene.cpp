@@ -2,22 +2,41 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "Commands/Commands.hpp"
+#include "Options/UsageError.hpp"
 
 namespace cutwater::tool {
+
+namespace {
+
+void printKeys(const std::string& word) {
+  const auto text = sceneKeys(word);
+  if (text.empty()) throw UsageError("--keys", "nothing in a scene is called '" + word + "'");
+  std::cout << text;
+}
+
+}  // namespace
 
 void addScene(Program& program) {
   auto command = program.addCommand("scene",
                                     "Say what a scene may hold: a TOML file that describes "
                                     "solids, for info, sample, amr, slice, render "
                                     "and isosurface");
-  const auto keys = std::make_shared<bool>(false);
-  command.addFlag("--keys",
-                  "Every shape, mesh, lattice and operator, and each key with its default; "
-                  "without it: this help",
-                  *keys);
-  command.setAction([&program, keys] { std::cout << (*keys ? sceneKeys() : program.help()); });
+  const auto word = std::make_shared<std::optional<std::string>>();
+  command.addOptional(
+      "--keys", "WORD",
+      "Every shape, mesh, lattice and operator, and each key with its default; with "
+      "a word, those that mention it",
+      [word](const std::string& text) { *word = text; });
+  command.setAction([&program, word] {
+    if (*word) {
+      printKeys(**word);
+    } else {
+      std::cout << program.help();
+    }
+  });
   command.setFooter(
       "A scene:\n"
       "  [pipe]\n"
@@ -28,6 +47,7 @@ void addScene(Program& program) {
       "\n"
       "Examples:\n"
       "  cutwater scene --keys\n"
+      "  cutwater scene --keys torus\n"
       "  cutwater render pipe.toml -o pipe.png");
 }
 

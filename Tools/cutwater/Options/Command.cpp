@@ -45,10 +45,11 @@ Option Command::addText(const std::string& names, const std::string& meaning, st
   return Option(*app_->add_option(names, text, meaning));
 }
 
-Option Command::addWord(const std::string& names, const std::string& meaning, std::string& word,
-                        const std::vector<std::string>& words) {
-  return Option(
-      *app_->add_option(names, word, meaning)->check(CLI::IsMember(words))->type_name(""));
+Option Command::addOptional(const std::string& names, const std::string& value,
+                            const std::string& meaning, const Read& read) {
+  return Option(*app_->add_option_function<std::string>(names, read, meaning)
+                     ->type_name("[" + value + "]")
+                     ->expected(0, 1));
 }
 
 Option Command::addWords(const std::string& names, const std::string& value,

@@ -55,10 +55,10 @@ class Command {
   /// Calls `read` for each value, however often the option is given.
   Option addRepeated(const std::string& names, const std::string& value, const std::string& meaning,
                      const Read& read, Values values = Values::One);
+  /// Its value may be left out, and is an empty text then.
+  Option addOptional(const std::string& names, const std::string& value, const std::string& meaning,
+                     const Read& read);
   Option addText(const std::string& names, const std::string& meaning, std::string& text);
-  /// One of the words.
-  Option addWord(const std::string& names, const std::string& meaning, std::string& word,
-                 const std::vector<std::string>& words);
   /// Some of the words, with commas between them.
   Option addWords(const std::string& names, const std::string& value, const std::string& meaning,
                   std::vector<std::string>& chosen, const std::vector<std::string>& words,

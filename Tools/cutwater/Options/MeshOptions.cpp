@@ -36,7 +36,7 @@ void requireLevels(const RefinementOptions& options, const OctreeDomain<double>&
 void addMeshOptions(Command command, MeshOptions& options) {
   options.roots.cells = {16};
   addRefinementOptions(command, options.refinement);
-  command.add("--roots", "N", "Cubes of level 0, N along the longest side; without it: 16",
+  command.add("--roots", "N", "Cubes of level 0, N along the longest side [default: 16]",
               [&](const std::string& text) {
                 options.roots.cells = sizes("--roots", text, kRoots);
                 if (options.roots.cells.size() != 1) refuse("--roots", text, kRoots);
@@ -48,13 +48,14 @@ void addMeshOptions(Command command, MeshOptions& options) {
        {"face", Balance::Face},
        {"edge", Balance::Edge},
        {"corner", Balance::Corner}},
-      "Neighbours that differ by one level at most: across what; without it: corner");
+      "Which neighbours differ by at most one level: those that share a face, an edge or a corner "
+      "[default: corner]");
   command.addWords(
       "--write", "distance,normal,patch,patches,class,level",
       "Values of each cell, at its centre: class is 0 inside, 1 outside, 2 cut, 3 "
       "unknown; normal and patch are those of the closest surface point; patches are all "
-      "that meet the cell, bit n of the number for patch n of the first 64; without it: "
-      "distance,class,level",
+      "that meet the cell, bit n of the number for patch n of the first 64 [default: "
+      "distance,class,level]",
       options.write, MeshFields::names());
 }
 

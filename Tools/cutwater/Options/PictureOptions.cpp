@@ -10,8 +10,8 @@ namespace {
 
 void addWindow(Command command, PictureOptions& options) {
   command.add("--window", "A0,B0,A1,B1",
-              "Show this rectangle of the plane, by its corners in the plane's two coordinates; "
-              "without it: the whole surface",
+              "Show this rectangle of the plane, by its corners in the plane's two coordinates "
+              "[default: the whole surface]",
               [&](const std::string& text) {
                 const auto v = numbers("--window", text, 4);
                 if (!(v[0] < v[2] && v[1] < v[3])) {
@@ -24,7 +24,7 @@ void addWindow(Command command, PictureOptions& options) {
 }  // namespace
 
 void addSizeOption(Command command, int& width, int& height) {
-  command.add("--size", "WxH", "Pixels; without it: 1600x1000", [&](const std::string& text) {
+  command.add("--size", "WxH", "Pixels [default: 1600x1000]", [&](const std::string& text) {
     constexpr const char* kNeed =
         "WIDTHxHEIGHT from 320x240, up to 32768 along a side and 2^26 pixels in all";
     const auto size = sizes("--size", text, kNeed);
@@ -38,10 +38,10 @@ void addSizeOption(Command command, int& width, int& height) {
 }
 
 void addPictureOptions(Command command, PictureOptions& options) {
-  command.add("--axis", "AXIS", "The plane's normal: x, y or z; without it: y",
+  command.add("--axis", "AXIS", "The plane's normal: x, y or z [default: y]",
               [&](const std::string& text) { options.axis = axisOf("--axis", text); });
   command.add("--at", "VALUE",
-              "Where on that axis; without it: the middle of the surface, or 0 if that has no end",
+              "Where on that axis [default: the middle of the surface, or 0 if that has no end]",
               [&](const std::string& text) { options.at = numbers("--at", text, 1).front(); });
   addWindow(command, options);
   addSizeOption(command, options.slice.width, options.slice.height);

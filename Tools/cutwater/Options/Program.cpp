@@ -3,6 +3,7 @@
 #include <Cutwater/Text/Suggestion.hpp>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <vector>
 
@@ -38,9 +39,10 @@ int Program::run(int argc, const char* const* argv) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (const auto unknown = unknownWord()) return refuse(*unknown);
     // --help and --version come this way, too; they go to stdout.
     if (error.get_exit_code() == 0) return isSilent_ ? 0 : app_->exit(error);
-    return refuse(explained(error.what()));
+    return refuse(error.what());
   } catch (const UsageError& error) {
     return refuse(error.what());
   }
@@ -52,14 +54,23 @@ int Program::refuse(const std::string& message) const {
   return isSilent_ ? kUsage : failed(app_->get_name(), message, kUsage);
 }
 
-std::string Program::explained(const std::string& message) const {
-  const auto rest = app_->remaining();
-  const bool isUnknown =
-      app_->get_subcommands().empty() && !rest.empty() && !rest.front().starts_with('-');
-  if (!isUnknown) return message;
-  std::vector<std::string> commands;
-  for (const auto* command : app_->get_subcommands({})) commands.push_back(command->get_name());
-  return "there is no command \"" + rest.front() + '"' + text::suggestion(rest.front(), commands);
+std::optional<std::string> Program::unknownWord() const {
+  const auto rest = app_->remaining(/*recurse=*/true);
+  const auto parsed = app_->get_subcommands();
+  const auto isOption = [](const std::string& word) { return word.starts_with('-'); };
+  std::vector<std::string> known;
+  if (parsed.empty() && !rest.empty() && !isOption(rest.front())) {
+    for (const auto* command : app_->get_subcommands({})) known.push_back(command->get_name());
+    return "there is no command \"" + rest.front() + '"' + text::suggestion(rest.front(), known);
+  }
+  const auto found = std::ranges::find_if(rest, isOption);
+  if (parsed.empty() || found == rest.end()) return {};
+  for (const auto* option : parsed.front()->get_options()) {
+    for (const auto& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  const auto option = found->substr(0, found->find('='));
+  return parsed.front()->get_name() + " has no option \"" + option + '"' +
+         text::suggestion(option, known);
 }
 
 }  // namespace cutwater::tool

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "Options/Command.hpp"
@@ -33,8 +34,9 @@ class Program {
 
  private:
   int refuse(const std::string& message) const;
-  /// Also names the subcommand that may be meant, if there is none of this name.
-  [[nodiscard]] std::string explained(const std::string& message) const;
+  /// If the command line names a subcommand or an option that there is not: says so, with the one
+  /// that may be meant.
+  [[nodiscard]] std::optional<std::string> unknownWord() const;
 
   std::unique_ptr<CLI::App> app_;
   bool isSilent_ = false;

@@ -130,7 +130,7 @@ void addCleanOptions(Command command, CleanOptions& options) {
       [&] { options.opposite = OppositeFaces::Cancel; });
   addChoice(command, "--nested", options.nested, nestings(),
             "Shells within shells: a cavity if it is turned like one, by turns cavities and "
-            "solids, or all solids; without it: as-they-are");
+            "solids, or all solids [default: as-they-are]");
   command.addFlag("--no-orient", "Leave faces turned as they are", [&] { options.orient = false; });
 }
 

@@ -70,7 +70,7 @@ GridPatch<double> gridAround(const Box<double>& surface, const GridRequest& requ
 void addSizeOptions(Command command, GridRequest& grid) {
   const auto cells = command.add(
       "--cells", "N|NXxNYxNZ",
-      "Cubic cells, N along the longest side; or so many along each axis; without it: 128",
+      "Cubic cells, N along the longest side; or so many along each axis [default: 128]",
       [&](const std::string& text) {
         constexpr const char* kNeed = "one whole number above 0 or three: 200 or 200x80x40";
         grid.cells = sizes("--cells", text, kNeed);
@@ -96,10 +96,10 @@ void addSizeOptions(Command command, GridRequest& grid) {
 
 void addPlaceOptions(Command command, GridRequest& grid) {
   const auto box = command.add("--box", "X0,Y0,Z0,X1,Y1,Z1",
-                               "The box to cover; without it: the surface's, with a margin",
+                               "The box to cover [default: the surface's, with a margin]",
                                [&](const std::string& text) { grid.box = boxOf("--box", text); });
   command
-      .add("--margin", "LENGTH", "Room around the surface; without it: a tenth of its diagonal",
+      .add("--margin", "LENGTH", "Room around the surface [default: a tenth of its diagonal]",
            [&](const std::string& text) {
              grid.margin = numbers("--margin", text, 1).front();
              if (*grid.margin < 0) refuse("--margin", text, "a number from 0");

@@ -1,5 +1,7 @@
 #include "Options/SurfaceOptions.hpp"
 
+#include <Cutwater/Surface/ReadSurface.hpp>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -50,8 +52,7 @@ void addSurfaceOptions(Command command, SurfaceOptions& options, Reads reads) {
   };
   command
       .add("FILE", "TEXT",
-           "STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed, or what 'cutwater prepare' "
-           "wrote" +
+           surfaceFormats("or") + ", also gzip-compressed, or what 'cutwater prepare' wrote" +
                scenes,
            readFile)
       .required();
@@ -75,19 +76,20 @@ void addSurfaceOptions(Command command, SurfaceOptions& options, Reads reads) {
         rotate(options.placement, text);
         options.motions += " --rotate " + text;
       });
-  command.addNumber("--threads", "N", "Use so many threads; 0: all there are", options.threads,
-                    {0, 4096});
+  command.addNumber("--threads", "N", "Number of threads; 0: all there are [default: 0]",
+                    options.threads, {0, 4096});
   addQuiet(command, options.quiet);
 }
 
 void addSignOptions(Command command, SurfaceOptions& options) {
-  addChoice<SignScheme>(command, "--signs", options.solid.signs,
-                        {{"auto", SignScheme::Automatic},
-                         {"nearest", SignScheme::NearestFeature},
-                         {"winding", SignScheme::WindingNumber}},
-                        "How to tell inside from outside: by the nearest faces, or by how often "
-                        "the surface goes round a point (for open and overlapping surfaces); "
-                        "without it: as a check of the surface suggests");
+  addChoice<SignScheme>(
+      command, "--signs", options.solid.signs,
+      {{"auto", SignScheme::Automatic},
+       {"nearest", SignScheme::NearestFeature},
+       {"winding", SignScheme::WindingNumber}},
+      "How inside is decided: by the nearest faces, or by the winding number, for "
+      "open and overlapping surfaces; auto: a check of the surface chooses "
+      "[default: auto]");
   command.addFlag("--require-watertight", "Refuse a surface that does not bound a solid",
                   options.solid.requireWatertight);
 }

@@ -1,6 +1,7 @@
 #include "Options/SurfaceOutput.hpp"
 
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
 #include <Cutwater/Surface/Triangulation.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
 
@@ -66,9 +67,11 @@ std::string whyNothingIsLeft(const std::string& file, const Box<double>& box) {
 
 void addSurfaceOutput(Command command, const std::string& names, std::string& output,
                       WriteOptions& options) {
-  addOutput(command, names, output, {".stl", ".ply", ".obj", ".off", ".vtk"},
-            "The surface to write; its extension tells the format: stl, ply, obj, off, vtk; only "
-            "obj, and stl with --ascii, keep patches")
+  std::vector<std::string> extensions;
+  for (const auto& format : kSurfaceFormats) extensions.emplace_back(format.extension);
+  addOutput(command, names, output, extensions,
+            "The surface to write; its extension decides the format: " + surfaceExtensions("or") +
+                "; only .obj, and .stl with --ascii, keep patches")
       .required();
   command.addFlag("--ascii", "Text where the format has both (STL, PLY, VTK)", options.ascii);
 }

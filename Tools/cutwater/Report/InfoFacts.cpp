@@ -27,12 +27,10 @@ std::string readableName(const SurfaceOptions& options) {
 
 /// Suggested file for a repaired surface: "hull-repaired.stl" for models/hull.stl.gz.
 std::string repairedName(const LoadedSurface& surface, const std::string& file) {
-  constexpr const char* kExtensions[] = {".stl", ".obj", ".ply", ".off", ".ply"};
   std::filesystem::path name = std::filesystem::path(file).filename();
   if (name.extension() == ".gz") name = name.stem();
-  const auto stem = name.stem().string();
-  const auto format = static_cast<std::size_t>(surface.report.format);
-  return stem + "-repaired" + (surface.prepared ? ".ply" : kExtensions[format]);
+  const auto format = surface.prepared ? SurfaceFormat::Ply : surface.report.format;
+  return name.stem().string() + "-repaired" + std::string(namesOf(format).extension);
 }
 
 std::vector<Advice> adviceFor(const InfoFacts& facts) {
@@ -90,9 +88,8 @@ std::string formatOf(const LoadedSurface& surface) {
     return std::string("prepared, ") + (isSingle ? "single" : "double") + " precision";
   }
   const auto& report = surface.report;
-  constexpr const char* kNames[] = {"STL", "OBJ", "PLY", "OFF", "VTK"};
   std::string text = report.binary ? "binary " : "ASCII ";
-  text += kNames[static_cast<std::size_t>(report.format)];
+  text += namesOf(report.format).name;
   return text + (report.compressed ? ", gzip-compressed" : "");
 }
 

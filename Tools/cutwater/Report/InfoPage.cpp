@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <string_view>
 
 #include "Report/DiagnosisPage.hpp"
 #include "Report/Format.hpp"
@@ -34,7 +33,7 @@ void describeFile(Page& page, const InfoFacts& facts) {
 
 std::string volumeOf(const InfoFacts& facts) {
   const auto& report = facts.found.report;
-  if (!report.isClosed()) return "none: not closed";
+  if (!report.isClosed()) return "not computed: the surface is not closed";
   auto volume = number(report.volume);
   const auto& signs = facts.found.signs;
   if (!signs || (signs->turnedFaces == 0 && signs->turnedShells == 0)) return volume;
@@ -120,18 +119,6 @@ void describeSigns(Page& page, const InfoFacts& facts) {
   }
 }
 
-void describeDetails(Page& page, const MeshReport& report) {
-  page.section("Details: faces are polygons, vertices are points, both counted from 0");
-  const auto table = report.table();
-  bool isDefect = false;  // after the properties, which end with the volume
-  for (std::string_view rest = table; !rest.empty();) {
-    const auto line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(line.size() + 1);
-    if (!isDefect || !line.ends_with(" 0")) page.plain(std::string(line));
-    isDefect = isDefect || line.starts_with("volume");
-  }
-}
-
 void describeTimings(Page& page, const InfoFacts& facts) {
   page.section("Timings");
   page.line("read", duration(facts.surface.secondsToRead));
@@ -162,7 +149,7 @@ std::string pageOf(const InfoFacts& facts) {
   describeOpenings(page, facts.found.openings);
   describeSigns(page, facts);
   if (!facts.next.empty()) describe(page, facts.next);
-  if (!facts.found.report.isClean()) describeDetails(page, facts.found.report);
+
   describeTimings(page, facts);
   describeMemory(page, facts);
   return page.text();

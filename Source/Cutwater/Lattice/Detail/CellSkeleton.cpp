@@ -8,12 +8,14 @@ namespace {
 template <std::floating_point T>
 const Repeats<T>& checked(const Repeats<T>& cells) {
   // Well within these limits, squares of lengths neither overflow nor underflow.
-  constexpr T kLargest = sizeof(T) == sizeof(float) ? T(1e15) : T(1e100);
+  constexpr bool kIsFloat = sizeof(T) == sizeof(float);
+  constexpr T kLargest = kIsFloat ? T(1e15) : T(1e100);
   for (int axis = 0; axis < 3; ++axis) {
     const T size = cells.period[axis];
     require(1 / kLargest <= size && size <= kLargest,
-            "lattice: need sizes of cells that are positive and ordinary", Named{"axis", axis},
-            Named{"size", size});
+            kIsFloat ? "lattice: need sizes of cells from 1e-15 to 1e15"
+                     : "lattice: need sizes of cells from 1e-100 to 1e100",
+            Named{"axis", axis}, Named{"size", size});
   }
   constexpr std::uint32_t kMost = 1U << 20;  // cells can still be told apart in single precision
   for (const auto count : cells.count) {

@@ -13,7 +13,7 @@ namespace cutwater::detail {
 template <std::floating_point T>
 class CellSkeleton {
  public:
-  /// @throws Error unless periods are positive, finite and of ordinary magnitude.
+  /// @throws Error unless periods are from 1e-100 to 1e100 (float: from 1e-15 to 1e15).
   CellSkeleton(const UnitCell& cell, const Repeats<T>& cells);
 
   [[nodiscard]] T distance(const Vec3<T>& p) const;

@@ -6,8 +6,8 @@
 namespace cutwater::detail {
 
 /// The skeleton of an endless lattice that has mirrors: points are folded into a chamber between
-/// them, where only a few struts have to be tried. A query takes nanoseconds, and no memory to
-/// speak of.
+/// them, where only a few struts have to be tried. A query takes tens of nanoseconds; only the
+/// struts in the chamber are stored.
 template <std::floating_point T>
 class FoldedCells {
  public:

@@ -21,7 +21,9 @@ struct CapOptions {
 /// the other way round leaves a hole in the cap, as for an annulus or a cavity that is cut open.
 /// Rims that meet themselves or one another in the plane, with everything within them, and rims
 /// that continue outside the plane are left as they are and reported. Rims follow from the
-/// orientation of faces: run clean() first.
+/// orientation of faces: run clean() first. findRims() and planeOf() find planes that have rims; a
+/// plane at a side of the model is at PolygonSoup::boundingBox(), not at that of a MeshSDF, which
+/// reaches beyond an open surface.
 ///
 /// @throws Error(Argument) for a plane or tolerance that is not finite, a zero normal, or a soup
 /// that does not pass PolygonSoup::validate(). The soup is then unchanged.

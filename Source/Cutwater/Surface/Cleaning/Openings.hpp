@@ -13,8 +13,9 @@ struct SurfacePlane {
   Vec3<double> normal;
 };
 
-/// What capOnPlane(), mirrorAt(), extendTo() or extendToBox() did.
-struct OpeningReport {
+/// What capOnPlane(), mirrorAt(), extendTo() or extendToBox() did. Look at it: a plane that no rim
+/// lies on closes nothing, and is no error.
+struct [[nodiscard]] OpeningReport {
   Findings<Vec3<double>> closed;  ///< openings: a point of the rim of each
   /// Rims in the plane that were left as they are, because they meet themselves or one another or
   /// continue outside the plane: a point of each.

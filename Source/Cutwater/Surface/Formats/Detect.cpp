@@ -101,7 +101,7 @@ bool isCutWithinFirstWord(std::string_view bytes) {
   if (isCutWithinFirstWord(content.bytes)) {
     text.failAt({Place::Unit::Byte, 0}, "the file is too short: it ends within its first word");
   }
-  std::string message = "the content is none of STL, OBJ, PLY, OFF and legacy VTK";
+  std::string message = "the content is none of " + surfaceFormats("and");
   if (content.bytes.size() < kBinaryStlHeader) {
     message +=
         "; if it should be a binary STL, it is too short: " + std::to_string(content.bytes.size()) +

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace cutwater {
 
@@ -40,6 +41,7 @@ struct ReadSceneOptions {
                                       const ReadSceneOptions& options = {});
 
 /// Returns a list of all that a scene may contain, each key with its default, as Markdown sections.
-[[nodiscard]] std::string sceneKeys();
+/// With a word: only the sections that mention it, in capitals or not; an empty text if none does.
+[[nodiscard]] std::string sceneKeys(std::string_view word = {});
 
 }  // namespace cutwater

@@ -14,32 +14,35 @@ using enum KeyType;
 using Record = SceneRecord;
 
 SceneKey length() {
-  return {"length", Positive, "along z, from 0; none: the spine's", kOptional};
+  return {"length", Positive, "the length along z, from z = 0; without it, that of the spine",
+          kOptional};
 }
 
 const std::vector<SceneForm>& fitForms() {
   static const std::vector<SceneForm> kForms{
       {.name = "a pipe",
-       .meaning = "About the z axis, all round or between two angles; cells across, round, along.",
-       .keys = {{"inner_radius", Positive,
-                 "of a pipe about the z axis; cells across, round, along"},
-                {"outer_radius", Positive, "of the pipe"},
+       .meaning = "A pipe about the z axis, or the part of it between two angles; `cells` are "
+                  "counted along its radius, around it and along it.",
+       .keys = {{"inner_radius", Positive, "its inner radius"},
+                {"outer_radius", Positive, "its outer radius"},
                 length(),
-                {"from_degrees", Number, "where it begins, from x towards y", "0"},
-                {"to_degrees", Number, "where it ends", "360"}}},
+                {"from_degrees", Number, "the angle where it begins, from x towards y", "0"},
+                {"to_degrees", Number, "the angle where it ends", "360"}}},
       {.name = "a cylinder",
-       .meaning = "A solid one about the z axis.",
-       .keys = {{"radius", Positive, "of a cylinder about the z axis"}, length()}},
+       .meaning = "A solid cylinder about the z axis.",
+       .keys = {{"radius", Positive, "its radius"}, length()}},
       {.name = "a lens",
-       .meaning = "About the z axis, its middle at the origin.",
-       .keys = {{"diameter", Positive, "of a lens about the z axis, its middle at the origin"},
-                {"center_thickness", Positive, "of the lens"},
-                {"front_radius", Number, "of its lower face; below 0: concave; none: flat",
+       .meaning = "A lens about the z axis, with its middle at the origin.",
+       .keys = {{"diameter", Positive, "its diameter"},
+                {"center_thickness", Positive, "its thickness on the axis"},
+                {"front_radius", Number,
+                 "radius of curvature of its lower face; below 0: concave; without it, flat",
                  kOptional},
-                {"back_radius", Number, "of its upper face", kOptional}}},
+                {"back_radius", Number, "the same of its upper face", kOptional}}},
       {.name = "a box",
-       .meaning = "Along the axes.",
-       .keys = {{"lower", Point, "the corner of a box"}, {"upper", Point, "the opposite"}}}};
+       .meaning = "A box along the axes.",
+       .keys = {{"lower", Point, "the corner of the least coordinates"},
+                {"upper", Point, "the opposite corner"}}}};
   return kForms;
 }
 
@@ -47,10 +50,14 @@ const std::vector<SceneForm>& noiseForms() {
   static const std::vector<SceneForm> kForms{
       {.name = "noise",
        .meaning = "Shifts of the corners of cells.",
-       .keys = {{"amplitude", NotNegative, "corners are shifted by no more than that"},
-                {"seed", Whole, "other numbers give other shifts", "0"},
-                {"unit", Choice, "of the amplitude", "\"length\"", {"length", "shortest edge"}},
-                {"keeps_boundary", Flag, "corners at ends of rows stay", "false"}}}};
+       .keys = {{"amplitude", NotNegative, "corners are shifted by no more than this"},
+                {"seed", Whole, "a different seed gives different shifts", "0"},
+                {"unit",
+                 Choice,
+                 "the unit of the amplitude: that of lengths, or the shortest edge at the corner",
+                 "\"length\"",
+                 {"length", "shortest edge"}},
+                {"keeps_boundary", Flag, "corners on the boundary do not move", "false"}}}};
   return kForms;
 }
 
@@ -121,24 +128,27 @@ SceneSolid conformal(const Record& r) {
 }  // namespace
 
 SceneForm conformalForm() {
-  return {.name = "conformal",
-          .meaning = "Struts of unit cells that are fitted to a shape, also along a curve.",
-          .keys = {unitCellKey("conformal"),
-                   {"cells", Counts, "how many, along each axis of the shape"},
-                   strutRadiusKey(),
-                   {.name = "fit", .type = Part, .meaning = "the shape", .forms = &fitForms()},
-                   {"spine", Points, "a smooth curve through these becomes the shape's z axis",
-                    kOptional},
-                   {"side", Point, "where the shape's x axis looks to where the curve begins",
-                    "[0, 0, 0]"},
-                   {.name = "noise",
-                    .type = Part,
-                    .meaning = "shifts corners at random",
-                    .preset = kOptional,
-                    .forms = &noiseForms()},
-                   {"subdivisions", Whole, "beams that a bent strut is made of", "4"},
-                   reentrantHeightKey()},
-          .make = conformal};
+  return {
+      .name = "conformal",
+      .meaning = "Struts of unit cells that are fitted to a shape, also along a curve.",
+      .keys = {unitCellKey("conformal"),
+               {"cells", Counts, "number of cells along each axis of the shape"},
+               strutRadiusKey(),
+               {.name = "fit", .type = Part, .meaning = "the shape", .forms = &fitForms()},
+               {"spine", Points, "a smooth curve through these becomes the shape's z axis",
+                kOptional},
+               {"side", Point,
+                "the direction of the shape's x axis at the beginning of the curve; zero: "
+                "chosen for you",
+                "[0, 0, 0]"},
+               {.name = "noise",
+                .type = Part,
+                .meaning = "shifts corners at random",
+                .preset = kOptional,
+                .forms = &noiseForms()},
+               {"subdivisions", Whole, "number of beams into which a bent strut is divided", "4"},
+               reentrantHeightKey()},
+      .make = conformal};
 }
 
 }  // namespace cutwater::scene

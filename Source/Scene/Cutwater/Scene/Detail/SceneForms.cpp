@@ -4,15 +4,16 @@ namespace cutwater::scene {
 
 const std::vector<SceneForms>& allSceneForms() {
   static const std::vector<SceneForms> kAll{
-      {"Shapes", "Known by the value of `shape`. Angles are in degrees.", shapeForms()},
-      {"Surfaces", "Names of files are relative to the scene's.", surfaceForms()},
-      {"Lattices and beds", "Cells begin at the origin; `move` moves the whole.", latticeForms()},
+      {"Shapes", "The value of `shape` says which one it is. Angles are in degrees.", shapeForms()},
+      {"Surfaces", "Names of files are relative to the scene's folder.", surfaceForms()},
+      {"Lattices and beds", "Cells begin at the origin; `move` moves the whole lattice.",
+       latticeForms()},
       {"Triply periodic surfaces",
-       "Endless: intersect them with what they fill. [Docs/tpms.md](tpms.md) has the patterns F "
-       "and "
-       "what their parts are.",
+       "They have no end: intersect them with the solid that they fill. [Docs/tpms.md](tpms.md) "
+       "describes the patterns F and the parts.",
        tpmsForms()},
-      {"Operators", "Of solids by name, wherever in the file these are.", operatorForms()},
+      {"Operators", "They take other solids by name, which may stand anywhere in the file.",
+       operatorForms()},
   };
   return kAll;
 }

@@ -29,13 +29,15 @@ std::vector<std::string> cellNames() {
 const std::vector<SceneForm>& radiusForms() {
   static const std::vector<SceneForm> kForms{
       {.name = "a radius by the place in the cell",
-       .meaning = "Linear in the distance to the centre of the cell.",
-       .keys = {{"at_center", Positive, "the radius there"},
-                {"at_corners", Positive, "the radius at the corners"}}},
+       .meaning = "A radius that is linear in the distance to the centre of the cell.",
+       .keys = {{"at_center", Positive, "the radius at the centre of a cell"},
+                {"at_corners", Positive, "the radius at its corners"}}},
       {.name = "a radius by a distance",
-       .meaning = "Linear in the distance to the surface of another solid, on both sides.",
+       .meaning = "A radius that is linear in the distance to another solid's surface, on both "
+                  "sides of it.",
        .keys = {{"near", KeyType::Solid,
-                 "the other solid, in the frame of this one: `move` moves it along"},
+                 "the radius depends on the distance to this solid; `move` of the lattice moves "
+                 "both"},
                 {"start", Positive, "the radius at its surface"},
                 {"end", Positive, "the radius at the distance `over`, and beyond"},
                 {"over", Positive, "a length"}}}};
@@ -70,14 +72,13 @@ SceneKey unitCellKey(const char* name) {
 SceneKey strutRadiusKey() {
   return {.name = "radius",
           .type = PositiveOrPart,
-          .meaning =
-              "of the struts; or a table of `at_center` and `at_corners`, or of `near`, "
-              "`start`, `end` and `over`",
+          .meaning = "the struts' radius; a table, if it depends on the place",
           .forms = &radiusForms()};
 }
 
 SceneKey reentrantHeightKey() {
-  return {"height", Positive, "of the upright struts of a re-entrant cell, between 0.5 and 1 cells",
+  return {"height", Positive,
+          "only of re-entrant cells: the length of the upright struts in cells, between 0.5 and 1",
           "0.7"};
 }
 
@@ -115,7 +116,7 @@ const std::vector<SceneForm>& latticeForms() {
       latticeForm(),
       conformalForm(),
       {.name = "beams",
-       .meaning = "Beams and balls from a table in text, of lines `node, x, y, z`, `beam, i, j, "
+       .meaning = "Beams and balls from a text table with lines `node, x, y, z`, `beam, i, j, "
                   "radius, radius` and `ball, i, radius`.",
        .keys = {{"beams", File, "the table"},
                 {"scale", Positive, "coordinates and radii are multiplied by it", "1"},
@@ -123,7 +124,7 @@ const std::vector<SceneForm>& latticeForms() {
                  kOptional}},
        .make = beams},
       {.name = "balls",
-       .meaning = "A packed bed: balls from a table in text, of lines `x, y, z, radius`.",
+       .meaning = "A packed bed: balls from a text table with lines `x, y, z, radius`.",
        .keys = {{"balls", File, "the table"},
                 {"scale", Positive, "coordinates and radii are multiplied by it", "1"}},
        .make = [](const Record& r) -> SceneSolid {

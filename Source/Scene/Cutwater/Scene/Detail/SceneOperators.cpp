@@ -16,8 +16,8 @@ std::vector<SceneKey> withFillet(SceneKey operands) {
            "surfaces that meet are blended within about this distance; 0: a sharp edge", "0"},
           {"fillet",
            Choice,
-           "the rounding's kind, of continuous normals, of continuous curvature, an arc of a "
-           "circle, or smooth everywhere",
+           "the rounding's kind. quadratic: continuous normals; cubic: continuous curvature; "
+           "circular: an arc; exponential: smooth everywhere",
            "\"quadratic\"",
            {"quadratic", "cubic", "circular", "exponential"}}};
 }
@@ -62,7 +62,8 @@ std::vector<SceneForm> combinations() {
        .keys = withFillet({"difference", Solids, "the solid, and what is taken away"}),
        .make = difference},
       {.name = "xor",
-       .meaning = "All points of one solid or the other, but not of both; of more, one by one.",
+       .meaning = "All points of one solid or the other, but not of both; of more than two, one "
+                  "after the other: (a xor b) xor c.",
        .keys = {{"xor", Solids, "the solids"}},
        .make = exclusive},
       {.name = "complement",
@@ -70,8 +71,8 @@ std::vector<SceneForm> combinations() {
        .keys = {{"complement", KeyType::Solid, "the solid"}},
        .make = [](const Record& r) { return ~r.solid("complement"); }},
       {.name = "blended",
-       .meaning = "A solid between two others: (1 - t) of one's value and t of the other's.",
-       .keys = {{"blended", Solids, "the two"}, {"t", NotNegative, "from 0 to 1"}},
+       .meaning = "A solid between two others, a and b: its value is (1 - t) a + t b.",
+       .keys = {{"blended", Solids, "a and b"}, {"t", NotNegative, "from 0, which is a, to 1"}},
        .make = blend},
   };
 }
@@ -98,12 +99,13 @@ std::vector<SceneForm> walls() {
                 {"factor", Number, "how many times as large; below 0: mirrored, too"}},
        .make = [](const Record& r) { return scaled(r.solid("scaled"), r.number("factor")); }},
       {.name = "elongated",
-       .meaning = "The solid cut at the planes x, y, z = 0 and drawn apart.",
+       .meaning = "The solid cut at the planes x = 0, y = 0 and z = 0, its parts moved apart and "
+                  "the gaps filled.",
        .keys = {{"elongated", KeyType::Solid, "the solid"},
-                {"half", Point, "how far to either side along each axis, from 0"}},
+                {"half", Point, "how far to either side along each axis, 0 or more"}},
        .make = [](const Record& r) { return elongated(r.solid("elongated"), r.point("half")); }},
       {.name = "transformed",
-       .meaning = "The image under an affine map: stretched, sheared.",
+       .meaning = "The solid stretched, sheared or turned: its image under an affine map.",
        .keys = {{"transformed", KeyType::Solid, "the solid"},
                 {"columns", Columns, "images of the unit vectors along x, y and z"},
                 {"translation", Point, "the image of the origin", "[0, 0, 0]"}},
@@ -122,7 +124,7 @@ std::vector<SceneForm> walls() {
 /// Keys of the operand, and of a plane given by its normal and a point.
 std::vector<SceneKey> withPlane(const char* name) {
   return {{name, KeyType::Solid, "the solid"},
-          {"normal", Point, "the direction across the plane"},
+          {"normal", Point, "the normal of the plane, of any length"},
           {"point", Point, "a point of the plane", "[0, 0, 0]"}};
 }
 
@@ -140,7 +142,7 @@ std::vector<SceneForm> repetitions() {
              return mirrored(r.solid("mirrored"), r.point("normal"), r.point("point"));
            }},
       {.name = "folded",
-       .meaning = "The part on the side that the normal looks to, and its mirror image.",
+       .meaning = "The part on the side that the normal points to, and its mirror image.",
        .keys = withPlane("folded"),
        .make =
            [](const Record& r) {
@@ -157,7 +159,7 @@ std::vector<SceneForm> repetitions() {
       {.name = "repeated",
        .meaning = "Copies at multiples of a period.",
        .keys = {{"repeated", KeyType::Solid, "the solid"},
-                {"period", Point, "along each axis; 0: not repeated along it"},
+                {"period", Point, "the period along each axis; 0: not repeated along it"},
                 {"count", Counts, "copies along each axis, the original first; 0: without end",
                  "[0, 0, 0]"}},
        .make = repetition},
@@ -167,12 +169,12 @@ std::vector<SceneForm> repetitions() {
 const std::vector<SceneForm>& moveForms() {
   static const std::vector<SceneForm> kForms{
       {.name = "translate",
-       .meaning = "A shift.",
+       .meaning = "A motion without rotation.",
        .keys = {{"translate", Point, "how far along each axis"}}},
       {.name = "rotate",
-       .meaning = "A turn, right-handed.",
-       .keys = {{"rotate", Number, "degrees"},
-                {"axis", Axis, "the direction to turn about"},
+       .meaning = "A right-handed rotation.",
+       .keys = {{"rotate", Number, "the angle in degrees"},
+                {"axis", Axis, "the direction of the axis"},
                 {"through", Point, "a point of the axis", "[0, 0, 0]"}}}};
   return kForms;
 }
@@ -217,8 +219,9 @@ const std::vector<SceneKey>& commonKeys() {
        .forms = &moveForms()},
       {.name = "patch",
        .type = Text,
-       .meaning = "the name of its patch; of several patches, what their names begin with; without "
-                  "it, a shape, a lattice, or a mesh of one patch is called after its table",
+       .meaning = "the name of its patch; if it has several, a prefix of their names, as in "
+                  "\"mast/shroud\"; without it, a shape, a lattice, or a mesh of one patch is "
+                  "called after its table",
        .preset = kOptional}};
   return kKeys;
 }

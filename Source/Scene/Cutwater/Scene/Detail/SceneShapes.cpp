@@ -49,21 +49,22 @@ SceneKey point(const char* name, const char* meaning, std::optional<std::string>
 
 /// Keys of two points, followed by `more`.
 Keys betweenEnds(Keys more) {
-  Keys keys{point("from", "the middle of one end"), point("to", "of the other")};
+  Keys keys{point("from", "the middle of one end"), point("to", "the middle of the other end")};
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }
 /// Keys of two corners, followed by `more`.
 Keys betweenCorners(Keys more) {
-  Keys keys{point("lower", "the corner of the least coordinates"), point("upper", "the opposite")};
+  Keys keys{point("lower", "the corner of the least coordinates"),
+            point("upper", "the opposite corner")};
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }
-const Keys kTwoRadii{{"start_radius", NotNegative, "at `from`"},
-                     {"end_radius", NotNegative, "at `to`"}};
+const Keys kTwoRadii{{"start_radius", NotNegative, "the radius at `from`"},
+                     {"end_radius", NotNegative, "the radius at `to`"}};
 
 Keys ofPolygon(const char* plane, Keys more) {
-  Keys keys{{"outline", Outline, std::string("corners of a loop, ") + plane},
+  Keys keys{{"outline", Outline, std::string("corners of a loop; of each, ") + plane},
             {"loops", Outlines, "further loops: holes, and islands in them", "[]"}};
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
@@ -95,24 +96,30 @@ std::vector<SceneForm> roundShapes() {
             }),
       shape("capped torus", "A piece of a ring about the z axis, with round ends.",
             {positive("major", "the arc's radius"), positive("minor", "the tube's radius"),
-             positive("half_angle", "degrees to both sides of the x axis, at most 180")},
+             positive("half_angle",
+                      "half the angle of the arc in degrees, from the x axis to either side; at "
+                      "most 180")},
             [](const Record& r) -> SceneSolid {
               return CappedTorus<double>(r.number("major"), r.number("minor"),
                                          r.number("half_angle"));
             }),
-      shape("link", "A link of a chain: a ring about the z axis, pulled apart along y.",
-            {{"length", NotNegative, "of its straight parts"},
+      shape("link",
+            "A link of a chain: a ring about the z axis, lengthened along y by straight parts.",
+            {{"length", NotNegative, "the length of its straight parts"},
              positive("major", "the radius of its bends"),
              positive("minor", "the tube's radius")},
             [](const Record& r) -> SceneSolid {
               return Link<double>(r.number("length"), r.number("major"), r.number("minor"));
             }),
-      shape("capsule", "All within a radius of a segment.",
-            betweenEnds({positive("radius", "its radius")}),
+      shape("capsule", "All points within a radius of a segment.",
+            {point("from", "one end of the segment"), point("to", "the other end"),
+             positive("radius", "its radius")},
             [](const Record& r) -> SceneSolid {
               return Capsule<double>(r.point("from"), r.point("to"), r.number("radius"));
             }),
-      shape("cone-sphere", "The convex hull of two balls.", betweenEnds(kTwoRadii),
+      shape("cone-sphere", "The convex hull of two balls.",
+            {point("from", "the centre of one ball"), point("to", "the centre of the other ball"),
+             kTwoRadii[0], kTwoRadii[1]},
             [](const Record& r) -> SceneSolid {
               return ConeSphere<double>(r.point("from"), r.point("to"), r.number("start_radius"),
                                         r.number("end_radius"));
@@ -130,7 +137,8 @@ std::vector<SceneForm> cylindersAndCones() {
       shape(
           "rounded cylinder", "A cylinder with rounded rims; ends and side stay in their places.",
           betweenEnds({positive("radius", "its radius"),
-                       positive("rounding", "the rims' radius, at most that and half the length")}),
+                       positive("rounding",
+                                "the rims' radius, at most `radius` and at most half the length")}),
           [](const Record& r) -> SceneSolid {
             return RoundedCylinder<double>(r.point("from"), r.point("to"), r.number("radius"),
                                            r.number("rounding"));
@@ -165,7 +173,7 @@ std::vector<SceneForm> cylindersAndCones() {
 
 std::vector<SceneForm> boxes() {
   return {
-      shape("plane", "All behind a plane.",
+      shape("plane", "All points behind a plane.",
             {point("point", "a point of the plane", kOrigin),
              point("normal", "the direction out of the solid", kAlongZ)},
             [](const Record& r) -> SceneSolid {
@@ -181,30 +189,33 @@ std::vector<SceneForm> boxes() {
               return RoundedBox<double>(r.point("lower"), r.point("upper"), r.number("radius"));
             }),
       shape("box frame", "The edges of a box, as square bars.",
-            betweenCorners({positive("thickness", "of the bars, less than half a side")}),
+            betweenCorners({positive("thickness", "the bars' thickness, less than half a side")}),
             [](const Record& r) -> SceneSolid {
               return BoxFrame<double>({r.point("lower"), r.point("upper")}, r.number("thickness"));
             }),
       shape("hexagonal prism", "A regular hexagon about the z axis, with its middle at the origin.",
-            {positive("inradius", "from the axis to the sides"), positive("height", "along z")},
+            {positive("inradius", "the distance from the axis to the sides"),
+             positive("height", "its length along z")},
             [](const Record& r) -> SceneSolid {
               return HexagonalPrism<double>(r.number("inradius"), r.number("height"));
             }),
       shape("octahedron", "A regular octahedron about the origin.",
-            {positive("radius", "from the origin to its corners, on the axes")},
+            {positive("radius",
+                      "the distance from the origin to its corners, which are on the axes")},
             [](const Record& r) -> SceneSolid { return Octahedron<double>(r.number("radius")); }),
-      shape("pyramid", "A pyramid on a square about the origin, its tip on the z axis.",
-            {positive("side", "of the square"), positive("height", "of the tip")},
-            [](const Record& r) -> SceneSolid {
-              return Pyramid<double>(r.number("side"), r.number("height"));
-            }),
+      shape(
+          "pyramid", "A pyramid on a square about the origin, its tip on the z axis.",
+          {positive("side", "the side of the square"), positive("height", "the height of the tip")},
+          [](const Record& r) -> SceneSolid {
+            return Pyramid<double>(r.number("side"), r.number("height"));
+          }),
   };
 }
 
 const std::vector<SceneForm>& halfSpaceForms() {
   static const std::vector<SceneForm> kForms{
       {.name = "half-space",
-       .meaning = "All behind a plane.",
+       .meaning = "All points behind a plane.",
        .keys = {point("normal", "the direction out of the solid"),
                 point("point", "a point of the plane", kOrigin)}}};
   return kForms;
@@ -220,21 +231,21 @@ SceneSolid convexPolyhedron(const Record& r) {
 
 std::vector<SceneForm> polygonsAndPolyhedra() {
   return {
-      shape("convex polyhedron", "What is in all of some half-spaces.",
+      shape("convex polyhedron", "The intersection of half-spaces.",
             {{.name = "half_spaces",
               .type = Parts,
               .meaning = "tables of `normal` and `point`",
               .forms = &halfSpaceForms()}},
             convexPolyhedron),
       shape("extrusion", "A polygon in the xy plane, extruded along z.",
-            ofPolygon("x and y of each", {{"lower", Number, "where it begins along z"},
-                                          {"upper", Number, "where it ends"}}),
+            ofPolygon("x and y", {{"lower", Number, "the z where it begins"},
+                                  {"upper", Number, "the z where it ends"}}),
             [](const Record& r) -> SceneSolid {
               return Extrusion<double>(polygonOf(r), r.number("lower"), r.number("upper"));
             }),
       shape("revolution", "A polygon turned about an axis.",
-            ofPolygon("the distance from the axis and the position along it of each",
-                      {point("origin", "where positions along the axis begin", kOrigin),
+            ofPolygon("its distance from the axis and its position along the axis",
+                      {point("origin", "the point of the axis with position 0", kOrigin),
                        point("axis", "the axis' direction", kAlongZ)}),
             [](const Record& r) -> SceneSolid {
               return Revolution<double>(polygonOf(r), r.point("origin"), r.point("axis"));

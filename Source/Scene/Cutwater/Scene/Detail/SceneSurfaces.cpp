@@ -11,35 +11,38 @@ using enum KeyType;
 using Record = SceneRecord;
 
 std::vector<SceneKey> cleaningKeys() {
-  return {{"clean", Flag, "whether to put it in order first, as told below", "false"},
-          {"weld_within", Positive, "merge points so close to one another", kOptional},
-          {"split_junctions_within", Positive, "put points so close to an edge into it", kOptional},
+  return {{"clean", Flag, "clean the surface first; the next five keys say how", "false"},
+          {"weld_within", Positive, "merge points that are within this of one another", kOptional},
+          {"split_junctions_within", Positive,
+           "insert points of rims that are within this of another rim's edge into that edge",
+           kOptional},
           {"opposite",
            Choice,
-           "two equal faces of opposite orientation",
+           "what to do with two equal faces of opposite orientation",
            "\"keep\"",
            {"cancel", "keep"}},
           {"orient", Flag, "turn faces outward", "true"},
           {"nested",
            Choice,
-           "shells within shells",
+           "what shells inside other shells are",
            "\"as they are\"",
            {"as they are", "cavities", "solids"}}};
 }
 
 std::vector<SceneKey> meshKeys() {
   std::vector<SceneKey> keys{
-      {"mesh", File, "STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed"},
+      {"mesh", File, surfaceFormats("or") + ", also gzip-compressed"},
       {"scale", Positive, "coordinates are multiplied by it", "1"},
       {"signs",
        Choice,
-       "how to tell inside from outside: by the nearest faces, or by how often the surface goes "
-       "round a point; or as a check of the surface suggests",
+       "how inside is decided. nearest: by the nearest faces; winding: by the winding number; "
+       "auto: a check of the surface chooses",
        "\"auto\"",
        {"auto", "nearest", "winding"}},
       {"require_watertight", Flag, "refuse a surface that does not bound a solid", "false"},
-      {"find_self_intersections", Flag, "let the check look for them everywhere", "false"},
-      {"probes", Whole, "places that the check looks at", "1024"}};
+      {"find_self_intersections", Flag,
+       "search for self-intersections everywhere, not only at the probes", "false"},
+      {"probes", Whole, "number of points that the check tests", "1024"}};
   for (auto& key : cleaningKeys()) keys.push_back(std::move(key));
   return keys;
 }

@@ -27,14 +27,16 @@ const TpmsPattern& patternOf(const Record& r, std::string_view key) {
   return allPatterns()[r.choice(key)];
 }
 
-/// The form of a number of this type that depends on the value of a solid.
-SceneForm rampForm(const char* name, KeyType type, std::vector<std::string> presets = {}) {
+/// The form of a number, such as "level", of this type, which depends on the value of a solid.
+SceneForm rampForm(const std::string& number, KeyType type, std::vector<std::string> presets = {}) {
   SceneForm form{
-      .name = name,
-      .meaning = "Linear in the value of another solid, which is its distance or a bound of it.",
-      .keys = {{"near", KeyType::Solid, "the other solid, in the frame of this one"},
-               {"start", type, "the number where the other one's value is 0 or less"},
-               {"end", type, "the number at the value `over`, and beyond"},
+      .name = "a " + number + " by a distance",
+      .meaning = "A " + number + " that is linear in the signed distance to another solid.",
+      .keys = {{"near", KeyType::Solid,
+                "the other solid; what counts is its value, the signed distance or a lower bound "
+                "of it; `move` of this solid moves both"},
+               {"start", type, "the " + number + " where that value is 0 or less"},
+               {"end", type, "the " + number + " where that value is `over` or more"},
                {"over", Positive, "a length"}}};
   for (std::size_t i = 0; i < presets.size(); ++i) form.keys[i + 1].preset = presets[i];
   return form;
@@ -52,23 +54,23 @@ GradedValue<double> gradedOf(const Record& r, std::string_view key) {
 }
 
 const std::vector<SceneForm>& levelForms() {
-  static const std::vector<SceneForm> kForms{rampForm("a level by a distance", Number)};
+  static const std::vector<SceneForm> kForms{rampForm("level", Number)};
   return kForms;
 }
 
 const std::vector<SceneForm>& halfThicknessForms() {
-  static const std::vector<SceneForm> kForms{rampForm("a thickness by a distance", Positive)};
+  static const std::vector<SceneForm> kForms{rampForm("half thickness", Positive)};
   return kForms;
 }
 
 const std::vector<SceneForm>& transitionForms() {
   static const auto kForms = [] {
-    auto byPlace = rampForm("a transition by a distance", NotNegative, {"0", "1"});
+    auto byPlace = rampForm("weight", NotNegative, {"0", "1"});
     SceneForm even{.name = "a transition",
-                   .meaning = "The same everywhere.",
-                   .keys = {{"weight", NotNegative, "how much of it, from 0 to 1"}}};
+                   .meaning = "A weight that is the same everywhere.",
+                   .keys = {{"weight", NotNegative, "the weight of `to`, from 0 to 1"}}};
     for (auto* form : {&byPlace, &even}) {
-      form->keys.push_back(patternKey("to", "the pattern at the weight 1"));
+      form->keys.push_back(patternKey("to", "the pattern where the weight is 1"));
     }
     return std::vector<SceneForm>{byPlace, even};
   }();
@@ -89,16 +91,17 @@ TpmsField<double> fieldOf(const Record& r, const TpmsMap<double>& map) {
 const std::vector<SceneForm>& cellForms() {
   static const std::vector<SceneForm> kForms{
       {.name = "cells around an axis",
-       .meaning = "Along radius, angle and height, about the z axis.",
-       .keys = {{"radial_size", Positive, "of a cell along the radius"},
-                {"cells_per_turn", Whole, "cells around the axis"},
-                {"axial_size", Positive, "of a cell along z"},
-                {"turns_per_length", Number, "how cells wind around the axis", "0"}}},
+       .meaning = "Cells along radius, angle and height about the z axis.",
+       .keys = {{"radial_size", Positive, "the size of a cell along the radius"},
+                {"cells_per_turn", Whole, "number of cells around the axis"},
+                {"axial_size", Positive, "the size of a cell along z"},
+                {"turns_per_length", Number,
+                 "turns by which cells twist around the axis, per length", "0"}}},
       {.name = "cells of sizes by the place",
-       .meaning = "Sizes along each axis that depend on the place along it.",
-       .keys = {{"x", SizesByPlace, "along x; of points, the place and the size there"},
-                {"y", SizesByPlace, "along y"},
-                {"z", SizesByPlace, "along z"}}}};
+       .meaning = "Cells whose size along each axis depends on the place along it.",
+       .keys = {{"x", SizesByPlace, "the size along x, or pairs of a place and the size there"},
+                {"y", SizesByPlace, "the same along y"},
+                {"z", SizesByPlace, "the same along z"}}}};
   return kForms;
 }
 
@@ -134,9 +137,10 @@ const std::vector<SceneForm>& deformationForms() {
   static const std::vector<SceneForm> kForms{
       {.name = "a deformation",
        .meaning = "Random shifts at the nodes of a grid, trilinear in between.",
-       .keys = {{"amplitude", NotNegative, "shifts are at most that, along each axis"},
-                {"spacing", Sizes, "of the nodes along each axis"},
-                {"seed", Whole, "other numbers give other shifts", "1"}}}};
+       .keys = {{"amplitude", NotNegative, "shifts are at most this, along each axis"},
+                {"spacing", Sizes,
+                 "spacing of the grid at whose nodes shifts are random; trilinear in between"},
+                {"seed", Whole, "a different seed gives different shifts", "1"}}}};
   return kForms;
 }
 
@@ -151,38 +155,40 @@ TpmsMap<double> mapOf(const Record& r) {
 }
 
 SceneForm tpmsForm() {
-  return {.name = "tpms",
-          .meaning = "A wall, a channel or a network, by levels of a triply periodic function F.",
-          .keys = {patternKey("tpms", "the pattern F"),
-                   {"part",
-                    Choice,
-                    "abs(F) < level, the rest, F > level, F < -level, or the half of the wall with "
-                    "F > 0 or F < 0",
-                    "\"wall\"",
-                    {"wall", "channels", "channel A", "channel B", "wall in A", "wall in B"}},
-                   {.name = "cell",
-                    .type = SizesOrPart,
-                    .meaning = "its side, or its sides; or a table of cells around the z axis, or "
-                               "of sizes by the place",
-                    .forms = &cellForms()},
-                   {.name = "level",
-                    .type = NumberOrPart,
-                    .meaning = "in units of F; 0: where F changes its sign",
-                    .forms = &levelForms()},
-                   {.name = "transition",
-                    .type = Part,
-                    .meaning = "to another pattern",
-                    .preset = kOptional,
-                    .forms = &transitionForms()},
-                   {.name = "deformation",
-                    .type = Part,
-                    .meaning = "of the cells, at random",
-                    .preset = kOptional,
-                    .forms = &deformationForms()}},
-          .make = [](const Record& r) -> SceneSolid {
-            return TpmsSolid<double>(fieldOf(r, mapOf(r)), static_cast<TpmsPart>(r.choice("part")),
-                                     gradedOf(r, "level"));
-          }};
+  return {
+      .name = "tpms",
+      .meaning = "A wall, a channel or a network, by levels of a triply periodic function F.",
+      .keys = {patternKey("tpms", "the pattern F"),
+               {"part",
+                Choice,
+                "the part that is solid. wall: abs(F) < level; channels: abs(F) > level; "
+                "channel A: F > level; channel B: F < -level; wall in A and wall in B: the "
+                "halves of the wall with F > 0 and F < 0",
+                "\"wall\"",
+                {"wall", "channels", "channel A", "channel B", "wall in A", "wall in B"}},
+               {.name = "cell",
+                .type = SizesOrPart,
+                .meaning = "the side of a cubic cell, or the sides along each axis; or a table",
+                .forms = &cellForms()},
+               {.name = "level",
+                .type = NumberOrPart,
+                .meaning = "in units of F; a table, if it depends on the place",
+                .forms = &levelForms()},
+               {.name = "transition",
+                .type = Part,
+                .meaning = "a transition to another pattern, F = (1 - w) `tpms` + w `to`, with a "
+                           "weight w",
+                .preset = kOptional,
+                .forms = &transitionForms()},
+               {.name = "deformation",
+                .type = Part,
+                .meaning = "random deformation of the cells",
+                .preset = kOptional,
+                .forms = &deformationForms()}},
+      .make = [](const Record& r) -> SceneSolid {
+        return TpmsSolid<double>(fieldOf(r, mapOf(r)), static_cast<TpmsPart>(r.choice("part")),
+                                 gradedOf(r, "level"));
+      }};
 }
 
 MetricWall<double> evenWall(const Record& r) {
@@ -190,15 +196,19 @@ MetricWall<double> evenWall(const Record& r) {
 }
 
 SceneForm evenWallForm() {
-  return {.name = "even_wall",
-          .meaning = "A wall of even thickness: all points near the surface F = 0.",
-          .keys = {patternKey("even_wall", "the pattern F"),
-                   {"cell", Positive, "the side of a cubic cell"},
-                   {.name = "half_thickness",
-                    .type = PositiveOrPart,
-                    .meaning = "how far to either side of the surface",
-                    .forms = &halfThicknessForms()}},
-          .make = [](const Record& r) -> SceneSolid { return evenWall(r); }};
+  return {
+      .name = "even_wall",
+      .meaning =
+          "A wall of even thickness: all points within half the thickness of the surface "
+          "F = 0.",
+      .keys = {patternKey("even_wall", "the pattern F"),
+               {"cell", Positive, "the side of a cubic cell"},
+               {.name = "half_thickness",
+                .type = PositiveOrPart,
+                .meaning =
+                    "how far to either side of the surface; a table, if it depends on the place",
+                .forms = &halfThicknessForms()}},
+      .make = [](const Record& r) -> SceneSolid { return evenWall(r); }};
 }
 
 /// The channels on both sides of the named wall, moved with the wall.
@@ -236,7 +246,7 @@ TwoFluids<double> twoFluidsOf(const Record& r) {
 SceneForm exchangerForm(const char* name, const char* meaning, std::vector<SceneKey> keys) {
   keys.insert(keys.begin(),
               {"core", KeyType::Solid, "the wall between the fluids, a `tpms` or an `even_wall`"});
-  keys.push_back({"cap", Positive, "the thickness of what closes channels off"});
+  keys.push_back({"cap", Positive, "the thickness of the caps that close the channels"});
   return {.name = name,
           .meaning = meaning,
           .keys = std::move(keys),
@@ -258,16 +268,18 @@ std::vector<SceneForm> exchangers() {
       exchangerForm("box",
                     "The solid of a heat exchanger in a box, each fluid in a channel of its own.",
                     {{"lower", Point, "the corner of the least coordinates"},
-                     {"upper", Point, "the opposite"},
+                     {"upper", Point, "the opposite corner"},
                      {"axis_of_a", Choice, "fluid A flows along it", "\"x\"", {"x", "y", "z"}},
                      {"axis_of_b", Choice, "fluid B flows along it", "\"y\"", {"x", "y", "z"}}}),
       exchangerForm("cylinder",
-                    "The same about the z axis: A passes from end to end, B through the mantle.",
-                    {{"radius", Positive, "of the cylinder"},
-                     {"lower", Number, "where it begins along z"},
-                     {"upper", Number, "where it ends"}}),
+                    "The same in a cylinder about the z axis: A flows from end to end, B through "
+                    "the curved side.",
+                    {{"radius", Positive, "the radius of the cylinder"},
+                     {"lower", Number, "the z where it begins"},
+                     {"upper", Number, "the z where it ends"}}),
       {.name = "fluid",
-       .meaning = "One of the fluids of an exchanger: it fits to the bit.",
+       .meaning = "One of the fluids of an exchanger: it meets the wall without gap or overlap, "
+                  "to the bit.",
        .keys = {{"fluid", Choice, "which of them", {}, {"A", "B"}},
                 {"of", KeyType::Solid, "the `exchanger`"}},
        .make = fluid}};
