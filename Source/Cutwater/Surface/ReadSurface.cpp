@@ -3,26 +3,9 @@
 #include <Cutwater/Surface/ReadSurface.hpp>
 #include <Cutwater/Text/Gzip.hpp>
 
-#include <cmath>
-
 namespace cutwater {
 
 namespace {
-
-void requireOptions(const ReadOptions& options) {
-  require(options.scale > 0 && std::isfinite(options.scale),
-          "readSurface: need 0 < scale < infinity", Named{"scale", options.scale});
-  require(isFinite(options.placement.offset()), "readSurface: need a finite placement",
-          Named{"offset", options.placement.offset()});
-}
-
-// "hull" for "models/hull.stl.gz".
-std::string stem(const std::string& name) {
-  std::filesystem::path file = std::filesystem::path(name).filename();
-  if (file.extension() == ".gz") file = file.stem();
-  file = file.stem();
-  return file.empty() ? "surface" : file.string();
-}
 
 SurfaceFile readContent(text::Content content, bool compressed, const ReadOptions& options) {
   if (content.bytes.empty()) throw Error(ErrorKind::File, content.name + ": the file is empty");
@@ -32,7 +15,7 @@ SurfaceFile readContent(text::Content content, bool compressed, const ReadOption
   content.bytes = text::withoutByteOrderMark(content.bytes);
   const auto [format, reader] = formats::detectFormat(content);
   report.format = format;
-  formats::SoupBuilder builder(options, stem(content.name));
+  formats::SoupBuilder builder(options, formats::patchNameOf(content.name));
   builder.report() = report;
   return reader(content, builder);
 }
@@ -40,7 +23,7 @@ SurfaceFile readContent(text::Content content, bool compressed, const ReadOption
 }  // namespace
 
 SurfaceFile readSurface(const std::filesystem::path& path, const ReadOptions& options) {
-  requireOptions(options);
+  formats::requireReadOptions(options);
   const std::string name = path.string();
   text::Bytes file = text::loadFile(path, options.maxBytes);
   const bool compressed = text::isGzip(file.view());
@@ -50,7 +33,7 @@ SurfaceFile readSurface(const std::filesystem::path& path, const ReadOptions& op
 
 SurfaceFile readSurface(std::span<const std::byte> bytes, const std::string& name,
                         const ReadOptions& options) {
-  requireOptions(options);
+  formats::requireReadOptions(options);
   const std::string_view view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   text::requireSize(name, view.size(), options.maxBytes);
   if (!text::isGzip(view)) return readContent({name, view}, false, options);

@@ -11,8 +11,8 @@
 
 namespace cutwater {
 
-/// The formats that readSurface() reads.
-enum class SurfaceFormat : std::uint8_t { Stl, Obj, Ply, Off, Vtk };
+/// The formats that readSurface() reads, and Vtp, which readAnySurface() reads, too.
+enum class SurfaceFormat : std::uint8_t { Stl, Obj, Ply, Off, Vtk, Vtp };
 
 /// Options of readSurface().
 struct ReadOptions {

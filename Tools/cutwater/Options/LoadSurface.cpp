@@ -2,6 +2,7 @@
 
 #include <Cutwater/Core/Checksum.hpp>
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Io/VtpSurface.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Scene/ReadScene.hpp>
 
@@ -74,7 +75,7 @@ LoadedSurface load(const SurfaceOptions& options) {
                                                  : loadPrepared<double>(options, *info);
   }
   Stopwatch watch;
-  auto [soup, report] = readSurface(
+  auto [soup, report] = readAnySurface(
       options.file, {.scale = options.scale, .placement = options.placement, .weld = false});
   requireNear(soup, options);
   LoadedSurface surface{.soup = std::move(soup), .report = std::move(report)};

@@ -49,8 +49,8 @@ void addSurfaceOptions(Command command, SurfaceOptions& options, Reads reads) {
   };
   command
       .add("FILE", "TEXT",
-           "STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed, or what 'cutwater prepare' "
-           "wrote" +
+           "STL, OBJ, PLY, OFF, legacy VTK or VTP, also gzip-compressed, or what 'cutwater "
+           "prepare' wrote" +
                scenes,
            readFile)
       .required();

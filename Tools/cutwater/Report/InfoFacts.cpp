@@ -87,7 +87,7 @@ std::string formatOf(const LoadedSurface& surface) {
     return std::string("prepared, ") + (isSingle ? "single" : "double") + " precision";
   }
   const auto& report = surface.report;
-  constexpr const char* kNames[] = {"STL", "OBJ", "PLY", "OFF", "VTK"};
+  constexpr const char* kNames[] = {"STL", "OBJ", "PLY", "OFF", "VTK", "VTP"};
   std::string text = report.binary ? "binary " : "ASCII ";
   text += kNames[static_cast<std::size_t>(report.format)];
   return text + (report.compressed ? ", gzip-compressed" : "");

@@ -1,7 +1,7 @@
+#include <Cutwater/Io/VtpSurface.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Scene/Detail/SceneRecord.hpp>
 #include <Cutwater/Surface/Cleaning/Clean.hpp>
-#include <Cutwater/Surface/ReadSurface.hpp>
 
 namespace cutwater::scene {
 
@@ -29,7 +29,7 @@ std::vector<SceneKey> cleaningKeys() {
 
 std::vector<SceneKey> meshKeys() {
   std::vector<SceneKey> keys{
-      {"mesh", File, "STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed"},
+      {"mesh", File, "STL, OBJ, PLY, OFF, legacy VTK or VTP, also gzip-compressed"},
       {"scale", Positive, "coordinates are multiplied by it", "1"},
       {"signs",
        Choice,
@@ -62,7 +62,7 @@ void refuseCleaning(const Record& r) {
 }
 
 SceneSolid mesh(const Record& r) {
-  auto soup = readSurface(r.file("mesh"), {.scale = r.number("scale")}).soup;
+  auto soup = readAnySurface(r.file("mesh"), {.scale = r.number("scale")}).soup;
   if (r.flag("clean")) {
     clean(soup, cleaningOf(r));
   } else {
