@@ -2,11 +2,11 @@
 
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Fill.hpp>
+#include <Cutwater/Io/VtpSurface.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
-#include <Cutwater/Surface/ReadSurface.hpp>
 
 #include <algorithm>
 #include <array>
@@ -89,7 +89,7 @@ cw_status cw_read_surface(const char* path, double scale, int requireWatertight,
                           cw_solid** result) {
   return create("cw_read_surface", result, [&] {
     require(path != nullptr, "the path is NULL");
-    const auto file = readSurface(path, {.scale = scale, .placement = {}});
+    const auto file = readAnySurface(path, {.scale = scale, .placement = {}});
     return MeshSDF<double>(file.soup, optionsOf(requireWatertight));
   });
 }

@@ -45,7 +45,7 @@ void cw_free(cw_solid* solid);
 // Surfaces and shapes. If `requireWatertight` is not 0, surfaces that do not bound a solid are
 // refused, as far as a check can tell; otherwise inside is where their winding number exceeds 1/2.
 
-/// Reads STL, OBJ, PLY, OFF or legacy VTK, also gzip-compressed. Coordinates are multiplied by
+/// Reads STL, OBJ, PLY, OFF, legacy VTK or VTP, also gzip-compressed. Coordinates are multiplied by
 /// `scale` > 0 (0.001 for a file in millimetres and a model in metres).
 cw_status cw_read_surface(const char* path, double scale, int requireWatertight, cw_solid** result);
 

@@ -38,9 +38,11 @@
 #include <Cutwater/Grid/SolidVolume.hpp>
 #include <Cutwater/Grid/Tag.hpp>
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
+#include <Cutwater/Io/PointData.hpp>
 #include <Cutwater/Io/Tables.hpp>
 #include <Cutwater/Io/Vti.hpp>
 #include <Cutwater/Io/VtkArray.hpp>
+#include <Cutwater/Io/VtpSurface.hpp>
 #include <Cutwater/Io/Vtu.hpp>
 #include <Cutwater/Lattice/Beam.hpp>
 #include <Cutwater/Lattice/BeamGraph.hpp>

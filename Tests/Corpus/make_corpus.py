@@ -23,6 +23,7 @@ import obj
 import off
 import other
 import ply
+import points
 import stl
 import vtk
 
@@ -60,7 +61,7 @@ def line(case):
 
 def main():
     folder = pathlib.Path(sys.argv[1])
-    found = [case for source in (stl, obj, off, ply, vtk, other) for case in source.cases()]
+    found = [case for source in (stl, obj, off, ply, vtk, other, points) for case in source.cases()]
     found += geometry.cases([pathlib.Path(word) for word in sys.argv[2:]])
     repeated = [name for name, times in collections.Counter(case.name for case in found).items() if times > 1]
     assert not repeated, repeated

@@ -24,7 +24,8 @@ import sys
 FAST = "-O3 -march=native -ffast-math"
 CAREFUL = ("-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast "
            "-Werror").split()
-NO_DEPENDENCIES = ["-DCUTWATER_UNITY=OFF", "-DCUTWATER_PRECOMPILE=OFF", "-DCUTWATER_OPENMP=OFF", "-DCUTWATER_ZLIB=OFF", "-DCUTWATER_RENDER=OFF",
+NO_DEPENDENCIES = ["-DCUTWATER_UNITY=OFF", "-DCUTWATER_PRECOMPILE=OFF", "-DCUTWATER_OPENMP=OFF", "-DCUTWATER_ZLIB=OFF",
+                   "-DCUTWATER_EXPAT=OFF", "-DCUTWATER_RENDER=OFF",
                    "-DCUTWATER_SCENE=OFF"]
 LIBRARY_ONLY = ["-DCUTWATER_BUILD_TOOLS=OFF", "-DCUTWATER_BUILD_TESTS=OFF",
                 "-DCUTWATER_BUILD_EXAMPLES=OFF"]

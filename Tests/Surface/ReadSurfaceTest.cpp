@@ -248,6 +248,7 @@ TEST(ReadSurfaceTest, RefusesMoreThanIndicesCanName) {
 
 TEST(ReadSurfaceTest, ListsOfFormats) {
   EXPECT_EQ(surfaceFormats("or"), "STL, OBJ, PLY, OFF or legacy VTK");
+  EXPECT_EQ(anySurfaceFormats("or"), "STL, OBJ, PLY, OFF, legacy VTK or VTP");
   EXPECT_EQ(surfaceExtensions("and"), ".stl, .obj, .ply, .off and .vtk");
 }
 
@@ -257,7 +258,7 @@ TEST(ReadSurfaceTest, WhatIsWrittenUnderAnExtensionIsReadAsItsFormat) {
   triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   triangle.addPolygon(std::array<std::uint32_t, 3>{0, 1, 2});
   const TemporaryFolder folder;
-  for (const auto& [format, name, extension] : kSurfaceFormats) {
+  for (const auto& [format, name, extension] : kReadSurfaceFormats) {
     SCOPED_TRACE(name);
     EXPECT_EQ(namesOf(format).name, name);
     const auto file = folder / ("triangle" + std::string(extension));

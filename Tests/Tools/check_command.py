@@ -16,8 +16,8 @@ except ImportError:
 from command import BOX_POINTS, OPEN_BOX, OPEN_BOX_FACES, PROGRAM, CommandTest
 from readers import Png, Vti, Vtu, bounds, read_off
 
-SUBCOMMANDS = ["info", "repair", "sample", "amr", "slice", "render", "isosurface", "convert", "prepare", "make",
-               "scene"]
+SUBCOMMANDS = ["info", "repair", "sample", "query", "amr", "slice", "render", "isosurface", "convert", "prepare",
+               "make", "scene"]
 
 
 def box_distance(p, half):

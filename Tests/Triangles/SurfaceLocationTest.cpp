@@ -133,6 +133,35 @@ TYPED_TEST(SurfaceLocationTest, TheWalkGivesEveryPassageInOrder) {
   }
 }
 
+/// Who wants the first passage only is not led to what lies far behind it.
+TYPED_TEST(SurfaceLocationTest, AWalkForOnePassageStopsBehindIt) {
+  PolygonSoup soup = tessellation::box({0, 0, 0}, {1, 1, 0.25}, 4);
+  for (int i = 1; i < 50; ++i) {
+    soup = together(soup, tessellation::box({0, 0, 0.5 * i}, {1, 1, 0.5 * i + 0.25}, 4));
+  }
+  const Searchable<TypeParam> plates(soup);
+  const double scale{plates.surface.scale};
+  const Segment<double> segment{{scale * 0.3, scale * 0.4, scale * -1},
+                                {scale * 0.3, scale * 0.4, scale * 30}};
+  std::size_t leaves = 0;
+  const auto byTree = plates.byTree();
+  const auto counted = [&](const Segment<double>& s, TriangleVisitor visit) {
+    byTree(s, [&](std::span<const std::uint32_t> ids) {
+      ++leaves;
+      return visit(ids);
+    });
+  };
+  PassageWalk<TypeParam> all(plates.surface, segment, counted);
+  const auto first = all.next();
+  const auto second = all.next();
+  const auto leavesOfAll = leaves;
+  leaves = 0;
+  PassageWalk<TypeParam> one(plates.surface, segment, counted, 1);
+  EXPECT_EQ(one.next().triangle, first.triangle);
+  EXPECT_LT(8 * leaves, leavesOfAll);
+  EXPECT_EQ(one.next().triangle, second.triangle);  // it goes on as the other does
+}
+
 TYPED_TEST(SurfaceLocationTest, ExactlyOneBatchIsNoSpecialCase) {
   PolygonSoup soup = tessellation::box({0, 0, 0}, {1, 1, 0.25});
   for (int i = 1; i < 32; ++i) {

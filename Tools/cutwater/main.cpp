@@ -17,6 +17,7 @@ int run(int argc, const char* const* argv) {
       "  cutwater info hull.stl\n"
       "  cutwater repair hull.stl --cap z=0.4 -o closed.stl\n"
       "  cutwater sample hull.stl --cells 200 -o hull.vti\n"
+      "  cutwater query hull.stl points.csv -o distances.csv\n"
       "  cutwater amr hull.stl --level 6 -o hull.vtu\n"
       "  cutwater slice hull.stl --axis y -o hull.png\n"
       "  cutwater render hull.stl --view iso -o hull.png\n"
@@ -28,6 +29,7 @@ int run(int argc, const char* const* argv) {
   addInfo(program);
   addRepair(program);
   addSample(program);
+  addQuery(program);
   addAmr(program);
   addSlice(program);
   addRender(program);

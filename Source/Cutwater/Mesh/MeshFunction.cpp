@@ -74,6 +74,13 @@ CrossingCount MeshFunction<T, Index>::localCrossings(const Segment<T>& segment,
 }
 
 template <std::floating_point T, typename Index>
+void MeshFunction<T, Index>::localFirstHits(std::span<const Segment<T>> segments,
+                                            std::span<FirstHit<T>> hits) const {
+  const SegmentAnswers<T, Index> answers(*index_);
+  for (std::size_t i = 0; i < segments.size(); ++i) hits[i] = answers.firstHit(segments[i]);
+}
+
+template <std::floating_point T, typename Index>
 Interval<T> MeshFunction<T, Index>::localBounds(const OrientedBox<T>& box,
                                                 BoxHint* /*hint*/) const {
   return BoxAnswers<T, Index>(*index_).bounds(box);

@@ -49,6 +49,8 @@ class MeshFunction : public SignedDistanceFunction<T> {
                           std::span<SurfacePoint<T>> results) const final;
   SurfaceOwner localOwner(const Vec3<T>& point) const final;
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const final;
+  void localFirstHits(std::span<const Segment<T>> segments,
+                      std::span<FirstHit<T>> hits) const final;
   Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const final;
   BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const final;
   void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,

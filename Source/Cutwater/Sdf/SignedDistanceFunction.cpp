@@ -146,11 +146,15 @@ CrossingCount SignedDistanceFunction<T>::crossings(const Segment<T>& segment,
                                                    CrossingVisitor<T> visit) const {
   if (!isFinite(segment.start) || !isFinite(segment.end)) return {};
   const Segment<T> local{placement_.toLocal(segment.start), placement_.toLocal(segment.end)};
-  return localCrossings(local, [&](Crossing<T> crossing) {
-    crossing.point = placement_.toWorld(crossing.point);
-    crossing.normal = placement_.directionToWorld(crossing.normal);
-    return visit(crossing);
-  });
+  return localCrossings(local,
+                        [&](const Crossing<T>& crossing) { return visit(toWorld(crossing)); });
+}
+
+template <std::floating_point T>
+Crossing<T> SignedDistanceFunction<T>::toWorld(Crossing<T> local) const {
+  local.point = placement_.toWorld(local.point);
+  local.normal = placement_.directionToWorld(local.normal);
+  return local;
 }
 
 template <std::floating_point T>

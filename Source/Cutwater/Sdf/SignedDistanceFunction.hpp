@@ -60,6 +60,17 @@ class SignedDistanceFunction {
   /// and only if the values at the two ends differ in sign. A segment that is not finite has none.
   CrossingCount crossings(const Segment<T>& segment, CrossingVisitor<T> visit) const;
 
+  /// All crossings of many segments, in parallel; the same to the bit. Unlike the queries above,
+  /// allocates memory: for the result, and as much again.
+  [[nodiscard]] CrossingLists<T> crossings(std::span<const Segment<T>> segments,
+                                           const ParallelOptions& options = {}) const;
+
+  /// The first crossing of each of many segments, in parallel: the same to the bit as the first one
+  /// that crossings() visits. A mesh does not look at what lies behind it.
+  /// @throws Error if the spans differ in size.
+  void firstHits(std::span<const Segment<T>> segments, std::span<FirstHit<T>> hits,
+                 const ParallelOptions& options = {}) const;
+
   /// Encloses the function's value, both exact and as computed, at every point of the box.
   [[nodiscard]] Interval<T> bounds(const Box<T>& box, BoxHint* hint = nullptr) const;
 
@@ -152,6 +163,9 @@ class SignedDistanceFunction {
   /// The owner of the surface at a surface point.
   [[nodiscard]] virtual SurfaceOwner localOwner(const Vec3<T>&) const { return {}; }
   virtual CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const;
+  /// First hits of a few dozen finite segments at most; runs inside a parallel region.
+  virtual void localFirstHits(std::span<const Segment<T>> segments,
+                              std::span<FirstHit<T>> hits) const;
   /// An override may be tighter than the default, but must not be looser. Likewise, an override of
   /// localClassify() must decide every box that the default decides. A union of many operands uses
   /// the defaults alone where a box is far from an operand.
@@ -190,6 +204,8 @@ class SignedDistanceFunction {
   [[nodiscard]] bool holdsBothSides(const OrientedBox<T>& box) const;
 
  private:
+  [[nodiscard]] Crossing<T> toWorld(Crossing<T> local) const;
+
   template <std::floating_point>
   friend class Solid;  // forwards the local functions of the shape it holds
 

@@ -61,6 +61,12 @@ CrossingCount Solid<T>::localCrossings(const Segment<T>& segment, CrossingVisito
 }
 
 template <std::floating_point T>
+void Solid<T>::localFirstHits(std::span<const Segment<T>> segments,
+                              std::span<FirstHit<T>> hits) const {
+  root_->localFirstHits(segments, hits);
+}
+
+template <std::floating_point T>
 Interval<T> Solid<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) const {
   return root_->localBounds(box, hint);
 }

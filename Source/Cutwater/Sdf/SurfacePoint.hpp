@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace cutwater {
 
@@ -58,6 +60,27 @@ struct CrossingCount {
   /// Stretches in which the surface comes so close that an even number of further crossings cannot
   /// be excluded.
   std::size_t unresolved = 0;
+};
+
+/// The first crossing of a segment, if there is one.
+template <std::floating_point T>
+struct FirstHit {
+  bool found = false;
+  Crossing<T> crossing;        ///< only if one was found
+  std::size_t unresolved = 0;  ///< as in CrossingCount, of the part searched: up to the crossing
+};
+
+/// The crossings of many segments, one segment after the other.
+template <std::floating_point T>
+struct CrossingLists {
+  std::vector<Crossing<T>> crossings;
+  std::vector<std::size_t> offsets{0};  ///< those of segment i are [offsets[i], offsets[i + 1])
+  std::vector<std::size_t> unresolved;  ///< for each segment, as in CrossingCount
+
+  /// The crossings of one segment, in order.
+  [[nodiscard]] std::span<const Crossing<T>> of(std::size_t segment) const {
+    return std::span(crossings).subspan(offsets[segment], offsets[segment + 1] - offsets[segment]);
+  }
 };
 
 /// A flat piece of a surface: a triangle, or a single sample point, with all three corners equal.

@@ -3,8 +3,6 @@
 #include <Cutwater/Surface/ReadSurface.hpp>
 #include <Cutwater/Text/Gzip.hpp>
 
-#include <cmath>
-
 namespace cutwater {
 
 namespace {
@@ -13,33 +11,19 @@ constexpr bool isInOrder() {
   for (std::size_t i = 0; i < kSurfaceFormats.size(); ++i) {
     if (kSurfaceFormats[i].format != static_cast<SurfaceFormat>(i)) return false;
   }
-  return kSurfaceFormats.back().format == SurfaceFormat::Vtk;
+  return kSurfaceFormats.back().format == SurfaceFormat::Vtp;
 }
 static_assert(isInOrder(), "namesOf() finds a format by its number");
 
-std::string listOf(std::string_view SurfaceFormatNames::*name, std::string_view conjunction) {
+std::string listOf(std::span<const SurfaceFormatNames> formats,
+                   std::string_view SurfaceFormatNames::*name, std::string_view conjunction) {
   std::string text;
-  for (const auto& format : kSurfaceFormats) {
-    const bool isLast = &format == &kSurfaceFormats.back();
+  for (const auto& format : formats) {
+    const bool isLast = &format == &formats.back();
     if (!text.empty()) text += isLast ? " " + std::string(conjunction) + " " : ", ";
     text += format.*name;
   }
   return text;
-}
-
-void requireOptions(const ReadOptions& options) {
-  require(options.scale > 0 && std::isfinite(options.scale),
-          "readSurface: need 0 < scale < infinity", Named{"scale", options.scale});
-  require(isFinite(options.placement.offset()), "readSurface: need a finite placement",
-          Named{"offset", options.placement.offset()});
-}
-
-// "hull" for "models/hull.stl.gz".
-std::string stem(const std::string& name) {
-  std::filesystem::path file = std::filesystem::path(name).filename();
-  if (file.extension() == ".gz") file = file.stem();
-  file = file.stem();
-  return file.empty() ? "surface" : file.string();
 }
 
 SurfaceFile readContent(text::Content content, bool compressed, const ReadOptions& options) {
@@ -50,7 +34,7 @@ SurfaceFile readContent(text::Content content, bool compressed, const ReadOption
   content.bytes = text::withoutByteOrderMark(content.bytes);
   const auto [format, reader] = formats::detectFormat(content);
   report.format = format;
-  formats::SoupBuilder builder(options, stem(content.name));
+  formats::SoupBuilder builder(options, formats::patchNameOf(content.name));
   builder.report() = report;
   return reader(content, builder);
 }
@@ -58,15 +42,19 @@ SurfaceFile readContent(text::Content content, bool compressed, const ReadOption
 }  // namespace
 
 std::string surfaceFormats(std::string_view conjunction) {
-  return listOf(&SurfaceFormatNames::name, conjunction);
+  return listOf(kReadSurfaceFormats, &SurfaceFormatNames::name, conjunction);
+}
+
+std::string anySurfaceFormats(std::string_view conjunction) {
+  return listOf(kSurfaceFormats, &SurfaceFormatNames::name, conjunction);
 }
 
 std::string surfaceExtensions(std::string_view conjunction) {
-  return listOf(&SurfaceFormatNames::extension, conjunction);
+  return listOf(kReadSurfaceFormats, &SurfaceFormatNames::extension, conjunction);
 }
 
 SurfaceFile readSurface(const std::filesystem::path& path, const ReadOptions& options) {
-  requireOptions(options);
+  formats::requireReadOptions(options);
   const std::string name = path.string();
   text::Bytes file = text::loadFile(path, options.maxBytes);
   const bool compressed = text::isGzip(file.view());
@@ -76,7 +64,7 @@ SurfaceFile readSurface(const std::filesystem::path& path, const ReadOptions& op
 
 SurfaceFile readSurface(std::span<const std::byte> bytes, const std::string& name,
                         const ReadOptions& options) {
-  requireOptions(options);
+  formats::requireReadOptions(options);
   const std::string_view view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   text::requireSize(name, view.size(), options.maxBytes);
   if (!text::isGzip(view)) return readContent({name, view}, false, options);

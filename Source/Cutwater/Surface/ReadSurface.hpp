@@ -13,8 +13,9 @@
 
 namespace cutwater {
 
-/// The formats of files that readSurface() reads and writeSurface() writes.
-enum class SurfaceFormat : std::uint8_t { Stl, Obj, Ply, Off, Vtk };
+/// The formats of files that readSurface() reads and writeSurface() writes, and Vtp, which only
+/// readAnySurface() reads.
+enum class SurfaceFormat : std::uint8_t { Stl, Obj, Ply, Off, Vtk, Vtp };
 
 /// What people call a format, and its files.
 struct SurfaceFormatNames {
@@ -30,12 +31,19 @@ inline constexpr std::array kSurfaceFormats{
     SurfaceFormatNames{SurfaceFormat::Ply, "PLY", ".ply"},
     SurfaceFormatNames{SurfaceFormat::Off, "OFF", ".off"},
     SurfaceFormatNames{SurfaceFormat::Vtk, "legacy VTK", ".vtk"},
+    SurfaceFormatNames{SurfaceFormat::Vtp, "VTP", ".vtp"},
 };
 
 /// The names of one format.
 [[nodiscard]] constexpr const SurfaceFormatNames& namesOf(SurfaceFormat format) {
   return kSurfaceFormats[static_cast<std::size_t>(format)];
 }
+
+/// Those of readSurface() and writeSurface().
+inline constexpr std::span kReadSurfaceFormats(kSurfaceFormats.data(), kSurfaceFormats.size() - 1);
+
+/// "STL, OBJ, PLY, OFF, legacy VTK or VTP", if the conjunction is "or".
+[[nodiscard]] std::string anySurfaceFormats(std::string_view conjunction);
 
 /// "STL, OBJ, PLY, OFF or legacy VTK", if the conjunction is "or".
 [[nodiscard]] std::string surfaceFormats(std::string_view conjunction);

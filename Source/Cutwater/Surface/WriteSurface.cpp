@@ -33,7 +33,7 @@ Writers writersOf(SurfaceFormat format) {
 
 SurfaceFormat formatOf(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
-  for (const auto& names : kSurfaceFormats) {
+  for (const auto& names : kReadSurfaceFormats) {
     if (text::equalIgnoringCase(extension, names.extension)) return names.format;
   }
   throw Error(ErrorKind::Argument, path.string() + ": unknown extension \"" + extension +

@@ -108,11 +108,26 @@ Bytes gunzip(const std::string& name, std::string_view compressed, std::uint64_t
   return Inflation(name, compressed, maxBytes).run();
 }
 
+bool inflateBlock(const std::string& /*name*/, std::string_view compressed, std::span<char> into) {
+  char none = 0;  // zlib wants room even for nothing
+  auto* const to = reinterpret_cast<Bytef*>(into.empty() ? &none : into.data());
+  uLongf size = into.size();
+  uLong used = compressed.size();
+  const int code = uncompress2(to, &size, reinterpret_cast<const Bytef*>(compressed.data()), &used);
+  if (code == Z_MEM_ERROR) throw std::bad_alloc();
+  return code == Z_OK && size == into.size() && used == compressed.size();
+}
+
 #else
 
 Bytes gunzip(const std::string& name, std::string_view, std::uint64_t) {
   throw Error(ErrorKind::File,
               name + ": byte 0: a gzip-compressed file, and this Cutwater was built without zlib");
+}
+
+bool inflateBlock(const std::string& name, std::string_view, std::span<char>) {
+  throw Error(ErrorKind::File,
+              name + ": byte 0: data compressed by zlib, and this Cutwater was built without zlib");
 }
 
 #endif

@@ -2,6 +2,8 @@
 
 #include <Cutwater/Text/LoadFile.hpp>
 
+#include <span>
+
 namespace cutwater::text {
 
 /// Whether the bytes begin as a gzip file does.
@@ -12,5 +14,11 @@ namespace cutwater::text {
 /// zlib; Error(Limit) beyond `maxBytes`.
 [[nodiscard]] Bytes gunzip(const std::string& name, std::string_view compressed,
                            std::uint64_t maxBytes);
+
+/// Inflates a block of zlib's own format, whose size is known. Returns false unless it is intact
+/// and has this size.
+/// @throws Error(File) if the library was built without zlib.
+[[nodiscard]] bool inflateBlock(const std::string& name, std::string_view compressed,
+                                std::span<char> into);
 
 }  // namespace cutwater::text

@@ -28,6 +28,12 @@ class Output {
   Output& operator<<(std::uint64_t value) { return digits(value); }
   Output& operator<<(const Vec3<double>& p) { return *this << p.x << ' ' << p.y << ' ' << p.z; }
 
+  /// A number of any type, as above.
+  template <typename Number>
+  void decimal(Number value) {
+    digits(value);
+  }
+
   /// The number's bytes.
   template <typename Number>
   void binary(Number value) {

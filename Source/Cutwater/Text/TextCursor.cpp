@@ -23,23 +23,35 @@ std::string_view withoutPlus(std::string_view word) {
   return plus ? word.substr(1) : word;
 }
 
+}  // namespace
+
 template <typename Number>
-Number parse(const Cursor& cursor, std::string_view word, const char* what) {
-  if (word.empty()) cursor.fail(std::string(what) + " is missing at the end of the line");
+Number numberOf(const Cursor& at, std::string_view word) {
+  const std::string what = std::is_floating_point_v<Number> ? "a number" : "an integer";
+  if (word.empty()) at.fail(what + " is missing at the end of the line");
   const std::string_view digits = withoutPlus(word);
-  const char* end = digits.data() + digits.size();
+  const char* const end = digits.data() + digits.size();
   Number value{};
   const auto result = std::from_chars(digits.data(), end, value);
   if (result.ec == std::errc::result_out_of_range && result.ptr == end) {
-    cursor.fail(inQuotes(word) + " is out of range");
+    at.fail(inQuotes(word) + " is out of range");
   }
   if (result.ec != std::errc{} || result.ptr != end) {
-    cursor.fail("expected " + std::string(what) + ", found " + inQuotes(word));
+    at.fail("expected " + what + ", found " + inQuotes(word));
   }
   return value;
 }
 
-}  // namespace
+template std::int8_t numberOf(const Cursor&, std::string_view);
+template std::uint8_t numberOf(const Cursor&, std::string_view);
+template std::int16_t numberOf(const Cursor&, std::string_view);
+template std::uint16_t numberOf(const Cursor&, std::string_view);
+template std::int32_t numberOf(const Cursor&, std::string_view);
+template std::uint32_t numberOf(const Cursor&, std::string_view);
+template std::int64_t numberOf(const Cursor&, std::string_view);
+template std::uint64_t numberOf(const Cursor&, std::string_view);
+template float numberOf(const Cursor&, std::string_view);
+template double numberOf(const Cursor&, std::string_view);
 
 Place TextCursor::place() const {
   return {unit_, unit_ == Place::Unit::Line ? std::max<std::uint64_t>(line_, 1) : position()};
@@ -152,11 +164,11 @@ void TextCursor::skipLine() {
 }
 
 double TextCursor::toNumber(std::string_view word) const {
-  return parse<double>(*this, word, "a number");
+  return numberOf<double>(*this, word);
 }
 
 std::int64_t TextCursor::toInteger(std::string_view word) const {
-  return parse<std::int64_t>(*this, word, "an integer");
+  return numberOf<std::int64_t>(*this, word);
 }
 
 void TextCursor::skipNumbers() {

@@ -73,6 +73,12 @@ class TextCursor final : public Cursor {
   bool loneReturns_ = false;
 };
 
+/// A word as a number of this type, in the C locale; messages name the cursor's place. NaN and
+/// infinity are floating-point numbers.
+/// @throws Error(File) if it is none, or out of the type's range.
+template <typename Number>
+[[nodiscard]] Number numberOf(const Cursor& at, std::string_view word);
+
 /// The text without the byte order mark that some programs put before UTF-8.
 [[nodiscard]] std::string_view withoutByteOrderMark(std::string_view text);
 

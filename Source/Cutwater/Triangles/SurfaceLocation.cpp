@@ -31,8 +31,8 @@ template <std::floating_point T>
 void visitPassages(const TriangleSurface<T>& surface, const Segment<double>& segment,
                    TrianglesAlong along, FunctionRef<double(std::uint32_t, int)> visit) {
   const auto box = Box<double>{}.extend(segment.start).extend(segment.end);
+  double wanted = 1;  // also where a leaf has none
   along(segment, [&](std::span<const std::uint32_t> ids) {
-    double wanted = 1;
     for (const auto id : ids) {
       if (id == kNone) break;
       const auto triangle = surface.corners(id);

@@ -8,6 +8,7 @@ namespace cutwater::tool {
 
 void addInfo(Program& program);
 void addSample(Program& program);
+void addQuery(Program& program);
 void addAmr(Program& program);
 void addSlice(Program& program);
 void addRender(Program& program);

@@ -2,6 +2,7 @@
 
 #include <Cutwater/Core/Checksum.hpp>
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Io/VtpSurface.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Scene/ReadScene.hpp>
 
@@ -65,7 +66,7 @@ void requireNear(const PolygonSoup& soup, const SurfaceOptions& options) {
 /// The surface in a file of one of the formats for surfaces.
 LoadedSurface loadFile(const SurfaceOptions& options) {
   Stopwatch watch;
-  auto [soup, report] = readSurface(
+  auto [soup, report] = readAnySurface(
       options.file, {.scale = options.scale, .placement = options.placement, .weld = false});
   requireNear(soup, options);
   LoadedSurface surface{.soup = std::move(soup), .report = std::move(report)};

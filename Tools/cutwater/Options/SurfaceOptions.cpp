@@ -52,7 +52,7 @@ void addSurfaceOptions(Command command, SurfaceOptions& options, Reads reads) {
   };
   command
       .add("FILE", "TEXT",
-           surfaceFormats("or") + ", also gzip-compressed, or what 'cutwater prepare' wrote" +
+           anySurfaceFormats("or") + ", also gzip-compressed, or what 'cutwater prepare' wrote" +
                scenes,
            readFile)
       .required();

@@ -68,7 +68,7 @@ std::string whyNothingIsLeft(const std::string& file, const Box<double>& box) {
 void addSurfaceOutput(Command command, const std::string& names, std::string& output,
                       WriteOptions& options) {
   std::vector<std::string> extensions;
-  for (const auto& format : kSurfaceFormats) extensions.emplace_back(format.extension);
+  for (const auto& format : kReadSurfaceFormats) extensions.emplace_back(format.extension);
   addOutput(command, names, output, extensions,
             "The surface to write; its extension decides the format: " + surfaceExtensions("or") +
                 "; only .obj, and .stl with --ascii, keep patches")

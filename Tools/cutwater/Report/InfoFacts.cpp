@@ -29,8 +29,10 @@ std::string readableName(const SurfaceOptions& options) {
 std::string repairedName(const LoadedSurface& surface, const std::string& file) {
   std::filesystem::path name = std::filesystem::path(file).filename();
   if (name.extension() == ".gz") name = name.stem();
-  const auto format = surface.prepared ? SurfaceFormat::Ply : surface.report.format;
-  return name.stem().string() + "-repaired" + std::string(namesOf(format).extension);
+  const auto format = surface.report.format;
+  const bool isWritten = !surface.prepared && format != SurfaceFormat::Vtp;
+  return name.stem().string() + "-repaired" +
+         std::string(namesOf(isWritten ? format : SurfaceFormat::Ply).extension);
 }
 
 std::vector<Advice> adviceFor(const InfoFacts& facts) {

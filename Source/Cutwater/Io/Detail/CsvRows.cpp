@@ -28,6 +28,9 @@ CsvRows::CsvRows(const std::filesystem::path& path, std::uint64_t maxBytes)
       content_{path.string(), text::withoutByteOrderMark(bytes_.view())},
       text_(content_, {.comments = text::TextCursor::Comments::AtWords}) {}
 
+CsvRows::CsvRows(const text::Content& content)
+    : content_(content), text_(content_, {.comments = text::TextCursor::Comments::AtWords}) {}
+
 bool CsvRows::next() {
   if (!text_.nextFilledLine()) return false;
   fields_.clear();
@@ -40,9 +43,13 @@ bool CsvRows::next() {
   return true;
 }
 
-double CsvRows::number(std::size_t field) const {
+double CsvRows::numberOrNan(std::size_t field) const {
   if (fields_[field].empty()) fail("field " + std::to_string(field + 1) + " is empty");
-  const double value = text_.toNumber(fields_[field]);
+  return text_.toNumber(fields_[field]);
+}
+
+double CsvRows::number(std::size_t field) const {
+  const double value = numberOrNan(field);
   if (!std::isfinite(value)) fail("need finite numbers, found " + text::inQuotes(fields_[field]));
   return value;
 }

@@ -17,6 +17,8 @@ class CsvRows {
  public:
   /// @throws Error(File) if the file cannot be read, Error(Limit) beyond `maxBytes`.
   CsvRows(const std::filesystem::path& path, std::uint64_t maxBytes);
+  /// Of a file that has been read, and must outlive this.
+  explicit CsvRows(const text::Content& content);
 
   /// Reads the next row. Returns false at the end of the file.
   bool next();
@@ -24,6 +26,8 @@ class CsvRows {
   [[nodiscard]] std::string_view text(std::size_t field) const { return fields_[field]; }
   /// @throws Error(File) with the line, unless it is a finite number.
   [[nodiscard]] double number(std::size_t field) const;
+  /// The same, but infinity and NaN are numbers, too.
+  [[nodiscard]] double numberOrNan(std::size_t field) const;
   [[nodiscard]] Vec3<double> point(std::size_t firstField) const {
     return {number(firstField), number(firstField + 1), number(firstField + 2)};
   }

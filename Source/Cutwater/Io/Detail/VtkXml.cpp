@@ -110,6 +110,17 @@ void VtkXml::array(std::string_view name, std::string_view type, int components,
   offset_ += sizeof(std::uint64_t) + bytes;
 }
 
+void VtkXml::fieldArray(std::string_view name, std::string_view type, int components,
+                        std::uint64_t tuples, std::uint64_t bytes) {
+  empty("DataArray", {{"type", std::string(type)},
+                      {"Name", std::string(name)},
+                      {"NumberOfComponents", toText(static_cast<long long>(components))},
+                      {"NumberOfTuples", toText(static_cast<long long>(tuples))},
+                      {"format", "appended"},
+                      {"offset", toText(static_cast<long long>(offset_))}});
+  offset_ += sizeof(std::uint64_t) + bytes;
+}
+
 void VtkXml::openArrays(std::string_view element, const VtkArray& first) {
   open(element, {{numbersOf(first).components > 1 ? "Vectors" : "Scalars", first.name}});
 }

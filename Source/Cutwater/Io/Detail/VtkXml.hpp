@@ -46,6 +46,9 @@ class VtkXml {
 
   /// Declares an array. Arrays must be written in the order in which they are declared here.
   void array(std::string_view name, std::string_view type, int components, std::uint64_t bytes);
+  /// The same for field data, which belong to neither points nor cells: they need their number.
+  void fieldArray(std::string_view name, std::string_view type, int components,
+                  std::uint64_t tuples, std::uint64_t bytes);
   /// Adds an element with arrays, of which viewers show the first one first.
   void arrays(std::string_view element, std::span<const VtkArray> arrays);
 

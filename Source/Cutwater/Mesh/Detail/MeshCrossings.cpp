@@ -14,7 +14,7 @@ class CrossingWalk {
         ends_(segment.ends),
         segment_(segment.searched),
         visit_(visit),
-        passages_(field.surface, segment.searched, field.along),
+        passages_(field.surface, segment.searched, field.along, segment.atOnce),
         solid_(field.isInside(segment.ends.start)) {}
 
   CrossingCount run() {

@@ -23,6 +23,8 @@ template <std::floating_point T>
 struct MeshSegment {
   Segment<T> ends;           ///< these differ; their signs are those of the whole segment's ends
   Segment<double> searched;  ///< the segment, or all of it that may have crossings
+  /// Passages that are sought at once, at most PassageWalk::kBatch; changes no answer.
+  std::size_t atOnce = 64;
 };
 
 /// Where the function's sign changes along the segment, in order: parameters of the part searched,

@@ -44,16 +44,17 @@ void PassageWalk<T>::fetch() {
     const double parameter = parameterOf(segment_, surface_.corners(id));
     return insert({.parameter = parameter, .triangle = id, .direction = direction});
   });
-  isComplete_ = count_ < kBatch;
+  isComplete_ = count_ < most_;
+  most_ = kBatch;
 }
 
 /// Keeps the first passages not yet returned; returns the parameter up to which more are wanted.
 template <std::floating_point T>
 double PassageWalk<T>::insert(const Passage& passage) {
-  const auto wanted = [&] { return count_ < kBatch ? 1 : batch_[kBatch - 1].parameter; };
+  const auto wanted = [&] { return count_ < most_ ? 1 : batch_[most_ - 1].parameter; };
   if (!isBefore(last_, passage)) return wanted();
-  if (count_ == kBatch) {
-    if (!isBefore(passage, batch_[kBatch - 1])) return wanted();
+  if (count_ == most_) {
+    if (!isBefore(passage, batch_[most_ - 1])) return wanted();
     --count_;
   }
   const auto end = batch_.begin() + static_cast<std::ptrdiff_t>(count_);

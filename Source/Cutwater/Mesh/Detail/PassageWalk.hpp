@@ -18,22 +18,25 @@ struct Passage {
 template <std::floating_point T>
 class PassageWalk {
  public:
+  static constexpr std::size_t kBatch = 64;
+
+  /// `first`, at most kBatch: how many are sought before the others. If few are wanted, the search
+  /// ends sooner; the answers are the same.
   PassageWalk(const TriangleSurface<T>& surface, const Segment<double>& segment,
-              TrianglesAlong along)
-      : surface_(surface), segment_(segment), along_(along) {}
+              TrianglesAlong along, std::size_t first = kBatch)
+      : surface_(surface), segment_(segment), along_(along), most_(first) {}
 
   /// Returns the next passage; after the last, one without a triangle.
   [[nodiscard]] Passage next();
 
  private:
-  static constexpr std::size_t kBatch = 64;
-
   void fetch();
   [[nodiscard]] double insert(const Passage& passage);
 
   const TriangleSurface<T>& surface_;
   Segment<double> segment_;
   TrianglesAlong along_;
+  std::size_t most_;                   // that the next batch may hold
   std::array<Passage, kBatch> batch_;  // in order
   std::size_t count_ = 0;
   std::size_t at_ = 0;

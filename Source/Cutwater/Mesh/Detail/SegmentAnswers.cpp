@@ -7,7 +7,8 @@ namespace cutwater {
 
 template <std::floating_point T, typename Index>
 CrossingCount SegmentAnswers<T, Index>::crossings(const Segment<T>& segment,
-                                                  CrossingVisitor<T> visit) const {
+                                                  CrossingVisitor<T> visit,
+                                                  std::size_t atOnce) const {
   const Segment<T> ends{points_.scaled(segment.start), points_.scaled(segment.end)};
   if (ends.start == ends.end) return {};
   const auto near = nearPart(segment);
@@ -23,7 +24,21 @@ CrossingCount SegmentAnswers<T, Index>::crossings(const Segment<T>& segment,
                            .isInside = [this](const Vec3<T>& p) { return points_.isInside(p); },
                            .winding = byWinding ? index_.winding() : nullptr,
                            .isClosed = !index_.signJumps()},
-                          {.ends = ends, .searched = near.part}, restored);
+                          {.ends = ends, .searched = near.part, .atOnce = atOnce}, restored);
+}
+
+template <std::floating_point T, typename Index>
+FirstHit<T> SegmentAnswers<T, Index>::firstHit(const Segment<T>& segment) const {
+  FirstHit<T> hit;
+  const auto take = [&](const Crossing<T>& crossing) {
+    hit.crossing = crossing;
+    return false;
+  };
+  // On a closed surface without overlaps, the first passage is the first crossing.
+  const auto [found, unresolved] = crossings(segment, take, 1);
+  hit.found = found > 0;
+  hit.unresolved = unresolved;
+  return hit;
 }
 
 template <std::floating_point T, typename Index>

@@ -58,7 +58,7 @@ constexpr std::array<ForeignFormat, 11> kForeignFormats = {{
     {"\x1f\x8b", "a gzip file in a gzip file"},
     {"\x89PNG", "a PNG image"},
     {"glTF", "a glTF file"},
-    {"<", "an XML file (for ParaView's formats: save as legacy VTK, STL or PLY)"},
+    {"<", "an XML file (readAnySurface() and the command read .vtp; save others as STL or PLY)"},
     {"ISO-10303-21", "a STEP file"},
     {"\x7f\x45LF", "a program"},
 }};

@@ -1,10 +1,26 @@
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Surface/Formats/SoupBuilder.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
 namespace cutwater::formats {
+
+void requireReadOptions(const ReadOptions& options) {
+  require(options.scale > 0 && std::isfinite(options.scale),
+          "readSurface: need 0 < scale < infinity", Named{"scale", options.scale});
+  require(isFinite(options.placement.offset()), "readSurface: need a finite placement",
+          Named{"offset", options.placement.offset()});
+}
+
+std::string patchNameOf(const std::string& file) {
+  std::filesystem::path name = std::filesystem::path(file).filename();
+  if (name.extension() == ".gz") name = name.stem();
+  name = name.stem();
+  return name.empty() ? "surface" : name.string();
+}
 
 SoupBuilder::SoupBuilder(const ReadOptions& options, std::string defaultPatch, std::uint64_t most)
     : options_(options), defaultPatch_(std::move(defaultPatch)), most_(most) {
@@ -76,6 +92,17 @@ void SoupBuilder::endPolygon(const Cursor& at) {
   requireRoom(soup_.polygonCount(), "faces", at);
   soup_.offsets.push_back(soup_.corners.size());
   soup_.patches.push_back(patchId());
+}
+
+void SoupBuilder::addStrip(std::span<const std::int64_t> corners, const Cursor& at) {
+  if (corners.size() < 3) at.fail("a strip has " + std::to_string(corners.size()) + " points");
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const std::size_t turned = i % 2;
+    addCorner(corners[i - 2 + turned], at);
+    addCorner(corners[i - 1 - turned], at);
+    addCorner(corners[i], at);
+    endPolygon(at);
+  }
 }
 
 void SoupBuilder::setPatch(std::string_view name) {

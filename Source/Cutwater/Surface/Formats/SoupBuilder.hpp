@@ -4,9 +4,16 @@
 #include <Cutwater/Surface/Formats/TextNames.hpp>
 #include <Cutwater/Surface/ReadSurface.hpp>
 
+#include <span>
 #include <string_view>
 
 namespace cutwater::formats {
+
+/// @throws Error(Argument) unless scale and placement are possible.
+void requireReadOptions(const ReadOptions& options);
+
+/// The patch of faces without a name: "hull" for the file "models/hull.stl.gz".
+[[nodiscard]] std::string patchNameOf(const std::string& file);
 
 /// The only way from a file's numbers to a soup, and the only place that checks them: every
 /// coordinate is finite after scale and placement, every index is in range, every polygon has at
@@ -39,6 +46,8 @@ class SoupBuilder {
   void addCorner(const Vec3<double>& asInFile, const Cursor& at);
   /// Ends the current polygon.
   void endPolygon(const Cursor& at);
+  /// Adds the triangles of a strip: every second one has the opposite orientation.
+  void addStrip(std::span<const std::int64_t> corners, const Cursor& at);
 
   /// Sets the patch of the polygons that follow; an empty name stands for the default. A patch is
   /// created with its first polygon; equal names are one patch. The name is not copied until then,

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Io/VtpSurface.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
 #include <Cutwater/P4est/Detail/NodeMemory.hpp>
 #include <Cutwater/P4est/SharedGeometry.hpp>
@@ -22,7 +23,7 @@ Block bytesOf(MPI_Comm comm, FunctionRef<MeshSDF<T>()> make) {
 template <std::floating_point T>
 MeshSDF<T> read(const std::filesystem::path& path, const SharedGeometryOptions& options) {
   if (geometryFileInfo(path)) return MeshSDF<T>::open(path);
-  return MeshSDF<T>(readSurface(path, options.read).soup, options.solid);
+  return MeshSDF<T>(readAnySurface(path, options.read).soup, options.solid);
 }
 
 }  // namespace

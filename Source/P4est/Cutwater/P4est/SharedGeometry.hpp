@@ -34,7 +34,7 @@ class SharedGeometry {
  public:
   /// From a surface or a file written by MeshSDF::save() or `cutwater prepare`, which rank 0 alone
   /// opens.
-  /// @throws Error, the same on all ranks: what readSurface() and MeshSDF throw on rank 0;
+  /// @throws Error, the same on all ranks: what readAnySurface() and MeshSDF throw on rank 0;
   /// Error(Limit) if a node does not have enough memory for a copy.
   SharedGeometry(const std::filesystem::path& path, MPI_Comm comm,
                  const SharedGeometryOptions& options = {});

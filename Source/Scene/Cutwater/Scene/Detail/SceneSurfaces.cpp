@@ -1,7 +1,7 @@
+#include <Cutwater/Io/VtpSurface.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Scene/Detail/SceneRecord.hpp>
 #include <Cutwater/Surface/Cleaning/Clean.hpp>
-#include <Cutwater/Surface/ReadSurface.hpp>
 
 namespace cutwater::scene {
 
@@ -31,7 +31,7 @@ std::vector<SceneKey> cleaningKeys() {
 
 std::vector<SceneKey> meshKeys() {
   std::vector<SceneKey> keys{
-      {"mesh", File, surfaceFormats("or") + ", also gzip-compressed"},
+      {"mesh", File, anySurfaceFormats("or") + ", also gzip-compressed"},
       {"scale", Positive, "coordinates are multiplied by it", "1"},
       {"signs",
        Choice,
@@ -65,7 +65,7 @@ void refuseCleaning(const Record& r) {
 }
 
 SceneSolid mesh(const Record& r) {
-  auto soup = readSurface(r.file("mesh"), {.scale = r.number("scale")}).soup;
+  auto soup = readAnySurface(r.file("mesh"), {.scale = r.number("scale")}).soup;
   if (r.flag("clean")) {
     clean(soup, cleaningOf(r));
   } else {

@@ -1,0 +1,92 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Io/Detail/PointFormats.hpp>
+#include <Cutwater/Text/Gzip.hpp>
+#include <Cutwater/Text/TextCursor.hpp>
+#include <Cutwater/Text/Words.hpp>
+
+#include <array>
+#include <limits>
+
+namespace cutwater {
+
+namespace {
+
+using PointReader = PointData (*)(const text::Content&, std::uint64_t maxBytes);
+
+PointReader readerOf(std::string_view bytes) {
+  constexpr std::string_view kVtk = "# vtk DataFile";
+  if (bytes.starts_with("\x93NUMPY")) return detail::readNpy;
+  if (text::equalIgnoringCase(bytes.substr(0, kVtk.size()), kVtk)) return detail::readLegacyVtk;
+  if (detail::isXml(bytes)) return detail::readVtkXml;
+  return detail::readPointTable;
+}
+
+using PointWriter = void (*)(text::Output&, const PointData&, const std::string& name);
+
+struct PointFormat {
+  std::string_view extension;
+  PointWriter write;
+};
+
+constexpr std::array<PointFormat, 5> kPointFormats = {{
+    {".csv", detail::writePointTable},
+    {".npy", detail::writeNpy},
+    {".vtk", detail::writeLegacyVtk},
+    {".vtu", detail::writeUnstructuredXml},
+    {".vtp", detail::writePolyDataXml},
+}};
+
+const PointFormat& pointFormatOf(const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  for (const auto& format : kPointFormats) {
+    if (text::equalIgnoringCase(extension, format.extension)) return format;
+  }
+  throw Error(ErrorKind::Argument, path.string() + ": unknown extension \"" + extension +
+                                       "\": points are written as .csv, .npy, .vtk, .vtu or .vtp");
+}
+
+}  // namespace
+
+PointData readPointData(const std::filesystem::path& path, const ReadPointDataOptions& options) {
+  const text::Bytes file = text::loadFile(path, options.maxBytes);
+  return readPointData(std::as_bytes(std::span(file.view())), path.string(), options);
+}
+
+PointData readPointData(std::span<const std::byte> bytes, const std::string& name,
+                        const ReadPointDataOptions& options) {
+  std::string_view view(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  text::requireSize(name, view.size(), options.maxBytes);
+  text::Bytes inflated;
+  if (text::isGzip(view)) {
+    inflated = text::gunzip(name, view, options.maxBytes);
+    view = inflated.view();
+  }
+  if (view.empty()) throw Error(ErrorKind::File, name + ": the file is empty");
+  const text::Content content{name, text::withoutByteOrderMark(view)};
+  return readerOf(content.bytes)(content, options.maxBytes);
+}
+
+void writePointData(const std::filesystem::path& path, const PointData& data) {
+  const auto& format = pointFormatOf(path);
+  detail::checkPointData(data);
+  OutputFile file(path);
+  text::Output out(file);
+  format.write(out, data, path.string());
+  out.flush();
+  file.commit();
+}
+
+std::vector<Vec3<double>> cellCenters(const PointData& data) {
+  std::vector<Vec3<double>> centers(data.cells.count());
+  for (std::size_t i = 0; i < centers.size(); ++i) {
+    const auto corners = data.cells.cell(i);
+    // Each is divided first: sums may overflow.
+    const double weight = 1 / static_cast<double>(corners.size());
+    if (corners.empty())
+      centers[i] += Vec3<double>{1, 1, 1} * std::numeric_limits<double>::quiet_NaN();
+    for (const auto corner : corners) centers[i] += weight * data.points[corner];
+  }
+  return centers;
+}
+
+}  // namespace cutwater

@@ -1,0 +1,106 @@
+#include <Cutwater/Core/Detail/ParallelBatches.hpp>
+#include <Cutwater/Core/Detail/Scratch.hpp>
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+
+#include <algorithm>
+
+// Batches of segments.
+
+namespace cutwater {
+
+namespace {
+
+/// Segments that a thread takes at a time; each may cost as much as many points.
+constexpr std::size_t kSegmentBatch = 64;
+
+template <std::floating_point T>
+bool isFiniteSegment(const Segment<T>& segment) {
+  return isFinite(segment.start) && isFinite(segment.end);
+}
+
+}  // namespace
+
+template <std::floating_point T>
+void SignedDistanceFunction<T>::firstHits(std::span<const Segment<T>> segments,
+                                          std::span<FirstHit<T>> hits,
+                                          const ParallelOptions& options) const {
+  require(segments.size() == hits.size(), "firstHits: need one hit per segment",
+          Named{"segments", segments.size()}, Named{"hits", hits.size()});
+  const auto visit = [&](std::size_t first, std::size_t count) {
+    const auto some = segments.subspan(first, count);
+    const auto found = hits.subspan(first, count);
+    Scratch<Segment<T>, kSegmentBatch> local;
+    for (std::size_t i = 0; i < count; ++i) {
+      local[i] = isFiniteSegment(some[i]) ? Segment<T>{placement_.toLocal(some[i].start),
+                                                       placement_.toLocal(some[i].end)}
+                                          : Segment<T>{};
+    }
+    localFirstHits(local.first(count), found);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!isFiniteSegment(some[i])) found[i] = {};
+      if (found[i].found) found[i].crossing = toWorld(found[i].crossing);
+    }
+  };
+  detail::parallelBatches(segments.size(), kSegmentBatch, options, visit);
+}
+
+template <std::floating_point T>
+void SignedDistanceFunction<T>::localFirstHits(std::span<const Segment<T>> segments,
+                                               std::span<FirstHit<T>> hits) const {
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    FirstHit<T> hit;
+    const auto take = [&](const Crossing<T>& crossing) {
+      hit.crossing = crossing;
+      return false;
+    };
+    const auto [found, unresolved] = localCrossings(segments[i], take);
+    hit.found = found > 0;
+    hit.unresolved = unresolved;
+    hits[i] = hit;
+  }
+}
+
+template <std::floating_point T>
+CrossingLists<T> SignedDistanceFunction<T>::crossings(std::span<const Segment<T>> segments,
+                                                      const ParallelOptions& options) const {
+  CrossingLists<T> lists;
+  lists.offsets.resize(segments.size() + 1);
+  lists.unresolved.resize(segments.size());
+  // Those of each batch, which are joined in the order of the segments.
+  std::vector<std::vector<Crossing<T>>> batches((segments.size() + kSegmentBatch - 1) /
+                                                kSegmentBatch);
+  const auto visit = [&](std::size_t first, std::size_t count) {
+    auto& batch = batches[first / kSegmentBatch];
+    for (std::size_t i = first; i < first + count; ++i) {
+      const auto before = batch.size();
+      const auto counted = crossings(segments[i], [&](const Crossing<T>& crossing) {
+        batch.push_back(crossing);
+        return true;
+      });
+      lists.offsets[i + 1] = batch.size() - before;
+      lists.unresolved[i] = counted.unresolved;
+    }
+  };
+  detail::parallelBatches(segments.size(), kSegmentBatch, options, visit);
+  for (std::size_t i = 0; i < segments.size(); ++i) lists.offsets[i + 1] += lists.offsets[i];
+  lists.crossings.reserve(lists.offsets.back());
+  for (auto& batch : batches) {
+    lists.crossings.insert(lists.crossings.end(), batch.begin(), batch.end());
+    batch = {};
+  }
+  return lists;
+}
+
+#define CUTWATER_INSTANTIATE(T)                                                               \
+  template void SignedDistanceFunction<T>::firstHits(                                         \
+      std::span<const Segment<T>>, std::span<FirstHit<T>>, const ParallelOptions&) const;     \
+  template void SignedDistanceFunction<T>::localFirstHits(std::span<const Segment<T>>,        \
+                                                          std::span<FirstHit<T>>) const;      \
+  template CrossingLists<T> SignedDistanceFunction<T>::crossings(std::span<const Segment<T>>, \
+                                                                 const ParallelOptions&) const;
+CUTWATER_INSTANTIATE(float)
+CUTWATER_INSTANTIATE(double)
+#undef CUTWATER_INSTANTIATE
+
+}  // namespace cutwater
