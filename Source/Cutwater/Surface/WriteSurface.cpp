@@ -27,6 +27,8 @@ Writers writersOf(SurfaceFormat format) {
       return {formats::writeOff, formats::writeOff};
     case SurfaceFormat::Vtk:
       return {formats::writeBinaryVtk, formats::writeAsciiVtk};
+    case SurfaceFormat::Vtp:  // read only
+      break;
   }
   return {};
 }
