@@ -34,7 +34,7 @@ struct RationalPart {
 };
 
 /// The part above the plane, or below it.
-RationalPart clipped(const RationalPart& part, int axis, int plane, bool above) {
+RationalPart partBeside(const RationalPart& part, int axis, int plane, bool above) {
   const Rational position(plane * kWidth);
   const auto a = static_cast<std::size_t>(axis);
   RationalPart result;
@@ -83,7 +83,7 @@ std::map<Cell, RationalPart> partsOf(const std::array<MovedVertex, 3>& triangle,
   }
   std::map<Cell, RationalPart> parts;
   const auto between = [](const RationalPart& part, int axis, int row) {
-    return clipped(clipped(part, axis, row, true), axis, row + 1, false);
+    return partBeside(partBeside(part, axis, row, true), axis, row + 1, false);
   };
   for (int i = 0; i < kCells; ++i) {
     const auto slab = between(whole, 0, i);
