@@ -26,7 +26,7 @@ std::string readableName(const SurfaceOptions& options) {
 
 /// Suggested file for a repaired surface: "hull-repaired.stl" for models/hull.stl.gz.
 std::string repairedName(const LoadedSurface& surface, const std::string& file) {
-  constexpr const char* kExtensions[] = {".stl", ".obj", ".ply", ".off", ".ply"};
+  constexpr const char* kExtensions[] = {".stl", ".obj", ".ply", ".off", ".ply", ".ply"};
   std::filesystem::path name = std::filesystem::path(file).filename();
   if (name.extension() == ".gz") name = name.stem();
   const auto stem = name.stem().string();
