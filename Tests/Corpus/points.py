@@ -206,8 +206,8 @@ def xml():
             ("offset-huge", b"4 6", b"4 9000000000000000000", "line 14", "ascend"), ("offset-far", b"4 6", b"4 60000", "line 11", "promises"),
             ("types", b"10 3", b"10 300", "line 18", "out of range"), ("polyhedron", b"10 3", b"42 3", "line 10", "faceoffsets"),
             ("named-twice", b'Name="q"', b'Name="q"/><DataArray Name="q"', "", ""), ("nameless", b'Name="p"', b"", "line 22", "without a name"),
-            ("byte-order", b"LittleEndian", b"MiddleEndian", "line 2", "MiddleEndian"), ("header", b"version=", b'header_type="UInt16" version=', "line 2", "UInt16"),
-            ("lz4", b"version=", b'compressor="vtkLZ4DataCompressor" version=', "line 2", "vtkLZ4DataCompressor"),
+            ("byte-order", b"LittleEndian", b"MiddleEndian", "line 2", "MiddleEndian"), ("header", b"byte_order=", b'header_type="UInt16" byte_order=', "line 2", "UInt16"),
+            ("lz4", b"byte_order=", b'compressor="vtkLZ4DataCompressor" byte_order=', "line 2", "vtkLZ4DataCompressor"),
             ("doctype", b"<VTKFile", b"<!DOCTYPE a [<!ENTITY b 'c'>]><VTKFile", "line 2", "document type"),
             ("elements", b"<Points>", b"<a/>" * 20000 + b"<Points>", "line 5", "elements"), ("deep", b"<Points>", b"<a>" * 100 + b"<Points>", "line 5", "deep"),
             ("tags", b"</Points>", b"</Point>", "", "mismatched"), ("utf-8", b'Name="p"', b'Name="\xff"', "line 22", "well-formed")]:
@@ -217,8 +217,8 @@ def xml():
     for name, old, new, part in [
             ("offset", b'offset="0"', b'offset="9999"', "9999"), ("offset-negative", b'offset="0"', b'offset="-1"', "-1"), ("no-offset", b' offset="0"', b"", "without an offset"),
             ("encoding", b'encoding="raw"', b'encoding="hex"', "raw or base64"), ("mark", b" _", b" ", "underscore"), ("no-order", b' byte_order="LittleEndian"', b"", "byte_order"),
-            ("no-data", b"AppendedData", b"Appended", ""), ("order", b"LittleEndian", b"BigEndian", "bytes"), ("wide", b"version=", b'header_type="UInt64" version=', "bytes"),
-            ("zlib", b"version=", b'compressor="vtkZLibDataCompressor" version=', "")]:
+            ("no-data", b"AppendedData", b"Appended", ""), ("order", b"LittleEndian", b"BigEndian", "bytes"), ("wide", b"byte_order=", b'header_type="UInt64" byte_order=', "bytes"),
+            ("zlib", b"byte_order=", b'compressor="vtkZLibDataCompressor" byte_order=', "")]:
         yield bad(f"xml-appended-{name}", whole.replace(old, new), "", part)
     # Sizes of blocks that do not fit, one after the other.
     packed = Xml("appended", packed=True).file()

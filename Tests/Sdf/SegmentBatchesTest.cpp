@@ -41,7 +41,7 @@ TYPED_TEST(SegmentBatchesTest, AreAnsweredAsOneByOne) {
   using T = TypeParam;
   EXPECT_GT(expectSameCrossings<T>(this->placed(), this->segments()), 100U);
   // A solid without a Lipschitz constant has stretches that are not resolved.
-  const FunctionSDF<T> bare([](const Vec3<T>& p) { return lengthSquared(p) - T(1); });
+  const FunctionSDF bare([](const Vec3<T>& p) { return lengthSquared(p) - T(1); }, Guarantee<T>{});
   EXPECT_GT(expectSameCrossings<T>(bare, this->segments()), 100U);
 }
 

@@ -126,7 +126,7 @@ class Query(CommandTest):
         text += "".join("%d %d %d\n" % p for p in corners) + "POLYGONS 6 30\n" + "".join("4 %d %d %d %d\n" % f for f in faces)
         self.write("box.vtk", text)
         self.succeeds("query", "box.off", "box.vtk", "-o", "surface.vtp")
-        self.assertIn("closed", self.succeeds("info", "surface.vtp"))
+        self.assertIn("binary VTP", self.succeeds("info", "surface.vtp"))
         self.write("p.csv", table(POINTS))
         self.succeeds("query", "surface.vtp", "p.csv", "-o", "by-vtp.csv")
         self.succeeds("query", "box.off", "p.csv", "-o", "by-off.csv")

@@ -21,19 +21,18 @@ PointReader readerOf(std::string_view bytes) {
   return detail::readPointTable;
 }
 
-using PointWriter = void (*)(text::Output&, const PointData&, const std::string& name);
-
 struct PointFormat {
   std::string_view extension;
-  PointWriter write;
+  void (*requireFits)(const PointData&, const std::string& name);
+  void (*write)(text::Output&, const PointData&);
 };
 
 constexpr std::array<PointFormat, 5> kPointFormats = {{
-    {".csv", detail::writePointTable},
-    {".npy", detail::writeNpy},
-    {".vtk", detail::writeLegacyVtk},
-    {".vtu", detail::writeUnstructuredXml},
-    {".vtp", detail::writePolyDataXml},
+    {".csv", detail::requireFitsTable, detail::writePointTable},
+    {".npy", detail::requireFitsNpy, detail::writeNpy},
+    {".vtk", detail::requireFitsLegacyVtk, detail::writeLegacyVtk},
+    {".vtu", detail::requireFitsUnstructuredXml, detail::writeUnstructuredXml},
+    {".vtp", detail::requireFitsPolyDataXml, detail::writePolyDataXml},
 }};
 
 const PointFormat& pointFormatOf(const std::filesystem::path& path) {
@@ -66,12 +65,17 @@ PointData readPointData(std::span<const std::byte> bytes, const std::string& nam
   return readerOf(content.bytes)(content, options.maxBytes);
 }
 
+void requireWritable(const std::filesystem::path& path, const PointData& data) {
+  pointFormatOf(path).requireFits(data, path.string());
+}
+
 void writePointData(const std::filesystem::path& path, const PointData& data) {
   const auto& format = pointFormatOf(path);
+  format.requireFits(data, path.string());
   detail::checkPointData(data);
   OutputFile file(path);
   text::Output out(file);
-  format.write(out, data, path.string());
+  format.write(out, data);
   out.flush();
   file.commit();
 }

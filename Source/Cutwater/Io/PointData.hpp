@@ -112,6 +112,11 @@ struct ReadPointDataOptions {
 /// polyhedra in .vtk. Error(Limit) for more than 2^31 - 1 points or corners in .vtk.
 void writePointData(const std::filesystem::path& path, const PointData& data);
 
+/// Checks that writePointData() has a place for the data in a file of this name, before work is
+/// done on them. @throws Error(Argument) and Error(Limit) as that does, except for data that are
+/// not whole.
+void requireWritable(const std::filesystem::path& path, const PointData& data);
+
 /// The mean of each cell's corners. This is the centroid of a simplex, a parallelepiped and other
 /// symmetric cells; of a pyramid or a distorted cell it is not. NaN for a cell without corners.
 [[nodiscard]] std::vector<Vec3<double>> cellCenters(const PointData& data);

@@ -25,12 +25,12 @@ SurfaceFile surfaceOf(const text::Content& content, const PointData& data,
   std::size_t skipped = 0;
   for (std::size_t i = 0; i < data.cells.count(); ++i) {
     const auto cell = data.cells.cell(i);
-    const std::vector<std::int64_t> corners(cell.begin(), cell.end());
     if (data.cells.kinds[i] == kPolygons) {
-      for (const auto corner : corners) builder.addCorner(corner, at);
+      for (const auto corner : cell) builder.addCorner(static_cast<std::int64_t>(corner), at);
       builder.endPolygon(at);
     } else if (data.cells.kinds[i] == kStrips) {
-      builder.addStrip(corners, at);
+      for (const auto corner : cell) builder.addStripCorner(static_cast<std::int64_t>(corner), at);
+      builder.endStrip(at);
     } else {
       ++skipped;
     }

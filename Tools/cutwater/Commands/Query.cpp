@@ -117,6 +117,7 @@ void run(const QuerySettings& options) {
   }
   auto& arrays = options.cells ? data.cellArrays : data.pointArrays;
   requireFreeNames(options, arrays);
+  requireWritable(options.output, data);
   const auto solid = loadSolid(options.surface);
   const auto centers = options.cells ? cellCenters(data) : std::vector<Vec3<double>>{};
   const auto& points = options.cells ? centers : data.points;

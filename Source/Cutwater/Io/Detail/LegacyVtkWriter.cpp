@@ -129,7 +129,7 @@ class LegacyVtkWriter {
 
 }  // namespace
 
-void writeLegacyVtk(text::Output& out, const PointData& data, const std::string& name) {
+void requireFitsLegacyVtk(const PointData& data, const std::string& name) {
   constexpr std::uint64_t kMost = std::numeric_limits<std::int32_t>::max();
   const auto& cells = data.cells;
   if (std::ranges::count(cells.kinds, kVtkPolyhedron) > 0) {
@@ -138,6 +138,9 @@ void writeLegacyVtk(text::Output& out, const PointData& data, const std::string&
   if (data.points.size() > kMost || cells.count() + cells.corners.size() > kMost) {
     throw Error(ErrorKind::Limit, name + ": legacy VTK counts to 2^31 - 1 only");
   }
+}
+
+void writeLegacyVtk(text::Output& out, const PointData& data) {
   LegacyVtkWriter(out, data).write();
 }
 

@@ -202,10 +202,12 @@ PointData readNpy(const text::Content& content, std::uint64_t /*maxBytes*/) {
   return data;
 }
 
-void writeNpy(text::Output& out, const PointData& data, const std::string& name) {
-  if (data.cells.count() > 0) {
-    throw Error(ErrorKind::Argument, name + ": .npy holds points only, and the data have cells");
-  }
+void requireFitsNpy(const PointData& data, const std::string& name) {
+  if (data.cells.count() == 0) return;
+  throw Error(ErrorKind::Argument, name + ": .npy holds points only, and the data have cells");
+}
+
+void writeNpy(text::Output& out, const PointData& data) {
   auto header = npyHeader(data);
   // Version 1 has 16 bits for the header's length, 2 has 32, 3 is in UTF-8. Padded to a multiple of
   // 64.

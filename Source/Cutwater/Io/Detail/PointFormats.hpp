@@ -15,13 +15,19 @@ namespace cutwater::detail {
 [[nodiscard]] bool isXml(std::string_view bytes);
 [[nodiscard]] PointData readVtkXml(const text::Content& content, std::uint64_t maxBytes);
 
-/// Each writes data that checkPointData() has passed; all throw Error(Argument), beginning with
-/// `name`, for what the format has no place for.
-void writePointTable(text::Output& out, const PointData& data, const std::string& name);
-void writeNpy(text::Output& out, const PointData& data, const std::string& name);
-void writeLegacyVtk(text::Output& out, const PointData& data, const std::string& name);
-void writeUnstructuredXml(text::Output& out, const PointData& data, const std::string& name);
-void writePolyDataXml(text::Output& out, const PointData& data, const std::string& name);
+/// Each throws Error(Argument), beginning with `name`, for what its format has no place for.
+void requireFitsTable(const PointData& data, const std::string& name);
+void requireFitsNpy(const PointData& data, const std::string& name);
+void requireFitsLegacyVtk(const PointData& data, const std::string& name);
+void requireFitsUnstructuredXml(const PointData& data, const std::string& name);
+void requireFitsPolyDataXml(const PointData& data, const std::string& name);
+
+/// Each writes data that fit the format and are whole.
+void writePointTable(text::Output& out, const PointData& data);
+void writeNpy(text::Output& out, const PointData& data);
+void writeLegacyVtk(text::Output& out, const PointData& data);
+void writeUnstructuredXml(text::Output& out, const PointData& data);
+void writePolyDataXml(text::Output& out, const PointData& data);
 
 /// VTK's number of cells that are polyhedra.
 inline constexpr std::uint8_t kVtkPolyhedron = 42;

@@ -123,16 +123,20 @@ PointData readPointTable(const text::Content& content, std::uint64_t /*maxBytes*
   return data;
 }
 
-void writePointTable(text::Output& out, const PointData& data, const std::string& name) {
+void requireFitsTable(const PointData& data, const std::string& name) {
   if (data.cells.count() > 0) {
     throw Error(ErrorKind::Argument, name + ": tables hold points only, and the data have cells");
   }
+  for (const auto& array : data.pointArrays) {
+    if (fitsTable(array.name)) continue;
+    throw Error(ErrorKind::Argument, name + ": the name of the array " +
+                                         text::inQuotes(array.name) + " does not fit a table");
+  }
+}
+
+void writePointTable(text::Output& out, const PointData& data) {
   out << "x,y,z";
   for (const auto& array : data.pointArrays) {
-    if (!fitsTable(array.name)) {
-      throw Error(ErrorKind::Argument, name + ": the name of the array " +
-                                           text::inQuotes(array.name) + " does not fit a table");
-    }
     for (const auto& column : columnNames(array)) out << ',' << column;
   }
   out << '\n';

@@ -215,17 +215,23 @@ class VtkPointWriter {
 
 }  // namespace
 
-void writeUnstructuredXml(text::Output& out, const PointData& data, const std::string& name) {
+void requireFitsUnstructuredXml(const PointData& data, const std::string& name) {
   requireXmlNames(data, name);
-  VtkPointWriter(out, data, "UnstructuredGrid").writeUnstructured();
 }
 
-void writePolyDataXml(text::Output& out, const PointData& data, const std::string& name) {
+void requireFitsPolyDataXml(const PointData& data, const std::string& name) {
   if (data.mesh == DataMesh::Unstructured) {
     throw Error(ErrorKind::Argument,
                 name + ": cells of an unstructured grid are written as .vtu, not as .vtp");
   }
   requireXmlNames(data, name);
+}
+
+void writeUnstructuredXml(text::Output& out, const PointData& data) {
+  VtkPointWriter(out, data, "UnstructuredGrid").writeUnstructured();
+}
+
+void writePolyDataXml(text::Output& out, const PointData& data) {
   VtkPointWriter(out, data, "PolyData").writePolyData();
 }
 

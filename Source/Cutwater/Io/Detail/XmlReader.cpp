@@ -62,7 +62,7 @@ class XmlParsing {
   }
 
  private:
-  static constexpr std::size_t kMostElements = 16384;
+  static constexpr std::size_t kMostElements = 4096;
   static constexpr std::size_t kMostDepth = 32;
 
   struct Free {
@@ -97,7 +97,8 @@ class XmlParsing {
       fail("more than " + std::to_string(kMostElements) + " elements");
     if (open_.size() > kMostDepth) fail("elements within each other too deep");
     auto& element = open_.back()->children.emplace_back();
-    element.name = name;
+    const auto tag = static_cast<std::uint64_t>(XML_GetCurrentByteIndex(parser_.get()));
+    element.name = content_.bytes.substr(tag + 1, std::string_view(name).size());
     for (; *attributes != nullptr; attributes += 2) {
       element.attributes.emplace_back(attributes[0], attributes[1]);
     }

@@ -10,9 +10,9 @@
 
 namespace cutwater::detail {
 
-/// An element of an XML file.
+/// An element of an XML file, whose bytes it refers to.
 struct XmlElement {
-  std::string name;
+  std::string_view name;
   std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<XmlElement> children;
   /// What stands between its last child, or else its start tag, and its end tag: the bytes of the
@@ -31,7 +31,7 @@ struct XmlElement {
 /// Reads an XML file up to its end or, if there is an element `last`, up to the end of that one's
 /// start tag: its text is the rest of the file, which need not be XML.
 /// @throws Error(File) with the line, if the file is not well-formed, has a document type, more
-/// than 16 384 elements, or more than 32 within each other; or if the library was built without
+/// than 4096 elements, or more than 32 within each other; or if the library was built without
 /// expat.
 [[nodiscard]] XmlElement readXml(const text::Content& content, std::string_view last);
 

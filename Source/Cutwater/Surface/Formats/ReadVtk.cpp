@@ -117,16 +117,16 @@ class VtkReader {
         builder_.addCorner(file_.integer(type), file_.numbers());
       builder_.endPolygon(file_.numbers());
     } else {
-      strip_.clear();
-      for (std::uint64_t i = 0; i < corners; ++i) strip_.push_back(file_.integer(type));
-      builder_.addStrip(strip_, file_.numbers());
+      for (std::uint64_t i = 0; i < corners; ++i) {
+        builder_.addStripCorner(file_.integer(type), file_.numbers());
+      }
+      builder_.endStrip(file_.numbers());
     }
   }
 
   VtkCursor file_;
   SoupBuilder& builder_;
   std::uint64_t skipped_ = 0;
-  std::vector<std::int64_t> strip_;
   std::vector<std::string_view> sections_;
 };
 

@@ -94,15 +94,21 @@ void SoupBuilder::endPolygon(const Cursor& at) {
   soup_.patches.push_back(patchId());
 }
 
-void SoupBuilder::addStrip(std::span<const std::int64_t> corners, const Cursor& at) {
-  if (corners.size() < 3) at.fail("a strip has " + std::to_string(corners.size()) + " points");
-  for (std::size_t i = 2; i < corners.size(); ++i) {
-    const std::size_t turned = i % 2;
-    addCorner(corners[i - 2 + turned], at);
-    addCorner(corners[i - 1 - turned], at);
-    addCorner(corners[i], at);
+void SoupBuilder::addStripCorner(std::int64_t index, const Cursor& at) {
+  if (cornersOfStrip_ >= 2) {
+    const std::size_t turned = cornersOfStrip_ % 2;
+    addCorner(lastOfStrip_[turned], at);
+    addCorner(lastOfStrip_[1 - turned], at);
+    addCorner(index, at);
     endPolygon(at);
   }
+  lastOfStrip_ = {lastOfStrip_[1], index};
+  ++cornersOfStrip_;
+}
+
+void SoupBuilder::endStrip(const Cursor& at) {
+  if (cornersOfStrip_ < 3) at.fail("a strip has " + std::to_string(cornersOfStrip_) + " points");
+  cornersOfStrip_ = 0;
 }
 
 void SoupBuilder::setPatch(std::string_view name) {

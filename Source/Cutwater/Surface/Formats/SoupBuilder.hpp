@@ -4,7 +4,7 @@
 #include <Cutwater/Surface/Formats/TextNames.hpp>
 #include <Cutwater/Surface/ReadSurface.hpp>
 
-#include <span>
+#include <array>
 #include <string_view>
 
 namespace cutwater::formats {
@@ -46,8 +46,10 @@ class SoupBuilder {
   void addCorner(const Vec3<double>& asInFile, const Cursor& at);
   /// Ends the current polygon.
   void endPolygon(const Cursor& at);
-  /// Adds the triangles of a strip: every second one has the opposite orientation.
-  void addStrip(std::span<const std::int64_t> corners, const Cursor& at);
+  /// Add a strip of triangles corner by corner, by index; every second triangle has the opposite
+  /// orientation.
+  void addStripCorner(std::int64_t index, const Cursor& at);
+  void endStrip(const Cursor& at);
 
   /// Sets the patch of the polygons that follow; an empty name stands for the default. A patch is
   /// created with its first polygon; equal names are one patch. The name is not copied until then,
@@ -77,6 +79,8 @@ class SoupBuilder {
   std::uint64_t furthest_ = 0;
   Place furthestPlace_;
   bool pointsByCorner_ = false;
+  std::array<std::int64_t, 2> lastOfStrip_{};
+  std::uint64_t cornersOfStrip_ = 0;
   detail::IndexTable weld_;
   detail::IndexTable patchTable_;
   PolygonSoup soup_;
