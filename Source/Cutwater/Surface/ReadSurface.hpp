@@ -40,7 +40,8 @@ inline constexpr std::array kSurfaceFormats{
 }
 
 /// Those of readSurface() and writeSurface().
-inline constexpr std::span kReadSurfaceFormats(kSurfaceFormats.data(), kSurfaceFormats.size() - 1);
+inline constexpr std::span<const SurfaceFormatNames> kReadSurfaceFormats{
+    kSurfaceFormats.data(), kSurfaceFormats.size() - 1};
 
 /// "STL, OBJ, PLY, OFF, legacy VTK or VTP", if the conjunction is "or".
 [[nodiscard]] std::string anySurfaceFormats(std::string_view conjunction);
