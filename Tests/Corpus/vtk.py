@@ -114,7 +114,7 @@ def refused():
             raw = number.to_bytes(len(whole) - 1 - last, "big", signed=True)
             yield bad(f"vtk-binary-{version}-index-{name}", whole[:last] + raw + b"\n", "", f"index {number}")
         if version == "3.0":
-            yield bad("vtk-binary-corners-minus-1", whole[:at] + b"\xff" * 4 + whole[at + 4:], f"byte {at}", "more points")
+            yield bad("vtk-binary-corners-minus-1", whole[:at] + b"\xff" * 4 + whole[at + 4:], f"byte {at}", "a cell of -1 points")
 
 
 def cases():
