@@ -3,7 +3,8 @@
 Every way must print what the build under test prints, to the bit, and no compiler flag of this
 repository may show in the consumer's commands. The variants:
 
-  static        find_package on the installed build under test, moved after installation
+  static        find_package on the installed build under test, moved after installation; its
+                headers have no warnings
   fast          the same, by a consumer with -O3 -march=native -ffast-math
   subproject    add_subdirectory, unoptimised
   fastproject   add_subdirectory by a project with -O3 -march=native -ffast-math
@@ -21,6 +22,9 @@ import shutil
 import subprocess
 import sys
 
+# Those that careful users have on; in our headers there must be none.
+WARNINGS = ("-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast "
+            "-Werror")
 FAST = "-O3 -march=native -ffast-math"
 NO_DEPENDENCIES = ["-DCUTWATER_UNITY=OFF", "-DCUTWATER_PRECOMPILE=OFF", "-DCUTWATER_OPENMP=OFF", "-DCUTWATER_ZLIB=OFF", "-DCUTWATER_RENDER=OFF",
                    "-DCUTWATER_SCENE=OFF"]
@@ -108,6 +112,16 @@ def consumer(args, name, includes, reference, flags="", *options):
     print(f"{name}: {len(printed.splitlines())} lines, the same to the bit", flush=True)
 
 
+def check_warnings(args, prefix, *files):
+    """The installed headers by the compiler of the build, and by g++ and clang++ where they are found."""
+    found = {shutil.which(name) for name in (args.compiler, "g++", "clang++")} - {None}
+    for compiler in sorted({pathlib.Path(path).resolve() for path in found}):
+        for file in files:
+            run(compiler, "-std=c++20", "-fsyntax-only", *WARNINGS.split(), "-I", prefix / "include",
+                args.source / "Tests/Package/Consumer" / file)
+        print(f"{', '.join(files)}: no warnings by {compiler.name}", flush=True)
+
+
 def install(args, build, name, *components):
     """Installs a build and moves the result: a package must not know where it was installed."""
     first, prefix = args.work / f"installed-{name}", args.work / f"moved-{name}"
@@ -137,6 +151,8 @@ def check_part(args, part):
     configure(args.source / "Tests/Package/Consumer", build, args.compiler,
               f"-DCMAKE_PREFIX_PATH={prefix}", f"-DCUTWATER_PART={part}")
     run("cmake", "--build", build, "--target", "ConsumerOfPart")
+    if part != "P4est":  # MPI's own macros have some
+        check_warnings(args, prefix, f"{part}.cpp")
     print(f"{name}: {run(build / 'ConsumerOfPart').strip()}", flush=True)
 
 
@@ -166,6 +182,7 @@ def check(args):
             prefix = install(args, args.build, "tested")
         if variant == "static":
             packaged(variant, prefix)
+            check_warnings(args, prefix, "main.cpp", "Arithmetic.cpp")
             check_example(args, prefix)
         elif variant == "fast":
             packaged(variant, prefix, FAST)

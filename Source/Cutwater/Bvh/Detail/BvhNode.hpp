@@ -22,7 +22,7 @@ struct BvhLocalPoint {
 template <int K>
 struct alignas(64) BvhNode {
   static_assert(K >= 2 && K <= 16);
-  using Lanes = std::array<float, K>;  ///< one number per child
+  using Lanes = std::array<float, std::size_t{K}>;  ///< one number per child
 
   /// In the node's frame, rounded outward. Unused lanes hold the empty box: +-infinity.
   std::array<Lanes, 3> lower;

@@ -120,7 +120,7 @@ void BvhTree<K, W>::traverse(Keys&& keys, Leaf&& leafVisitor, float limit) const
   if (nodes_.empty()) return;
   // One entry per level of the path from the root: the siblings still to be visited. At most depth_
   // entries are used, and no others are touched.
-  std::array<Level, kMaxDepth> path;
+  std::array<Level, std::size_t{kMaxDepth}> path;
   int depth = 0;
   const auto enter = [&](const BvhNode<K>& node) {
     assert(depth < depth_);
