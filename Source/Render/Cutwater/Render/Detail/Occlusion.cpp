@@ -11,9 +11,7 @@ namespace {
 /// Heights above the surface in units of the radius, and their weights.
 constexpr std::array kHeights{1.0, 0.6, 0.35, 0.18, 0.08};
 constexpr std::array kWeights{0.30, 0.25, 0.20, 0.15, 0.10};
-constexpr double kOpen = 0.98;     // of the height, is as good as all of it
-constexpr double kArrived = 0.02;  // of the height: there is the surface
-constexpr int kMostSteps = 16;     // towards it
+constexpr double kOpen = 0.98;  // of the height, is as good as all of it
 
 }  // namespace
 
@@ -57,40 +55,24 @@ double Occlusion<T>::freeAbout(T value, const Vec3<T>& p, double height) const {
   return std::max(free, region_.clearance(Vec3<double>(p)));
 }
 
-/// Replaces bounds that would darken by how far it is to the surface towards which values fall.
-/// Where a bound comes from what an operator has cut off, nothing is there.
+/// Replaces bounds that would darken by distances to points of the surface, in heights: where a
+/// bound comes from what an operator has cut off, nothing is there.
 template <std::floating_point T>
 void Occlusion<T>::lookCloser(std::span<const Vec3<T>> points, std::span<double> free) const {
-  struct Walk {
-    std::size_t index;
-    double height;
-    Vec3<T> direction;
-  };
-  std::vector<Walk> walks;
+  std::vector<std::size_t> doubtful;
+  std::vector<Vec3<T>> places;
   for (std::size_t i = 0; i < free.size(); ++i) {
     if (!(free[i] > 0 && free[i] < kOpen)) continue;
-    const auto slope = solid_.gradient(points[i]);
-    const double height = kHeights[i % kHeights.size()] * options_.radius;
-    if (lengthSquared(slope) > 0) walks.push_back({i, height, -normalized(slope)});
+    doubtful.push_back(i);
+    places.push_back(points[i]);
   }
-  std::vector<Vec3<T>> places;
-  std::vector<T> values;
-  for (int step = 0; step < kMostSteps && !walks.empty(); ++step) {
-    places.clear();
-    for (const auto& [i, height, direction] : walks) {
-      places.push_back(points[i] + static_cast<T>(free[i] * height) * direction);
-    }
-    values.resize(places.size());
-    solid_.signedDistances(places, values, {.threads = 1, .progress = {}});
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k < walks.size(); ++k) {
-      const auto [i, height, direction] = walks[k];
-      const double further = distance_(values[k], places[k], 0) / height;
-      if (!(further > kArrived)) continue;
-      free[i] += further;
-      if (free[i] < kOpen) walks[kept++] = walks[k];
-    }
-    walks.resize(kept);
+  std::vector<SurfacePoint<T>> found(places.size());
+  solid_.closestPoints(places, found, {.threads = 1, .progress = {}});
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto i = doubtful[k];
+    const double height = kHeights[i % kHeights.size()] * options_.radius;
+    const auto distance = static_cast<double>(length(places[k] - found[k].point));
+    if (std::isfinite(distance)) free[i] = std::max(free[i], distance / height);
   }
 }
 

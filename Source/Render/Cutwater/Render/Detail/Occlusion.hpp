@@ -14,10 +14,10 @@ namespace cutwater::detail {
 ///
 /// A. Evans, "Fast approximations for global illumination on dynamic scenes", ACM SIGGRAPH 2006
 /// courses: in the open, the distance to the surface grows like the distance along the normal; any
-/// shortfall measures the geometry around. Where values are only bounds, it is found out
-/// how far away the surface is towards which they fall. Where only signs are known, values still
-/// are distances to the facets, if there are such; otherwise only what the normal itself meets
-/// counts.
+/// shortfall measures the geometry around. Where values are only bounds, the closest points
+/// of surfaces that may be near tell how far away these are. Where only signs are known, values
+/// still are distances to the facets, if there are such; otherwise only what the normal itself
+/// meets counts.
 template <std::floating_point T>
 class Occlusion {
  public:
