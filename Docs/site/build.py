@@ -15,6 +15,7 @@ import time
 from doxygen import run_doxygen
 from headers import write_shown
 from pages import write_pages
+from selfcontained import reaches_outside, take_along
 from undocumented import undocumented
 
 SKIPPED = 77
@@ -56,6 +57,10 @@ def main():
     if whole:
         write_pages(root, folder / "source", folder / "doxygen/xml", headers)
         failed |= bool(run_sphinx(python, root, folder))
+        take_along(folder / "html")
+        outside = reaches_outside(folder / "html")
+        print(*outside, sep="\n", end="\n" if outside else "")
+        failed |= bool(outside)
         print(f"{folder}/html/index.html after {time.monotonic() - start:.0f} s")
     sys.exit(failed)
 

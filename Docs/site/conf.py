@@ -10,7 +10,7 @@ project = "Cutwater"
 copyright = "the authors of Cutwater"
 release = re.search(r"VERSION (\S+)", (root / "CMakeLists.txt").read_text().split("project(")[1])[1]
 
-extensions = ["myst_parser", "breathe", "mathml", "paragraphs"]
+extensions = ["myst_parser", "breathe", "mathml", "paragraphs", "searchorder"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 3
 breathe_default_project = "cutwater"

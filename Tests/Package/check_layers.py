@@ -28,7 +28,7 @@ MAY_INCLUDE = {
     "CutCells": "Core Triangles",
     "Io": "Core Text Surface Lattice Grid",
     "Adapters": "Core Sdf Grid",
-    "Render": "Core Sdf Grid",
+    "Render": "Core Bvh Sdf Grid",
     "Scene": "Core Text Sdf Shapes Operations Surface Mesh Lattice Tpms Io",
     "Repair": "Core Text Bvh Surface Mesh",
     "P4est": "Core Surface Mesh Grid Io",

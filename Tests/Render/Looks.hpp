@@ -31,7 +31,9 @@ class Look {
       std::vector<detail::PicturePoint> row;
       for (int x = 0; x < kSide; ++x) row.push_back(middle(x, y));
       const auto first = static_cast<std::size_t>(y) * kSide;
-      tracer.trace(row, 1, std::span(samples).subspan(first, kSide));
+      const auto seen = std::span(samples).subspan(first, kSide);
+      tracer.trace(row, 1, seen);
+      if (options.occlusionRadius > 0) tracer.light(row, seen);
     }
     return samples;
   }

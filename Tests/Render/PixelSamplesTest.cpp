@@ -41,12 +41,14 @@ struct Traced {
   explicit Traced(Scene scene, int threads = 1)
       : eye(camera()),
         samples(eye, kArea,
-                [&](std::span<const PicturePoint> points, double spacing,
-                    std::span<SurfaceSample> found) {
-                  rays += points.size();
-                  for (std::size_t i = 0; i < points.size(); ++i)
-                    found[i] = scene(points[i], spacing);
-                },
+                {.trace =
+                     [&](std::span<const PicturePoint> points, double spacing,
+                         std::span<SurfaceSample> found) {
+                       rays += points.size();
+                       for (std::size_t i = 0; i < points.size(); ++i)
+                         found[i] = scene(points[i], spacing);
+                     },
+                 .light = [](std::span<const PicturePoint>, std::span<SurfaceSample>) {}},
                 {.threads = threads, .progress = {}}) {}
 
   [[nodiscard]] Image image(double lineWidth = 0) const {

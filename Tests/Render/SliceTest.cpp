@@ -7,6 +7,7 @@
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
+#include <algorithm>
 #include <numbers>
 
 #include "Colors.hpp"
@@ -219,6 +220,18 @@ TYPED_TEST(SliceTest, ShowsTheWholeSolidWithoutAWindowAndTheSameForAnyThreads) {
                                      image.pixels().begin() + middle * 640 + area.x0 + area.width,
                                      [](const Rgb& c) { return c.blue > c.red + 30; }));
   EXPECT_NEAR(blue, area.height / 1.16, 6);
+}
+
+TYPED_TEST(SliceTest, WithAMeshShowsAllOfItAndNoMore) {
+  using T = TypeParam;
+  const Sphere<T> sphere({0, 0, 0}, T(0.5));
+  const OctreeDomain<T> flat({-4, -1, -1}, 1, {8, 2, 2});
+  const Octree<T> mesh(sphere, flat, {.cut = 2}, {.threads = 1});
+  const auto plane = SlicePlane<T>::across(1, 0);
+  const auto image = renderSlice(sphere, plane, {.mesh = &mesh});
+  const auto expected =
+      renderSlice(sphere, plane, {.window = SliceWindow<T>{{-4, -1}, {4, 1}}, .mesh = &mesh});
+  EXPECT_TRUE(std::ranges::equal(image.pixels(), expected.pixels()));
 }
 
 TYPED_TEST(SliceTest, ShowsNarrowWindows) {

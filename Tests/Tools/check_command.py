@@ -1,6 +1,7 @@
 """Runs the command as people and scripts do. Usage: check_command.py PROGRAM [group]"""
 import math
 import os
+import pty
 import re
 import resource
 import signal
@@ -621,6 +622,37 @@ class Render(CommandTest):
             "g blue\nf 1 3 2\ng orange\nf 1 2 3\ng open\nf 4 5 6\n")
         pixels = self.drawn("--view=+z", file="panel.obj").values()
         self.assertGreater(sum(1 for r, g, b in pixels if r > b), 0.9 * len(pixels))
+
+    def on_a_terminal(self, *arguments):
+        """What the command says if it writes to a terminal."""
+        ours, terminal = pty.openpty()
+        try:
+            done = subprocess.run([PROGRAM, *arguments], stdout=terminal, stderr=subprocess.PIPE, cwd=self.folder)
+            self.assertEqual((done.returncode, done.stderr), (0, b""))
+            return os.read(ours, 4096).decode()
+        finally:
+            os.close(ours)
+            os.close(terminal)
+
+    def test_drafts_are_for_terminals(self):
+        self.succeeds("make", "torus", "-o", "torus.stl")
+        draw = lambda name, *options: ("render", "torus.stl", "--size", "400x300", "-o", name, *options)
+        for quality in "draft", "final":
+            self.succeeds(*draw(f"{quality}.png", "--quality", quality))
+        self.succeeds(*draw("script.png"))
+        told = self.on_a_terminal(*draw("terminal.png"))
+        self.assertIn("a draft, as it is for a terminal; --quality final", told)
+        self.assertNotIn("a draft", self.on_a_terminal(*draw("wanted.png", "--quality", "final")))
+        draft, final, script, terminal, wanted = (
+            (self.folder / f"{name}.png").read_bytes() for name in ("draft", "final", "script", "terminal", "wanted"))
+        self.assertEqual([script, terminal, wanted], [final, draft, final])
+        self.assertNotEqual(draft, final)
+        one, other = Png(self.folder / "draft.png"), Png(self.folder / "final.png")
+        apart = [max(abs(a - b) for a, b in zip(one.pixel(x, y), other.pixel(x, y)))
+                 for y in range(300) for x in range(400)]
+        self.assertLess(sum(apart) / len(apart), 1)
+        self.assertLess(sum(1 for difference in apart if difference > 16), 0.005 * len(apart))
+        self.assertIn("draft", self.fails(2, *draw("a.png", "--quality", "rough")))
 
     def test_says_what_it_wrote_and_how_long_it_took(self):
         self.box()

@@ -68,7 +68,7 @@ void writePicture(const Solid<double>& solid, const SurfaceOptions& surface,
   const double middle = box.center()[options.axis];
   const double at = options.at.value_or(std::isfinite(middle) ? middle : 0);
   const auto plane = SlicePlane<double>::across(options.axis, at);
-  if (!slice.window && !isFinite(solid.boundingBox()) && isFinite(box)) {
+  if (!slice.window && slice.mesh == nullptr && !isFinite(solid.boundingBox()) && isFinite(box)) {
     slice.window = windowAround(box, plane);
   }
   const auto axis = "xyz"[options.axis];

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <unistd.h>
 
 #include "Commands/Commands.hpp"
 #include "Commands/Picture.hpp"
 #include "Options/Arguments.hpp"
+#include "Options/Choice.hpp"
 #include "Options/LoadSurface.hpp"
 #include "Options/OutputFile.hpp"
 #include "Report/Format.hpp"
@@ -32,6 +34,7 @@ struct RenderSettings {
   RenderOptions render;
   std::vector<Cut> cuts;
   std::string output;
+  std::optional<PictureQuality> quality;
   bool solid = false;
   bool noAxes = false;
 };
@@ -141,6 +144,11 @@ void addLookOptions(Command command, RenderSettings& options) {
       [&](const std::string& text) { render.color = colorOf(text); });
   addSizeOption(command, render.width, render.height);
   command.addText("--title", "The picture's title [default: the file's name]", render.title);
+  addChoice<std::optional<PictureQuality>>(
+      command, "--quality", options.quality,
+      {{"draft", PictureQuality::Draft}, {"final", PictureQuality::Final}},
+      "How much work goes into the picture [default: draft if the command writes to a terminal, "
+      "final if not, as in scripts]");
   command.addText("--unit", "Unit of lengths, for the scale bar: m", render.unit);
   command.addFlag("--no-axes", "Neither axes nor a scale bar", options.noAxes);
   command.addFlag("--transparent", "No background instead of a white one", render.transparent);
@@ -162,6 +170,8 @@ void run(RenderSettings options) {
     if (const auto box = boxAround(solid); !render.show && isFinite(box)) render.region = box;
   }
   render.axes = !options.noAxes;
+  const auto usual = isatty(STDOUT_FILENO) == 1 ? PictureQuality::Draft : PictureQuality::Final;
+  render.quality = options.quality.value_or(usual);
   if (render.title.empty()) render.title = fileName(options.surface);
   for (const auto& cut : options.cuts) {
     const auto farther =
@@ -178,6 +188,9 @@ void run(RenderSettings options) {
   if (options.surface.quiet) return;
   std::cout << "wrote " << onOneLine(options.output) << ": " << render.width << " x "
             << render.height << " pixels, in " << duration(watch.lap()) << '\n';
+  if (!options.quality && render.quality == PictureQuality::Draft) {
+    std::cout << "a draft, as it is for a terminal; --quality final takes longer\n";
+  }
   if (render.sheets) {
     std::cout << "the surface is not closed: all of it is shown; --solid shows what the signs make "
                  "of it\n";

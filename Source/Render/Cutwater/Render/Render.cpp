@@ -30,7 +30,10 @@ constexpr double kUsualFieldOfView = 30;
 /// Margin around the solid, as a fraction of the picture: rays that pass it within this margin
 /// detect that.
 constexpr double kRoom = 0.01;
-constexpr double kOcclusion = 0.07;   // range, in diagonals of the shown part
+constexpr double kOcclusion = 0.07;  // range, in diagonals of the shown part
+// Pixels between points where light is computed.
+constexpr int kDraftLight = 4;
+constexpr int kFinalLight = 2;
 constexpr int kMostLooks = 3;         // to find the visible part
 constexpr double kLargeEnough = 0.6;  // of the frame: a further look would not help
 constexpr double kLineWidth = 0.7;    // pixels
@@ -175,9 +178,10 @@ void checkEye(const SignedDistanceFunction<T>& solid, const KeptRegion& region,
 /// The camera turned to the visible part of the solid, which may be much smaller than its box.
 template <std::floating_point T>
 Camera aimed(Camera camera, const SignedDistanceFunction<T>& solid, const KeptRegion& region,
-             const Frame& frame, const RenderOptions& options) {
+             const detail::FacetRays* facets, const Frame& frame, const RenderOptions& options) {
   for (int look = 0; look < kMostLooks; ++look) {
-    const SphereTracer<T> tracer(solid, region, camera, {.sheets = options.sheets});
+    const SphereTracer<T> tracer(solid, region, camera,
+                                 {.sheets = options.sheets, .facets = facets});
     if (!tracer.knowsDistances()) {
       // Few rays could miss parts, which might then end up outside the picture.
       const auto part = detail::partOfFacets(solid, camera, frame);
@@ -227,12 +231,23 @@ Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& option
   const KeptRegion region(lookedInto(solid, options, room), options.cuts,
                           options.region.has_value());
   if (!options.sheets) checkEye(solid, region, camera);
-  if (!options.show && !options.eye) camera = aimed(camera, solid, region, frame, options);
-  const SphereTracer<T> tracer(
-      solid, region, camera,
-      {.sheets = options.sheets, .occlusionRadius = kOcclusion * rest.diagonal()});
-  const PixelSamples samples(camera, layout.area(), calls(tracer),
-                             {.threads = options.threads, .progress = options.progress});
+  const auto found = detail::FacetRays::of(solid, region.box(), options.threads);
+  const auto* const facets = found ? &*found : nullptr;
+  if (!options.show && !options.eye) camera = aimed(camera, solid, region, facets, frame, options);
+  const bool isDraft = options.quality == PictureQuality::Draft;
+  const SphereTracer<T> tracer(solid, region, camera,
+                               {.sheets = options.sheets,
+                                .occlusionRadius = kOcclusion * rest.diagonal(),
+                                .isDraft = isDraft,
+                                .facets = facets});
+  const auto trace = calls(tracer);
+  const auto light = [&](std::span<const PicturePoint> points, std::span<SurfaceSample> seen) {
+    tracer.light(points, seen);
+  };
+  const PixelSamples samples(
+      camera, layout.area(),
+      {.trace = trace, .light = light, .lightSpacing = isDraft ? kDraftLight : kFinalLight},
+      {.threads = options.threads, .progress = options.progress});
 
   auto image = options.transparent ? Image::transparent(options.width, options.height)
                                    : Image(options.width, options.height);

@@ -11,6 +11,12 @@
 
 namespace cutwater {
 
+/// How much work goes into a picture.
+enum class PictureQuality : std::uint8_t {
+  Draft,  ///< a fraction of the time: rays end sooner, and light is computed at fewer pixels
+  Final,
+};
+
 /// How a solid is shown. Lengths are in the solid's units.
 struct RenderOptions {
   View view = View::named("iso");
@@ -43,18 +49,21 @@ struct RenderOptions {
   bool legend = true;  ///< of the visible patches, if they have colours of their own
   std::string title = {};
   std::string unit = {};  ///< of lengths, e.g. "m"
-  int threads = 0;        ///< see ParallelOptions
+  PictureQuality quality = PictureQuality::Final;
+  int threads = 0;  ///< see ParallelOptions
   Progress progress = {};
 };
 
-/// Renders a picture of a solid by sphere tracing. It does not depend on the number of threads.
+/// Renders a picture of a solid by tracing rays. It does not depend on the number of threads.
 ///
-/// No ray steps through a part, however thin, as far as the solid's guarantee excludes that. A ray
-/// hits what is within 1/40 of a pixel. Silhouettes have nine rays per pixel; parts between these
-/// are found by their distance, if values are distances or bounds of them. Where only signs are
-/// known, or a ray runs along the surface for more than 256 steps, crossings() decides. Where
-/// values may be off by more than 1/4 of a pixel, parts thinner than that may be lost. Light is
-/// dimmed where other parts of the surface are near, as far as values show it.
+/// Where the surface consists of triangles and values are distances, a ray hits the first triangle
+/// that it meets. No other ray steps through a part, however thin, as far as the solid's guarantee
+/// excludes that; it hits what is within 1/40 of a pixel, or, in a draft, the tangent plane of what
+/// is within half a pixel. Silhouettes have nine rays per pixel; parts between these are found by
+/// their distance, if values are distances or bounds of them. Where only signs are known, or a ray
+/// runs along the surface for more than 256 steps, crossings() decides. Where values may be off by
+/// more than 1/4 of a pixel, parts thinner than that may be lost. Light is dimmed where other parts
+/// of the surface are near, as far as values show it.
 /// @throws Error if the picture is smaller than 320 x 240 or larger than 2^26 pixels, an angle, a
 /// direction or a box is impossible, the region or cuts across the axes leave nothing of the
 /// solid's box, the solid is unbounded and no region is given, or, in perspective, the viewer is

@@ -38,13 +38,17 @@ SliceWindow<T> boundsInPlane(const Box<T>& box, const SlicePlane<T>& plane) {
       window.upper[i] = std::max(window.upper[i], at[i]);
     }
   }
-  const T room = std::max((window.upper[0] - window.lower[0]) * T(0.08),
-                          (window.upper[1] - window.lower[1]) * T(0.08));
+  return window;
+}
+
+template <std::floating_point T>
+void addRoom(SliceWindow<T>& window) {
+  const T room =
+      T(0.08) * std::max(window.upper[0] - window.lower[0], window.upper[1] - window.lower[1]);
   for (std::size_t i = 0; i < 2; ++i) {
     window.lower[i] -= room;
     window.upper[i] += room;
   }
-  return window;
 }
 
 /// Grows the window to the proportions of width : height.
@@ -58,6 +62,18 @@ void widen(SliceWindow<T>& window, int width, int height) {
     window.lower[i] -= more;
     window.upper[i] += more;
   }
+}
+
+/// All of the mesh, if there is one: beyond it there is nothing to show. Otherwise the solid, with
+/// as much around it as fills the picture.
+template <std::floating_point T>
+SliceWindow<T> usualWindow(const SignedDistanceFunction<T>& solid, const SlicePlane<T>& plane,
+                           const Octree<T>* mesh, const PlotArea& room) {
+  if (mesh != nullptr) return boundsInPlane(mesh->domain().box(), plane);
+  auto window = boundsInPlane(solid.boundingBox(), plane);
+  addRoom(window);
+  widen(window, room.width, room.height);
+  return window;
 }
 
 template <std::floating_point T>
@@ -159,8 +175,8 @@ Image renderSlice(const SignedDistanceFunction<T>& solid, const SlicePlane<T>& p
   Image image(options.width, options.height);
   const SliceLayout layout(options.width, options.height);
   const auto room = layout.room();
-  auto window = options.window ? *options.window : boundsInPlane(solid.boundingBox(), plane);
-  if (!options.window) widen(window, room.width, room.height);
+  const auto window =
+      options.window ? *options.window : usualWindow(solid, plane, options.mesh, room);
   checkWindow(window);
   const auto area = fitted(room, window);
 

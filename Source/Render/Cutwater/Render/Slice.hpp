@@ -37,8 +37,8 @@ struct SliceWindow {
 /// Options of renderSlice().
 template <std::floating_point T>
 struct SliceOptions {
-  /// The part that is shown, in full and to scale. Without it: the solid's bounding box with some
-  /// margin.
+  /// The part that is shown, in full and to scale. Without it: all of the mesh, or else the solid's
+  /// bounding box with some margin.
   std::optional<SliceWindow<T>> window = {};
   int width = 1600;   ///< of the picture, pixels
   int height = 1000;  ///< of the picture, pixels

@@ -1,4 +1,6 @@
 #include <Cutwater/Render/Detail/PixelSamples.hpp>
+#include <Cutwater/Render/Detail/PixelTiles.hpp>
+#include <Cutwater/Render/Detail/SparseLight.hpp>
 
 #include <algorithm>
 #include <array>
@@ -8,35 +10,15 @@ namespace cutwater::detail {
 
 namespace {
 
-constexpr int kTile = 16;             // its square is kMostRays
 constexpr double kStep = 2;           // pixels from the tangent plane; beyond: another sheet
 constexpr double kCrease = 0.94;      // cosine of a visible angle
 constexpr std::uint32_t kWanted = 0;  // not kNone; a pixel's number follows once all are marked
 constexpr Rgb kLine{28, 32, 38};
 constexpr double kLineOpacity = 0.62;
 
-int tiles(int pixels) {
-  return (pixels + kTile - 1) / kTile;
-}
-
-/// Visits (x, y) tile by tile: neighbours in the list are neighbours in the picture.
-template <typename Visit>
-void forTile(const PlotArea& area, std::size_t tile, Visit visit) {
-  const int columns = tiles(area.width);
-  const int x0 = static_cast<int>(tile % static_cast<std::size_t>(columns)) * kTile;
-  const int y0 = static_cast<int>(tile / static_cast<std::size_t>(columns)) * kTile;
-  for (int y = y0; y < std::min(y0 + kTile, area.height); ++y) {
-    for (int x = x0; x < std::min(x0 + kTile, area.width); ++x) visit(x, y);
-  }
-}
-
-std::size_t tileCount(const PlotArea& area) {
-  return static_cast<std::size_t>(tiles(area.width)) * static_cast<std::size_t>(tiles(area.height));
-}
-
 }  // namespace
 
-PixelSamples::PixelSamples(const Camera& camera, const PlotArea& area, SampleTracer trace,
+PixelSamples::PixelSamples(const Camera& camera, const PlotArea& area, const Rays& rays,
                            const ParallelOptions& options)
     : camera_(camera), area_(area) {
   const auto count = static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height);
@@ -49,8 +31,11 @@ PixelSamples::PixelSamples(const Camera& camera, const PlotArea& area, SampleTra
     }
     return some;
   };
-  tracePixels(trace, part(0, 0.6));
-  refine(trace, part(0.6, 1));
+  tracePixels(rays.trace, part(0, 0.5));
+  SparseLight light(camera, area, rays.lightSpacing, rays.light);
+  light.prepare(samples_, {.threads = options.threads, .progress = {}});
+  lightPixels(light, part(0.5, 0.6));
+  refine(rays.trace, light, part(0.6, 1));
 }
 
 PicturePoint PixelSamples::finePoint(int x, int y) const {
@@ -65,17 +50,35 @@ const SurfaceSample& PixelSamples::fineSample(int x, int y) const {
 }
 
 void PixelSamples::tracePixels(SampleTracer trace, const ParallelOptions& options) {
-  parallelFor(tileCount(area_), options, [&](std::size_t begin, std::size_t end) {
+  const PixelTiles tiles(area_);
+  parallelFor(tiles.count(), options, [&](std::size_t begin, std::size_t end) {
     std::vector<PicturePoint> points;
     std::vector<SurfaceSample> found(kMostRays);
     for (std::size_t tile = begin; tile < end; ++tile) {
       points.clear();
-      forTile(area_, tile, [&](int x, int y) {
-        points.push_back(finePoint(kSide * x + kSide / 2, kSide * y + kSide / 2));
-      });
+      tiles.forPixels(tile, [&](int x, int y) { points.push_back(middle(x, y)); });
       trace(points, 1, std::span(found).first(points.size()));
       auto sample = found.begin();
-      forTile(area_, tile, [&](int x, int y) { samples_[index(x, y)] = *sample++; });
+      tiles.forPixels(tile, [&](int x, int y) { samples_[index(x, y)] = *sample++; });
+    }
+  });
+}
+
+void PixelSamples::lightPixels(const SparseLight& light, const ParallelOptions& options) {
+  const PixelTiles tiles(area_);
+  parallelFor(tiles.count(), options, [&](std::size_t begin, std::size_t end) {
+    std::vector<PicturePoint> points;
+    std::vector<SurfaceSample> samples;
+    for (std::size_t tile = begin; tile < end; ++tile) {
+      points.clear();
+      samples.clear();
+      tiles.forPixels(tile, [&](int x, int y) {
+        points.push_back(middle(x, y));
+        samples.push_back(samples_[index(x, y)]);
+      });
+      light.light(points, samples);
+      auto sample = samples.begin();
+      tiles.forPixels(tile, [&](int x, int y) { samples_[index(x, y)] = *sample++; });
     }
   });
 }
@@ -98,9 +101,6 @@ PixelSamples::Difference PixelSamples::difference(const SurfaceSample& a, const 
 }
 
 bool PixelSamples::differsFromNeighbours(int x, int y) const {
-  const auto middle = [&](int i, int j) {
-    return finePoint(kSide * i + kSide / 2, kSide * j + kSide / 2);
-  };
   const auto& here = samples_[index(x, y)];
   if (here.passed != kNone) return true;
   for (int j = y - 1; j <= y + 1; ++j) {
@@ -113,7 +113,8 @@ bool PixelSamples::differsFromNeighbours(int x, int y) const {
   return false;
 }
 
-void PixelSamples::refine(SampleTracer trace, const ParallelOptions& options) {
+void PixelSamples::refine(SampleTracer trace, const SparseLight& light,
+                          const ParallelOptions& options) {
   const ParallelOptions rows{.threads = options.threads, .grain = 8, .progress = {}};
   parallelFor(static_cast<std::size_t>(area_.height), rows,
               [&](std::size_t begin, std::size_t end) {
@@ -123,8 +124,9 @@ void PixelSamples::refine(SampleTracer trace, const ParallelOptions& options) {
                   }
                 }
               });
-  for (std::size_t tile = 0; tile < tileCount(area_); ++tile) {
-    forTile(area_, tile, [&](int x, int y) {
+  const PixelTiles tiles(area_);
+  for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
+    tiles.forPixels(tile, [&](int x, int y) {
       if (!isRefined(x, y)) return;
       refined_[index(x, y)] = static_cast<std::uint32_t>(pixels_.size());
       pixels_.push_back(index(x, y));
@@ -135,7 +137,7 @@ void PixelSamples::refine(SampleTracer trace, const ParallelOptions& options) {
   const auto packets = (pixels_.size() + kAtOnce - 1) / kAtOnce;
   parallelFor(packets, options, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      traceFinely(trace, i * kAtOnce, std::min(kAtOnce, pixels_.size() - i * kAtOnce));
+      traceFinely(trace, light, i * kAtOnce, std::min(kAtOnce, pixels_.size() - i * kAtOnce));
     }
   });
   showWhatIsThin();
@@ -146,13 +148,16 @@ std::pair<int, int> PixelSamples::fineCorner(std::size_t pixel) const {
   return {kSide * static_cast<int>(pixel % width), kSide * static_cast<int>(pixel / width)};
 }
 
-void PixelSamples::traceFinely(SampleTracer trace, std::size_t first, std::size_t count) {
+void PixelSamples::traceFinely(SampleTracer trace, const SparseLight& light, std::size_t first,
+                               std::size_t count) {
   std::vector<PicturePoint> points;
   for (const auto pixel : std::span(pixels_).subspan(first, count)) {
     const auto [x, y] = fineCorner(pixel);
     for (int i = 0; i < kSquare; ++i) points.push_back(finePoint(x + i % kSide, y + i / kSide));
   }
-  trace(points, 1.0 / kSide, std::span(fine_).subspan(first * kSquare, points.size()));
+  const auto samples = std::span(fine_).subspan(first * kSquare, points.size());
+  trace(points, 1.0 / kSide, samples);
+  light.light(points, samples);
 }
 
 /// Whether a sample nearly meets a part, and the next sample beyond that part misses, too.

@@ -17,6 +17,8 @@ using SampleShader = FunctionRef<Rgb(const SurfaceSample&, const PicturePoint&)>
 /// an edge.
 using SurfaceMatcher = FunctionRef<bool(std::uint32_t, std::uint32_t)>;
 
+class SparseLight;
+
 /// Samples of what is visible through the pixels of an area: one per pixel, but kSide^2 where
 /// neighbours differ: at silhouettes, steps in depth, creases and borders of patches, and where the
 /// solid comes close to a ray that misses it.
@@ -28,8 +30,14 @@ class PixelSamples {
  public:
   static constexpr int kSide = 3;
 
+  struct Rays {
+    SampleTracer trace;
+    SampleLighter light;
+    int lightSpacing = 1;  ///< see SparseLight
+  };
+
   /// The area must lie in a picture. Samples do not depend on the number of threads.
-  PixelSamples(const Camera& camera, const PlotArea& area, SampleTracer trace,
+  PixelSamples(const Camera& camera, const PlotArea& area, const Rays& rays,
                const ParallelOptions& options);
 
   /// Paints the samples, with fine lines along silhouettes and borders. `lineWidth` in pixels, at
@@ -59,15 +67,20 @@ class PixelSamples {
   [[nodiscard]] bool isNearRefined(int x, int y) const;
   /// A point of the fine grid, which has kSide times as many columns and rows as the picture.
   [[nodiscard]] PicturePoint finePoint(int x, int y) const;
+  [[nodiscard]] PicturePoint middle(int x, int y) const {
+    return finePoint(kSide * x + kSide / 2, kSide * y + kSide / 2);
+  }
   [[nodiscard]] const SurfaceSample& fineSample(int x, int y) const;
   [[nodiscard]] Difference difference(const SurfaceSample& a, const PicturePoint& atA,
                                       const SurfaceSample& b, const PicturePoint& atB) const;
   [[nodiscard]] bool isOnLine(int x, int y, int reach, SurfaceMatcher areOne) const;
   [[nodiscard]] bool differsFromNeighbours(int x, int y) const;
   void tracePixels(SampleTracer trace, const ParallelOptions& options);
-  void refine(SampleTracer trace, const ParallelOptions& options);
+  void lightPixels(const SparseLight& light, const ParallelOptions& options);
+  void refine(SampleTracer trace, const SparseLight& light, const ParallelOptions& options);
   /// Traces the samples of refined pixels [first, first + count).
-  void traceFinely(SampleTracer trace, std::size_t first, std::size_t count);
+  void traceFinely(SampleTracer trace, const SparseLight& light, std::size_t first,
+                   std::size_t count);
   [[nodiscard]] std::pair<int, int> fineCorner(std::size_t pixel) const;
   void showWhatIsThin();
   [[nodiscard]] bool hidesBetween(int x, int y) const;

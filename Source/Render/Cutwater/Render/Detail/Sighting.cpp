@@ -7,9 +7,6 @@ namespace cutwater::detail {
 
 namespace {
 
-/// Distance, in pixels, within which two sheets coincide, or a point beyond a cut still counts as
-/// on it.
-constexpr double kSamePlace = 1e-3;
 /// A ray whose direction has a smaller component towards the surface runs along it.
 constexpr double kSlowest = 0.02;
 
@@ -40,6 +37,11 @@ SurfaceSample Sighting<T>::atCrossing(const Ray& ray, double along,
   const Vec3<double> normal(crossing.normal);
   return sampleOf(ray, along, normal,
                   patchAt(crossing.point, normal, crossing.owner.patch, ray, along));
+}
+
+template <std::floating_point T>
+SurfaceSample Sighting<T>::atFacet(const Ray& ray, const FacetHit& hit) {
+  return sampleOf(ray, hit.along, hit.normal, hit.patch);
 }
 
 template <std::floating_point T>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Render/CutPlane.hpp>
+#include <Cutwater/Render/Detail/FacetRays.hpp>
 #include <Cutwater/Render/Detail/SurfaceSample.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
@@ -21,6 +22,8 @@ class Sighting {
   /// The surface that a ray crosses at this distance along it.
   [[nodiscard]] SurfaceSample atCrossing(const Ray& ray, double along,
                                          const Crossing<T>& crossing) const;
+  /// The facet that a ray meets.
+  [[nodiscard]] static SurfaceSample atFacet(const Ray& ray, const FacetHit& hit);
   /// For a ray that is near enough to the surface at this distance along it; `nearest` is the
   /// surface point nearest to there.
   [[nodiscard]] SurfaceSample near(const Ray& ray, const RayRange& range, double along,
@@ -29,6 +32,10 @@ class Sighting {
   /// the surface is farther than `reach`, in pixels, or cut away.
   [[nodiscard]] SurfaceSample passing(const Ray& ray, double along, const SurfacePoint<T>& nearest,
                                       double reach) const;
+
+  /// Distance, in pixels, within which two sheets coincide, or a point beyond a cut still counts as
+  /// on it.
+  static constexpr double kSamePlace = 1e-3;
 
  private:
   [[nodiscard]] std::uint32_t patchAt(const Vec3<T>& foot, const Vec3<double>& normal,

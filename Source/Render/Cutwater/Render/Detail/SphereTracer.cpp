@@ -1,3 +1,4 @@
+#include <Cutwater/Render/Detail/RayGroups.hpp>
 #include <Cutwater/Render/Detail/SphereTracer.hpp>
 
 #include <algorithm>
@@ -14,6 +15,9 @@ constexpr double kInf = std::numeric_limits<double>::infinity();
 /// distance.
 constexpr double kNearEnough = 1.0 / 40;
 constexpr double kNearEnoughByBound = 1.0 / 320;
+/// In drafts a ray within half a pixel of the surface goes on to the tangent plane at once, unless
+/// that takes it further than a pixel.
+constexpr double kNearEnoughInDrafts = 0.5;
 /// For sheets crossings() is of no use. Instead, the threshold for a ray along one grows every this
 /// many steps, which bounds their number.
 constexpr int kStepsOfPatience = 1024;
@@ -33,7 +37,9 @@ SphereTracer<T>::SphereTracer(const SignedDistanceFunction<T>& solid, const Kept
       camera_(camera),
       options_(options),
       distance_(solid.guarantee(), region.box(), options.sheets),
-      occlusion_(solid, distance_, region, options.occlusionRadius),
+      occlusion_(solid, distance_, region,
+                 {.radius = options.occlusionRadius, .hasFacets = options.facets != nullptr}),
+      facets_(distance_.isExact() ? options.facets : nullptr),
       sighting_(solid, region, camera, options.sheets),
       nearEnough_(distance_.isExact() ? kNearEnough : kNearEnoughByBound) {}
 
@@ -58,6 +64,7 @@ class SphereTracer<T>::Packet {
 
   void run() {
     stopAtCuts();
+    if (t_.facets_ != nullptr) meetFacets();
     if (t_.distance_.isKnown()) {
       startTogether();
       march();
@@ -68,7 +75,6 @@ class SphereTracer<T>::Packet {
       if (!samples_[i].isHit() && lines_[i].nearest < reach_) passing_.push_back(i);
     }
     samplePassing();
-    if (t_.options_.occlusionRadius > 0) lookAround();
   }
 
  private:
@@ -78,12 +84,13 @@ class SphereTracer<T>::Packet {
     double along;           // nothing visible up to here
     double nearest = kInf;  // least distance so far, in pixels
     double nearestAlong = 0;
+    bool wasNear = false;  // it did not go on to the tangent plane
   };
 
   [[nodiscard]] Vec3<T> at(const Vec3<double>& p) const { return Vec3<T>(p); }
-
   /// Evaluates the solid at the current points of the active rays.
   void evaluate() {
+    points_.resize(active_.size());
     for (std::size_t k = 0; k < active_.size(); ++k) {
       const auto& line = lines_[active_[k]];
       points_[k] = at(line.ray.at(line.along));
@@ -127,37 +134,38 @@ class SphereTracer<T>::Packet {
            meetsBetween(i, before, line.along + step);
   }
 
-  /// Advances all rays together: at equal distances along, they are all within some radius of the
-  /// one that enters first.
+  void meetFacets() {
+    keepActive([&](std::size_t, Line& line, std::uint32_t i) {
+      const double samePlace = Sighting<T>::kSamePlace * t_.camera_.pixelSize(line.along);
+      const auto hit = t_.facets_->first(line.ray, line.along, line.range.end, samePlace);
+      if (hit) samples_[i] = Sighting<T>::atFacet(line.ray, *hit);
+      return !hit;
+    });
+  }
+
+  /// Advances rays as far as their neighbours' distances tell that they may be.
   void startTogether() {
-    if (active_.size() < 2) return;
-    const auto& first =
-        lines_[*std::min_element(active_.begin(), active_.end(), [&](auto a, auto b) {
-          return lines_[a].range.begin < lines_[b].range.begin;
-        })];
-    double end = kInf, apart = 0, diverging = 0;
+    std::vector<GroupedRay> rays;
     for (const auto i : active_) {
-      const auto& line = lines_[i];
-      end = std::min(end, line.range.end);
-      apart = std::max(apart, length(line.ray.origin - first.ray.origin));
-      diverging = std::max(diverging, length(line.ray.direction - first.ray.direction));
+      rays.push_back({&lines_[i].ray, lines_[i].range.end, lines_[i].along});
     }
-    double along = first.range.begin;
-    for (int step = 0; step < kMostSteps && along < end; ++step) {
-      const auto p = at(first.ray.at(along));
-      const double radius = apart + diverging * along;
-      const double free = t_.distance_(t_.solid_.signedDistance(p), p, kInf) - radius;
-      if (!(free > 0.5 * radius)) break;
-      along += free;
-    }
-    for (const auto i : active_) lines_[i].along = std::max(lines_[i].along, along);
+    advanceTogether(rays, t_.camera_, reach_,
+                    [&](std::span<const Vec3<double>> places, std::span<double> free) {
+                      for (std::size_t k = 0; k < places.size(); ++k) points_[k] = at(places[k]);
+                      const auto values = std::span(values_).first(places.size());
+                      t_.solid_.signedDistances(std::span(points_).first(places.size()), values,
+                                                {.threads = 1});
+                      for (std::size_t k = 0; k < places.size(); ++k) {
+                        free[k] = t_.distance_(values[k], points_[k], kInf);
+                      }
+                    });
+    for (std::size_t k = 0; k < rays.size(); ++k) lines_[active_[k]].along = rays[k].along;
   }
 
   void march() {
     const int most = t_.options_.sheets ? 8 * kStepsOfPatience : kMostSteps;
     for (int step = 0; step < most && !active_.empty(); ++step) {
-      keepActive(
-          [](std::size_t, Line& line, std::uint32_t) { return line.along < line.range.end; });
+      keepActive([](auto, Line& line, auto) { return line.along < line.range.end; });
       evaluate();
       const double patience =
           t_.options_.sheets ? std::max(1.0, static_cast<double>(step) / kStepsOfPatience) : 1;
@@ -172,11 +180,28 @@ class SphereTracer<T>::Packet {
           line.nearest = free / pixel;
           line.nearestAlong = line.along;
         }
+        if (t_.options_.isDraft && !line.wasNear && free <= kNearEnoughInDrafts * pixel) {
+          near_.push_back(i);
+        }
         line.along += free;
         return true;
       });
+      if (!near_.empty()) landNearby();
     }
     if (t_.options_.sheets) active_.clear();
+  }
+
+  /// Ends those rays near the surface that meet its tangent plane within a pixel.
+  void landNearby() {
+    sampleByNearest(near_, &Line::along, [&](Line& line, const SurfacePoint<T>& nearest) {
+      line.wasNear = true;
+      const Vec3<double> away = line.ray.at(line.along) - Vec3<double>(nearest.point);
+      const double speed = -dot(Vec3<double>(nearest.normal), line.ray.direction);
+      if (!(length(away) <= speed * t_.camera_.pixelSize(line.along))) return SurfaceSample{};
+      return t_.sighting_.near(line.ray, line.range, line.along, nearest);
+    });
+    near_.clear();
+    keepActive([&](auto, auto&, auto i) { return !samples_[i].isHit(); });
   }
 
   /// Whether there is a crossing on a part of a ray; the sample is then of the first one.
@@ -191,19 +216,18 @@ class SphereTracer<T>::Packet {
     return samples_[i].isHit();
   }
 
-  /// Determines where rays meet the surface.
+  /// Where rays meet the surface.
   void sampleArrived() {
-    sampleByNearest(arrived_, &Line::along, [&](const Line& line, const SurfacePoint<T>& nearest) {
+    sampleByNearest(arrived_, &Line::along, [&](Line& line, const SurfacePoint<T>& nearest) {
       return t_.sighting_.near(line.ray, line.range, line.along, nearest);
     });
   }
 
-  /// Determines where rays pass the surface.
+  /// Where rays pass the surface.
   void samplePassing() {
-    sampleByNearest(passing_, &Line::nearestAlong,
-                    [&](const Line& line, const SurfacePoint<T>& nearest) {
-                      return t_.sighting_.passing(line.ray, line.nearestAlong, nearest, reach_);
-                    });
+    sampleByNearest(passing_, &Line::nearestAlong, [&](Line& line, const SurfacePoint<T>& nearest) {
+      return t_.sighting_.passing(line.ray, line.nearestAlong, nearest, reach_);
+    });
   }
 
   /// Calls sampleOf(line, closest surface point to the ray's point at `along`) for rays, and keeps
@@ -223,19 +247,6 @@ class SphereTracer<T>::Packet {
     }
   }
 
-  void lookAround() {
-    std::vector<typename Occlusion<T>::Foot> feet;
-    std::vector<std::uint32_t> owners;
-    for (std::uint32_t i = 0; i < lines_.size(); ++i) {
-      const auto& sample = samples_[i];
-      if ((!sample.isHit() && sample.passed == kNone) || sample.isCut()) continue;
-      feet.push_back({lines_[i].ray.at(sample.along), Vec3<double>(sample.normal)});
-      owners.push_back(i);
-    }
-    const auto open = t_.occlusion_.openness(feet);
-    for (std::size_t k = 0; k < open.size(); ++k) samples_[owners[k]].open = open[k];
-  }
-
   /// Calls keep(k, line, index) for the k-th active ray, and keeps only those active for which it
   /// returns true.
   template <typename Keep>
@@ -253,6 +264,7 @@ class SphereTracer<T>::Packet {
   std::span<SurfaceSample> samples_;
   std::vector<Line> lines_;
   std::vector<std::uint32_t> active_;   // rays still marching
+  std::vector<std::uint32_t> near_;     // those that may have arrived, in a draft
   std::vector<std::uint32_t> arrived_;  // those that see something
   std::vector<std::uint32_t> passing_;  // those that nearly do
   std::vector<Vec3<T>> points_;
@@ -264,6 +276,22 @@ template <std::floating_point T>
 void SphereTracer<T>::trace(std::span<const PicturePoint> points, double spacing,
                             std::span<SurfaceSample> samples) const {
   Packet(*this, points, spacing, samples).run();
+}
+
+template <std::floating_point T>
+void SphereTracer<T>::light(std::span<const PicturePoint> points,
+                            std::span<SurfaceSample> samples) const {
+  std::vector<typename Occlusion<T>::Foot> feet;
+  std::vector<std::size_t> owners;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto& sample = samples[i];
+    if ((!sample.isHit() && sample.passed == kNone) || sample.isCut()) continue;
+    feet.push_back(
+        {camera_.ray(points[i].x, points[i].y).at(sample.along), Vec3<double>(sample.normal)});
+    owners.push_back(i);
+  }
+  const auto open = occlusion_.openness(feet);
+  for (std::size_t k = 0; k < open.size(); ++k) samples[owners[k]].open = open[k];
 }
 
 template class SphereTracer<float>;

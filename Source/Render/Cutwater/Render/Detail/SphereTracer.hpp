@@ -8,7 +8,11 @@ namespace cutwater::detail {
 
 struct TraceOptions {
   bool sheets = false;         ///< see RenderOptions
-  double occlusionRadius = 0;  ///< how far to look for occluders; 0: not at all
+  double occlusionRadius = 0;  ///< how far light() looks for occluders
+  bool isDraft = false;        ///< rays may also end at the tangent plane within half a pixel
+  /// All of the surface in the region, if that consists of flat pieces; otherwise null. Where
+  /// values are distances, the first that a ray meets is what it sees.
+  const FacetRays* facets = nullptr;
 };
 
 /// Finds what rays see of a solid.
@@ -21,7 +25,7 @@ struct TraceOptions {
 /// where it meets the surface. Steps are shortened by the possible rounding error of a value,
 /// unless that exceeds 1/4 of a pixel: for a solid so far from the origin, parts thinner than the
 /// rounding error may be lost. For the rest of a ray that needs more than kMostSteps, crossings()
-/// is queried; so it is for all rays if only signs are known.
+/// is queried; so it is for all rays if only signs are known. Rays that meet a facet need no steps.
 template <std::floating_point T>
 class SphereTracer {
  public:
@@ -38,6 +42,10 @@ class SphereTracer {
   void trace(std::span<const PicturePoint> points, double spacing,
              std::span<SurfaceSample> samples) const;
 
+  /// Computes how open the surfaces are that samples see or nearly meet; most efficient if they are
+  /// close to each other.
+  void light(std::span<const PicturePoint> points, std::span<SurfaceSample> samples) const;
+
   /// Whether rays have bounds on the distance to the surface, and so detect what they pass.
   [[nodiscard]] bool knowsDistances() const { return distance_.isKnown(); }
 
@@ -50,6 +58,7 @@ class SphereTracer {
   TraceOptions options_;
   CertainDistance<T> distance_;
   Occlusion<T> occlusion_;
+  const FacetRays* facets_;
   Sighting<T> sighting_;
   double nearEnough_;  // in pixels
 };

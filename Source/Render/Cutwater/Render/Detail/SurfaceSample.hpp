@@ -37,4 +37,8 @@ inline constexpr std::size_t kMostRays = 256;
 using SampleTracer = FunctionRef<void(std::span<const PicturePoint> points, double spacing,
                                       std::span<SurfaceSample> samples)>;
 
+/// Computes how open the surfaces are that at most kMostRays samples see or nearly meet.
+using SampleLighter =
+    FunctionRef<void(std::span<const PicturePoint> points, std::span<SurfaceSample> samples)>;
+
 }  // namespace cutwater::detail

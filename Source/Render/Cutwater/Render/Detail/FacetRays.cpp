@@ -1,0 +1,169 @@
+#include <Cutwater/Render/Detail/FacetRays.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cutwater::detail {
+
+namespace {
+
+constexpr double kSlack = 1e-9;  // of a facet's size
+
+/// For each child of a node how far along a ray its box begins, in the tree's frame: in single
+/// precision, for boxes grown by more than its rounding, of trees without turned nodes.
+class RayKeys {
+ public:
+  RayKeys(const Vec3<double>& start, const Vec3<double>& direction) : start_(start) {
+    constexpr float kLeast = 1e-20F;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto along = static_cast<float>(direction[axis]);
+      inverse_[axis] = 1 / (std::abs(along) > kLeast ? along : kLeast);
+    }
+  }
+
+  void operator()(const BvhNode<16>& node, BvhNode<16>::Lanes& out) const {
+    constexpr float kGrown = 2e-6F;
+    BvhNode<16>::Lanes begin{}, end;
+    end.fill(kMostKey);
+    const Vec3<float> start(start_ - Vec3<double>(node.center));
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto& lower = node.lower[static_cast<std::size_t>(axis)];
+      const auto& upper = node.upper[static_cast<std::size_t>(axis)];
+      for (std::size_t k = 0; k < out.size(); ++k) {
+        const float one = (lower[k] - kGrown - start[axis]) * inverse_[axis];
+        const float other = (upper[k] + kGrown - start[axis]) * inverse_[axis];
+        const float first = one < other ? one : other;
+        const float last = one < other ? other : one;
+        begin[k] = first > begin[k] ? first : begin[k];
+        end[k] = last < end[k] ? last : end[k];
+      }
+    }
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      out[k] = begin[k] <= end[k] ? begin[k] : kMostKey;
+    }
+  }
+
+ private:
+  Vec3<double> start_;
+  Vec3<float> inverse_;
+};
+
+}  // namespace
+
+/// The hits of one ray that may still count.
+class FacetRays::Walk {
+ public:
+  Walk(const std::vector<Facet>& facets, const Ray& ray, double begin, double end, double samePlace)
+      : facets_(facets), ray_(ray), begin_(begin), first_(end), samePlace_(samePlace) {}
+
+  /// Looks at the facets of a leaf. Returns the distance along the ray beyond which no hit counts.
+  double operator()(std::span<const std::uint32_t> slots) {
+    for (const auto id : slots) {
+      if (id == kNone) break;
+      const auto along = meets(facets_[id]);
+      if (!along || *along > limit()) continue;
+      isFound_ = true;
+      first_ = std::min(first_, *along);
+      if (count_ == hits_.size()) forget();
+      if (count_ < hits_.size()) hits_[count_++] = {*along, id};
+    }
+    return limit();
+  }
+
+  [[nodiscard]] std::optional<FacetHit> best() {
+    if (!isFound_) return {};
+    forget();
+    const auto isBetter = [&](const Hit& a, const Hit& b) {
+      const auto &one = facets_[a.facet], &other = facets_[b.facet];
+      if (faces(one) != faces(other)) return faces(one);
+      return one.patch != other.patch ? one.patch < other.patch : a.along < b.along;
+    };
+    const auto& hit = *std::min_element(hits_.begin(), hits_.begin() + count_, isBetter);
+    return FacetHit{first_, facets_[hit.facet].normal, facets_[hit.facet].patch};
+  }
+
+ private:
+  struct Hit {
+    double along;
+    std::uint32_t facet;
+  };
+
+  [[nodiscard]] double limit() const { return isFound_ ? first_ + samePlace_ : first_; }
+  [[nodiscard]] bool faces(const Facet& facet) const {
+    return dot(facet.normal, ray_.direction) < 0;
+  }
+
+  /// T. Möller and B. Trumbore 1997, "Fast, minimum storage ray/triangle intersection".
+  [[nodiscard]] std::optional<double> meets(const Facet& facet) const {
+    const auto across = cross(ray_.direction, facet.toLast);
+    const double volume = dot(facet.toNext, across);
+    if (volume == 0) return {};  // seen edge-on
+    const auto from = ray_.origin - facet.corner;
+    const double u = dot(from, across) / volume;
+    const auto turned = cross(from, facet.toNext);
+    const double v = dot(ray_.direction, turned) / volume;
+    if (!(u >= -kSlack && v >= -kSlack && u + v <= 1 + kSlack)) return {};
+    const double along = dot(facet.toLast, turned) / volume;
+    if (!(along >= begin_)) return {};
+    return along;
+  }
+
+  /// Drops the hits that are too far behind the first.
+  void forget() {
+    const auto end = std::remove_if(hits_.begin(), hits_.begin() + count_,
+                                    [&](const Hit& hit) { return hit.along > limit(); });
+    count_ = static_cast<std::size_t>(end - hits_.begin());
+  }
+
+  const std::vector<Facet>& facets_;
+  const Ray& ray_;
+  double begin_;
+  double first_;
+  double samePlace_;
+  bool isFound_ = false;
+  std::array<Hit, 16> hits_;
+  std::size_t count_ = 0;
+};
+
+template <std::floating_point T>
+std::optional<FacetRays> FacetRays::of(const SignedDistanceFunction<T>& solid,
+                                       const Box<double>& box, int threads) {
+  FacetRays rays;
+  std::vector<Box<double>> boxes;
+  const bool areAll =
+      solid.facetsIn({Vec3<T>(box.lower), Vec3<T>(box.upper)}, [&](const SurfaceFacet<T>& facet) {
+        std::array<Vec3<double>, 3> corners;
+        std::ranges::transform(facet.corners, corners.begin(),
+                               [](const Vec3<T>& p) { return Vec3<double>(p); });
+        const auto& [a, b, c] = corners;
+        auto around = Box<double>{}.extend(a).extend(b).extend(c);
+        boxes.push_back(around.grown(2 * kSlack * around.diagonal()));
+        rays.facets_.push_back({a, b - a, c - a, Vec3<double>(facet.normal), facet.owner.patch});
+        return true;
+      });
+  if (!areAll || boxes.empty()) return {};
+  rays.tree_ = buildBvh<16, 4>(boxes, threads);
+  return rays;
+}
+
+std::optional<FacetHit> FacetRays::first(const Ray& ray, double begin, double end,
+                                         double samePlace) const {
+  if (!(begin < end)) return {};
+  Walk walk(facets_, ray, begin, end, samePlace);
+  const auto& frame = tree_.frame;
+  const auto limit = [&](double along) {
+    return static_cast<float>(frame.scale * (along - begin)) * (1 + 0x1p-20F) + 1e-5F;
+  };
+  tree_.tree().traverse(
+      RayKeys(frame.toFrame(ray.at(begin)), ray.direction),
+      [&](std::span<const std::uint32_t> slots) { return limit(walk(slots)); }, limit(end));
+  return walk.best();
+}
+
+template std::optional<FacetRays> FacetRays::of(const SignedDistanceFunction<float>&,
+                                                const Box<double>&, int);
+template std::optional<FacetRays> FacetRays::of(const SignedDistanceFunction<double>&,
+                                                const Box<double>&, int);
+
+}  // namespace cutwater::detail
