@@ -31,6 +31,7 @@
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Grid/OctreeCells.hpp>
 #include <Cutwater/Grid/OctreeDomain.hpp>
+#include <Cutwater/Grid/OctreeEstimate.hpp>
 #include <Cutwater/Grid/OctreeFill.hpp>
 #include <Cutwater/Grid/OctreeNodes.hpp>
 #include <Cutwater/Grid/OctreeRegions.hpp>

@@ -188,8 +188,8 @@ TYPED_TEST(FacetRulesTest, TagCellsByThemselvesAsTogether) {
   const Refinement<T> rules{.walls = Width{T(1.5), 9}};
   for (const auto& solid : {(outer - inner) | slab, slab | Sphere<T>({0, 0, T(0.5)}, T(0.3))}) {
     const detail::CellTagger<T> tagger(solid, rules);
-    constexpr int kLevel = 3;
-    const auto level = this->domain.level(kLevel);
+    constexpr int kFine = 3;
+    const auto level = this->domain.level(kFine);
     std::vector<Box<T>> cells;
     for (std::int32_t n = 0; n < 32 * 32 * 32; n += 3) {
       cells.push_back(level.cell({n % 32, n / 32 % 32, n / 1024}));
@@ -200,13 +200,13 @@ TYPED_TEST(FacetRulesTest, TagCellsByThemselvesAsTogether) {
     for (std::size_t begin = 0; begin < cells.size(); begin += 200) {
       const auto count = std::min<std::size_t>(200, cells.size() - begin);
       std::vector<BoxHint> hints(count);
-      tagger.tag(kLevel, std::span(cells).subspan(begin, count), hints,
+      tagger.tag(kFine, std::span(cells).subspan(begin, count), hints,
                  std::span(together).subspan(begin, count));
     }
     for (std::size_t n = 0; n < cells.size(); ++n) {
       BoxHint hint;
       detail::CellTag alone;
-      tagger.tag(kLevel, std::span(cells).subspan(n, 1), std::span(&hint, 1), std::span(&alone, 1));
+      tagger.tag(kFine, std::span(cells).subspan(n, 1), std::span(&hint, 1), std::span(&alone, 1));
       EXPECT_EQ(together[n].isRefined, alone.isRefined) << n;
       if (!mayBeCut(alone.kind)) continue;
       const T width = maxComponent(cells[n].size());

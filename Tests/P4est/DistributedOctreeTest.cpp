@@ -176,6 +176,19 @@ TYPED_TEST(DistributedOctreeTest, RefusesWhatCannotBe) {
   refused(this->domain, {.cut = 1}, {.threads = -1});
 }
 
+TYPED_TEST(DistributedOctreeTest, EndsAtItsLimit) {
+  using T = TypeParam;
+  const auto ball = ballAndPlate<T>();
+  const auto meshed = [&](std::size_t most) {
+    return DistributedOctree<T>(ball, this->domain, {.cut = 3}, MPI_COMM_WORLD, {.maxCells = most});
+  };
+  const std::size_t count = meshed(std::numeric_limits<std::size_t>::max()).cellCount();
+  EXPECT_EQ(meshed(count).cellCount(), count);
+  for (const std::size_t most : {count - 1, count / 2, std::size_t{1}}) {
+    expectAgreedError(ErrorKind::Limit, [&] { static_cast<void>(meshed(most)); });
+  }
+}
+
 TYPED_TEST(DistributedOctreeTest, RefusesRanksThatDiffer) {
   using T = TypeParam;
   if (rankCount() == 1) GTEST_SKIP() << "needs two ranks";

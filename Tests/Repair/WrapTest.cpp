@@ -1,6 +1,8 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Repair/Wrap.hpp>
 
+#include <cmath>
+
 #include "RepairChecks.hpp"
 
 namespace cutwater::test {
@@ -99,6 +101,34 @@ ErrorKind kindOf(const WrapOptions& options, PolygonSoup soup = cube()) {
   }
   ADD_FAILURE() << "was not refused";
   return ErrorKind::File;
+}
+
+TEST(Wrap, IsEstimatedFirst) {
+  const auto ball = tessellation::icosphere(1, 4);
+  const WrapOptions options{.gap = 0.08};
+  const auto expected = estimateWrap(ball, options);
+  EXPECT_EQ(expected.gap, 0.08);
+  auto soup = ball;
+  double before = 0;
+  auto watched = options;
+  watched.progress = [&](double fraction) {
+    EXPECT_LE(before, fraction);
+    EXPECT_LE(fraction, 1);
+    before = fraction;
+  };
+  const auto report = wrap(soup, watched);
+  EXPECT_NEAR(expected.triangles / static_cast<double>(report.facesAfter), 1, 0.3);
+  EXPECT_GT(before, 0.3);
+  EXPECT_GT(expected.seconds, 0.1 * report.seconds);  // the machine may be busy meanwhile
+  EXPECT_LT(expected.seconds, 10 * report.seconds);
+}
+
+TEST(Wrap, NamesTheGapThatFits) {
+  const WrapEstimate expected{.gap = 0.1, .triangles = 1e6, .seconds = 101, .secondsAtOnce = 1};
+  EXPECT_DOUBLE_EQ(expected.gapWithin(101), 0.1);
+  EXPECT_DOUBLE_EQ(expected.gapWithin(26), 0.2);
+  EXPECT_DOUBLE_EQ(expected.gapWithin(51), 0.15);  // 0.1 sqrt(2), rounded up
+  EXPECT_TRUE(std::isinf(expected.gapWithin(1)));
 }
 
 TEST(Wrap, Refusals) {

@@ -1,4 +1,5 @@
 """Runs the command as people and scripts do. Usage: check_command.py PROGRAM [group]"""
+import contextlib
 import math
 import os
 import pty
@@ -276,7 +277,7 @@ class Sample(CommandTest):
 
     def test_values_beyond_memory_are_counted_first(self):
         self.assertRegex(self.fails(1, "sample", "box.off", "-o", "a.vti", "--cells", "9000", "--write", "distance,patch"),
-                         r"729 000 000 000 values take 8.75 TB, and this machine has [0-9.]+ [GT]B of memory")
+                         r"would take 729 000 000 000 cells, 8.75 TB of memory; three quarters of the memory here are [0-9.]+ [GT]B")
 
     def test_patches(self):
         (self.folder / "two.obj").write_text(
@@ -474,8 +475,9 @@ class Amr(CommandTest):
     def test_out_of_memory(self):
         def limited():
             resource.setrlimit(resource.RLIMIT_AS, (150_000_000,) * 2)
-        for command, advice in [(("amr", "-o", "a.vtu", "--level", "9"), "a lower --level"),
-                                (("isosurface", "-o", "a.stl", "--cells", "6000"), "nodes; use fewer --cells")]:
+        more = ("--max-memory", "1T")
+        for command, advice in [(("amr", "-o", "a.vtu", "--level", "9", *more), "a lower --level"),
+                                (("isosurface", "-o", "a.stl", "--cells", "6000", *more), "nodes; use fewer --cells")]:
             done = subprocess.run([PROGRAM, *command, "box.off", "--threads", "1"], cwd=self.folder, text=True,
                                   capture_output=True, preexec_fn=limited, check=False)
             self.assertEqual(done.returncode, 1)
@@ -847,6 +849,78 @@ class Prepare(CommandTest):
                 why = self.fails(1, command[0], file, *command[1:])
                 self.assertIn(f"{file}: the geometry file is damaged: ", why)
         self.assertFalse([f.name for f in self.folder.iterdir() if f.name.startswith("a.")])
+
+
+class Limits(CommandTest):
+    """What does not fit is refused before it is begun, and what does fit is named."""
+
+    def setUp(self):
+        super().setUp()
+        self.box(size="2.1,2.1,2.1")
+
+    def test_meshes(self):
+        mesh = ("amr", "box.off", "-o", "a.vtu", "--roots", "4", "--box", "-2,-2,-2,2,2,2", "--max-memory", "5M", "--level")
+        for finer in ("12", "18"):
+            why = self.fails(1, *mesh, finer)
+            said = re.search(r"this would take about [\d e+.]+ cells, \S+ [A-Z]+ of memory, (?:about|more).*; --max-memory allows 5 MB; "
+                             r"--level (\d+) fits, with about ([\d ]+) cells\n", why)
+            self.assertTrue(said, why)
+            wrote = self.succeeds(*mesh, said[1])
+            cells = int(re.search(r"a.vtu: ([\d ]+) cells", wrote)[1].replace(" ", ""))
+            self.assertAlmostEqual(int(said[2].replace(" ", "")) / cells, 1, delta=0.1)
+            self.fails(1, *mesh, int(said[1]) + 1)
+        self.assertIn("; --max-cells allows 100; --level 0 fits, with about 64 cells\n",
+                      self.fails(1, *mesh, "3", "--max-cells", "100"))
+        self.assertIn("; no rule beyond level 0 fits,", self.fails(1, *mesh, "1", "--band", "1:3", "--max-cells", "100"))
+        self.assertIn("; use fewer --roots\n", self.fails(1, *mesh, "1", "--max-cells", "63"))
+        for wrong in ("0", "x", "5X", "G", "-1G"):
+            self.assertIn("--max-memory", self.fails(2, *mesh, "1", "--max-memory", wrong))
+
+    def test_the_memory_of_the_machine(self):
+        def limited():
+            resource.setrlimit(resource.RLIMIT_AS, (160_000_000,) * 2)
+        for command in [("amr", "--level", "12", "-o", "a.vtu"), ("sample", "--cells", "400", "-o", "a.vti"),
+                        ("isosurface", "--cells", "4000", "-o", "a.stl")]:
+            done = subprocess.run([PROGRAM, *command, "box.off", "--threads", "1"], cwd=self.folder, text=True,
+                                  capture_output=True, preexec_fn=limited, check=False)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("; three quarters of the memory here are 120 MB, and --max-memory allows more; --", done.stderr)
+            self.assertIn(" fits", done.stderr)
+
+    def test_grids(self):
+        for command, what in [(("sample", "box.off", "-o", "a.vti", "--cells", "60"), "cells"),
+                              (("isosurface", "box.off", "-o", "a.ply", "--cells", "60"), "triangles")]:
+            for limit in (("--max-memory", "300k"), (f"--max-{what}", "9000")):
+                why = self.fails(1, *command, *limit)
+                self.assertRegex(why, rf"this would take (about )?[\d ]+ {what}, .* of memory")
+                fits = re.search(r"(--spacing) (\S+) fits\n", why)
+                wrote = self.succeeds(*command[:-2], *fits.groups(), *limit)
+                count = int(re.search(rf"([\d ]+) {what}", wrote)[1].replace(" ", ""))
+                if limit[1] == "9000":
+                    self.assertLess(count, 9000 if what == "cells" else 9900)
+                    self.assertGreater(count, 5000)
+
+    def test_wraps(self):
+        if "--wrap" not in self.succeeds("repair", "--help"):
+            self.skipTest("built without Cutwater::Repair")
+        why = self.fails(1, "repair", "box.off", "-o", "a.ply", "--wrap", "0.004", "--budget", "4")
+        self.assertRegex(why, r"--wrap 0.004: this would take about [\d ]+ triangles, about .*, and there are 4 s; "
+                              r"--wrap 0\.\d+ fits, and --budget gives it more\n")
+
+    def test_terminals_are_told(self):
+        self.succeeds("make", "sphere", "--parts", "400", "-o", "ball.ply")
+        for command, said in [(("amr", "box.off", "--level", "3", "-o", "a.vtu"), r"about [\d ]+ cells, .* of memory, about"),
+                              (("sample", "box.off", "--cells", "9", "-o", "a.vti"), r"729 cells, 5.83 kB of memory"),
+                              (("info", "ball.ply"), r"looking for self-intersections \.\.\.")]:
+            main, side = pty.openpty()
+            subprocess.run([PROGRAM, *command], cwd=self.folder, stderr=side, stdout=subprocess.DEVNULL, check=True)
+            os.close(side)
+            text = b""
+            with contextlib.suppress(OSError):
+                while part := os.read(main, 4096):
+                    text += part
+            os.close(main)
+            self.assertRegex(text.decode(), said)
 
 
 class Interruptions(CommandTest):

@@ -208,7 +208,7 @@ class Mending(RepairTest):
         self.assertIn("need all, or a length above 0",
                       self.fails(2, "repair", "open.off", "-o", "out.off", "--holes", "some"))
         self.fails(2, "repair", "open.off", "-o", "out.off", "--holes", "0")
-        self.assertIn("take a larger gap",
+        self.assertIn("--wrap 0.",
                       self.fails(1, "repair", "open.off", "-o", "out.off", "--wrap", "1e-5"))
         self.assertIn("not done within 0.001 seconds; --budget gives it more",
                       self.fails(1, "repair", "open.off", "-o", "out.off", "--wrap", "0.01",

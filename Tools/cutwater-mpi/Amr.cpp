@@ -132,6 +132,36 @@ void report(const Options& options, const DistributedOctree<double>& mesh, std::
             << text(memory.withSurface) << "\nat the end: " << text(memory.atEnd) << '\n';
 }
 
+/// The number of nodes, each with memory of its own.
+int nodesOf(MPI_Comm comm) {
+  MPI_Comm node = MPI_COMM_NULL;
+  MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+  int nodes = rankIn(node) == 0 ? 1 : 0;
+  MPI_Comm_free(&node);
+  MPI_Allreduce(MPI_IN_PLACE, &nodes, 1, MPI_INT, MPI_SUM, comm);
+  return nodes;
+}
+
+/// The most cells that the limits allow, by the memory of rank 0's node. Rank 0 estimates the mesh.
+/// @throws Error(Limit), on all ranks, if it has no room.
+std::size_t mostCellsOf(const Options& options, const MeshSDF<double>& solid,
+                        const OctreeDomain<double>& domain, const Refinement<double>& rules) {
+  // A quadrant of p4est's with its data, and what cutwater keeps of a cell, at the peak.
+  constexpr double kBytesOfQuadrant = 80;
+  const double each = bytesPerCell(options.mesh) + kBytesOfQuadrant;
+  const int nodes = nodesOf(options.comm);
+  agreed(options.comm, [&] {
+    if (rankIn(options.comm) != 0) return;
+    const auto mesh =
+        estimate<double>(solid, domain, rules,
+                         {.balance = options.mesh.balance, .threads = options.surface.threads});
+    requireRoom(options.mesh, mesh, each, 0, !options.surface.quiet, nodes);
+  });
+  std::uint64_t most = static_cast<std::uint64_t>(mostCells(options.mesh, each, nodes));
+  MPI_Bcast(&most, 1, MPI_UINT64_T, 0, options.comm);
+  return most;
+}
+
 void run(Options options) {
   if (isScene(options.surface)) {
     throw Error(ErrorKind::File, options.surface.file +
@@ -156,10 +186,14 @@ void run(Options options) {
   memory.withSurface = residentMemory(comm);
   const auto& solid = surface.mesh();
   const auto domain = domainAround(boxAround(solid), options.mesh);
+  const auto rules = rulesFor(options.mesh.refinement, solid.patchNames());
+  const auto most = mostCellsOf(options, solid, domain, rules);
   lap();
-  const DistributedOctree<double> mesh(
-      solid, domain, rulesFor(options.mesh.refinement, solid.patchNames()), comm,
-      {.balance = options.mesh.balance, .cutWeight = options.cutWeight, .threads = threads});
+  const DistributedOctree<double> mesh(solid, domain, rules, comm,
+                                       {.balance = options.mesh.balance,
+                                        .cutWeight = options.cutWeight,
+                                        .maxCells = most,
+                                        .threads = threads});
   seconds.mesh = lap();
   std::optional<MeshFields> fields;
   agreed(comm, [&] {

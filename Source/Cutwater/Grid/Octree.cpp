@@ -13,8 +13,7 @@ OctreeCells<T> builtCells(const SignedDistanceFunction<T>& solid, const OctreeDo
                           const Refinement<T>& refinement, const OctreeOptions& options) {
   const detail::CellTagger<T> tagger(solid, refinement);
   const int deepest = refinement.deepest();
-  require(deepest <= domain.deepest(), "Octree: need fewer levels for so many roots",
-          Named{"level", deepest}, Named{"finest possible", domain.deepest()});
+  detail::requireLevel(domain, deepest);
   return {domain, deepest, detail::OctreeBuilder<T>(tagger, domain, options).run(deepest)};
 }
 

@@ -4,6 +4,7 @@
 #include <Cutwater/Grid/OctreeCells.hpp>
 #include <Cutwater/Grid/Refinement.hpp>
 
+#include <limits>
 #include <optional>
 
 namespace cutwater {
@@ -19,6 +20,8 @@ enum class Balance : std::uint8_t {
 /// Options of an Octree.
 struct OctreeOptions {
   Balance balance = Balance::Corner;
+  /// An Error of kind Limit is thrown before there are more cells than this: see estimate().
+  std::size_t maxCells = std::numeric_limits<std::size_t>::max();
   /// At most this many threads; 0: as many as there are. See ParallelOptions.
   int threads = 0;
   Progress progress = {};
@@ -32,7 +35,8 @@ struct OctreeOptions {
 template <std::floating_point T>
 class Octree : public OctreeCells<T> {
  public:
-  /// @throws Error as Refinement::check(), or if it asks for levels beyond domain.deepest().
+  /// @throws Error as Refinement::check(), or if it asks for levels beyond domain.deepest(); of
+  /// kind Limit if there are more cells than options.maxCells.
   Octree(const SignedDistanceFunction<T>& solid, const OctreeDomain<T>& domain,
          const Refinement<T>& refinement, const OctreeOptions& options = {});
 

@@ -85,13 +85,19 @@ std::string Diagnosis::verdict() const {
 Diagnosis diagnose(const PolygonSoup& soup, const DiagnosisOptions& options) {
   Diagnosis found;
   Stopwatch watch;
+  const auto begin = [&](const char* step) {
+    if (options.onStep) options.onStep(step);
+  };
+  begin("checking");
   {
     const DcelMesh<double> mesh(soup);
     found.report = check(mesh);
     found.seconds.check = watch.lap();
+    begin("looking for self-intersections");
     found.selfIntersections = findSelfIntersections(mesh);
     found.seconds.selfIntersections = watch.lap();
     if (found.report.triangles > 0) {
+      begin("building the tree and checking signs");
       decideSigns(soup, found);
       found.solidVolume = solidVolumeOf(soup, found);
     }
@@ -100,6 +106,7 @@ Diagnosis diagnose(const PolygonSoup& soup, const DiagnosisOptions& options) {
   if (!options.tryTreatments) return found;
   watch.lap();
   if (!found.defects.empty()) {
+    begin("trying repairs");
     auto [treatments, openings] = detail::findTreatments(soup, options.fillHoles);
     found.treatments = std::move(treatments);
     found.openings = std::move(openings);

@@ -134,6 +134,8 @@ struct DiagnosisOptions {
   /// Fills holes where nothing else closes the surface; if empty, that is not tried. The library
   /// has no such function of its own: see HoleFilling.
   HoleFilling fillHoles = {};
+  /// Called before each step with what it does: "checking", "building", ...
+  std::function<void(const char* step)> onStep = {};
 };
 
 /// Examines a surface as `cutwater info` does: its defects and their meaning, and repairs, which

@@ -119,6 +119,34 @@ void reportFeatures(const SignedDistanceFunction<double>& solid, const Octree<do
   }
 }
 
+/// Of the value in a cell, from those of a coarse mesh.
+double secondsPerValue(const Solid<double>& solid, const OctreeDomain<double>& domain,
+                       const OctreeEstimate& estimated, int threads) {
+  constexpr double kFew = 4000;
+  const int level = std::min(estimated.finestWithin(kFew), estimated.deepest());
+  if (level < 0) return 0;
+  const Octree<double> mesh(solid, domain, {.cut = level}, {.threads = threads});
+  std::vector<double> distance(mesh.cells().size());
+  Stopwatch watch;
+  fill(solid, mesh, {.distance = distance}, {.threads = threads});
+  return watch.lap() / static_cast<double>(distance.size());
+}
+
+/// The options of a mesh that has room.
+/// @throws Error(Limit) if it has none.
+OctreeOptions withRoom(const Solid<double>& solid, const OctreeDomain<double>& domain,
+                       const Refinement<double>& rules, const AmrSettings& options) {
+  const int threads = options.surface.threads;
+  const OctreeOptions mesh{
+      .balance = options.mesh.balance,
+      .maxCells = static_cast<std::size_t>(mostCells(options.mesh, bytesPerCell(options.mesh))),
+      .threads = threads};
+  const auto estimated = estimate(solid, domain, rules, mesh);
+  requireRoom(options.mesh, estimated, bytesPerCell(options.mesh),
+              secondsPerValue(solid, domain, estimated, threads), !options.surface.quiet);
+  return mesh;
+}
+
 void run(const AmrSettings& options) {
   const int threads = options.surface.threads;
   const bool isShown = !options.surface.quiet;
@@ -128,11 +156,11 @@ void run(const AmrSettings& options) {
   const auto domain = domainAround(boxAround(solid), options.mesh);
   const auto rules = rulesFor(options.mesh.refinement, solid.patchNames());
   seconds.surface = watch.lap();
+  auto meshOptions = withRoom(solid, domain, rules, options);
   const auto mesh = [&] {
     ProgressBar bar("meshing", isShown);
-    return Octree<double>(
-        solid, domain, rules,
-        {.balance = options.mesh.balance, .threads = threads, .progress = bar.callback()});
+    meshOptions.progress = bar.callback();
+    return Octree<double>(solid, domain, rules, meshOptions);
   }();
   seconds.mesh = watch.lap();
   MeshFields fields(mesh, options.mesh.write);

@@ -90,7 +90,9 @@ std::vector<Advice> adviceFor(const std::string& output, const std::vector<Defec
 }
 
 RepairFacts repair(const RepairSettings& options) {
-  const auto steps = stepsOf(options.repair);  // before any work, as an option may be wrong
+  auto wanted = options.repair;
+  wanted.mending.isShown = !options.surface.quiet;
+  const auto steps = stepsOf(wanted);  // before any work, as an option may be wrong
   auto soup = load(options.surface).soup;
   const auto before = check(DcelMesh<double>(soup));
   const std::size_t points = soup.points.size();

@@ -3,12 +3,13 @@
 #include <Cutwater/Io/Vti.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
-#include <unistd.h>
 
 #include "Commands/Commands.hpp"
 #include "Options/Arguments.hpp"
+#include "Options/Limits.hpp"
 #include "Options/LoadSurface.hpp"
 #include "Options/OutputFile.hpp"
 #include "Options/SampleGrid.hpp"
@@ -24,6 +25,7 @@ struct SampleSettings {
   SurfaceOptions surface;
   std::string output;
   GridRequest grid;
+  Limits limits;
   double band = 0;
   std::vector<std::string> write{"distance"};
 };
@@ -77,29 +79,54 @@ void report(const SampleSettings& options, const GridPatch<double>& grid, const 
   std::cout << "sampled in " << duration(seconds) << ", " << number(each * 1e9, 3) << " ns each\n";
 }
 
-/// @throws Error if the values cannot be in memory all at once.
-void requireMemory(const IndexBox& grid, const std::vector<std::string>& names) {
-  const std::size_t each = (std::ranges::count(names, "distance") > 0 ? sizeof(double) : 0) +
-                           (std::ranges::count(names, "patch") > 0 ? sizeof(std::uint32_t) : 0);
-  const auto most = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
-                    static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-  const std::size_t needed = grid.count() * each;
-  if (needed <= most) return;
-  throw Error(ErrorKind::Limit, "the grid's " + grouped(grid.count()) + " values take " +
-                                    bytes(needed) + ", and this machine has " + bytes(most) +
-                                    " of memory; use fewer --cells");
+/// Of the arrays' values at an index.
+double bytesOfValues(const std::vector<std::string>& names) {
+  const auto has = [&](const char* name) { return std::ranges::count(names, name) > 0; };
+  return (has("distance") ? 8.0 : 0.0) + (has("patch") ? 4.0 : 0.0);
+}
+
+/// Of filling the grid, from blocks all over it.
+double secondsToFill(const Solid<double>& solid, const GridPatch<double>& grid,
+                     const FillOptions& options) {
+  double points = 0;
+  Stopwatch watch;
+  for (const auto& block : blocksOf(grid.indices)) {
+    std::vector<double> values(block.count());
+    const auto view = GridView<double>::contiguous(values.data(), block);
+    fill(solid, {grid.level, block}, view, options);
+    points += static_cast<double>(values.size());
+  }
+  return watch.lap() * static_cast<double>(grid.indices.count()) / points;
+}
+
+/// @throws Error(Limit) if the grid has no room within the limits.
+void requireRoom(const Solid<double>& solid, const GridPatch<double>& grid,
+                 const SampleSettings& options, const FillOptions& how) {
+  const auto count = static_cast<double>(grid.indices.count());
+  const double each = bytesOfValues(options.write);
+  Expected expected{.what = "cells", .items = count, .bytes = count * each, .isExact = true};
+  const double most = options.limits.mostBytes() / each;
+  const auto remedy = [&] {
+    const double fitting = std::min(most, options.limits.items.value_or(most));
+    return sizeThatFits(grid, std::cbrt(count / fitting));
+  };
+  requireWithin(options.limits, expected, false, remedy);
+  constexpr double kFew = 1e6;  // values, for which it is not worth while
+  if (count > kFew) expected.seconds = secondsToFill(solid, grid, how);
+  requireWithin(options.limits, expected, !options.surface.quiet, remedy);
 }
 
 void run(const SampleSettings& options) {
   const auto solid = loadSolid(options.surface);
   const auto grid = gridAround(boxAround(solid), options.grid);
-  requireMemory(grid.indices, options.write);
+  FillOptions how{.band = options.band, .threads = options.surface.threads};
+  requireRoom(solid, grid, options, how);
   const Fields fields(grid.indices, options.write);
   Stopwatch watch;
   {
     ProgressBar bar("sampling", !options.surface.quiet);
-    fill(solid, grid, fields.targets(),
-         {.band = options.band, .threads = options.surface.threads, .progress = bar.callback()});
+    how.progress = bar.callback();
+    fill(solid, grid, fields.targets(), how);
   }
   const double seconds = watch.lap();
   writeVti(options.output, grid, fields.arrays(),
@@ -118,6 +145,7 @@ void addSample(Program& program) {
   addOutput(command, "-o,--output", options->output, {".vti"}, "The image to write").required();
   addSizeOptions(command, options->grid);
   addPlaceOptions(command, options->grid);
+  addLimits(command, "cells", options->limits);
   command.addFlag("--nodes", "Values at the nodes of the cells, not at their centres",
                   options->grid.nodes);
   command.add("--band", "CELLS",

@@ -16,6 +16,7 @@
 #include "Options/OpenSurface.hpp"
 #include "Report/Format.hpp"
 #include "Report/OutOfMemory.hpp"
+#include "Report/StepLine.hpp"
 #include "Report/Stopwatch.hpp"
 
 namespace cutwater::tool {
@@ -65,6 +66,11 @@ void requireNear(const PolygonSoup& soup, const SurfaceOptions& options) {
 
 /// The surface in a file of one of the formats for surfaces.
 LoadedSurface loadFile(const SurfaceOptions& options) {
+  constexpr std::uintmax_t kLarge = 20'000'000;  // bytes, which take about a second
+  std::error_code ignored;
+  const auto size = std::filesystem::file_size(options.file, ignored);
+  StepLine line(!options.quiet && !ignored && size >= kLarge);
+  line.show("reading " + fileName(options));
   Stopwatch watch;
   auto [soup, report] = readAnySurface(
       options.file, {.scale = options.scale, .placement = options.placement, .weld = false});

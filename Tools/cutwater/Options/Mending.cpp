@@ -1,13 +1,17 @@
 #include "Options/Mending.hpp"
 
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Surface/SurfaceMeasure.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <unistd.h>
 
 #include "Options/Arguments.hpp"
 #include "Options/SurfaceOptions.hpp"
 #include "Report/Format.hpp"
+#include "Report/ProgressBar.hpp"
 #include "Report/Stopwatch.hpp"
 
 namespace cutwater::tool {
@@ -38,15 +42,53 @@ std::string textOfWidth(double widest) {
   return std::isinf(widest) ? "all" : exactly(widest);
 }
 
-WrapReport wrapped(PolygonSoup& soup, const MendingOptions::Wrap& how, double seconds) {
+/// What would fit into the time: "--wrap 0.05 may fit".
+std::string remedyOf(const WrapEstimate& expected, double seconds) {
+  constexpr double kSafe = 0.7;  // of the time, as this is an estimate
+  const double gap = expected.gapWithin(kSafe * seconds);
+  return (std::isfinite(gap) ? "--wrap " + exactly(gap) + " fits, and " : "") +
+         "--budget gives it more";
+}
+
+/// @throws Error(Limit) if it is certain enough that there is too little time.
+void requireTime(const WrapEstimate& expected, const MendingOptions& options) {
+  constexpr double kDoubt = 1.5;
+  const auto text = "about " + grouped(static_cast<std::size_t>(rounded(expected.triangles, 2))) +
+                    " triangles, " + roughDuration(expected.seconds);
+  if (expected.seconds > kDoubt * options.seconds) {
+    throw Error(ErrorKind::Limit, "this would take " + text + ", and there are " +
+                                      duration(options.seconds) + "; " +
+                                      remedyOf(expected, options.seconds));
+  }
+  if (options.isShown && isatty(STDERR_FILENO) == 1) std::cerr << "wrap: " << text << '\n';
+}
+
+/// Runs the work, and adds to the error of one that is late what would help.
+template <typename Work>
+auto withRemedy(const std::string& remedy, double seconds, const Work& work) {
   Stopwatch watch;
   try {
-    return wrap(soup, {.gap = how.gap, .offset = how.offset, .seconds = seconds});
+    return work();
   } catch (const Error& error) {
     const bool isLate = error.kind() == ErrorKind::Limit && watch.lap() > seconds;
     if (!isLate) throw;
-    throw Error(ErrorKind::Limit, std::string(error.what()) + "; --budget gives it more");
+    throw Error(ErrorKind::Limit, std::string(error.what()) + "; " + remedy);
   }
+}
+
+WrapReport wrapped(PolygonSoup& soup, const MendingOptions& options) {
+  constexpr double kFew = 20'000;  // triangles, about: not worth an estimate
+  const double seconds = options.seconds;
+  WrapOptions how{.gap = options.wrap->gap, .offset = options.wrap->offset, .seconds = seconds};
+  std::string remedy = "--budget gives it more";
+  if (8 * measure(soup).area > kFew * how.gap * how.gap) {
+    const auto expected = withRemedy(remedy, seconds, [&] { return estimateWrap(soup, how); });
+    requireTime(expected, options);
+    remedy = remedyOf(expected, seconds);
+  }
+  ProgressBar bar("wrapping", options.isShown);
+  how.progress = bar.callback();
+  return withRemedy(remedy, seconds, [&] { return wrap(soup, how); });
 }
 
 }  // namespace
@@ -105,8 +147,8 @@ void addMendingSteps(const MendingOptions& options, std::vector<RepairStep>& ste
                      }});
   }
   if (const auto how = options.wrap) {
-    steps.push_back({"wrap " + textOf(*how),
-                     [how, seconds](PolygonSoup& soup) { return wrapped(soup, *how, seconds); }});
+    steps.push_back(
+        {"wrap " + textOf(*how), [options](PolygonSoup& soup) { return wrapped(soup, options); }});
   }
 }
 

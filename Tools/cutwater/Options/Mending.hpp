@@ -24,6 +24,7 @@ struct MendingOptions {
   bool selfIntersections = false;
   std::optional<Wrap> wrap = {};
   double seconds = 60;  ///< for each step
+  bool isShown = true;  ///< whether a terminal shows the progress
 };
 
 /// Whether the program was built with Cutwater::Repair. Otherwise there are no such options or

@@ -1,9 +1,12 @@
 #include "Options/MeshOptions.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "Options/Arguments.hpp"
 #include "Options/Choice.hpp"
+#include "Report/Format.hpp"
 #include "Report/MeshFields.hpp"
 
 namespace cutwater::tool {
@@ -57,6 +60,39 @@ void addMeshOptions(Command command, MeshOptions& options) {
       "that meet the cell, bit n of the number for patch n of the first 64 [default: "
       "distance,class,level]",
       options.write, MeshFields::names());
+  addLimits(command, "cells", options.limits);
+}
+
+double bytesPerCell(const MeshOptions& options) {
+  constexpr std::pair<const char*, double> kBytes[] = {
+      {"distance", 8}, {"normal", 24}, {"patch", 4}, {"patches", 8}, {"class", 1}, {"level", 1}};
+  double bytes = OctreeEstimate::kBytesPerCell;
+  for (const auto& [name, size] : kBytes) {
+    bytes += std::ranges::count(options.write, name) > 0 ? size : 0;
+  }
+  return bytes;
+}
+
+double mostCells(const MeshOptions& options, double bytesPerCell, int machines) {
+  const double most = machines * options.limits.mostBytes() / bytesPerCell;
+  return std::floor(std::min(most, options.limits.items.value_or(most)));
+}
+
+void requireRoom(const MeshOptions& options, const OctreeEstimate& mesh, double bytesPerCell,
+                 double secondsPerValue, bool isShown, int machines) {
+  const double cells = mesh.cells();
+  const Expected expected{.what = "cells",
+                          .items = cells,
+                          .bytes = cells * bytesPerCell / machines,
+                          .seconds = mesh.seconds() + cells * secondsPerValue};
+  requireWithin(options.limits, expected, isShown, [&] {
+    const int level = mesh.finestWithin(mostCells(options, bytesPerCell, machines));
+    if (level < 0) return std::string("use fewer --roots");
+    const bool isAlone = options.refinement.rules.cut == mesh.deepest();
+    const double fewer = rounded(mesh.cells(level), 3);
+    return (isAlone ? "--level " : "no rule beyond level ") + std::to_string(level) +
+           " fits, with about " + grouped(static_cast<std::size_t>(fewer), "cell");
+  });
 }
 
 OctreeDomain<double> domainAround(const Box<double>& surface, const MeshOptions& options) {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "Options/Arguments.hpp"
+#include "Report/Format.hpp"
 
 namespace cutwater::tool {
 
@@ -65,6 +66,45 @@ GridPatch<double> gridAround(const Box<double>& surface, const GridRequest& requ
   const std::int32_t more = request.nodes ? 1 : 0;
   return {Level<double>(box.lower, spacing, request.nodes ? Centering::Node : Centering::Cell),
           IndexBox::ofSize(count[0] + more, count[1] + more, count[2] + more)};
+}
+
+std::string sizeThatFits(const GridPatch<double>& grid, double factor) {
+  constexpr double kStep = 1.01;  // more than three digits round off
+  const auto& n = grid.indices;
+  // Of cells that are so many times as wide: the box grows to whole ones, and nodes are one more.
+  const auto count = [&](double by) {
+    double product = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      product *= std::ceil(static_cast<double>(n.length(axis)) / by) + 1;
+    }
+    return product;
+  };
+  const double most = static_cast<double>(n.count()) / (factor * factor * factor);
+  double wider = kStep * factor;
+  while (count(wider) > most && most > 27) wider *= kStep;
+  const auto spacing = kStep * wider * grid.level.spacing();
+  const bool isCube = spacing.x == spacing.y && spacing.y == spacing.z;
+  const auto rest = "," + number(spacing.y, 3) + "," + number(spacing.z, 3);
+  return "--spacing " + number(spacing.x, 3) + (isCube ? "" : rest) + " fits";
+}
+
+std::vector<IndexBox> blocksOf(const IndexBox& grid) {
+  constexpr std::int32_t kSide = 8;
+  constexpr std::int32_t kBlocks = 5;  // along each axis
+  std::vector<IndexBox> blocks;
+  const auto first = [](std::int32_t lo, std::int32_t hi, std::int32_t n) {
+    const auto room = std::max(std::int64_t{hi} - lo + 1 - kSide, std::int64_t{0});
+    return lo + static_cast<std::int32_t>(room * n / (kBlocks - 1));
+  };
+  const auto& [lo, hi] = grid;
+  for (std::int32_t n = 0; n < kBlocks * kBlocks * kBlocks; ++n) {
+    const Index3 begin{first(lo.i, hi.i, n % kBlocks), first(lo.j, hi.j, n / kBlocks % kBlocks),
+                       first(lo.k, hi.k, n / (kBlocks * kBlocks))};
+    blocks.push_back({begin,
+                      {std::min(begin.i + kSide - 1, hi.i), std::min(begin.j + kSide - 1, hi.j),
+                       std::min(begin.k + kSide - 1, hi.k)}});
+  }
+  return blocks;
 }
 
 void addSizeOptions(Command command, GridRequest& grid) {

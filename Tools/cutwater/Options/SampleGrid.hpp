@@ -27,6 +27,12 @@ struct GridRequest {
 /// @throws Error(Argument) if the surface has no extent, Error(Limit) if the grid is too large.
 [[nodiscard]] GridPatch<double> gridAround(const Box<double>& surface, const GridRequest& request);
 
+/// The size of cells that are so many times as wide, as an option that fits: "--spacing 0.02 fits".
+[[nodiscard]] std::string sizeThatFits(const GridPatch<double>& grid, double factor);
+
+/// Small blocks of indices all over a grid, from which the time for all of it is estimated.
+[[nodiscard]] std::vector<IndexBox> blocksOf(const IndexBox& grid);
+
 /// Adds --cells, --spacing and --total. `grid` must outlive the command.
 void addSizeOptions(Command command, GridRequest& grid);
 /// Adds --box and --margin, likewise.

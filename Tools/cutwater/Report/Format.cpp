@@ -46,6 +46,11 @@ std::string duration(double seconds) {
   return number(seconds * 1e6, 3) + " us";
 }
 
+std::string roughDuration(double seconds) {
+  constexpr double kDay = 86400;
+  return seconds > kDay ? "more than a day" : "about " + duration(rounded(seconds, 2));
+}
+
 std::string hexadecimal(std::uint64_t value) {
   constexpr std::size_t kDigits = 16;
   std::array<char, kDigits> digits;

@@ -10,11 +10,14 @@
 #include "Report/Format.hpp"
 #include "Report/OutOfMemory.hpp"
 #include "Report/PeakMemory.hpp"
+#include "Report/StepLine.hpp"
 #include "Report/Stopwatch.hpp"
 
 namespace cutwater::tool {
 
 namespace {
+
+constexpr std::size_t kLarge = 50'000;  // polygons: examining them takes about a second
 
 /// The file as suggested commands name it: what was read from a pipe can't be read again.
 std::string readableName(const SurfaceOptions& options) {
@@ -72,9 +75,13 @@ InfoFacts gather(const InfoOptions& options) {
   std::error_code ignored;
   const auto onDisk = std::filesystem::file_size(options.file, ignored);
   if (!ignored) facts.bytesOnDisk = onDisk;
+  StepLine line(!options.quiet && soup.polygonCount() >= kLarge);
   facts.found = namingMemory(
       options.file + ": out of memory while examining " + grouped(soup.polygonCount(), "polygon"),
-      [&] { return diagnose(soup, {.fillHoles = holeFilling()}); });
+      [&] {
+        return diagnose(soup, {.fillHoles = holeFilling(),
+                               .onStep = [&](const char* step) { line.show(step); }});
+      });
   if (facts.found.signs && options.inFloat) {
     const bool meets = static_cast<bool>(facts.found.selfIntersections);
     facts.bytesInFloat = MeshSDF<float>(soup, {.findSelfIntersections = meets}).memoryBytes();

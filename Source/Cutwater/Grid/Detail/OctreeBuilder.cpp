@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Detail/OctreeBuilder.hpp>
 
 #include <algorithm>
@@ -6,10 +7,38 @@
 namespace cutwater::detail {
 
 template <std::floating_point T>
+void requireLevel(const OctreeDomain<T>& domain, int deepest) {
+  require(deepest <= domain.deepest(), "Octree: need fewer levels for so many roots",
+          Named{"level", deepest}, Named{"finest possible", domain.deepest()});
+}
+
+void requireCells(double cells, int level, std::size_t most) {
+  if (cells <= static_cast<double>(most)) return;
+  throw Error(ErrorKind::Limit, "Octree: down to level " + std::to_string(level) + " there are " +
+                                    toText(static_cast<long long>(cells)) + " cells, at most " +
+                                    toText(static_cast<long long>(most)) +
+                                    " are allowed: use fewer levels");
+}
+
+template <std::floating_point T>
+OctreeCodes rootCodes(const OctreeDomain<T>& domain) {
+  const auto& n = domain.roots();
+  OctreeCodes codes;
+  for (std::int32_t k = 0; k < n.k; ++k) {
+    for (std::int32_t j = 0; j < n.j; ++j) {
+      for (std::int32_t i = 0; i < n.i; ++i) codes.push_back(mortonCode({i, j, k}));
+    }
+  }
+  std::ranges::sort(codes);
+  return codes;
+}
+
+template <std::floating_point T>
 std::vector<OctreeCell> OctreeBuilder<T>::run(int deepest) {
   deepest_ = deepest;
   divide();
   balanceOctree(domain_, options_.balance, divided_);
+  requireFew(0, deepest_);
   std::vector<Leaf> leaves;
   Cells cells = std::move(found_.front());
   for (int level = 0;; ++level) {
@@ -23,27 +52,16 @@ std::vector<OctreeCell> OctreeBuilder<T>::run(int deepest) {
 }
 
 template <std::floating_point T>
-auto OctreeBuilder<T>::roots() const -> Cells {
-  const auto& n = domain_.roots();
-  Cells cells;
-  for (std::int32_t k = 0; k < n.k; ++k) {
-    for (std::int32_t j = 0; j < n.j; ++j) {
-      for (std::int32_t i = 0; i < n.i; ++i) cells.codes.push_back(mortonCode({i, j, k}));
-    }
-  }
-  std::ranges::sort(cells.codes);
-  cells.tags.resize(cells.codes.size());
-  return cells;
-}
-
-template <std::floating_point T>
 void OctreeBuilder<T>::divide() {
-  found_.push_back(roots());
+  found_.push_back({rootCodes(domain_), {}});
+  found_.back().tags.resize(found_.back().codes.size());
   std::vector<BoxHint> hints;  // of the parents
   for (int level = 0;; ++level) {
     auto& [codes, tags] = found_.back();
     hints = tagCells(level, found_.back(), hints, progressOf(level));
     if (level == deepest_) break;
+    requireFew(static_cast<std::size_t>(std::ranges::count(tags, true, &CellTag::isRefined)),
+               level + 1);
     Cells next;
     auto& divided = divided_.emplace_back();
     std::size_t kept = 0;
@@ -59,6 +77,14 @@ void OctreeBuilder<T>::divide() {
   }
   if (options_.progress)
     options_.progress(1.0);  // also where no cell of the last levels is divided
+}
+
+template <std::floating_point T>
+void OctreeBuilder<T>::requireFew(std::size_t more, int level) const {
+  auto divided = static_cast<double>(more);
+  for (const auto& codes : divided_) divided += static_cast<double>(codes.size());
+  const auto& n = domain_.roots();
+  requireCells(1.0 * n.i * n.j * n.k + 7 * divided, level, options_.maxCells);
 }
 
 template <std::floating_point T>
@@ -135,6 +161,10 @@ void OctreeBuilder<T>::collect(std::vector<Leaf>& leaves, int level, const Cells
   std::ranges::inplace_merge(leaves, leaves.begin() + before, {}, &Leaf::place);
 }
 
+template void requireLevel(const OctreeDomain<float>&, int);
+template void requireLevel(const OctreeDomain<double>&, int);
+template OctreeCodes rootCodes(const OctreeDomain<float>&);
+template OctreeCodes rootCodes(const OctreeDomain<double>&);
 template class OctreeBuilder<float>;
 template class OctreeBuilder<double>;
 

@@ -5,6 +5,17 @@
 
 namespace cutwater::detail {
 
+/// @throws Error if the domain has no level as deep as this.
+template <std::floating_point T>
+void requireLevel(const OctreeDomain<T>& domain, int deepest);
+
+/// @throws Error(Limit) for more cells than `most`. `level`: the finest that is counted.
+void requireCells(double cells, int level, std::size_t most);
+
+/// Codes of the roots, in order.
+template <std::floating_point T>
+[[nodiscard]] OctreeCodes rootCodes(const OctreeDomain<T>& domain);
+
 /// Finds the leaves of an octree mesh.
 template <std::floating_point T>
 class OctreeBuilder {
@@ -28,7 +39,6 @@ class OctreeBuilder {
     OctreeCell cell;
   };
 
-  [[nodiscard]] Cells roots() const;
   /// Divides the cells that the rules alone ask for, level by level.
   void divide();
   /// `parents`: hints, one for every eight cells, or none. Returns the hints for the cells'
@@ -36,6 +46,8 @@ class OctreeBuilder {
   std::vector<BoxHint> tagCells(int level, Cells& cells, std::span<const BoxHint> parents,
                                 const Progress& progress) const;
   [[nodiscard]] Progress progressOf(int level) const;
+  /// The leaves if no more cells are divided than those known so far, and `more`.
+  void requireFew(std::size_t more, int level) const;
 
   /// All cells of a level, divided or not.
   [[nodiscard]] Cells cellsOf(int level) const;
@@ -49,6 +61,10 @@ class OctreeBuilder {
   std::vector<OctreeCodes> divided_;  // cells of each level
 };
 
+extern template void requireLevel(const OctreeDomain<float>&, int);
+extern template void requireLevel(const OctreeDomain<double>&, int);
+extern template OctreeCodes rootCodes(const OctreeDomain<float>&);
+extern template OctreeCodes rootCodes(const OctreeDomain<double>&);
 extern template class OctreeBuilder<float>;
 extern template class OctreeBuilder<double>;
 

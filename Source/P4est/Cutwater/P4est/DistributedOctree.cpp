@@ -72,7 +72,8 @@ void requireSameArguments(const SignedDistanceFunction<T>& solid, const OctreeDo
   requireSame(comm, Bytes().add(domain.origin()).add(domain.spacing(), n.i, n.j, n.k).checksum(),
               begin + "domains");
   requireSame(comm, checksumOf(rules), begin + "refinements");
-  requireSame(comm, Bytes().add(options.balance, options.cutWeight).checksum(), begin + "options");
+  requireSame(comm, Bytes().add(options.balance, options.cutWeight, options.maxCells).checksum(),
+              begin + "options");
   requireSame(comm, Bytes().add(box.lower).add(box.upper).checksum(), begin + "solids");
 }
 

@@ -3,6 +3,7 @@
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Grid/OctreeFill.hpp>
 
+#include <limits>
 #include <memory>
 #include <mpi.h>
 
@@ -16,6 +17,8 @@ struct DistributedOctreeOptions {
   /// Weight, in the partition among ranks, of a cell that the surface may meet; other cells weigh
   /// 1.
   int cutWeight = 1;
+  /// An Error of kind Limit is thrown before there are more cells than this on all ranks together.
+  std::size_t maxCells = std::numeric_limits<std::size_t>::max();
   /// At most this many threads on each rank; 0: as many as there are. See ParallelOptions.
   int threads = 0;
 };
@@ -37,7 +40,7 @@ class DistributedOctree {
   /// Collective. The solid must be the same on all ranks: see SharedGeometry.
   /// @throws Error, the same on all ranks: if they have different domains, refinements, options, or
   /// solids with different bounding boxes; as Octree; if there are levels beyond p4est's 18 or more
-  /// than 2^24 roots, or the weight is not in 1 ... 1000.
+  /// than 2^24 roots, or more cells than options.maxCells, or the weight is not in 1 ... 1000.
   DistributedOctree(const SignedDistanceFunction<T>& solid, const OctreeDomain<T>& domain,
                     const Refinement<T>& refinement, MPI_Comm comm,
                     const DistributedOctreeOptions& options = {});

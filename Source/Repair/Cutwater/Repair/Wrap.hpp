@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Surface/PolygonSoup.hpp>
 #include <Cutwater/Surface/SurfaceMeasure.hpp>
 
@@ -19,7 +20,26 @@ struct WrapOptions {
   /// begins.
   std::size_t mostTriangles = 50'000'000;
   double seconds = 600;
+  /// The fraction is that of the triangles expected.
+  Progress progress = {};
 };
+
+/// What wrap() is expected to take.
+struct WrapEstimate {
+  double gap = 0;        ///< that it is of
+  double triangles = 0;  ///< of the wrap
+  double seconds = 0;
+
+  /// The least gap that takes about so long, with two digits; times grow with 1 / gap^2.
+  [[nodiscard]] double gapWithin(double seconds) const;
+
+  double secondsAtOnce = 0;  ///< of `seconds`, what any gap takes
+};
+
+/// Estimates wrap(soup, options) from wraps with wider gaps, which have some thousand triangles.
+/// Takes a second or two, more for surfaces of millions of triangles. `options.mostTriangles` is ignored. Docs/repair.md has the errors that were measured.
+/// @throws Error as wrap(); of kind Limit if even these take longer than `options.seconds`.
+[[nodiscard]] WrapEstimate estimateWrap(const PolygonSoup& soup, const WrapOptions& options);
 
 /// What wrap() did.
 struct WrapReport {

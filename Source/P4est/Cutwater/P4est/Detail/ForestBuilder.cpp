@@ -1,3 +1,4 @@
+#include <Cutwater/Grid/Detail/OctreeBuilder.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
 #include <Cutwater/P4est/Detail/ForestBuilder.hpp>
 
@@ -50,15 +51,28 @@ std::shared_ptr<p8est> ForestBuilder<T>::run(MPI_Comm comm, int deepest) {
   for (int level = 0;; ++level) {
     agreed(comm, [&] { tagNew(deepest); });
     if (level == deepest) break;
+    requireFew(level + 1);
     const auto count = forest_->global_num_quadrants;
     p8est_refine_ext(forest_.get(), 0, deepest, isRefined, begin, divide);
     if (forest_->global_num_quadrants == count) break;
     p8est_partition(forest_.get(), 0, weightUntilTagged);
   }
   balance();
+  requireCells(static_cast<double>(forest_->global_num_quadrants), deepest, options_.maxCells);
   agreed(comm, [&] { tagNew(deepest); });
   p8est_partition(forest_.get(), 0, finalWeight);
   return forest_;
+}
+
+template <std::floating_point T>
+void ForestBuilder<T>::requireFew(int level) const {
+  std::uint64_t divided = 0;
+  forQuadrants([&](p8est_quadrant_t& quadrant, const Index3& /*root*/) {
+    divided += dataOf(quadrant).tag.isRefined ? 1 : 0;
+  });
+  MPI_Allreduce(MPI_IN_PLACE, &divided, 1, MPI_UINT64_T, MPI_SUM, forest_->mpicomm);
+  const auto now = static_cast<double>(forest_->global_num_quadrants);
+  requireCells(now + 7 * static_cast<double>(divided), level, options_.maxCells);
 }
 
 template <std::floating_point T>

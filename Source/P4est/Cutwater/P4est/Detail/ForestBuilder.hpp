@@ -50,6 +50,8 @@ class ForestBuilder {
   void tagNew(int deepest);
   void tagQuadrants(int level, Quadrants& quadrants);
   void balance();
+  /// @throws Error, on all ranks, if this level would make more cells than the options allow.
+  void requireFew(int level) const;
 
   const CellTagger<T>& tagger_;
   const OctreeDomain<T>& domain_;
