@@ -44,6 +44,11 @@ class Fields {
         static_assert(static_cast<std::int32_t>(kNone) == -1);
         const auto* const first = reinterpret_cast<const std::int32_t*>(patch_.data());
         arrays_.push_back({name, std::span(first, patch_.size())});
+      } else if (name == "class" && classes_.empty()) {
+        classes_.resize(box.count());
+        targets_.boxClass = GridView<BoxClass>::contiguous(classes_.data(), box);
+        const auto* const first = reinterpret_cast<const std::uint8_t*>(classes_.data());
+        arrays_.push_back({name, std::span(first, classes_.size())});
       }
     }
   }
@@ -55,6 +60,7 @@ class Fields {
  private:
   std::vector<double> distance_;
   std::vector<std::uint32_t> patch_;
+  std::vector<BoxClass> classes_;
   FillTargets<double> targets_;
   std::vector<VtkArray> arrays_;
 };
@@ -78,8 +84,10 @@ void report(const SampleSettings& options, const GridPatch<double>& grid, const 
 
 /// @throws Error if the values cannot be in memory all at once.
 void requireMemory(const IndexBox& grid, const std::vector<std::string>& names) {
-  const std::size_t each = (std::ranges::count(names, "distance") > 0 ? sizeof(double) : 0) +
-                           (std::ranges::count(names, "patch") > 0 ? sizeof(std::uint32_t) : 0);
+  const auto has = [&](const char* name) { return std::ranges::count(names, name) > 0; };
+  const std::size_t each = (has("distance") ? sizeof(double) : 0) +
+                           (has("patch") ? sizeof(std::uint32_t) : 0) +
+                           (has("class") ? sizeof(BoxClass) : 0);
   const auto most = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
                     static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   const std::size_t needed = grid.count() * each;
@@ -122,10 +130,11 @@ void addSample(Program& program) {
               "Tell distances within so many cells of the surface, by the smallest of their sides; "
               "beyond, just this width and the sign",
               [=](const std::string& text) { options->band = positiveNumber("--band", text); });
-  command.addWords("--write", "distance,patch",
+  command.addWords("--write", "distance,patch,class",
                    "What to write; patch is that of the closest surface point, -1 beyond the band; "
+                   "class is that of the cell: 0 inside, 1 outside, 2 cut, 3 unknown; "
                    "without it: distance",
-                   options->write, {"distance", "patch"}, Values::Several);
+                   options->write, {"distance", "patch", "class"}, Values::Several);
   command.setFooter(
       "Examples:\n"
       "  cutwater sample hull.stl -o hull.vti\n"
