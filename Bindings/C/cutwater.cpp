@@ -199,6 +199,19 @@ cw_status cw_fill(const cw_solid* solid, const cw_grid* grid, double band, doubl
   });
 }
 
+cw_status cw_classify_cells(const cw_solid* solid, const cw_grid* grid, uint8_t* classes,
+                            int threads) {
+  return guarded("cw_classify_cells", [&] {
+    const auto& shape = solidOf(solid);
+    require(grid != nullptr, "the grid is NULL");
+    require(classes != nullptr, "classes is NULL");
+    const auto gridPatch = gridPatchOf(*grid);
+    auto* const kinds = reinterpret_cast<BoxClass*>(classes);
+    fill(shape, gridPatch, {.boxClass = viewOf(kinds, *grid, gridPatch.indices)},
+         {.threads = threads});
+  });
+}
+
 cw_status cw_bounding_box(const cw_solid* solid, double lower[3], double upper[3]) {
   return guarded("cw_bounding_box", [&] {
     const auto box = solidOf(solid).boundingBox();

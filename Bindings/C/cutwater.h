@@ -12,7 +12,7 @@
 /// Every function except cw_last_error() and cw_free() returns CW_OK or an error status. After an
 /// error it has created no handle, but may have written part of the output arrays. A handle never
 /// changes: any number of threads may use it at once, provided that none frees it. Batches and
-/// cw_fill() use `threads` threads (0: as many as OpenMP would), but only one if the caller is in a
+/// grids use `threads` threads (0: as many as OpenMP would), but only one if the caller is in a
 /// parallel region; answers are the same to the bit with any number. NULL is refused unless
 /// stated otherwise.
 
@@ -131,6 +131,11 @@ typedef struct cw_grid {
 /// surface point, -1 beyond the band. Either array may be NULL; both point at the value of lo.
 cw_status cw_fill(const cw_solid* solid, const cw_grid* grid, double band, double* distances,
                   int32_t* patches, int threads);
+
+/// One cw_box_class for each index of a grid patch, at the same places as cw_fill() would write:
+/// that of its closed cell, or of the control volume around its node.
+cw_status cw_classify_cells(const cw_solid* solid, const cw_grid* grid, uint8_t* classes,
+                            int threads);
 
 /// A box that encloses the solid; may be infinite.
 cw_status cw_bounding_box(const cw_solid* solid, double lower[3], double upper[3]);

@@ -138,6 +138,14 @@ module cutwater
       integer(c_int), value :: threads
     end function
 
+    integer(c_int) function cw_classify_cells(solid, grid, classes, threads) bind(c)
+      import :: c_ptr, c_int, c_int8_t, cw_grid
+      type(c_ptr), value :: solid
+      type(cw_grid), intent(in) :: grid
+      integer(c_int8_t), intent(out) :: classes(*)
+      integer(c_int), value :: threads
+    end function
+
     integer(c_int) function cw_bounding_box(solid, lower, upper) bind(c)
       import :: c_ptr, c_int, c_double
       type(c_ptr), value :: solid

@@ -152,18 +152,27 @@ TEST(AmrexTest, BoxesThatOnlyTouchAreMixed) {
   EXPECT_EQ(shop.getBoxType({{5, 5, 5}, {7, 7, 7}}, geometry, kCpu), AmrexShop::allcovered);
 }
 
-TEST(AmrexTest, FunctionAndFabAgreeToTheBit) {
+TEST(AmrexTest, FunctionAndFabAgreeToTheBitNearTheSurface) {
   const auto geometry = unitCube(16);
   const auto domain = around(kBall);
   const AmrexFunction function(domain);
   amrex::BaseFab<Real> fab(Box({-3, -2, 1}, {19, 17, 12}));
   AmrexShop(domain).fillFab(fab, geometry, kCpu, Box({-8, -8, -8}, {24, 24, 24}));
   const auto values = fab.array();
+  int near = 0;
   forEach({{-3, -2, 1}, {19, 17, 12}}, [&](const Index3& node) {
     const amrex::RealArray p{static_cast<Real>(node.i) / 16, static_cast<Real>(node.j) / 16,
                              static_cast<Real>(node.k) / 16};
-    EXPECT_TRUE(sameBits(values(node.i, node.j, node.k), function(p)));
+    const Real value = values(node.i, node.j, node.k);
+    const Real expected = function(p);
+    if (std::abs(expected) <= Real(1.25) / 16) {
+      EXPECT_TRUE(sameBits(value, expected));
+      ++near;
+    } else {
+      EXPECT_EQ(value, std::copysign(Real(1.25) / 16, expected));
+    }
   });
+  EXPECT_GT(near, 100);
 }
 
 // A bar that leaves the domain and ends behind its face: with the faces extended it does not end.

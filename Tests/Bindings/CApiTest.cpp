@@ -176,6 +176,27 @@ TEST(CApiTest, GridsAreFilledInPlace) {
   EXPECT_LT(beyond, indices.count() - 100);
 }
 
+TEST(CApiTest, ClassifiesTheCellsOfAGrid) {
+  const auto both = composite();
+  const IndexBox indices{{-2, 3, 4}, {30, 33, 20}};
+  const cw_grid grid{{-4, -4, -4}, {0.25, 0.2, 0.3}, {-2, 3, 4}, {30, 33, 20}, {0, 0, 0}, 0};
+  std::vector<std::uint8_t> classes(indices.count(), 77);
+  ASSERT_EQ(cw_classify_cells(both.c.get(), &grid, classes.data(), 0), CW_OK);
+  const Level<double> level({-4, -4, -4}, {0.25, 0.2, 0.3});
+  std::size_t n = 0;
+  std::array<int, 4> count{};
+  for (int k = 4; k <= 20; ++k) {
+    for (int j = 3; j <= 33; ++j) {
+      for (int i = -2; i <= 30; ++i, ++n) {
+        ASSERT_EQ(classes[n], static_cast<int>(both.solid.classify(level.cell({i, j, k}))));
+        ++count[classes[n]];
+      }
+    }
+  }
+  EXPECT_GT(count[CW_OUTSIDE], 100);
+  EXPECT_GT(count[CW_CUT], 100);
+}
+
 TEST(CApiTest, KnowsItsBoxAndPatches) {
   const auto both = composite();
   Box<double> box;

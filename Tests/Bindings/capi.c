@@ -235,6 +235,9 @@ static void refusesQueries(void) {
   REFUSED(cw_fill(ball, &grid, -1, d, NULL, 0), CW_ERROR_ARGUMENT, "band");
   grid.hi[0] = grid.hi[1] = grid.hi[2] = INT32_MAX;
   REFUSED(cw_fill(ball, &grid, 0, d, NULL, 0), CW_ERROR_ARGUMENT, "more indices");
+  REFUSED(cw_classify_cells(NULL, &grid, classes, 0), CW_ERROR_ARGUMENT, "the solid is NULL");
+  REFUSED(cw_classify_cells(ball, NULL, classes, 0), CW_ERROR_ARGUMENT, "the grid is NULL");
+  REFUSED(cw_classify_cells(ball, &grid, NULL, 0), CW_ERROR_ARGUMENT, "classes is NULL");
   REFUSED(cw_bounding_box(NULL, d, d + 3), CW_ERROR_ARGUMENT, "the solid is NULL");
   REFUSED(cw_bounding_box(ball, d, NULL), CW_ERROR_ARGUMENT, "upper is NULL");
   REFUSED(cw_patch_count(NULL, &count), CW_ERROR_ARGUMENT, "the solid is NULL");

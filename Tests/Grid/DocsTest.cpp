@@ -109,30 +109,35 @@ TEST(DocsTest, ClosestPointsAndClassesOfCells) {
   const auto& solid = kSolid;
   const GridPatch<double> gridPatch{kLevel, kOwned};
   // [DOCS
-  std::vector<Vec3<double>> centers;
-  std::vector<Box<double>> cells;
-  const IndexBox& owned = gridPatch.indices;
-  for (std::int32_t k = owned.lo.k; k <= owned.hi.k; ++k) {
-    for (std::int32_t j = owned.lo.j; j <= owned.hi.j; ++j) {
-      for (std::int32_t i = owned.lo.i; i <= owned.hi.i; ++i) {
-        centers.push_back(gridPatch.level.position({i, j, k}));
-        cells.push_back(gridPatch.level.cell({i, j, k}));
-      }
-    }
-  }
-  std::vector<BoxClass> classes(cells.size());
-  solid.classify(cells, classes);
-  std::vector<SurfacePoint<double>> nearest(centers.size());
-  solid.closestPoints(centers, nearest);  // point, normal, distance, patch, face of each
+  std::vector<double> distances(gridPatch.indices.count());
+  std::vector<Vec3<double>> points(gridPatch.indices.count());
+  std::vector<Vec3<double>> normals(gridPatch.indices.count());
+  std::vector<BoxClass> classes(gridPatch.indices.count());
+  fill(solid, gridPatch,
+       {.distance = GridView<double>::contiguous(distances.data(), gridPatch.indices),
+        .closestPoint = GridView<Vec3<double>>::contiguous(points.data(), gridPatch.indices),
+        .normal = GridView<Vec3<double>>::contiguous(normals.data(), gridPatch.indices),
+        .boxClass = GridView<BoxClass>::contiguous(classes.data(), gridPatch.indices)},
+       {.band = 3});
   // DOCS]
   int cut = 0;
+  int near = 0;
   forEach(kOwned, [&](const Index3& index) {
     const auto place = placeOf(index, kOwned);
     ASSERT_EQ(classes[place], kSolid.classify(kLevel.cell(index)));
-    ASSERT_EQ(nearest[place].distance, kSolid.signedDistance(kLevel.position(index)));
+    const auto hit = kSolid.closestPoint(kLevel.position(index));
+    if (std::abs(distances[place]) < 3 * kLevel.smallestSpacing()) {
+      ASSERT_EQ(distances[place], hit.distance);
+      ASSERT_EQ(points[place], hit.point);
+      ASSERT_EQ(normals[place], hit.normal);
+      ++near;
+    } else {
+      ASSERT_TRUE(std::isnan(points[place].x) && std::isnan(normals[place].x));
+    }
     cut += classes[place] == BoxClass::Cut ? 1 : 0;
   });
   EXPECT_GT(cut, 50);
+  EXPECT_GT(near, 100);
 }
 
 TEST(DocsTest, LevelsOfAHierarchy) {

@@ -30,7 +30,8 @@ TYPED_TEST(FunctionSDFTest, KeepsWhatTheUserPromises) {
   expectGuarantee(egg, 1.5, {.inside = [](const Vec3<double>& p) {
                     return std::hypot(p.x, 2 * p.y, 3 * p.z) < 1;
                   }});
-  EXPECT_EQ(egg.classify({{2, 0, 0}, {T(2.5), 1, 1}}), BoxClass::Unknown);
+  EXPECT_EQ(egg.classify({{T(1.1), 0, 0}, {2, 1, 1}}), BoxClass::Unknown);
+  EXPECT_EQ(egg.classify({{2, 0, 0}, {T(2.5), 1, 1}}), BoxClass::Outside) << "in two steps";
   EXPECT_EQ(egg.classify({{2, 0, 0}, {T(2.1), T(0.1), T(0.1)}}), BoxClass::Outside);
 }
 

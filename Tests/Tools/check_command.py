@@ -275,6 +275,13 @@ class Sample(CommandTest):
         for distance, patch in zip(image.arrays["distance"], image.arrays["patch"]):
             self.assertEqual(patch, 0 if abs(distance) < 0.5 else -1)
 
+    def test_classes_of_cells(self):
+        image = self.sampled("--spacing", "0.3", "--margin", "1", "--write", "distance,class")
+        kinds = list(image.arrays["class"])
+        self.assertEqual(set(kinds), {0, 1, 2})
+        for distance, kind in zip(image.arrays["distance"], kinds):
+            self.assertIn(kind, {0, 2} if distance < 0 else {1, 2})
+
     def test_values_beyond_memory_are_counted_first(self):
         self.assertRegex(self.fails(1, "sample", "box.off", "-o", "a.vti", "--cells", "9000", "--write", "distance,patch"),
                          r"would take 729 000 000 000 cells, 8.75 TB of memory; three quarters of the memory here are [0-9.]+ [GT]B")

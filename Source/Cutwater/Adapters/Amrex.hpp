@@ -138,7 +138,8 @@ class AmrexShop {
     }
   }
 
-  /// Sets the level set at nodes; those outside the box `within` get the value of its nearest node.
+  /// Sets the level set at nodes, see NodeLevelSet::fill(); those outside the box `within` get the
+  /// value of its nearest node.
   void fillFab(amrex::BaseFab<amrex::Real>& levelSet, const amrex::Geometry& geometry,
                amrex::RunOn /*runOn*/, const amrex::Box& within) const {
     const NodeLevelSet<amrex::Real> nodes(domain_, levelOf(geometry), detail::amrexIndices(within));

@@ -53,6 +53,17 @@ T& valueAt(const GridView<T>& view, std::int64_t i, std::int64_t j, std::int64_t
   return view.data[i * view.stride[0] + j * view.stride[1] + k * view.stride[2]];
 }
 
+/// The band of distances that node signs and cut edges depend on, in cells of the smallest spacing.
+/// Both ends of a cut edge are no farther from the surface than the edge is long; a quarter more
+/// keeps rounding out of it. 0, which is no band, if the spacings have no ratio.
+template <std::floating_point T>
+double bandOf(const Level<T>& level) {
+  constexpr double kEdges = 1.25;
+  const T longest = maxComponent(level.spacing());
+  const double band = kEdges * double{longest} / double{level.smallestSpacing()};
+  return std::isfinite(static_cast<T>(band)) ? band : 0;
+}
+
 /// Turns the distances of the inner part into the level set, then copies that outwards.
 template <std::floating_point T>
 void makeLevelSet(const FluidDomain<T>& domain, const InnerNodes& inner,
@@ -98,7 +109,8 @@ void NodeLevelSet<T>::fill(const IndexBox& nodes, const GridView<T>& values) con
   const InnerNodes inner(nodes, within_);
   const GridView<T> part{&valueAt(values, inner.first[0], inner.first[1], inner.first[2]),
                          values.stride};
-  cutwater::fill(domain_.solid(), GridPatch<T>{level_, inner.nodes}, part);
+  cutwater::fill(domain_.solid(), GridPatch<T>{level_, inner.nodes}, part,
+                 {.band = bandOf(level_)});
   makeLevelSet(domain_, inner, values);
 }
 

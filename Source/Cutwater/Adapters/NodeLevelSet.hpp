@@ -49,8 +49,10 @@ class NodeLevelSet {
   /// Classifies the closed box that the nodes span; its thickness is zero for one layer of nodes.
   [[nodiscard]] FluidClass classify(const IndexBox& nodes) const;
 
-  /// Sets `values`, whose `data` points at the value of the lowest node. Runs in parallel, but
-  /// serially inside an active parallel region.
+  /// Sets `values`, whose `data` points at the value of the lowest node. Where the level set is
+  /// more than 1.25 times the longest spacing, which no end of a cut edge is, it becomes plus or
+  /// minus that: such nodes are found by blocks. Runs in parallel, but serially inside an active
+  /// parallel region.
   void fill(const IndexBox& nodes, const GridView<T>& values) const;
 
   /// The coordinate, on the axis of an edge, at which the surface cuts it. NaN unless the edge is

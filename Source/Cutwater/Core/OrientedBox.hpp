@@ -4,6 +4,7 @@
 #include <Cutwater/Core/Interval.hpp>
 
 #include <array>
+#include <optional>
 
 namespace cutwater {
 
@@ -16,6 +17,9 @@ struct OrientedBox {
   Vec3<T> center;
   std::array<Vec3<T>, 3> halfAxis;
   T slack = 0;
+  /// The very box, where the object's frame has it without any rounding and along its axes. For
+  /// shapes that can compare coordinates exactly. Whoever changes the box must reset this.
+  std::optional<Box<T>> exact = {};
 
   /// The box itself, in the frame it is given in. The box must be finite and not empty.
   [[nodiscard]] static OrientedBox of(const Box<T>& box);

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/Detail/TileClasses.hpp>
 #include <Cutwater/Grid/Detail/TileFill.hpp>
 #include <Cutwater/Grid/Fill.hpp>
 
@@ -10,17 +11,32 @@ namespace {
 
 /// Points of a tile, as powers of two: a large tile can be skipped at the cost of one value, small
 /// tiles keep more threads busy.
-constexpr int kBandTileBits = 12;
+constexpr int kSkippedTileBits = 12;
 constexpr int kFullTileBits = 9;
 
 /// Tiles that are about as long in space on each axis.
 template <std::floating_point T>
-detail::TileOrder tileOrder(const GridPatch<T>& gridPatch, bool hasBand) {
+detail::TileOrder tileOrder(const GridPatch<T>& gridPatch, int bits) {
   const Vec3<double> spacing(gridPatch.level.spacing());
   const auto& indices = gridPatch.indices;
   return {{spacing.x, spacing.y, spacing.z},
           {indices.length(0), indices.length(1), indices.length(2)},
-          hasBand ? kBandTileBits : kFullTileBits};
+          bits};
+}
+
+template <std::floating_point T>
+void fillTiles(const detail::FillTask<T>& task, const detail::GridTiles& tiles, std::size_t begin,
+               std::size_t end) {
+  if (detail::takesPoints(task.targets)) {
+    detail::TileFill<T> points(task);
+    for (auto number = begin; number < end; ++number) points.fill(tiles.tile(number));
+    points.finish();
+  }
+  if (task.targets.boxClass.data != nullptr) {
+    detail::TileClasses<T> classes(task);
+    for (auto number = begin; number < end; ++number) classes.fill(tiles.tile(number));
+    classes.finish();
+  }
 }
 
 }  // namespace
@@ -34,23 +50,20 @@ void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& gridPatch,
   const T limit = options.band > 0
                       ? static_cast<T>(options.band) * gridPatch.level.smallestSpacing()
                       : std::numeric_limits<T>::infinity();
+  const bool isFull = detail::takesPoints(targets) && !(limit < std::numeric_limits<T>::infinity());
   const detail::FillTask<T> task{
       .solid = solid,
       .gridPatch = gridPatch,
       .targets = targets,
       .limit = limit,
-      .order = tileOrder(gridPatch, limit < std::numeric_limits<T>::infinity())};
+      .order = tileOrder(gridPatch, isFull ? kFullTileBits : kSkippedTileBits)};
   const int bits = task.order.bits();
   const detail::GridTiles tiles(gridPatch.indices, task.order.shape(bits));
   // So many tiles at a time that most batches are full.
   const auto grain = std::max<std::size_t>(1, (2 * detail::PointBatch<T>::kMost) >> bits);
   parallelFor(tiles.count(),
               {.threads = options.threads, .grain = grain, .progress = options.progress},
-              [&](std::size_t begin, std::size_t end) {
-                detail::TileFill<T> tileFill(task);
-                for (auto number = begin; number < end; ++number) tileFill.fill(tiles.tile(number));
-                tileFill.finish();
-              });
+              [&](std::size_t begin, std::size_t end) { fillTiles(task, tiles, begin, end); });
 }
 
 template void fill(const SignedDistanceFunction<float>&, const GridPatch<float>&,

@@ -23,6 +23,13 @@ struct FillTargets {
   GridView<T> distance = {};  ///< signedDistance() at the index's position, to the bit
   /// The surface's patch at the closest surface point, see patchNames(); kNone beyond the band.
   GridView<std::uint32_t> patch = {};
+  /// The closest surface point, and the outward unit normal there, as closestPoint() gives them;
+  /// NaN beyond the band.
+  GridView<Vec3<T>> closestPoint = {};
+  GridView<Vec3<T>> normal = {};
+  /// The class of the closed box level.cell(index): of the cell, or of the control volume around
+  /// the node, whose middle is the index's position. Everywhere, whatever the band.
+  GridView<BoxClass> boxClass = {};
 };
 
 /// Evaluates the solid at every index of the grid patch: at cell centres or nodes, depending on its
@@ -32,7 +39,9 @@ struct FillTargets {
 ///
 /// With a band, the cost is about two evaluations for each index in it: boxes of indices are
 /// skipped where the solid's Lipschitz constant, or without one its bounds(), proves that they are
-/// beyond it.
+/// beyond it. A class is what classify() says about the cell, on any grid patch; it costs about as
+/// much as the distances in a band of one cell, and a box query for the cells whose centre does not
+/// tell, or for all if there is no Lipschitz constant.
 /// @throws Error if the band is negative or not finite, or `threads` is negative.
 template <std::floating_point T>
 void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& gridPatch,

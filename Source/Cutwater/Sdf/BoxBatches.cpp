@@ -31,7 +31,7 @@ void SignedDistanceFunction<T>::classify(std::span<const Box<T>> boxes, std::spa
     const auto isUsual = [](const Box<T>& box) { return !box.empty() && isFinite(box); };
     if (std::ranges::all_of(some, isUsual)) {
       Scratch<OrientedBox<T>, kBoxBatch> local;
-      for (std::size_t i = 0; i < count; ++i) local[i] = toLocal(OrientedBox<T>::of(some[i]));
+      for (std::size_t i = 0; i < count; ++i) local[i] = toLocal(some[i]);
       localClasses(local.first(count), found, known);
     } else {
       for (std::size_t i = 0; i < count; ++i) {

@@ -42,6 +42,26 @@ bool putOriginForNotFinite(std::span<const Vec3<T>> world, std::span<Vec3<T>> lo
   return areFinite;
 }
 
+/// a - b if that needs no rounding (Knuth's TwoSum), otherwise NaN.
+template <std::floating_point T>
+T exactDifference(T a, T b) {
+  const T difference = a - b;
+  const T ofB = a - difference;
+  const T ofA = difference + ofB;
+  return ofA == a && ofB == b ? difference : kNaN<T>;
+}
+
+/// The box in the frame of an object that is only translated, if no coordinate is rounded.
+template <std::floating_point T>
+std::optional<Box<T>> exactlyMoved(const Box<T>& world, const RigidTransform<T>& placement) {
+  Box<T> local;
+  for (int axis = 0; axis < 3; ++axis) {
+    local.lower[axis] = exactDifference(world.lower[axis], placement.offset()[axis]);
+    local.upper[axis] = exactDifference(world.upper[axis], placement.offset()[axis]);
+  }
+  return isFinite(local) ? std::optional(local) : std::nullopt;
+}
+
 }  // namespace
 
 template <std::floating_point T>
@@ -160,7 +180,7 @@ Crossing<T> SignedDistanceFunction<T>::toWorld(Crossing<T> local) const {
 template <std::floating_point T>
 Interval<T> SignedDistanceFunction<T>::bounds(const Box<T>& box, BoxHint* hint) const {
   if (box.empty() || !isFinite(box)) return Interval<T>::everything();
-  const auto range = localBounds(toLocal(OrientedBox<T>::of(box)), hint);
+  const auto range = localBounds(toLocal(box), hint);
   // Not a number where squares of coordinates overflow.
   return range.lower <= range.upper ? range : Interval<T>::everything();
 }
@@ -178,7 +198,7 @@ Interval<T> SignedDistanceFunction<T>::distanceBounds(const Box<T>& box, BoxHint
 template <std::floating_point T>
 BoxClass SignedDistanceFunction<T>::classify(const Box<T>& box, BoxHint* hint) const {
   if (box.empty() || !isFinite(box)) return BoxClass::Unknown;
-  return localClassify(toLocal(OrientedBox<T>::of(box)), hint);
+  return localClassify(toLocal(box), hint);
 }
 
 template <std::floating_point T>
@@ -226,11 +246,20 @@ template <std::floating_point T>
 OrientedBox<T> SignedDistanceFunction<T>::toLocal(const OrientedBox<T>& box) const {
   if (placement_.isIdentity()) return box;
   OrientedBox<T> local = box;
+  local.exact.reset();
+  if (box.exact && !placement_.isRotated()) local.exact = exactlyMoved(*box.exact, placement_);
   local.center = placement_.toLocal(box.center);
   for (auto& half : local.halfAxis) half = placement_.directionToLocal(half);
   // Once for the centre, once for the other points of the box and for sums of centre and half axes.
   local.slack += 2 * placementError(length(box.center) + box.radius());
   return local;
+}
+
+template <std::floating_point T>
+OrientedBox<T> SignedDistanceFunction<T>::toLocal(const Box<T>& box) const {
+  auto world = OrientedBox<T>::of(box);
+  world.exact = box;
+  return toLocal(world);
 }
 
 /// The most by which rounding moves points, up to this far from the world's origin, on the way to
@@ -288,64 +317,11 @@ CrossingCount SignedDistanceFunction<T>::localCrossings(const Segment<T>& segmen
 }
 
 template <std::floating_point T>
-Interval<T> SignedDistanceFunction<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
-  const auto promise = localGuarantee();
-  if (!promise.lipschitz || !box.isWithin(promise.domain)) return Interval<T>::everything();
-  return detail::boundsAround(localSignedDistance(box.center), box, promise);
-}
-
-template <std::floating_point T>
-BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
-  const auto range = localBounds(box, hint);
-  if (range.lower > 0) return BoxClass::Outside;
-  if (range.upper < 0) return BoxClass::Inside;
-
-  if (!box.isWithin(localGuarantee().domain)) return BoxClass::Unknown;
-  return holdsNearestPoint(box) || holdsBothSides(box) ? BoxClass::Cut : BoxClass::Unknown;
-}
-
-template <std::floating_point T>
 Box<T> SignedDistanceFunction<T>::localClearanceBox() const {
   const auto promise = localGuarantee();
   const bool isExact = promise.outside == Quality::Exact && promise.domain == Box<T>::everywhere();
   const auto box = localBoundingBox();
   return isExact && !box.empty() ? box : Box<T>::everywhere();
-}
-
-/// Whether the ball about the centre that reaches the nearest surface point fits into the box.
-template <std::floating_point T>
-bool SignedDistanceFunction<T>::holdsNearestPoint(const OrientedBox<T>& box) const {
-  if (!(box.innerRadius() > 0)) return false;
-  const auto promise = localGuarantee();
-  const T rounding = promise.error(length(box.center) + box.radius());
-  const T atCenter = localSignedDistance(box.center);
-  const bool sideIsSure = std::abs(atCenter) > rounding || promise.inside == promise.outside;
-  const T reach = std::abs(atCenter) + rounding + box.slack;
-  return sideIsSure && promise.quality(atCenter) == Quality::Exact && std::isfinite(reach) &&
-         reach <= box.innerRadius();
-}
-
-/// Whether two of its points are certainly on different sides; jumps count as surface. A corner of
-/// this box is within its slack of a corner of the box of the query.
-template <std::floating_point T>
-bool SignedDistanceFunction<T>::holdsBothSides(const OrientedBox<T>& box) const {
-  int flat = 0;  // the bits in which corners do not differ
-  for (int k = 0; k < 3; ++k) {
-    if (box.halfAxis[static_cast<std::size_t>(k)] == Vec3<T>{}) flat |= 1 << k;
-  }
-  bool inside = false;
-  bool outside = false;
-  const auto look = [&](const Vec3<T>& p) {
-    const auto around = localBounds({.center = p, .halfAxis = {}, .slack = box.slack}, nullptr);
-    inside = inside || around.upper < 0;
-    outside = outside || around.lower > 0;
-  };
-  look(box.center);
-  for (const int corner : {0, 7, 1, 6, 2, 5, 3, 4}) {  // opposite ones are rarely on the same side
-    if (inside && outside) break;
-    if ((corner & flat) == 0) look(box.corner(corner));
-  }
-  return inside && outside;
 }
 
 template class SignedDistanceFunction<float>;

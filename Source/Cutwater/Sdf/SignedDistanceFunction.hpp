@@ -176,6 +176,11 @@ class SignedDistanceFunction {
   /// region.
   virtual void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
                             std::span<BoxHint> hints) const;
+  /// A number k such that f(p) + k |p|^2 / 2 is a convex function in the box, slack included: 0 for
+  /// convex solids with exact distances; none if there is no such number, or it is not known. Boxes
+  /// are then enclosed by tangent planes, so an override asks that localGradient() is, within the
+  /// rounding of error(), the gradient at a point within that distance, or zero.
+  [[nodiscard]] virtual std::optional<T> localConcavity(const OrientedBox<T>&) const { return {}; }
   /// Guarantees nothing but the sign unless overridden.
   [[nodiscard]] virtual Guarantee<T> localGuarantee() const { return {}; }
   [[nodiscard]] virtual Box<T> localBoundingBox() const { return Box<T>::everywhere(); }
@@ -202,6 +207,10 @@ class SignedDistanceFunction {
   /// Two tests by which the default of localClassify() proves that a box within the domain is cut.
   [[nodiscard]] bool holdsNearestPoint(const OrientedBox<T>& box) const;
   [[nodiscard]] bool holdsBothSides(const OrientedBox<T>& box) const;
+  /// What the default of localClassify() finds out about a box within the domain that neither its
+  /// bounds nor these tests decide: by a walk to the other side, and by bounds in parts of the box.
+  /// Computes a fixed number of values and bounds at most.
+  [[nodiscard]] BoxClass classOfUndecided(const OrientedBox<T>& box) const;
 
  private:
   [[nodiscard]] Crossing<T> toWorld(Crossing<T> local) const;
@@ -211,6 +220,10 @@ class SignedDistanceFunction {
 
   void describe(std::string& text, int depth) const;
   [[nodiscard]] OrientedBox<T> toLocal(const OrientedBox<T>& box) const;
+  [[nodiscard]] OrientedBox<T> toLocal(const Box<T>& box) const;
+  [[nodiscard]] BoxClass classByDescent(const OrientedBox<T>& box,
+                                        std::optional<T> concavity) const;
+  [[nodiscard]] BoxClass classOfParts(const OrientedBox<T>& box) const;
   [[nodiscard]] SurfacePoint<T> toWorld(SurfacePoint<T> local) const;
   [[nodiscard]] T placementError(T reach) const;
   /// Calls answer(local points, index of the first) for batches of the points, in parallel, with

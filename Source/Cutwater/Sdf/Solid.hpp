@@ -52,6 +52,9 @@ class Solid final : public SignedDistanceFunction<T> {
   bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override;
   void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
                     std::span<BoxHint> hints) const override;
+  std::optional<T> localConcavity(const OrientedBox<T>& box) const override {
+    return root_->localConcavity(box);
+  }
   Guarantee<T> localGuarantee() const override { return guarantee_; }
   Box<T> localBoundingBox() const override { return boundingBox_; }
   Box<T> localClearanceBox() const override;

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Shapes/CappedTorus.hpp>
+#include <Cutwater/Shapes/Detail/RingConcavity.hpp>
 
 #include <numbers>
 
@@ -45,6 +46,15 @@ Vec3<T> CappedTorus<T>::localGradient(const Vec3<T>& p) const {
     gap = ((radius - major_) / radius) * q;
   }
   return normalized(Vec3<T>{gap.x, p.y < 0 ? -gap.y : gap.y, p.z});
+}
+
+template <std::floating_point T>
+std::optional<T> CappedTorus<T>::localConcavity(const OrientedBox<T>& box) const {
+  const auto& p = box.center;
+  // Where both ends are equally near, the distance has a ridge.
+  const T reach = 2 * box.radius();
+  if (p.x < reach && std::abs(p.y) < reach) return {};
+  return detail::concavityAround(length(Vec2<T>{p.x, p.y}), box, localGuarantee());
 }
 
 template <std::floating_point T>

@@ -31,6 +31,19 @@ Interval<T> Cuboid<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
 }
 
 template <std::floating_point T>
+BoxClass Cuboid<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
+  if (!box.exact) return SignedDistanceFunction<T>::localClassify(box, hint);
+  // Comparisons do not round. A box that only touches a face holds points of the surface.
+  const auto& [lower, upper] = *box.exact;
+  if (!box_.overlaps(*box.exact)) return BoxClass::Outside;
+  const auto isAbove = [](const Vec3<T>& a, const Vec3<T>& b) {
+    return a.x > b.x && a.y > b.y && a.z > b.z;
+  };
+  return isAbove(lower, box_.lower) && isAbove(box_.upper, upper) ? BoxClass::Inside
+                                                                  : BoxClass::Cut;
+}
+
+template <std::floating_point T>
 Guarantee<T> Cuboid<T>::localGuarantee() const {
   return Guarantee<T>::exact(detail::farther(box_.lower, box_.upper));
 }

@@ -20,6 +20,7 @@ class Cylinder final : public Axisymmetric<T> {
   T profileDistance(const ProfilePoint<T>& p) const override;
   ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
   Guarantee<T> localGuarantee() const override;
+  std::optional<T> localConcavity(const OrientedBox<T>&) const override { return T(0); }
   Box<T> localBoundingBox() const override;
 
   T radius_;

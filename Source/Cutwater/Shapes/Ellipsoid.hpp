@@ -32,6 +32,7 @@ class Ellipsoid final : public SignedDistanceFunction<T> {
   T localSignedDistance(const Vec3<T>& p) const override;
   Vec3<T> localGradient(const Vec3<T>& p) const override;
   Guarantee<T> localGuarantee() const override;
+  std::optional<T> localConcavity(const OrientedBox<T>&) const override { return T(0); }
   Box<T> localBoundingBox() const override;
 
   /// Coordinates by axis, from the longest to the shortest.

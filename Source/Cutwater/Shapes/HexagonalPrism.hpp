@@ -20,6 +20,7 @@ class HexagonalPrism final : public Prismatic<T> {
   T sectionDistance(const Vec2<T>& p) const override;
   Vec2<T> sectionGradient(const Vec2<T>& p) const override;
   Guarantee<T> localGuarantee() const override;
+  std::optional<T> localConcavity(const OrientedBox<T>&) const override { return T(0); }
   Box<T> localBoundingBox() const override;
 
   T inradius_;

@@ -23,6 +23,7 @@ class InfiniteCone final : public Axisymmetric<T> {
   T profileDistance(const ProfilePoint<T>& p) const override;
   ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
   Guarantee<T> localGuarantee() const override;
+  std::optional<T> localConcavity(const OrientedBox<T>&) const override { return T(0); }
   Box<T> localBoundingBox() const override;
 
   [[nodiscard]] bool isBesideFlank(const ProfilePoint<T>& p) const;

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Vec2.hpp>
+#include <Cutwater/Shapes/Detail/RingConcavity.hpp>
 #include <Cutwater/Shapes/Link.hpp>
 
 #include <algorithm>
@@ -27,6 +28,14 @@ Vec3<T> Link<T>::localGradient(const Vec3<T>& p) const {
   if (!(radius > 0)) return {};  // both sides are equally near
   const auto gap = ((radius - major_) / radius) * q;
   return normalized(Vec3<T>{gap.x, p.y < 0 ? -gap.y : gap.y, p.z});
+}
+
+template <std::floating_point T>
+std::optional<T> Link<T>::localConcavity(const OrientedBox<T>& box) const {
+  // Between the ends, the rods are convex on either side of x = 0, where this is 0.
+  const auto& p = box.center;
+  const T toAxis = length(Vec2<T>{p.x, std::max(std::abs(p.y) - half_, T(0))});
+  return detail::concavityAround(toAxis, box, localGuarantee());
 }
 
 template <std::floating_point T>

@@ -20,6 +20,7 @@ class Link final : public SignedDistanceFunction<T> {
   std::string localName() const override { return "Link"; }
   T localSignedDistance(const Vec3<T>& p) const override;
   Vec3<T> localGradient(const Vec3<T>& p) const override;
+  std::optional<T> localConcavity(const OrientedBox<T>& box) const override;
   Guarantee<T> localGuarantee() const override;
   Box<T> localBoundingBox() const override;
 

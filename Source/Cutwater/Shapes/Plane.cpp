@@ -32,6 +32,20 @@ Interval<T> Plane<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
 }
 
 template <std::floating_point T>
+BoxClass Plane<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
+  for (int axis = 0; axis < 3 && box.exact; ++axis) {
+    if (!isAlong(normal_, axis)) continue;
+    // Comparisons do not round. A box that only touches the plane holds points of it.
+    const bool isUp = normal_[axis] > 0;
+    const bool isAbove = box.exact->lower[axis] > point_[axis];
+    const bool isBelow = box.exact->upper[axis] < point_[axis];
+    if (isAbove || isBelow) return isAbove == isUp ? BoxClass::Outside : BoxClass::Inside;
+    return BoxClass::Cut;
+  }
+  return SignedDistanceFunction<T>::localClassify(box, hint);
+}
+
+template <std::floating_point T>
 Guarantee<T> Plane<T>::localGuarantee() const {
   return Guarantee<T>::exact(length(point_));
 }

@@ -20,7 +20,9 @@ class Plane final : public SignedDistanceFunction<T> {
   T localSignedDistance(const Vec3<T>& p) const override;
   Vec3<T> localGradient(const Vec3<T>& p) const override;
   Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
+  BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   Guarantee<T> localGuarantee() const override;
+  std::optional<T> localConcavity(const OrientedBox<T>&) const override { return T(0); }
   Box<T> localBoundingBox() const override;
 
   Vec3<T> point_;

@@ -23,6 +23,7 @@ class RoundedBox final : public SignedDistanceFunction<T> {
   Vec3<T> localGradient(const Vec3<T>& p) const override;
   Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   Guarantee<T> localGuarantee() const override;
+  std::optional<T> localConcavity(const OrientedBox<T>&) const override { return T(0); }
   Box<T> localBoundingBox() const override;
 
   Box<T> core_;  // the box that is grown by the radius; may have zero thickness

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Shapes/Detail/RingConcavity.hpp>
 #include <Cutwater/Shapes/Torus.hpp>
 
 namespace cutwater {
@@ -19,6 +20,12 @@ T Torus<T>::profileDistance(const ProfilePoint<T>& p) const {
 template <std::floating_point T>
 ProfilePoint<T> Torus<T>::profileGradient(const ProfilePoint<T>& p) const {
   return normalized(ProfilePoint<T>{p.radial - major_, p.axial});
+}
+
+template <std::floating_point T>
+std::optional<T> Torus<T>::localConcavity(const OrientedBox<T>& box) const {
+  return detail::concavityAround(this->rotationAxis().profilePoint(box.center).radial, box,
+                                 localGuarantee());
 }
 
 template <std::floating_point T>

@@ -21,6 +21,7 @@ class Torus final : public Axisymmetric<T> {
   std::string localName() const override { return "Torus"; }
   T profileDistance(const ProfilePoint<T>& p) const override;
   ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  std::optional<T> localConcavity(const OrientedBox<T>& box) const override;
   Guarantee<T> localGuarantee() const override;
   Box<T> localBoundingBox() const override;
 

@@ -128,6 +128,54 @@ void TpmsField<T>::distances(const detail::PartTerms<T>& part, const GradedValue
   for (std::size_t i = 0; i < points.size(); ++i) result[i] = batch.distance[i];
 }
 
+/// Encloses F in a box, up to the rounding of F.
+template <std::floating_point T>
+Interval<T> TpmsField<T>::valuesIn(const OrientedBox<T>& box) const {
+  const auto sample = from_.sample(map_.toCells(box.center));
+  const Vec3<T> angles = kTwoPi<T> * uniform_->rates;  // per length
+  const auto& g = sample.gradient;
+  const Vec3<T> slope{angles.x * g.x, angles.y * g.y, angles.z * g.z};
+  T change = length(slope) * box.slack;
+  for (const auto& half : box.halfAxis) change += std::abs(dot(slope, half));
+  const T reach = maxComponent(angles) * box.radius();
+  change += T(0.5) * static_cast<T>(from_.curvature()) * reach * reach;
+  return Interval<T>{sample.value, sample.value}.grown(change * kOutward<T>);
+}
+
+template <std::floating_point T>
+Interval<T> TpmsField<T>::distancesIn(const detail::PartTerms<T>& part, const GradedValue<T>& level,
+                                      const OrientedBox<T>& box) const {
+  constexpr T kInf = std::numeric_limits<T>::infinity();
+  const auto field = valuesIn(box);
+  const T radius = box.radius();
+  const T h = level.at(box.center);
+  const T change = level.lipschitz() * radius * kOutward<T>;
+  const Interval<T> size{std::max({T(0), field.lower, -field.upper}),
+                         std::max(-field.lower, field.upper)};
+  const auto times = [](T factor, const Interval<T>& range) {
+    const T a = factor * range.lower;
+    const T b = factor * range.upper;
+    return Interval<T>{std::min(a, b), std::max(a, b)};
+  };
+  Interval<T> psi{0, 0};
+  for (const auto& term : {times(part.absolute, size), times(part.plain, field),
+                           times(part.level, {h - change, h + change})}) {
+    psi.lower += term.lower;
+    psi.upper += term.upper;
+  }
+  if (part.half != 0) {
+    const auto half = times(part.half, field);
+    psi = {std::max(psi.lower, half.lower), std::max(psi.upper, half.upper)};
+  }
+  // Distances are at least |psi| over the greatest slope. Rounding: that of F and its gradient,
+  // which is less than that of distances, at the centre; and that of distances elsewhere.
+  const auto bounds = terms(part, level);
+  const T perLevel = bounds.perLipschitz * bounds.lengthPerRadian / kOutward<T>;
+  const T rounding = 4 * guarantee(level).error(length(box.center) + radius);
+  return {psi.lower > 0 ? psi.lower * perLevel - rounding : -kInf,
+          psi.upper < 0 ? psi.upper * perLevel + rounding : kInf};
+}
+
 template <std::floating_point T>
 Guarantee<T> TpmsField<T>::guarantee(const GradedValue<T>& level) const {
   // A level has an error of some 20 eps, and the slope that is used is at least 1/16 of the

@@ -51,6 +51,11 @@ class TpmsField {
   /// The same, to the bit, for 64 points or fewer.
   void distances(const detail::PartTerms<T>& part, const GradedValue<T>& level,
                  std::span<const Vec3<T>> points, std::span<T> result) const;
+  /// Encloses these numbers in a box, of a uniform field: from F and its gradient at the centre,
+  /// and the greatest second derivative.
+  [[nodiscard]] Interval<T> distancesIn(const detail::PartTerms<T>& part,
+                                        const GradedValue<T>& level,
+                                        const OrientedBox<T>& box) const;
   /// The guarantee of these bounds.
   [[nodiscard]] Guarantee<T> guarantee(const GradedValue<T>& level) const;
 
@@ -74,6 +79,7 @@ class TpmsField {
 
   [[nodiscard]] detail::LevelTerms<T> terms(const detail::PartTerms<T>& part,
                                             const GradedValue<T>& level) const;
+  [[nodiscard]] Interval<T> valuesIn(const OrientedBox<T>& box) const;
   [[nodiscard]] T lipschitzWithin(const Vec3<T>& p, T radius) const;
   [[nodiscard]] T freeRadius(T change, const GradedValue<T>& level, const Vec3<T>& p) const;
 

@@ -84,6 +84,14 @@ Vec3<T> TpmsSolid<T>::localGradient(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+Interval<T> TpmsSolid<T>::localBounds(const OrientedBox<T>& box, BoxHint* hint) const {
+  const auto around = SignedDistanceFunction<T>::localBounds(box, hint);
+  if (!field_.isUniform() || around.lower > 0 || around.upper < 0) return around;
+  const auto within = field_.distancesIn(termsOf<T>(part_), level_, box);
+  return {std::max(around.lower, within.lower), std::min(around.upper, within.upper)};
+}
+
+template <std::floating_point T>
 std::string TpmsSolid<T>::localName() const {
   return std::string(kNames[static_cast<std::size_t>(part_)]) + " of a " + field_.name();
 }

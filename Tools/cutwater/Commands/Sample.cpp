@@ -46,6 +46,11 @@ class Fields {
         static_assert(static_cast<std::int32_t>(kNone) == -1);
         const auto* const first = reinterpret_cast<const std::int32_t*>(patch_.data());
         arrays_.push_back({name, std::span(first, patch_.size())});
+      } else if (name == "class" && classes_.empty()) {
+        classes_.resize(box.count());
+        targets_.boxClass = GridView<BoxClass>::contiguous(classes_.data(), box);
+        const auto* const first = reinterpret_cast<const std::uint8_t*>(classes_.data());
+        arrays_.push_back({name, std::span(first, classes_.size())});
       }
     }
   }
@@ -58,6 +63,7 @@ class Fields {
  private:
   std::vector<double> distance_;
   std::vector<std::uint32_t> patch_;
+  std::vector<BoxClass> classes_;
   FillTargets<double> targets_;
   std::vector<VtkArray> arrays_;
 };
@@ -82,7 +88,8 @@ void report(const SampleSettings& options, const GridPatch<double>& grid, const 
 /// Of the arrays' values at an index.
 double bytesOfValues(const std::vector<std::string>& names) {
   const auto has = [&](const char* name) { return std::ranges::count(names, name) > 0; };
-  return (has("distance") ? 8.0 : 0.0) + (has("patch") ? 4.0 : 0.0);
+  return (has("distance") ? 8.0 : 0.0) + (has("patch") ? 4.0 : 0.0) +
+         (has("class") ? 1.0 : 0.0);
 }
 
 /// Of filling the grid, from blocks all over it.
@@ -152,10 +159,11 @@ void addSample(Program& program) {
               "Tell distances within so many cells of the surface, by the smallest of their sides; "
               "beyond, just this width and the sign",
               [=](const std::string& text) { options->band = positiveNumber("--band", text); });
-  command.addWords("--write", "distance,patch",
-                   "What to write; patch is that of the closest surface point, -1 beyond the band "
+  command.addWords("--write", "distance,patch,class",
+                   "What to write; patch is that of the closest surface point, -1 beyond the band; "
+                   "class is that of the cell: 0 inside, 1 outside, 2 cut, 3 unknown "
                    "[default: distance]",
-                   options->write, {"distance", "patch"}, Values::Several);
+                   options->write, {"distance", "patch", "class"}, Values::Several);
   command.setFooter(
       "Examples:\n"
       "  cutwater sample hull.stl -o hull.vti\n"

@@ -4,10 +4,10 @@ namespace cutwater::detail {
 
 template <std::floating_point T>
 void PointBatch<T>::flush() {
-  if (task_.targets.patch.data == nullptr || task_.hasBand()) {
+  if (!takesSurfacePoints(task_.targets) || task_.hasBand()) {
     storeDistances();
   } else {
-    storeDistancesAndPatches();
+    storeAll();
   }
   count_ = 0;
 }
@@ -18,28 +18,28 @@ void PointBatch<T>::storeDistances() {
   const auto values = distances.first(count_);
   task_.solid.signedDistances(points_.first(count_), values, {.threads = 1});
   for (std::size_t i = 0; i < count_; ++i) storeDistance(offsets_[i], values[i]);
-  if (task_.targets.patch.data != nullptr) storePatches(values);
+  if (takesSurfacePoints(task_.targets)) storeSurfacePoints(values);
 }
 
 template <std::floating_point T>
-void PointBatch<T>::storeDistancesAndPatches() {
+void PointBatch<T>::storeAll() {
   // The closest point also gives the distance.
   Scratch<SurfacePoint<T>, kMost> hits;
   task_.solid.closestPoints(points_.first(count_), hits.first(count_), {.threads = 1});
   for (std::size_t i = 0; i < count_; ++i) {
     storeDistance(offsets_[i], hits[i].distance);
-    storePatch(offsets_[i], hits[i].owner.patch);
+    storeSurfacePoint(offsets_[i], &hits[i]);
   }
 }
 
 template <std::floating_point T>
-void PointBatch<T>::storePatches(std::span<const T> distances) {
+void PointBatch<T>::storeSurfacePoints(std::span<const T> distances) {
   Scratch<Vec3<T>, kMost> within;
   Scratch<Offset, kMost> where;
   std::size_t count = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     if (std::abs(distances[i]) > task_.limit) {
-      storePatch(offsets_[i], kNone);
+      storeSurfacePoint(offsets_[i], nullptr);
     } else {
       within[count] = points_[i];
       where[count++] = offsets_[i];
@@ -48,7 +48,7 @@ void PointBatch<T>::storePatches(std::span<const T> distances) {
   if (count == 0) return;
   Scratch<SurfacePoint<T>, kMost> hits;
   task_.solid.closestPoints(within.first(count), hits.first(count), {.threads = 1});
-  for (std::size_t i = 0; i < count; ++i) storePatch(where[i], hits[i].owner.patch);
+  for (std::size_t i = 0; i < count; ++i) storeSurfacePoint(where[i], &hits[i]);
 }
 
 template class PointBatch<float>;

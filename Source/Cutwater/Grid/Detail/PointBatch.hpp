@@ -1,25 +1,10 @@
 #pragma once
 
-#include <Cutwater/Core/Detail/Scratch.hpp>
-#include <Cutwater/Grid/Detail/GridTiles.hpp>
-#include <Cutwater/Grid/Fill.hpp>
+#include <Cutwater/Grid/Detail/FillTask.hpp>
 
 #include <cmath>
 
 namespace cutwater::detail {
-
-/// What one call of fill() asks for, shared by all of its tiles. All that it refers to outlives it.
-template <std::floating_point T>
-struct FillTask {
-  const SignedDistanceFunction<T>& solid;
-  const GridPatch<T>& gridPatch;
-  const FillTargets<T>& targets;
-  T limit;          ///< values beyond it become +-limit; may be infinite
-  TileOrder order;  ///< of the points in each tile
-  Guarantee<T> promise = solid.guarantee();
-
-  [[nodiscard]] bool hasBand() const { return limit < std::numeric_limits<T>::infinity(); }
-};
 
 /// Evaluates points of a grid patch together and stores their values in the targets, each at its
 /// point's offset.
@@ -41,23 +26,35 @@ class PointBatch {
   /// Stores the value of a point that is known to be beyond the limit.
   void storeBeyond(const Offset& offset, T sign) const {
     storeDistance(offset, std::copysign(task_.limit, sign));
-    if (task_.targets.patch.data != nullptr) storePatch(offset, kNone);
+    storeSurfacePoint(offset, nullptr);
   }
 
  private:
   void storeDistances();
-  void storeDistancesAndPatches();
-  /// Stores the patches of those within the limit, which takes another query.
-  void storePatches(std::span<const T> distances);
+  void storeAll();
+  /// Stores the surface points of those within the limit, which takes another query.
+  void storeSurfacePoints(std::span<const T> distances);
   void storeDistance(const Offset& offset, T distance) const {
     if (task_.targets.distance.data == nullptr) return;
     const auto [i, j, k] = offset;
     task_.targets.distance.at(i, j, k) =
         std::abs(distance) > task_.limit ? std::copysign(task_.limit, distance) : distance;
   }
-  void storePatch(const Offset& offset, std::uint32_t patch) const {
+  /// What is known of the closest surface point; of none if it is beyond the limit.
+  void storeSurfacePoint(const Offset& offset, const SurfacePoint<T>* hit) const {
     const auto [i, j, k] = offset;
-    task_.targets.patch.at(i, j, k) = patch;
+    const auto& targets = task_.targets;
+    constexpr T kNaN = std::numeric_limits<T>::quiet_NaN();
+    constexpr Vec3<T> kNowhere{kNaN, kNaN, kNaN};
+    if (targets.patch.data != nullptr) {
+      targets.patch.at(i, j, k) = hit != nullptr ? hit->owner.patch : kNone;
+    }
+    if (targets.closestPoint.data != nullptr) {
+      targets.closestPoint.at(i, j, k) = hit != nullptr ? hit->point : kNowhere;
+    }
+    if (targets.normal.data != nullptr) {
+      targets.normal.at(i, j, k) = hit != nullptr ? hit->normal : kNowhere;
+    }
   }
 
   const FillTask<T>& task_;

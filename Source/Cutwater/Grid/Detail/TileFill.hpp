@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Grid/Detail/PointBatch.hpp>
+#include <Cutwater/Grid/Detail/TileParts.hpp>
 #include <Cutwater/Sdf/BoxQuery.hpp>
 
 namespace cutwater::detail {
@@ -21,40 +22,25 @@ class TileFill {
   void finish() { batch_.flush(); }
 
  private:
-  /// Parts of this size are not divided: further evaluations would cost more than they save.
-  static constexpr int kLeafBits = 6;
-  /// Larger parts are divided by this many halvings at a time.
-  static constexpr int kDivisionBits = 3;
-  static constexpr std::size_t kMostParts = std::size_t{1} << (TileOrder::kMostBits - kLeafBits);
-
-  /// A part of the tile, 2^bits points with consecutive numbers, and what is known about it.
-  struct Part {
-    OffsetBox indices;
-    std::uint32_t number;   // of its first point, in the tile's order
-    Box<T> box = {};        // around its positions
-    bool isBeyond = false;  // as a whole
-    T sign = 1;             // on which side
-    Vec3<T> center = {};    // all is beyond within a radius of it;
-    T beyondSquared = -1;   // that radius squared, if positive
+  /// A part of the tile, and what is known about it. It is settled if all of it is beyond the
+  /// limit.
+  struct Part : TilePart {
+    Box<T> box = {};       // around its positions
+    T sign = 1;            // on which side it is beyond
+    Vec3<T> center = {};   // all is beyond within a radius of it;
+    T beyondSquared = -1;  // that radius squared, if positive
   };
-  using Parts = Scratch<Part, kMostParts>;
 
   void placePositions();
   [[nodiscard]] Vec3<T> position(const Offset& inTile) const {
     return {positions_[inTile[0]].x, positions_[inTile[1]].y, positions_[inTile[2]].z};
   }
-  /// The indices of the 2^bits points from `number` on, as far as they are within the grid patch;
-  /// of size 0 if none are.
-  [[nodiscard]] OffsetBox indicesOf(std::uint32_t number, int bits) const;
 
   void fillBand();
   /// Determines which of the parts are beyond the limit.
   void boundParts(std::span<Part> parts) const;
   /// Determines it from the value at the centre of the part's box.
   void boundByLipschitz(Part& part, const OrientedBox<T>& box, T atCenter) const;
-  /// Fills parts of 2^bits points that are beyond the band, adds the points of small ones, and
-  /// divides the others into `smaller`; returns the number of parts there.
-  std::size_t fillOrDivide(std::span<const Part> parts, int bits, Parts& smaller);
   void fillBeyond(const Part& part) const;
   void addPoints(const Part& part, int bits);
 

@@ -269,10 +269,9 @@ BoxClass Combination<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint)
   // As all others are outside, the surface of the one that cuts is that of the whole.
   if (reaching == 1 && cut == 1) return BoxClass::Cut;
   if (reaching == 1) return SignedDistanceFunction<T>::localClassify(box, hint);
-  // Bounds would show that the box is free of surface only where those of an operand do.
   if (!box.isWithin(guarantee_.domain)) return BoxClass::Unknown;
   return this->holdsNearestPoint(box) || this->holdsBothSides(box) ? BoxClass::Cut
-                                                                   : BoxClass::Unknown;
+                                                                   : this->classOfUndecided(box);
 }
 
 template <std::floating_point T>

@@ -33,6 +33,7 @@ Vec3<T> MirrorPlane<T>::imageOfDirection(const Vec3<T>& v) const {
 template <std::floating_point T>
 OrientedBox<T> MirrorPlane<T>::image(const OrientedBox<T>& box) const {
   OrientedBox<T> result = box;
+  result.exact.reset();
   result.center = image(box.center);
   for (auto& half : result.halfAxis) half = imageOfDirection(half);
   const T size = length(box.center) + box.radius() + length(point_);

@@ -33,6 +33,7 @@ OrientedBox<T> Scale<T>::place(const OrientedBox<T>& box) const {
   for (auto& half : result.halfAxis) half = half / factor_;
   // The division rounds the centre, the half axes and the points that the box stands for.
   const T reach = length(box.center) + box.radius();
+  result.exact.reset();
   result.slack = (box.slack + 4 * std::numeric_limits<T>::epsilon() * reach) / std::abs(factor_);
   return result;
 }

@@ -74,7 +74,7 @@ BoxClass SymmetricDifference<T>::localClassify(const OrientedBox<T>& box, BoxHin
                          std::abs(this->second().signedDistance(box.center)));
   const bool isOfOne = gap > 4 * promise.error(length(box.center) + box.radius());
   const bool isCut = (isOfOne && this->holdsNearestPoint(box)) || this->holdsBothSides(box);
-  return isCut ? BoxClass::Cut : BoxClass::Unknown;
+  return isCut ? BoxClass::Cut : this->classOfUndecided(box);
 }
 
 template <std::floating_point T>

@@ -18,6 +18,7 @@ class ProfiledShape : public Axisymmetric<T> {
   T profileDistance(const ProfilePoint<T>& p) const final;
   ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const final;
   Guarantee<T> localGuarantee() const final;
+  std::optional<T> localConcavity(const OrientedBox<T>&) const final { return T(0); }
   Box<T> localBoundingBox() const final;
 
   Profile profile_;
