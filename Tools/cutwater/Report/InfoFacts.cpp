@@ -73,8 +73,8 @@ InfoFacts gather(const InfoOptions& options) {
   if (!ignored) facts.bytesOnDisk = onDisk;
   facts.found = diagnose(soup, {.fillHoles = holeFilling()});
   if (facts.found.signs && options.inFloat) {
-    const bool meets = static_cast<bool>(facts.found.selfIntersections);
-    facts.bytesInFloat = MeshSDF<float>(soup, {.findSelfIntersections = meets}).memoryBytes();
+    facts.bytesInFloat =
+        MeshSDF<float>(soup, {.findSelfIntersections = false, .probes = 0}).memoryBytes();
   }
   facts.peakResidentBytes = peakResidentBytes();
   facts.next = adviceFor(facts);

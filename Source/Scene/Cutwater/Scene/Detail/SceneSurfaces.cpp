@@ -38,8 +38,9 @@ std::vector<SceneKey> meshKeys() {
        "\"auto\"",
        {"auto", "nearest", "winding"}},
       {"require_watertight", Flag, "refuse a surface that does not bound a solid", "false"},
-      {"find_self_intersections", Flag, "let the check look for them everywhere", "false"},
-      {"probes", Whole, "places that the check looks at", "1024"}};
+      {"find_self_intersections", Flag,
+       "look for them everywhere on a closed surface, not only at probes", "true"},
+      {"probes", Whole, "places that the check looks at where it proves nothing", "1024"}};
   for (auto& key : cleaningKeys()) keys.push_back(std::move(key));
   return keys;
 }
