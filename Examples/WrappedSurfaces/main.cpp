@@ -51,7 +51,7 @@ PolygonSoup pebbles() {
 }
 
 bool boundsSolid(const PolygonSoup& soup, const char* what) {
-  const MeshSDF<double> solid(soup, {.findSelfIntersections = true});
+  const MeshSDF<double> solid(soup);
   std::printf("%s: %s\n\n", what, solid.signReport().summary().c_str());
   return solid.signReport().isSound();
 }

@@ -37,6 +37,13 @@ TEST(SignReport, SaysWhatSignsRestOn) {
       "out");
 }
 
+TEST(SignReport, WhatIsProvenIsWithoutDoubt) {
+  SignReport proven{.probes = 3, .selfIntersections = 0, .isProven = true};
+  EXPECT_TRUE(proven.isSound());
+  EXPECT_EQ(proven.doubt(), 0);
+  EXPECT_EQ(proven.summary(), "nearest feature: closed, 0 self-intersections; sound everywhere");
+}
+
 TEST(SignReport, SelfIntersectionsAreUnsound) {
   SignReport report{.probes = 10};
   report.selfIntersections = 0;

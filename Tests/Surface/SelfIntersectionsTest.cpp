@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "Support/IntersectingPairs.hpp"
 #include "Support/Random.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Soups.hpp"
@@ -227,22 +228,9 @@ struct RandomSoup {
   }
 };
 
-void expectSame(const SelfIntersections& a, const SelfIntersections& b) {
-  EXPECT_EQ(a.pairs.count, b.pairs.count);
-  EXPECT_EQ(a.pairs.examples, b.pairs.examples);
-  EXPECT_EQ(a.complete, b.complete);
-  EXPECT_EQ(a.skippedTriangles, b.skippedTriangles);
-}
-
 TEST(SelfIntersectionsTest, TheTreeLosesNoPair) {
   const RandomSoup soup(static_cast<std::uint32_t>(scaled(1500)), 0.1, 3);
-  SelfIntersections expected;
-  for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) {
-    for (std::uint32_t j = i + 1; j < soup.triangles.size(); ++j) {
-      if (!intersect(soup.points, soup.triangles[i], soup.triangles[j])) continue;
-      expected.pairs.add({FaceId{i}, FaceId{j}});
-    }
-  }
+  const auto expected = bruteForce(soup.points, soup.triangles);
   EXPECT_GT(expected.pairs.count, 100U);
   expectSame(findSelfIntersections<double>(soup.points, soup.triangles), expected);
 }

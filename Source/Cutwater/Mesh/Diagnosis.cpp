@@ -50,8 +50,7 @@ std::optional<double> wrapGapOf(const PolygonSoup& soup, const Diagnosis& found)
 
 void decideSigns(const PolygonSoup& soup, Diagnosis& found) {
   Stopwatch watch;
-  const MeshSDF<double> solid(
-      soup, {.findSelfIntersections = static_cast<bool>(found.selfIntersections)});
+  const MeshSDF<double> solid(soup);
   found.seconds.build = watch.lap();
   found.signs = solid.signReport();
   found.guarantee = solid.guarantee();

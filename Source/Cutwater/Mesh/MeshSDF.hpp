@@ -12,9 +12,9 @@ namespace cutwater {
 /// The magnitude is within 8 eps (|p| + |V|max) of the distance to the mesh rounded to T, where V
 /// are the corners of faces, and does not depend on the tree. The sign is exact on closed surfaces,
 /// however close together their sheets and however thin their triangles. Overlapping shells form a
-/// union once the overlap is known: the check looks for it at probes only, unless
-/// findSelfIntersections is set, and within a missed overlap the sign may be that of the nearest
-/// sheet. For a surface that is not closed, inside is where its winding number exceeds 1/2;
+/// union: the check finds every pair of triangles that meet. (Without findSelfIntersections it looks
+/// at probes only, and within a missed overlap the sign may be that of the nearest sheet.) For a
+/// surface that is not closed, inside is where its winding number exceeds 1/2;
 /// boundingBox() then reaches beyond the triangles, whose box is surfaceBox(). Faces
 /// that disagree with their neighbours and shells that are inside out are turned (see
 /// orientFaces()). signReport() returns what was found and how signs are decided, guarantee() what

@@ -18,6 +18,7 @@ std::string percent(double share) {
 }  // namespace
 
 double SignReport::doubt() const {
+  if (isProven) return 0;
   if (probes == 0) return 1;
   const auto n = static_cast<double>(probes);
   const double share = static_cast<double>(isClosed() ? unsound : ambiguous) / n;
@@ -32,7 +33,9 @@ std::string SignReport::summary() const {
   if (selfIntersections) {
     text += ", " + counted(*selfIntersections, "self-intersection", "self-intersections");
   }
-  if (probes > 0) {
+  if (isProven) {
+    text += "; sound everywhere";
+  } else if (probes > 0) {
     const std::size_t bad = isClosed() ? unsound : ambiguous;
     text += "; " + counted(probes, "probe", "probes") + ", ";
     text += bad == 0 ? "all " : detail::toText(static_cast<long long>(bad)) + ' ';

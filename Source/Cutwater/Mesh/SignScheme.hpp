@@ -27,11 +27,13 @@ struct MeshSDFOptions {
   SignScheme signs = SignScheme::Automatic;
   /// Refuse surfaces that do not bound a solid, as far as the check can detect.
   bool requireWatertight = false;
-  /// Let the check look for self-intersections everywhere, not only at probes. This takes about as
-  /// long as building the tree.
-  bool findSelfIntersections = false;
-  /// Places on the surface (in its box, if it is open) that the check examines, besides one per
-  /// shell; fewer where thousands of triangles lie on top of one another.
+  /// Look for self-intersections of a closed surface everywhere, by exact predicates, so that none
+  /// is missed. If false, only probes may notice them. (Signs of open surfaces do not depend on
+  /// them; findSelfIntersections() tells.)
+  bool findSelfIntersections = true;
+  /// Places in the box of an open surface that the check examines; on a closed one, besides one per
+  /// shell, where it has not been searched, or meets itself or is nested: then they tell how much
+  /// of it that concerns. Fewer where thousands of triangles lie on top of one another.
   std::size_t probes = 1024;
 };
 
@@ -52,12 +54,18 @@ struct SignReport {
   /// Open surfaces: probes in the bounding box where the winding number is more than 0.1 from an
   /// integer, so the sign is ambiguous.
   std::size_t ambiguous = 0;
-  std::optional<std::size_t> selfIntersections =
-      {};  ///< pairs of triangles, if they were looked for
+  /// Pairs of triangles that meet in more than what they share, at most 1 000 000; empty if they
+  /// were not looked for.
+  std::optional<std::size_t> selfIntersections = {};
+  /// Closed surfaces that were searched: no triangles meet, and each part of the surface between
+  /// edges of more than two triangles has the solid just behind it and free space just in front.
+  /// The check examined one place on each, since what is true there is true all over the part.
+  bool isProven = false;
 
   /// Along every edge, as many triangles run one way as the other.
   [[nodiscard]] bool isClosed() const { return unbalancedEdges == 0; }
   /// Closed, and the check found nothing: signs are exact, and distances are those to the solid.
+  /// Certain if isProven.
   [[nodiscard]] bool isSound() const {
     return isClosed() && unsound == 0 && unorientable == 0 && selfIntersections.value_or(0) == 0;
   }

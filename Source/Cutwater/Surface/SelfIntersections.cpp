@@ -1,11 +1,11 @@
-#include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Surface/Detail/PairSearch.hpp>
 #include <Cutwater/Surface/Detail/SelfIntersectionSearch.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
-#include <Cutwater/Triangles/TriangleIntersection.hpp>
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 
 namespace cutwater {
 
@@ -26,106 +26,131 @@ void requireTriangles(std::span<const Vec3<T>> positions, std::span<const Corner
   }
 }
 
-class IntersectionSearch {
+using Pairs = std::vector<std::uint64_t>;  // of faces, the first one above the other's 32 bits
+
+FacePair facesOf(std::uint64_t pair) {
+  return {FaceId{static_cast<std::uint32_t>(pair >> 32U)},
+          FaceId{static_cast<std::uint32_t>(pair)}};
+}
+
+void sortWithoutRepeats(Pairs& pairs) {
+  std::ranges::sort(pairs);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+/// Turns pairs of triangles into pairs of faces, and lists them.
+class PairLists {
  public:
   /// `faces` gives the face of each triangle, ascending; if empty, each triangle is a face of its
-  /// own. The boxes and the tree may be in units of their own.
-  IntersectionSearch(std::span<const Vec3<double>> positions, std::span<const Corners> triangles,
-                     std::span<const std::uint32_t> faces, std::span<const Box<double>> boxes,
-                     const Tree& tree)
-      : positions_(positions), triangles_(triangles), faces_(faces), boxes_(boxes), tree_(tree) {
-    flat_.reserve(triangles.size());
-    for (const auto& [a, b, c] : triangles) {
-      flat_.push_back(!hasArea({positions[a], positions[b], positions[c]}));
+  /// own.
+  PairLists(const PairSearch& search, std::span<const std::uint32_t> faces)
+      : search_(search), faces_(faces) {}
+
+  /// All pairs, ascending, or at least `limit` of them.
+  [[nodiscard]] Pairs list(std::size_t limit, const SelfIntersectionOptions& options) const {
+    std::vector<Pairs> found(search_.tasks());
+    std::vector<std::uint8_t> isDone(search_.tasks());
+    Pairs all;
+    // Tasks end once they have found enough pairs together. Some may be the same pairs of faces:
+    // then the tasks that were left out follow.
+    bool isComplete = false;
+    while (!isComplete && all.size() < limit) {
+      std::atomic<std::size_t> total{all.size()};
+      parallelFor(search_.tasks(), {.threads = options.threads, .progress = options.progress},
+                  [&](std::size_t task, std::size_t) {
+                    if (isDone[task] != 0 || total >= limit) return;
+                    listOfTask(task, limit, found[task]);
+                    total += found[task].size();
+                    isDone[task] = 1;
+                  });
+      for (auto& pairs : found) {
+        all.insert(all.end(), pairs.begin(), pairs.end());
+        pairs = {};
+      }
+      sortWithoutRepeats(all);
+      isComplete = std::ranges::count(isDone, 0) == 0;
     }
+    return all;
   }
 
-  SelfIntersections run(const SelfIntersectionOptions& options) const {
-    // Ranges are handed out in ascending order and processed to their end, or up to the limit. So,
-    // where the limit ends the search, the processed ranges hold the first examples, and the count
-    // is the limit.
-    const std::size_t limit = std::max(options.limit, Findings<FacePair>::kExamples);
-    std::vector<Findings<FacePair>> found((triangles_.size() + kTrianglesPerTask - 1) /
-                                          kTrianglesPerTask);
-    std::atomic<std::size_t> total{0};
-    parallelFor(
-        triangles_.size(),
-        {.threads = options.threads, .grain = kTrianglesPerTask, .progress = options.progress},
-        [&](std::size_t begin, std::size_t end) {
-          if (total < limit)
-            total += searchRange(begin, end, limit, found[begin / kTrianglesPerTask]);
-        });
-    SelfIntersections result;
-    for (const auto& part : found) result.pairs.add(part);
-    result.complete = result.pairs.count < limit;
-    result.pairs.count = std::min(result.pairs.count, limit);
-    result.skippedTriangles = static_cast<std::size_t>(std::ranges::count(flat_, true));
-    return result;
+  /// The first pairs of all, given some of them.
+  [[nodiscard]] Pairs first(std::size_t count, Pairs known, int threads) const {
+    known.resize(std::min(count, known.size()));
+    std::mutex mutex;
+    std::atomic<std::uint32_t> lastWanted{lastOfFace(known.back())};
+    const auto take = [&](std::uint32_t a, std::uint32_t b) {
+      const std::lock_guard lock(mutex);
+      known.push_back(pairOf(a, b));
+      sortWithoutRepeats(known);
+      known.resize(std::min(count, known.size()));
+      if (known.size() == count) lastWanted = lastOfFace(known.back());
+      return true;
+    };
+    if (known.size() < count) lastWanted = kNone;
+    parallelFor(search_.tasks(), {.threads = threads, .progress = {}},
+                [&](std::size_t task, std::size_t) {
+                  search_.run(task, {lastWanted, take});
+                });
+    return known;
   }
 
  private:
-  static constexpr std::size_t kTrianglesPerTask = 256;
-
-  [[nodiscard]] std::uint32_t faceOf(std::size_t triangle) const {
-    return faces_.empty() ? static_cast<std::uint32_t>(triangle) : faces_[triangle];
+  [[nodiscard]] std::uint64_t pairOf(std::uint32_t first, std::uint32_t second) const {
+    if (faces_.empty()) return std::uint64_t{first} << 32U | second;
+    return std::uint64_t{faces_[first]} << 32U | faces_[second];
   }
-  [[nodiscard]] bool startsFace(std::size_t triangle) const {
-    return triangle == 0 || triangle == triangles_.size() ||
-           faceOf(triangle) != faceOf(triangle - 1);
+  /// The last triangle of the first face of a pair.
+  [[nodiscard]] std::uint32_t lastOfFace(std::uint64_t pair) const {
+    const auto face = index(facesOf(pair).first);
+    if (faces_.empty()) return face;
+    return static_cast<std::uint32_t>(std::ranges::upper_bound(faces_, face) - faces_.begin()) - 1;
   }
-
-  /// Finds the pairs whose first face starts in the range; returns their number.
-  std::size_t searchRange(std::size_t begin, std::size_t end, std::size_t limit,
-                          Findings<FacePair>& found) const {
-    std::vector<std::uint32_t> partners;
-    std::size_t i = begin;
-    while (i < end && !startsFace(i)) ++i;
-    while (i < end && found.count < limit) {
-      const FaceId face{faceOf(i)};
-      partners.clear();
-      do {
-        collectPartners(static_cast<std::uint32_t>(i++), partners);
-      } while (!startsFace(i));
-      for (const auto partner : partners) found.add({face, FaceId{partner}});
-    }
-    return found.count;
+  void listOfTask(std::size_t task, std::size_t limit, Pairs& pairs) const {
+    std::size_t room = faces_.empty() ? limit : 2 * limit;
+    const auto take = [&](std::uint32_t first, std::uint32_t second) {
+      pairs.push_back(pairOf(first, second));
+      if (pairs.size() < room) return true;
+      sortWithoutRepeats(pairs);
+      room = 2 * std::max(limit, pairs.size());
+      return pairs.size() < limit;
+    };
+    const std::atomic<std::uint32_t> lastWanted{kNone};
+    search_.run(task, {lastWanted, take});
+    sortWithoutRepeats(pairs);
   }
 
-  /// Adds the faces of later triangles that this one meets, in order and without duplicates.
-  void collectPartners(std::uint32_t triangle, std::vector<std::uint32_t>& partners) const {
-    if (flat_[triangle]) return;
-    const std::size_t before = partners.size();
-    const auto& box = boxes_[triangle];
-    tree_.overlapping(OrientedBox<double>::of(box), [&](std::span<const std::uint32_t> slots) {
-      for (const auto other : slots) {
-        if (other == kNone) break;
-        if (other > triangle && box.overlaps(boxes_[other]) && !flat_[other] &&
-            intersect(positions_, triangles_[triangle], triangles_[other])) {
-          partners.push_back(faceOf(other));
-        }
-      }
-      return true;
-    });
-    if (partners.size() == before) return;
-    std::ranges::sort(partners);
-    partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
-  }
-
-  std::span<const Vec3<double>> positions_;
-  std::span<const Corners> triangles_;
+  const PairSearch& search_;
   std::span<const std::uint32_t> faces_;
-  std::span<const Box<double>> boxes_;
-  const Tree& tree_;
-  std::vector<bool> flat_;  ///< triangles without area
 };
+
+SelfIntersections search(std::span<const Vec3<double>> positions,
+                         std::span<const Corners> triangles, std::span<const std::uint32_t> faces,
+                         const Tree& tree, const SelfIntersectionOptions& options) {
+  constexpr std::size_t kExamples = Findings<FacePair>::kExamples;
+  const std::size_t limit = std::max(options.limit, kExamples);
+  const PairTest pairs(positions, triangles, options.threads);
+  const PairSearch search(pairs, tree, options.threads);
+  const PairLists lists(search, faces);
+  auto found = lists.list(limit, options);
+  SelfIntersections result;
+  result.complete = found.size() < limit;
+  result.pairs.count = std::min(found.size(), limit);
+  if (!result.complete) found = lists.first(kExamples, std::move(found), options.threads);
+  for (std::size_t i = 0; i < std::min(kExamples, found.size()); ++i) {
+    result.pairs.examples.push_back(facesOf(found[i]));
+  }
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (!pairs.hasArea(t)) ++result.skippedTriangles;
+  }
+  return result;
+}
 
 SelfIntersections searchWithOwnTree(std::span<const Vec3<double>> positions,
                                     std::span<const Corners> triangles,
                                     std::span<const std::uint32_t> faces,
                                     const SelfIntersectionOptions& options) {
-  const auto boxes = triangleBoxes(positions, triangles);
-  const auto arrays = buildBvh<Tree::kArity, Tree::kLeafWidth>(boxes);
-  return IntersectionSearch(positions, triangles, faces, boxes, arrays.tree()).run(options);
+  const auto tree = buildTriangleTree(positions, triangles);
+  return search(positions, triangles, faces, tree.tree(), options);
 }
 
 }  // namespace
@@ -142,10 +167,12 @@ template <std::floating_point T>
 SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
                                         std::span<const Corners> triangles, const Tree& tree,
                                         const SelfIntersectionOptions& options) {
-  requireTriangles(positions, triangles);
-  const auto boxes = triangleBoxes(positions, triangles);
-  return IntersectionSearch(normalizedPositions(positions, triangles), triangles, {}, boxes, tree)
-      .run(options);
+  if constexpr (std::same_as<T, double>) {
+    return search(positions, triangles, {}, tree, options);
+  } else {
+    const std::vector<Vec3<double>> inDouble(positions.begin(), positions.end());
+    return search(inDouble, triangles, {}, tree, options);
+  }
 }
 
 template <std::floating_point T>

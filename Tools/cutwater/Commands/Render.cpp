@@ -43,8 +43,9 @@ struct RenderSettings {
 class Sheets final : public UnaryOperation<double> {
  public:
   explicit Sheets(const MeshSDF<double>& mesh)
-      : UnaryOperation(
-            MeshSDF<double>(mesh.soup(), {.signs = SignScheme::NearestFeature, .probes = 0})),
+      : UnaryOperation(MeshSDF<double>(
+            mesh.soup(),
+            {.signs = SignScheme::NearestFeature, .findSelfIntersections = false, .probes = 0})),
         box_(mesh.surfaceBox()) {}
 
  private:

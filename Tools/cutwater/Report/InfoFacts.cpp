@@ -83,8 +83,8 @@ InfoFacts gather(const InfoOptions& options) {
                                .onStep = [&](const char* step) { line.show(step); }});
       });
   if (facts.found.signs && options.inFloat) {
-    const bool meets = static_cast<bool>(facts.found.selfIntersections);
-    facts.bytesInFloat = MeshSDF<float>(soup, {.findSelfIntersections = meets}).memoryBytes();
+    facts.bytesInFloat =
+        MeshSDF<float>(soup, {.findSelfIntersections = false, .probes = 0}).memoryBytes();
   }
   facts.peakResidentBytes = peakResidentBytes();
   facts.next = adviceFor(facts);

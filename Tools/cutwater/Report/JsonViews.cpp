@@ -156,6 +156,7 @@ Json toJson(const SignReport& signs) {
       {"scheme", signs.scheme == SignScheme::WindingNumber ? "windingNumber" : "nearestFeature"},
       {"summary", signs.summary()},
       {"sound", signs.isSound()},
+      {"proven", signs.isProven},
       {"doubt", signs.doubt()},
       {"probes", signs.probes},
       {"unsoundProbes", signs.unsound},

@@ -3,6 +3,7 @@
 #include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
 #include <Cutwater/Surface/Detail/PatchNames.hpp>
 #include <Cutwater/Surface/MeshReport.hpp>
+#include <Cutwater/Surface/SelfIntersections.hpp>
 
 namespace cutwater {
 
@@ -19,7 +20,12 @@ DcelIndex<T>::DcelIndex(DcelMesh<T> mesh)
   block_ = writer.finish();
   this->setSurface(sections.view(block_));
   const MeshSDFOptions options;
-  this->setSigns(checkSigns<T>(surface(), arrays, trianglesAlong(), options.probes), options.signs);
+  const auto countSelfIntersections = [&] {
+    return findSelfIntersections<T>(arrays.positions(), arrays.triangles()).pairs.count;
+  };
+  this->setSigns(
+      checkSigns<T>(surface(), arrays, trianglesAlong(), options, countSelfIntersections),
+      options.signs);
 }
 
 template <std::floating_point T>

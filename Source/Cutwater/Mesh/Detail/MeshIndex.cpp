@@ -30,12 +30,10 @@ MeshIndex<T>::MeshIndex(const TriangleSurfaceArrays<T>& arrays, const TriangleTr
                         std::span<const char> patchNames, const MeshSDFOptions& options)
     : options_(options) {
   fill(arrays, tree, patchNames);
-  auto signs = checkSigns<T>(surface(), arrays, trianglesAlong(), options.probes);
+  auto signs = checkSigns<T>(surface(), arrays, trianglesAlong(), options, [&] {
+    return findSelfIntersections<T>(arrays.positions(), arrays.triangles(), tree_).pairs.count;
+  });
   if (needsWinding(arrays, options)) probeAmbiguity(signs);
-  if (options.findSelfIntersections) {
-    signs.selfIntersections =
-        findSelfIntersections<T>(arrays.positions(), arrays.triangles(), tree_).pairs.count;
-  }
   this->setSigns(signs, options.signs);
 }
 

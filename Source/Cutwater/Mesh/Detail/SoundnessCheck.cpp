@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
@@ -5,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace cutwater {
@@ -88,6 +90,79 @@ std::size_t runProbes(std::size_t count, std::size_t triangles, TrianglesAlong a
   return done;
 }
 
+namespace {
+
+/// Whether the solid is just behind the place, and nothing just in front; empty on a triangle
+/// without area.
+template <std::floating_point T>
+std::optional<bool> isSoundAt(const TriangleSurface<T>& surface,
+                              const typename Places<T>::Place& at, TrianglesAlong along) {
+  const auto corners = surface.corners(at.triangle);
+  const auto normal = polygonArea(corners).normal;
+  if (normal == Vec3<double>{}) return {};
+  const auto& [a, b, c] = corners;
+  const auto point = a + at.b * (b - a) + at.c * (c - a);
+  const Vec3<double> step = 0x1p-40 * (length(point) + double{surface.size}) * normal;
+  const auto before = locate(surface, point + step, along);
+  const auto behind = locate(surface, point - step, along);
+  return before.winding == 0 && behind.winding == 1 && !before.onSurface && !behind.onSurface;
+}
+
+/// Examines place(i) for i = 0, 1, ...; `tried` receives how many: see runProbes().
+template <std::floating_point T, typename PlaceOf>
+SoundnessProbes examine(const TriangleSurface<T>& surface, TrianglesAlong along, std::size_t count,
+                        PlaceOf&& placeOf, std::size_t& tried) {
+  std::atomic<std::size_t> probes{0};
+  std::atomic<std::size_t> unsound{0};
+  tried =
+      runProbes(count, surface.triangles.size(), along, [&](std::size_t i, TrianglesAlong metered) {
+        const auto sound = isSoundAt<T>(surface, placeOf(i), metered);
+        if (!sound) return;
+        ++probes;
+        if (!*sound) ++unsound;
+      });
+  return {.probes = probes, .unsound = unsound};
+}
+
+/// The largest triangle of each part of the surface that is connected across edges of two
+/// triangles.
+template <std::floating_point T>
+std::vector<std::uint32_t> largestOfParts(const TriangleSurface<T>& surface, std::size_t shells) {
+  const auto count = static_cast<std::uint32_t>(surface.triangles.size());
+  const auto isInner = [](const auto& across) { return std::ranges::count(across, kNone) == 0; };
+  const bool isOnePart = shells == 1 && std::ranges::all_of(surface.neighbours, isInner);
+  detail::DisjointSets parts(isOnePart ? 0 : count);
+  for (std::uint32_t t = 0; t < count && !isOnePart; ++t) {
+    for (const auto across : surface.neighbours[t]) {
+      if (across != kNone) parts.unite(t, across);
+    }
+  }
+  std::vector<std::uint32_t> largest(isOnePart ? 1 : count, kNone);
+  std::vector<double> areas(largest.size(), -1);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const auto part = isOnePart ? 0 : parts.find(t);
+    const auto [a, b, c] = surface.corners(t);
+    const double area = lengthSquared(cross(b - a, c - a));
+    if (area > areas[part]) areas[part] = area, largest[part] = t;
+  }
+  std::erase(largest, kNone);
+  return largest;
+}
+
+/// Examines one place on each part of a surface without self-intersections: what is true there is
+/// true all over the part. Where there are too many places to examine, nothing is proven.
+template <std::floating_point T>
+void prove(const TriangleSurface<T>& surface, TrianglesAlong along, SignReport& report) {
+  const auto parts = largestOfParts(surface, report.shells);
+  std::size_t tried = 0;
+  const auto placeOf = [&](std::size_t i) { return typename Places<T>::Place{parts[i]}; };
+  const auto found = examine<T>(surface, along, parts.size(), placeOf, tried);
+  report.probes = found.probes;
+  report.isProven = tried == parts.size() && found.unsound == 0;
+}
+
+}  // namespace
+
 template <std::floating_point T>
 SoundnessProbes probeSoundness(const TriangleSurface<T>& surface, TrianglesAlong along,
                                std::size_t count, std::span<const std::uint32_t> always) {
@@ -99,29 +174,14 @@ SoundnessProbes probeSoundness(const TriangleSurface<T>& surface, TrianglesAlong
     if (i >= 2 * shells) return places[i - shells];
     return i % 2 == 0 ? Place{always[i / 2 * always.size() / shells]} : places[i / 2];
   };
-  std::atomic<std::size_t> probes{0};
-  std::atomic<std::size_t> unsound{0};
-  runProbes(count + shells, surface.triangles.size(), along,
-            [&](std::size_t i, TrianglesAlong metered) {
-              const Place place = placeOf(i);
-              const auto corners = surface.corners(place.triangle);
-              const auto normal = polygonArea(corners).normal;
-              if (normal == Vec3<double>{}) return;
-              const auto& [a, b, c] = corners;
-              const auto point = a + place.b * (b - a) + place.c * (c - a);
-              const Vec3<double> step = 0x1p-40 * (length(point) + double{surface.size}) * normal;
-              const auto before = locate(surface, point + step, metered);
-              const auto behind = locate(surface, point - step, metered);
-              ++probes;
-              const bool sound = before.winding == 0 && behind.winding == 1;
-              if (!sound || before.onSurface || behind.onSurface) ++unsound;
-            });
-  return {.probes = probes, .unsound = unsound};
+  std::size_t tried = 0;
+  return examine<T>(surface, along, count + shells, placeOf, tried);
 }
 
 template <std::floating_point T>
 SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceArrays<T>& data,
-                      TrianglesAlong along, std::size_t probes) {
+                      TrianglesAlong along, const MeshSDFOptions& options,
+                      FunctionRef<std::size_t()> countSelfIntersections) {
   SignReport report;
   const auto& orientation = data.orientation();
   report.unbalancedEdges = data.openEdges().size();
@@ -129,17 +189,20 @@ SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceAr
   report.turnedFaces = orientation.turnedFaces;
   report.turnedShells = orientation.turnedShells();
   report.unorientable = orientation.unorientable;
-  if (report.isClosed()) {
-    const auto found = probeSoundness(surface, along, probes, orientation.firstFaces);
-    report.probes = found.probes;
-    report.unsound = found.unsound;
-  }
+  if (!report.isClosed()) return report;
+  if (options.findSelfIntersections) report.selfIntersections = countSelfIntersections();
+  if (report.selfIntersections == 0 && report.unorientable == 0) prove(surface, along, report);
+  if (report.isProven) return report;
+  const auto found = probeSoundness(surface, along, options.probes, orientation.firstFaces);
+  report.probes = found.probes;
+  report.unsound = found.unsound;
   return report;
 }
 
 #define CUTWATER_INSTANTIATE(T)                                                                   \
   template SignReport checkSigns(const TriangleSurface<T>&, const TriangleSurfaceArrays<T>&,      \
-                                 TrianglesAlong, std::size_t);                                    \
+                                 TrianglesAlong, const MeshSDFOptions&,                           \
+                                 FunctionRef<std::size_t()>);                                     \
   template SoundnessProbes probeSoundness(const TriangleSurface<T>&, TrianglesAlong, std::size_t, \
                                           std::span<const std::uint32_t>);
 CUTWATER_INSTANTIATE(float)

@@ -5,8 +5,8 @@
 
 namespace cutwater {
 
-/// findSelfIntersections(), with a tree over the bounding boxes of these triangles, in the units of
-/// the positions.
+/// findSelfIntersections(), with a tree over these triangles. The largest coordinate must be about
+/// 1: see ExactPredicates.hpp.
 template <std::floating_point T>
 [[nodiscard]] SelfIntersections findSelfIntersections(
     std::span<const Vec3<T>> positions, std::span<const std::array<std::uint32_t, 3>> triangles,

@@ -1,0 +1,126 @@
+#include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/Surface/Detail/PairTest.hpp>
+#include <Cutwater/Triangles/TriangleIntersection.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace cutwater {
+
+namespace {
+
+constexpr std::uint8_t kHasArea = 1U << 6U;  // in Views::bits
+constexpr std::size_t kMostInStar = 24;      // the time for a star is the square of its size
+
+}  // namespace
+
+PairTest::PairTest(std::span<const Vec3<double>> positions, std::span<const Corners> triangles,
+                   int threads)
+    : positions_(positions),
+      triangles_(triangles),
+      views_(triangles.size()),
+      isFlat_(positions.size()) {
+  const ParallelOptions inRanges{.threads = threads, .grain = 4096, .progress = {}};
+  parallelFor(triangles.size(), inRanges, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) views_[t] = viewsOf(triangles[t]);
+  });
+  const Stars at = stars();
+  const std::span<const std::uint32_t> list(at.list);
+  parallelFor(positions.size(), inRanges, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
+      const auto star = list.subspan(at.begins[v], at.begins[v + 1] - at.begins[v]);
+      isFlat_[v] = liesFlat(v, star) ? 1 : 0;
+    }
+  });
+}
+
+Box<double> PairTest::box(std::uint32_t t) const {
+  const auto& [a, b, c] = triangles_[t];
+  return Box<double>{}.extend(positions_[a]).extend(positions_[b]).extend(positions_[c]);
+}
+
+bool PairTest::meet(std::uint32_t a, std::uint32_t b) const {
+  const auto& first = triangles_[a];
+  const auto& [p, q, r] = triangles_[b];
+  for (const auto v : first) {
+    if ((v == p || v == q || v == r) && isFlat_[v] != 0) return false;
+  }
+  return intersect(positions_, first, triangles_[b]);
+}
+
+PairTest::Stars PairTest::stars() const {
+  Stars at;
+  at.begins.assign(positions_.size() + 1, 0);
+  for (const auto& triangle : triangles_) {
+    for (const auto v : triangle) ++at.begins[v];
+  }
+  std::uint32_t end = 0;
+  for (auto& begin : at.begins) begin = end += begin;  // the ends
+  at.list.resize(3 * triangles_.size());
+  for (auto t = static_cast<std::uint32_t>(triangles_.size()); t-- > 0;) {
+    for (const auto v : triangles_[t]) at.list[--at.begins[v]] = t;
+  }
+  return at;
+}
+
+PairTest::Views PairTest::viewsOf(const Corners& triangle) const {
+  const std::array p{positions_[triangle[0]], positions_[triangle[1]], positions_[triangle[2]]};
+  const Vec3<double> u = p[1] - p[0];
+  const Vec3<double> v = p[2] - p[0];
+  Views views;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int i = (axis + 1) % 3;
+    const int j = (axis + 2) % 3;
+    const double left = u[i] * v[j];
+    const double right = u[j] * v[i];
+    // Far above rounding and underflow, see crossSign(). What is closer is rare, and left to it.
+    const double doubt = 0x1p-48 * (std::abs(left) + std::abs(right)) + 0x1p-190;
+    if (std::abs(left - right) <= doubt) continue;
+    const bool isClockwise = left < right;
+    views.bits = static_cast<std::uint8_t>(views.bits | (isClockwise ? 8U : 1U) << axis);
+    unsigned passes = 0;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const double from = p[(corner + (isClockwise ? 2 : 1)) % 3][j];
+      const double to = p[(corner + (isClockwise ? 1 : 2)) % 3][j];
+      const double here = p[corner][j];
+      passes |= static_cast<unsigned>((from < here) & (to >= here)) << corner;
+    }
+    views.passes[static_cast<std::size_t>(axis)] = static_cast<std::uint8_t>(passes);
+  }
+  if (views.bits != 0 || cutwater::hasArea(p)) views.bits |= kHasArea;
+  return views;
+}
+
+bool PairTest::liesFlat(std::uint32_t vertex, std::span<const std::uint32_t> star) const {
+  if (star.size() < 3 || star.size() > kMostInStar) return false;
+  unsigned common = kHasArea - 1U;
+  for (const auto t : star) common &= views_[t].bits;
+  if (common == 0) return false;
+  const int view = std::countr_zero(common);
+  // Seen along that axis, each triangle fills an angle at the vertex, less than half a turn, from
+  // its corner `from` to its corner `to`, counterclockwise.
+  std::array<std::uint32_t, kMostInStar> from{};
+  std::array<std::uint32_t, kMostInStar> to{};
+  unsigned turns = 0;  // angles that contain the direction of the view's first axis
+  for (std::size_t k = 0; k < star.size(); ++k) {
+    const auto& t = triangles_[star[k]];
+    const std::size_t own = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
+    from[k] = t[(own + 1) % 3];
+    to[k] = t[(own + 2) % 3];
+    turns += views_[star[k]].passes[static_cast<std::size_t>(view % 3)] >> own & 1U;
+  }
+  if (turns != 1) return false;
+  if (view >= 3) std::swap(from, to);
+  // One ring in which each triangle ends where the next one begins: every direction is in as many
+  // angles as that axis is, in one.
+  std::size_t at = 0;
+  for (std::size_t step = 1; step <= star.size(); ++step) {
+    const auto end = from.begin() + static_cast<std::ptrdiff_t>(star.size());
+    at = static_cast<std::size_t>(std::find(from.begin(), end, to[at]) - from.begin());
+    if (at == star.size() || (at == 0) != (step == star.size())) return false;
+  }
+  return true;
+}
+
+}  // namespace cutwater
