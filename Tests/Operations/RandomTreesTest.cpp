@@ -188,6 +188,57 @@ TYPED_TEST(RandomTreesTest, BatchesAreAsOneByOne) {
   });
 }
 
+/// The most that a query of each kind asks, per shape of the tree.
+struct MostAsked {
+  double value = 0;
+  double closestPoint = 0;
+  double bounds = 0;
+  double classify = 0;
+  double crossings = 0;
+};
+
+/// Asks one tree at points of all magnitudes, some on an axis.
+template <typename T>
+void askFarAndNear(unsigned seed, int depth, MostAsked& most) {
+  std::size_t asked = 0;
+  RandomTrees<T> trees(seed, seed % 4 == 3 ? 0.125 : 0, &asked);
+  const auto solid = trees.tree(depth);
+  RandomPoints<T> random(1, seed);
+  const auto note = [&](double& worst, const auto& query) {
+    asked = 0;
+    query();
+    worst = std::max(worst, static_cast<double>(asked) / trees.leaves());
+  };
+  constexpr int kMost = sizeof(T) == sizeof(float) ? 30 : 150;
+  for (int exponent = -kMost; exponent <= kMost; exponent += kMost / 15) {
+    const T far = std::pow(T(10), static_cast<T>(exponent));
+    auto p = far * random.next();
+    const auto q = far * random.next();
+    if (seed % 3 == 0) p = {T(0.1), T(0.2), p.z};
+    const Box<T> box{min(p, q), max(p, q)};
+    const auto goOn = [](const Crossing<T>&) { return true; };
+    note(most.value, [&] { static_cast<void>(solid.signedDistance(p)); });
+    note(most.closestPoint, [&] { static_cast<void>(solid.closestPoint(p)); });
+    note(most.bounds, [&] { static_cast<void>(solid.bounds(box)); });
+    note(most.classify, [&] { static_cast<void>(solid.classify(box)); });
+    note(most.crossings, [&] { static_cast<void>(solid.crossings({p, q}, goOn)); });
+    note(most.crossings, [&] { static_cast<void>(solid.crossings({p, -p}, goOn)); });
+  }
+}
+
+TYPED_TEST(RandomTreesTest, WorkIsLimitedWhereverThePointIs) {
+  MostAsked most;
+  for (unsigned seed = 1; seed <= static_cast<unsigned>(scaled(60)); ++seed) {
+    askFarAndNear<TypeParam>(seed, /*depth=*/1 + static_cast<int>(seed % 6), most);
+  }
+  // Several times the worst of 4000 trees; before there was a limit, some did not end.
+  EXPECT_LE(most.value, 500);
+  EXPECT_LE(most.bounds, 500);
+  EXPECT_LE(most.classify, 4000);
+  EXPECT_LE(most.closestPoint, 50'000);
+  EXPECT_LE(most.crossings, 4e6);
+}
+
 TYPED_TEST(RandomTreesTest, DescribeEveryShapeInALine) {
   int described = 0;
   for (unsigned seed = 1; seed <= 200; ++seed) {

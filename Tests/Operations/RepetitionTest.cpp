@@ -7,6 +7,7 @@
 #include <Cutwater/Shapes/Sphere.hpp>
 #include <Cutwater/Shapes/Torus.hpp>
 
+#include "Support/CountedSolid.hpp"
 #include "Support/Guarantee.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
@@ -176,6 +177,129 @@ TYPED_TEST(RepetitionTest, OfNothingChangesNoFasterThanItStates) {
   const auto nothing = repeated(apart, {.period = {2, 0, 0}}).guarantee();
   EXPECT_FALSE(nothing.lipschitz);
   EXPECT_FALSE(nothing.continuous);
+}
+
+/// Arrays of a small solid, as large and as dense as they may be.
+template <typename T>
+std::vector<Solid<T>> arraysOf(const Solid<T>& a) {
+  constexpr auto kMany = std::numeric_limits<std::uint32_t>::max();
+  std::vector<Repeats<T>> all{{.period = {1, 1, 0}, .count = {0, 0, 1}},
+                              {.period = {0, 1, 0}},
+                              {.period = {1, 1, 1}},
+                              {.period = {1, 1, 1}, .count = {1000, 1000, 1000}},
+                              {.period = {2, T(0.75), 1}, .count = {kMany, kMany, 1}},
+                              {.period = {1, T(1e-3), 1}, .count = {2, kMany, 0}}};
+  std::vector<Solid<T>> result;
+  for (const auto& repeats : all) result.push_back(repeated(a, repeats));
+  return result;
+}
+
+/// Along axes and not, for every other magnitude.
+template <typename T>
+std::vector<Vec3<T>> pointsOfAllMagnitudes() {
+  constexpr int kMost = sizeof(T) == sizeof(float) ? 30 : 150;
+  std::vector<Vec3<T>> points;
+  for (int exponent = -kMost; exponent <= kMost; exponent += 2) {
+    const T far = std::pow(T(10), static_cast<T>(exponent));
+    for (const T x : {T(0.1), T(0.3) * far}) {
+      for (const T y : {T(0.2), T(-0.7) * far}) {
+        for (const T z : {T(0), far}) points.push_back({x, y, z});
+      }
+    }
+  }
+  return points;
+}
+
+TYPED_TEST(RepetitionTest, AsksFewCopiesWhereverThePointIs) {
+  using T = TypeParam;
+  std::size_t asked = 0;
+  const auto most = [&asked](const Solid<T>& solid) {
+    std::size_t result = 0;
+    for (const auto& p : pointsOfAllMagnitudes<T>()) {
+      asked = 0;
+      EXPECT_FALSE(std::isnan(solid.signedDistance(p))) << p;
+      result = std::max(result, asked);
+    }
+    return result;
+  };
+  const Sphere<T> ball({T(0.3), 0, 0}, T(0.3));
+  const auto exact = arraysOf(Solid<T>(CountedSolid<T>(ball, &asked)));
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_LE(most(exact[i]), 8U) << i;
+  EXPECT_LE(most(exact[5]), 8U * 603);  // 601 overlap
+  const auto bitten = ball - Sphere<T>({T(0.3), 0, T(0.3)}, T(0.4));
+  const auto bounds = arraysOf(Solid<T>(CountedSolid<T>(bitten, &asked)));
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_LE(most(bounds[i]), 1000U) << i;
+  EXPECT_LE(most(bounds[5]), 3078U);
+}
+
+TYPED_TEST(RepetitionTest, ValuesFarAwayAreThoseOfTheNearestCopy) {
+  using T = TypeParam;
+  // 0.1 and 0.2 beside the middle of the nearest ball; and where it is the last, from that one.
+  const auto arrays = arraysOf(Solid<T>(Sphere<T>({T(0.3), 0, 0}, T(0.3))));
+  for (T far = T(8); far < T(1e15); far *= 8) {
+    const Vec3<T> above{T(0.1), T(0.2), far};
+    const T value = std::sqrt(T(0.08) + far * far) - T(0.3);
+    EXPECT_NEAR(arrays[0].signedDistance(above), value, arrays[0].guarantee().error(far));
+    const Vec3<T> beside{T(999.3) + far, T(500.2), T(499.9)};
+    const T along = std::sqrt(T(0.05) + far * far) - T(0.3);
+    EXPECT_NEAR(arrays[3].signedDistance(beside), along, arrays[3].guarantee().error(far + 1500));
+  }
+}
+
+/// A cuboid of which a plane leaves the lowest corner: values far above exceed the distance to the
+/// box by nearly its height.
+template <typename T>
+Solid<T> looseInItsBox() {
+  return Cuboid<T>({0, 0, 0}, {1, 1, 2}) & Plane<T>({0, 0, T(0.2)}, {T(0.25), T(0.125), 1});
+}
+
+TYPED_TEST(RepetitionTest, OfLowerBoundsIsOneBoundNearAndFar) {
+  using T = TypeParam;
+  std::size_t asked = 0;
+  const auto loose = looseInItsBox<T>();
+  const auto sheet = repeated(CountedSolid<T>(loose, &asked), {.period = {1, T(1.5), 0}});
+  ASSERT_EQ(sheet.guarantee().outside, Quality::LowerBound);
+  ASSERT_EQ(sheet.guarantee().lipschitz, T(1));
+  // The box is 2 high and has the diagonal sqrt(1 + 1 + 4): from 8 of these on, the value is that
+  // of the box, and nothing is asked.
+  const T diagonal = std::sqrt(T(6));
+  EXPECT_GT(sheet.signedDistance({T(0.4), T(0.4), 6}), T(4.5));
+  EXPECT_NEAR(sheet.signedDistance({T(0.4), T(0.4), 2 + 8 * diagonal}), 8 * diagonal,
+              tolerance<T>(32, 64));
+  EXPECT_NEAR(sheet.signedDistance({T(0.4), T(0.4), T(1e6)}), T(1e6) - 2, tolerance<T>(T(1e6), 64));
+  asked = 0;
+  static_cast<void>(sheet.signedDistance({T(0.4), T(0.4), 2 + 9 * diagonal}));
+  EXPECT_EQ(asked, 0U);
+  EXPECT_NEAR(length(sheet.gradient({T(0.4), T(0.4), 2 + 9 * diagonal})), 1, tolerance<T>(1));
+  // Just before, what it may exceed that by decides, which shrinks by a quarter of the distance.
+  const Vec3<T> justBefore{T(0.4), T(0.4), 2 + T(7.75) * diagonal};
+  EXPECT_NEAR(sheet.signedDistance(justBefore), T(7.8125) * diagonal, tolerance<T>(32, 64));
+  EXPECT_NEAR(length(sheet.gradient(justBefore)), T(0.75), tolerance<T>(1));
+  // In between, it changes no faster than it states, from the one to the other.
+  T before = sheet.signedDistance({T(0.4), T(0.4), 2});
+  for (T z = T(2.125); z < 25; z += T(0.125)) {
+    const T value = sheet.signedDistance({T(0.4), T(0.4), z});
+    const T gap = z - 2;
+    EXPECT_NEAR(value, before, T(0.125) + 2 * sheet.guarantee().error(30)) << z;
+    EXPECT_GE(value, gap - sheet.guarantee().error(30)) << z;
+    EXPECT_LE(value, length(Vec3<T>{T(0.4), T(0.4), z - T(0.2)})) << z;  // to a corner
+    before = value;
+  }
+  expectGuarantee(repeated(loose, {.period = {1, T(1.5), 0}}), 22, {.hasSurface = false});
+  expectGuarantee(repeated(loose, {.period = {1, T(1.5), 3}, .count = {3, 2, 2}}), 30,
+                  {.hasSurface = false});
+}
+
+TYPED_TEST(RepetitionTest, BatchesFarAwayAreAsOneByOne) {
+  using T = TypeParam;
+  for (const auto& solid : arraysOf(looseInItsBox<T>())) {
+    const auto points = pointsOfAllMagnitudes<T>();
+    std::vector<T> values(points.size());
+    solid.signedDistances(points, values);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_EQ(values[i], solid.signedDistance(points[i])) << points[i];
+    }
+  }
 }
 
 TYPED_TEST(RepetitionTest, RefusesImpossiblePeriods) {

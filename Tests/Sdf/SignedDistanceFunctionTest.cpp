@@ -207,6 +207,32 @@ TYPED_TEST(SignedDistanceFunctionTest, FindsEveryCrossingInOrder) {
   EXPECT_EQ(stopped.found, 3U);
 }
 
+TYPED_TEST(SignedDistanceFunctionTest, LimitsTheWorkForEndlesslyManyCrossings) {
+  using T = TypeParam;
+  // Periods shorter than any stretch: as good as noise, with a crossing in half of all stretches.
+  std::size_t asked = 0;
+  const auto wave = [&asked](const Vec3<T>& p) {
+    ++asked;
+    return std::sin(p.x);
+  };
+  const FunctionSDF solid(wave, Guarantee<T>{.lipschitz = T(1), .continuous = true});
+  const T far = sizeof(T) == sizeof(float) ? T(1e5) : T(1e12);
+  std::size_t told = 0;
+  T before = 0;
+  const Segment<T> segment{{T(-0.9) * far, 0, 0}, {far, 0, 0}};
+  const auto walk = solid.crossings(segment, [&](const Crossing<T>& c) {
+    EXPECT_GT(c.parameter, before);
+    before = c.parameter;
+    ++told;
+    return true;
+  });
+  EXPECT_LT(asked, 220'000U);
+  EXPECT_EQ(walk.found, told);
+  EXPECT_GT(walk.found, 2000U);
+  EXPECT_GT(walk.unresolved, 100U);
+  EXPECT_EQ(walk.found % 2 == 1, (std::sin(segment.start.x) < 0) != (std::sin(far) < 0));
+}
+
 TYPED_TEST(SignedDistanceFunctionTest, TellsWhereCrossingsCannotBeExcluded) {
   using T = TypeParam;
   const PromisingBall<T> ball;

@@ -26,6 +26,8 @@
 
 #include <array>
 
+#include "Support/CountedSolid.hpp"
+
 namespace cutwater::test {
 
 template <std::floating_point T>
@@ -138,6 +140,12 @@ Solid<T> RandomTrees<T>::unboundedShape(int kind) {
 template <std::floating_point T>
 Solid<T> RandomTrees<T>::shape() {
   ++leaves_;
+  if (asked_ == nullptr) return anyShape();
+  return CountedSolid<T>(anyShape(), asked_);
+}
+
+template <std::floating_point T>
+Solid<T> RandomTrees<T>::anyShape() {
   const int kind = below(26);
   if (kind >= 16) return translated(centredShape(kind - 16), point(0.4));
   if (kind < 8) return roundShape(kind);

@@ -12,7 +12,9 @@ template <std::floating_point T>
 class RandomTrees {
  public:
   /// `grid`: if not 0, all numbers are multiples of it, and much coincides or is aligned.
-  explicit RandomTrees(unsigned seed, double grid = 0) : engine_(seed), grid_(grid) {}
+  /// `asked`: if given, counts how often a shape of the trees is asked for anything.
+  explicit RandomTrees(unsigned seed, double grid = 0, std::size_t* asked = nullptr)
+      : engine_(seed), grid_(grid), asked_(asked) {}
 
   /// An operator of Algebra.hpp over trees of which one has depth - 1 levels of operators, the
   /// others fewer; depth 0 is a shape.
@@ -37,6 +39,7 @@ class RandomTrees {
   AffineMap<T> map();
 
   Solid<T> shape();
+  Solid<T> anyShape();
   Solid<T> roundShape(int kind);
   Solid<T> centredShape(int kind);
   Solid<T> unboundedShape(int kind);
@@ -54,6 +57,7 @@ class RandomTrees {
 
   std::mt19937 engine_;
   double grid_;
+  std::size_t* asked_;
   int leaves_ = 0;
 };
 

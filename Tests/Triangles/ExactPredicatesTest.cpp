@@ -135,14 +135,44 @@ TEST(ExactPredicates, CrossSignIsThatOfIntegers) {
   }
 }
 
-TEST(ExactPredicates, NumbersTooSmallForProductsCountAsZeroAlike) {
+TEST(ExactPredicates, NumbersWhoseProductsUnderflowHaveSigns) {
   const Vec3<double> a{0, 0, 0};
   const Vec3<double> b{1, 0, 0};
   const Vec3<double> c{0, 1, 0};
-  EXPECT_EQ(orientation(a, b, c, {0.25, 0.25, 0x1p-330}), 1);
-  EXPECT_EQ(orientation(a, b, c, {0.25, 0.25, 0x1p-1000}), 0);
-  EXPECT_EQ(orientation({0, 0, 0x1p-330}, {1, 0, 0x1p-330}, {0, 1, 0x1p-330}, {1, 1, 0x1p-331}),
-            -1);
+  for (const double height : {0x1p-330, 0x1p-341, 1e-130, 1e-200, 1e-300, 0x1p-1074}) {
+    EXPECT_EQ(orientation(a, b, c, {0.25, 0.25, height}), 1) << height;
+    EXPECT_EQ(orientation(a, b, c, {0.25, 0.25, -height}), -1) << height;
+    EXPECT_EQ(orientation({0, 0, height}, {1, 0, height}, {0, 1, height}, {1, 1, height / 2}), -1);
+    EXPECT_EQ(orientation({0, 0, height}, {1, 0, height}, {0, 1, height}, {1, 1, height}), 0);
+    EXPECT_EQ(crossSign(a, b, a, {0.5, height, 0}, 2), 1) << height;
+    EXPECT_EQ(crossSign({0, height, 0}, b, a, {1, -height, 0}, 2), 0) << height;
+  }
+}
+
+/// The same integers as before, with a power of two for each axis; the signs stay.
+TEST(ExactPredicates, OrientationInUnitsOfAnySize) {
+  Integers random;
+  for (int i = 0; i < 20'000; ++i) {
+    const int bits = 1 + i % 39;
+    const auto a = random.vector(bits);
+    const auto b = random.vector(bits);
+    auto c = random.vector(bits);
+    const auto p = random.vector(bits);
+    if (i % 5 == 0) c = a + (b - a) + (p - a);  // in a plane, as far as there are bits for it
+    const auto exponent = [&] { return -1074 + static_cast<int>(random.below(1074)); };
+    const std::array<int, 3> unit{exponent(), exponent(), exponent()};
+    const auto scaled = [&](const Vec3<double>& v) {
+      return Vec3<double>{std::ldexp(v.x, unit[0]), std::ldexp(v.y, unit[1]),
+                          std::ldexp(v.z, unit[2])};
+    };
+    const int expected = sign(determinant(a, b, c, p));
+    ASSERT_EQ(orientation(scaled(a), scaled(b), scaled(c), scaled(p)), expected);
+    ASSERT_EQ(orientation(scaled(b), scaled(a), scaled(c), scaled(p)), -expected);
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_EQ(crossSign(scaled(a), scaled(b), scaled(c), scaled(p), axis),
+                crossSign(a, b, c, p, axis));
+    }
+  }
 }
 
 TEST(ExactPredicates, PassageThroughTheInteriorTellsTheDirection) {

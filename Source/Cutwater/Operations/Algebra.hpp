@@ -272,7 +272,8 @@ template <SolidLike A>
 /// endless rows and columns, or with .count = {3, 4, 1}. Values outside are as good as the solid's;
 /// so are those inside if the bounding boxes of neighbours do not overlap, otherwise they are lower
 /// bounds. Copies may overlap; each bounding box that is nearer than the nearest copy costs one
-/// more query.
+/// more query, up to a limit wherever the point is. From far away, values of a solid that are
+/// bounds become the distance to its box.
 /// @throws Error unless periods are finite and not negative, at least one is positive, the bounding
 /// box is finite along repeated axes, and there is one copy along axes of period 0; of kind Limit
 /// if more than 10^5 bounding boxes overlap at one point.

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/Triangles/ExactPredicates.hpp>
+#include <Cutwater/Triangles/WideInteger.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -94,7 +95,8 @@ Expansion<4 * A> operator*(const Expansion<A>& a, const Expansion<2>& b) {
   return first + a * b[1];
 }
 
-/// Drops bits below 2^-340, so that products of three do not underflow.
+/// Drops bits below 2^-340, so that products of three do not underflow. The filters may use it, and
+/// expansions where it drops nothing.
 double coarse(double x) {
   constexpr double kRounder = 0x1.8p-288;  // adding it leaves bits of 2^-340 and above
   return std::abs(x) >= 0x1p-287 ? x : (x + kRounder) - kRounder;
@@ -109,25 +111,46 @@ DoubleDouble3 difference(const Vec3<double>& a, const Vec3<double>& b) {
   return {difference(a.x, b.x), difference(a.y, b.y), difference(a.z, b.z)};
 }
 
-using Expansions3 = std::array<Expansion<2>, 3>;
-
-Expansions3 expansions(const DoubleDouble3& v) {
-  return {expansion(v.x), expansion(v.y), expansion(v.z)};
+template <typename... Numbers>
+bool isEachCoarse(Numbers... x) {
+  return ((coarse(x) == x) && ...);
 }
 
-Expansion<16> determinant(const Expansion<2>& a, const Expansion<2>& b, const Expansion<2>& c,
-                          const Expansion<2>& d) {
+bool isCoarse(const Vec3<double>& v) {
+  return isEachCoarse(v.x, v.y, v.z);
+}
+
+Expansion<2> expansionOf(double a, double b) {
+  return expansion(DoubleDouble::difference(a, b));
+}
+
+WideInteger<66> wideOf(double a, double b) {
+  return WideInteger<66>::inUnitsOfLeast(a) - WideInteger<66>::inUnitsOfLeast(b);
+}
+
+// The same formulas for expansions and wide integers. `of`: the exact difference of two numbers.
+
+template <typename Number>
+auto determinant(const Number& a, const Number& b, const Number& c, const Number& d) {
   return a * d - b * c;
 }
 
-int determinantSign(const DoubleDouble3& u, const DoubleDouble3& v, const DoubleDouble3& w) {
-  const auto [ux, uy, uz] = expansions(u);
-  const auto [vx, vy, vz] = expansions(v);
-  const auto [wx, wy, wz] = expansions(w);
-  const auto x = determinant(uy, uz, vy, vz) * wx;
-  const auto y = determinant(uz, ux, vz, vx) * wy;
-  const auto z = determinant(ux, uy, vx, vy) * wz;
+template <typename Number>
+int determinantSignOf(const std::array<Number, 3>& u, const std::array<Number, 3>& v,
+                      const std::array<Number, 3>& w) {
+  const auto x = determinant(u[1], u[2], v[1], v[2]) * w[0];
+  const auto y = determinant(u[2], u[0], v[2], v[0]) * w[1];
+  const auto z = determinant(u[0], u[1], v[0], v[1]) * w[2];
   return (x + y + z).signOf();
+}
+
+template <typename Difference>
+int orientationBy(const Difference& of, const Vec3<double>& a, const Vec3<double>& b,
+                  const Vec3<double>& c, const Vec3<double>& p) {
+  const auto from = [&](const Vec3<double>& q) {
+    return std::array{of(q.x, a.x), of(q.y, a.y), of(q.z, a.z)};
+  };
+  return determinantSignOf(from(b), from(c), from(p));
 }
 
 /// Below this the filters defer to exact arithmetic. It is far above what coarse() drops from a
@@ -161,7 +184,10 @@ int orientation(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>
   // Each operation is within 2^-100 of its terms, and there are five of them on every path.
   const double finer = static_cast<double>(dot(cross(exactU, exactV), exactW));
   if (std::abs(finer) > 0x1p-96 * sizes + kTiny) return sign(finer);
-  return determinantSign(exactU, exactV, exactW);
+  if (isCoarse(a) && isCoarse(b) && isCoarse(c) && isCoarse(p)) {
+    return orientationBy(expansionOf, a, b, c, p);
+  }
+  return orientationBy(wideOf, a, b, c, p);
 }
 
 int crossSign(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c,
@@ -175,9 +201,12 @@ int crossSign(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& 
   if (std::abs(value) > 4 * 0x1p-53 * (std::abs(left) + std::abs(right)) + kTiny) {
     return sign(value);
   }
-  return determinant(expansion(difference(b[i], a[i])), expansion(difference(b[j], a[j])),
-                     expansion(difference(d[i], c[i])), expansion(difference(d[j], c[j])))
-      .signOf();
+  const auto by = [&](const auto& of) {
+    return determinant(of(b[i], a[i]), of(b[j], a[j]), of(d[i], c[i]), of(d[j], c[j])).signOf();
+  };
+  const bool areCoarse =
+      isEachCoarse(a[i], a[j], b[i], b[j]) && isEachCoarse(c[i], c[j], d[i], d[j]);
+  return areCoarse ? by(expansionOf) : by(wideOf);
 }
 
 namespace {
@@ -241,7 +270,10 @@ DoubleDouble exactDifference(double a, double b) {
 }
 
 int determinantSign(const std::array<DoubleDouble3, 3>& rows) {
-  return determinantSign(rows[0], rows[1], rows[2]);
+  const auto of = [](const DoubleDouble3& v) {
+    return std::array{expansion(v.x), expansion(v.y), expansion(v.z)};
+  };
+  return determinantSignOf(of(rows[0]), of(rows[1]), of(rows[2]));
 }
 
 int determinantSign(DoubleDouble a, DoubleDouble b, DoubleDouble c, DoubleDouble d) {

@@ -11,10 +11,11 @@ namespace cutwater {
 // Signs of small determinants of coordinates, always correct: J. R. Shewchuk, "Adaptive precision
 // floating-point arithmetic and fast robust geometric predicates", Discrete Comput. Geom. 18
 // (1997). A filter in double decides nearly all cases, then twice the precision, then exact
-// expansions.
+// expansions; or whole numbers, if a coordinate has bits below 2^-340, so that products of three
+// would underflow.
 //
 // Coordinates must be scaled by a power of two so that the surface's largest is about 1; they may
-// be up to 2^60. Bits below 2^-340 count as zero, consistently for each coordinate.
+// be up to 2^60, and as small as doubles can be.
 
 /// 1 if `p` lies on the side of the plane of (a, b, c) to which (b - a) x (c - a) points, -1 if on
 /// the other side, 0 if in the plane, or if a, b, c are collinear.

@@ -34,6 +34,33 @@ Box<T> Copies<T>::boxOfAll() const {
   return result;
 }
 
+template <std::floating_point T>
+auto Copies<T>::ofBoxesWithin(T radius) const -> Reach {
+  // A box beyond the first limit is that far away along the axis, where the central one is at most
+  // half a period away unless it is the last. If it is, boxes are a period apart: see the second.
+  Reach reach{{}, radius * radius};
+  for (int axis = 0; axis < 3; ++axis) {
+    const T period = repeats_.period[axis];
+    if (isRepeated(axis)) {
+      reach.along[axis] = std::max(radius + T(0.5) * period, radius / period * radius);
+    }
+  }
+  return reach;
+}
+
+template <std::floating_point T>
+double Copies<T>::mostWithin(T radius) const {
+  double most = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto count = repeats_.count[static_cast<std::size_t>(axis)];
+    if (!isRepeated(axis) || count == 1) continue;
+    const double size = double{box_.upper[axis]} - double{box_.lower[axis]} + 2 * double{radius};
+    const double along = size / double{repeats_.period[axis]} + 1;
+    most *= count == 0 ? along : std::min(along, static_cast<double>(count));
+  }
+  return most;
+}
+
 template class Copies<float>;
 template class Copies<double>;
 

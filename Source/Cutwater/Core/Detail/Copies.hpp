@@ -39,16 +39,33 @@ class Copies {
   /// The copy whose box is centred nearest to p.
   [[nodiscard]] Vec3<T> central(const Vec3<T>& p) const;
 
-  /// Calls visit(copy) for copies from central(p) outwards, that one first. Stops in a direction
-  /// where the boxes of all further copies are so far from p that isNear(square of the distance) is
-  /// false.
+  /// Which copies besides the central one a search looks at, wherever the point is. Without such a
+  /// limit, a point from where differences of distances are lost in rounding would see them all.
+  struct Reach {
+    Vec3<T> along;  ///< no box farther away along an axis, unless it is the central copy's there
+    T squared;      ///< none whose squared distance exceeds that of the central copy's by more
+  };
+  /// Reaches a copy that has the nearest point of all copies, up to rounding. Of the copies of one
+  /// point of the original, the nearest is within half a period along each axis, or the last one.
+  [[nodiscard]] Reach ofNearest() const { return {T(0.5) * repeats_.period, Box<T>::kInf}; }
+  /// Reaches all boxes whose squared distance exceeds that of the central copy's by at most the
+  /// square of `radius`.
+  [[nodiscard]] Reach ofBoxesWithin(T radius) const;
+  /// About the most copies that this reaches, wherever the point is; for 0, the most boxes that
+  /// overlap at a point.
+  [[nodiscard]] double mostWithin(T radius) const;
+
+  /// Calls visit(copy) for copies within reach from central(p) outwards, that one first. Stops in a
+  /// direction where the boxes of all further copies are so far from p that isNear(square of the
+  /// distance) is false.
   template <typename IsNear, typename Visit>
-  void outwards(const Vec3<T>& p, IsNear&& isNear, Visit&& visit) const {
-    outwards(p, central(p), isNear, visit);
+  void outwards(const Vec3<T>& p, const Reach& reach, IsNear&& isNear, Visit&& visit) const {
+    outwards(p, central(p), reach, isNear, visit);
   }
   /// The same, given the central copy.
   template <typename IsNear, typename Visit>
-  void outwards(const Vec3<T>& p, const Vec3<T>& start, IsNear&& isNear, Visit&& visit) const;
+  void outwards(const Vec3<T>& p, const Vec3<T>& start, const Reach& reach, IsNear&& isNear,
+                Visit&& visit) const;
 
  private:
   /// Whether a copy with this index exists.
@@ -57,19 +74,21 @@ class Copies {
     const auto count = repeats_.count[static_cast<std::size_t>(axis)];
     return count == 0 || (index >= 0 && index < static_cast<T>(count));
   }
-  [[nodiscard]] T gapSquared(const Vec3<T>& p, int axis, T index) const {
+  [[nodiscard]] T gapAlong(const Vec3<T>& p, int axis, T index) const {
     const T local = p[axis] - index * repeats_.period[axis];
-    const T gap = std::max({box_.lower[axis] - local, local - box_.upper[axis], T(0)});
-    return gap * gap;
+    return std::max({box_.lower[axis] - local, local - box_.upper[axis], T(0)});
   }
-  /// Calls visit(index) for `start`, then outwards in both directions, in each as long as it
-  /// returns true.
+  /// Calls visit(index, gap, excess of its square over that of `start`) for `start`, then outwards
+  /// in both directions, in each as long as it returns true and the gap is within `reach`.
   template <typename Visit>
-  void alongAxis(int axis, T start, Visit&& visit) const {
-    visit(start);
+  void alongAxis(const Vec3<T>& p, int axis, T start, T reach, Visit&& visit) const {
+    const T least = gapAlong(p, axis, start);
+    visit(start, least, T(0));
     for (const T step : {T(1), T(-1)}) {
       for (T index = start + step; isWithin(axis, index); index += step) {
-        if (!visit(index) || index + step == index) break;
+        const T gap = gapAlong(p, axis, index);
+        if (!(gap <= reach) || !visit(index, gap, (gap - least) * (gap + least))) break;
+        if (index + step == index) break;
       }
     }
   }
@@ -80,19 +99,23 @@ class Copies {
 
 template <std::floating_point T>
 template <typename IsNear, typename Visit>
-void Copies<T>::outwards(const Vec3<T>& p, const Vec3<T>& start, IsNear&& isNear,
-                         Visit&& visit) const {
+void Copies<T>::outwards(const Vec3<T>& p, const Vec3<T>& start, const Reach& reach,
+                         IsNear&& isNear, Visit&& visit) const {
+  const auto& along = reach.along;
   // The start is the nearest along each axis.
-  const T leastZ = gapSquared(p, 2, start.z);
-  const T leastYZ = gapSquared(p, 1, start.y) + leastZ;
-  alongAxis(0, start.x, [&](T x) {
-    const T alongX = gapSquared(p, 0, x);
-    if (!isNear(alongX + leastYZ)) return false;
-    alongAxis(1, start.y, [&](T y) {
-      const T alongXY = alongX + gapSquared(p, 1, y);
-      if (!isNear(alongXY + leastZ)) return false;
-      alongAxis(2, start.z, [&](T z) {
-        if (!isNear(alongXY + gapSquared(p, 2, z))) return false;
+  const T nearestY = gapAlong(p, 1, start.y);
+  const T nearestZ = gapAlong(p, 2, start.z);
+  const T leastZ = nearestZ * nearestZ;
+  const T leastYZ = nearestY * nearestY + leastZ;
+  alongAxis(p, 0, start.x, along.x, [&](T x, T gapX, T excessX) {
+    const T alongX = gapX * gapX;
+    if (!(excessX <= reach.squared && isNear(alongX + leastYZ))) return false;
+    alongAxis(p, 1, start.y, along.y, [&](T y, T gapY, T excessY) {
+      const T alongXY = alongX + gapY * gapY;
+      const T excessXY = excessX + excessY;
+      if (!(excessXY <= reach.squared && isNear(alongXY + leastZ))) return false;
+      alongAxis(p, 2, start.z, along.z, [&](T z, T gapZ, T excessZ) {
+        if (!(excessXY + excessZ <= reach.squared && isNear(alongXY + gapZ * gapZ))) return false;
         visit(Vec3<T>{x, y, z});
         return true;
       });

@@ -45,13 +45,13 @@ template <std::floating_point T>
 SkeletonPoint<T> SearchedCells<T>::nearest(const Vec3<T>& p) const {
   SkeletonPoint<T> best;
   T least = std::numeric_limits<T>::infinity();
-  // Cells that are nearer by rounding alone do not count: from far away, they may be all cells.
+  // Cells that are nearer by rounding alone do not count.
   const auto isNear = [&](T gapSquared) {
     return gapSquared < least * (1 - 8 * std::numeric_limits<T>::epsilon());
   };
   for (const auto& group : groups_) {
     const auto& copies = group.copies;
-    copies.outwards(p, isNear, [&](const Vec3<T>& cell) {
+    copies.outwards(p, copies.ofNearest(), isNear, [&](const Vec3<T>& cell) {
       const auto local = copies.seenFrom(cell, p);
       for (const auto& strut : group.struts) {
         const auto away = strut.axis.awayFrom(local);

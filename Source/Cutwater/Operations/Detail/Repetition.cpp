@@ -10,6 +10,7 @@ template <std::floating_point T>
 Repetition<T>::Repetition(Solid<T> operand, const Repeats<T>& repeats)
     : UnaryOperation<T>(std::move(operand)), copies_(repeats, this->operand().boundingBox()) {
   checkArguments();
+  deriveReach();
   deriveGuarantee();
 }
 
@@ -20,28 +21,43 @@ void Repetition<T>::checkArguments() const {
   require(isFinite(period) && period.x >= 0 && period.y >= 0 && period.z >= 0 &&
               maxComponent(period) > 0,
           "repeated: need finite periods, none negative and one positive", Named{"period", period});
-  double overlapping = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const auto count = counts[static_cast<std::size_t>(axis)];
     require(copies_.isRepeated(axis) || count <= 1, "repeated: need a period for several copies",
             Named{"axis", axis}, Named{"count", count});
     if (!copies_.isRepeated(axis) || count == 1 || box.empty()) continue;
-    const T size = box.upper[axis] - box.lower[axis];
-    require(std::isfinite(size), "repeated: need a bounding box that is finite along the axis",
-            Named{"axis", axis});
-    overlapping *=
-        1 + std::min(double{size / period[axis]}, count > 0 ? static_cast<double>(count) : 1e300);
+    require(std::isfinite(box.upper[axis] - box.lower[axis]),
+            "repeated: need a bounding box that is finite along the axis", Named{"axis", axis});
   }
   constexpr double kMost = 1e5;
-  if (overlapping > kMost) {
+  if (!box.empty() && copies_.mostWithin(0) > kMost) {
     throw Error(ErrorKind::Limit, "repeated: too many copies overlap at one point");
   }
 }
 
 template <std::floating_point T>
+void Repetition<T>::deriveReach() {
+  reach_ = copies_.ofNearest();
+  const auto& box = copies_.box();
+  if (this->operand().guarantee().outside == Quality::Exact || box.empty()) return;
+  T shortest = Box<T>::kInf;
+  diagonal_ = 0;  // of the finite sides
+  for (int axis = 0; axis < 3; ++axis) {
+    const T side = box.upper[axis] - box.lower[axis];
+    if (std::isfinite(side)) diagonal_ = std::hypot(diagonal_, side);
+    if (copies_.isRepeated(axis)) shortest = std::min(shortest, copies_.repeats().period[axis]);
+  }
+  diagonal_ = std::max(diagonal_, T(0.5) * shortest);
+  // The square of the most that f may be exceeds that of E by up to 64/7 D^2, where E = 24/7 D.
+  constexpr T kRadii = T(3.03);
+  const double most = std::max(1000.0, 2 * copies_.mostWithin(T(0)));
+  while (copies_.mostWithin(kRadii * diagonal_) > most) diagonal_ /= 2;
+  reach_ = copies_.ofBoxesWithin(kRadii * diagonal_);
+}
+
+template <std::floating_point T>
 void Repetition<T>::deriveGuarantee() {
   guarantee_ = this->operand().guarantee();
-  isClamped_ = guarantee_.outside != Quality::Exact;
   if (guarantee_.outside == Quality::SignOnly) {
     if (guarantee_.lipschitz) {
       stretch_ = std::max(*guarantee_.lipschitz, T(1));
@@ -49,7 +65,7 @@ void Repetition<T>::deriveGuarantee() {
       guarantee_.continuous = false;
     }
   }
-  if (isClamped_ && guarantee_.lipschitz) {
+  if (isLimited() && guarantee_.lipschitz) {
     guarantee_.lipschitz = std::max(*guarantee_.lipschitz, T(1));
   }
   if (copies_.box().empty()) {  // neighbours are not compared
@@ -74,35 +90,41 @@ void Repetition<T>::deriveGuarantee() {
       guarantee_.inside = std::min(guarantee_.inside, Quality::LowerBound);
     }
   }
-  guarantee_.ulps = guarantee_.ulps * stretch_ + 3 * guarantee_.lipschitz.value_or(T(1)) + 1;
+  // Rounding moves the point in the copy's frame, and the place where another copy becomes the
+  // nearest; another three are for distances to boxes.
+  guarantee_.ulps = guarantee_.ulps * stretch_ + 7 * guarantee_.lipschitz.value_or(T(1)) + 4;
   guarantee_.size += size;
 }
 
 template <std::floating_point T>
-T Repetition<T>::valueFrom(const Vec3<T>& local, T value) const {
-  if (!isClamped_ || copies_.box().empty()) return value;
-  const T gap = length(copies_.gaps(local));
-  return gap > 0 && value < gap ? gap : value;
+auto Repetition<T>::startAt(const Vec3<T>& p) const -> Start {
+  const auto copy = copies_.central(p);
+  const auto local = copies_.seenFrom(copy, p);
+  return {copy, local, isLimited() ? gapOf(local) : T(0)};
 }
 
 template <std::floating_point T>
-auto Repetition<T>::decide(const Vec3<T>& p, const Decision& central) const -> Decision {
-  Decision best = central;
+auto Repetition<T>::decide(const Vec3<T>& p, const Start& start, T value) const -> Decision {
+  if (isFar(start)) return {start.copy, start.gap};
+  Decision best{start.copy, valueFrom(value, start.gap)};
   const auto& box = copies_.box();
   if (box.empty()) return best;
-  const Vec3<T> start = copies_.seenFrom(central.copy, p);
-  const T farthest = stretch_ * length(max(abs(start - box.lower), abs(box.upper - start)));
+  const T farthest =
+      stretch_ * length(max(abs(start.local - box.lower), abs(box.upper - start.local)));
+  const T most = mostAt(start.gap);
   // Whether a copy at least this far away may have the least value, apart from rounding.
   const auto mayDecide = [&](T gapSquared) {
-    const T limit = std::max(std::min(best.value, farthest), T(0));
+    const T limit = std::max(std::min(best.value, std::min(farthest, most)), T(0));
     return gapSquared <= limit * limit;
   };
-  copies_.outwards(p, central.copy, mayDecide, [&](const Vec3<T>& copy) {
-    if (copy == central.copy) return;
+  copies_.outwards(p, start.copy, reach_, mayDecide, [&](const Vec3<T>& copy) {
+    if (copy == start.copy) return;
     const auto local = copies_.seenFrom(copy, p);
-    const T value = valueFrom(local, this->operand().signedDistance(local));
-    if (value < best.value) best = {copy, value};
+    const T gap = isLimited() ? gapOf(local) : T(0);
+    const T there = valueFrom(this->operand().signedDistance(local), gap);
+    if (there < best.value) best = {copy, there};
   });
+  best.value = std::min(best.value, most);
   // Only values of an empty operand are larger; the copies asked about then depend on the point.
   if (guarantee_.lipschitz) best.value = std::min(best.value, farthest);
   return best;
@@ -110,9 +132,9 @@ auto Repetition<T>::decide(const Vec3<T>& p, const Decision& central) const -> D
 
 template <std::floating_point T>
 auto Repetition<T>::decide(const Vec3<T>& p) const -> Decision {
-  const auto copy = copies_.central(p);
-  const auto local = copies_.seenFrom(copy, p);
-  return decide(p, {copy, valueFrom(local, this->operand().signedDistance(local))});
+  const auto start = startAt(p);
+  if (isFar(start)) return {start.copy, start.gap};
+  return decide(p, start, this->operand().signedDistance(start.local));
 }
 
 template <std::floating_point T>
@@ -129,8 +151,7 @@ void Repetition<T>::localSignedDistances(std::span<const Vec3<T>> points,
     const auto values = distances.subspan(first, locals.size());
     this->operandValues(locals, values);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const T value = valueFrom(locals[i], values[i]);
-      values[i] = decide(here[i], {copies_.central(here[i]), value}).value;
+      values[i] = decide(here[i], startAt(here[i]), values[i]).value;
     }
   });
 }
@@ -139,10 +160,12 @@ template <std::floating_point T>
 Vec3<T> Repetition<T>::localGradient(const Vec3<T>& p) const {
   const auto decision = decide(p);
   const auto local = copies_.seenFrom(decision.copy, p);
-  const auto& box = copies_.box();
-  if (isClamped_ && !box.empty() && decision.value > 0 &&
-      decision.value == length(copies_.gaps(local))) {
-    return normalized(local - max(box.lower, min(box.upper, local)));
+  if (isLimited() && decision.value > 0) {
+    const auto& box = copies_.box();
+    const auto fromBox = [&box](const Vec3<T>& q) { return q - max(box.lower, min(box.upper, q)); };
+    if (decision.value == gapOf(local)) return normalized(fromBox(local));
+    const auto start = startAt(p);
+    if (decision.value == mostAt(start.gap)) return T(0.75) * normalized(fromBox(start.local));
   }
   return this->operand().gradient(local);
 }

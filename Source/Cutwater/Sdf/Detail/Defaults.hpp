@@ -51,7 +51,8 @@ void setTolerance(SurfacePoint<T>& result, const Vec3<T>& p, T residual,
 /// Finds crossings with the Lipschitz constant: a stretch whose ends have the same sign has none if
 /// |f(a)| + |f(b)| > L |b - a|. Other stretches are halved down to rounding or, if there is no
 /// constant for them or a budget is used up, to 1/4096 of the segment; but only to 1/16 of it where
-/// they seem to lie in the surface. A change of sign is then bisected down to rounding.
+/// they seem to lie in the surface. A change of sign is then bisected down to rounding. The budget
+/// limits the work to about 2e5 values, whatever the function and the segment.
 template <std::floating_point T>
 CrossingCount isolatedCrossings(const Field<T>& field, const Segment<T>& segment,
                                 CrossingVisitor<T> visit);
