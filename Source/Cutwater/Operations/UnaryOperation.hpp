@@ -32,8 +32,10 @@ class UnaryOperation : public SignedDistanceFunction<T> {
     constexpr std::size_t kMost = 256;
     Scratch<Vec3<T>, kMost> images;
     detail::forBatches(points.size(), kMost, [&](std::size_t first, std::size_t count) {
+      const auto from = points.subspan(first, count);
       const auto some = images.first(count);
-      for (std::size_t i = 0; i < count; ++i) some[i] = image(points[first + i]);
+      const Image map = image;  // here, calls within the loop cannot change it
+      for (std::size_t i = 0; i < count; ++i) some[i] = map(from[i]);
       batch(std::span<const Vec3<T>>(some), first);
     });
   }

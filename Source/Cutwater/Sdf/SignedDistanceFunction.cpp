@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace cutwater {
 
@@ -103,7 +104,7 @@ void SignedDistanceFunction<T>::forLocalPoints(
       if (!isFinite(world[i])) refuse(first + i);
     }
   };
-  detail::parallelBatches(points.size(), kPointBatch, options, visit);
+  detail::parallelBatches(points.size(), kPointBatch, std::move(options), visit);
 }
 
 template <std::floating_point T>

@@ -11,11 +11,11 @@ namespace cutwater {
 
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
+using CornerIds = std::array<std::uint32_t, 3>;
 using Tree = TriangleTree;
 
 template <std::floating_point T>
-void requireTriangles(std::span<const Vec3<T>> positions, std::span<const Corners> triangles) {
+void requireTriangles(std::span<const Vec3<T>> positions, std::span<const CornerIds> triangles) {
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for (const auto corner : triangles[i]) {
       require(corner < positions.size(), "findSelfIntersections: a corner is no position",
@@ -124,7 +124,7 @@ class PairLists {
 };
 
 SelfIntersections search(std::span<const Vec3<double>> positions,
-                         std::span<const Corners> triangles, std::span<const std::uint32_t> faces,
+                         std::span<const CornerIds> triangles, std::span<const std::uint32_t> faces,
                          const Tree& tree, const SelfIntersectionOptions& options) {
   constexpr std::size_t kExamples = Findings<FacePair>::kExamples;
   const std::size_t limit = std::max(options.limit, kExamples);
@@ -146,7 +146,7 @@ SelfIntersections search(std::span<const Vec3<double>> positions,
 }
 
 SelfIntersections searchWithOwnTree(std::span<const Vec3<double>> positions,
-                                    std::span<const Corners> triangles,
+                                    std::span<const CornerIds> triangles,
                                     std::span<const std::uint32_t> faces,
                                     const SelfIntersectionOptions& options) {
   const auto tree = buildTriangleTree(positions, triangles);
@@ -157,7 +157,7 @@ SelfIntersections searchWithOwnTree(std::span<const Vec3<double>> positions,
 
 template <std::floating_point T>
 SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
-                                        std::span<const Corners> triangles,
+                                        std::span<const CornerIds> triangles,
                                         const SelfIntersectionOptions& options) {
   requireTriangles(positions, triangles);
   return searchWithOwnTree(normalizedPositions(positions, triangles), triangles, {}, options);
@@ -165,7 +165,7 @@ SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
 
 template <std::floating_point T>
 SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
-                                        std::span<const Corners> triangles, const Tree& tree,
+                                        std::span<const CornerIds> triangles, const Tree& tree,
                                         const SelfIntersectionOptions& options) {
   if constexpr (std::same_as<T, double>) {
     return search(positions, triangles, {}, tree, options);
@@ -178,7 +178,7 @@ SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
 template <std::floating_point T>
 SelfIntersections findSelfIntersections(const DcelMesh<T>& mesh,
                                         const SelfIntersectionOptions& options) {
-  std::vector<Corners> triangles;
+  std::vector<CornerIds> triangles;
   std::vector<std::uint32_t> faces;
   for (const FaceId face : mesh.faces()) {
     for (const auto& [a, b, c] : mesh.triangles(face)) {
@@ -191,16 +191,16 @@ SelfIntersections findSelfIntersections(const DcelMesh<T>& mesh,
 }
 
 template SelfIntersections findSelfIntersections(std::span<const Vec3<float>>,
-                                                 std::span<const Corners>,
+                                                 std::span<const CornerIds>,
                                                  const SelfIntersectionOptions&);
 template SelfIntersections findSelfIntersections(std::span<const Vec3<double>>,
-                                                 std::span<const Corners>,
+                                                 std::span<const CornerIds>,
                                                  const SelfIntersectionOptions&);
 template SelfIntersections findSelfIntersections(std::span<const Vec3<float>>,
-                                                 std::span<const Corners>, const Tree&,
+                                                 std::span<const CornerIds>, const Tree&,
                                                  const SelfIntersectionOptions&);
 template SelfIntersections findSelfIntersections(std::span<const Vec3<double>>,
-                                                 std::span<const Corners>, const Tree&,
+                                                 std::span<const CornerIds>, const Tree&,
                                                  const SelfIntersectionOptions&);
 template SelfIntersections findSelfIntersections(const DcelMesh<float>&,
                                                  const SelfIntersectionOptions&);

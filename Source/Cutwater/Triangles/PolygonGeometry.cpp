@@ -10,7 +10,7 @@
 namespace cutwater {
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
+using CornerIds = std::array<std::uint32_t, 3>;
 
 /// The sum of (p[i] - p[0]) x (p[i+1] - p[0]), with coordinates multiplied by `scale`.
 template <typename Vector, typename Difference>
@@ -82,7 +82,7 @@ T normalizingScale(std::span<const Vec3<T>> positions) {
 }
 
 template <std::floating_point T>
-T normalizingScale(std::span<const Vec3<T>> positions, std::span<const Corners> triangles) {
+T normalizingScale(std::span<const Vec3<T>> positions, std::span<const CornerIds> triangles) {
   Vec3<T> farthest;
   for (const auto& triangle : triangles) {
     for (const auto v : triangle) farthest = max(farthest, abs(positions[v]));
@@ -107,7 +107,7 @@ std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<double>> posi
 
 template <std::floating_point T>
 std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<T>> positions,
-                                              std::span<const Corners> triangles) {
+                                              std::span<const CornerIds> triangles) {
   const double scale{normalizingScale(positions, triangles)};
   std::vector<Vec3<double>> result;
   result.reserve(positions.size());
@@ -152,12 +152,12 @@ TriangleShape triangleShape(const std::array<Vec3<double>, 3>& corners) {
 
 template float normalizingScale(std::span<const Vec3<float>>);
 template double normalizingScale(std::span<const Vec3<double>>);
-template float normalizingScale(std::span<const Vec3<float>>, std::span<const Corners>);
-template double normalizingScale(std::span<const Vec3<double>>, std::span<const Corners>);
+template float normalizingScale(std::span<const Vec3<float>>, std::span<const CornerIds>);
+template double normalizingScale(std::span<const Vec3<double>>, std::span<const CornerIds>);
 template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<float>>,
-                                                       std::span<const Corners>);
+                                                       std::span<const CornerIds>);
 template std::vector<Vec3<double>> normalizedPositions(std::span<const Vec3<double>>,
-                                                       std::span<const Corners>);
+                                                       std::span<const CornerIds>);
 template std::vector<Box<double>> triangleBoxes(std::span<const Vec3<float>>,
                                                 std::span<const std::array<std::uint32_t, 3>>);
 template std::vector<Box<double>> triangleBoxes(std::span<const Vec3<double>>,

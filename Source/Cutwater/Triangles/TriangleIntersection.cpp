@@ -8,12 +8,12 @@ namespace cutwater {
 
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
+using CornerIds = std::array<std::uint32_t, 3>;
 using Points = std::array<Vec3<double>, 3>;
 
 /// Reorders both triangles so that shared corners come first, in the same order. No test below
 /// depends on the orientation of a triangle.
-std::size_t bringSharedToFront(Corners& a, Corners& b) {
+std::size_t bringSharedToFront(CornerIds& a, CornerIds& b) {
   std::size_t shared = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = shared; j < 3; ++j) {
@@ -126,8 +126,8 @@ bool hasArea(const std::array<Vec3<double>, 3>& triangle) {
 
 bool intersect(std::span<const Vec3<double>> positions, const std::array<std::uint32_t, 3>& a,
                const std::array<std::uint32_t, 3>& b) {
-  Corners ca = a;
-  Corners cb = b;
+  CornerIds ca = a;
+  CornerIds cb = b;
   const std::size_t shared = bringSharedToFront(ca, cb);
   if (shared == 3) return true;
   // Triangles that meet do so in a convex set. If it has an end on the rim of one of them, an edge

@@ -12,7 +12,7 @@ namespace cutwater::detail {
 
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
+using CornerIds = std::array<std::uint32_t, 3>;
 
 /// Bound on coordinates in scaled units, which are below 4 initially (see normalizingScale()). Sums
 /// and products of numbers this small do not overflow in the exact predicates.
@@ -31,8 +31,8 @@ bool all(std::span<const Record> records, int threads, Check check) {
   return result;
 }
 
-bool haveCorners(std::span<const Corners> triangles, std::size_t vertices, int threads) {
-  return all(triangles, threads, [&](const Corners& t) {
+bool haveCorners(std::span<const CornerIds> triangles, std::size_t vertices, int threads) {
+  return all(triangles, threads, [&](const CornerIds& t) {
     return std::max({t[0], t[1], t[2]}) < vertices;
   });
 }
@@ -107,13 +107,13 @@ void checkSurface(const TriangleSurface<T>& surface, std::uint64_t patches, int 
   // Points of no triangle may be anywhere, but seldom are.
   requireIntact(all(surface.positions, threads, isNear) ||
                     all(surface.triangles, threads,
-                        [&](const Corners& t) {
+                        [&](const CornerIds& t) {
                           const auto& at = surface.positions;
                           return isNear(at[t[0]]) && isNear(at[t[1]]) && isNear(at[t[2]]);
                         }),
                 "a position is farther from the origin than the header tells");
   requireIntact(all(surface.neighbours, threads,
-                    [&](const Corners& t) {  // kNone + 1 is 0
+                    [&](const CornerIds& t) {  // kNone + 1 is 0
                       return std::max({t[0] + 1, t[1] + 1, t[2] + 1}) <= triangles;
                     }),
                 "a triangle's neighbour is no triangle");
@@ -129,7 +129,7 @@ void checkWinding(const CappedWindingArrays::Sections& sections, const Block& bl
   requireIntact(all(block.array<Vec3<double>>(sections.positions), threads,
                     [](const Vec3<double>& p) { return length(p) <= kFarthest; }),
                 "a cap's position is farther from the origin than can be");
-  requireIntact(haveCorners(block.array<Corners>(sections.triangles), vertices, threads),
+  requireIntact(haveCorners(block.array<CornerIds>(sections.triangles), vertices, threads),
                 "a cap's corner is no vertex");
   const auto tree = sections.tree(block);
   checkTree(tree);

@@ -19,7 +19,12 @@ constexpr T kLeastDepth = T(sizeof(T) == sizeof(float) ? 0x1p-63 : 0x1p-511);
 }  // namespace
 
 template <std::floating_point T, typename Index>
-int PointAnswers<T, Index>::side(const Vec3<T>& p, const Nearest& nearest) const {
+Vec3<T> PointAnswers<T, Index>::pulledIn(const Vec3<T>& point) {
+  return kFarthest * (point / maxComponent(abs(point)));
+}
+
+template <std::floating_point T, typename Index>
+int PointAnswers<T, Index>::disputedSide(const Vec3<T>& p, const Nearest& nearest) const {
   const bool byNearest = signs().scheme == SignScheme::NearestFeature;
   // The distance of a point beside the surface may round to 0.
   if (!signs().isClosed() && nearest.distanceSquared == 0 &&

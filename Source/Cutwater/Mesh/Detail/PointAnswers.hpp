@@ -38,11 +38,15 @@ class PointAnswers {
   /// Converts from the mesh's own units; points for which squares would overflow are pulled in.
   [[nodiscard]] Vec3<T> scaled(const Vec3<T>& point) const {
     const Vec3<T> p = surface().scale * point;
-    if (maxComponent(abs(p)) <= kFarthest) return p;
-    return kFarthest * (point / maxComponent(abs(point)));
+    return maxComponent(abs(p)) <= kFarthest ? p : pulledIn(point);
   }
   /// 1 outside, -1 inside, 0 exactly on the surface.
-  [[nodiscard]] int side(const Vec3<T>& p, const Nearest& nearest) const;
+  [[nodiscard]] int side(const Vec3<T>& p, const Nearest& nearest) const {
+    if (signs().scheme == SignScheme::NearestFeature && nearest.distanceSquared != 0) {
+      if (const int agreed = nearest.agreedSide(); agreed != 0) return agreed;
+    }
+    return disputedSide(p, nearest);
+  }
   [[nodiscard]] bool isInside(const Vec3<T>& p) const;
 
  private:
@@ -51,6 +55,10 @@ class PointAnswers {
   static constexpr T kFarthest = T(0x1p60);
 
   [[nodiscard]] const TriangleSurface<T>& surface() const { return index_.surface(); }
+  /// Not inlined: in a loop, g++ would compute these divisions for every point.
+  [[nodiscard, gnu::noinline]] static Vec3<T> pulledIn(const Vec3<T>& point);
+  /// side(), for all points.
+  [[nodiscard]] int disputedSide(const Vec3<T>& p, const Nearest& nearest) const;
   [[nodiscard]] const SignReport& signs() const { return index_.signs(); }
   [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest) const;
   [[nodiscard]] SurfacePoint<T> closestPointAt(const Vec3<T>& point, const Vec3<T>& p,

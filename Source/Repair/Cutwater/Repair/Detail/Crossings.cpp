@@ -6,7 +6,7 @@
 namespace cutwater::detail {
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
+using CornerIds = std::array<std::uint32_t, 3>;
 
 /// The box of a face, as an element of a tree.
 struct BoxedFace {
@@ -17,13 +17,13 @@ struct BoxedFace {
   }
 };
 
-Box<double> boxOf(const PolygonSoup& soup, const Corners& corners) {
+Box<double> boxOf(const PolygonSoup& soup, const CornerIds& corners) {
   Box<double> box;
   for (const auto corner : corners) box.extend(soup.points[corner]);
   return box;
 }
 
-std::size_t countPairs(const PolygonSoup& soup, std::span<const Corners> triangles) {
+std::size_t countPairs(const PolygonSoup& soup, std::span<const CornerIds> triangles) {
   return findSelfIntersections<double>(soup.points, triangles).pairs.count;
 }
 
@@ -31,8 +31,8 @@ std::size_t countPairs(const PolygonSoup& soup, std::span<const Corners> triangl
 
 std::size_t crossingsOfLast(const PolygonSoup& soup, std::size_t count) {
   const auto triangulation = triangulate(soup);
-  std::vector<Corners> last;
-  std::vector<Corners> others;
+  std::vector<CornerIds> last;
+  std::vector<CornerIds> others;
   for (std::size_t i = 0; i < triangulation.triangles.size(); ++i) {
     const auto& [a, b, c] = triangulation.triangles[i];
     const bool isLast = triangulation.polygons[i] + count >= soup.polygonCount();
@@ -41,7 +41,7 @@ std::size_t crossingsOfLast(const PolygonSoup& soup, std::size_t count) {
   std::vector<BoxedFace> boxes;
   for (const auto& corners : last) boxes.push_back({boxOf(soup, corners)});
   const LinearBVH<double, BoxedFace> tree(std::move(boxes));
-  std::vector<Corners> near;
+  std::vector<CornerIds> near;
   for (const auto& corners : others) {
     tree.overlapping(boxOf(soup, corners), [&](std::uint32_t) {
       near.push_back(corners);
