@@ -12,14 +12,13 @@ namespace cutwater {
 /// The magnitude is within 8 eps (|p| + |V|max) of the distance to the mesh rounded to T, where V
 /// are the corners of faces, and does not depend on the tree. The sign is exact on closed surfaces,
 /// however close together their sheets and however thin their triangles. Overlapping shells form a
-/// union: the check finds every pair of triangles that meet. (Without findSelfIntersections it looks
-/// at probes only, and within a missed overlap the sign may be that of the nearest sheet.) For a
-/// surface that is not closed, inside is where its winding number exceeds 1/2;
-/// boundingBox() then reaches beyond the triangles, whose box is surfaceBox(). Faces
-/// that disagree with their neighbours and shells that are inside out are turned (see
-/// orientFaces()). signReport() returns what was found and how signs are decided, guarantee() what
-/// values then mean. Unused points may be anywhere. Equal points are not shared points: see
-/// weldExactly().
+/// union: the check finds every pair of triangles that meet. (Without findSelfIntersections it
+/// looks at probes only, and within a missed overlap the sign may be that of the nearest sheet.)
+/// For a surface that is not closed, inside is where its winding number exceeds 1/2; boundingBox()
+/// then reaches beyond the triangles, whose box is surfaceBox(). Faces that disagree with their
+/// neighbours and shells that are inside out are turned (see orientFaces()). signReport() returns
+/// what was found and how signs are decided, guarantee() what values then mean. Unused points may
+/// be anywhere. Equal points are not shared points: see weldExactly().
 ///
 /// closestPoint() returns the polygon of the soup (face), its patch, and barycentric coordinates
 /// that refer to `triangle(id)`. Copies share everything but the placement.

@@ -88,8 +88,7 @@ void report(const SampleSettings& options, const GridPatch<double>& grid, const 
 /// Of the arrays' values at an index.
 double bytesOfValues(const std::vector<std::string>& names) {
   const auto has = [&](const char* name) { return std::ranges::count(names, name) > 0; };
-  return (has("distance") ? 8.0 : 0.0) + (has("patch") ? 4.0 : 0.0) +
-         (has("class") ? 1.0 : 0.0);
+  return (has("distance") ? 8.0 : 0.0) + (has("patch") ? 4.0 : 0.0) + (has("class") ? 1.0 : 0.0);
 }
 
 /// Of filling the grid, from blocks all over it.

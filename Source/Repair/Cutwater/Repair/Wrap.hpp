@@ -37,7 +37,8 @@ struct WrapEstimate {
 };
 
 /// Estimates wrap(soup, options) from wraps with wider gaps, which have some thousand triangles.
-/// Takes a second or two, more for surfaces of millions of triangles. `options.mostTriangles` is ignored. Docs/repair.md has the errors that were measured.
+/// Takes a second or two, more for surfaces of millions of triangles. `options.mostTriangles` is
+/// ignored. Docs/repair.md has the errors that were measured.
 /// @throws Error as wrap(); of kind Limit if even these take longer than `options.seconds`.
 [[nodiscard]] WrapEstimate estimateWrap(const PolygonSoup& soup, const WrapOptions& options);
 

@@ -42,7 +42,8 @@ std::vector<SceneKey> meshKeys() {
       {"require_watertight", Flag, "refuse a surface that does not bound a solid", "false"},
       {"find_self_intersections", Flag,
        "search a closed surface for self-intersections everywhere, not only at the probes", "true"},
-      {"probes", Whole, "number of points that the check tests where it does not search everywhere", "1024"}};
+      {"probes", Whole, "number of points that the check tests where it does not search everywhere",
+       "1024"}};
   for (auto& key : cleaningKeys()) keys.push_back(std::move(key));
   return keys;
 }
