@@ -141,7 +141,7 @@ void addIsosurface(Program& program) {
   addSurfaceOutput(command, "-o,--output", options->output, options->write);
   addSizeOptions(command, options->grid);
   addPlaceOptions(command, options->grid);
-  addLimits(command, "triangles", options->limits);
+  addLimits(command, "--max-triangles", options->limits);
   command.add("--tolerance", "CELLS",
               "Points are within this many cells of the surface [default: 0.001]",
               [=](const std::string& text) {

@@ -151,7 +151,7 @@ void addSample(Program& program) {
   addOutput(command, "-o,--output", options->output, {".vti"}, "The image to write").required();
   addSizeOptions(command, options->grid);
   addPlaceOptions(command, options->grid);
-  addLimits(command, "cells", options->limits);
+  addLimits(command, "--max-cells", options->limits);
   command.addFlag("--nodes", "Values at the nodes of the cells, not at their centres",
                   options->grid.nodes);
   command.add("--band", "CELLS",

@@ -41,8 +41,8 @@ double Limits::mostBytes() const {
   return bytes.value_or(0.75 * static_cast<double>(memoryOfMachine()));
 }
 
-void addLimits(Command command, const std::string& what, Limits& limits) {
-  const auto option = "--max-" + what;
+void addLimits(Command command, const std::string& option, Limits& limits) {
+  const auto what = option.substr(std::string("--max-").size());
   command.add(
       option, "N", "Refuse the work before it begins if it would take more " + what + " than this",
       [option, &limits](const std::string& text) { limits.items = positiveNumber(option, text); });

@@ -26,9 +26,9 @@ struct Expected {
   bool isExact = false;  ///< the number of items, and the memory that they take
 };
 
-/// Adds --max-cells, or --max-nodes and so on as `what` says, and --max-memory. `limits` must
+/// Adds `option`, as "--max-cells" if the work is counted in cells, and --max-memory. `limits` must
 /// outlive the command.
-void addLimits(Command command, const std::string& what, Limits& limits);
+void addLimits(Command command, const std::string& option, Limits& limits);
 
 /// What is said before the work: "about 1 234 000 cells, 0.2 GB of memory, 12 s".
 [[nodiscard]] std::string text(const Expected& expected);

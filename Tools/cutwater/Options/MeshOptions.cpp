@@ -60,7 +60,7 @@ void addMeshOptions(Command command, MeshOptions& options) {
       "that meet the cell, bit n of the number for patch n of the first 64 [default: "
       "distance,class,level]",
       options.write, MeshFields::names());
-  addLimits(command, "cells", options.limits);
+  addLimits(command, "--max-cells", options.limits);
 }
 
 double bytesPerCell(const MeshOptions& options) {
