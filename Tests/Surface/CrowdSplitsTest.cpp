@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -87,9 +88,14 @@ TEST(CrowdSplitsTest, OnGridsToo) {
     for (std::uint32_t i = 0; i < count; ++i) {
       soup.points.push_back({1.0 * below(levels), 1.0 * below(levels), 1.0 * below(3)});
     }
-    // Most at one of the first two points.
-    for (int i = 0; i < 90; ++i)
-      soup.corners.push_back({below(3) == 0 ? below(count) : below(2), below(count), below(count)});
+    // Most at one of two points, with two others that are close to one another.
+    const std::array hubs{soup.points[0], soup.points[1]};
+    std::ranges::sort(soup.points, {}, [](const auto& p) { return std::tuple(p.x, p.y, p.z); });
+    soup.points.insert(soup.points.end(), hubs.begin(), hubs.end());
+    for (int i = 0; i < 90; ++i) {
+      const auto next = below(count - 1);
+      soup.corners.push_back({below(9) == 0 ? below(count) : count + below(2), next, next + 1});
+    }
     splits += expectKeepsPairs(soup);
   }
   EXPECT_GT(splits, 100);

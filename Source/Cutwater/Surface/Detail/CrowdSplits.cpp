@@ -185,6 +185,19 @@ class PlaneSearch {
     return directions;
   }
 
+  /// How far the triangles extend, as seen from the hub: the differences of directions.
+  [[nodiscard]] std::vector<Vec3<double>> spansFrom(std::uint32_t hub) const {
+    std::vector<Vec3<double>> spans;
+    for (const auto t : sample_) {
+      const auto& [a, b, c] = pairs_.corners(t);
+      const auto direction = [&](auto v) {
+        return unit(pairs_.position(v) - pairs_.position(hub));
+      };
+      spans.push_back(direction(a == hub ? b : a) - direction(c == hub ? b : c));
+    }
+    return spans;
+  }
+
   /// Among planes that contain a line in the direction `mean`, the one that has as many directions
   /// on the one side as on the other, turned from the normal `normal`. Returns its normal.
   static Vec3<double> halvingNormal(std::span<const Vec3<double>> directions,
@@ -202,8 +215,10 @@ class PlaneSearch {
     const auto& here = pairs_.position(hub);
     const auto directions = directionsFrom(here);
     const Vec3<double> mean = meanOf(directions);
-    for (const auto& axis : principalAxes(scatterOf(directions, mean))) {
-      const Vec3<double> ahead = unit(mean);
+    const auto [p, q, r] = principalAxes(scatterOf(directions, mean));
+    const Vec3<double> across = principalAxes(scatterOf(spansFrom(hub)))[0];
+    const Vec3<double> ahead = unit(mean);
+    for (const auto& axis : {p, q, r, across}) {
       const Vec3<double> normal = unit(axis - dot(axis, ahead) * ahead);
       if (normal == Vec3<double>{}) continue;
       auto plane = planeThrough(here, halvingNormal(directions, ahead, normal), reach_);
