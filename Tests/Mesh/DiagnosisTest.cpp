@@ -119,6 +119,12 @@ TEST(DiagnosisTest, ShellsThatOverlapOrNest) {
   expectDefect(overlapping, "components", Severity::Note, 2);
   EXPECT_EQ(overlapping.signs->scheme, SignScheme::WindingNumber);
 
+  // Along an edge: of four faces of either cube, all pairs but one top and one bottom.
+  const auto touching =
+      diagnose(makeSoup(joined(kCorners, scaledBy(1, {1, 1, 0})), joined(kSides, kSides)), {false});
+  expectDefect(touching, "selfIntersections", Severity::Note, 14);
+  EXPECT_TRUE(touching.signs->isProven);
+
   const auto points = joined(kCorners, scaledBy(0.5, {0.25, 0.25, 0.25}));
   const auto nested = diagnose(makeSoup(points, joined(kSides, kSides)), {false});
   EXPECT_TRUE(keysOf(nested).contains("unsoundSurface"));

@@ -1,6 +1,5 @@
-#include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Surface/Detail/SelfIntersectionSearch.hpp>
+#include <Cutwater/Surface/SelfIntersections.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 #include <Cutwater/Triangles/TriangleIntersection.hpp>
 
@@ -235,20 +234,13 @@ TEST(SelfIntersectionsTest, TheTreeLosesNoPair) {
   expectSame(findSelfIntersections<double>(soup.points, soup.triangles), expected);
 }
 
-TEST(SelfIntersectionsTest, TheSameWhateverThreadsTreeAndScale) {
+TEST(SelfIntersectionsTest, TheSameWhateverThreadsAndScale) {
   const RandomSoup soup(3000, 0.1, 5);
   const auto expected = findSelfIntersections<double>(soup.points, soup.triangles, {.threads = 1});
   for (const int threads : {2, 3, 8}) {
     expectSame(findSelfIntersections<double>(soup.points, soup.triangles, {.threads = threads}),
                expected);
   }
-  std::vector<Box<double>> boxes;
-  for (const auto& triangle : soup.triangles) {
-    boxes.emplace_back();
-    for (const auto corner : triangle) boxes.back().extend(soup.points[corner]);
-  }
-  const auto arrays = buildBvh<TriangleTree::kArity, TriangleTree::kLeafWidth>(boxes);
-  expectSame(findSelfIntersections<double>(soup.points, soup.triangles, arrays.tree()), expected);
   for (const int exponent : {-400, -70, 70, 400}) {
     auto points = soup.points;
     for (auto& p : points) p *= std::ldexp(1.0, exponent);

@@ -54,11 +54,13 @@ struct SignReport {
   /// Open surfaces: probes in the bounding box where the winding number is more than 0.1 from an
   /// integer, so the sign is ambiguous.
   std::size_t ambiguous = 0;
-  /// Pairs of triangles that meet in more than what they share, at most 1 000 000; empty if they
-  /// were not looked for.
+  /// Pairs of triangles that pass through or lie on one another, at most 1 000 000; empty if they
+  /// were not looked for. Those that touch along edges or at corners, as at T-junctions, do not
+  /// count, unlike in findSelfIntersections(): signs and distances are exact there.
   std::optional<std::size_t> selfIntersections = {};
-  /// Closed surfaces that were searched: no triangles meet, and each part of the surface between
-  /// edges of more than two triangles has the solid just behind it and free space just in front.
+  /// Closed surfaces that were searched: no triangles pass through or lie on one another, and each
+  /// part of the surface between edges where more than two triangles meet has the solid just behind
+  /// it and free space just in front.
   /// The check examined one place on each, since what is true there is true all over the part.
   bool isProven = false;
 

@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Surface/Detail/PairSearch.hpp>
-#include <Cutwater/Surface/Detail/SelfIntersectionSearch.hpp>
+#include <Cutwater/Surface/SelfIntersections.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
 
 #include <algorithm>
@@ -164,18 +164,6 @@ SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
 }
 
 template <std::floating_point T>
-SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
-                                        std::span<const CornerIds> triangles, const Tree& tree,
-                                        const SelfIntersectionOptions& options) {
-  if constexpr (std::same_as<T, double>) {
-    return search(positions, triangles, {}, tree, options);
-  } else {
-    const std::vector<Vec3<double>> inDouble(positions.begin(), positions.end());
-    return search(inDouble, triangles, {}, tree, options);
-  }
-}
-
-template <std::floating_point T>
 SelfIntersections findSelfIntersections(const DcelMesh<T>& mesh,
                                         const SelfIntersectionOptions& options) {
   std::vector<CornerIds> triangles;
@@ -195,12 +183,6 @@ template SelfIntersections findSelfIntersections(std::span<const Vec3<float>>,
                                                  const SelfIntersectionOptions&);
 template SelfIntersections findSelfIntersections(std::span<const Vec3<double>>,
                                                  std::span<const CornerIds>,
-                                                 const SelfIntersectionOptions&);
-template SelfIntersections findSelfIntersections(std::span<const Vec3<float>>,
-                                                 std::span<const CornerIds>, const Tree&,
-                                                 const SelfIntersectionOptions&);
-template SelfIntersections findSelfIntersections(std::span<const Vec3<double>>,
-                                                 std::span<const CornerIds>, const Tree&,
                                                  const SelfIntersectionOptions&);
 template SelfIntersections findSelfIntersections(const DcelMesh<float>&,
                                                  const SelfIntersectionOptions&);

@@ -1,7 +1,9 @@
 #include <Cutwater/Triangles/ExactPredicates.hpp>
 #include <Cutwater/Triangles/TriangleIntersection.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 namespace cutwater {
@@ -118,7 +120,81 @@ bool edgesMeet(const Points& a, const std::array<int, 3>& sides, const Points& b
   return false;
 }
 
+/// Whether, in the plane of the triangle, an edge has all these points beyond it or on its line.
+bool anEdgeKeepsOut(const Points& t, std::span<const Vec3<double>> points) {
+  const auto [axis, turn] = projection(t);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& a = t[i];
+    const auto& b = t[(i + 1) % 3];
+    const auto isOut = [&, view = axis, inward = turn](const Vec3<double>& p) {
+      return crossSign(a, b, a, p, view) != inward;
+    };
+    if (std::ranges::all_of(points, isOut)) return true;
+  }
+  return false;
+}
+
+/// Whether corners of the triangle lie on both sides of a line in its plane.
+bool isDividedBy(const Vec3<double>& p, const Vec3<double>& q, const Points& t) {
+  const int axis = projection(t).axis;
+  std::array<int, 3> sides{};
+  for (std::size_t i = 0; i < 3; ++i) sides[i] = crossSign(p, q, p, t[i], axis);
+  return std::ranges::count(sides, 1) > 0 && std::ranges::count(sides, -1) > 0;
+}
+
+/// Whether the triangle contains, not on its edges, a point of what `b` has in its plane. `sides`:
+/// of the corners of `b`. A corner or an edge; what is in the plane while `b` passes through it is
+/// left to spansOverlap().
+bool containsOf(const Points& a, const Points& b, const std::array<int, 3>& sides) {
+  std::array<Vec3<double>, 3> inPlane;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (sides[i] == 0) inPlane[count++] = b[i];
+  }
+  if (count == 0 || anEdgeKeepsOut(a, std::span(inPlane).first(count))) return false;
+  // Convex figures in a plane are apart if the line of an edge of one of them separates them.
+  if (count == 1) return true;
+  return count == 2 ? isDividedBy(inPlane[0], inPlane[1], a) : !anEdgeKeepsOut(b, a);
+}
+
+bool isOnBothSides(const std::array<int, 3>& sides) {
+  return std::ranges::count(sides, 1) > 0 && std::ranges::count(sides, -1) > 0;
+}
+
+/// Brings a corner to the front that is alone on its side; there are corners on both. Returns its
+/// side.
+int bringLoneToFront(Points& t, const std::array<int, 3>& sides) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (sides[i] == 0 || std::ranges::count(sides, sides[i]) > 1) continue;
+    std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(i), t.end());
+    return sides[i];
+  }
+  return 0;
+}
+
+/// Whether the spans in which two triangles, each on both sides of the other's plane, meet the line
+/// of both planes overlap in more than a point: P. Guigue and O. Devillers, "Fast and robust
+/// triangle-triangle overlap test using orientation predicates", J. Graph. Tools 8 (2003).
+bool spansOverlap(Points a, const std::array<int, 3>& sidesOfA, Points b,
+                  const std::array<int, 3>& sidesOfB) {
+  const int sideOfA = bringLoneToFront(a, sidesOfA);
+  const int sideOfB = bringLoneToFront(b, sidesOfB);
+  // Each first corner is to be before the other's plane.
+  if (sideOfA < 0) std::swap(b[1], b[2]);
+  if (sideOfB < 0) std::swap(a[1], a[2]);
+  return orientation(a[1], b[0], a[0], b[1]) < 0 && orientation(a[0], b[0], a[2], b[2]) < 0;
+}
+
 }  // namespace
+
+bool meetWithin(const Points& a, const Points& b) {
+  const auto sidesOfA = sidesOf(a, b, 0);
+  const auto sidesOfB = sidesOf(b, a, 0);
+  if (isOnBothSides(sidesOfA) && isOnBothSides(sidesOfB)) {
+    return spansOverlap(a, sidesOfA, b, sidesOfB);
+  }
+  return containsOf(a, b, sidesOfB) || containsOf(b, a, sidesOfA);
+}
 
 bool hasArea(const std::array<Vec3<double>, 3>& triangle) {
   return projection(triangle).turn != 0;

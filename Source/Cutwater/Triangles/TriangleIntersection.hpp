@@ -17,6 +17,14 @@ namespace cutwater {
                              const std::array<std::uint32_t, 3>& a,
                              const std::array<std::uint32_t, 3>& b);
 
+/// Whether two triangles do more than touch: a point of one of them lies within the other, not on
+/// its edges. So they pass through or lie on one another. Triangles that touch along edges or at
+/// corners do not, whichever these are.
+///
+/// Exact; see ExactPredicates.hpp, also for the scaling. Both triangles must have area.
+[[nodiscard]] bool meetWithin(const std::array<Vec3<double>, 3>& a,
+                              const std::array<Vec3<double>, 3>& b);
+
 /// Returns false if the three points are collinear; exact.
 [[nodiscard]] bool hasArea(const std::array<Vec3<double>, 3>& triangle);
 

@@ -1,9 +1,9 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/Detail/DcelIndex.hpp>
 #include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
+#include <Cutwater/Surface/Detail/ContactSearch.hpp>
 #include <Cutwater/Surface/Detail/PatchNames.hpp>
 #include <Cutwater/Surface/MeshReport.hpp>
-#include <Cutwater/Surface/SelfIntersections.hpp>
 
 namespace cutwater {
 
@@ -20,12 +20,9 @@ DcelIndex<T>::DcelIndex(DcelMesh<T> mesh)
   block_ = writer.finish();
   this->setSurface(sections.view(block_));
   const MeshSDFOptions options;
-  const auto countSelfIntersections = [&] {
-    return findSelfIntersections<T>(arrays.positions(), arrays.triangles()).pairs.count;
-  };
-  this->setSigns(
-      checkSigns<T>(surface(), arrays, trianglesAlong(), options, countSelfIntersections),
-      options.signs);
+  const auto contacts = [&] { return findContacts<T>(arrays.positions(), arrays.triangles()); };
+  this->setSigns(checkSigns<T>(surface(), arrays, trianglesAlong(), options, contacts),
+                 options.signs);
 }
 
 template <std::floating_point T>

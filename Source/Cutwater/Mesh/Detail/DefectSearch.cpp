@@ -66,13 +66,16 @@ class DefectSearch {
       // Every duplicate forms a pair with the face that it equals.
       const bool isAllEqual =
           pairs.count == report_.duplicateFaces.count + report_.oppositeFaces.count;
+      const bool isTouching = signs_ && signs_->selfIntersections == std::size_t{0};
       auto& defect = add(
-          isAllEqual ? Severity::Note : Severity::Warning, "selfIntersections",
+          isAllEqual || isTouching ? Severity::Note : Severity::Warning, "selfIntersections",
           "pairs of faces that intersect",
-          isAllEqual ? "no others than faces that are equal, see there; signs go by the winding "
-                       "number"
-                     : "signs go by the winding number: what overlaps is a union; distances "
-                       "inside are those to the nearest face, be it hidden in the solid or not",
+          isTouching ? "they touch, at edges or corners that they do not share, and no more: this "
+                       "changes neither signs nor distances"
+          : isAllEqual ? "no others than faces that are equal, see there; signs go by the winding "
+                         "number"
+                       : "signs go by the winding number: what overlaps is a union; distances "
+                         "inside are those to the nearest face, be it hidden in the solid or not",
           pairs.count);
       defect.isComplete = found_.selfIntersections.complete;
       for (const auto& pair : pairs.examples) defect.places.push_back(placeOf(pair));

@@ -1,6 +1,6 @@
 #include <Cutwater/Mesh/Detail/MeshIndex.hpp>
 #include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
-#include <Cutwater/Surface/Detail/SelfIntersectionSearch.hpp>
+#include <Cutwater/Surface/Detail/ContactSearch.hpp>
 
 #include <atomic>
 #include <cmath>
@@ -31,7 +31,7 @@ MeshIndex<T>::MeshIndex(const TriangleSurfaceArrays<T>& arrays, const TriangleTr
     : options_(options) {
   fill(arrays, tree, patchNames);
   auto signs = checkSigns<T>(surface(), arrays, trianglesAlong(), options, [&] {
-    return findSelfIntersections<T>(arrays.positions(), arrays.triangles(), tree_).pairs.count;
+    return findContacts<T>(arrays.positions(), arrays.triangles(), tree_);
   });
   if (needsWinding(arrays, options)) probeAmbiguity(signs);
   this->setSigns(signs, options.signs);

@@ -125,16 +125,21 @@ SoundnessProbes examine(const TriangleSurface<T>& surface, TrianglesAlong along,
 }
 
 /// The largest triangle of each part of the surface that is connected across edges of two
-/// triangles.
+/// triangles which nothing else touches along the edge. `touchedEdges`: see SurfaceContacts.
 template <std::floating_point T>
-std::vector<std::uint32_t> largestOfParts(const TriangleSurface<T>& surface, std::size_t shells) {
+std::vector<std::uint32_t> largestOfParts(const TriangleSurface<T>& surface, std::size_t shells,
+                                          std::span<const std::uint8_t> touchedEdges) {
   const auto count = static_cast<std::uint32_t>(surface.triangles.size());
   const auto isInner = [](const auto& across) { return std::ranges::count(across, kNone) == 0; };
-  const bool isOnePart = shells == 1 && std::ranges::all_of(surface.neighbours, isInner);
+  const auto isFree = [](std::uint8_t touched) { return touched == 0; };
+  const bool isOnePart = shells == 1 && std::ranges::all_of(surface.neighbours, isInner) &&
+                         std::ranges::all_of(touchedEdges, isFree);
   detail::DisjointSets parts(isOnePart ? 0 : count);
   for (std::uint32_t t = 0; t < count && !isOnePart; ++t) {
-    for (const auto across : surface.neighbours[t]) {
-      if (across != kNone) parts.unite(t, across);
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+      const auto across = surface.neighbours[t][edge];
+      const bool isTouched = (touchedEdges[t] >> edge & 1U) != 0;
+      if (across != kNone && !isTouched) parts.unite(t, across);
     }
   }
   std::vector<std::uint32_t> largest(isOnePart ? 1 : count, kNone);
@@ -149,11 +154,15 @@ std::vector<std::uint32_t> largestOfParts(const TriangleSurface<T>& surface, std
   return largest;
 }
 
-/// Examines one place on each part of a surface without self-intersections: what is true there is
-/// true all over the part. Where there are too many places to examine, nothing is proven.
+/// Examines one place on each part of a surface without overlaps: what is true there is true all
+/// over the part. For within a triangle, there is no other; and beside an edge between two, as long
+/// as nothing else touches all along it, is a place where there are no more than these two. Faces
+/// without area divide parts at T-junctions, but bound nothing. Where there are too many places to
+/// examine, nothing is proven.
 template <std::floating_point T>
-void prove(const TriangleSurface<T>& surface, TrianglesAlong along, SignReport& report) {
-  const auto parts = largestOfParts(surface, report.shells);
+void prove(const TriangleSurface<T>& surface, TrianglesAlong along,
+           std::span<const std::uint8_t> touchedEdges, SignReport& report) {
+  const auto parts = largestOfParts(surface, report.shells, touchedEdges);
   std::size_t tried = 0;
   const auto placeOf = [&](std::size_t i) { return typename Places<T>::Place{parts[i]}; };
   const auto found = examine<T>(surface, along, parts.size(), placeOf, tried);
@@ -181,7 +190,7 @@ SoundnessProbes probeSoundness(const TriangleSurface<T>& surface, TrianglesAlong
 template <std::floating_point T>
 SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceArrays<T>& data,
                       TrianglesAlong along, const MeshSDFOptions& options,
-                      FunctionRef<std::size_t()> countSelfIntersections) {
+                      FunctionRef<SurfaceContacts()> findContacts) {
   SignReport report;
   const auto& orientation = data.orientation();
   report.unbalancedEdges = data.openEdges().size();
@@ -190,8 +199,13 @@ SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceAr
   report.turnedShells = orientation.turnedShells();
   report.unorientable = orientation.unorientable;
   if (!report.isClosed()) return report;
-  if (options.findSelfIntersections) report.selfIntersections = countSelfIntersections();
-  if (report.selfIntersections == 0 && report.unorientable == 0) prove(surface, along, report);
+  if (options.findSelfIntersections) {
+    const auto contacts = findContacts();
+    report.selfIntersections = contacts.overlaps;
+    if (contacts.overlaps == 0 && report.unorientable == 0) {
+      prove(surface, along, contacts.touchedEdges, report);
+    }
+  }
   if (report.isProven) return report;
   const auto found = probeSoundness(surface, along, options.probes, orientation.firstFaces);
   report.probes = found.probes;
@@ -202,7 +216,7 @@ SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceAr
 #define CUTWATER_INSTANTIATE(T)                                                                   \
   template SignReport checkSigns(const TriangleSurface<T>&, const TriangleSurfaceArrays<T>&,      \
                                  TrianglesAlong, const MeshSDFOptions&,                           \
-                                 FunctionRef<std::size_t()>);                                     \
+                                 FunctionRef<SurfaceContacts()>);                                 \
   template SoundnessProbes probeSoundness(const TriangleSurface<T>&, TrianglesAlong, std::size_t, \
                                           std::span<const std::uint32_t>);
 CUTWATER_INSTANTIATE(float)

@@ -2,6 +2,7 @@
 
 #include <Cutwater/Mesh/Detail/TriangleSurfaceArrays.hpp>
 #include <Cutwater/Mesh/SignScheme.hpp>
+#include <Cutwater/Surface/Detail/ContactSearch.hpp>
 #include <Cutwater/Triangles/SurfaceLocation.hpp>
 
 namespace cutwater {
@@ -34,19 +35,19 @@ template <std::floating_point T>
                                              std::span<const std::uint32_t> always);
 
 /// Reports what the surface's signs are based on, except the scheme. On a closed surface without
-/// self-intersections, which are counted if the options say so, it examines one place on each part;
-/// if that does not prove the surface sound, as many as the options say.
+/// overlaps, which are looked for if the options say so, it examines one place on each part; if
+/// that does not prove the surface sound, as many as the options say.
 template <std::floating_point T>
 [[nodiscard]] SignReport checkSigns(const TriangleSurface<T>& surface,
                                     const TriangleSurfaceArrays<T>& data, TrianglesAlong along,
                                     const MeshSDFOptions& options,
-                                    FunctionRef<std::size_t()> countSelfIntersections);
+                                    FunctionRef<SurfaceContacts()> findContacts);
 
-#define CUTWATER_DECLARE(T)                                                                 \
-  extern template SignReport checkSigns(const TriangleSurface<T>&,                          \
-                                        const TriangleSurfaceArrays<T>&, TrianglesAlong,    \
-                                        const MeshSDFOptions&, FunctionRef<std::size_t()>); \
-  extern template SoundnessProbes probeSoundness(const TriangleSurface<T>&, TrianglesAlong, \
+#define CUTWATER_DECLARE(T)                                                                     \
+  extern template SignReport checkSigns(const TriangleSurface<T>&,                              \
+                                        const TriangleSurfaceArrays<T>&, TrianglesAlong,        \
+                                        const MeshSDFOptions&, FunctionRef<SurfaceContacts()>); \
+  extern template SoundnessProbes probeSoundness(const TriangleSurface<T>&, TrianglesAlong,     \
                                                  std::size_t, std::span<const std::uint32_t>);
 CUTWATER_DECLARE(float)
 CUTWATER_DECLARE(double)

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/Triangles/Search/TriangleTree.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cutwater {
+
+/// How the triangles of a surface meet in more than the corners and edges that they share.
+struct SurfaceContacts {
+  /// Where counting ends.
+  static constexpr std::size_t kMost = 1'000'000;
+
+  /// Pairs of triangles that pass through or lie on one another: see meetWithin(). At most kMost;
+  /// so many are also stated if more than kMost pairs touch.
+  std::size_t overlaps = 0;
+  /// Per triangle, bit i: its edge from corner i to the next lies, at least in part, on an edge of
+  /// another triangle that is not the same edge, as at a T-junction. All bits for triangles without
+  /// area. Incomplete if there are overlaps.
+  std::vector<std::uint8_t> touchedEdges;
+};
+
+/// Decides every pair of triangles that might meet, exactly. Of the tree over the triangles, only
+/// the grouping is used. The largest coordinate must be about 1: see ExactPredicates.hpp. The
+/// overlaps do not depend on the number of threads.
+template <std::floating_point T>
+[[nodiscard]] SurfaceContacts findContacts(std::span<const Vec3<T>> positions,
+                                           std::span<const std::array<std::uint32_t, 3>> triangles,
+                                           const TriangleTree& tree);
+
+/// The same, with a tree of its own.
+template <std::floating_point T>
+[[nodiscard]] SurfaceContacts findContacts(std::span<const Vec3<T>> positions,
+                                           std::span<const std::array<std::uint32_t, 3>> triangles);
+
+}  // namespace cutwater
