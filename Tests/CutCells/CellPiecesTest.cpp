@@ -219,5 +219,28 @@ TEST(CellPiecesTest, PiecesOfVoxelSolidsAreThoseOfAFlood) {
   EXPECT_GT(several, 200U);  // cells with several pieces
 }
 
+TEST(CellPiecesTest, PiecesOfVoxelSolidsInPlanesOfTheGridAreThoseOfAFlood) {
+  std::mt19937 random(6);
+  std::size_t several = 0;
+  for (int n = 0; n < scaled(48); ++n) {
+    const auto solid = randomSolid(random, n % 3);
+    const auto surface = solid.surface();
+    const CutTile cut(surface, 0, 0.75, n % 2 == 0 ? 3 : 4);
+    const auto found = cut.volumes();
+    for (std::uint32_t cell = 0; cell < found.size(); ++cell) {
+      auto volumes = found[cell];
+      auto expected = flooded(solid, cut, cut.tile.numbers().placeOfCell(cell));
+      std::ranges::sort(volumes);
+      std::ranges::sort(expected);
+      ASSERT_EQ(volumes.size(), expected.size()) << "solid " << n << ", cell " << cell;
+      for (std::size_t i = 0; i < volumes.size(); ++i) EXPECT_NEAR(volumes[i], expected[i], 1e-15);
+      several += volumes.size() > 1 ? 1 : 0;
+    }
+    EXPECT_LT(cut.worstClosure(), 4e-15);
+    EXPECT_NEAR(cut.wallArea(), areaOf(surface), 1e-12);
+  }
+  EXPECT_GT(several, 200U);  // cells with several pieces
+}
+
 }  // namespace
 }  // namespace cutwater::test

@@ -16,7 +16,7 @@ struct CutTile {
       : positions(planesBetween(lower, upper, n)),
         planes{{positions, positions, positions}},
         moved(surface.positions, surface.triangles),
-        tile(moved, allOf(surface.triangles.size()), planes),
+        tile(moved, allOf(moved.triangleCount()), planes),
         stretches(tile, planes, moved.windingAt({lower, lower, lower})),
         faces(tile, stretches, planes),
         result(findCellPieces(tile, stretches, faces, planes)) {}

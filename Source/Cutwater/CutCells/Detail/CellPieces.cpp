@@ -71,10 +71,10 @@ class CellBuilder {
   }
 
   void joinFragments() {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> edges;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
       for (const auto edge : surface_.meshEdges(fragments_[i])) {
-        if (edge != 0) edges.emplace_back(edge, i);
+        if (edge != kNone) edges.emplace_back(edge, i);
       }
     }
     std::ranges::sort(edges);

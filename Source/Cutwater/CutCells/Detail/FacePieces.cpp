@@ -84,7 +84,7 @@ class FacePieces::Builder {
 
   /// Traces of triangles that share an edge of the mesh.
   void joinTraces() {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> ends;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
     for (std::uint32_t i = 0; i < traces_.size(); ++i) {
       for (const auto& end : {traces_[i].start, traces_[i].end}) {
         if (end.gridEdge == kNone) ends.emplace_back(end.meshEdge, i);

@@ -8,10 +8,6 @@ namespace cutwater {
 
 namespace {
 
-std::uint64_t meshEdge(std::uint32_t p, std::uint32_t q) {
-  return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
-}
-
 bool isUnderPlane(const Fragment& fragment, const FragmentEdge& plane) {
   return fragment.cell[static_cast<std::size_t>(plane.axis)] < plane.number;
 }
@@ -53,15 +49,13 @@ void TileSurface::add(const MovedSurface& surface, std::uint32_t triangle,
   fragments_.push_back({numbers_.cell(fragment.cell), triangle,
                         static_cast<std::uint32_t>(points_.size()),
                         static_cast<std::uint32_t>(size)});
-  const auto& corners = surface.corners(triangle);
   const auto meshEdgeOf = [&](const FragmentEdge& edge) {
-    const auto i = static_cast<std::size_t>(edge.number);
-    return meshEdge(corners[i], corners[(i + 1) % 3]);
+    return surface.edges(triangle)[static_cast<std::size_t>(edge.number)];
   };
   for (std::size_t i = 0; i < size; ++i) {
     const auto& edge = fragment.edges[i];
     points_.push_back(fragment.points[i]);
-    meshEdges_.push_back(edge.isPlane() ? 0 : meshEdgeOf(edge));
+    meshEdges_.push_back(edge.isPlane() ? kNone : meshEdgeOf(edge));
     if (!edge.isPlane()) continue;
 
     const auto end = [&](const FragmentEdge& other) {

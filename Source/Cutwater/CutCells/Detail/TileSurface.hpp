@@ -11,7 +11,7 @@ namespace cutwater {
 /// Where a piece of a trace ends: on an edge of the mesh, which the next triangle shares, or on an
 /// edge of the grid.
 struct TraceEnd {
-  std::uint64_t meshEdge = 0;  ///< both vertices; only if gridEdge is kNone
+  std::uint32_t meshEdge = kNone;  ///< only if gridEdge is kNone
   std::uint32_t gridEdge = kNone;
   bool operator==(const TraceEnd&) const = default;
 };
@@ -60,8 +60,8 @@ class TileSurface {
   [[nodiscard]] std::span<const Vec3<double>> points(const TileFragment& fragment) const {
     return std::span(points_).subspan(fragment.first, fragment.size);
   }
-  /// The edges of the mesh that bound the fragment, in place of planes 0.
-  [[nodiscard]] std::span<const std::uint64_t> meshEdges(const TileFragment& fragment) const {
+  /// The edges of the mesh that bound the fragment, in place of planes kNone.
+  [[nodiscard]] std::span<const std::uint32_t> meshEdges(const TileFragment& fragment) const {
     return std::span(meshEdges_).subspan(fragment.first, fragment.size);
   }
 
@@ -72,7 +72,7 @@ class TileSurface {
   TileNumbers numbers_;
   std::vector<TileFragment> fragments_;
   std::vector<Vec3<double>> points_;
-  std::vector<std::uint64_t> meshEdges_;
+  std::vector<std::uint32_t> meshEdges_;
   std::vector<FaceTrace> traces_;
   std::vector<EdgeCrossing> crossings_;
 };
