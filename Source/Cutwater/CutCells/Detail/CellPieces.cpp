@@ -184,65 +184,36 @@ class CellBuilder {
 
   void measure() {
     const auto count = static_cast<std::uint32_t>(fragments_.size() + open_.size());
-    std::vector<std::uint32_t> pieceOf(count, kNone);
+    std::vector<std::uint32_t> sumOf(count, kNone);  // by root
     const auto firstPiece = static_cast<std::uint32_t>(out_.pieces.size());
+    std::vector<PieceSums> sums;
     for (std::uint32_t i = 0; i < count; ++i) {
-      const auto root = sets_.find(i);
-      if (pieceOf[root] == kNone) {
-        pieceOf[root] = static_cast<std::uint32_t>(out_.pieces.size());
-        out_.pieces.push_back({.cell = fragments_.front().cell,
-                               .centroid = referenceOf(i),
-                               .areaVector = {},
-                               .wallCentroid = {}});
-        moments_.push_back({});
+      auto& sum = sumOf[sets_.find(i)];
+      if (sum == kNone) {
+        sum = static_cast<std::uint32_t>(sums.size());
+        sums.emplace_back(referenceOf(i));
       }
-      pieceOf[i] = pieceOf[root];
-      auto& piece = out_.pieces[pieceOf[i]];
-      auto& moment = moments_[pieceOf[i] - firstPiece];
       if (i < fragments_.size()) {
-        addFragment(piece, moment, i);
+        sums[sum].addWall(surface_.points(fragments_[i]), surface_.patchOf(fragments_[i].triangle));
       } else {
-        addOpenPart(piece, moment, open_[i - fragments_.size()], pieceOf[i]);
+        addOpenPart(sums[sum], open_[i - fragments_.size()], firstPiece + sum);
       }
     }
-    for (std::size_t i = 0; i < moments_.size(); ++i) {
-      auto& piece = out_.pieces[firstPiece + i];
-      const auto reference = piece.centroid;
-      piece.volume /= 3;
-      if (piece.volume > 0) piece.centroid += moments_[i] / (4 * piece.volume);
-      piece.wallCentroid =
-          piece.area > 0 ? reference + piece.wallCentroid / piece.area : piece.centroid;
+    for (auto& sum : sums) {
+      sum.appendWalls(static_cast<std::uint32_t>(out_.pieces.size()), out_.walls);
+      out_.pieces.push_back(sum.piece(fragments_.front().cell));
     }
   }
   [[nodiscard]] Vec3<double> referenceOf(std::uint32_t node) const {
     return node < fragments_.size() ? surface_.points(fragments_[node]).front()
                                     : out_.arcs[open_[node - fragments_.size()].arc].centroid;
   }
-  /// While pieces are summed up, `centroid` is the point that moments refer to.
-  void addFragment(CellPiece& piece, Vec3<double>& moment, std::uint32_t fragment) const {
-    forTriangles(fragment,
-                 [&](const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
-                   const auto area = -0.5 * cross(b - a, c - a);  // out of the fluid
-                   const auto middle =
-                       ((a - piece.centroid) + (b - piece.centroid) + (c - piece.centroid)) / 3.0;
-                   const double volume = dot(a - piece.centroid, area);
-                   const double size = length(area);
-                   piece.areaVector += area;
-                   piece.area += size;
-                   piece.wallCentroid += size * middle;
-                   piece.volume += volume;
-                   moment += volume * middle;
-                 });
-  }
-  void addOpenPart(CellPiece& piece, Vec3<double>& moment, const OpenPart& part,
-                   std::uint32_t number) const {
+  void addOpenPart(PieceSums& sum, const OpenPart& part, std::uint32_t number) const {
     auto& arc = out_.arcs[part.arc];
     (part.isHigh ? arc.below : arc.above) = number;
     const double plane = planes_.at(part.axis, place_[asIndex(part.axis)] + (part.isHigh ? 1 : 0));
-    const double distance =
-        part.isHigh ? plane - piece.centroid[part.axis] : piece.centroid[part.axis] - plane;
-    piece.volume += distance * arc.area;
-    moment += distance * arc.area * (arc.centroid - piece.centroid);
+    const double way = plane - sum.reference()[part.axis];
+    sum.addOpenPart(part.isHigh ? way : -way, arc.area, arc.centroid);
   }
 
   const TileSurface& surface_;
@@ -258,7 +229,6 @@ class CellBuilder {
   std::vector<OpenPart> open_;
   std::array<std::uint32_t, 6> firstOpen_{};
   detail::DisjointSets sets_;
-  std::vector<Vec3<double>> moments_;
 };
 
 PieceArc wholeFace(const TileNumbers& numbers, std::uint32_t face, const GridPlanes& planes) {

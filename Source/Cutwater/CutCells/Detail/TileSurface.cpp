@@ -32,9 +32,9 @@ int riseAt(const Fragment& fragment, const FragmentEdge& in, const FragmentEdge&
 
 }  // namespace
 
-TileSurface::TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> triangles,
-                         const GridPlanes& planes)
-    : numbers_({planes.cells(0), planes.cells(1), planes.cells(2)}) {
+TileSurface::TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> patches,
+                         std::span<const std::uint32_t> triangles, const GridPlanes& planes)
+    : numbers_({planes.cells(0), planes.cells(1), planes.cells(2)}), patches_(patches) {
   for (const auto id : triangles) {
     splitTriangle(planes, surface.triangle(id), surface.corners(id),
                   [&](const Fragment& fragment) { add(surface, id, fragment); });

@@ -48,9 +48,10 @@ struct TileFragment {
 /// triangle.
 class TileSurface {
  public:
-  /// Takes the triangles of these numbers, in ascending order; all that meet the box.
-  TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> triangles,
-              const GridPlanes& planes);
+  /// Takes the triangles of these numbers, in ascending order; all that meet the box. `patches`: of
+  /// the triangles of the mesh; viewed.
+  TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> patches,
+              std::span<const std::uint32_t> triangles, const GridPlanes& planes);
 
   [[nodiscard]] const TileNumbers& numbers() const { return numbers_; }
   [[nodiscard]] std::span<const TileFragment> fragments() const { return fragments_; }
@@ -59,6 +60,10 @@ class TileSurface {
 
   [[nodiscard]] std::span<const Vec3<double>> points(const TileFragment& fragment) const {
     return std::span(points_).subspan(fragment.first, fragment.size);
+  }
+  /// The patch of a triangle; kNone for one without area that closes the gap between copies.
+  [[nodiscard]] std::uint32_t patchOf(std::uint32_t triangle) const {
+    return triangle < patches_.size() ? patches_[triangle] : kNone;
   }
   /// The edges of the mesh that bound the fragment, in place of planes kNone.
   [[nodiscard]] std::span<const std::uint32_t> meshEdges(const TileFragment& fragment) const {
@@ -70,6 +75,7 @@ class TileSurface {
   void sort();
 
   TileNumbers numbers_;
+  std::span<const std::uint32_t> patches_;
   std::vector<TileFragment> fragments_;
   std::vector<Vec3<double>> points_;
   std::vector<std::uint32_t> meshEdges_;
