@@ -15,26 +15,57 @@ struct OpenPart {
   bool isHigh = false;  ///< the face is above the cell
 };
 
-/// Joins and measures the pieces of one cell.
+/// The traces at the edges of each fragment.
+class TracesOfFragments {
+ public:
+  explicit TracesOfFragments(const TileSurface& surface) : first_(surface.fragments().size() + 2) {
+    // Counted two places ahead, so that adding leaves the first of each in its place.
+    forEach(surface, [&](std::uint32_t fragment, std::uint32_t) { ++first_[fragment + 2]; });
+    for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    traces_.resize(first_.back());
+    forEach(surface, [&](std::uint32_t fragment, std::uint32_t trace) {
+      traces_[first_[fragment + 1]++] = trace;
+    });
+  }
+  [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t fragment) const {
+    return std::span(traces_).subspan(first_[fragment], first_[fragment + 1] - first_[fragment]);
+  }
+
+ private:
+  template <typename Visit>
+  static void forEach(const TileSurface& surface, Visit&& visit) {
+    for (std::uint32_t i = 0; i < surface.traces().size(); ++i) {
+      const auto& trace = surface.traces()[i];
+      if (trace.below != kNone) visit(trace.below, i);
+      if (trace.above != kNone) visit(trace.above, i);
+    }
+  }
+
+  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> traces_;
+};
+
+/// Joins and measures the pieces of one cell after another.
 class CellBuilder {
  public:
   CellBuilder(const TileSurface& surface, const EdgeStretches& stretches, const FacePieces& faces,
               const GridPlanes& planes, std::span<const std::uint32_t> arcOfFullFace,
-              std::span<const TileFragment> fragments, std::uint32_t firstFragment,
-              std::span<const std::vector<std::uint32_t>> tracesOfFragment, CellPieces& out)
+              CellPieces& out)
       : surface_(surface),
         stretches_(stretches),
         faces_(faces),
         planes_(planes),
         arcOfFullFace_(arcOfFullFace),
-        fragments_(fragments),
-        firstFragment_(firstFragment),
-        tracesOfFragment_(tracesOfFragment),
-        out_(out),
-        place_(surface.numbers().placeOfCell(fragments.front().cell)),
-        sets_(countNodes()) {}
+        traces_(surface),
+        out_(out) {}
 
-  void run() {
+  /// `firstFragment`: the number of the first of the cell's fragments.
+  void build(std::span<const TileFragment> fragments, std::uint32_t firstFragment) {
+    fragments_ = fragments;
+    firstFragment_ = firstFragment;
+    place_ = surface_.numbers().placeOfCell(fragments.front().cell);
+    findOpenParts();
+    sets_.reset(fragments_.size() + open_.size());
     joinFragments();
     joinFaces();
     joinEdges();
@@ -48,7 +79,8 @@ class CellBuilder {
     place[asIndex(axis)] += side;
     return surface_.numbers().face(axis, place);
   }
-  std::size_t countNodes() {
+  void findOpenParts() {
+    open_.clear();
     for (int axis = 0; axis < 3; ++axis) {
       for (int side = 0; side < 2; ++side) {
         const auto face = faceOf(axis, side);
@@ -62,7 +94,6 @@ class CellBuilder {
         }
       }
     }
-    return fragments_.size() + open_.size();
   }
   [[nodiscard]] std::uint32_t nodeOfArc(int axis, int side, std::uint32_t arc) const {
     auto i = firstOpen_[asIndex(2 * axis + side)];
@@ -71,20 +102,23 @@ class CellBuilder {
   }
 
   void joinFragments() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    if (fragments_.size() == 1) return;
+    edges_.clear();
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
       for (const auto edge : surface_.meshEdges(fragments_[i])) {
-        if (edge != kNone) edges.emplace_back(edge, i);
+        if (edge != kNone) edges_.emplace_back(edge, i);
       }
     }
-    std::ranges::sort(edges);
-    for (std::size_t i = 1; i < edges.size(); ++i) {
-      if (edges[i].first == edges[i - 1].first) sets_.unite(edges[i].second, edges[i - 1].second);
+    std::ranges::sort(edges_);
+    for (std::size_t i = 1; i < edges_.size(); ++i) {
+      if (edges_[i].first == edges_[i - 1].first) {
+        sets_.unite(edges_[i].second, edges_[i - 1].second);
+      }
     }
   }
   void joinFaces() {
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
-      for (const auto trace : tracesOfFragment_[firstFragment_ + i]) {
+      for (const auto trace : traces_.of(firstFragment_ + i)) {
         const auto& t = surface_.traces()[trace];
         const int axis = surface_.numbers().axisOfFace(t.face);
         const int side = t.below == firstFragment_ + i ? 1 : 0;
@@ -122,17 +156,21 @@ class CellBuilder {
 
   /// Shells around body that touch no face: their fluid is that around them.
   void joinShells() {
-    std::vector<char> touchesFace(fragments_.size());
+    touchesFace_.assign(fragments_.size(), 0);
     for (std::uint32_t i = 0; i < open_.size(); ++i) {
       const auto root = sets_.find(static_cast<std::uint32_t>(fragments_.size()) + i);
-      if (root < fragments_.size()) touchesFace[root] = 1;
+      if (root < fragments_.size()) touchesFace_[root] = 1;
     }
+    const auto isShell = [&](std::uint32_t i) { return touchesFace_[sets_.find(i)] == 0; };
+    std::uint32_t any = 0;
+    while (any < fragments_.size() && !isShell(any)) ++any;
+    if (any == fragments_.size()) return;
     std::vector<double> volumes(fragments_.size());
     std::vector<Vec3<double>> lowest(fragments_.size());
     std::vector<char> seen(fragments_.size());
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
       const auto root = sets_.find(i);
-      if (touchesFace[root] != 0) continue;
+      if (touchesFace_[root] != 0) continue;
       for (const auto& p : surface_.points(fragments_[i])) {
         if (seen[root] == 0 || p.z < lowest[root].z) lowest[root] = p;
         seen[root] = 1;
@@ -184,22 +222,23 @@ class CellBuilder {
 
   void measure() {
     const auto count = static_cast<std::uint32_t>(fragments_.size() + open_.size());
-    std::vector<std::uint32_t> sumOf(count, kNone);  // by root
+    sumOf_.assign(count, kNone);  // by root
+    sums_.clear();
     const auto firstPiece = static_cast<std::uint32_t>(out_.pieces.size());
-    std::vector<PieceSums> sums;
     for (std::uint32_t i = 0; i < count; ++i) {
-      auto& sum = sumOf[sets_.find(i)];
+      auto& sum = sumOf_[sets_.find(i)];
       if (sum == kNone) {
-        sum = static_cast<std::uint32_t>(sums.size());
-        sums.emplace_back(referenceOf(i));
+        sum = static_cast<std::uint32_t>(sums_.size());
+        sums_.emplace_back(referenceOf(i));
       }
       if (i < fragments_.size()) {
-        sums[sum].addWall(surface_.points(fragments_[i]), surface_.patchOf(fragments_[i].triangle));
+        sums_[sum].addWall(surface_.points(fragments_[i]),
+                           surface_.patchOf(fragments_[i].triangle));
       } else {
-        addOpenPart(sums[sum], open_[i - fragments_.size()], firstPiece + sum);
+        addOpenPart(sums_[sum], open_[i - fragments_.size()], firstPiece + sum);
       }
     }
-    for (auto& sum : sums) {
+    for (auto& sum : sums_) {
       sum.appendWalls(static_cast<std::uint32_t>(out_.pieces.size()), out_.walls);
       out_.pieces.push_back(sum.piece(fragments_.front().cell));
     }
@@ -221,14 +260,19 @@ class CellBuilder {
   const FacePieces& faces_;
   const GridPlanes& planes_;
   std::span<const std::uint32_t> arcOfFullFace_;
-  std::span<const TileFragment> fragments_;
-  std::uint32_t firstFragment_;
-  std::span<const std::vector<std::uint32_t>> tracesOfFragment_;
+  TracesOfFragments traces_;
   CellPieces& out_;
-  TilePlace place_;
+  // Of the cell:
+  std::span<const TileFragment> fragments_;
+  std::uint32_t firstFragment_ = 0;
+  TilePlace place_{};
   std::vector<OpenPart> open_;
   std::array<std::uint32_t, 6> firstOpen_{};
-  detail::DisjointSets sets_;
+  detail::DisjointSets sets_;  // of fragments, then open parts
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_;
+  std::vector<char> touchesFace_;
+  std::vector<std::uint32_t> sumOf_;
+  std::vector<PieceSums> sums_;
 };
 
 PieceArc wholeFace(const TileNumbers& numbers, std::uint32_t face, const GridPlanes& planes) {
@@ -279,18 +323,11 @@ CellPieces findCellPieces(const TileSurface& surface, const EdgeStretches& stret
   }
   const auto fragments = surface.fragments();
   const auto arcOfFullFace = addFullFaces(surface, stretches, faces, planes, result.arcs);
-  std::vector<std::vector<std::uint32_t>> tracesOfFragment(fragments.size());
-  for (std::uint32_t i = 0; i < surface.traces().size(); ++i) {
-    const auto& trace = surface.traces()[i];
-    if (trace.below != kNone) tracesOfFragment[trace.below].push_back(i);
-    if (trace.above != kNone) tracesOfFragment[trace.above].push_back(i);
-  }
+  CellBuilder builder(surface, stretches, faces, planes, arcOfFullFace, result);
   for (std::uint32_t first = 0; first < fragments.size();) {
     auto end = first + 1;
     while (end < fragments.size() && fragments[end].cell == fragments[first].cell) ++end;
-    CellBuilder(surface, stretches, faces, planes, arcOfFullFace,
-                fragments.subspan(first, end - first), first, tracesOfFragment, result)
-        .run();
+    builder.build(fragments.subspan(first, end - first), first);
     first = end;
   }
   return result;

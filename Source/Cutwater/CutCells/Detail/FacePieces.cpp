@@ -43,18 +43,18 @@ std::size_t stretchAt(std::span<const EdgeStretch> stretches, double position) {
 
 }  // namespace
 
-/// Joins the rims of one face's parts, and measures these.
+/// Joins the rims of parts, and measures these, of one face after another.
 class FacePieces::Builder {
  public:
-  Builder(FacePieces& owner, CutFace& face)
-      : owner_(owner),
-        face_(face),
-        axes_(owner.surface_.numbers().axisOfFace(face.face)),
-        place_(owner.surface_.numbers().placeOfFace(face.face)),
-        traces_(owner.surface_.traces().subspan(face.firstTrace, face.lastTrace - face.firstTrace)),
-        sets_(countNodes()) {}
+  explicit Builder(FacePieces& owner) : owner_(owner) {}
 
-  void run() {
+  void build(CutFace& face) {
+    face_ = &face;
+    axes_ = FaceAxes(owner_.surface_.numbers().axisOfFace(face.face));
+    place_ = owner_.surface_.numbers().placeOfFace(face.face);
+    traces_ = owner_.surface_.traces().subspan(face.firstTrace, face.lastTrace - face.firstTrace);
+    findStretches();
+    sets_.reset(nodes());
     joinTraces();
     joinStretches();
     joinCorners();
@@ -63,36 +63,35 @@ class FacePieces::Builder {
   }
 
  private:
-  std::size_t countNodes() {
-    const auto start = static_cast<std::uint32_t>(owner_.ofStretch_.size());
-    std::uint32_t count = 0;
+  void findStretches() {
+    auto count = static_cast<std::uint32_t>(owner_.ofStretch_.size());
     for (int side = 0; side < 4; ++side) {
       const auto edge = edgeOfFace(axes_.across, place_, side);
       stretches_[asIndex(side)] = owner_.stretches_.of(edge.axis, edge.place);
       gridEdges_[asIndex(side)] = owner_.surface_.numbers().edge(edge.axis, edge.place);
-      face_.firstStretch[asIndex(side)] = start + count;
+      face_->firstStretch[asIndex(side)] = count;
       count += static_cast<std::uint32_t>(stretches_[asIndex(side)].size());
     }
-    face_.firstStretch[4] = start + count;
-    owner_.ofStretch_.resize(start + count);
-    return traces_.size() + count;
+    face_->firstStretch[4] = count;
+    owner_.ofStretch_.resize(count);
   }
   [[nodiscard]] std::uint32_t node(int side, std::size_t stretch) const {
     return static_cast<std::uint32_t>(traces_.size() + stretch) +
-           face_.firstStretch[asIndex(side)] - face_.firstStretch[0];
+           face_->firstStretch[asIndex(side)] - face_->firstStretch[0];
   }
 
   /// Traces of triangles that share an edge of the mesh.
   void joinTraces() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+    if (traces_.size() == 1) return;
+    ends_.clear();
     for (std::uint32_t i = 0; i < traces_.size(); ++i) {
       for (const auto& end : {traces_[i].start, traces_[i].end}) {
-        if (end.gridEdge == kNone) ends.emplace_back(end.meshEdge, i);
+        if (end.gridEdge == kNone) ends_.emplace_back(end.meshEdge, i);
       }
     }
-    std::ranges::sort(ends);
-    for (std::size_t i = 1; i < ends.size(); ++i) {
-      if (ends[i].first == ends[i - 1].first) sets_.unite(ends[i].second, ends[i - 1].second);
+    std::ranges::sort(ends_);
+    for (std::size_t i = 1; i < ends_.size(); ++i) {
+      if (ends_[i].first == ends_[i - 1].first) sets_.unite(ends_[i].second, ends_[i - 1].second);
     }
   }
   /// Stretches with the traces at their ends.
@@ -128,16 +127,20 @@ class FacePieces::Builder {
 
   /// Loops around body: their fluid is that around them.
   void joinHoles() {
-    std::vector<char> touchesRim(traces_.size());
+    touchesRim_.assign(traces_.size(), 0);
     for (std::uint32_t i = static_cast<std::uint32_t>(traces_.size()); i < nodes(); ++i) {
       const auto root = sets_.find(i);
-      if (root < traces_.size()) touchesRim[root] = 1;
+      if (root < traces_.size()) touchesRim_[root] = 1;
     }
+    const auto isLoop = [&](std::uint32_t i) { return touchesRim_[sets_.find(i)] == 0; };
+    std::uint32_t any = 0;
+    while (any < traces_.size() && !isLoop(any)) ++any;
+    if (any == traces_.size()) return;
     std::vector<double> areas(traces_.size());
     std::vector<std::uint32_t> lowest(traces_.size(), kNone);
     for (std::uint32_t i = 0; i < traces_.size(); ++i) {
       const auto root = sets_.find(i);
-      if (touchesRim[root] != 0) continue;
+      if (touchesRim_[root] != 0) continue;
       areas[root] += areaBetween(traces_[root].from, traces_[i]);
       if (lowest[root] == kNone || height(i) < height(lowest[root])) lowest[root] = i;
     }
@@ -149,8 +152,8 @@ class FacePieces::Builder {
     for (const auto hole : holes) sets_.unite(hole, below(traces_[lowest[hole]].from, hole));
   }
   [[nodiscard]] std::uint32_t nodes() const {
-    return static_cast<std::uint32_t>(traces_.size()) + face_.firstStretch[4] -
-           face_.firstStretch[0];
+    return static_cast<std::uint32_t>(traces_.size()) + face_->firstStretch[4] -
+           face_->firstStretch[0];
   }
   [[nodiscard]] double height(std::uint32_t trace) const {
     return traces_[trace].from[axes_.second];
@@ -173,27 +176,28 @@ class FacePieces::Builder {
   }
 
   void measure() {
-    std::vector<std::uint32_t> pieceOf(nodes(), kNone);
-    face_.firstPiece = static_cast<std::uint32_t>(owner_.pieces_.size());
+    pieceOf_.assign(nodes(), kNone);
+    references_.clear();
+    face_->firstPiece = static_cast<std::uint32_t>(owner_.pieces_.size());
     for (std::uint32_t i = 0; i < nodes(); ++i) {
       const auto root = sets_.find(i);
-      if (pieceOf[root] == kNone) {
-        pieceOf[root] = static_cast<std::uint32_t>(owner_.pieces_.size());
-        owner_.pieces_.push_back({.face = face_.face, .centroid = {}});
+      if (pieceOf_[root] == kNone) {
+        pieceOf_[root] = static_cast<std::uint32_t>(owner_.pieces_.size());
+        owner_.pieces_.push_back({.face = face_->face, .centroid = {}});
         references_.push_back(referenceOf(i));
       }
-      pieceOf[i] = pieceOf[root];
+      pieceOf_[i] = pieceOf_[root];
     }
-    sums_.resize(references_.size());
+    sums_.assign(references_.size(), {});
     for (std::uint32_t i = 0; i < traces_.size(); ++i) {
-      owner_.ofTrace_[face_.firstTrace + i] = pieceOf[i];
-      addTrace(pieceOf[i] - face_.firstPiece, traces_[i]);
+      owner_.ofTrace_[face_->firstTrace + i] = pieceOf_[i];
+      addTrace(pieceOf_[i] - face_->firstPiece, traces_[i]);
     }
     for (int side = 0; side < 4; ++side) {
       for (std::size_t s = 0; s < stretches_[asIndex(side)].size(); ++s) {
-        const auto piece = pieceOf[node(side, s)];
-        owner_.ofStretch_[face_.firstStretch[asIndex(side)] + s] = piece;
-        addStretch(piece - face_.firstPiece, side, stretches_[asIndex(side)][s]);
+        const auto piece = pieceOf_[node(side, s)];
+        owner_.ofStretch_[face_->firstStretch[asIndex(side)] + s] = piece;
+        addStretch(piece - face_->firstPiece, side, stretches_[asIndex(side)][s]);
       }
     }
     for (std::size_t i = 0; i < sums_.size(); ++i) finish(i);
@@ -231,7 +235,7 @@ class FacePieces::Builder {
     sums_[piece].second += twice * (side < 2 ? place : middle);
   }
   void finish(std::size_t i) {
-    auto& piece = owner_.pieces_[face_.firstPiece + i];
+    auto& piece = owner_.pieces_[face_->firstPiece + i];
     const Sum& sum = sums_[i];
     piece.area = 0.5 * sum.area;
     piece.centroid = references_[i];
@@ -241,13 +245,17 @@ class FacePieces::Builder {
   }
 
   FacePieces& owner_;
-  CutFace& face_;
-  FaceAxes axes_;
-  TilePlace place_;
+  // Of the face:
+  CutFace* face_ = nullptr;
+  FaceAxes axes_{0};
+  TilePlace place_{};
   std::span<const FaceTrace> traces_;
   std::array<std::span<const EdgeStretch>, 4> stretches_;
   std::array<std::uint32_t, 4> gridEdges_{};
-  detail::DisjointSets sets_;
+  detail::DisjointSets sets_;  // of traces, then stretches
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;
+  std::vector<char> touchesRim_;
+  std::vector<std::uint32_t> pieceOf_;
   std::vector<Vec3<double>> references_;
   std::vector<Sum> sums_;
 };
@@ -257,22 +265,18 @@ FacePieces::FacePieces(const TileSurface& surface, const EdgeStretches& stretche
     : surface_(surface),
       stretches_(stretches),
       planes_(planes),
+      numberOf_(surface.numbers().faceCount(), kNone),
       ofTrace_(surface.traces().size(), kNone) {
+  Builder builder(*this);
   const auto traces = surface.traces();
   for (std::uint32_t first = 0; first < traces.size();) {
     auto last = first + 1;
     while (last < traces.size() && traces[last].face == traces[first].face) ++last;
     cutFaces_.push_back({.face = traces[first].face, .firstTrace = first, .lastTrace = last});
-    Builder(*this, cutFaces_.back()).run();
+    numberOf_[traces[first].face] = static_cast<std::uint32_t>(cutFaces_.size() - 1);
+    builder.build(cutFaces_.back());
     first = last;
   }
-}
-
-std::uint32_t FacePieces::cutFace(std::uint32_t face) const {
-  const auto found = std::ranges::lower_bound(cutFaces_, face, {}, &CutFace::face);
-  return found != cutFaces_.end() && found->face == face
-             ? static_cast<std::uint32_t>(found - cutFaces_.begin())
-             : kNone;
 }
 
 std::uint32_t FacePieces::ofStretch(std::uint32_t face, int side, std::size_t stretch) const {

@@ -43,12 +43,13 @@ class FacePieces {
   };
   class Builder;
 
-  [[nodiscard]] std::uint32_t cutFace(std::uint32_t face) const;
+  [[nodiscard]] std::uint32_t cutFace(std::uint32_t face) const { return numberOf_[face]; }
 
   const TileSurface& surface_;
   const EdgeStretches& stretches_;
   const GridPlanes& planes_;
   std::vector<CutFace> cutFaces_;
+  std::vector<std::uint32_t> numberOf_;  // by face: the cut face
   std::vector<FacePiece> pieces_;
   std::vector<std::uint32_t> ofTrace_;
   std::vector<std::uint32_t> ofStretch_;

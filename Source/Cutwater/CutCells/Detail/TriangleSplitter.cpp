@@ -58,15 +58,23 @@ class Splitter {
   void divide(SplitPart& part, int axis) const {
     if (axis == 3) return visit_(part.polygon);
     auto [row, last] = rowsAlong(part, axis);
+    if (row == last) return take(part, axis, row);
     last = std::min(last, planes_.cells(axis) - 1);
+    // What is above a plane is cut by the next one; the two take turns.
+    SplitPart rests[2];
+    SplitPart* rest = &part;
     for (row = std::max(row, -1); row <= last; ++row) {
-      SplitPart above;
-      above.polygon.cell = part.polygon.cell;
-      cut(part, axis, row + 1, above);
-      part.polygon.cell[asIndex(axis)] = row;
-      if (row >= 0) divide(part, axis + 1);
-      part = above;
+      SplitPart below;
+      auto& above = rest == rests ? rests[1] : rests[0];
+      cut(*rest, axis, row + 1, below, above);
+      if (below.polygon.size > 0) take(below, axis, row);
+      rest = &above;
     }
+  }
+  void take(SplitPart& part, int axis, int row) const {
+    if (row < 0 || row >= planes_.cells(axis)) return;
+    part.polygon.cell[asIndex(axis)] = row;
+    divide(part, axis + 1);
   }
   static std::pair<int, int> rowsAlong(const SplitPart& part, int axis) {
     int least = part.rows[0][asIndex(axis)];
@@ -78,16 +86,16 @@ class Splitter {
     return {least, most};
   }
 
-  /// Moves what is above the plane to `above`.
-  void cut(SplitPart& part, int axis, int plane, SplitPart& above) const {
-    const SplitPart whole = std::exchange(part, {});
-    part.polygon.cell = whole.polygon.cell;
+  /// Divides a part in what is below a plane and what is above it.
+  void cut(const SplitPart& whole, int axis, int plane, SplitPart& below, SplitPart& above) const {
+    below.polygon.size = above.polygon.size = 0;
+    below.polygon.cell = above.polygon.cell = whole.polygon.cell;
     const FragmentEdge alongPlane{axis, plane};
     for (int i = 0; i < whole.polygon.size; ++i) {
       const auto& rows = whole.rows[asIndex(i)];
       const auto& edge = whole.polygon.edges[asIndex(i)];
       const bool isHigh = rows[asIndex(axis)] >= plane;
-      (isHigh ? above : part).add(whole.polygon.points[asIndex(i)], edge, rows);
+      (isHigh ? above : below).add(whole.polygon.points[asIndex(i)], edge, rows);
       const int next = i + 1 < whole.polygon.size ? i + 1 : 0;
       const bool goesHigh = whole.rows[asIndex(next)][asIndex(axis)] >= plane;
       if (isHigh == goesHigh) continue;
@@ -95,7 +103,7 @@ class Splitter {
       const auto point = edge.isPlane() ? onLine(edge, alongPlane, goesHigh, there)
                                         : onEdge(edge.number, alongPlane, there);
       there[asIndex(axis)] = plane - 1;
-      part.add(point, goesHigh ? alongPlane : edge, there);
+      below.add(point, goesHigh ? alongPlane : edge, there);
       there[asIndex(axis)] = plane;
       above.add(point, goesHigh ? edge : alongPlane, there);
     }
