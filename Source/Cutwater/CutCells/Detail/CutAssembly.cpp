@@ -9,23 +9,22 @@ namespace {
 
 /// A cell that is cut: where its rows come from.
 struct CellSource {
-  bool isBeyond = false;  ///< in the layer around the box
-  TilePlace place{};      ///< in the grown box
+  std::uint64_t number = 0;  ///< in the grown box; those beyond the box follow all others
   std::uint32_t tile = 0;
   std::uint32_t cell = 0;  ///< row in the tile
-
-  [[nodiscard]] auto key() const { return std::tuple(isBeyond, place[2], place[1], place[0]); }
 };
 
 /// One tile's view of an arc.
 struct ArcSource {
-  TilePlace cell{};  ///< above the face
-  int axis = 0;
+  std::uint64_t face = 0;    ///< three times the number of the cell above, plus the axis
   std::uint32_t number = 0;  ///< among the open parts of the face
   std::uint32_t tile = 0;
   std::uint32_t arc = 0;
 
-  [[nodiscard]] auto key() const { return std::tuple(cell[2], cell[1], cell[0], axis, number); }
+  [[nodiscard]] bool isSame(const ArcSource& other) const {
+    return face == other.face && number == other.number;
+  }
+  [[nodiscard]] auto key() const { return std::tuple(face, number, tile); }
 };
 
 class Assembly {
@@ -49,10 +48,23 @@ class Assembly {
   }
 
  private:
+  static constexpr std::uint64_t kBeyondBit = std::uint64_t{1} << 63U;
+
   [[nodiscard]] TilePlace placeOf(std::uint32_t tile, const TilePlace& within) const {
     auto place = tiles_.firstCell(tile);
     for (std::size_t a = 0; a < 3; ++a) place[a] += within[a];
     return place;
+  }
+  /// Of a cell in the grown box, or just above it.
+  [[nodiscard]] std::uint64_t numberOf(const TilePlace& place) const {
+    const auto n = [](int i) { return static_cast<std::uint64_t>(i); };
+    return (n(place[2]) * n(cells_[1] + 3) + n(place[1])) * n(cells_[0] + 3) + n(place[0]);
+  }
+  [[nodiscard]] TilePlace placeOf(std::uint64_t number) const {
+    const auto alongX = static_cast<std::uint64_t>(cells_[0] + 3);
+    const auto alongY = static_cast<std::uint64_t>(cells_[1] + 3);
+    return {static_cast<int>(number % alongX), static_cast<int>(number / alongX % alongY),
+            static_cast<int>(number / alongX / alongY)};
   }
   [[nodiscard]] bool isBeyond(const TilePlace& place) const {
     for (std::size_t a = 0; a < 3; ++a) {
@@ -72,10 +84,10 @@ class Assembly {
       for (std::uint32_t row = 0; row < cut.cells.size(); ++row) {
         if (cut.isTouched[row] != 0) continue;
         const auto place = placeOf(tile, cut.numbers.placeOfCell(cut.cells[row]));
-        sources_.push_back({isBeyond(place), place, tile, row});
+        sources_.push_back({numberOf(place) | (isBeyond(place) ? kBeyondBit : 0), tile, row});
       }
     }
-    std::ranges::sort(sources_, {}, &CellSource::key);
+    std::ranges::sort(sources_, {}, &CellSource::number);
   }
 
   void addPieces() {
@@ -85,10 +97,10 @@ class Assembly {
         rowsOf_[tile].assign(cuts_[tile]->content.pieces.size(), CutCells::kWholeCell);
     }
     for (const auto& source : sources_) {
-      if (source.isBeyond && out_.cellCount == 0) closeBox();
+      if ((source.number & kBeyondBit) != 0 && out_.cellCount == 0) closeBox();
       const auto& cut = *cuts_[source.tile];
       const auto row = static_cast<std::uint32_t>(out_.cells.index.size());
-      out_.cells.index.push_back(indexOf(source.place));
+      out_.cells.index.push_back(indexOf(placeOf(source.number & ~kBeyondBit)));
       out_.cells.firstPiece.push_back(pieceCount());
       for (auto p = cut.firstPiece[source.cell]; p < cut.firstPiece[source.cell + 1]; ++p) {
         rowsOf_[source.tile][p] = pieceCount();
@@ -134,15 +146,16 @@ class Assembly {
       std::vector<std::uint32_t> seen(cut.numbers.faceCount());
       for (std::uint32_t arc = 0; arc < cut.content.arcs.size(); ++arc) {
         const auto face = cut.content.arcs[arc].face;
-        sources.push_back({placeOf(tile, cut.numbers.placeOfFace(face)),
-                           cut.numbers.axisOfFace(face), seen[face]++, tile, arc});
+        const auto axis = static_cast<std::uint64_t>(cut.numbers.axisOfFace(face));
+        sources.push_back({3 * numberOf(placeOf(tile, cut.numbers.placeOfFace(face))) + axis,
+                           seen[face]++, tile, arc});
       }
     }
-    std::ranges::sort(sources, {}, [](const ArcSource& s) { return std::pair(s.key(), s.tile); });
+    std::ranges::sort(sources, {}, &ArcSource::key);
     for (std::size_t i = 0; i < sources.size(); ++i) {
       auto below = rowBeside(sources[i], false);
       auto above = rowBeside(sources[i], true);
-      if (i + 1 < sources.size() && sources[i + 1].key() == sources[i].key()) {
+      if (i + 1 < sources.size() && sources[i + 1].isSame(sources[i])) {
         ++i;  // the tile with the lower number is below
         above = rowBeside(sources[i], true);
       }
@@ -162,8 +175,8 @@ class Assembly {
     out_.arcs.above.push_back(above);
     out_.arcs.area.push_back(arc.area / (frame.scale * frame.scale));
     out_.arcs.centroid.push_back(frame.toWorld(arc.centroid));
-    out_.arcs.cell.push_back(indexOf(source.cell));
-    out_.arcs.axis.push_back(static_cast<std::uint8_t>(source.axis));
+    out_.arcs.cell.push_back(indexOf(placeOf(source.face / 3)));
+    out_.arcs.axis.push_back(static_cast<std::uint8_t>(source.face % 3));
   }
 
   void addBodyRuns() {
