@@ -36,7 +36,8 @@ PolygonSoup placedTriangles(const Solid<T>& solid) {
 
 void checkPlanes(const CellPlanes& grid) {
   for (const auto& planes : grid.planes) {
-    require(planes.size() >= 2, "cut cells: need two planes across each axis");
+    require(planes.size() >= 4,
+            "cut cells: need two planes across each axis, and one on each side");
     for (std::size_t i = 0; i < planes.size(); ++i) {
       require(std::isfinite(planes[i]) && (i == 0 || planes[i] > planes[i - 1]),
               "cut cells: need planes that ascend", Named{"plane", planes[i]});
@@ -44,17 +45,10 @@ void checkPlanes(const CellPlanes& grid) {
   }
 }
 
-/// In the surface's frame, with a layer of cells around them.
-std::array<std::vector<double>, 3> grownPlanes(const CellPlanes& grid, const CutFrame& frame) {
-  std::array<std::vector<double>, 3> result;
+std::array<std::vector<double>, 3> inFrame(const CutFrame& frame, const CellPlanes& grid) {
+  auto result = grid.planes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto& planes = grid.planes[axis];
-    const auto last = planes.size() - 1;
-    auto& grown = result[axis];
-    grown.push_back(planes[0] - (planes[1] - planes[0]));
-    grown.insert(grown.end(), planes.begin(), planes.end());
-    grown.push_back(planes[last] + (planes[last] - planes[last - 1]));
-    for (auto& plane : grown) plane = frame.toFrame(static_cast<int>(axis), plane);
+    for (auto& plane : result[axis]) plane = frame.toFrame(static_cast<int>(axis), plane);
   }
   return result;
 }
@@ -67,7 +61,7 @@ CellCutter::CellCutter(const Solid<T>& solid, FluidSide side)
 
 CutCells CellCutter::cut(const CellPlanes& grid, const ParallelOptions& options) const {
   checkPlanes(grid);
-  const auto positions = grownPlanes(grid, surface_->frame());
+  const auto positions = inFrame(surface_->frame(), grid);
   const GridPlanes planes{{positions[0], positions[1], positions[2]}};
   const CutTiles tiles(*surface_, planes);
   std::vector<std::uint32_t> touched;
@@ -90,12 +84,11 @@ CellPlanes planesOf(const GridPatch<T>& gridPatch) {
     auto& planes = result.planes[static_cast<std::size_t>(axis)];
     auto index = box.lo;
     auto& along = axis == 0 ? index.i : axis == 1 ? index.j : index.k;
-    for (std::size_t n = 0; n < box.length(axis); ++n) {
-      const auto cell = level.cell(index);
-      planes.push_back(double{cell.lower[axis]});
-      if (n + 1 == box.length(axis)) planes.push_back(double{cell.upper[axis]});
-      if (n + 1 < box.length(axis)) ++along;
+    --along;
+    for (std::size_t n = 0; n < box.length(axis) + 2; ++n, ++along) {
+      planes.push_back(double{level.cell(index).lower[axis]});
     }
+    planes.push_back(double{level.cell(index).lower[axis]});
   }
   return result;
 }

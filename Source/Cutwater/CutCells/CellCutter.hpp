@@ -30,8 +30,8 @@ class CellCutter {
   template <std::floating_point T>
   explicit CellCutter(const Solid<T>& solid, FluidSide side = FluidSide::Outside);
 
-  /// The cells of a box. Planes are those that the user's cells have: 1 at least, ascending.
-  /// @throws Error(Argument) unless planes ascend and are finite, and for 2^32 - 1 pieces or more.
+  /// The cells of a box.
+  /// @throws Error(Argument) unless planes ascend and are finite.
   [[nodiscard]] CutCells cut(const CellPlanes& grid, const ParallelOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
 
 #include <algorithm>
@@ -14,17 +15,14 @@ std::array<std::int32_t, 3> components(const Index3& index) {
 
 /// Which of the planes across an axis is below the cell.
 std::size_t planeBelow(const CellPlanes& grid, const Index3& cell, std::size_t axis) {
-  return static_cast<std::size_t>(std::int64_t{components(cell)[axis]} -
+  return static_cast<std::size_t>(1 + std::int64_t{components(cell)[axis]} -
                                   components(grid.first)[axis]);
 }
 
-/// The width of a cell; one beside the box is as wide as its neighbour.
+/// Of a cell of the box, or around it.
 double widthOf(const CellPlanes& grid, const Index3& cell, std::size_t axis) {
-  const auto& planes = grid.planes[axis];
-  const auto last = static_cast<std::int64_t>(planes.size()) - 2;
-  const auto n = std::int64_t{components(cell)[axis]} - components(grid.first)[axis];
-  const auto within = static_cast<std::size_t>(std::clamp(n, std::int64_t{0}, last));
-  return planes[within + 1] - planes[within];
+  const auto n = planeBelow(grid, cell, axis);
+  return grid.planes[axis][n + 1] - grid.planes[axis][n];
 }
 
 }  // namespace
@@ -33,9 +31,23 @@ IndexBox CellPlanes::indices() const {
   std::array<std::int32_t, 3> last{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     last[axis] = static_cast<std::int32_t>(components(first)[axis] +
-                                           static_cast<std::int64_t>(planes[axis].size()) - 2);
+                                           static_cast<std::int64_t>(planes[axis].size()) - 4);
   }
   return {first, {last[0], last[1], last[2]}};
+}
+
+CellPlanes cellsBetween(const std::array<std::vector<double>, 3>& planes, const Index3& first) {
+  CellPlanes result{.planes = {}, .first = first};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto& from = planes[axis];
+    require(from.size() >= 2, "cellsBetween: need two planes across each axis",
+            Named{"axis", axis});
+    auto& all = result.planes[axis];
+    all.push_back(from[0] - (from[1] - from[0]));
+    all.insert(all.end(), from.begin(), from.end());
+    all.push_back(from.back() + (from.back() - from[from.size() - 2]));
+  }
+  return result;
 }
 
 std::uint32_t CutCells::rowOf(const Index3& cell) const {
@@ -50,8 +62,9 @@ FluidClass CutCells::classOf(const Index3& cell) const {
   if (rowOf(cell) != kNoRow) return FluidClass::Cut;
   const auto box = grid.indices();
   const auto number =
-      (planeBelow(grid, cell, 2) * box.length(1) + planeBelow(grid, cell, 1)) * box.length(0) +
-      planeBelow(grid, cell, 0);
+      ((planeBelow(grid, cell, 2) - 1) * box.length(1) + planeBelow(grid, cell, 1) - 1) *
+          box.length(0) +
+      planeBelow(grid, cell, 0) - 1;
   const auto after =
       std::ranges::upper_bound(bodyRuns, number, {}, [](const auto& run) { return run[0]; });
   const bool isBody = after != bodyRuns.begin() && number < (*(after - 1))[1];

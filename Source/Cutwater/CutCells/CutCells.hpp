@@ -13,15 +13,21 @@
 namespace cutwater {
 
 /// The cells of a box of indices, between planes across each axis: of a grid patch, or of a grid
-/// whose cells grow.
+/// whose cells grow. It includes the planes of the cells around the box, one to each side.
 struct CellPlanes {
-  /// Across each axis, one more than cells, ascending: cell first + n lies between the planes n and
-  /// n + 1.
+  /// Across each axis, ascending, three more than the box has cells: cell first - 1 + n lies
+  /// between the planes n and n + 1.
   std::array<std::vector<double>, 3> planes;
-  Index3 first;
+  Index3 first;  ///< the box's cell of lowest indices
 
   [[nodiscard]] IndexBox indices() const;
 };
+
+/// The cells between these planes, one more than cells along each axis, in a domain that ends
+/// there: the cells around it are as wide as their neighbours.
+/// @throws Error(Argument) unless there are two planes at least across each axis.
+[[nodiscard]] CellPlanes cellsBetween(const std::array<std::vector<double>, 3>& planes,
+                                      const Index3& first = {});
 
 /// The fluid in the cells of a box of indices that a surface cuts, in arrays of equal length for
 /// each kind of row.

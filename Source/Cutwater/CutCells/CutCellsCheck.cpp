@@ -115,7 +115,7 @@ CutCellsReport check(const CutCells& cells) {
   }
   const auto& planes = cells.grid.planes;
   double all = 1;
-  for (const auto& axis : planes) all *= axis.back() - axis.front();
+  for (const auto& axis : planes) all *= axis[axis.size() - 2] - axis[1];
   report.bodyVolume = wholeBodyVolume(cells) + (cutVolume.value() - cutFluid.value());
   report.fluidVolume = all - report.bodyVolume;
   report.wallArea = wall.value();

@@ -167,6 +167,7 @@ class CellBuilder {
     if (any == fragments_.size()) return;
     std::vector<double> volumes(fragments_.size());
     std::vector<Vec3<double>> lowest(fragments_.size());
+    std::vector<double> areas(fragments_.size());
     std::vector<char> seen(fragments_.size());
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
       const auto root = sets_.find(i);
@@ -177,12 +178,16 @@ class CellBuilder {
       }
       const auto origin = surface_.points(fragments_[root]).front();
       forTriangles(i, [&](const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
-        volumes[root] -= dot(a - origin, cross(b - a, c - a));
+        const auto area = cross(b - a, c - a);
+        volumes[root] -= dot(a - origin, area);
+        areas[root] += length(area);
       });
     }
     std::vector<std::uint32_t> shells;
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
-      if (seen[i] != 0 && volumes[i] < 0) shells.push_back(i);
+      if (seen[i] != 0 && volumes[i] < 0 && areas[i] > PieceSums::nothing(sizeOfCell())) {
+        shells.push_back(i);
+      }
     }
     std::ranges::sort(shells, {}, [&](std::uint32_t i) { return lowest[i].z; });
     for (const auto shell : shells) sets_.unite(shell, below(lowest[shell], shell));
@@ -224,7 +229,6 @@ class CellBuilder {
     const auto count = static_cast<std::uint32_t>(fragments_.size() + open_.size());
     sumOf_.assign(count, kNone);  // by root
     sums_.clear();
-    const auto firstPiece = static_cast<std::uint32_t>(out_.pieces.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       auto& sum = sumOf_[sets_.find(i)];
       if (sum == kNone) {
@@ -235,21 +239,38 @@ class CellBuilder {
         sums_[sum].addWall(surface_.points(fragments_[i]),
                            surface_.patchOf(fragments_[i].triangle));
       } else {
-        addOpenPart(sums_[sum], open_[i - fragments_.size()], firstPiece + sum);
+        addOpenPart(sums_[sum], open_[i - fragments_.size()]);
       }
     }
+    const auto size = sizeOfCell();
+    numberOfSum_.clear();
     for (auto& sum : sums_) {
-      sum.appendWalls(static_cast<std::uint32_t>(out_.pieces.size()), out_.walls);
+      numberOfSum_.push_back(kNone);
+      if (sum.isNothing(size)) continue;
+      numberOfSum_.back() = static_cast<std::uint32_t>(out_.pieces.size());
+      sum.appendWalls(numberOfSum_.back(), out_.walls);
       out_.pieces.push_back(sum.piece(fragments_.front().cell));
     }
+    for (std::uint32_t i = 0; i < open_.size(); ++i) {
+      const auto node = static_cast<std::uint32_t>(fragments_.size()) + i;
+      auto& arc = out_.arcs[open_[i].arc];
+      (open_[i].isHigh ? arc.below : arc.above) = numberOfSum_[sumOf_[sets_.find(node)]];
+    }
+  }
+  [[nodiscard]] Vec3<double> sizeOfCell() const {
+    Vec3<double> size;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int plane = place_[asIndex(axis)];
+      size[axis] = planes_.at(axis, plane + 1) - planes_.at(axis, plane);
+    }
+    return size;
   }
   [[nodiscard]] Vec3<double> referenceOf(std::uint32_t node) const {
     return node < fragments_.size() ? surface_.points(fragments_[node]).front()
                                     : out_.arcs[open_[node - fragments_.size()].arc].centroid;
   }
-  void addOpenPart(PieceSums& sum, const OpenPart& part, std::uint32_t number) const {
-    auto& arc = out_.arcs[part.arc];
-    (part.isHigh ? arc.below : arc.above) = number;
+  void addOpenPart(PieceSums& sum, const OpenPart& part) const {
+    const auto& arc = out_.arcs[part.arc];
     const double plane = planes_.at(part.axis, place_[asIndex(part.axis)] + (part.isHigh ? 1 : 0));
     const double way = plane - sum.reference()[part.axis];
     sum.addOpenPart(part.isHigh ? way : -way, arc.area, arc.centroid);
@@ -273,6 +294,7 @@ class CellBuilder {
   std::vector<char> touchesFace_;
   std::vector<std::uint32_t> sumOf_;
   std::vector<PieceSums> sums_;
+  std::vector<std::uint32_t> numberOfSum_;
 };
 
 PieceArc wholeFace(const TileNumbers& numbers, std::uint32_t face, const GridPlanes& planes) {
@@ -319,7 +341,10 @@ CellPieces findCellPieces(const TileSurface& surface, const EdgeStretches& stret
                           const FacePieces& faces, const GridPlanes& planes) {
   CellPieces result;
   for (const auto& piece : faces.pieces()) {
-    result.arcs.push_back({.face = piece.face, .area = piece.area, .centroid = piece.centroid});
+    result.arcs.push_back({.face = piece.face,
+                           .area = piece.area,
+                           .centroid = piece.centroid,
+                           .isNothing = piece.isNothing});
   }
   const auto fragments = surface.fragments();
   const auto arcOfFullFace = addFullFaces(surface, stretches, faces, planes, result.arcs);

@@ -13,6 +13,7 @@ struct PieceArc {
   std::uint32_t above = kNone;
   double area = 0;
   Vec3<double> centroid;
+  bool isNothing = false;  ///< a point, which counts for nothing
 };
 
 /// The pieces of the cells that a surface meets, in the order of cells, and what connects them, in

@@ -33,7 +33,7 @@ class Assembly {
            std::span<const std::unique_ptr<const TileCut>> tileCuts)
       : surface_(surface), tiles_(tiles), cuts_(tileCuts) {
     for (int axis = 0; axis < 3; ++axis) {
-      cells_[asIndex(axis)] = static_cast<int>(grid.planes[asIndex(axis)].size()) - 1;
+      cells_[asIndex(axis)] = static_cast<int>(grid.planes[asIndex(axis)].size()) - 3;
     }
     out_.grid = std::move(grid);
     out_.patchNames = surface.patchNames();
@@ -88,6 +88,8 @@ class Assembly {
       }
     }
     std::ranges::sort(sources_, {}, &CellSource::number);
+    const auto beyond = std::ranges::lower_bound(sources_, kBeyondBit, {}, &CellSource::number);
+    out_.cellCount = static_cast<std::size_t>(beyond - sources_.begin());
   }
 
   void addPieces() {
@@ -97,7 +99,6 @@ class Assembly {
         rowsOf_[tile].assign(cuts_[tile]->content.pieces.size(), CutCells::kWholeCell);
     }
     for (const auto& source : sources_) {
-      if ((source.number & kBeyondBit) != 0 && out_.cellCount == 0) closeBox();
       const auto& cut = *cuts_[source.tile];
       const auto row = static_cast<std::uint32_t>(out_.cells.index.size());
       out_.cells.index.push_back(indexOf(placeOf(source.number & ~kBeyondBit)));
@@ -107,15 +108,11 @@ class Assembly {
         addPiece(cut.content, p, row);
       }
     }
-    if (out_.cellCount == 0) closeBox();
     out_.cells.firstPiece.push_back(pieceCount());
+    out_.pieceCount = out_.cells.firstPiece[out_.cellCount];
   }
   [[nodiscard]] std::uint32_t pieceCount() const {
     return static_cast<std::uint32_t>(out_.pieces.volume.size());
-  }
-  void closeBox() {
-    out_.cellCount = out_.cells.index.size();
-    out_.pieceCount = out_.pieces.volume.size();
   }
   void addPiece(const CellPieces& content, std::uint32_t number, std::uint32_t row) {
     const auto& frame = surface_.frame();
@@ -146,6 +143,7 @@ class Assembly {
       std::vector<std::uint32_t> seen(cut.numbers.faceCount());
       for (std::uint32_t arc = 0; arc < cut.content.arcs.size(); ++arc) {
         const auto face = cut.content.arcs[arc].face;
+        if (cut.content.arcs[arc].isNothing) continue;
         const auto axis = static_cast<std::uint64_t>(cut.numbers.axisOfFace(face));
         sources.push_back({3 * numberOf(placeOf(tile, cut.numbers.placeOfFace(face))) + axis,
                            seen[face]++, tile, arc});

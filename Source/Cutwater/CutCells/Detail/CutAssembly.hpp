@@ -7,9 +7,9 @@
 
 namespace cutwater {
 
-/// The cells of a box, from the tiles of that box grown by one cell to all sides.
+/// The cells of a box, from the tiles of that box and the cells around it.
 ///
-/// `grid` is the box as the user knows it. `tileCuts` has one for each tile with triangles, else
+/// `grid` is in the coordinates of the world. `tileCuts` has one for each tile with triangles, else
 /// null.
 [[nodiscard]] CutCells assembledCells(CellPlanes grid, const CutSurface& surface,
                                       const CutTiles& tiles,

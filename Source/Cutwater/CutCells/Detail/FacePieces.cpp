@@ -15,6 +15,10 @@ FaceEdge edgeOfFace(int axis, const TilePlace& face, int side) {
 
 namespace {
 
+/// Copies of a vertex leave loops that are a point, but for rounding: shorter than this, in
+/// perimeters of the face.
+constexpr double kNothing = 1e-14;
+
 /// The number of the trace that a ray from the point, down the second axis, meets first; kNone if
 /// none of those that `counts` accepts.
 template <typename Counts>
@@ -128,6 +132,7 @@ class FacePieces::Builder {
   /// Loops around body: their fluid is that around them.
   void joinHoles() {
     touchesRim_.assign(traces_.size(), 0);
+    isNothing_.assign(traces_.size(), 0);
     for (std::uint32_t i = static_cast<std::uint32_t>(traces_.size()); i < nodes(); ++i) {
       const auto root = sets_.find(i);
       if (root < traces_.size()) touchesRim_[root] = 1;
@@ -137,19 +142,30 @@ class FacePieces::Builder {
     while (any < traces_.size() && !isLoop(any)) ++any;
     if (any == traces_.size()) return;
     std::vector<double> areas(traces_.size());
+    std::vector<double> lengths(traces_.size());
     std::vector<std::uint32_t> lowest(traces_.size(), kNone);
     for (std::uint32_t i = 0; i < traces_.size(); ++i) {
       const auto root = sets_.find(i);
       if (touchesRim_[root] != 0) continue;
       areas[root] += areaBetween(traces_[root].from, traces_[i]);
+      lengths[root] += length(traces_[i].to - traces_[i].from);
       if (lowest[root] == kNone || height(i) < height(lowest[root])) lowest[root] = i;
     }
     std::vector<std::uint32_t> holes;
     for (std::uint32_t i = 0; i < traces_.size(); ++i) {
-      if (lowest[i] != kNone && areas[i] < 0) holes.push_back(i);
+      isNothing_[i] = lowest[i] != kNone && lengths[i] <= kNothing * perimeter() ? 1 : 0;
+      if (lowest[i] != kNone && areas[i] < 0 && isNothing_[i] == 0) holes.push_back(i);
     }
     std::ranges::sort(holes, {}, [&](std::uint32_t i) { return height(lowest[i]); });
     for (const auto hole : holes) sets_.unite(hole, below(traces_[lowest[hole]].from, hole));
+  }
+  [[nodiscard]] double perimeter() const {
+    double sum = 0;
+    for (const int axis : {axes_.first, axes_.second}) {
+      const int plane = place_[asIndex(axis)];
+      sum += 2 * (owner_.planes_.at(axis, plane + 1) - owner_.planes_.at(axis, plane));
+    }
+    return sum;
   }
   [[nodiscard]] std::uint32_t nodes() const {
     return static_cast<std::uint32_t>(traces_.size()) + face_->firstStretch[4] -
@@ -167,8 +183,10 @@ class FacePieces::Builder {
 
   /// What a ray from the point meets first, down the second axis; not traces of the set `except`.
   [[nodiscard]] std::uint32_t below(const Vec3<double>& p, std::uint32_t except) {
-    const auto found = traceBelow(
-        traces_, axes_, p, [&](std::uint32_t i) { return sets_.find(i) != sets_.find(except); });
+    const auto found = traceBelow(traces_, axes_, p, [&](std::uint32_t i) {
+      const auto root = sets_.find(i);
+      return root != sets_.find(except) && isNothing_[root] == 0;
+    });
     if (found != kNone) return found;
     // Nothing there only if rounding hides it.
     if (stretches_[0].empty()) return except;
@@ -183,7 +201,9 @@ class FacePieces::Builder {
       const auto root = sets_.find(i);
       if (pieceOf_[root] == kNone) {
         pieceOf_[root] = static_cast<std::uint32_t>(owner_.pieces_.size());
-        owner_.pieces_.push_back({.face = face_->face, .centroid = {}});
+        owner_.pieces_.push_back({.face = face_->face,
+                                  .centroid = {},
+                                  .isNothing = root < traces_.size() && isNothing_[root] != 0});
         references_.push_back(referenceOf(i));
       }
       pieceOf_[i] = pieceOf_[root];
@@ -255,6 +275,7 @@ class FacePieces::Builder {
   detail::DisjointSets sets_;  // of traces, then stretches
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;
   std::vector<char> touchesRim_;
+  std::vector<char> isNothing_;  // by root of a loop
   std::vector<std::uint32_t> pieceOf_;
   std::vector<Vec3<double>> references_;
   std::vector<Sum> sums_;
@@ -295,7 +316,9 @@ std::uint32_t FacePieces::at(std::uint32_t face, const Vec3<double>& point) cons
   const auto& cut = cutFaces_[cutFace(face)];
   const FaceAxes axes(surface_.numbers().axisOfFace(face));
   const auto traces = surface_.traces().subspan(cut.firstTrace, cut.lastTrace - cut.firstTrace);
-  const auto found = traceBelow(traces, axes, point, [](std::uint32_t) { return true; });
+  const auto found = traceBelow(traces, axes, point, [&](std::uint32_t i) {
+    return !pieces_[ofTrace_[cut.firstTrace + i]].isNothing;
+  });
   if (found != kNone) return ofTrace_[cut.firstTrace + found];
   const auto edge = edgeOfFace(axes.across, surface_.numbers().placeOfFace(face), 0);
   const auto stretches = stretches_.of(edge.axis, edge.place);

@@ -8,7 +8,8 @@ namespace cutwater {
 struct FacePiece {
   std::uint32_t face = 0;
   double area = 0;
-  Vec3<double> centroid;  ///< on the face; of the whole face if the area is 0
+  Vec3<double> centroid;   ///< on the face; of the whole face if the area is 0
+  bool isNothing = false;  ///< its rim is a point
 };
 
 /// The open parts of all faces that the surface meets, in the order of faces.

@@ -1,6 +1,7 @@
 #include <Cutwater/CutCells/Detail/PieceSums.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cutwater {
 
@@ -32,7 +33,14 @@ void PieceSums::addWall(std::span<const Vec3<double>> polygon, std::uint32_t pat
 
 void PieceSums::addOpenPart(double distance, double area, const Vec3<double>& centroid) {
   volume_ += distance * area;
+  openArea_ += std::abs(area);
   moment_ += distance * area * (centroid - reference_);
+}
+
+bool PieceSums::isNothing(const Vec3<double>& cellSize) const {
+  double area = openArea_;
+  for (const auto& wall : walls_) area += wall.area;
+  return area <= nothing(cellSize);
 }
 
 CellPiece PieceSums::piece(std::uint32_t cell) const {

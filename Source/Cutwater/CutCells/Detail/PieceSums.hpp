@@ -40,6 +40,12 @@ class PieceSums {
   [[nodiscard]] const Vec3<double>& reference() const { return reference_; }
   void addOpenPart(double distance, double area, const Vec3<double>& centroid);
 
+  /// Whether the piece is a point or an edge, but for rounding: what copies of vertices leave.
+  [[nodiscard]] bool isNothing(const Vec3<double>& cellSize) const;
+  /// An area that is rounding in a cell of this size.
+  [[nodiscard]] static double nothing(const Vec3<double>& cellSize) {
+    return 1e-14 * dot(cellSize, {cellSize.y, cellSize.z, cellSize.x});
+  }
   [[nodiscard]] CellPiece piece(std::uint32_t cell) const;
   /// Appends the parts of the wall in the order of patches.
   void appendWalls(std::uint32_t piece, std::vector<PieceWall>& walls);
@@ -49,6 +55,7 @@ class PieceSums {
 
   Vec3<double> reference_;
   double volume_ = 0;  // times 3
+  double openArea_ = 0;
   Vec3<double> moment_;
   std::vector<PieceWall> walls_;  // centroids are integrals from the reference
 };
