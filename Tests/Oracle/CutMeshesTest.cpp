@@ -17,7 +17,7 @@ namespace cutwater::test {
 namespace {
 
 /// Files of up to this size.
-std::vector<std::filesystem::path> surfaces() {
+std::vector<std::filesystem::path> smallFiles() {
   const auto most = static_cast<std::uintmax_t>(scaled(300'000));
   std::vector<std::filesystem::path> found;
   for (const auto& entry : std::filesystem::directory_iterator(CUTWATER_CGAL_MESHES)) {
@@ -27,13 +27,13 @@ std::vector<std::filesystem::path> surfaces() {
   return found;
 }
 
-struct Measured {
+struct SurfaceSize {
   double volume = 0;
   double area = 0;
 };
 
-Measured measure(const PolygonSoup& triangles) {
-  Measured result;
+SurfaceSize sizeOfSurface(const PolygonSoup& triangles) {
+  SurfaceSize result;
   const auto& origin = triangles.points[triangles.corners[0]];
   for (std::size_t i = 0; i < triangles.polygonCount(); ++i) {
     const auto corners = triangles.polygon(i);
@@ -46,7 +46,7 @@ Measured measure(const PolygonSoup& triangles) {
   return result;
 }
 
-void expectCells(const Solid<double>& solid, const Measured& measured, double cellsAlong) {
+void expectCells(const Solid<double>& solid, const SurfaceSize& measured, double cellsAlong) {
   const auto box = solid.boundingBox();
   const auto size = box.upper - box.lower;
   const double width = maxComponent(size) / cellsAlong;
@@ -65,7 +65,7 @@ void expectCells(const Solid<double>& solid, const Measured& measured, double ce
 
 TEST(CutMeshesTest, TheirCellsCloseAndMakeTheWhole) {
   int sound = 0;
-  for (const auto& file : surfaces()) {
+  for (const auto& file : smallFiles()) {
     SCOPED_TRACE(file.filename().string());
     PolygonSoup soup;
     try {
@@ -81,7 +81,7 @@ TEST(CutMeshesTest, TheirCellsCloseAndMakeTheWhole) {
       continue;
     }
     ++sound;
-    const auto measured = measure(mesh.soup());
+    const auto measured = sizeOfSurface(mesh.soup());
     Solid<double> solid(mesh);
     for (const double cellsAlong : {7.0, 23.0}) expectCells(solid, measured, cellsAlong);
     solid.rotate(40, Vec3<double>{1, 2, 3});
