@@ -119,6 +119,48 @@ TEST(CellPiecesTest, ABubbleAndTheFluidAroundItAreTwoPieces) {
   EXPECT_EQ(cut.result.arcs.size(), 6U);  // of the piece around the ball
 }
 
+/// Three wedges of body that share an edge, around which the fluid is in three others.
+TEST(CellPiecesTest, WedgesAroundAnEdgeAreApart) {
+  constexpr double kPi = 3.14159265358979323846;
+  for (const double turn : {0.0, 0.3, 1.1, 2.0}) {
+    IndexedTriangles surface{.positions = {{0.41, 0.52, -1}, {0.41, 0.52, 2}}, .triangles = {}};
+    for (int wedge = 0; wedge < 3; ++wedge) {
+      const auto first = static_cast<std::uint32_t>(surface.positions.size());
+      for (const double z : {-1.0, 2.0}) {
+        for (const double more : {0.0, 0.7}) {
+          const double angle = turn + wedge * 2 * kPi / 3 + more;
+          surface.positions.push_back({0.41 + 5 * std::cos(angle), 0.52 + 5 * std::sin(angle), z});
+        }
+      }
+      const auto [a, b, c, d] = std::array{first, first + 1, first + 2, first + 3};
+      surface.triangles.insert(
+          surface.triangles.end(),
+          {{0, b, a}, {1, c, d}, {0, a, c}, {0, c, 1}, {0, 1, d}, {0, d, b}, {a, b, d}, {a, d, c}});
+    }
+    const CutTile cut(surface, 0, 1, 1);
+    EXPECT_EQ(cut.result.pieces.size(), 3U) << turn;
+    EXPECT_LT(cut.worstClosure(), 4e-15);
+  }
+}
+
+/// Tilted, as thick as rounding: its sheets cross the edges of the grid in places that may be equal
+/// or in the wrong order.
+TEST(CellPiecesTest, APlateAsThickAsRoundingPartsCells) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> number(0, 1);
+  for (int n = 0; n < scaled(200); ++n) {
+    auto surface = box({-3, -3, 0}, {3, 3, std::ldexp(1.0, -50 - n % 4)});
+    const double x = 0.4 * number(random);
+    const double y = 0.4 * number(random);
+    const double z = 0.5 - 0.5 * (x + y) - 0.01 * number(random);
+    for (auto& p : surface.positions) p.z += x * p.x + y * p.y + z;
+    const CutTile cut(surface, 0, 1, 1);
+    EXPECT_EQ(cut.result.pieces.size(), 2U) << n;
+    EXPECT_NEAR(cut.fluidVolume(), 1, 1e-14);
+    EXPECT_LT(cut.worstClosure(), 1e-14);
+  }
+}
+
 TEST(CellPiecesTest, RodsPierceFacesWithoutTouchingEdges) {
   const CutTile cut(box({-.5, .4, .4}, {1.5, .6, .6}), 0, 1, 1);
   ASSERT_EQ(cut.result.pieces.size(), 1U);

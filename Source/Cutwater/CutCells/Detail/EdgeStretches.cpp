@@ -6,6 +6,9 @@ namespace cutwater {
 
 namespace {
 
+/// More than rounding moves the points of a surface whose coordinates are up to about 1.
+constexpr double kRounding = 0x1p-46;
+
 template <typename Visit>
 void forTilePlaces(const TilePlace& sizes, Visit&& visit) {
   for (int k = 0; k < sizes[2]; ++k) {
@@ -73,11 +76,14 @@ void EdgeStretches::divide(const Interval<double>& edge, int winding,
   for (auto it = crossings.begin(); it != crossings.end(); ++it) {
     const bool isFluid = winding <= 0;
     if (isFluid == (winding + it->rise <= 0)) {
-      // Where rounded positions are equal, fluid and body take turns.
+      // Fluid and body take turns: rounding has put these in the wrong order, or in none.
       const auto other = std::find_if(it + 1, crossings.end(), [&](const EdgeCrossing& c) {
-        return c.position == it->position && c.rise != it->rise;
+        return c.position - it->position <= kRounding && c.rise != it->rise;
       });
-      if (other != crossings.end()) std::iter_swap(it, other);
+      if (other != crossings.end()) {
+        std::rotate(it, other, other + 1);
+        it->position = (it + 1)->position;
+      }
     }
     winding += it->rise;
     if (isFluid == (winding <= 0)) continue;
