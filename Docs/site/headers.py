@@ -13,6 +13,7 @@ LAYERS = {
     "Lattice": "beams, unit cells, lattices, packed beds",
     "Tpms": "triply periodic surfaces: patterns, maps, walls and channels, two fluids",
     "Grid": "filling grid patches, volumes, isosurfaces, refinement tags, octree meshes",
+    "CutCells": "cut cells of meshes: volumes, apertures and walls of every piece of fluid",
     "Io": "VTK files, tables of beams and balls",
     "Adapters": "AMReX, Chombo, deal.II; their headers are needed to use these",
     "Render": "pictures of solids and of planes through them: `Cutwater::Render`",

@@ -24,6 +24,8 @@
 #include <Cutwater/Core/Segment.hpp>
 #include <Cutwater/Core/Vec2.hpp>
 #include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/CutCells.hpp>
 #include <Cutwater/Grid/CellPatches.hpp>
 #include <Cutwater/Grid/EdgeCrossings.hpp>
 #include <Cutwater/Grid/Fill.hpp>

@@ -24,7 +24,7 @@ std::map<Cell, Fragment> split(const Grid& grid, const std::array<Vec3<double>, 
   std::array<MovedVertex, 3> triangle;
   for (std::size_t i = 0; i < 3; ++i) triangle[i].position = corners[i];
   std::map<Cell, Fragment> result;
-  splitTriangle(grid.planes, triangle, vertices, [&](const Fragment& fragment) {
+  TriangleSplitter(grid.planes).split(triangle, vertices, [&](const Fragment& fragment) {
     EXPECT_TRUE(result.emplace(fragment.cell, fragment).second);
   });
   return result;
@@ -73,8 +73,9 @@ TEST(TriangleSplitterTest, TriangleInAPlaneGoesToTheSideItIsMovedTo) {
     for (auto& vertex : triangle) vertex.shift[2] = static_cast<std::int8_t>(side);
     std::vector<Cell> cells;
     const Grid grid;
-    splitTriangle(grid.planes, triangle, {0, 1, 2},
-                  [&](const Fragment& fragment) { cells.push_back(fragment.cell); });
+    TriangleSplitter(grid.planes).split(triangle, {0, 1, 2}, [&](const Fragment& fragment) {
+      cells.push_back(fragment.cell);
+    });
     EXPECT_EQ(cells, (std::vector<Cell>{{1, 1, side == 1 ? 2 : 1}}));
   }
 }

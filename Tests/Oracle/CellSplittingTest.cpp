@@ -154,7 +154,7 @@ void expectExactParts(OffByUlps off, int count) {
     if (hasEqualCorners(triangle)) continue;
     auto expected = partsOf(triangle, off == OffByUlps::Never ? kForHalves : kForUlps);
     found += expected.size();
-    splitTriangle(grid.planes, triangle, {0, 1, 2}, [&](const Fragment& fragment) {
+    TriangleSplitter(grid.planes).split(triangle, {0, 1, 2}, [&](const Fragment& fragment) {
       const auto part = expected.extract(fragment.cell);
       ASSERT_FALSE(part.empty()) << "triangle " << n;
       EXPECT_TRUE(hasEdges(fragment, part.mapped().edges)) << "triangle " << n;
@@ -202,7 +202,7 @@ TEST(CellSplittingTest, AreasAreRightForTrianglesInAPlaneUpToAnUlp) {
     }
     if (hasEqualCorners(triangle)) continue;
     const auto expected = partsOf(triangle, kForUlps);
-    splitTriangle(grid.planes, triangle, {0, 1, 2}, [&](const Fragment& fragment) {
+    TriangleSplitter(grid.planes).split(triangle, {0, 1, 2}, [&](const Fragment& fragment) {
       const auto& part = expected.at(fragment.cell);
       const auto exact = areaOf<decltype(part.points), Rational>(part.points, part.points.size());
       std::array<std::array<double, 3>, Fragment::kMost> points{};

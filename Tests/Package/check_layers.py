@@ -25,7 +25,7 @@ MAY_INCLUDE = {
     "Lattice": "Core Simd Bvh Sdf Shapes Operations",
     "Tpms": "Core Simd Sdf Shapes Operations",
     "Grid": "Core Sdf Surface",
-    "CutCells": "Core Triangles",
+    "CutCells": "Core Sdf Triangles Surface Mesh",
     "Io": "Core Text Surface Lattice Grid",
     "Adapters": "Core Sdf Grid",
     "Render": "Core Bvh Sdf Grid",

@@ -16,7 +16,8 @@ struct CutTile {
       : positions(planesBetween(lower, upper, n)),
         planes{{positions, positions, positions}},
         moved(surface.positions, surface.triangles),
-        tile(moved, allOf(surface.triangles.size()), planes),
+        patches(surface.triangles.size()),
+        tile(moved, patches, allOf(moved.triangleCount()), planes),
         stretches(tile, planes, moved.windingAt({lower, lower, lower})),
         faces(tile, stretches, planes),
         result(findCellPieces(tile, stretches, faces, planes)) {}
@@ -64,6 +65,7 @@ struct CutTile {
   std::vector<double> positions;
   GridPlanes planes;
   MovedSurface moved;
+  std::vector<std::uint32_t> patches;
   TileSurface tile;
   EdgeStretches stretches;
   FacePieces faces;

@@ -1,22 +1,9 @@
 #pragma once
 
+#include <Cutwater/Sdf/FluidSide.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
 namespace cutwater {
-
-/// The side of a solid's surface on which an application computes the flow.
-enum class FluidSide : std::uint8_t {
-  Outside,  ///< around the solid: a hull, a wing
-  Inside,   ///< within it: the solid is the shape of a room or of the bore of a pipe
-};
-
-/// Where a closed box lies, in terms of the flow.
-enum class FluidClass : std::uint8_t {
-  Fluid,    ///< certainly no surface in the box, which is all fluid
-  Body,     ///< certainly no surface in the box, which has no fluid
-  Cut,      ///< certainly some surface in the box
-  Unknown,  ///< nothing proven: treat as Cut
-};
 
 /// A solid and the side of it that is fluid, from which every adapter is constructed. Its level set
 /// is negative in the fluid, as in AMReX, Chombo and deal.II, positive in the body and +0 on the

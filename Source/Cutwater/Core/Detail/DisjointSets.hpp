@@ -11,7 +11,12 @@ namespace cutwater::detail {
 /// Union-find with path halving (Tarjan 1975); the least member represents its set.
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t count) : parent_(count) {
+  DisjointSets() = default;
+  explicit DisjointSets(std::size_t count) { reset(count); }
+
+  /// Makes each of so many members a set of its own.
+  void reset(std::size_t count) {
+    parent_.resize(count);
     std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
   }
 

@@ -15,26 +15,57 @@ struct OpenPart {
   bool isHigh = false;  ///< the face is above the cell
 };
 
-/// Joins and measures the pieces of one cell.
+/// The traces at the edges of each fragment.
+class TracesOfFragments {
+ public:
+  explicit TracesOfFragments(const TileSurface& surface) : first_(surface.fragments().size() + 2) {
+    // Counted two places ahead, so that adding leaves the first of each in its place.
+    forEach(surface, [&](std::uint32_t fragment, std::uint32_t) { ++first_[fragment + 2]; });
+    for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    traces_.resize(first_.back());
+    forEach(surface, [&](std::uint32_t fragment, std::uint32_t trace) {
+      traces_[first_[fragment + 1]++] = trace;
+    });
+  }
+  [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t fragment) const {
+    return std::span(traces_).subspan(first_[fragment], first_[fragment + 1] - first_[fragment]);
+  }
+
+ private:
+  template <typename Visit>
+  static void forEach(const TileSurface& surface, Visit&& visit) {
+    for (std::uint32_t i = 0; i < surface.traces().size(); ++i) {
+      const auto& trace = surface.traces()[i];
+      if (trace.below != kNone) visit(trace.below, i);
+      if (trace.above != kNone) visit(trace.above, i);
+    }
+  }
+
+  std::vector<std::uint32_t> first_;
+  std::vector<std::uint32_t> traces_;
+};
+
+/// Joins and measures the pieces of one cell after another.
 class CellBuilder {
  public:
   CellBuilder(const TileSurface& surface, const EdgeStretches& stretches, const FacePieces& faces,
               const GridPlanes& planes, std::span<const std::uint32_t> arcOfFullFace,
-              std::span<const TileFragment> fragments, std::uint32_t firstFragment,
-              std::span<const std::vector<std::uint32_t>> tracesOfFragment, CellPieces& out)
+              CellPieces& out)
       : surface_(surface),
         stretches_(stretches),
         faces_(faces),
         planes_(planes),
         arcOfFullFace_(arcOfFullFace),
-        fragments_(fragments),
-        firstFragment_(firstFragment),
-        tracesOfFragment_(tracesOfFragment),
-        out_(out),
-        place_(surface.numbers().placeOfCell(fragments.front().cell)),
-        sets_(countNodes()) {}
+        traces_(surface),
+        out_(out) {}
 
-  void run() {
+  /// `firstFragment`: the number of the first of the cell's fragments.
+  void build(std::span<const TileFragment> fragments, std::uint32_t firstFragment) {
+    fragments_ = fragments;
+    firstFragment_ = firstFragment;
+    place_ = surface_.numbers().placeOfCell(fragments.front().cell);
+    findOpenParts();
+    sets_.reset(fragments_.size() + open_.size());
     joinFragments();
     joinFaces();
     joinEdges();
@@ -48,7 +79,8 @@ class CellBuilder {
     place[asIndex(axis)] += side;
     return surface_.numbers().face(axis, place);
   }
-  std::size_t countNodes() {
+  void findOpenParts() {
+    open_.clear();
     for (int axis = 0; axis < 3; ++axis) {
       for (int side = 0; side < 2; ++side) {
         const auto face = faceOf(axis, side);
@@ -62,7 +94,6 @@ class CellBuilder {
         }
       }
     }
-    return fragments_.size() + open_.size();
   }
   [[nodiscard]] std::uint32_t nodeOfArc(int axis, int side, std::uint32_t arc) const {
     auto i = firstOpen_[asIndex(2 * axis + side)];
@@ -71,20 +102,23 @@ class CellBuilder {
   }
 
   void joinFragments() {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> edges;
+    if (fragments_.size() == 1) return;
+    edges_.clear();
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
       for (const auto edge : surface_.meshEdges(fragments_[i])) {
-        if (edge != 0) edges.emplace_back(edge, i);
+        if (edge != kNone) edges_.emplace_back(edge, i);
       }
     }
-    std::ranges::sort(edges);
-    for (std::size_t i = 1; i < edges.size(); ++i) {
-      if (edges[i].first == edges[i - 1].first) sets_.unite(edges[i].second, edges[i - 1].second);
+    std::ranges::sort(edges_);
+    for (std::size_t i = 1; i < edges_.size(); ++i) {
+      if (edges_[i].first == edges_[i - 1].first) {
+        sets_.unite(edges_[i].second, edges_[i - 1].second);
+      }
     }
   }
   void joinFaces() {
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
-      for (const auto trace : tracesOfFragment_[firstFragment_ + i]) {
+      for (const auto trace : traces_.of(firstFragment_ + i)) {
         const auto& t = surface_.traces()[trace];
         const int axis = surface_.numbers().axisOfFace(t.face);
         const int side = t.below == firstFragment_ + i ? 1 : 0;
@@ -122,29 +156,38 @@ class CellBuilder {
 
   /// Shells around body that touch no face: their fluid is that around them.
   void joinShells() {
-    std::vector<char> touchesFace(fragments_.size());
+    touchesFace_.assign(fragments_.size(), 0);
     for (std::uint32_t i = 0; i < open_.size(); ++i) {
       const auto root = sets_.find(static_cast<std::uint32_t>(fragments_.size()) + i);
-      if (root < fragments_.size()) touchesFace[root] = 1;
+      if (root < fragments_.size()) touchesFace_[root] = 1;
     }
+    const auto isShell = [&](std::uint32_t i) { return touchesFace_[sets_.find(i)] == 0; };
+    std::uint32_t any = 0;
+    while (any < fragments_.size() && !isShell(any)) ++any;
+    if (any == fragments_.size()) return;
     std::vector<double> volumes(fragments_.size());
     std::vector<Vec3<double>> lowest(fragments_.size());
+    std::vector<double> areas(fragments_.size());
     std::vector<char> seen(fragments_.size());
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
       const auto root = sets_.find(i);
-      if (touchesFace[root] != 0) continue;
+      if (touchesFace_[root] != 0) continue;
       for (const auto& p : surface_.points(fragments_[i])) {
         if (seen[root] == 0 || p.z < lowest[root].z) lowest[root] = p;
         seen[root] = 1;
       }
       const auto origin = surface_.points(fragments_[root]).front();
       forTriangles(i, [&](const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
-        volumes[root] -= dot(a - origin, cross(b - a, c - a));
+        const auto area = cross(b - a, c - a);
+        volumes[root] -= dot(a - origin, area);
+        areas[root] += length(area);
       });
     }
     std::vector<std::uint32_t> shells;
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
-      if (seen[i] != 0 && volumes[i] < 0) shells.push_back(i);
+      if (seen[i] != 0 && volumes[i] < 0 && areas[i] > PieceSums::nothing(sizeOfCell())) {
+        shells.push_back(i);
+      }
     }
     std::ranges::sort(shells, {}, [&](std::uint32_t i) { return lowest[i].z; });
     for (const auto shell : shells) sets_.unite(shell, below(lowest[shell], shell));
@@ -184,65 +227,53 @@ class CellBuilder {
 
   void measure() {
     const auto count = static_cast<std::uint32_t>(fragments_.size() + open_.size());
-    std::vector<std::uint32_t> pieceOf(count, kNone);
-    const auto firstPiece = static_cast<std::uint32_t>(out_.pieces.size());
+    sumOf_.assign(count, kNone);  // by root
+    sums_.clear();
     for (std::uint32_t i = 0; i < count; ++i) {
-      const auto root = sets_.find(i);
-      if (pieceOf[root] == kNone) {
-        pieceOf[root] = static_cast<std::uint32_t>(out_.pieces.size());
-        out_.pieces.push_back({.cell = fragments_.front().cell,
-                               .centroid = referenceOf(i),
-                               .areaVector = {},
-                               .wallCentroid = {}});
-        moments_.push_back({});
+      auto& sum = sumOf_[sets_.find(i)];
+      if (sum == kNone) {
+        sum = static_cast<std::uint32_t>(sums_.size());
+        sums_.emplace_back(referenceOf(i));
       }
-      pieceOf[i] = pieceOf[root];
-      auto& piece = out_.pieces[pieceOf[i]];
-      auto& moment = moments_[pieceOf[i] - firstPiece];
       if (i < fragments_.size()) {
-        addFragment(piece, moment, i);
+        sums_[sum].addWall(surface_.points(fragments_[i]),
+                           surface_.patchOf(fragments_[i].triangle));
       } else {
-        addOpenPart(piece, moment, open_[i - fragments_.size()], pieceOf[i]);
+        addOpenPart(sums_[sum], open_[i - fragments_.size()]);
       }
     }
-    for (std::size_t i = 0; i < moments_.size(); ++i) {
-      auto& piece = out_.pieces[firstPiece + i];
-      const auto reference = piece.centroid;
-      piece.volume /= 3;
-      if (piece.volume > 0) piece.centroid += moments_[i] / (4 * piece.volume);
-      piece.wallCentroid =
-          piece.area > 0 ? reference + piece.wallCentroid / piece.area : piece.centroid;
+    const auto size = sizeOfCell();
+    numberOfSum_.clear();
+    for (auto& sum : sums_) {
+      numberOfSum_.push_back(kNone);
+      if (sum.isNothing(size)) continue;
+      numberOfSum_.back() = static_cast<std::uint32_t>(out_.pieces.size());
+      sum.appendWalls(numberOfSum_.back(), out_.walls);
+      out_.pieces.push_back(sum.piece(fragments_.front().cell));
     }
+    for (std::uint32_t i = 0; i < open_.size(); ++i) {
+      const auto node = static_cast<std::uint32_t>(fragments_.size()) + i;
+      auto& arc = out_.arcs[open_[i].arc];
+      (open_[i].isHigh ? arc.below : arc.above) = numberOfSum_[sumOf_[sets_.find(node)]];
+    }
+  }
+  [[nodiscard]] Vec3<double> sizeOfCell() const {
+    Vec3<double> size;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int plane = place_[asIndex(axis)];
+      size[axis] = planes_.at(axis, plane + 1) - planes_.at(axis, plane);
+    }
+    return size;
   }
   [[nodiscard]] Vec3<double> referenceOf(std::uint32_t node) const {
     return node < fragments_.size() ? surface_.points(fragments_[node]).front()
                                     : out_.arcs[open_[node - fragments_.size()].arc].centroid;
   }
-  /// While pieces are summed up, `centroid` is the point that moments refer to.
-  void addFragment(CellPiece& piece, Vec3<double>& moment, std::uint32_t fragment) const {
-    forTriangles(fragment,
-                 [&](const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
-                   const auto area = -0.5 * cross(b - a, c - a);  // out of the fluid
-                   const auto middle =
-                       ((a - piece.centroid) + (b - piece.centroid) + (c - piece.centroid)) / 3.0;
-                   const double volume = dot(a - piece.centroid, area);
-                   const double size = length(area);
-                   piece.areaVector += area;
-                   piece.area += size;
-                   piece.wallCentroid += size * middle;
-                   piece.volume += volume;
-                   moment += volume * middle;
-                 });
-  }
-  void addOpenPart(CellPiece& piece, Vec3<double>& moment, const OpenPart& part,
-                   std::uint32_t number) const {
-    auto& arc = out_.arcs[part.arc];
-    (part.isHigh ? arc.below : arc.above) = number;
+  void addOpenPart(PieceSums& sum, const OpenPart& part) const {
+    const auto& arc = out_.arcs[part.arc];
     const double plane = planes_.at(part.axis, place_[asIndex(part.axis)] + (part.isHigh ? 1 : 0));
-    const double distance =
-        part.isHigh ? plane - piece.centroid[part.axis] : piece.centroid[part.axis] - plane;
-    piece.volume += distance * arc.area;
-    moment += distance * arc.area * (arc.centroid - piece.centroid);
+    const double way = plane - sum.reference()[part.axis];
+    sum.addOpenPart(part.isHigh ? way : -way, arc.area, arc.centroid);
   }
 
   const TileSurface& surface_;
@@ -250,15 +281,20 @@ class CellBuilder {
   const FacePieces& faces_;
   const GridPlanes& planes_;
   std::span<const std::uint32_t> arcOfFullFace_;
-  std::span<const TileFragment> fragments_;
-  std::uint32_t firstFragment_;
-  std::span<const std::vector<std::uint32_t>> tracesOfFragment_;
+  TracesOfFragments traces_;
   CellPieces& out_;
-  TilePlace place_;
+  // Of the cell:
+  std::span<const TileFragment> fragments_;
+  std::uint32_t firstFragment_ = 0;
+  TilePlace place_{};
   std::vector<OpenPart> open_;
   std::array<std::uint32_t, 6> firstOpen_{};
-  detail::DisjointSets sets_;
-  std::vector<Vec3<double>> moments_;
+  detail::DisjointSets sets_;  // of fragments, then open parts
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_;
+  std::vector<char> touchesFace_;
+  std::vector<std::uint32_t> sumOf_;
+  std::vector<PieceSums> sums_;
+  std::vector<std::uint32_t> numberOfSum_;
 };
 
 PieceArc wholeFace(const TileNumbers& numbers, std::uint32_t face, const GridPlanes& planes) {
@@ -305,22 +341,18 @@ CellPieces findCellPieces(const TileSurface& surface, const EdgeStretches& stret
                           const FacePieces& faces, const GridPlanes& planes) {
   CellPieces result;
   for (const auto& piece : faces.pieces()) {
-    result.arcs.push_back({.face = piece.face, .area = piece.area, .centroid = piece.centroid});
+    result.arcs.push_back({.face = piece.face,
+                           .area = piece.area,
+                           .centroid = piece.centroid,
+                           .isNothing = piece.isNothing});
   }
   const auto fragments = surface.fragments();
   const auto arcOfFullFace = addFullFaces(surface, stretches, faces, planes, result.arcs);
-  std::vector<std::vector<std::uint32_t>> tracesOfFragment(fragments.size());
-  for (std::uint32_t i = 0; i < surface.traces().size(); ++i) {
-    const auto& trace = surface.traces()[i];
-    if (trace.below != kNone) tracesOfFragment[trace.below].push_back(i);
-    if (trace.above != kNone) tracesOfFragment[trace.above].push_back(i);
-  }
+  CellBuilder builder(surface, stretches, faces, planes, arcOfFullFace, result);
   for (std::uint32_t first = 0; first < fragments.size();) {
     auto end = first + 1;
     while (end < fragments.size() && fragments[end].cell == fragments[first].cell) ++end;
-    CellBuilder(surface, stretches, faces, planes, arcOfFullFace,
-                fragments.subspan(first, end - first), first, tracesOfFragment, result)
-        .run();
+    builder.build(fragments.subspan(first, end - first), first);
     first = end;
   }
   return result;

@@ -1,11 +1,13 @@
 #include <Cutwater/CutCells/Detail/EdgeStretches.hpp>
 
 #include <algorithm>
-#include <numeric>
 
 namespace cutwater {
 
 namespace {
+
+/// More than rounding moves the points of a surface whose coordinates are up to about 1.
+constexpr double kRounding = 0x1p-46;
 
 template <typename Visit>
 void forTilePlaces(const TilePlace& sizes, Visit&& visit) {
@@ -43,24 +45,28 @@ void EdgeStretches::setWindings(const TileSurface& surface, int winding) {
 }
 
 void EdgeStretches::setStretches(const TileSurface& surface, const GridPlanes& planes) {
-  auto crossings = surface.crossings();
-  std::vector<EdgeCrossing> here;
-  const auto& cells = numbers_.cells();
   for (int axis = 0; axis < 3; ++axis) {
-    TilePlace sizes{cells[0] + 1, cells[1] + 1, cells[2] + 1};
-    --sizes[static_cast<std::size_t>(axis)];
-    forTilePlaces(sizes, [&](const TilePlace& first) {
-      firstOfEdge_.push_back(static_cast<std::uint32_t>(stretches_.size()));
-      here.clear();
-      for (const auto edge = numbers_.edge(axis, first);
-           !crossings.empty() && crossings.front().edge == edge; crossings = crossings.subspan(1)) {
-        here.push_back(crossings.front());
-      }
-      const int plane = first[static_cast<std::size_t>(axis)];
-      divide({planes.at(axis, plane), planes.at(axis, plane + 1)}, winding(first), here);
-    });
+    for (int plane = 0; plane < planes.cells(axis); ++plane) {
+      wholeEdges_[asIndex(axis)].push_back(
+          {.from = planes.at(axis, plane), .to = planes.at(axis, plane + 1)});
+    }
   }
-  firstOfEdge_.push_back(static_cast<std::uint32_t>(stretches_.size()));
+  crossedEdge_.assign(numbers_.edgeCount(), kNone);
+  std::vector<EdgeCrossing> here;
+  for (auto crossings = surface.crossings(); !crossings.empty();) {
+    const auto edge = crossings.front().edge;
+    std::size_t count = 1;
+    while (count < crossings.size() && crossings[count].edge == edge) ++count;
+    here.assign(crossings.begin(), crossings.begin() + static_cast<std::ptrdiff_t>(count));
+    crossings = crossings.subspan(count);
+    crossedEdge_[edge] = static_cast<std::uint32_t>(firstOfCrossed_.size());
+    firstOfCrossed_.push_back(static_cast<std::uint32_t>(stretches_.size()));
+    const int axis = numbers_.axisOfEdge(edge);
+    const auto first = numbers_.placeOfEdge(edge);
+    const int plane = first[asIndex(axis)];
+    divide({planes.at(axis, plane), planes.at(axis, plane + 1)}, winding(first), here);
+  }
+  firstOfCrossed_.push_back(static_cast<std::uint32_t>(stretches_.size()));
 }
 
 void EdgeStretches::divide(const Interval<double>& edge, int winding,
@@ -70,11 +76,14 @@ void EdgeStretches::divide(const Interval<double>& edge, int winding,
   for (auto it = crossings.begin(); it != crossings.end(); ++it) {
     const bool isFluid = winding <= 0;
     if (isFluid == (winding + it->rise <= 0)) {
-      // Where rounded positions are equal, fluid and body take turns.
+      // Fluid and body take turns: rounding has put these in the wrong order, or in none.
       const auto other = std::find_if(it + 1, crossings.end(), [&](const EdgeCrossing& c) {
-        return c.position == it->position && c.rise != it->rise;
+        return c.position - it->position <= kRounding && c.rise != it->rise;
       });
-      if (other != crossings.end()) std::iter_swap(it, other);
+      if (other != crossings.end()) {
+        std::rotate(it, other, other + 1);
+        it->position = (it + 1)->position;
+      }
     }
     winding += it->rise;
     if (isFluid == (winding <= 0)) continue;
@@ -93,9 +102,13 @@ void EdgeStretches::divide(const Interval<double>& edge, int winding,
 }
 
 std::span<const EdgeStretch> EdgeStretches::of(int axis, const TilePlace& first) const {
-  const auto edge = numbers_.edge(axis, first);
-  return std::span(stretches_)
-      .subspan(firstOfEdge_[edge], firstOfEdge_[edge + 1] - firstOfEdge_[edge]);
+  const auto crossed = crossedEdge_[numbers_.edge(axis, first)];
+  if (crossed != kNone) {
+    return std::span(stretches_)
+        .subspan(firstOfCrossed_[crossed], firstOfCrossed_[crossed + 1] - firstOfCrossed_[crossed]);
+  }
+  const auto whole = static_cast<std::size_t>(first[asIndex(axis)]);
+  return std::span(wholeEdges_[asIndex(axis)]).subspan(whole, isFluid(first) ? 1 : 0);
 }
 
 }  // namespace cutwater

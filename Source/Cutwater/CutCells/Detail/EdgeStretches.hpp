@@ -39,8 +39,10 @@ class EdgeStretches {
   void divide(const Interval<double>& edge, int winding, std::vector<EdgeCrossing>& crossings);
 
   TileNumbers numbers_;
-  std::vector<std::int32_t> windings_;      // of nodes
-  std::vector<std::uint32_t> firstOfEdge_;  // one more than edges
+  std::vector<std::int32_t> windings_;                  // of nodes
+  std::array<std::vector<EdgeStretch>, 3> wholeEdges_;  // along each axis: those not crossed
+  std::vector<std::uint32_t> crossedEdge_;              // by edge: its number below, or kNone
+  std::vector<std::uint32_t> firstOfCrossed_;           // one more than crossed edges
   std::vector<EdgeStretch> stretches_;
 };
 

@@ -15,6 +15,10 @@ FaceEdge edgeOfFace(int axis, const TilePlace& face, int side) {
 
 namespace {
 
+/// Copies of a vertex leave loops that are a point, but for rounding: shorter than this, in
+/// perimeters of the face.
+constexpr double kNothing = 1e-14;
+
 /// The number of the trace that a ray from the point, down the second axis, meets first; kNone if
 /// none of those that `counts` accepts.
 template <typename Counts>
@@ -43,18 +47,18 @@ std::size_t stretchAt(std::span<const EdgeStretch> stretches, double position) {
 
 }  // namespace
 
-/// Joins the rims of one face's parts, and measures these.
+/// Joins the rims of parts, and measures these, of one face after another.
 class FacePieces::Builder {
  public:
-  Builder(FacePieces& owner, CutFace& face)
-      : owner_(owner),
-        face_(face),
-        axes_(owner.surface_.numbers().axisOfFace(face.face)),
-        place_(owner.surface_.numbers().placeOfFace(face.face)),
-        traces_(owner.surface_.traces().subspan(face.firstTrace, face.lastTrace - face.firstTrace)),
-        sets_(countNodes()) {}
+  explicit Builder(FacePieces& owner) : owner_(owner) {}
 
-  void run() {
+  void build(CutFace& face) {
+    face_ = &face;
+    axes_ = FaceAxes(owner_.surface_.numbers().axisOfFace(face.face));
+    place_ = owner_.surface_.numbers().placeOfFace(face.face);
+    traces_ = owner_.surface_.traces().subspan(face.firstTrace, face.lastTrace - face.firstTrace);
+    findStretches();
+    sets_.reset(nodes());
     joinTraces();
     joinStretches();
     joinCorners();
@@ -63,36 +67,35 @@ class FacePieces::Builder {
   }
 
  private:
-  std::size_t countNodes() {
-    const auto start = static_cast<std::uint32_t>(owner_.ofStretch_.size());
-    std::uint32_t count = 0;
+  void findStretches() {
+    auto count = static_cast<std::uint32_t>(owner_.ofStretch_.size());
     for (int side = 0; side < 4; ++side) {
       const auto edge = edgeOfFace(axes_.across, place_, side);
       stretches_[asIndex(side)] = owner_.stretches_.of(edge.axis, edge.place);
       gridEdges_[asIndex(side)] = owner_.surface_.numbers().edge(edge.axis, edge.place);
-      face_.firstStretch[asIndex(side)] = start + count;
+      face_->firstStretch[asIndex(side)] = count;
       count += static_cast<std::uint32_t>(stretches_[asIndex(side)].size());
     }
-    face_.firstStretch[4] = start + count;
-    owner_.ofStretch_.resize(start + count);
-    return traces_.size() + count;
+    face_->firstStretch[4] = count;
+    owner_.ofStretch_.resize(count);
   }
   [[nodiscard]] std::uint32_t node(int side, std::size_t stretch) const {
     return static_cast<std::uint32_t>(traces_.size() + stretch) +
-           face_.firstStretch[asIndex(side)] - face_.firstStretch[0];
+           face_->firstStretch[asIndex(side)] - face_->firstStretch[0];
   }
 
   /// Traces of triangles that share an edge of the mesh.
   void joinTraces() {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> ends;
+    if (traces_.size() == 1) return;
+    ends_.clear();
     for (std::uint32_t i = 0; i < traces_.size(); ++i) {
       for (const auto& end : {traces_[i].start, traces_[i].end}) {
-        if (end.gridEdge == kNone) ends.emplace_back(end.meshEdge, i);
+        if (end.gridEdge == kNone) ends_.emplace_back(end.meshEdge, i);
       }
     }
-    std::ranges::sort(ends);
-    for (std::size_t i = 1; i < ends.size(); ++i) {
-      if (ends[i].first == ends[i - 1].first) sets_.unite(ends[i].second, ends[i - 1].second);
+    std::ranges::sort(ends_);
+    for (std::size_t i = 1; i < ends_.size(); ++i) {
+      if (ends_[i].first == ends_[i - 1].first) sets_.unite(ends_[i].second, ends_[i - 1].second);
     }
   }
   /// Stretches with the traces at their ends.
@@ -128,29 +131,45 @@ class FacePieces::Builder {
 
   /// Loops around body: their fluid is that around them.
   void joinHoles() {
-    std::vector<char> touchesRim(traces_.size());
+    touchesRim_.assign(traces_.size(), 0);
+    isNothing_.assign(traces_.size(), 0);
     for (std::uint32_t i = static_cast<std::uint32_t>(traces_.size()); i < nodes(); ++i) {
       const auto root = sets_.find(i);
-      if (root < traces_.size()) touchesRim[root] = 1;
+      if (root < traces_.size()) touchesRim_[root] = 1;
     }
+    const auto isLoop = [&](std::uint32_t i) { return touchesRim_[sets_.find(i)] == 0; };
+    std::uint32_t any = 0;
+    while (any < traces_.size() && !isLoop(any)) ++any;
+    if (any == traces_.size()) return;
     std::vector<double> areas(traces_.size());
+    std::vector<double> lengths(traces_.size());
     std::vector<std::uint32_t> lowest(traces_.size(), kNone);
     for (std::uint32_t i = 0; i < traces_.size(); ++i) {
       const auto root = sets_.find(i);
-      if (touchesRim[root] != 0) continue;
+      if (touchesRim_[root] != 0) continue;
       areas[root] += areaBetween(traces_[root].from, traces_[i]);
+      lengths[root] += length(traces_[i].to - traces_[i].from);
       if (lowest[root] == kNone || height(i) < height(lowest[root])) lowest[root] = i;
     }
     std::vector<std::uint32_t> holes;
     for (std::uint32_t i = 0; i < traces_.size(); ++i) {
-      if (lowest[i] != kNone && areas[i] < 0) holes.push_back(i);
+      isNothing_[i] = lowest[i] != kNone && lengths[i] <= kNothing * perimeter() ? 1 : 0;
+      if (lowest[i] != kNone && areas[i] < 0 && isNothing_[i] == 0) holes.push_back(i);
     }
     std::ranges::sort(holes, {}, [&](std::uint32_t i) { return height(lowest[i]); });
     for (const auto hole : holes) sets_.unite(hole, below(traces_[lowest[hole]].from, hole));
   }
+  [[nodiscard]] double perimeter() const {
+    double sum = 0;
+    for (const int axis : {axes_.first, axes_.second}) {
+      const int plane = place_[asIndex(axis)];
+      sum += 2 * (owner_.planes_.at(axis, plane + 1) - owner_.planes_.at(axis, plane));
+    }
+    return sum;
+  }
   [[nodiscard]] std::uint32_t nodes() const {
-    return static_cast<std::uint32_t>(traces_.size()) + face_.firstStretch[4] -
-           face_.firstStretch[0];
+    return static_cast<std::uint32_t>(traces_.size()) + face_->firstStretch[4] -
+           face_->firstStretch[0];
   }
   [[nodiscard]] double height(std::uint32_t trace) const {
     return traces_[trace].from[axes_.second];
@@ -164,8 +183,10 @@ class FacePieces::Builder {
 
   /// What a ray from the point meets first, down the second axis; not traces of the set `except`.
   [[nodiscard]] std::uint32_t below(const Vec3<double>& p, std::uint32_t except) {
-    const auto found = traceBelow(
-        traces_, axes_, p, [&](std::uint32_t i) { return sets_.find(i) != sets_.find(except); });
+    const auto found = traceBelow(traces_, axes_, p, [&](std::uint32_t i) {
+      const auto root = sets_.find(i);
+      return root != sets_.find(except) && isNothing_[root] == 0;
+    });
     if (found != kNone) return found;
     // Nothing there only if rounding hides it.
     if (stretches_[0].empty()) return except;
@@ -173,27 +194,30 @@ class FacePieces::Builder {
   }
 
   void measure() {
-    std::vector<std::uint32_t> pieceOf(nodes(), kNone);
-    face_.firstPiece = static_cast<std::uint32_t>(owner_.pieces_.size());
+    pieceOf_.assign(nodes(), kNone);
+    references_.clear();
+    face_->firstPiece = static_cast<std::uint32_t>(owner_.pieces_.size());
     for (std::uint32_t i = 0; i < nodes(); ++i) {
       const auto root = sets_.find(i);
-      if (pieceOf[root] == kNone) {
-        pieceOf[root] = static_cast<std::uint32_t>(owner_.pieces_.size());
-        owner_.pieces_.push_back({.face = face_.face, .centroid = {}});
+      if (pieceOf_[root] == kNone) {
+        pieceOf_[root] = static_cast<std::uint32_t>(owner_.pieces_.size());
+        owner_.pieces_.push_back({.face = face_->face,
+                                  .centroid = {},
+                                  .isNothing = root < traces_.size() && isNothing_[root] != 0});
         references_.push_back(referenceOf(i));
       }
-      pieceOf[i] = pieceOf[root];
+      pieceOf_[i] = pieceOf_[root];
     }
-    sums_.resize(references_.size());
+    sums_.assign(references_.size(), {});
     for (std::uint32_t i = 0; i < traces_.size(); ++i) {
-      owner_.ofTrace_[face_.firstTrace + i] = pieceOf[i];
-      addTrace(pieceOf[i] - face_.firstPiece, traces_[i]);
+      owner_.ofTrace_[face_->firstTrace + i] = pieceOf_[i];
+      addTrace(pieceOf_[i] - face_->firstPiece, traces_[i]);
     }
     for (int side = 0; side < 4; ++side) {
       for (std::size_t s = 0; s < stretches_[asIndex(side)].size(); ++s) {
-        const auto piece = pieceOf[node(side, s)];
-        owner_.ofStretch_[face_.firstStretch[asIndex(side)] + s] = piece;
-        addStretch(piece - face_.firstPiece, side, stretches_[asIndex(side)][s]);
+        const auto piece = pieceOf_[node(side, s)];
+        owner_.ofStretch_[face_->firstStretch[asIndex(side)] + s] = piece;
+        addStretch(piece - face_->firstPiece, side, stretches_[asIndex(side)][s]);
       }
     }
     for (std::size_t i = 0; i < sums_.size(); ++i) finish(i);
@@ -231,7 +255,7 @@ class FacePieces::Builder {
     sums_[piece].second += twice * (side < 2 ? place : middle);
   }
   void finish(std::size_t i) {
-    auto& piece = owner_.pieces_[face_.firstPiece + i];
+    auto& piece = owner_.pieces_[face_->firstPiece + i];
     const Sum& sum = sums_[i];
     piece.area = 0.5 * sum.area;
     piece.centroid = references_[i];
@@ -241,13 +265,18 @@ class FacePieces::Builder {
   }
 
   FacePieces& owner_;
-  CutFace& face_;
-  FaceAxes axes_;
-  TilePlace place_;
+  // Of the face:
+  CutFace* face_ = nullptr;
+  FaceAxes axes_{0};
+  TilePlace place_{};
   std::span<const FaceTrace> traces_;
   std::array<std::span<const EdgeStretch>, 4> stretches_;
   std::array<std::uint32_t, 4> gridEdges_{};
-  detail::DisjointSets sets_;
+  detail::DisjointSets sets_;  // of traces, then stretches
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;
+  std::vector<char> touchesRim_;
+  std::vector<char> isNothing_;  // by root of a loop
+  std::vector<std::uint32_t> pieceOf_;
   std::vector<Vec3<double>> references_;
   std::vector<Sum> sums_;
 };
@@ -257,22 +286,18 @@ FacePieces::FacePieces(const TileSurface& surface, const EdgeStretches& stretche
     : surface_(surface),
       stretches_(stretches),
       planes_(planes),
+      numberOf_(surface.numbers().faceCount(), kNone),
       ofTrace_(surface.traces().size(), kNone) {
+  Builder builder(*this);
   const auto traces = surface.traces();
   for (std::uint32_t first = 0; first < traces.size();) {
     auto last = first + 1;
     while (last < traces.size() && traces[last].face == traces[first].face) ++last;
     cutFaces_.push_back({.face = traces[first].face, .firstTrace = first, .lastTrace = last});
-    Builder(*this, cutFaces_.back()).run();
+    numberOf_[traces[first].face] = static_cast<std::uint32_t>(cutFaces_.size() - 1);
+    builder.build(cutFaces_.back());
     first = last;
   }
-}
-
-std::uint32_t FacePieces::cutFace(std::uint32_t face) const {
-  const auto found = std::ranges::lower_bound(cutFaces_, face, {}, &CutFace::face);
-  return found != cutFaces_.end() && found->face == face
-             ? static_cast<std::uint32_t>(found - cutFaces_.begin())
-             : kNone;
 }
 
 std::uint32_t FacePieces::ofStretch(std::uint32_t face, int side, std::size_t stretch) const {
@@ -291,7 +316,9 @@ std::uint32_t FacePieces::at(std::uint32_t face, const Vec3<double>& point) cons
   const auto& cut = cutFaces_[cutFace(face)];
   const FaceAxes axes(surface_.numbers().axisOfFace(face));
   const auto traces = surface_.traces().subspan(cut.firstTrace, cut.lastTrace - cut.firstTrace);
-  const auto found = traceBelow(traces, axes, point, [](std::uint32_t) { return true; });
+  const auto found = traceBelow(traces, axes, point, [&](std::uint32_t i) {
+    return !pieces_[ofTrace_[cut.firstTrace + i]].isNothing;
+  });
   if (found != kNone) return ofTrace_[cut.firstTrace + found];
   const auto edge = edgeOfFace(axes.across, surface_.numbers().placeOfFace(face), 0);
   const auto stretches = stretches_.of(edge.axis, edge.place);

@@ -8,7 +8,8 @@ namespace cutwater {
 struct FacePiece {
   std::uint32_t face = 0;
   double area = 0;
-  Vec3<double> centroid;  ///< on the face; of the whole face if the area is 0
+  Vec3<double> centroid;   ///< on the face; of the whole face if the area is 0
+  bool isNothing = false;  ///< its rim is a point
 };
 
 /// The open parts of all faces that the surface meets, in the order of faces.
@@ -43,12 +44,13 @@ class FacePieces {
   };
   class Builder;
 
-  [[nodiscard]] std::uint32_t cutFace(std::uint32_t face) const;
+  [[nodiscard]] std::uint32_t cutFace(std::uint32_t face) const { return numberOf_[face]; }
 
   const TileSurface& surface_;
   const EdgeStretches& stretches_;
   const GridPlanes& planes_;
   std::vector<CutFace> cutFaces_;
+  std::vector<std::uint32_t> numberOf_;  // by face: the cut face
   std::vector<FacePiece> pieces_;
   std::vector<std::uint32_t> ofTrace_;
   std::vector<std::uint32_t> ofStretch_;

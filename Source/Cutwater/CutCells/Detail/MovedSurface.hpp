@@ -2,6 +2,7 @@
 
 #include <Cutwater/CutCells/Detail/MovedPredicates.hpp>
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -9,22 +10,32 @@ namespace cutwater {
 
 /// A closed surface whose vertices are moved towards the fluid, which is outside of it.
 ///
-/// Along each axis, a vertex is moved to the side to which its normal, the sum of its triangles'
-/// normals weighted by angles, points; up where that is 0. So a wall that lies in a plane of the
-/// grid is moved into the cells of the fluid that it bounds, and takes no sliver of fluid into
-/// those of the body. Only at a saddle, a vertex with walls in one plane that face opposite ways,
-/// can one of them be on the wrong side.
+/// Along each axis, a vertex is moved to the side to which the triangles at it that lie across this
+/// axis face; if there is none, to which its normal points, the sum of its triangles' normals
+/// weighted by angles; up where that is 0. So a wall that lies in a plane of the grid is moved into
+/// the cells of the fluid that it bounds, and takes no sliver of fluid into those of the body.
+///
+/// At a saddle, a vertex with walls in one plane that face opposite ways, each of them has a copy
+/// of the vertex of its own. Triangles without area close the gaps between copies, and follow those
+/// of the mesh.
 class MovedSurface {
  public:
   using Corners = std::array<std::uint32_t, 3>;
 
-  /// Views the triangles.
+  /// @throws Error(Topology) if an edge has more triangles on one side than on the other. Triangles
+  /// have three different corners.
   MovedSurface(std::span<const Vec3<double>> positions, std::span<const Corners> triangles);
 
-  [[nodiscard]] std::size_t triangleCount() const { return triangles_.size(); }
-  [[nodiscard]] const Corners& corners(std::uint32_t id) const { return triangles_[id]; }
+  /// Of all triangles, and of those of the mesh alone.
+  [[nodiscard]] std::size_t triangleCount() const { return corners_.size(); }
+  [[nodiscard]] std::size_t meshTriangleCount() const { return meshTriangles_; }
+
+  /// A triangle's vertices, and the edges between each and the next one. Each edge has two
+  /// triangles, which bound the same fluid there if the surface does not overlap.
+  [[nodiscard]] const Corners& corners(std::uint32_t id) const { return corners_[id]; }
+  [[nodiscard]] const Corners& edges(std::uint32_t id) const { return edges_[id]; }
   [[nodiscard]] std::array<MovedVertex, 3> triangle(std::uint32_t id) const {
-    const auto& [a, b, c] = triangles_[id];
+    const auto& [a, b, c] = corners_[id];
     return {vertices_[a], vertices_[b], vertices_[c]};
   }
 
@@ -32,8 +43,25 @@ class MovedSurface {
   [[nodiscard]] int windingAt(const Vec3<double>& node) const;
 
  private:
+  /// A vertex at which walls across the axis face both ways.
+  struct Saddle {
+    std::uint32_t vertex = 0;
+    int axis = 0;
+  };
+  class SaddleSplit;
+
+  [[nodiscard]] std::array<Vec3<double>, 3> positionsOf(std::uint32_t id) const {
+    const auto& [a, b, c] = corners_[id];
+    return {vertices_[a].position, vertices_[b].position, vertices_[c].position};
+  }
+  void numberEdges();
+  void moveVertices();
+
   std::vector<MovedVertex> vertices_;
-  std::span<const Corners> triangles_;
+  std::vector<Corners> corners_;
+  std::vector<Corners> edges_;
+  std::size_t meshTriangles_;
+  std::uint32_t edgeCount_ = 0;
 };
 
 }  // namespace cutwater

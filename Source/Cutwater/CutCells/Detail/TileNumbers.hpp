@@ -53,6 +53,11 @@ class TileNumbers {
 
   [[nodiscard]] TilePlace placeOfCell(std::uint32_t number) const { return place(number, cells_); }
   [[nodiscard]] int axisOfFace(std::uint32_t face) const { return axisOf(face, firstFace_); }
+  [[nodiscard]] int axisOfEdge(std::uint32_t edge) const { return axisOf(edge, firstEdge_); }
+  [[nodiscard]] TilePlace placeOfEdge(std::uint32_t edge) const {
+    const auto a = static_cast<std::size_t>(axisOfEdge(edge));
+    return place(edge - firstEdge_[a], edgeSizes_[a]);
+  }
   [[nodiscard]] TilePlace placeOfFace(std::uint32_t face) const {
     const auto a = static_cast<std::size_t>(axisOfFace(face));
     return place(face - firstFace_[a], faceSizes_[a]);

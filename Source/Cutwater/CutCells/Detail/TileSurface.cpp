@@ -1,16 +1,11 @@
 #include <Cutwater/CutCells/Detail/TileSurface.hpp>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace cutwater {
 
 namespace {
-
-std::uint64_t meshEdge(std::uint32_t p, std::uint32_t q) {
-  return std::uint64_t{std::min(p, q)} << 32U | std::max(p, q);
-}
 
 bool isUnderPlane(const Fragment& fragment, const FragmentEdge& plane) {
   return fragment.cell[static_cast<std::size_t>(plane.axis)] < plane.number;
@@ -34,14 +29,34 @@ int riseAt(const Fragment& fragment, const FragmentEdge& in, const FragmentEdge&
   return facesUp ? -1 : 1;
 }
 
+/// The order of items by a number below `count`, and of equal ones as they are.
+template <typename Item, typename Key>
+std::vector<std::uint32_t> orderedBy(std::span<const Item> items, std::uint32_t count, Key key) {
+  std::vector<std::uint32_t> first(count + 1);
+  for (const auto& item : items) ++first[item.*key + 1];
+  for (std::uint32_t n = 0; n < count; ++n) first[n + 1] += first[n];
+  std::vector<std::uint32_t> order(items.size());
+  for (std::uint32_t i = 0; i < items.size(); ++i) order[first[items[i].*key]++] = i;
+  return order;
+}
+
+template <typename Item>
+std::vector<Item> permuted(const std::vector<Item>& items, std::span<const std::uint32_t> order) {
+  std::vector<Item> result;
+  result.reserve(items.size());
+  for (const auto i : order) result.push_back(items[i]);
+  return result;
+}
+
 }  // namespace
 
-TileSurface::TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> triangles,
-                         const GridPlanes& planes)
-    : numbers_({planes.cells(0), planes.cells(1), planes.cells(2)}) {
+TileSurface::TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> patches,
+                         std::span<const std::uint32_t> triangles, const GridPlanes& planes)
+    : numbers_({planes.cells(0), planes.cells(1), planes.cells(2)}), patches_(patches) {
+  TriangleSplitter splitter(planes);
   for (const auto id : triangles) {
-    splitTriangle(planes, surface.triangle(id), surface.corners(id),
-                  [&](const Fragment& fragment) { add(surface, id, fragment); });
+    splitter.split(surface.triangle(id), surface.corners(id),
+                   [&](const Fragment& fragment) { add(surface, id, fragment); });
   }
   sort();
 }
@@ -53,15 +68,13 @@ void TileSurface::add(const MovedSurface& surface, std::uint32_t triangle,
   fragments_.push_back({numbers_.cell(fragment.cell), triangle,
                         static_cast<std::uint32_t>(points_.size()),
                         static_cast<std::uint32_t>(size)});
-  const auto& corners = surface.corners(triangle);
   const auto meshEdgeOf = [&](const FragmentEdge& edge) {
-    const auto i = static_cast<std::size_t>(edge.number);
-    return meshEdge(corners[i], corners[(i + 1) % 3]);
+    return surface.edges(triangle)[static_cast<std::size_t>(edge.number)];
   };
   for (std::size_t i = 0; i < size; ++i) {
     const auto& edge = fragment.edges[i];
     points_.push_back(fragment.points[i]);
-    meshEdges_.push_back(edge.isPlane() ? 0 : meshEdgeOf(edge));
+    meshEdges_.push_back(edge.isPlane() ? kNone : meshEdgeOf(edge));
     if (!edge.isPlane()) continue;
 
     const auto end = [&](const FragmentEdge& other) {
@@ -94,38 +107,38 @@ void TileSurface::add(const MovedSurface& surface, std::uint32_t triangle,
 }
 
 void TileSurface::sort() {
-  std::vector<std::uint32_t> order(fragments_.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return fragments_[i].cell; });
-  std::vector<TileFragment> sorted;
+  // All are in the order of triangles so far.
+  const auto order =
+      orderedBy(std::span(std::as_const(fragments_)), numbers_.cellCount(), &TileFragment::cell);
   std::vector<std::uint32_t> numberOf(order.size());
-  sorted.reserve(order.size());
-  for (const auto i : order) {
-    numberOf[i] = static_cast<std::uint32_t>(sorted.size());
-    sorted.push_back(fragments_[i]);
-  }
-  fragments_ = std::move(sorted);
+  for (std::uint32_t i = 0; i < order.size(); ++i) numberOf[order[i]] = i;
+  fragments_ = permuted(fragments_, order);
 
-  // Both sides of a face have the trace, and up to four cells the crossing.
-  std::ranges::sort(traces_, {}, [](const FaceTrace& t) { return std::pair(t.face, t.triangle); });
-  std::size_t count = 0;
-  for (auto& trace : traces_) {
+  // Both sides of a face have the trace, one after the other.
+  std::vector<FaceTrace> traces;
+  traces.reserve(traces_.size() / 2 + 1);
+  for (const auto i :
+       orderedBy(std::span(std::as_const(traces_)), numbers_.faceCount(), &FaceTrace::face)) {
+    auto trace = traces_[i];
     if (trace.below != kNone) trace.below = numberOf[trace.below];
     if (trace.above != kNone) trace.above = numberOf[trace.above];
-    if (count > 0 && traces_[count - 1].face == trace.face &&
-        traces_[count - 1].triangle == trace.triangle) {
-      auto& known = traces_[count - 1];
-      known.below = std::min(known.below, trace.below);
-      known.above = std::min(known.above, trace.above);
+    if (!traces.empty() && traces.back().face == trace.face &&
+        traces.back().triangle == trace.triangle) {
+      traces.back().below = std::min(traces.back().below, trace.below);
+      traces.back().above = std::min(traces.back().above, trace.above);
     } else {
-      traces_[count++] = trace;
+      traces.push_back(trace);
     }
   }
-  traces_.resize(count);
+  traces_ = std::move(traces);
 
-  const auto key = [](const EdgeCrossing& c) { return std::pair(c.edge, c.triangle); };
-  std::ranges::sort(crossings_, {}, key);
-  const auto same = std::ranges::unique(crossings_, {}, key);
+  // Up to four cells have the crossing.
+  const auto isSame = [](const EdgeCrossing& a, const EdgeCrossing& b) {
+    return a.edge == b.edge && a.triangle == b.triangle;
+  };
+  crossings_ = permuted(crossings_, orderedBy(std::span(std::as_const(crossings_)),
+                                              numbers_.edgeCount(), &EdgeCrossing::edge));
+  const auto same = std::ranges::unique(crossings_, isSame);
   crossings_.erase(same.begin(), same.end());
 }
 

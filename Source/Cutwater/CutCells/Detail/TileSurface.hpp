@@ -11,7 +11,7 @@ namespace cutwater {
 /// Where a piece of a trace ends: on an edge of the mesh, which the next triangle shares, or on an
 /// edge of the grid.
 struct TraceEnd {
-  std::uint64_t meshEdge = 0;  ///< both vertices; only if gridEdge is kNone
+  std::uint32_t meshEdge = kNone;  ///< only if gridEdge is kNone
   std::uint32_t gridEdge = kNone;
   bool operator==(const TraceEnd&) const = default;
 };
@@ -48,9 +48,10 @@ struct TileFragment {
 /// triangle.
 class TileSurface {
  public:
-  /// Takes the triangles of these numbers, in ascending order; all that meet the box.
-  TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> triangles,
-              const GridPlanes& planes);
+  /// Takes the triangles of these numbers, in ascending order; all that meet the box. `patches`: of
+  /// the triangles of the mesh; viewed.
+  TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> patches,
+              std::span<const std::uint32_t> triangles, const GridPlanes& planes);
 
   [[nodiscard]] const TileNumbers& numbers() const { return numbers_; }
   [[nodiscard]] std::span<const TileFragment> fragments() const { return fragments_; }
@@ -60,8 +61,12 @@ class TileSurface {
   [[nodiscard]] std::span<const Vec3<double>> points(const TileFragment& fragment) const {
     return std::span(points_).subspan(fragment.first, fragment.size);
   }
-  /// The edges of the mesh that bound the fragment, in place of planes 0.
-  [[nodiscard]] std::span<const std::uint64_t> meshEdges(const TileFragment& fragment) const {
+  /// The patch of a triangle; kNone for one without area that closes the gap between copies.
+  [[nodiscard]] std::uint32_t patchOf(std::uint32_t triangle) const {
+    return triangle < patches_.size() ? patches_[triangle] : kNone;
+  }
+  /// The edges of the mesh that bound the fragment, in place of planes kNone.
+  [[nodiscard]] std::span<const std::uint32_t> meshEdges(const TileFragment& fragment) const {
     return std::span(meshEdges_).subspan(fragment.first, fragment.size);
   }
 
@@ -70,9 +75,10 @@ class TileSurface {
   void sort();
 
   TileNumbers numbers_;
+  std::span<const std::uint32_t> patches_;
   std::vector<TileFragment> fragments_;
   std::vector<Vec3<double>> points_;
-  std::vector<std::uint64_t> meshEdges_;
+  std::vector<std::uint32_t> meshEdges_;
   std::vector<FaceTrace> traces_;
   std::vector<EdgeCrossing> crossings_;
 };

@@ -1,0 +1,101 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/Detail/CutAssembly.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace cutwater {
+
+namespace {
+
+template <std::floating_point T>
+const MeshSDF<T>& checkedMesh(const Solid<T>& solid) {
+  const auto* const mesh = solid.template as<MeshSDF<T>>();
+  require(mesh != nullptr, "cut cells: need a mesh: make one of the solid, see isosurface()");
+  const auto& signs = mesh->signReport();
+  if (!signs.isSound()) {
+    throw Error(
+        ErrorKind::Topology,
+        "cut cells: need a surface that is closed and does not meet itself: " + signs.summary());
+  }
+  return *mesh;
+}
+
+/// The triangles with their vertices in the world.
+template <std::floating_point T>
+PolygonSoup placedTriangles(const Solid<T>& solid) {
+  auto soup = checkedMesh(solid).soup();
+  const auto placement = solid.placement();
+  if (placement.isIdentity()) return soup;
+  for (auto& p : soup.points) p = Vec3<double>(placement.toWorld(Vec3<T>(p)));
+  return soup;
+}
+
+void checkPlanes(const CellPlanes& grid) {
+  for (const auto& planes : grid.planes) {
+    require(planes.size() >= 4,
+            "cut cells: need two planes across each axis, and one on each side");
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      require(std::isfinite(planes[i]) && (i == 0 || planes[i] > planes[i - 1]),
+              "cut cells: need planes that ascend", Named{"plane", planes[i]});
+    }
+  }
+}
+
+std::array<std::vector<double>, 3> inFrame(const CutFrame& frame, const CellPlanes& grid) {
+  auto result = grid.planes;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (auto& plane : result[axis]) plane = frame.toFrame(static_cast<int>(axis), plane);
+  }
+  return result;
+}
+
+}  // namespace
+
+template <std::floating_point T>
+CellCutter::CellCutter(const Solid<T>& solid, FluidSide side)
+    : surface_(std::make_shared<const CutSurface>(placedTriangles(solid), side)) {}
+
+CutCells CellCutter::cut(const CellPlanes& grid, const ParallelOptions& options) const {
+  checkPlanes(grid);
+  const auto positions = inFrame(surface_->frame(), grid);
+  const GridPlanes planes{{positions[0], positions[1], positions[2]}};
+  const CutTiles tiles(*surface_, planes);
+  std::vector<std::uint32_t> touched;
+  for (std::uint32_t tile = 0; tile < tiles.count(); ++tile) {
+    if (!tiles.triangles(tile).empty()) touched.push_back(tile);
+  }
+  std::vector<std::unique_ptr<const TileCut>> cuts(tiles.count());
+  parallelFor(touched.size(), options, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i)
+      cuts[touched[i]] = std::make_unique<const TileCut>(cutTile(*surface_, tiles, touched[i]));
+  });
+  return assembledCells(grid, *surface_, tiles, cuts);
+}
+
+template <std::floating_point T>
+CellPlanes planesOf(const GridPatch<T>& gridPatch) {
+  const auto& [level, box] = gridPatch;
+  CellPlanes result{.planes = {}, .first = box.lo};
+  for (int axis = 0; axis < 3; ++axis) {
+    auto& planes = result.planes[static_cast<std::size_t>(axis)];
+    auto index = box.lo;
+    auto& along = axis == 0 ? index.i : axis == 1 ? index.j : index.k;
+    --along;
+    for (std::size_t n = 0; n < box.length(axis) + 2; ++n, ++along) {
+      planes.push_back(double{level.cell(index).lower[axis]});
+    }
+    planes.push_back(double{level.cell(index).lower[axis]});
+  }
+  return result;
+}
+
+template CellCutter::CellCutter(const Solid<float>&, FluidSide);
+template CellCutter::CellCutter(const Solid<double>&, FluidSide);
+template CellPlanes planesOf(const GridPatch<float>&);
+template CellPlanes planesOf(const GridPatch<double>&);
+
+}  // namespace cutwater

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <Cutwater/Core/Box.hpp>
+#include <Cutwater/Core/IndexBox.hpp>
+#include <Cutwater/Sdf/FluidSide.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cutwater {
+
+/// The cells of a box of indices, between planes across each axis: of a grid patch, or of a grid
+/// whose cells grow. It includes the planes of the cells around the box, one to each side.
+struct CellPlanes {
+  /// Across each axis, ascending, three more than the box has cells: cell first - 1 + n lies
+  /// between the planes n and n + 1.
+  std::array<std::vector<double>, 3> planes;
+  Index3 first;  ///< the box's cell of lowest indices
+
+  [[nodiscard]] IndexBox indices() const;
+};
+
+/// The cells between these planes, one more than cells along each axis, in a domain that ends
+/// there: the cells around it are as wide as their neighbours.
+/// @throws Error(Argument) unless there are two planes at least across each axis.
+[[nodiscard]] CellPlanes cellsBetween(const std::array<std::vector<double>, 3>& planes,
+                                      const Index3& first = {});
+
+/// The fluid in the cells of a box of indices that a surface cuts, in arrays of equal length for
+/// each kind of row.
+///
+/// Cells are sorted by index, first by k, then by j, then by i; pieces by cell; parts of the wall
+/// by piece and patch; arcs by the cell above them and by axis. Lengths, areas and volumes are in
+/// the units of the grid: sums over pieces are those of the whole. Nothing refers to the solid.
+///
+/// An arc at the rim of the box may lead to a piece beyond it. The cells that lie there, and their
+/// pieces, follow those of the box.
+struct CutCells {
+  /// In place of a piece beside an arc: all of the cell there is fluid.
+  static constexpr std::uint32_t kWholeCell = 0xfffffffe;
+  /// In place of a row: there is none.
+  static constexpr std::uint32_t kNoRow = 0xffffffff;
+
+  /// Cells that are cut.
+  struct Cells {
+    std::vector<Index3> index;
+    std::vector<std::uint32_t> firstPiece;  ///< one more than cells: the last is the number of all
+  };
+  /// Connected parts of the fluid in a cell.
+  struct Pieces {
+    std::vector<std::uint32_t> cell;  ///< its row
+    std::vector<double> volume;
+    std::vector<Vec3<double>> centroid;
+    std::vector<double> wallArea;
+    std::vector<Vec3<double>> wallVector;    ///< the integral of the wall's normal out of the fluid
+    std::vector<Vec3<double>> wallCentroid;  ///< the piece's where there is no wall
+  };
+  /// Open parts of a face between two cells.
+  struct Arcs {
+    std::vector<std::uint32_t> below;  ///< the piece on this side, or kWholeCell
+    std::vector<std::uint32_t> above;
+    std::vector<double> area;
+    std::vector<Vec3<double>> centroid;
+    std::vector<Index3> cell;        ///< above the face; may lie one beyond the box
+    std::vector<std::uint8_t> axis;  ///< across the face
+  };
+  /// What each patch of the surface has of a piece's wall.
+  struct WallParts {
+    std::vector<std::uint32_t> piece;
+    std::vector<std::uint32_t> patch;  ///< index into patchNames
+    std::vector<double> area;
+    std::vector<Vec3<double>> vector;  ///< as Pieces::wallVector
+    std::vector<Vec3<double>> centroid;
+  };
+
+  CellPlanes grid;
+  Cells cells;
+  Pieces pieces;
+  Arcs arcs;
+  WallParts wallParts;
+  std::vector<std::string> patchNames;
+  std::size_t cellCount = 0;   ///< of the box: the rows of cells beyond it follow
+  std::size_t pieceCount = 0;  ///< of these cells
+
+  /// Ranges [first, last) of cells without fluid, counted through the box in the order of cells;
+  /// cells that are cut may be among them.
+  std::vector<std::array<std::uint64_t, 2>> bodyRuns;
+
+  /// Where a cell of the box lies; never Unknown. A cell that the surface merely touches is not
+  /// cut.
+  [[nodiscard]] FluidClass classOf(const Index3& cell) const;
+  /// The row of a cell of the box; kNoRow if it is not cut.
+  [[nodiscard]] std::uint32_t rowOf(const Index3& cell) const;
+  [[nodiscard]] Box<double> boxOf(const Index3& cell) const;
+  /// Of a cell, or of the face below it along an axis.
+  [[nodiscard]] double cellVolume(const Index3& cell) const;
+  [[nodiscard]] double faceArea(const Index3& cell, int axis) const;
+  /// The share that a piece has of its cell, from 0 to 1.
+  [[nodiscard]] double volumeFraction(std::uint32_t piece) const;
+  /// The share that an arc has of its face, from 0 to 1.
+  [[nodiscard]] double aperture(std::uint32_t arc) const;
+};
+
+/// What check() has found about cut cells.
+struct CutCellsReport {
+  double fluidVolume = 0;  ///< of all cells
+  double bodyVolume = 0;
+  double wallArea = 0;
+  std::size_t cutCells = 0;
+  std::size_t multiPieceCells = 0;
+  /// The largest length of the sum of a piece's apertures and wall, over the area of its cell's
+  /// largest face: 0 but for rounding.
+  double worstClosure = 0;
+  std::size_t outOfRange = 0;  ///< volumes, areas or centroids beyond their cell or face
+  std::size_t lostPieces = 0;  ///< pieces that have neither wall nor arc, or arcs without a piece
+};
+
+/// Checks what holds for cut cells of any surface.
+[[nodiscard]] CutCellsReport check(const CutCells& cells);
+
+}  // namespace cutwater

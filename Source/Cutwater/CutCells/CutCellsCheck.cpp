@@ -1,0 +1,127 @@
+#include <Cutwater/CutCells/CutCells.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+namespace {
+
+/// A sum with the rounding of its parts made up for (Neumaier 1974).
+class CompensatedSum {
+ public:
+  void add(double x) {
+    const double sum = sum_ + x;
+    lost_ += std::abs(sum_) >= std::abs(x) ? (sum_ - sum) + x : (x - sum) + sum_;
+    sum_ = sum;
+  }
+  [[nodiscard]] double value() const { return sum_ + lost_; }
+
+ private:
+  double sum_ = 0;
+  double lost_ = 0;
+};
+
+constexpr double kSlack = 1e-12;  // of a cell's size
+
+double largestFace(const CutCells& cells, const Index3& cell) {
+  return std::max({cells.faceArea(cell, 0), cells.faceArea(cell, 1), cells.faceArea(cell, 2)});
+}
+
+bool isIn(const Box<double>& box, const Vec3<double>& p) {
+  const auto slack =
+      kSlack * (box.upper - box.lower) + 0x1p-50 * max(abs(box.lower), abs(box.upper));
+  const auto gaps = max(box.lower - slack - p, p - box.upper - slack);
+  return maxComponent(gaps) <= 0;
+}
+
+/// What closes each piece: the sum of its wall's and its apertures' vectors.
+void checkClosure(const CutCells& cells, CutCellsReport& report) {
+  auto sums = cells.pieces.wallVector;
+  std::vector<char> isBounded(sums.size());
+  for (std::size_t p = 0; p < sums.size(); ++p) isBounded[p] = cells.pieces.wallArea[p] > 0;
+  const auto& arcs = cells.arcs;
+  for (std::size_t a = 0; a < arcs.area.size(); ++a) {
+    for (const bool isBelow : {true, false}) {
+      const auto piece = isBelow ? arcs.below[a] : arcs.above[a];
+      if (piece == CutCells::kWholeCell) continue;
+      if (piece >= sums.size()) {
+        ++report.lostPieces;
+        continue;
+      }
+      sums[piece][arcs.axis[a]] += isBelow ? arcs.area[a] : -arcs.area[a];
+      isBounded[piece] = 1;
+    }
+  }
+  for (std::size_t p = 0; p < cells.pieceCount; ++p) {
+    if (isBounded[p] == 0) ++report.lostPieces;
+    const auto& cell = cells.cells.index[cells.pieces.cell[p]];
+    report.worstClosure = std::max(report.worstClosure, length(sums[p]) / largestFace(cells, cell));
+  }
+}
+
+void checkRanges(const CutCells& cells, CutCellsReport& report) {
+  const auto& pieces = cells.pieces;
+  for (std::size_t row = 0; row < cells.cellCount; ++row) {
+    const auto& cell = cells.cells.index[row];
+    const auto box = cells.boxOf(cell);
+    const double volume = cells.cellVolume(cell);
+    double fluid = 0;
+    for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
+      const bool isRight = pieces.volume[p] >= 0 && isIn(box, pieces.centroid[p]) &&
+                           isIn(box, pieces.wallCentroid[p]);
+      if (!isRight) ++report.outOfRange;
+      fluid += pieces.volume[p];
+    }
+    if (!(fluid <= volume * (1 + kSlack))) ++report.outOfRange;
+    if (cells.cells.firstPiece[row + 1] > cells.cells.firstPiece[row] + 1) ++report.multiPieceCells;
+  }
+  const auto& arcs = cells.arcs;
+  for (std::size_t a = 0; a < arcs.area.size(); ++a) {
+    const double face = cells.faceArea(arcs.cell[a], arcs.axis[a]);
+    if (!(arcs.area[a] >= 0 && arcs.area[a] <= face * (1 + kSlack))) ++report.outOfRange;
+  }
+}
+
+/// The volume of the cells that are not cut and have no fluid.
+double wholeBodyVolume(const CutCells& cells) {
+  const auto box = cells.grid.indices();
+  CompensatedSum sum;
+  for (const auto& [first, last] : cells.bodyRuns) {
+    for (auto n = first; n < last; ++n) {
+      const auto i = n % box.length(0);
+      const auto j = n / box.length(0) % box.length(1);
+      const auto k = n / box.length(0) / box.length(1);
+      const auto cell = box.at(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j),
+                               static_cast<std::uint32_t>(k));
+      if (cells.rowOf(cell) == CutCells::kNoRow) sum.add(cells.cellVolume(cell));
+    }
+  }
+  return sum.value();
+}
+
+}  // namespace
+
+CutCellsReport check(const CutCells& cells) {
+  CutCellsReport report{.cutCells = cells.cellCount};
+  CompensatedSum cutVolume;
+  CompensatedSum cutFluid;
+  CompensatedSum wall;
+  for (std::size_t row = 0; row < cells.cellCount; ++row) {
+    cutVolume.add(cells.cellVolume(cells.cells.index[row]));
+  }
+  for (std::size_t p = 0; p < cells.pieceCount; ++p) {
+    cutFluid.add(cells.pieces.volume[p]);
+    wall.add(cells.pieces.wallArea[p]);
+  }
+  const auto& planes = cells.grid.planes;
+  double all = 1;
+  for (const auto& axis : planes) all *= axis[axis.size() - 2] - axis[1];
+  report.bodyVolume = wholeBodyVolume(cells) + (cutVolume.value() - cutFluid.value());
+  report.fluidVolume = all - report.bodyVolume;
+  report.wallArea = wall.value();
+  checkClosure(cells, report);
+  checkRanges(cells, report);
+  return report;
+}
+
+}  // namespace cutwater

@@ -1,0 +1,228 @@
+#include <Cutwater/CutCells/Detail/CutAssembly.hpp>
+
+#include <algorithm>
+#include <tuple>
+
+namespace cutwater {
+
+namespace {
+
+/// A cell that is cut: where its rows come from.
+struct CellSource {
+  std::uint64_t number = 0;  ///< in the grown box; those beyond the box follow all others
+  std::uint32_t tile = 0;
+  std::uint32_t cell = 0;  ///< row in the tile
+};
+
+/// One tile's view of an arc.
+struct ArcSource {
+  std::uint64_t face = 0;    ///< three times the number of the cell above, plus the axis
+  std::uint32_t number = 0;  ///< among the open parts of the face
+  std::uint32_t tile = 0;
+  std::uint32_t arc = 0;
+
+  [[nodiscard]] bool isSame(const ArcSource& other) const {
+    return face == other.face && number == other.number;
+  }
+  [[nodiscard]] auto key() const { return std::tuple(face, number, tile); }
+};
+
+class Assembly {
+ public:
+  Assembly(CellPlanes grid, const CutSurface& surface, const CutTiles& tiles,
+           std::span<const std::unique_ptr<const TileCut>> tileCuts)
+      : surface_(surface), tiles_(tiles), cuts_(tileCuts) {
+    for (int axis = 0; axis < 3; ++axis) {
+      cells_[asIndex(axis)] = static_cast<int>(grid.planes[asIndex(axis)].size()) - 3;
+    }
+    out_.grid = std::move(grid);
+    out_.patchNames = surface.patchNames();
+  }
+
+  CutCells run() {
+    gatherCells();
+    addPieces();
+    addArcs();
+    addBodyRuns();
+    return std::move(out_);
+  }
+
+ private:
+  static constexpr std::uint64_t kBeyondBit = std::uint64_t{1} << 63U;
+
+  [[nodiscard]] TilePlace placeOf(std::uint32_t tile, const TilePlace& within) const {
+    auto place = tiles_.firstCell(tile);
+    for (std::size_t a = 0; a < 3; ++a) place[a] += within[a];
+    return place;
+  }
+  /// Of a cell in the grown box, or just above it.
+  [[nodiscard]] std::uint64_t numberOf(const TilePlace& place) const {
+    const auto n = [](int i) { return static_cast<std::uint64_t>(i); };
+    return (n(place[2]) * n(cells_[1] + 3) + n(place[1])) * n(cells_[0] + 3) + n(place[0]);
+  }
+  [[nodiscard]] TilePlace placeOf(std::uint64_t number) const {
+    const auto alongX = static_cast<std::uint64_t>(cells_[0] + 3);
+    const auto alongY = static_cast<std::uint64_t>(cells_[1] + 3);
+    return {static_cast<int>(number % alongX), static_cast<int>(number / alongX % alongY),
+            static_cast<int>(number / alongX / alongY)};
+  }
+  [[nodiscard]] bool isBeyond(const TilePlace& place) const {
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (place[a] < 1 || place[a] > cells_[a]) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] Index3 indexOf(const TilePlace& place) const {
+    const auto& first = out_.grid.first;
+    return {first.i + place[0] - 1, first.j + place[1] - 1, first.k + place[2] - 1};
+  }
+
+  void gatherCells() {
+    for (std::uint32_t tile = 0; tile < cuts_.size(); ++tile) {
+      if (!cuts_[tile]) continue;
+      const auto& cut = *cuts_[tile];
+      for (std::uint32_t row = 0; row < cut.cells.size(); ++row) {
+        if (cut.isTouched[row] != 0) continue;
+        const auto place = placeOf(tile, cut.numbers.placeOfCell(cut.cells[row]));
+        sources_.push_back({numberOf(place) | (isBeyond(place) ? kBeyondBit : 0), tile, row});
+      }
+    }
+    std::ranges::sort(sources_, {}, &CellSource::number);
+    const auto beyond = std::ranges::lower_bound(sources_, kBeyondBit, {}, &CellSource::number);
+    out_.cellCount = static_cast<std::size_t>(beyond - sources_.begin());
+  }
+
+  void addPieces() {
+    rowsOf_.resize(cuts_.size());
+    for (std::size_t tile = 0; tile < cuts_.size(); ++tile) {
+      if (cuts_[tile])
+        rowsOf_[tile].assign(cuts_[tile]->content.pieces.size(), CutCells::kWholeCell);
+    }
+    for (const auto& source : sources_) {
+      const auto& cut = *cuts_[source.tile];
+      const auto row = static_cast<std::uint32_t>(out_.cells.index.size());
+      out_.cells.index.push_back(indexOf(placeOf(source.number & ~kBeyondBit)));
+      out_.cells.firstPiece.push_back(pieceCount());
+      for (auto p = cut.firstPiece[source.cell]; p < cut.firstPiece[source.cell + 1]; ++p) {
+        rowsOf_[source.tile][p] = pieceCount();
+        addPiece(cut.content, p, row);
+      }
+    }
+    out_.cells.firstPiece.push_back(pieceCount());
+    out_.pieceCount = out_.cells.firstPiece[out_.cellCount];
+  }
+  [[nodiscard]] std::uint32_t pieceCount() const {
+    return static_cast<std::uint32_t>(out_.pieces.volume.size());
+  }
+  void addPiece(const CellPieces& content, std::uint32_t number, std::uint32_t row) {
+    const auto& frame = surface_.frame();
+    const double perArea = frame.scale * frame.scale;
+    const auto& piece = content.pieces[number];
+    const auto walls = std::ranges::equal_range(content.walls, number, {}, &PieceWall::piece);
+    for (const auto& wall : walls) {
+      out_.wallParts.piece.push_back(pieceCount());
+      out_.wallParts.patch.push_back(wall.patch);
+      out_.wallParts.area.push_back(wall.area / perArea);
+      out_.wallParts.vector.push_back(wall.areaVector / perArea);
+      out_.wallParts.centroid.push_back(frame.toWorld(wall.centroid));
+    }
+    out_.pieces.cell.push_back(row);
+    out_.pieces.volume.push_back(piece.volume / (perArea * frame.scale));
+    out_.pieces.centroid.push_back(frame.toWorld(piece.centroid));
+    out_.pieces.wallArea.push_back(piece.area / perArea);
+    out_.pieces.wallVector.push_back(piece.areaVector / perArea);
+    out_.pieces.wallCentroid.push_back(frame.toWorld(piece.wallCentroid));
+  }
+
+  /// Joins what the tiles on both sides of a face know.
+  void addArcs() {
+    std::vector<ArcSource> sources;
+    for (std::uint32_t tile = 0; tile < cuts_.size(); ++tile) {
+      if (!cuts_[tile]) continue;
+      const auto& cut = *cuts_[tile];
+      std::vector<std::uint32_t> seen(cut.numbers.faceCount());
+      for (std::uint32_t arc = 0; arc < cut.content.arcs.size(); ++arc) {
+        const auto face = cut.content.arcs[arc].face;
+        if (cut.content.arcs[arc].isNothing) continue;
+        const auto axis = static_cast<std::uint64_t>(cut.numbers.axisOfFace(face));
+        sources.push_back({3 * numberOf(placeOf(tile, cut.numbers.placeOfFace(face))) + axis,
+                           seen[face]++, tile, arc});
+      }
+    }
+    std::ranges::sort(sources, {}, &ArcSource::key);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      auto below = rowBeside(sources[i], false);
+      auto above = rowBeside(sources[i], true);
+      if (i + 1 < sources.size() && sources[i + 1].isSame(sources[i])) {
+        ++i;  // the tile with the lower number is below
+        above = rowBeside(sources[i], true);
+      }
+      const auto isOwn = [&](std::uint32_t row) { return row < out_.pieceCount; };
+      if (isOwn(below) || isOwn(above)) addArc(sources[i], below, above);
+    }
+  }
+  [[nodiscard]] std::uint32_t rowBeside(const ArcSource& source, bool isAbove) const {
+    const auto& arc = cuts_[source.tile]->content.arcs[source.arc];
+    const auto piece = isAbove ? arc.above : arc.below;
+    return piece == kNone ? CutCells::kWholeCell : rowsOf_[source.tile][piece];
+  }
+  void addArc(const ArcSource& source, std::uint32_t below, std::uint32_t above) {
+    const auto& frame = surface_.frame();
+    const auto& arc = cuts_[source.tile]->content.arcs[source.arc];
+    out_.arcs.below.push_back(below);
+    out_.arcs.above.push_back(above);
+    out_.arcs.area.push_back(arc.area / (frame.scale * frame.scale));
+    out_.arcs.centroid.push_back(frame.toWorld(arc.centroid));
+    out_.arcs.cell.push_back(indexOf(placeOf(source.face / 3)));
+    out_.arcs.axis.push_back(static_cast<std::uint8_t>(source.face % 3));
+  }
+
+  void addBodyRuns() {
+    std::uint64_t next = 0;
+    for (int k = 1; k <= cells_[2]; ++k) {
+      for (int j = 1; j <= cells_[1]; ++j) {
+        for (int i = 1; i <= cells_[0];) {
+          const int width = CutTiles::kWidth;
+          const auto tile = tiles_.tileAt({i / width, j / width, k / width});
+          const int end = std::min((i / width + 1) * width, cells_[0] + 1);
+          if (!cuts_[tile]) {
+            addRun(next, end - i, tiles_.winding(tile) > 0);
+            i = end;
+            continue;
+          }
+          for (; i < end; ++i) {
+            const auto cell = cuts_[tile]->numbers.cell({i % width, j % width, k % width});
+            addRun(next, 1, cuts_[tile]->isBody[cell]);
+          }
+        }
+      }
+    }
+  }
+  void addRun(std::uint64_t& next, int count, bool isBody) {
+    const auto first = next;
+    next += static_cast<std::uint64_t>(count);
+    if (!isBody) return;
+    if (!out_.bodyRuns.empty() && out_.bodyRuns.back()[1] == first) {
+      out_.bodyRuns.back()[1] = next;
+    } else {
+      out_.bodyRuns.push_back({first, next});
+    }
+  }
+
+  const CutSurface& surface_;
+  const CutTiles& tiles_;
+  std::span<const std::unique_ptr<const TileCut>> cuts_;
+  TilePlace cells_{};  // of the box
+  std::vector<CellSource> sources_;
+  std::vector<std::vector<std::uint32_t>> rowsOf_;  // of pieces, per tile
+  CutCells out_;
+};
+
+}  // namespace
+
+CutCells assembledCells(CellPlanes grid, const CutSurface& surface, const CutTiles& tiles,
+                        std::span<const std::unique_ptr<const TileCut>> tileCuts) {
+  return Assembly(std::move(grid), surface, tiles, tileCuts).run();
+}
+
+}  // namespace cutwater

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/Detail/TileCut.hpp>
+
+#include <memory>
+
+namespace cutwater {
+
+/// The cells of a box, from the tiles of that box and the cells around it.
+///
+/// `grid` is in the coordinates of the world. `tileCuts` has one for each tile with triangles, else
+/// null.
+[[nodiscard]] CutCells assembledCells(CellPlanes grid, const CutSurface& surface,
+                                      const CutTiles& tiles,
+                                      std::span<const std::unique_ptr<const TileCut>> tileCuts);
+
+}  // namespace cutwater

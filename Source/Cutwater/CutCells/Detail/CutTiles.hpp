@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Cutwater/CutCells/Detail/CutSurface.hpp>
+#include <Cutwater/CutCells/Detail/GridPlanes.hpp>
+#include <Cutwater/CutCells/Detail/TileNumbers.hpp>
+
+#include <vector>
+
+namespace cutwater {
+
+/// Boxes of up to kWidth^3 cells that together are a grid, and the triangles that meet each of
+/// them.
+class CutTiles {
+ public:
+  static constexpr int kWidth = 8;
+
+  /// Views both.
+  CutTiles(const CutSurface& surface, const GridPlanes& planes);
+
+  [[nodiscard]] std::size_t count() const { return first_.size() - 1; }
+  [[nodiscard]] const TilePlace& sizes() const { return sizes_; }
+  /// In ascending order.
+  [[nodiscard]] std::span<const std::uint32_t> triangles(std::size_t tile) const {
+    return std::span(triangles_).subspan(first_[tile], first_[tile + 1] - first_[tile]);
+  }
+  [[nodiscard]] TilePlace placeOf(std::size_t tile) const;
+  [[nodiscard]] std::size_t tileAt(const TilePlace& place) const {
+    const auto n = [](int i) { return static_cast<std::size_t>(i); };
+    return (n(place[2]) * n(sizes_[1]) + n(place[1])) * n(sizes_[0]) + n(place[0]);
+  }
+  /// The cell of lowest indices.
+  [[nodiscard]] TilePlace firstCell(std::size_t tile) const;
+  [[nodiscard]] GridPlanes planesOf(std::size_t tile) const;
+  /// The winding number of the node of lowest indices.
+  [[nodiscard]] int winding(std::size_t tile) const { return windings_[tile]; }
+
+ private:
+  void sortTriangles(const CutSurface& surface);
+  void findWindings(const CutSurface& surface);
+
+  const GridPlanes& planes_;
+  TilePlace sizes_;
+  std::vector<std::uint64_t> first_;
+  std::vector<std::uint32_t> triangles_;
+  std::vector<std::int32_t> windings_;
+};
+
+}  // namespace cutwater

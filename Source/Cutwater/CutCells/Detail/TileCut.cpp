@@ -1,0 +1,90 @@
+#include <Cutwater/CutCells/Detail/TileCut.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+namespace {
+
+/// In shares of a cell and of a face: what is less is rounding of points on the cell's faces.
+constexpr double kNothing = 1e-14;
+
+Vec3<double> sizeOf(const GridPlanes& planes, const TilePlace& cell) {
+  Vec3<double> size;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int plane = cell[asIndex(axis)];
+    size[axis] = planes.at(axis, plane + 1) - planes.at(axis, plane);
+  }
+  return size;
+}
+
+/// Whether a cell's fragments lie in its faces and have no area: the surface touches the cell.
+bool touches(const TileSurface& surface, std::span<const TileFragment> fragments,
+             const GridPlanes& planes, double faceArea) {
+  const auto cell = surface.numbers().placeOfCell(fragments.front().cell);
+  return std::ranges::all_of(fragments, [&](const TileFragment& fragment) {
+    const auto points = surface.points(fragment);
+    bool isInFace = false;
+    for (int axis = 0; axis < 3 && !isInFace; ++axis) {
+      for (const int side : {0, 1}) {
+        const double plane = planes.at(axis, cell[asIndex(axis)] + side);
+        isInFace = isInFace || std::ranges::all_of(
+                                   points, [&](const Vec3<double>& p) { return p[axis] == plane; });
+      }
+    }
+    if (!isInFace) return false;
+    Vec3<double> area;
+    for (std::size_t k = 2; k < points.size(); ++k) {
+      area += 0.5 * cross(points[k - 1] - points[0], points[k] - points[0]);
+    }
+    return length(area) <= kNothing * faceArea;
+  });
+}
+
+/// Finds the rows of cells among those of fragments and of pieces.
+void noteCells(const TileSurface& surface, const GridPlanes& planes, TileCut& out) {
+  const auto fragments = surface.fragments();
+  const auto& pieces = out.content.pieces;
+  std::uint32_t piece = 0;
+  for (std::size_t first = 0; first < fragments.size();) {
+    const auto cell = fragments[first].cell;
+    auto last = first + 1;
+    while (last < fragments.size() && fragments[last].cell == cell) ++last;
+    out.cells.push_back(cell);
+    out.firstPiece.push_back(piece);
+    double fluid = 0;
+    for (; piece < pieces.size() && pieces[piece].cell == cell; ++piece) {
+      fluid += pieces[piece].volume;
+    }
+    const auto size = sizeOf(planes, surface.numbers().placeOfCell(cell));
+    const double volume = size.x * size.y * size.z;
+    const bool isTouched = touches(surface, fragments.subspan(first, last - first), planes,
+                                   volume / maxComponent(size));
+    if (isTouched) out.isBody[cell] = fluid < 0.5 * volume;
+    out.isTouched.push_back(isTouched ? 1 : 0);
+    first = last;
+  }
+  out.firstPiece.push_back(piece);
+}
+
+}  // namespace
+
+TileCut cutTile(const CutSurface& surface, const CutTiles& tiles, std::size_t tile) {
+  const auto planes = tiles.planesOf(tile);
+  const TileSurface content(surface.moved(), surface.patches(), tiles.triangles(tile), planes);
+  const EdgeStretches stretches(content, planes, tiles.winding(tile));
+  const FacePieces faces(content, stretches, planes);
+  TileCut result{.numbers = content.numbers(),
+                 .content = findCellPieces(content, stretches, faces, planes),
+                 .cells = {},
+                 .firstPiece = {},
+                 .isTouched = {},
+                 .isBody = {}};
+  for (std::uint32_t cell = 0; cell < result.numbers.cellCount(); ++cell) {
+    result.isBody[cell] = !stretches.isFluid(result.numbers.placeOfCell(cell));
+  }
+  noteCells(content, planes, result);
+  return result;
+}
+
+}  // namespace cutwater

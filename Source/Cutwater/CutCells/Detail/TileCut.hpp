@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Cutwater/CutCells/Detail/CellPieces.hpp>
+#include <Cutwater/CutCells/Detail/CutTiles.hpp>
+
+#include <bitset>
+
+namespace cutwater {
+
+/// The cut cells of one tile, with its own numbers of cells, pieces and faces.
+struct TileCut {
+  static constexpr std::size_t kCells =
+      std::size_t{CutTiles::kWidth} * CutTiles::kWidth * CutTiles::kWidth;
+
+  TileNumbers numbers{{}};
+  CellPieces content;
+  std::vector<std::uint32_t> cells;       ///< those that are cut, ascending
+  std::vector<std::uint32_t> firstPiece;  ///< of each of them, then the number of all
+  std::vector<char> isTouched;            ///< whether the surface merely touches them
+  std::bitset<kCells> isBody;             ///< cells without fluid
+};
+
+/// Cuts the cells of a tile.
+[[nodiscard]] TileCut cutTile(const CutSurface& surface, const CutTiles& tiles, std::size_t tile);
+
+}  // namespace cutwater

@@ -1,0 +1,45 @@
+// The code of Docs/cut-cells.md.
+#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
+
+#include <gtest/gtest.h>
+
+namespace cutwater::test {
+namespace {
+
+TEST(DocsTest, FractionsAndAperturesOfCutCells) {
+  const Solid<double> hull(MeshSDF<double>(tessellation::icosphere(0.4, 3)));
+  const Level<double> level({-0.5, -0.5, -0.5}, {0.125, 0.125, 0.125});
+  const auto indices = IndexBox::ofSize(8, 8, 8);
+  double fluid = 0;
+  double faces = 0;
+  const auto useFraction = [&](const Index3&, double fraction, const Vec3<double>& centroid) {
+    fluid += fraction;
+    EXPECT_LE(maxComponent(abs(centroid)), 0.5);
+  };
+  const auto useFace = [&](const Index3& cell, int axis, double aperture) {
+    EXPECT_LE(cell.i, 8);
+    EXPECT_LT(axis, 3);
+    faces += aperture;
+  };
+  // [DOCS
+  const CellCutter cutter(hull);  // fluid outside; FluidSide::Inside: within it
+  const CutCells cells = cutter.cut(GridPatch<double>{level, indices});
+  for (std::size_t row = 0; row < cells.cellCount; ++row) {
+    const Index3& cell = cells.cells.index[row];
+    for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
+      useFraction(cell, cells.volumeFraction(p), cells.pieces.centroid[p]);
+    }
+  }
+  for (std::uint32_t a = 0; a < cells.arcs.area.size(); ++a) {
+    useFace(cells.arcs.cell[a], cells.arcs.axis[a], cells.aperture(a));
+  }
+  // DOCS]
+  EXPECT_GT(fluid, 10);
+  EXPECT_LT(fluid, static_cast<double>(cells.cellCount));
+  EXPECT_GT(faces, fluid);
+}
+
+}  // namespace
+}  // namespace cutwater::test
