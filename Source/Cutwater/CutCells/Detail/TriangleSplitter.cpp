@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 namespace cutwater {
@@ -11,25 +10,6 @@ namespace {
 
 /// The unit of rounding.
 constexpr double kU = 0x1p-53;
-
-/// Turns the polygon so that it begins at its least point, by coordinates, of equal ones that with
-/// the least edge behind it: where it began depends on the planes that have cut it.
-void beginAtLeast(Fragment& polygon) {
-  const auto key = [&](int i) {
-    const auto& p = polygon.points[asIndex(i)];
-    const auto& edge = polygon.edges[asIndex(i)];
-    return std::tuple(p.x, p.y, p.z, edge.axis, edge.number);
-  };
-  int least = 0;
-  for (int i = 1; i < polygon.size; ++i) {
-    if (key(i) < key(least)) least = i;
-  }
-  const auto turn = [&](auto& values) {
-    std::rotate(values.begin(), values.begin() + least, values.begin() + polygon.size);
-  };
-  turn(polygon.points);
-  turn(polygon.edges);
-}
 
 }  // namespace
 
@@ -65,10 +45,7 @@ void TriangleSplitter::split(const std::array<MovedVertex, 3>& triangle,
 
 /// Divides along this axis and the later ones.
 void TriangleSplitter::divide(Part& part, int axis, FunctionRef<void(const Fragment&)> visit) {
-  if (axis == 3) {
-    beginAtLeast(part.polygon);
-    return visit(part.polygon);
-  }
+  if (axis == 3) return visit(part.polygon);
   int row = part.rows[0][asIndex(axis)];
   int last = row;
   for (int i = 1; i < part.polygon.size; ++i) {
