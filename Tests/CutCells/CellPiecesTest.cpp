@@ -133,9 +133,16 @@ TEST(CellPiecesTest, WedgesAroundAnEdgeAreApart) {
         }
       }
       const auto [a, b, c, d] = std::array{first, first + 1, first + 2, first + 3};
-      surface.triangles.insert(
-          surface.triangles.end(),
-          {{0, b, a}, {1, c, d}, {0, a, c}, {0, c, 1}, {0, 1, d}, {0, d, b}, {a, b, d}, {a, d, c}});
+      for (const auto& t : std::array<std::array<std::uint32_t, 3>, 8>{{{0, 1, d},
+                                                                        {0, d, b},
+                                                                        {0, b, a},
+                                                                        {1, c, d},
+                                                                        {0, a, c},
+                                                                        {0, c, 1},
+                                                                        {a, b, d},
+                                                                        {a, d, c}}}) {
+        surface.triangles.push_back(t);
+      }
     }
     const CutTile cut(surface, 0, 1, 1);
     EXPECT_EQ(cut.result.pieces.size(), 3U) << turn;
