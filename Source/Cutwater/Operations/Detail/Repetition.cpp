@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Operations/Detail/Images.hpp>
 #include <Cutwater/Operations/Detail/Repetition.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
 
@@ -146,7 +147,7 @@ template <std::floating_point T>
 void Repetition<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                          std::span<T> distances) const {
   const auto local = [this](const Vec3<T>& p) { return copies_.seenFrom(copies_.central(p), p); };
-  this->forImages(points, local, [&](std::span<const Vec3<T>> locals, std::size_t first) {
+  detail::forImages(points, local, [&](std::span<const Vec3<T>> locals, std::size_t first) {
     const auto here = points.subspan(first, locals.size());
     const auto values = distances.subspan(first, locals.size());
     this->operandValues(locals, values);
