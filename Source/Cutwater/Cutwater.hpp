@@ -32,7 +32,6 @@
 #include <Cutwater/Grid/Isosurface.hpp>
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Grid/OctreeCells.hpp>
-#include <Cutwater/Grid/OctreeDomain.hpp>
 #include <Cutwater/Grid/OctreeEstimate.hpp>
 #include <Cutwater/Grid/OctreeFill.hpp>
 #include <Cutwater/Grid/OctreeNodes.hpp>
@@ -117,7 +116,6 @@
 #include <Cutwater/Surface/Triangulation.hpp>
 #include <Cutwater/Surface/WriteSurface.hpp>
 #include <Cutwater/Tpms/CellSizes.hpp>
-#include <Cutwater/Tpms/DeformationField.hpp>
 #include <Cutwater/Tpms/MetricWall.hpp>
 #include <Cutwater/Tpms/TpmsField.hpp>
 #include <Cutwater/Tpms/TpmsMap.hpp>

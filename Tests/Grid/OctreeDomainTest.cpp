@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/OctreeDomain.hpp>
+#include <Cutwater/Grid/OctreeCells.hpp>
 
 #include "Support/Precisions.hpp"
 

@@ -1,4 +1,4 @@
-#include <Cutwater/Tpms/DeformationField.hpp>
+#include <Cutwater/Tpms/TpmsMap.hpp>
 
 #include <gtest/gtest.h>
 

@@ -79,8 +79,12 @@ void parallelFor(std::size_t count, const ParallelOptions& options,
   require(options.threads >= 0, "parallelFor: need threads >= 0",
           Named{"threads", options.threads});
   if (count == 0) return;
-  Dispenser dispenser(count, options, body);
   const auto grain = std::max<std::size_t>(options.grain, 1);
+  if (count <= grain && !options.progress) {  // one range, such as a small batch of points
+    body(0, count);
+    return;
+  }
+  Dispenser dispenser(count, options, body);
   const int threads = threadsFor((count + grain - 1) / grain, options.threads);
   if (threads == 1) {
     dispenser.work(true);  // in a region of the caller's this may be any thread of its team

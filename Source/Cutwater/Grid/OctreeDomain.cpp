@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Detail/MortonCode.hpp>
-#include <Cutwater/Grid/OctreeDomain.hpp>
+#include <Cutwater/Grid/OctreeCells.hpp>
 
 #include <algorithm>
 #include <bit>

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <Cutwater/Bvh/LinearBVH.hpp>
-#include <Cutwater/Shapes/Detail/CapsuleProfile.hpp>
-#include <Cutwater/Shapes/Detail/ConeSphereProfile.hpp>
-#include <Cutwater/Shapes/Detail/FrustumProfile.hpp>
+#include <Cutwater/Shapes/Detail/Profiles.hpp>
 
 namespace cutwater {
 

@@ -3,7 +3,6 @@
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
-#include <Cutwater/Sdf/Detail/FacetSamples.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
 
 #include <algorithm>
@@ -222,13 +221,6 @@ bool SignedDistanceFunction<T>::facetsOf(const SignedDistanceFunction& operand,
 }
 
 template <std::floating_point T>
-bool SignedDistanceFunction<T>::localFacetsIn(const OrientedBox<T>& box,
-                                              FacetVisitor<T> visit) const {
-  detail::sampleFacets<T>([this](const Vec3<T>& p) { return localClosestPoint(p); }, box, visit);
-  return false;
-}
-
-template <std::floating_point T>
 Guarantee<T> SignedDistanceFunction<T>::guarantee() const {
   return detail::placed(localGuarantee(), placement_);
 }
@@ -269,60 +261,6 @@ OrientedBox<T> SignedDistanceFunction<T>::toLocal(const Box<T>& box) const {
 template <std::floating_point T>
 T SignedDistanceFunction<T>::placementError(T reach) const {
   return (placement_.isRotated() ? T(14) : T(2)) * kEps<T> * (reach + length(placement_.offset()));
-}
-
-// --- Defaults ------------------------------------------------------------------------------------
-
-template <std::floating_point T>
-void SignedDistanceFunction<T>::localSignedDistances(std::span<const Vec3<T>> points,
-                                                     std::span<T> distances) const {
-  for (std::size_t i = 0; i < points.size(); ++i) distances[i] = localSignedDistance(points[i]);
-}
-
-template <std::floating_point T>
-Vec3<T> SignedDistanceFunction<T>::localGradient(const Vec3<T>& point) const {
-  // Truncation grows with delta^2, rounding with 1/delta: cbrt(eps) of the size balances them.
-  const T scale = length(point) + localGuarantee().size;
-  const T delta = std::cbrt(kEps<T>) * (scale > 0 ? scale : T(1));
-  const auto g = detail::centredDifferences<T>(
-                     [this](const Vec3<T>& p) { return localSignedDistance(p); }, point, delta) /
-                 (2 * delta);
-  return isFinite(g) ? g : Vec3<T>{};
-}
-
-template <std::floating_point T>
-SurfacePoint<T> SignedDistanceFunction<T>::localClosestPoint(const Vec3<T>& point) const {
-  return detail::projectedPoint<T>(
-      {.value = [this](const Vec3<T>& p) { return localSignedDistance(p); },
-       .gradient = [this](const Vec3<T>& p) { return localGradient(p); },
-       .owner = [this](const Vec3<T>& p) { return localOwner(p); },
-       .guarantee = localGuarantee()},
-      point);
-}
-
-template <std::floating_point T>
-void SignedDistanceFunction<T>::localClosestPoints(std::span<const Vec3<T>> points,
-                                                   std::span<SurfacePoint<T>> results) const {
-  for (std::size_t i = 0; i < points.size(); ++i) results[i] = localClosestPoint(points[i]);
-}
-
-template <std::floating_point T>
-CrossingCount SignedDistanceFunction<T>::localCrossings(const Segment<T>& segment,
-                                                        CrossingVisitor<T> visit) const {
-  return detail::isolatedCrossings<T>(
-      {.value = [this](const Vec3<T>& p) { return localSignedDistance(p); },
-       .gradient = [this](const Vec3<T>& p) { return localGradient(p); },
-       .owner = [this](const Vec3<T>& p) { return localOwner(p); },
-       .guarantee = localGuarantee()},
-      segment, visit);
-}
-
-template <std::floating_point T>
-Box<T> SignedDistanceFunction<T>::localClearanceBox() const {
-  const auto promise = localGuarantee();
-  const bool isExact = promise.outside == Quality::Exact && promise.domain == Box<T>::everywhere();
-  const auto box = localBoundingBox();
-  return isExact && !box.empty() ? box : Box<T>::everywhere();
 }
 
 template class SignedDistanceFunction<float>;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <Cutwater/Shapes/Detail/CapsuleProfile.hpp>
-#include <Cutwater/Shapes/Detail/ProfiledShape.hpp>
+#include <Cutwater/Shapes/Detail/Profiles.hpp>
 
 namespace cutwater {
 

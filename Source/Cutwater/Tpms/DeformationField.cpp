@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Tpms/DeformationField.hpp>
+#include <Cutwater/Tpms/TpmsMap.hpp>
 
 #include <algorithm>
 

@@ -3,9 +3,18 @@
 #include <Cutwater/Core/Box.hpp>
 #include <Cutwater/Triangles/WindingMoments.hpp>
 
+#include <limits>
+#include <numbers>
 #include <optional>
 
 namespace cutwater {
+
+namespace detail {
+
+/// The winding number that a solid angle of 1 is.
+inline constexpr double kInverse4Pi = 0.25 / std::numbers::pi;
+
+}  // namespace detail
 
 /// The generalised winding number of arbitrary triangles: the solid angle that they span at a
 /// point, signed by their orientation, over 4 pi. For a closed surface it is 1 inside and 0 outside
@@ -81,7 +90,14 @@ class WindingNumber {
   [[nodiscard]] double gradientBoundByArea(const Box<double>& box) const;
 
  private:
-  [[nodiscard]] std::array<Vec3<double>, 3> triangle(std::uint32_t id) const;
+  /// Stands for "no bound".
+  static constexpr double kLargest = std::numeric_limits<double>::max();
+
+  [[nodiscard]] std::array<Vec3<double>, 3> triangle(std::uint32_t id) const {
+    const auto& v = triangles_[id];
+    return {Vec3<double>(positions_[v[0]]), Vec3<double>(positions_[v[1]]),
+            Vec3<double>(positions_[v[2]])};
+  }
   [[nodiscard]] std::size_t indexOf(const BvhNode<16>& node) const {
     return static_cast<std::size_t>(&node - tree_.nodes().data());
   }

@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Detail/Copies.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace cutwater::detail {
 
@@ -15,6 +16,23 @@ Vec3<T> Copies<T>::central(const Vec3<T>& p) const {
     copy[axis] = count == 0 ? nearest : std::clamp(nearest, T(0), static_cast<T>(count - 1));
   }
   return copy;
+}
+
+template <std::floating_point T>
+bool Copies<T>::isAloneWithin(T limit, const Vec3<T>& p, const Vec3<T>& local) const {
+  // More than the rounding of the search's distances, relative to what they are computed from; and
+  // a distance whose square is no less than the smallest normal number.
+  constexpr T kRounding = 16 * std::numeric_limits<T>::epsilon();
+  constexpr T kLeast = T(sizeof(T) == sizeof(float) ? 0x1p-63 : 0x1p-511);
+  const T apart = std::max(limit + kRounding * limit, kLeast);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!isRepeated(axis) || repeats_.count[static_cast<std::size_t>(axis)] == 1) continue;
+    const T period = repeats_.period[axis];
+    const T farSide = std::max(box_.upper[axis] - local[axis], local[axis] - box_.lower[axis]);
+    const T size = std::abs(p[axis]) + std::abs(local[axis]) + farSide + period;
+    if (!(period - farSide - kRounding * size > apart)) return false;
+  }
+  return true;
 }
 
 template <std::floating_point T>

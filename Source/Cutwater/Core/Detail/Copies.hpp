@@ -39,6 +39,11 @@ class Copies {
   /// The copy whose box is centred nearest to p.
   [[nodiscard]] Vec3<T> central(const Vec3<T>& p) const;
 
+  /// Whether all copies but the central one, which sees p at `local`, are certainly so far away
+  /// that outwards() would stop before them if its isNear() compared with the square of `limit`.
+  /// Costs much less.
+  [[nodiscard]] bool isAloneWithin(T limit, const Vec3<T>& p, const Vec3<T>& local) const;
+
   /// Which copies besides the central one a search looks at, wherever the point is. Without such a
   /// limit, a point from where differences of distances are lost in rounding would see them all.
   struct Reach {

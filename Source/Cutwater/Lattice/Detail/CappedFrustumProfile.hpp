@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/Lattice/BeamGraph.hpp>
-#include <Cutwater/Shapes/Detail/FrustumProfile.hpp>
+#include <Cutwater/Shapes/Detail/Profiles.hpp>
 
 namespace cutwater::detail {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Operations/Detail/Images.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 
 namespace cutwater {
@@ -87,7 +88,7 @@ class Forwarding : public UnaryOperation<T> {
   template <typename Batch>
   void forPlaces(std::span<const Vec3<T>> points, const Batch& batch) const {
     if constexpr (Derived::kMovesPoints) {
-      this->forImages(
+      detail::forImages(
           points, [this](const Vec3<T>& p) { return self().place(p); }, batch);
     } else {
       batch(points, 0);

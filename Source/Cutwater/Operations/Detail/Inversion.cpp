@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Detail/Epsilon.hpp>
 #include <Cutwater/Operations/Detail/DerivedGuarantee.hpp>
+#include <Cutwater/Operations/Detail/Images.hpp>
 #include <Cutwater/Operations/Detail/Inversion.hpp>
 
 #include <algorithm>
@@ -117,7 +118,7 @@ void Inversion<T>::localSignedDistances(std::span<const Vec3<T>> points,
     const T radius = length(p);
     return isOrigin(radius) ? Vec3<T>{} : image(p, radius);
   };
-  this->forImages(points, imageOf, [&](std::span<const Vec3<T>> images, std::size_t first) {
+  detail::forImages(points, imageOf, [&](std::span<const Vec3<T>> images, std::size_t first) {
     const auto values = distances.subspan(first, images.size());
     this->operandValues(images, values);
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -1,4 +1,5 @@
 #include <Cutwater/Operations/Detail/DerivedGuarantee.hpp>
+#include <Cutwater/Operations/Detail/Images.hpp>
 #include <Cutwater/Operations/Detail/PointMap.hpp>
 
 namespace cutwater {
@@ -17,7 +18,7 @@ T PointMap<T>::localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wa
 template <std::floating_point T>
 void PointMap<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                        std::span<T> distances) const {
-  this->forImages(
+  detail::forImages(
       points, [this](const Vec3<T>& p) { return mapped(p); },
       [&](std::span<const Vec3<T>> images, std::size_t first) {
         const auto values = distances.subspan(first, images.size());

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Operations/Detail/Images.hpp>
 #include <Cutwater/Operations/Detail/Repetition.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
 
@@ -112,18 +113,19 @@ auto Repetition<T>::decide(const Vec3<T>& p, const Start& start, T value) const 
   const T farthest =
       stretch_ * length(max(abs(start.local - box.lower), abs(box.upper - start.local)));
   const T most = mostAt(start.gap);
-  // Whether a copy at least this far away may have the least value, apart from rounding.
-  const auto mayDecide = [&](T gapSquared) {
-    const T limit = std::max(std::min(best.value, std::min(farthest, most)), T(0));
-    return gapSquared <= limit * limit;
-  };
-  copies_.outwards(p, start.copy, reach_, mayDecide, [&](const Vec3<T>& copy) {
+  // A copy farther away than this has not the least value, apart from rounding.
+  const auto limit = [&] { return std::max(std::min(best.value, std::min(farthest, most)), T(0)); };
+  const auto mayDecide = [&](T gapSquared) { return gapSquared <= limit() * limit(); };
+  const auto ask = [&](const Vec3<T>& copy) {
     if (copy == start.copy) return;
     const auto local = copies_.seenFrom(copy, p);
     const T gap = isLimited() ? gapOf(local) : T(0);
     const T there = valueFrom(this->operand().signedDistance(local), gap);
     if (there < best.value) best = {copy, there};
-  });
+  };
+  if (!copies_.isAloneWithin(limit(), p, start.local)) {
+    copies_.outwards(p, start.copy, reach_, mayDecide, ask);
+  }
   best.value = std::min(best.value, most);
   // Only values of an empty operand are larger; the copies asked about then depend on the point.
   if (guarantee_.lipschitz) best.value = std::min(best.value, farthest);
@@ -146,7 +148,7 @@ template <std::floating_point T>
 void Repetition<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                          std::span<T> distances) const {
   const auto local = [this](const Vec3<T>& p) { return copies_.seenFrom(copies_.central(p), p); };
-  this->forImages(points, local, [&](std::span<const Vec3<T>> locals, std::size_t first) {
+  detail::forImages(points, local, [&](std::span<const Vec3<T>> locals, std::size_t first) {
     const auto here = points.subspan(first, locals.size());
     const auto values = distances.subspan(first, locals.size());
     this->operandValues(locals, values);

@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Shapes/Detail/Arguments.hpp>
-#include <Cutwater/Shapes/Detail/CapsuleProfile.hpp>
+#include <Cutwater/Shapes/Detail/Profiles.hpp>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #include <Cutwater/Shapes/Detail/Arguments.hpp>
-#include <Cutwater/Shapes/Detail/ConeSphereProfile.hpp>
+#include <Cutwater/Shapes/Detail/Profiles.hpp>
 
 namespace cutwater::detail {
 

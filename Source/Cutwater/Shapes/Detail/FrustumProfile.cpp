@@ -1,5 +1,5 @@
 #include <Cutwater/Shapes/Detail/Arguments.hpp>
-#include <Cutwater/Shapes/Detail/FrustumProfile.hpp>
+#include <Cutwater/Shapes/Detail/Profiles.hpp>
 
 #include <algorithm>
 

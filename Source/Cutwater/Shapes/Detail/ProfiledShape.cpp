@@ -1,7 +1,4 @@
-#include <Cutwater/Shapes/Detail/CapsuleProfile.hpp>
-#include <Cutwater/Shapes/Detail/ConeSphereProfile.hpp>
-#include <Cutwater/Shapes/Detail/FrustumProfile.hpp>
-#include <Cutwater/Shapes/Detail/ProfiledShape.hpp>
+#include <Cutwater/Shapes/Detail/Profiles.hpp>
 
 namespace cutwater {
 
