@@ -39,8 +39,10 @@ class MeshSDF final : public MeshFunction<T, MeshIndex<T>> {
   /// ones too, before the placement. Results are, to the bit, those of a MeshSDF made from the
   /// triangles at their new places with the same options, including the sign report and errors (but
   /// not bounds(), which may differ by a thousandth of the gap); polygons with more corners stay
-  /// cut as they are. This takes less than half the time, because the tree keeps its shape. Queries
-  /// become slower as triangles that share a leaf move apart or turn far from where they were; then
+  /// cut as they are. This takes less than half the time, because the tree keeps its shape; and of
+  /// self-intersections, only those of triangles that have moved are looked for, where these are
+  /// less than half of all, and the surface's largest coordinate does not pass a power of two.
+  /// Queries become slower as triangles that share a leaf move apart or turn far from where they were; then
   /// build anew.
   ///
   /// Returns a new surface, so queries of this one may continue: `mesh = mesh.refitted(positions)`

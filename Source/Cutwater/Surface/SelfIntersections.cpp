@@ -125,10 +125,11 @@ class PairLists {
 
 SelfIntersections search(std::span<const Vec3<double>> positions,
                          std::span<const CornerIds> triangles, std::span<const std::uint32_t> faces,
-                         const Tree& tree, const SelfIntersectionOptions& options) {
+                         const Tree& tree, const SelfIntersectionOptions& options,
+                         PairTest::Changed changed = {}) {
   constexpr std::size_t kExamples = Findings<FacePair>::kExamples;
   const std::size_t limit = std::max(options.limit, kExamples);
-  const PairTest pairs(positions, triangles, options.threads);
+  const PairTest pairs(positions, triangles, options.threads, changed);
   const PairSearch search(pairs, tree, options.threads);
   const PairLists lists(search, faces);
   auto found = lists.list(limit, options);
@@ -166,12 +167,13 @@ SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
 template <std::floating_point T>
 SelfIntersections findSelfIntersections(std::span<const Vec3<T>> positions,
                                         std::span<const CornerIds> triangles, const Tree& tree,
-                                        const SelfIntersectionOptions& options) {
+                                        const SelfIntersectionOptions& options,
+                                        std::span<const std::uint8_t> changed) {
   if constexpr (std::same_as<T, double>) {
-    return search(positions, triangles, {}, tree, options);
+    return search(positions, triangles, {}, tree, options, changed);
   } else {
     const std::vector<Vec3<double>> inDouble(positions.begin(), positions.end());
-    return search(inDouble, triangles, {}, tree, options);
+    return search(inDouble, triangles, {}, tree, options, changed);
   }
 }
 
@@ -198,10 +200,12 @@ template SelfIntersections findSelfIntersections(std::span<const Vec3<double>>,
                                                  const SelfIntersectionOptions&);
 template SelfIntersections findSelfIntersections(std::span<const Vec3<float>>,
                                                  std::span<const CornerIds>, const Tree&,
-                                                 const SelfIntersectionOptions&);
+                                                 const SelfIntersectionOptions&,
+                                                 std::span<const std::uint8_t>);
 template SelfIntersections findSelfIntersections(std::span<const Vec3<double>>,
                                                  std::span<const CornerIds>, const Tree&,
-                                                 const SelfIntersectionOptions&);
+                                                 const SelfIntersectionOptions&,
+                                                 std::span<const std::uint8_t>);
 template SelfIntersections findSelfIntersections(const DcelMesh<float>&,
                                                  const SelfIntersectionOptions&);
 template SelfIntersections findSelfIntersections(const DcelMesh<double>&,
