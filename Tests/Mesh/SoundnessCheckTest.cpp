@@ -9,7 +9,6 @@
 
 #include "Support/DamagedSoups.hpp"
 #include "Support/Precisions.hpp"
-#include "Support/SameMeshes.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -46,7 +45,10 @@ TYPED_TEST(SoundnessCheckTest, NoOverlapIsTooSmallToBeNoticed) {
   EXPECT_EQ(solid.signReport().scheme, SignScheme::WindingNumber);
   EXPECT_GT(solid.signedDistance(beside), 0);
   EXPECT_LT(solid.signedDistance({T(0.5), 0, 0}), 0);
-  expectSameReport(DcelSDF<T>(DcelMesh<T>(soup)).signReport(), solid.signReport());
+  // Without a tree, a probe takes longer, and there are fewer.
+  const auto withoutTree = DcelSDF<T>(DcelMesh<T>(soup)).signReport();
+  EXPECT_EQ(withoutTree.scheme, SignScheme::WindingNumber);
+  EXPECT_EQ(withoutTree.selfIntersections, solid.signReport().selfIntersections);
 }
 
 TYPED_TEST(SoundnessCheckTest, ProvesWhatBoundsASolid) {
