@@ -42,8 +42,8 @@ class MeshSDF final : public MeshFunction<T, MeshIndex<T>> {
   /// cut as they are. This takes less than half the time, because the tree keeps its shape; and of
   /// self-intersections, only those of triangles that have moved are looked for, where these are
   /// less than half of all, and the surface's largest coordinate does not pass a power of two.
-  /// Queries become slower as triangles that share a leaf move apart or turn far from where they were; then
-  /// build anew.
+  /// Queries become slower as triangles that share a leaf move apart or turn far from where they
+  /// were; then build anew.
   ///
   /// Returns a new surface, so queries of this one may continue: `mesh = mesh.refitted(positions)`
   /// frees the old one once nobody uses it. The placement stays.
