@@ -49,7 +49,7 @@ class OctreeSignsTest : public ::testing::Test {
       all.countCrossings(level, {});
       for (const auto n : all.cells(level)) {
         const auto box = mesh.box(mesh.cells()[n]);
-        detail::CellSigns signs;
+        detail::CellSigns<T> signs;
         all.signs(std::span(&n, 1), std::span(&signs, 1));
         for (int i = 0; i < 8; ++i) {
           EXPECT_EQ(signs.isInside(i), solid.signedDistance(box.corner(i)) < 0);

@@ -1,10 +1,12 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/Detail/OctreeSigns.hpp>
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
+#include <atomic>
 #include <set>
 
 #include "Support/Precisions.hpp"
@@ -89,6 +91,46 @@ TYPED_TEST(UnresolvedFeaturesTest, FindSeveralSheetsInACell) {
   }
   EXPECT_GE(multiCut, 4U);
   EXPECT_GT(features.size(), multiCut);
+}
+
+/// Counts the segments that are searched.
+template <typename T>
+class CountedSegments final : public SignedDistanceFunction<T> {
+ public:
+  explicit CountedSegments(Solid<T> solid) : solid_(std::move(solid)) {}
+
+  mutable std::atomic<std::size_t> segments{0};
+
+ private:
+  T localSignedDistance(const Vec3<T>& p) const override { return solid_.signedDistance(p); }
+  Guarantee<T> localGuarantee() const override { return solid_.guarantee(); }
+  CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override {
+    ++segments;
+    return solid_.crossings(segment, visit);
+  }
+
+  Solid<T> solid_;
+};
+
+TYPED_TEST(UnresolvedFeaturesTest, SearchEdgesBetweenSheetsOnce) {
+  using T = TypeParam;
+  // Between the nodes at 0 and 1/16: the top of a block, and a plate above it.
+  const CountedSegments<T> solid(Cuboid<T>({-2, -2, -2}, {2, 2, T(0.01)}) |
+                                 Cuboid<T>({-2, -2, T(0.03)}, {2, 2, T(0.045)}));
+  const Octree<T> mesh(solid, this->domain, {.cut = 4});
+  solid.segments = 0;
+  detail::OctreeSigns<T>(solid, mesh, {}).countCrossings(4, {});
+  const std::size_t edges = solid.segments;
+  EXPECT_GT(edges, 1000U);
+  solid.segments = 0;
+  const auto features = unresolvedFeatures(solid, mesh);
+  EXPECT_EQ(solid.segments, edges);
+  EXPECT_EQ(features.size(), 32U * 32);
+  for (const auto& feature : features) {
+    EXPECT_EQ(feature.kind, UnresolvedKind::MultiCut);
+    EXPECT_NEAR(feature.depth, 0.02 * 16, 1e-3);
+    EXPECT_FALSE(feature.isSolid);
+  }
 }
 
 TYPED_TEST(UnresolvedFeaturesTest, TellWhetherTheWidestStretchIsSolid) {

@@ -101,6 +101,49 @@ TYPED_TEST(RefitTest, SeesShellsMeetAndLeaveEachOther) {
   expectFollows<T>(insideOut(hollow), leaving);
 }
 
+// Three balls in a box that keeps the scale. Two meet; the third moves into the second and, when
+// moved back, out of it; and the first, which meets the second, moves farther in.
+TYPED_TEST(RefitTest, CountsPairsAnewWhereTrianglesMove) {
+  using T = TypeParam;
+  const auto ball = tessellation::icosphere(1, 2);
+  const auto three = together(together(ball, moved(ball, {1.5, 0.1, 0.2})), moved(ball, {5, 0, 0}));
+  const auto all = together(three, insideOut(tessellation::box({-9, -9, -9}, {9, 9, 9}, 2)));
+  const auto count = [](const MeshSDF<T>& mesh) { return mesh.signReport().selfIntersections; };
+  const auto known = count(MeshSDF<T>(all));
+  const auto third = expectFollows<T>(all, [](Vec3<double> p) {
+    return p.x > 3.5 && p.x < 8 ? p - Vec3<double>{2, 0, 0} : p;
+  });
+  EXPECT_GT(count(third), known);
+  const auto first = expectFollows<T>(all, [](Vec3<double> p) {
+    return p.x < -0.5 && p.x > -8 ? p + Vec3<double>{0.25, 0, 0} : p;
+  });
+  EXPECT_EQ(count(first), known) << "the cap that moves is away from the second ball";
+  const auto parted = expectFollows<T>(all, [](Vec3<double> p) {
+    return length(p) < 1.001 ? p - Vec3<double>{3, 0, 0} : p;
+  });
+  EXPECT_LT(count(parted), known);
+}
+
+// Of balls that are apart, which is proven, only those that have moved are looked at.
+TYPED_TEST(RefitTest, FindsWhereOneOfManyMovesIntoAnother) {
+  using T = TypeParam;
+  const auto ball = tessellation::icosphere(1, 2);
+  const auto three = together(together(ball, moved(ball, {3, 0.1, 0.2})), moved(ball, {6, 0, 0}));
+  const auto all = together(three, insideOut(tessellation::box({-9, -9, -9}, {9, 9, 9}, 2)));
+  const MeshSDF<T> before(all);
+  ASSERT_TRUE(before.signReport().isProven);
+  const auto by = [&](double way) {
+    return expectFollows<T>(all,
+                            [&](Vec3<double> p) {
+                              return p.x > 4.5 && p.x < 8 ? p - Vec3<double>{way, 0, 0} : p;
+                            })
+        .signReport();
+  };
+  EXPECT_GT(by(2).selfIntersections, 0U);
+  EXPECT_EQ(by(0.5).selfIntersections, 0U);
+  EXPECT_TRUE(by(0.5).isProven);
+}
+
 TYPED_TEST(RefitTest, TurnsWhatMotionTurnsInsideOut) {
   using T = TypeParam;
   const auto mirrored = [](const Vec3<double>& p) { return Vec3<double>{-p.x, p.y, p.z}; };

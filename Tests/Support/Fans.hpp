@@ -11,7 +11,7 @@
 
 namespace cutwater::test {
 
-/// TriangleList and the points that they lie between.
+/// Triangles and the points that they lie between.
 struct TriangleList {
   std::vector<Vec3<double>> points;
   std::vector<std::array<std::uint32_t, 3>> corners;

@@ -101,7 +101,7 @@ TEST(CrowdSplitsTest, OnGridsToo) {
   EXPECT_GT(splits, 100);
 }
 
-/// TriangleList in all crowds that come of splitting, and pairs in those that are not split
+/// Triangles in all crowds that come of splitting, and pairs in those that are not split
 /// further: what the time is proportional to.
 double workOn(const TriangleList& soup) {
   const PairTest pairs(soup.points, soup.corners);

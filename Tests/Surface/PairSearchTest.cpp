@@ -1,6 +1,8 @@
+#include <Cutwater/Surface/Detail/PairSearch.hpp>
 #include <Cutwater/Surface/SelfIntersections.hpp>
 
 #include <algorithm>
+#include <atomic>
 
 #include <gtest/gtest.h>
 
@@ -82,6 +84,49 @@ TEST(PairSearchTest, LargeFansAreSearchedAsAWhole) {
   soup.corners.push_back({first, first + 1, first + 2});
   const auto pierced = findSelfIntersections<double>(soup.points, soup.corners);
   EXPECT_EQ(pierced.pairs.examples, (std::vector<FacePair>{{FaceId{777}, FaceId{40'000}}}));
+}
+
+/// Looks for pairs of which one in `every` triangles has changed, in a crowd and beside it.
+void expectChangedAsBruteForce(TriangleList soup, std::uint32_t every, std::mt19937& engine) {
+  soup.shuffle(engine);
+  std::vector<std::uint8_t> changed;
+  for (std::size_t t = 0; t < soup.corners.size(); ++t) changed.push_back(engine() % every == 0);
+  const auto tree = buildTriangleTree<double>(soup.points, soup.corners);
+  const PairTest pairs(soup.points, soup.corners, 1, changed);
+  const PairSearch search(pairs, tree.tree(), 1);
+  std::vector<FacePair> found;
+  const std::atomic<std::uint32_t> lastWanted{kNone};
+  const auto take = [&](std::uint32_t a, std::uint32_t b) {
+    found.push_back({FaceId{a}, FaceId{b}});
+    return true;
+  };
+  for (std::size_t task = 0; task < search.tasks(); ++task) search.run(task, {lastWanted, take});
+  std::ranges::sort(found, {}, [](const FacePair& p) {
+    return std::pair(static_cast<std::uint32_t>(p.first), static_cast<std::uint32_t>(p.second));
+  });
+  const auto expected = bruteForce(soup.points, soup.corners, changed).pairs;
+  ASSERT_EQ(found.size(), expected.count);
+  found.resize(expected.examples.size());
+  EXPECT_EQ(found, expected.examples);
+}
+
+TEST(PairSearchTest, OnlyPairsOfTrianglesThatHaveChanged) {
+  std::mt19937 engine(15);
+  for (const std::uint32_t every : {2U, 20U, 400U}) {
+    auto crowded = doubleFan(500, 0.2, engine);
+    addIntruders(crowded, 12, engine);
+    expectChangedAsBruteForce(std::move(crowded), every, engine);
+    TriangleList scattered;
+    for (std::uint32_t i = 0; i < 900; ++i) {
+      const Vec3<double> at{unitRandom(engine), unitRandom(engine), unitRandom(engine)};
+      for (int corner = 0; corner < 3; ++corner) {
+        scattered.points.push_back(
+            at + 0.1 * Vec3<double>{unitRandom(engine), unitRandom(engine), unitRandom(engine)});
+      }
+      scattered.corners.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    expectChangedAsBruteForce(std::move(scattered), every, engine);
+  }
 }
 
 TEST(PairSearchTest, TheFirstOfVeryManyPairs) {

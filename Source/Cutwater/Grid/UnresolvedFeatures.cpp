@@ -57,7 +57,7 @@ class Inspection {
     detail::parallelBatches(places.size(), kTogether, {.threads = options_.threads},
                             [&](std::size_t first, std::size_t count) {
                               const auto some = places.subspan(first, count);
-                              std::array<detail::CellSigns, kTogether> signs;
+                              std::array<detail::CellSigns<T>, kTogether> signs;
                               signs_.signs(some, signs);
                               auto& here = found[first / kTogether];
                               for (std::size_t n = 0; n < count; ++n)
@@ -66,7 +66,7 @@ class Inspection {
     for (const auto& some : found) features.insert(features.end(), some.begin(), some.end());
   }
 
-  void inspect(std::size_t place, const detail::CellSigns& signs, Features& features) const {
+  void inspect(std::size_t place, const detail::CellSigns<T>& signs, Features& features) const {
     const auto& cell = mesh_.cells()[place];
     detail::UnresolvedCell<T> surface(solid_, mesh_.box(cell), signs);
     const auto found = surface.find(cell.kind == BoxClass::Cut);

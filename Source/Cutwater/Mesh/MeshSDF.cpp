@@ -40,12 +40,12 @@ PolygonSoup trianglesOf(const TriangleSurface<T>& surface, std::span<const Vec3<
 template <std::floating_point T>
 using SharedIndex = std::shared_ptr<const MeshIndex<T>>;
 
-/// `defects` describes a surface that is refused in more detail.
+/// `defects` describes a surface that is refused in more detail; `before`: see MeshIndex.
 template <std::floating_point T>
 SharedIndex<T> indexOf(const TriangleSurfaceArrays<T>& arrays, const TriangleTreeArrays& tree,
                        std::span<const char> patchNames, const MeshSDFOptions& options,
-                       FunctionRef<std::string()> defects) {
-  auto index = std::make_shared<const MeshIndex<T>>(arrays, tree, patchNames, options);
+                       FunctionRef<std::string()> defects, const MeshIndex<T>* before = nullptr) {
+  auto index = std::make_shared<const MeshIndex<T>>(arrays, tree, patchNames, options, before);
   if (options.requireWatertight && !index->signs().isSound()) {
     throw Error(ErrorKind::Topology, "the surface does not bound a solid: " +
                                          index->signs().summary() + "; " + defects());
@@ -80,10 +80,10 @@ SharedIndex<T> refittedIndex(const MeshIndex<T>& before, std::span<const Vec3<T>
   const auto& block = before.block();
   const auto insideOut = block.template array<std::uint32_t>(before.layout().insideOut);
   const TriangleSurfaceArrays<T> arrays(surface, before.signs(), insideOut, positions);
-  return indexOf(arrays,
-                 refittedTriangleTree(before.tree(), arrays.positions(), arrays.triangles()),
-                 block.template array<char>(before.layout().patchNames), before.options(),
-                 [&] { return check(DcelMesh<T>(trianglesOf(surface, positions))).summary(); });
+  return indexOf(
+      arrays, refittedTriangleTree(before.tree(), arrays.positions(), arrays.triangles()),
+      block.template array<char>(before.layout().patchNames), before.options(),
+      [&] { return check(DcelMesh<T>(trianglesOf(surface, positions))).summary(); }, &before);
 }
 
 /// The header of a geometry file, which the index's block follows.

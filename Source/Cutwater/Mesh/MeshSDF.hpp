@@ -38,10 +38,12 @@ class MeshSDF final : public MeshFunction<T, MeshIndex<T>> {
   /// `positions` are those of the soup's points (of the DcelMesh's vertices) in their order, unused
   /// ones too, before the placement. Results are, to the bit, those of a MeshSDF made from the
   /// triangles at their new places with the same options, including the sign report and errors (but
-  /// not bounds(), which may differ by a thousandth of the gap); polygons with more corners stay
-  /// cut as they are. This takes less than half the time, because the tree keeps its shape. Queries
-  /// become slower as triangles that share a leaf move apart or turn far from where they were; then
-  /// build anew.
+  /// not bounds(), which may differ by a thousandth of the gap, nor the number of probes where
+  /// triangles touch); polygons with more corners stay cut as they are. This takes less than half
+  /// the time, because the tree keeps its shape. If this surface is proven sound, and less than
+  /// half of the triangles move, only these are searched for self-intersections, unless the
+  /// surface's largest coordinate passes a power of two. Queries become slower as triangles that
+  /// share a leaf move apart or turn far from where they were; then build anew.
   ///
   /// Returns a new surface, so queries of this one may continue: `mesh = mesh.refitted(positions)`
   /// frees the old one once nobody uses it. The placement stays.

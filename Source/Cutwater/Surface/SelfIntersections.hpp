@@ -42,7 +42,8 @@ struct SelfIntersectionOptions {
 /// exactly, see TriangleIntersection.hpp; the result does not depend on the number of threads.
 ///
 /// The faces in the result are indices of triangles. Takes about as long as building the tree, plus
-/// the time for every pair of triangles whose boxes meet.
+/// the time for pairs of triangles whose boxes meet; where these are very many, as in fans and
+/// among slivers, triangles are first divided by planes, so that the time stays near linear.
 /// @throws Error(Argument) if a corner is not the index of a position, or a position is not finite.
 template <std::floating_point T>
 [[nodiscard]] SelfIntersections findSelfIntersections(

@@ -82,8 +82,10 @@ void OctreeSigns<T>::evaluate(const ParallelOptions& options) {
 template <std::floating_point T>
 void OctreeSigns<T>::countCrossings(int level, const ParallelOptions& options) {
   markEdges(level, options);
+  stretches_.clear();
   forPlaces(placesOf(edges_), options,
             [&](std::span<const std::size_t> edges) { countCrossingsOf(level, edges); });
+  std::ranges::sort(stretches_, {}, &NumberedStretch::edge);
 }
 
 template <std::floating_point T>
@@ -140,26 +142,37 @@ void OctreeSigns<T>::countCrossingsOf(int level, std::span<const std::size_t> ed
   for (const auto number : edges) {
     auto& mark = edges_[number];
     if (mark.load(std::memory_order_relaxed) == kFree) continue;
-    mark.store(crossingsOf(edge(number, level)), std::memory_order_relaxed);
+    EdgeStretch<T> thickest{};
+    const auto found = crossingsOf(edge(number, level), thickest);
+    mark.store(found, std::memory_order_relaxed);
+    if (found < 2) continue;
+    const std::lock_guard lock(stretchesMutex_);
+    stretches_.push_back({number, thickest});
   }
 }
 
 template <std::floating_point T>
-auto OctreeSigns<T>::crossingsOf(const Segment<T>& edge) const -> Mark {
-  Crossing<T> last;
+auto OctreeSigns<T>::crossingsOf(const Segment<T>& edge, EdgeStretch<T>& thickest) const -> Mark {
+  std::optional<Crossing<T>> last;
   std::size_t seen = 0;
-  bool isMore = false;
   solid_.crossings(edge, [&](const Crossing<T>& crossing) {
-    isMore = seen > 0 && stretchBetween(solid_, edge, last, crossing);
+    const auto stretch = last ? stretchBetween(solid_, edge, *last, crossing) : std::nullopt;
+    if (stretch && std::abs(stretch->distance) > std::abs(thickest.distance)) thickest = *stretch;
     last = crossing;
     ++seen;
-    return !isMore;
+    return true;
   });
-  return isMore ? 2 : seen % 2;
+  return thickest.distance != 0 ? 2 : seen % 2;
 }
 
 template <std::floating_point T>
-void OctreeSigns<T>::signs(std::span<const std::size_t> cells, std::span<CellSigns> result) const {
+auto OctreeSigns<T>::thickestOf(std::size_t edge) const -> const EdgeStretch<T>& {
+  return std::ranges::lower_bound(stretches_, edge, {}, &NumberedStretch::edge)->thickest;
+}
+
+template <std::floating_point T>
+void OctreeSigns<T>::signs(std::span<const std::size_t> cells,
+                           std::span<CellSigns<T>> result) const {
   Scratch<typename OctreeNodes<T>::Corners, kMost> scratch;
   const auto corners = scratch.first(cells.size());
   nodes_.corners(cells, corners);
@@ -172,6 +185,11 @@ void OctreeSigns<T>::signs(std::span<const std::size_t> cells, std::span<CellSig
       const auto& [from, axis] = kCellEdges[e];
       const auto number = edgeNumber(corners[n][static_cast<std::size_t>(from)], axis);
       result[n].crossings[e] = edges_[number].load(std::memory_order_relaxed);
+      if (result[n].crossings[e] < 2) continue;
+      const auto& thickest = thickestOf(number);
+      if (std::abs(thickest.distance) > std::abs(result[n].thickest.distance)) {
+        result[n].thickest = thickest;
+      }
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <Cutwater/Grid/OctreeNodes.hpp>
 
 #include <atomic>
+#include <mutex>
 
 namespace cutwater::detail {
 
@@ -49,11 +50,15 @@ template <std::floating_point T>
 }
 
 /// What is known about the surface at the corners and edges of a cell.
+template <std::floating_point T>
 struct CellSigns {
   unsigned inside = 0;  ///< a bit for each corner with a negative value
   /// For each of kCellEdges: 0 if there is no crossing, 1 if its ends are on different sides, 2 if
   /// it also passes through something between crossings.
   std::array<std::uint8_t, 12> crossings{};
+  /// Of the stretches between crossings of one edge, the one whose middle is farthest from the
+  /// surface; of distance 0 if there is none.
+  EdgeStretch<T> thickest{};
 
   [[nodiscard]] bool isInside(int corner) const { return (inside >> corner & 1U) != 0; }
 };
@@ -74,7 +79,7 @@ class OctreeSigns {
   /// Queries the edges of cells(level), and forgets those of other levels.
   void countCrossings(int level, const ParallelOptions& options);
   /// Writes the signs of some of these cells.
-  void signs(std::span<const std::size_t> cells, std::span<CellSigns> result) const;
+  void signs(std::span<const std::size_t> cells, std::span<CellSigns<T>> result) const;
 
   /// Number of cells that are best queried together.
   static constexpr std::size_t kMost = 64;
@@ -94,8 +99,10 @@ class OctreeSigns {
   void markEdges(int level, const ParallelOptions& options);
   /// Queries some edges, given by their numbers.
   void countCrossingsOf(int level, std::span<const std::size_t> edges);
-  /// See CellSigns.
-  [[nodiscard]] Mark crossingsOf(const Segment<T>& edge) const;
+  /// See CellSigns. `thickest`: of this edge.
+  [[nodiscard]] Mark crossingsOf(const Segment<T>& edge, EdgeStretch<T>& thickest) const;
+  /// What is known of an edge that is crossed more than once.
+  [[nodiscard]] const EdgeStretch<T>& thickestOf(std::size_t edge) const;
   [[nodiscard]] Segment<T> edge(std::size_t number, int level) const;
   [[nodiscard]] bool isInside(std::size_t node) const { return values_[node] < 0; }
   /// Number of the edge that begins at a node.
@@ -109,6 +116,12 @@ class OctreeSigns {
   std::vector<std::vector<std::size_t>> cells_;  // of each level
   std::vector<T> values_;                        // at all nodes; 0 where not needed
   std::vector<std::atomic<Mark>> edges_;         // by their numbers
+  struct NumberedStretch {
+    std::size_t edge;
+    EdgeStretch<T> thickest;
+  };
+  std::vector<NumberedStretch> stretches_;  // of edges that are crossed more than once; ascending
+  std::mutex stretchesMutex_;               // while they are being found
 };
 
 extern template class OctreeSigns<float>;

@@ -35,22 +35,22 @@ auto UnresolvedCell<T>::find(bool isCut) -> std::optional<Finding> {
     if (!isMultiCut(result.isSolid)) return {};
     result.kind = UnresolvedKind::MultiCut;
   }
-  walkEdges();
-  if (result.kind == UnresolvedKind::MultiCut && thickest_.distance != 0) {
-    result.depth = 2 * std::abs(thickest_.distance);
-    result.point = thickest_.middle;
+  const auto& thickest = signs_.thickest;
+  if (result.kind == UnresolvedKind::MultiCut && thickest.distance != 0) {
+    result.depth = 2 * std::abs(thickest.distance);  // the middle is half as far away
+    result.point = thickest.middle;
     // An edge may pass through walls and slits alternately, whatever the signs at its ends.
-    result.isSolid = thickest_.distance < 0;
+    result.isSolid = thickest.distance < 0;
     return result;
   }
-  samplePoints();
-  for (std::size_t i = 0; i < count_; ++i) {
-    const T depth = depthAt(i, result.isSolid);
-    // A hidden part is as deep as its deepest place; between sheets the narrowest place counts.
-    if (i > 0 && (isHidden ? depth <= result.depth : depth >= result.depth)) continue;
-    result.depth = depth;
-    result.point = points_[i];
+  // Once nothing can be narrower, the rest is not looked at.
+  const auto isSettled = [&] { return !isHidden && measured_ > 0 && result.depth == 0; };
+  for (std::size_t e = 0; e < kCellEdges.size() && !isSettled(); ++e) {
+    walkEdge(e);
+    measure(isHidden, result);
   }
+  if (!isSettled()) samplePoints();
+  measure(isHidden, result);
   if (count_ == 0) result.point = box_.center();
   if (isHidden && !isCut && !(result.depth > 0)) return {};
   return result;
@@ -63,20 +63,28 @@ bool UnresolvedCell<T>::isOnlyTouched() const {
 }
 
 template <std::floating_point T>
-void UnresolvedCell<T>::walkEdges() {
-  for (std::size_t e = 0; e < kCellEdges.size(); ++e) {
-    if (signs_.crossings[e] == 0) continue;
-    const Segment<T> edge{box_.corner(kCellEdges[e].from), box_.corner(kCellEdges[e].to())};
-    std::optional<Crossing<T>> last;
-    solid_.crossings(edge, [&](const Crossing<T>& crossing) {
-      note(crossing.point, crossing.normal);
-      const auto stretch = last ? stretchBetween(solid_, edge, *last, crossing) : std::nullopt;
-      if (stretch && std::abs(stretch->distance) > std::abs(thickest_.distance)) {
-        thickest_ = *stretch;
-      }
-      last = crossing;
-      return true;
-    });
+void UnresolvedCell<T>::walkEdge(std::size_t number) {
+  if (signs_.crossings[number] == 0) return;
+  const auto& edge = kCellEdges[number];
+  solid_.crossings({box_.corner(edge.from), box_.corner(edge.to())},
+                   [&](const Crossing<T>& crossing) {
+                     note(crossing.point, crossing.normal);
+                     return count_ < kMostPoints;
+                   });
+}
+
+template <std::floating_point T>
+void UnresolvedCell<T>::measure(bool isHidden, Finding& result) {
+  // A hidden part is as deep as its deepest place; between sheets the narrowest place counts.
+  for (; measured_ < count_; ++measured_) {
+    const bool isFirst = measured_ == 0;
+    const T reach = reachFrom(measured_, result.isSolid);
+    if (!isFirst && isHidden && reach <= result.depth) continue;
+    const T most = isFirst || isHidden ? reach : std::min(reach, result.depth);
+    const T depth = depthAt(measured_, result.isSolid, most);
+    if (!isFirst && (isHidden ? depth <= result.depth : depth >= result.depth)) continue;
+    result.depth = depth;
+    result.point = points_[measured_];
   }
 }
 
@@ -137,7 +145,7 @@ void UnresolvedCell<T>::samplePoints() {
 }
 
 template <std::floating_point T>
-T UnresolvedCell<T>::depthAt(std::size_t point, bool isSolid) const {
+T UnresolvedCell<T>::reachFrom(std::size_t point, bool isSolid) const {
   const Vec3<T> direction = isSolid ? -normals_[point] : normals_[point];
   const Vec3<T> from = max(box_.lower, min(box_.upper, points_[point]));
   T reach = box_.diagonal();
@@ -148,11 +156,18 @@ T UnresolvedCell<T>::depthAt(std::size_t point, bool isSolid) const {
       reach = std::min(reach, (box_.lower[axis] - from[axis]) / direction[axis]);
     }
   }
-  if (!(reach > skin())) return 0;
-  T depth = reach;
-  solid_.crossings({from + skin() * direction, from + reach * direction},
+  return reach;
+}
+
+template <std::floating_point T>
+T UnresolvedCell<T>::depthAt(std::size_t point, bool isSolid, T most) const {
+  if (!(most > skin())) return 0;
+  const Vec3<T> direction = isSolid ? -normals_[point] : normals_[point];
+  const Vec3<T> from = max(box_.lower, min(box_.upper, points_[point]));
+  T depth = most;
+  solid_.crossings({from + skin() * direction, from + most * direction},
                    [&](const Crossing<T>& crossing) {
-                     depth = skin() + crossing.parameter * (reach - skin());
+                     depth = skin() + crossing.parameter * (most - skin());
                      return false;
                    });
   // Where the surface only touches the cell's faces, there is nothing behind the point.

@@ -9,7 +9,8 @@ namespace cutwater::detail {
 template <std::floating_point T>
 class UnresolvedCell {
  public:
-  UnresolvedCell(const SignedDistanceFunction<T>& solid, const Box<T>& box, const CellSigns& signs)
+  UnresolvedCell(const SignedDistanceFunction<T>& solid, const Box<T>& box,
+                 const CellSigns<T>& signs)
       : solid_(solid), box_(box), signs_(signs) {}
 
   struct Finding {
@@ -32,20 +33,24 @@ class UnresolvedCell {
   [[nodiscard]] bool mayMeet(const Box<T>& part) const { return mayBeCut(solid_.classify(part)); }
   [[nodiscard]] UnresolvedKind hiddenKind() const;
   [[nodiscard]] bool isMultiCut(bool& isSolid) const;
-  /// Notes crossings of the edges, up to kMostPoints, and the thickest stretch between two of them.
-  void walkEdges();
+  /// Notes crossings of one of kCellEdges, up to kMostPoints in all.
+  void walkEdge(std::size_t number);
   /// Notes surface points in the cell, found by sampling.
   void samplePoints();
   void note(const Vec3<T>& point, const Vec3<T>& normal);
+  /// Updates depth and point from the notes that are new.
+  void measure(bool isHidden, Finding& result);
+  /// How far the cell reaches from a noted point along its normal, into the solid or the fluid.
+  [[nodiscard]] T reachFrom(std::size_t point, bool isSolid) const;
   /// Depth of the solid or fluid behind a noted point: along the normal, to its other side or to
-  /// where the cell ends.
-  [[nodiscard]] T depthAt(std::size_t point, bool isSolid) const;
+  /// where the cell ends; `most` if it is at least that.
+  [[nodiscard]] T depthAt(std::size_t point, bool isSolid, T most) const;
 
   const SignedDistanceFunction<T>& solid_;
   Box<T> box_;
-  CellSigns signs_;
-  EdgeStretch<T> thickest_{};  // its thickness is twice its distance
-  std::size_t count_ = 0;
+  CellSigns<T> signs_;
+  std::size_t count_ = 0;     // of notes
+  std::size_t measured_ = 0;  // the first of them
   std::array<Vec3<T>, kMostPoints> points_;
   std::array<Vec3<T>, kMostPoints> normals_;
 };

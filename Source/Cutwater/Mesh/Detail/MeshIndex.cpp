@@ -2,6 +2,7 @@
 #include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
 #include <Cutwater/Surface/Detail/ContactSearch.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -13,6 +14,18 @@ namespace {
 template <std::floating_point T>
 bool needsWinding(const TriangleSurfaceArrays<T>& arrays, const MeshSDFOptions& options) {
   return !arrays.openEdges().empty() && options.signs != SignScheme::NearestFeature;
+}
+
+/// For each triangle, whether a corner has moved, in scaled units, in which they are compared.
+template <std::floating_point T>
+std::vector<std::uint8_t> changedTriangles(const TriangleSurface<T>& before,
+                                           const TriangleSurface<T>& after) {
+  std::vector<std::uint8_t> changed(after.triangles.size());
+  for (std::size_t t = 0; t < changed.size(); ++t) {
+    const auto hasMoved = [&](auto v) { return before.positions[v] != after.positions[v]; };
+    changed[t] = std::ranges::any_of(after.triangles[t], hasMoved) ? 1 : 0;
+  }
+  return changed;
 }
 
 }  // namespace
@@ -27,12 +40,12 @@ MeshIndex<T>::MeshIndex(Block block, const MeshLayout<T>& layout, const SignRepo
 
 template <std::floating_point T>
 MeshIndex<T>::MeshIndex(const TriangleSurfaceArrays<T>& arrays, const TriangleTreeArrays& tree,
-                        std::span<const char> patchNames, const MeshSDFOptions& options)
+                        std::span<const char> patchNames, const MeshSDFOptions& options,
+                        const MeshIndex* before)
     : options_(options) {
   fill(arrays, tree, patchNames);
-  auto signs = checkSigns<T>(surface(), arrays, trianglesAlong(), options, [&] {
-    return findContacts<T>(arrays.positions(), arrays.triangles(), tree_);
-  });
+  auto signs =
+      checkSigns<T>(surface(), arrays, trianglesAlong(), options, [&] { return contacts(before); });
   if (needsWinding(arrays, options)) probeAmbiguity(signs);
   this->setSigns(signs, options.signs);
 }
@@ -72,6 +85,19 @@ void MeshIndex<T>::take(Block block, const MeshLayout<T>& layout) {
                            block_.array<ChildHulls>(layout.hulls),
                            block_.array<std::uint32_t>(layout.hullsOfNode));
   winding_ = layout.winding.view(block_);
+}
+
+template <std::floating_point T>
+SurfaceContacts MeshIndex<T>::contacts(const MeshIndex* before) const {
+  const auto find = [&](std::span<const std::uint8_t> changed) {
+    return findContacts<T>(surface().positions, surface().triangles, tree_, changed);
+  };
+  if (before == nullptr || !before->signs().isProven) return find({});
+  const auto changed = changedTriangles(before->surface(), surface());
+  const auto count = static_cast<std::size_t>(std::ranges::count(changed, 1));
+  // Triangles that have not moved overlap as little as before. Where only these touch, either side
+  // bounds the solid if the other does, as before: so their edges need no marks.
+  return 2 * count > changed.size() ? find({}) : find(changed);
 }
 
 template <std::floating_point T>

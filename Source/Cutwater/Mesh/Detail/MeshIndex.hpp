@@ -30,8 +30,11 @@ class MeshIndex final : public SignedSurface<T> {
   using SignedSurface<T>::surface;
 
   /// Names are characters; each name is ended by a zero.
+  /// `before`: an index of the same triangles between other points, which spares the search for
+  /// self-intersections where these have not moved; or null.
   MeshIndex(const TriangleSurfaceArrays<T>& arrays, const TriangleTreeArrays& tree,
-            std::span<const char> patchNames, const MeshSDFOptions& options);
+            std::span<const char> patchNames, const MeshSDFOptions& options,
+            const MeshIndex* before = nullptr);
   /// Of a block that an index has filled: `signs` are its own.
   MeshIndex(Block block, const MeshLayout<T>& layout, const SignReport& signs,
             const MeshSDFOptions& options);
@@ -90,6 +93,7 @@ class MeshIndex final : public SignedSurface<T> {
   void fill(const TriangleSurfaceArrays<T>& arrays, const TriangleTreeArrays& tree,
             std::span<const char> patchNames);
   void take(Block block, const MeshLayout<T>& layout);
+  [[nodiscard]] SurfaceContacts contacts(const MeshIndex* before) const;
   /// Estimates winding numbers all over the box of a surface that is not closed.
   void probeAmbiguity(SignReport& signs) const;
 

@@ -76,8 +76,9 @@ class ContactCount {
 };
 
 SurfaceContacts contactsOver(std::span<const Vec3<double>> positions,
-                             std::span<const CornerIds> triangles, const TriangleTree& tree) {
-  const PairTest pairs(positions, triangles);
+                             std::span<const CornerIds> triangles, const TriangleTree& tree,
+                             PairTest::Changed changed) {
+  const PairTest pairs(positions, triangles, 0, changed);
   const PairSearch search(pairs, tree, 0);
   ContactCount contacts(pairs);
   const std::atomic<std::uint32_t> lastWanted{kNone};
@@ -94,12 +95,13 @@ SurfaceContacts contactsOver(std::span<const Vec3<double>> positions,
 
 template <std::floating_point T>
 SurfaceContacts findContacts(std::span<const Vec3<T>> positions,
-                             std::span<const CornerIds> triangles, const TriangleTree& tree) {
+                             std::span<const CornerIds> triangles, const TriangleTree& tree,
+                             std::span<const std::uint8_t> changed) {
   if constexpr (std::same_as<T, double>) {
-    return contactsOver(positions, triangles, tree);
+    return contactsOver(positions, triangles, tree, changed);
   } else {
     const std::vector<Vec3<double>> inDouble(positions.begin(), positions.end());
-    return contactsOver(inDouble, triangles, tree);
+    return contactsOver(inDouble, triangles, tree, changed);
   }
 }
 
@@ -112,7 +114,7 @@ SurfaceContacts findContacts(std::span<const Vec3<T>> positions,
 
 #define CUTWATER_INSTANTIATE(T)                                                               \
   template SurfaceContacts findContacts(std::span<const Vec3<T>>, std::span<const CornerIds>, \
-                                        const TriangleTree&);                                 \
+                                        const TriangleTree&, std::span<const std::uint8_t>);  \
   template SurfaceContacts findContacts(std::span<const Vec3<T>>, std::span<const CornerIds>);
 CUTWATER_INSTANTIATE(float)
 CUTWATER_INSTANTIATE(double)

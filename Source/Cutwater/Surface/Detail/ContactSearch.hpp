@@ -26,11 +26,13 @@ struct SurfaceContacts {
 
 /// Decides every pair of triangles that might meet, exactly. Of the tree over the triangles, only
 /// the grouping is used. The largest coordinate must be about 1: see ExactPredicates.hpp. The
-/// overlaps do not depend on the number of threads.
+/// overlaps do not depend on the number of threads. If `changed` is given, one value for each
+/// triangle, only pairs of which at least one is not 0 are decided.
 template <std::floating_point T>
 [[nodiscard]] SurfaceContacts findContacts(std::span<const Vec3<T>> positions,
                                            std::span<const std::array<std::uint32_t, 3>> triangles,
-                                           const TriangleTree& tree);
+                                           const TriangleTree& tree,
+                                           std::span<const std::uint8_t> changed = {});
 
 /// The same, with a tree of its own.
 template <std::floating_point T>

@@ -37,6 +37,7 @@ PairSearch::PairSearch(const PairTest& pairs, const TriangleTree& tree, int thre
     : pairs_(pairs), tree_(tree) {
   const std::size_t leaves = tree.slots().size() / TriangleTree::kLeafWidth;
   boxes_.assign(leaves, LeafBoxes({}));
+  isChanged_.resize(leaves);
   isCrowded_.resize(leaves);
   surroundings_.resize((leaves + kLeavesPerRange - 1) / kLeavesPerRange);
   const auto forRanges = [&](void (PairSearch::*work)(std::size_t)) {
@@ -44,7 +45,10 @@ PairSearch::PairSearch(const PairTest& pairs, const TriangleTree& tree, int thre
                 [&](std::size_t range, std::size_t) { (this->*work)(range); });
   };
   forRanges(&PairSearch::fitLeaves);
-  fitNodes();
+  childBoxes_ = fittedNodes([](std::uint32_t) { return true; });
+  if (!pairs.areAllChanged()) {
+    changedBoxes_ = fittedNodes([&](std::uint32_t leaf) { return isChanged_[leaf] != 0; });
+  }
   forRanges(&PairSearch::lookAround);
   gatherCrowds();
 }
@@ -54,23 +58,30 @@ void PairSearch::fitLeaves(std::size_t range) {
   const std::size_t end = std::min(begin + kLeavesPerRange, boxes_.size());
   for (auto leaf = static_cast<std::uint32_t>(begin); leaf < end; ++leaf) {
     boxes_[leaf] = LeafBoxes(boxesOf(pairs_, slots(leaf)));
+    const bool hasChanged = std::ranges::any_of(
+        slots(leaf), [&](std::uint32_t t) { return t != kNone && pairs_.isChanged(t); });
+    isChanged_[leaf] = hasChanged ? 1 : 0;
   }
 }
 
-void PairSearch::fitNodes() {
+template <typename Counts>
+std::vector<LeafBoxes> PairSearch::fittedNodes(Counts&& counts) const {
   const auto nodes = tree_.nodes();
-  childBoxes_.assign(nodes.size(), LeafBoxes({}));
+  std::vector<LeafBoxes> fitted(nodes.size(), LeafBoxes({}));
   for (std::size_t n = nodes.size(); n-- > 0;) {  // children come after their parents
     SlotBoxes boxes;
     for (auto rest = nodes[n].childMask(); rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
-      boxes[static_cast<std::size_t>(lane)] =
-          (nodes[n].isLeaf(lane) ? boxes_[nodes[n].leafIndex(lane)]
-                                 : childBoxes_[nodes[n].nodeIndex(lane)])
-              .all();
+      auto& box = boxes[static_cast<std::size_t>(lane)];
+      if (!nodes[n].isLeaf(lane)) {
+        box = fitted[nodes[n].nodeIndex(lane)].all();
+      } else if (counts(nodes[n].leafIndex(lane))) {
+        box = boxes_[nodes[n].leafIndex(lane)].all();
+      }
     }
-    childBoxes_[n] = LeafBoxes(boxes);
+    fitted[n] = LeafBoxes(boxes);
   }
+  return fitted;
 }
 
 void PairSearch::lookAround(std::size_t range) {
@@ -91,13 +102,14 @@ bool PairSearch::addAround(std::uint32_t leaf, std::vector<std::uint32_t>& leave
   const auto& box = boxes_[leaf].all();
   const std::size_t most = leaves.size() + kMostAround;
   if (box.empty()) return true;
+  const auto& boxes = isChanged_[leaf] != 0 ? childBoxes_ : changedBoxes_;
   // At every level, at most all children but one wait.
   std::array<std::uint32_t, TriangleTree::kMaxDepth * TriangleTree::kArity> pending{};
   std::size_t count = 1;
   while (count > 0) {
     const auto n = pending[--count];
     const auto& node = tree_.nodes()[n];
-    for (auto rest = childBoxes_[n].meeting(box); rest != 0; rest &= rest - 1) {
+    for (auto rest = boxes[n].meeting(box); rest != 0; rest &= rest - 1) {
       const int lane = std::countr_zero(rest);
       if (!node.isLeaf(lane)) {
         pending[count++] = node.nodeIndex(lane);
@@ -154,6 +166,7 @@ bool PairSearch::run(std::size_t task, const PairVisitor& visitor) const {
 
 bool PairSearch::decideWithin(std::uint32_t leaf, const SlotBoxes& boxes,
                               const PairVisitor& visitor) const {
+  if (isChanged_[leaf] == 0) return true;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     if (boxes[k].empty()) continue;
     const std::uint32_t later = ~1U << k;
@@ -174,12 +187,18 @@ bool PairSearch::decideBetween(std::uint32_t leaf, const SlotBoxes& boxes, std::
   return true;
 }
 
+bool PairSearch::hasChanged(const Crowd& crowd) const {
+  const auto isChanged = [&](std::uint32_t t) { return pairs_.isChanged(t); };
+  return std::ranges::any_of(crowd.members, isChanged) ||
+         std::ranges::any_of(crowd.guests, isChanged);
+}
+
 bool PairSearch::decideCrowd(const Crowd& crowd, const PairVisitor& visitor) const {
   std::vector<Crowd> pending{crowd};
   while (!pending.empty()) {
     const Crowd next = std::move(pending.back());
     pending.pop_back();
-    if (next.isDecided()) continue;
+    if (next.isDecided() || !hasChanged(next)) continue;
     if (!visitor.wants(lowestOf(next))) continue;
     auto parts = next.size() <= kSmallCrowd ? std::nullopt : split(pairs_, next);
     if (parts) {

@@ -23,7 +23,8 @@ struct PairVisitor {
 };
 
 /// The search for pairs of triangles that meet, divided into tasks that threads may run in any
-/// order. Every pair is found by exactly one of them.
+/// order. Every pair is found by exactly one of them. Where few triangles have changed, see
+/// PairTest, the others look for these alone.
 ///
 /// Leaves of a tree are compared with the leaves around them. Those that have very many around them
 /// are crowded: comparing their triangles would take the square of their number. Pairs of triangles
@@ -54,11 +55,15 @@ class PairSearch {
   }
   void fitLeaves(std::size_t range);
   void lookAround(std::size_t range);
-  /// Fits boxes to the nodes of the tree, whose own may be turned.
-  void fitNodes();
-  /// Appends the leaves whose box meets that of the given one; false if there are too many.
+  /// Fits boxes to the nodes of the tree, whose own may be turned, from those of the leaves that
+  /// `counts`.
+  template <typename Counts>
+  [[nodiscard]] std::vector<LeafBoxes> fittedNodes(Counts&& counts) const;
+  /// Appends the leaves whose box meets that of the given one, if that has not changed only those
+  /// that have; false if there are too many.
   [[nodiscard]] bool addAround(std::uint32_t leaf, std::vector<std::uint32_t>& leaves) const;
   void gatherCrowds();
+  [[nodiscard]] bool hasChanged(const Crowd& crowd) const;
   // These return false if the visitor ended the search.
   bool decideWithin(std::uint32_t leaf, const SlotBoxes& boxes, const PairVisitor& visitor) const;
   bool decideBetween(std::uint32_t leaf, const SlotBoxes& boxes, std::uint32_t other,
@@ -73,7 +78,9 @@ class PairSearch {
   const PairTest& pairs_;
   const TriangleTree& tree_;
   std::vector<LeafBoxes> boxes_;            ///< per leaf
+  std::vector<std::uint8_t> isChanged_;     ///< per leaf: whether it has a triangle that has
   std::vector<LeafBoxes> childBoxes_;       ///< per node
+  std::vector<LeafBoxes> changedBoxes_;     ///< per node, of leaves that have changed; none if all
   std::vector<Surroundings> surroundings_;  ///< per range
   std::vector<std::uint8_t> isCrowded_;     ///< per leaf
   std::vector<Crowd> crowds_;

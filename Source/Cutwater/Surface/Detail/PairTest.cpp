@@ -16,9 +16,10 @@ constexpr std::size_t kMostInStar = 24;      // the time for a star is the squar
 }  // namespace
 
 PairTest::PairTest(std::span<const Vec3<double>> positions, std::span<const Corners> triangles,
-                   int threads)
+                   int threads, Changed changed)
     : positions_(positions),
       triangles_(triangles),
+      changed_(changed),
       views_(triangles.size()),
       isFlat_(positions.size()) {
   const ParallelOptions inRanges{.threads = threads, .grain = 4096, .progress = {}};
@@ -30,7 +31,8 @@ PairTest::PairTest(std::span<const Vec3<double>> positions, std::span<const Corn
   parallelFor(positions.size(), inRanges, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
       const auto star = list.subspan(at.begins[v], at.begins[v + 1] - at.begins[v]);
-      isFlat_[v] = liesFlat(v, star) ? 1 : 0;
+      const bool isAsked = std::ranges::any_of(star, [&](auto t) { return isChanged(t); });
+      isFlat_[v] = isAsked && liesFlat(v, star) ? 1 : 0;
     }
   });
 }
@@ -41,6 +43,7 @@ Box<double> PairTest::box(std::uint32_t t) const {
 }
 
 bool PairTest::meet(std::uint32_t a, std::uint32_t b) const {
+  if (!isChanged(a) && !isChanged(b)) return false;
   const auto& first = triangles_[a];
   const auto& [p, q, r] = triangles_[b];
   for (const auto v : first) {

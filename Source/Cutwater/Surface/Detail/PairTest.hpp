@@ -19,9 +19,13 @@ class PairTest {
  public:
   using Corners = std::array<std::uint32_t, 3>;
 
-  /// Both arrays must outlive this object; for positions, see ExactPredicates.hpp.
+  /// Which triangles are to be tested against all; the others are not tested among themselves.
+  /// Empty: all are.
+  using Changed = std::span<const std::uint8_t>;
+
+  /// The arrays must outlive this object; for positions, see ExactPredicates.hpp.
   PairTest(std::span<const Vec3<double>> positions, std::span<const Corners> triangles,
-           int threads = 0);
+           int threads = 0, Changed changed = {});
 
   [[nodiscard]] std::size_t triangles() const { return triangles_.size(); }
   [[nodiscard]] const Corners& corners(std::uint32_t t) const { return triangles_[t]; }
@@ -31,7 +35,11 @@ class PairTest {
   [[nodiscard]] Box<double> box(std::uint32_t t) const;
   /// False for triangles of three collinear points.
   [[nodiscard]] bool hasArea(std::uint32_t t) const { return views_[t].bits != 0; }
-  /// Both triangles must have area.
+  [[nodiscard]] bool isChanged(std::uint32_t t) const {
+    return changed_.empty() || changed_[t] != 0;
+  }
+  [[nodiscard]] bool areAllChanged() const { return changed_.empty(); }
+  /// Whether the pair is to be tested, and meets. Both triangles must have area.
   [[nodiscard]] bool meet(std::uint32_t a, std::uint32_t b) const;
 
  private:
@@ -56,6 +64,7 @@ class PairTest {
 
   std::span<const Vec3<double>> positions_;
   std::span<const Corners> triangles_;
+  Changed changed_;
   std::vector<Views> views_;          ///< per triangle
   std::vector<std::uint8_t> isFlat_;  ///< per vertex; where unknown, 0
 };
