@@ -5,6 +5,8 @@
 #include <Cutwater/Surface/Tessellation.hpp>
 #include <Cutwater/Surface/Triangulation.hpp>
 
+#include <limits>
+
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
 
@@ -74,6 +76,24 @@ TYPED_TEST(FacetRaysTest, MatchesTheCrossingsOfAMesh) {
     EXPECT_NEAR(hit ? hit->along : 0, expected.value_or(0), tolerance<T>(100, 10));
   }
   EXPECT_GT(found, 1990U);
+}
+
+TYPED_TEST(FacetRaysTest, RaysFromAfarMeetTheSame) {
+  const MeshSDF<TypeParam> ball(tessellation::icosphere(1, 3));
+  const auto rays = FacetRays::of(ball, kAround, 1);
+  ASSERT_TRUE(rays.has_value());
+  RandomPoints<double> random(7);
+  for (const double away : {3.0, 1e3, 1e5, 1e7}) {
+    for (int i = 0; i < 500; ++i) {
+      const auto towards = normalized(random.next());
+      const Ray ray{0.5 * normalized(random.next()) - away * towards, towards};
+      const auto near = rays->first(ray, away - 2, away + 2, 1e-6);
+      const auto far = rays->first(ray, 0, std::numeric_limits<double>::infinity(), 1e-6);
+      ASSERT_TRUE(near.has_value());
+      ASSERT_TRUE(far.has_value()) << away;
+      EXPECT_EQ(far->along, near->along);
+    }
+  }
 }
 
 TYPED_TEST(FacetRaysTest, OfFacetsOnEachOtherTheOneThatFacesTheViewerIsMet) {

@@ -912,7 +912,7 @@ class Limits(CommandTest):
             self.skipTest("built without Cutwater::Repair")
         why = self.fails(1, "repair", "box.off", "-o", "a.ply", "--wrap", "0.004", "--budget", "4")
         self.assertRegex(why, r"--wrap 0.004: this would take about [\d ]+ triangles, about .*, and there are 4 s; "
-                              r"--wrap 0\.\d+ fits, and --budget gives it more\n")
+                              r"--wrap 0\.\d+ should fit, and --budget gives it more\n")
 
     def test_terminals_are_told(self):
         self.succeeds("make", "sphere", "--parts", "400", "-o", "ball.ply")

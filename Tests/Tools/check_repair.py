@@ -241,9 +241,9 @@ class Page(RepairTest):
         text = self.succeeds("repair", "open.off", "-o", "out.off", "--cap", "z=1")
         for line in [r"equal points merged +0", r"faces turned +0", r"openings closed +1; at \(\d, \d, 1\)",
                      r"faces added +2, of area 1, area 5 -> 6, volume \S+ -> 1", r"area +5 -> 6",
-                     r"volume +none: not closed -> 1", r"before +not closed, .*; 4 open edges; .*",
+                     r"volume +not closed -> 1", r"before +not closed, .*; 4 open edges; .*",
                      r"after +closed, oriented, manifold; .*", r"wrote +out.off: 7 polygons, 8 points, 1 patch",
-                     r"watertight +yes", r"signs +nearest feature: closed; .*", r"cutwater sample out.off .*"]:
+                     r"watertight +yes", r"signs +nearest feature: closed, 0 self-intersections; .*", r"cutwater sample out.off .*"]:
             self.assertRegex(text, re.compile(rf"^  {line}$", re.MULTILINE))
         self.assertIn("Defects: none", text)
         self.assertEqual(self.succeeds("repair", "open.off", "-o", "out.off", "-q"), "")

@@ -77,8 +77,8 @@ std::string Diagnosis::verdict() const {
     return "does not bound a solid without question: repair it, or look at a slice of its signs "
            "first";
   }
-  return std::string(report.isClosed() ? "can" : "is not closed, but can") +
-         " be used as it is: signs hold, with the warnings below";
+  return report.isClosed() ? "can be used as it is: signs hold, with the warnings below"
+                           : "is not closed: signs are found nevertheless, see the warnings below";
 }
 
 Diagnosis diagnose(const PolygonSoup& soup, const DiagnosisOptions& options) {

@@ -155,8 +155,8 @@ void addQuery(Program& program) {
   command.addFlag("--cells", "Ask at the mean of each cell's corners, not at the points",
                   options->cells);
   command.addWords("--write", "distance,closest,normal,patch",
-                   "What to add; patch is that of the closest point, -1 if there is none; without "
-                   "it: all",
+                   "What to add; patch is that of the closest point, -1 if there is none [default: "
+                   "all]",
                    options->write, {"distance", "closest", "normal", "patch"}, Values::Several);
   command.addText("--prefix", "Put this before the names of what is added", options->prefix);
   command.setFooter(

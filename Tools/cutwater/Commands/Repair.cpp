@@ -112,7 +112,7 @@ RepairFacts repair(const RepairSettings& options) {
 }
 
 std::string volumeOf(const MeshReport& report) {
-  return report.isClosed() ? number(report.volume) : "none: not closed";
+  return report.isClosed() ? number(report.volume) : "not closed";
 }
 
 std::string pageOf(const RepairSettings& options, const RepairFacts& facts) {

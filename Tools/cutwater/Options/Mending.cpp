@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <unistd.h>
 
 #include "Options/Arguments.hpp"
@@ -42,11 +43,11 @@ std::string textOfWidth(double widest) {
   return std::isinf(widest) ? "all" : exactly(widest);
 }
 
-/// What would fit into the time: "--wrap 0.05 may fit".
+/// What is expected to fit into the time: "--wrap 0.05 should fit".
 std::string remedyOf(const WrapEstimate& expected, double seconds) {
   constexpr double kSafe = 0.7;  // of the time, as this is an estimate
   const double gap = expected.gapWithin(kSafe * seconds);
-  return (std::isfinite(gap) ? "--wrap " + exactly(gap) + " fits, and " : "") +
+  return (std::isfinite(gap) ? "--wrap " + exactly(gap) + " should fit, and " : "") +
          "--budget gives it more";
 }
 
@@ -84,7 +85,8 @@ WrapReport wrapped(PolygonSoup& soup, const MendingOptions& options) {
   if (8 * measure(soup).area > kFew * how.gap * how.gap) {
     const auto expected = withRemedy(remedy, seconds, [&] { return estimateWrap(soup, how); });
     requireTime(expected, options);
-    remedy = remedyOf(expected, seconds);
+    // Should it be late, the machine is slower than expected, and no gap takes less than it says.
+    remedy = remedyOf(expected, std::min(seconds, expected.seconds));
   }
   ProgressBar bar("wrapping", options.isShown);
   how.progress = bar.callback();
@@ -115,12 +117,12 @@ void addMendingOptions(Command command, MendingOptions& options) {
                   options.selfIntersections);
   command.add("--wrap", "GAP[,OFFSET]",
               "In the end put a watertight surface around it all, so far away; what a ball of the "
-              "diameter GAP does not pass is closed. Without OFFSET: a thirtieth of it",
+              "diameter GAP does not pass is closed [default of OFFSET: a thirtieth of GAP]",
               [&](const std::string& text) { options.wrap = wrapOf(text); });
   command.add(
       "--budget", "SECONDS",
       "So much time for each of the three; holes and folds that are late stay, a late wrap is "
-      "an error [60]",
+      "an error [default: 60]",
       [&](const std::string& text) { options.seconds = positiveNumber("--budget", text); });
 }
 

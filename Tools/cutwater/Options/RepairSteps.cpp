@@ -146,8 +146,8 @@ void addRepairOptions(Command command, RepairOptions& options) {
   }
   command.add(
       "--tolerance", "LENGTH",
-      "Points at most this far from the planes of --cap and --mirror count as on them; without "
-      "it: 0",
+      "Points at most this far from the planes of --cap and --mirror count as on them [default: "
+      "0]",
       [&](const std::string& text) { options.tolerance = positiveNumber("--tolerance", text); });
   addMendingOptions(command, options.mending);
 }

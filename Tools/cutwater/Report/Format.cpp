@@ -47,7 +47,9 @@ std::string duration(double seconds) {
 }
 
 std::string roughDuration(double seconds) {
-  constexpr double kDay = 86400;
+  constexpr double kHour = 3600;
+  constexpr double kDay = 24 * kHour;
+  if (seconds > 2 * kHour && seconds <= kDay) return "about " + number(seconds / kHour, 2) + " h";
   return seconds > kDay ? "more than a day" : "about " + duration(rounded(seconds, 2));
 }
 

@@ -23,7 +23,7 @@ using text::rounded;
 [[nodiscard]] std::string bytes(std::size_t count);
 /// "0.31 s", "12 ms", "45 us", "2 min 5 s"
 [[nodiscard]] std::string duration(double seconds);
-/// "about 12 s" for an estimate, "more than a day"
+/// "about 12 s" for an estimate, "about 5.6 h", "more than a day"
 [[nodiscard]] std::string roughDuration(double seconds);
 /// "00c0ffee00c0ffee"
 [[nodiscard]] std::string hexadecimal(std::uint64_t value);

@@ -7,7 +7,7 @@ namespace cutwater {
 namespace {
 
 /// In shares of a cell and of a face: what is less is rounding of points on the cell's faces.
-constexpr double kNothing = 1e-14;
+constexpr double kTouching = 1e-14;
 
 Vec3<double> sizeOf(const GridPlanes& planes, const TilePlace& cell) {
   Vec3<double> size;
@@ -37,7 +37,7 @@ bool touches(const TileSurface& surface, std::span<const TileFragment> fragments
     for (std::size_t k = 2; k < points.size(); ++k) {
       area += 0.5 * cross(points[k - 1] - points[0], points[k] - points[0]);
     }
-    return length(area) <= kNothing * faceArea;
+    return length(area) <= kTouching * faceArea;
   });
 }
 

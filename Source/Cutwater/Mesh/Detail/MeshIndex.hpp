@@ -2,6 +2,7 @@
 
 #include <Cutwater/Mesh/Detail/MeshLayout.hpp>
 #include <Cutwater/Mesh/Detail/SignedSurface.hpp>
+#include <Cutwater/Surface/Detail/ContactSearch.hpp>
 #include <Cutwater/Triangles/Search/BoxSearch.hpp>
 
 namespace cutwater {

@@ -10,11 +10,14 @@ namespace {
 
 constexpr double kSlack = 1e-9;  // of a facet's size
 
-/// For each child of a node how far along a ray its box begins, in the tree's frame: in single
-/// precision, for boxes grown by more than its rounding, of trees without turned nodes.
+/// For each child of a node how far along a ray its box begins, in the frame of the tree, which has
+/// no turned nodes. In single precision: boxes are grown by more than what rounding does.
 class RayKeys {
  public:
-  RayKeys(const Vec3<double>& start, const Vec3<double>& direction) : start_(start) {
+  /// With u = 2^-24, distances along the ray are wrong by 4 u of themselves, and differences of
+  /// coordinates by 2 u of the two.
+  RayKeys(const Vec3<double>& start, const Vec3<double>& direction)
+      : start_(start), grown_(0x1p-20F * (2 + static_cast<float>(maxComponent(abs(start))))) {
     constexpr float kLeast = 1e-20F;
     for (int axis = 0; axis < 3; ++axis) {
       const auto along = static_cast<float>(direction[axis]);
@@ -23,7 +26,6 @@ class RayKeys {
   }
 
   void operator()(const BvhNode<16>& node, BvhNode<16>::Lanes& out) const {
-    constexpr float kGrown = 2e-6F;
     BvhNode<16>::Lanes begin{}, end;
     end.fill(kMostKey);
     const Vec3<float> start(start_ - Vec3<double>(node.center));
@@ -31,8 +33,8 @@ class RayKeys {
       const auto& lower = node.lower[static_cast<std::size_t>(axis)];
       const auto& upper = node.upper[static_cast<std::size_t>(axis)];
       for (std::size_t k = 0; k < out.size(); ++k) {
-        const float one = (lower[k] - kGrown - start[axis]) * inverse_[axis];
-        const float other = (upper[k] + kGrown - start[axis]) * inverse_[axis];
+        const float one = (lower[k] - grown_ - start[axis]) * inverse_[axis];
+        const float other = (upper[k] + grown_ - start[axis]) * inverse_[axis];
         const float first = one < other ? one : other;
         const float last = one < other ? other : one;
         begin[k] = first > begin[k] ? first : begin[k];
@@ -46,6 +48,7 @@ class RayKeys {
 
  private:
   Vec3<double> start_;
+  float grown_;
   Vec3<float> inverse_;
 };
 
@@ -153,7 +156,8 @@ std::optional<FacetHit> FacetRays::first(const Ray& ray, double begin, double en
   Walk walk(facets_, ray, begin, end, samePlace);
   const auto& frame = tree_.frame;
   const auto limit = [&](double along) {
-    return static_cast<float>(frame.scale * (along - begin)) * (1 + 0x1p-20F) + 1e-5F;
+    const double most = std::min(frame.scale * (along - begin), 1e30);
+    return static_cast<float>(most) * (1 + 0x1p-20F) + 0x1p-20F;
   };
   tree_.tree().traverse(
       RayKeys(frame.toFrame(ray.at(begin)), ray.direction),
