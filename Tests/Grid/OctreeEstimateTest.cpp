@@ -51,6 +51,11 @@ TYPED_TEST(OctreeEstimateTest, CountsCoarseMeshesExactly) {
   for (int level = 0; level <= 4; ++level) {
     EXPECT_NEAR(none.cells(level), this->truth(ball, {.cut = level}, Balance::None), 1e-3);
   }
+  // Also of a mesh that goes on beyond them.
+  const auto fine = estimate(ball, this->domain, {.cut = 14});
+  for (int level = 0; level <= 3; ++level) {
+    EXPECT_NEAR(fine.cells(level), this->truth(ball, {.cut = level}), 1e-3);
+  }
 }
 
 TYPED_TEST(OctreeEstimateTest, ExtrapolatesFineMeshes) {

@@ -86,6 +86,19 @@ class LevelCounter {
     }
     return result;
   }
+  /// Of the meshes that end at level 0, 1 and so on, as far as the levels were divided in full.
+  [[nodiscard]] std::vector<double> cellsOfMeshes() const {
+    std::vector<double> cells{nodes_.front()};
+    for (std::size_t levels = 1; levels <= divided_.size(); ++levels) {
+      std::vector<OctreeCodes> balanced(divided_.begin(),
+                                        divided_.begin() + static_cast<std::ptrdiff_t>(levels));
+      detail::balanceOctree(domain_, options_.balance, balanced);
+      double count = nodes_.front();
+      for (const auto& level : balanced) count += 7 * static_cast<double>(level.size());
+      cells.push_back(count);
+    }
+    return cells;
+  }
   /// Some of the cells, all over the surface, that are kWindowLevels above the finest.
   [[nodiscard]] const OctreeCodes& windows() const { return windows_; }
   /// The cells of all levels are tagged, those of a sample as fast as those of the last level.
@@ -230,10 +243,16 @@ std::vector<double> factorsOf(const std::vector<Divided>& divided) {
 }  // namespace
 
 OctreeEstimate::OctreeEstimate(std::vector<double> nodes, std::vector<double> balance,
-                               double seconds)
-    : nodes_(std::move(nodes)), balance_(std::move(balance)), seconds_(seconds) {}
+                               double seconds, std::vector<double> counted)
+    : nodes_(std::move(nodes)),
+      balance_(std::move(balance)),
+      seconds_(seconds),
+      counted_(std::move(counted)) {}
 
 double OctreeEstimate::cells(int finest) const {
+  if (static_cast<std::size_t>(finest) < counted_.size()) {
+    return counted_[static_cast<std::size_t>(finest)];
+  }
   // A divided cell is replaced by eight of the next level.
   double count = nodes_.front();
   double full = nodes_.front();  // cells that there would be if all were divided
@@ -268,7 +287,7 @@ OctreeEstimate estimate(const SignedDistanceFunction<T>& solid, const OctreeDoma
   const auto divided = counter.hasCountedAll() ? counter.divided()
                                                : dividedInWindows(solid, domain, refinement,
                                                                   options, counter.windows());
-  return {counter.nodes(), factorsOf(divided), counter.seconds()};
+  return {counter.nodes(), factorsOf(divided), counter.seconds(), counter.cellsOfMeshes()};
 }
 
 template OctreeEstimate estimate(const SignedDistanceFunction<float>&, const OctreeDomain<float>&,

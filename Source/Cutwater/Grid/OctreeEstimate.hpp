@@ -12,7 +12,9 @@ class OctreeEstimate {
   /// `nodes`: cells of each level, also those that are divided, as the rules alone ask for.
   /// `balance[n]`: how many times as many a balanced mesh has, n levels above its finest; the last
   /// is also that of levels further above. `seconds`: of building a mesh of all these levels.
-  OctreeEstimate(std::vector<double> nodes, std::vector<double> balance, double seconds);
+  /// `counted[n]`: cells of the mesh if no rule goes beyond level n, where they have been counted.
+  OctreeEstimate(std::vector<double> nodes, std::vector<double> balance, double seconds,
+                 std::vector<double> counted = {});
 
   /// The finest level that the rules reach.
   [[nodiscard]] int deepest() const { return static_cast<int>(nodes_.size()) - 1; }
@@ -38,6 +40,7 @@ class OctreeEstimate {
   std::vector<double> nodes_;
   std::vector<double> balance_;
   double seconds_;
+  std::vector<double> counted_;
 };
 
 /// Estimates the size of Octree(solid, domain, refinement, options) in about a second. The coarse

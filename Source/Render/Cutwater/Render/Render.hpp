@@ -13,7 +13,7 @@ namespace cutwater {
 
 /// How much work goes into a picture.
 enum class PictureQuality : std::uint8_t {
-  Draft,  ///< a fraction of the time: rays end sooner, and light is computed at fewer pixels
+  Draft,  ///< less time, except for meshes: rays end sooner, and light is computed at fewer pixels
   Final,
 };
 
