@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/Detail/CellPieces.hpp>
+#include <Cutwater/CutCells/Detail/CellRims.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -13,36 +14,6 @@ struct OpenPart {
   std::uint32_t arc = 0;
   int axis = 0;
   bool isHigh = false;  ///< the face is above the cell
-};
-
-/// The traces at the edges of each fragment.
-class TracesOfFragments {
- public:
-  explicit TracesOfFragments(const TileSurface& surface) : first_(surface.fragments().size() + 2) {
-    // Counted two places ahead, so that adding leaves the first of each in its place.
-    forEach(surface, [&](std::uint32_t fragment, std::uint32_t) { ++first_[fragment + 2]; });
-    for (std::size_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
-    traces_.resize(first_.back());
-    forEach(surface, [&](std::uint32_t fragment, std::uint32_t trace) {
-      traces_[first_[fragment + 1]++] = trace;
-    });
-  }
-  [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t fragment) const {
-    return std::span(traces_).subspan(first_[fragment], first_[fragment + 1] - first_[fragment]);
-  }
-
- private:
-  template <typename Visit>
-  static void forEach(const TileSurface& surface, Visit&& visit) {
-    for (std::uint32_t i = 0; i < surface.traces().size(); ++i) {
-      const auto& trace = surface.traces()[i];
-      if (trace.below != kNone) visit(trace.below, i);
-      if (trace.above != kNone) visit(trace.above, i);
-    }
-  }
-
-  std::vector<std::uint32_t> first_;
-  std::vector<std::uint32_t> traces_;
 };
 
 /// Joins and measures the pieces of one cell after another.
@@ -296,44 +267,6 @@ class CellBuilder {
   std::vector<PieceSums> sums_;
   std::vector<std::uint32_t> numberOfSum_;
 };
-
-PieceArc wholeFace(const TileNumbers& numbers, std::uint32_t face, const GridPlanes& planes) {
-  const int axis = numbers.axisOfFace(face);
-  const auto place = numbers.placeOfFace(face);
-  PieceArc arc{.face = face, .area = 1, .centroid = {}};
-  for (int other = 0; other < 3; ++other) {
-    const double low = planes.at(other, place[asIndex(other)]);
-    arc.centroid[other] = low;
-    if (other == axis) continue;
-    const double high = planes.at(other, place[asIndex(other)] + 1);
-    arc.area *= high - low;
-    arc.centroid[other] = 0.5 * (low + high);
-  }
-  return arc;
-}
-
-/// Adds the faces of cut cells that are whole in the fluid; returns their numbers by face.
-std::vector<std::uint32_t> addFullFaces(const TileSurface& surface, const EdgeStretches& stretches,
-                                        const FacePieces& faces, const GridPlanes& planes,
-                                        std::vector<PieceArc>& arcs) {
-  const auto& numbers = surface.numbers();
-  std::vector<std::uint32_t> arcOf(numbers.faceCount(), kNone);
-  std::uint32_t last = kNone;
-  for (const auto& fragment : surface.fragments()) {
-    if (fragment.cell == std::exchange(last, fragment.cell)) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int side = 0; side < 2; ++side) {
-        auto place = numbers.placeOfCell(fragment.cell);
-        place[asIndex(axis)] += side;
-        const auto face = numbers.face(axis, place);
-        if (faces.isCut(face) || arcOf[face] != kNone || !stretches.isFluid(place)) continue;
-        arcOf[face] = static_cast<std::uint32_t>(arcs.size());
-        arcs.push_back(wholeFace(numbers, face, planes));
-      }
-    }
-  }
-  return arcOf;
-}
 
 }  // namespace
 

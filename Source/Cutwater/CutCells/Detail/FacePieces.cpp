@@ -1,17 +1,10 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/Detail/FacePieces.hpp>
+#include <Cutwater/CutCells/Detail/FaceSum.hpp>
 
 #include <algorithm>
 
 namespace cutwater {
-
-FaceEdge edgeOfFace(int axis, const TilePlace& face, int side) {
-  const FaceAxes axes(axis);
-  FaceEdge edge{side < 2 ? axes.first : axes.second, face};
-  const int other = side < 2 ? axes.second : axes.first;
-  edge.place[static_cast<std::size_t>(other)] += side % 2;
-  return edge;
-}
 
 namespace {
 
@@ -195,7 +188,7 @@ class FacePieces::Builder {
 
   void measure() {
     pieceOf_.assign(nodes(), kNone);
-    references_.clear();
+    sums_.clear();
     face_->firstPiece = static_cast<std::uint32_t>(owner_.pieces_.size());
     for (std::uint32_t i = 0; i < nodes(); ++i) {
       const auto root = sets_.find(i);
@@ -204,23 +197,26 @@ class FacePieces::Builder {
         owner_.pieces_.push_back({.face = face_->face,
                                   .centroid = {},
                                   .isNothing = root < traces_.size() && isNothing_[root] != 0});
-        references_.push_back(referenceOf(i));
+        sums_.emplace_back(axes_.first, axes_.second, referenceOf(i));
       }
       pieceOf_[i] = pieceOf_[root];
     }
-    sums_.assign(references_.size(), {});
     for (std::uint32_t i = 0; i < traces_.size(); ++i) {
       owner_.ofTrace_[face_->firstTrace + i] = pieceOf_[i];
-      addTrace(pieceOf_[i] - face_->firstPiece, traces_[i]);
+      sums_[pieceOf_[i] - face_->firstPiece].addTrace(traces_[i].from, traces_[i].to);
     }
     for (int side = 0; side < 4; ++side) {
       for (std::size_t s = 0; s < stretches_[asIndex(side)].size(); ++s) {
         const auto piece = pieceOf_[node(side, s)];
         owner_.ofStretch_[face_->firstStretch[asIndex(side)] + s] = piece;
-        addStretch(piece - face_->firstPiece, side, stretches_[asIndex(side)][s]);
+        addStretch(sums_[piece - face_->firstPiece], side, stretches_[asIndex(side)][s]);
       }
     }
-    for (std::size_t i = 0; i < sums_.size(); ++i) finish(i);
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      auto& piece = owner_.pieces_[face_->firstPiece + i];
+      piece.area = sums_[i].area();
+      piece.centroid = sums_[i].centroid();
+    }
   }
   /// A point near the part, for which sums do not cancel.
   [[nodiscard]] Vec3<double> referenceOf(std::uint32_t first) const {
@@ -230,38 +226,12 @@ class FacePieces::Builder {
       corner[axis] = owner_.planes_.at(axis, place_[asIndex(axis)]);
     return corner;
   }
-  struct Sum {
-    double area = 0;   // times 2
-    double first = 0;  // of the coordinates from the reference, times 3
-    double second = 0;
-  };
-  void addTrace(std::size_t piece, const FaceTrace& t) {
-    const double twice = areaBetween(references_[piece], t);
-    const auto middle = 0.5 * ((t.from - references_[piece]) + (t.to - references_[piece]));
-    sums_[piece].area += twice;
-    sums_[piece].first += twice * middle[axes_.first];
-    sums_[piece].second += twice * middle[axes_.second];
-  }
-  void addStretch(std::size_t piece, int side, const EdgeStretch& stretch) {
-    const int along = side < 2 ? axes_.first : axes_.second;
-    const int across = side < 2 ? axes_.second : axes_.first;
-    const auto& origin = references_[piece];
-    const double place =
-        owner_.planes_.at(across, place_[asIndex(across)] + side % 2) - origin[across];
-    const double twice = (side % 2 == 0 ? -place : place) * stretch.length();
-    sums_[piece].area += twice;
-    const double middle = stretch.middle() - origin[along];
-    sums_[piece].first += twice * (side < 2 ? middle : place);
-    sums_[piece].second += twice * (side < 2 ? place : middle);
-  }
-  void finish(std::size_t i) {
-    auto& piece = owner_.pieces_[face_->firstPiece + i];
-    const Sum& sum = sums_[i];
-    piece.area = 0.5 * sum.area;
-    piece.centroid = references_[i];
-    if (!(piece.area > 0)) return;
-    piece.centroid[axes_.first] += sum.first / 3 / piece.area;
-    piece.centroid[axes_.second] += sum.second / 3 / piece.area;
+  void addStretch(FaceSum& sum, int side, const EdgeStretch& stretch) const {
+    const bool isAlongFirst = side < 2;
+    const int across = isAlongFirst ? axes_.second : axes_.first;
+    sum.addEdge(isAlongFirst, side % 2 == 1,
+                owner_.planes_.at(across, place_[asIndex(across)] + side % 2), stretch.middle(),
+                stretch.length());
   }
 
   FacePieces& owner_;
@@ -277,8 +247,7 @@ class FacePieces::Builder {
   std::vector<char> touchesRim_;
   std::vector<char> isNothing_;  // by root of a loop
   std::vector<std::uint32_t> pieceOf_;
-  std::vector<Vec3<double>> references_;
-  std::vector<Sum> sums_;
+  std::vector<FaceSum> sums_;
 };
 
 FacePieces::FacePieces(const TileSurface& surface, const EdgeStretches& stretches,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/CutCells/Detail/EdgeStretches.hpp>
+#include <Cutwater/CutCells/Detail/FaceAxes.hpp>
 
 namespace cutwater {
 
@@ -55,21 +56,5 @@ class FacePieces {
   std::vector<std::uint32_t> ofTrace_;
   std::vector<std::uint32_t> ofStretch_;
 };
-
-/// The axes of a face: across it, and the others in cyclic order.
-struct FaceAxes {
-  explicit FaceAxes(int axis) : across(axis), first((axis + 1) % 3), second((axis + 2) % 3) {}
-  int across;
-  int first;
-  int second;
-};
-
-/// The edges of a face, as ofStretch() numbers them: the axis along which each runs, and where it
-/// begins.
-struct FaceEdge {
-  int axis = 0;
-  TilePlace place{};
-};
-[[nodiscard]] FaceEdge edgeOfFace(int axis, const TilePlace& face, int side);
 
 }  // namespace cutwater

@@ -1,10 +1,8 @@
 #pragma once
 
-#include <Cutwater/CutCells/Detail/MovedPredicates.hpp>
+#include <Cutwater/CutCells/Detail/MovedTriangles.hpp>
 
-#include <cstddef>
 #include <span>
-#include <vector>
 
 namespace cutwater {
 
@@ -20,48 +18,32 @@ namespace cutwater {
 /// of the mesh.
 class MovedSurface {
  public:
-  using Corners = std::array<std::uint32_t, 3>;
+  using Corners = MovedTriangles::Corners;
 
   /// @throws Error(Topology) if an edge has more triangles on one side than on the other. Triangles
   /// have three different corners.
   MovedSurface(std::span<const Vec3<double>> positions, std::span<const Corners> triangles);
 
   /// Of all triangles, and of those of the mesh alone.
-  [[nodiscard]] std::size_t triangleCount() const { return corners_.size(); }
-  [[nodiscard]] std::size_t meshTriangleCount() const { return meshTriangles_; }
+  [[nodiscard]] std::size_t triangleCount() const { return triangles_.corners.size(); }
+  [[nodiscard]] std::size_t meshTriangleCount() const { return triangles_.meshTriangles; }
 
   /// A triangle's vertices, and the edges between each and the next one. Each edge has two
   /// triangles, which bound the same fluid there if the surface does not overlap.
-  [[nodiscard]] const Corners& corners(std::uint32_t id) const { return corners_[id]; }
-  [[nodiscard]] const Corners& edges(std::uint32_t id) const { return edges_[id]; }
+  [[nodiscard]] const Corners& corners(std::uint32_t id) const { return triangles_.corners[id]; }
+  [[nodiscard]] const Corners& edges(std::uint32_t id) const { return triangles_.edges[id]; }
   [[nodiscard]] std::array<MovedVertex, 3> triangle(std::uint32_t id) const {
-    const auto& [a, b, c] = corners_[id];
-    return {vertices_[a], vertices_[b], vertices_[c]};
+    const auto& [a, b, c] = triangles_.corners[id];
+    return {triangles_.vertices[a], triangles_.vertices[b], triangles_.vertices[c]};
   }
 
   /// How often the moved surface winds around a node. Asks all triangles.
   [[nodiscard]] int windingAt(const Vec3<double>& node) const;
 
  private:
-  /// A vertex at which walls across the axis face both ways.
-  struct Saddle {
-    std::uint32_t vertex = 0;
-    int axis = 0;
-  };
-  class SaddleSplit;
-
-  [[nodiscard]] std::array<Vec3<double>, 3> positionsOf(std::uint32_t id) const {
-    const auto& [a, b, c] = corners_[id];
-    return {vertices_[a].position, vertices_[b].position, vertices_[c].position};
-  }
-  void numberEdges();
   void moveVertices();
 
-  std::vector<MovedVertex> vertices_;
-  std::vector<Corners> corners_;
-  std::vector<Corners> edges_;
-  std::size_t meshTriangles_;
-  std::uint32_t edgeCount_ = 0;
+  MovedTriangles triangles_;
 };
 
 }  // namespace cutwater
