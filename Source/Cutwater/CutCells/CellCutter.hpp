@@ -25,6 +25,7 @@ class CutSurface;
 class CellCutter {
  public:
   /// @param solid  a MeshSDF, placed anyhow: its vertices are rounded in the world.
+  /// @param side  where the fluid is.
   /// @throws Error(Argument) for other solids; Error(Topology) unless the surface is closed and
   /// does not meet itself: see MeshSDF::signReport().
   template <std::floating_point T>

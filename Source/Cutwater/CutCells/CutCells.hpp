@@ -20,6 +20,7 @@ struct CellPlanes {
   std::array<std::vector<double>, 3> planes;
   Index3 first;  ///< the box's cell of lowest indices
 
+  /// The box without the cells around it.
   [[nodiscard]] IndexBox indices() const;
 };
 
@@ -76,14 +77,14 @@ struct CutCells {
     std::vector<Vec3<double>> centroid;
   };
 
-  CellPlanes grid;
-  Cells cells;
-  Pieces pieces;
-  Arcs arcs;
-  WallParts wallParts;
-  std::vector<std::string> patchNames;
-  std::size_t cellCount = 0;   ///< of the box: the rows of cells beyond it follow
-  std::size_t pieceCount = 0;  ///< of these cells
+  CellPlanes grid;                      ///< what was cut
+  Cells cells;                          ///< see above, as all rows
+  Pieces pieces;                        ///< their volumes and walls
+  Arcs arcs;                            ///< what connects pieces across faces
+  WallParts wallParts;                  ///< walls by patch
+  std::vector<std::string> patchNames;  ///< of the surface
+  std::size_t cellCount = 0;            ///< of the box: the rows of cells beyond it follow
+  std::size_t pieceCount = 0;           ///< of these cells
 
   /// Ranges [first, last) of cells without fluid, counted through the box in the order of cells;
   /// cells that are cut may be among them.
@@ -94,6 +95,7 @@ struct CutCells {
   [[nodiscard]] FluidClass classOf(const Index3& cell) const;
   /// The row of a cell of the box; kNoRow if it is not cut.
   [[nodiscard]] std::uint32_t rowOf(const Index3& cell) const;
+  /// The closed box of a cell of the box, or around it.
   [[nodiscard]] Box<double> boxOf(const Index3& cell) const;
   /// Of a cell, or of the face below it along an axis.
   [[nodiscard]] double cellVolume(const Index3& cell) const;
