@@ -68,6 +68,7 @@
 #include <Cutwater/Operations/Smoothing.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
 #include <Cutwater/Sdf/BoxQuery.hpp>
+#include <Cutwater/Sdf/FluidSide.hpp>
 #include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Sdf/Guarantee.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
