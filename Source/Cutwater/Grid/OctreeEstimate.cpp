@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -250,9 +251,15 @@ OctreeEstimate::OctreeEstimate(std::vector<double> nodes, std::vector<double> ba
       counted_(std::move(counted)) {}
 
 double OctreeEstimate::cells(int finest) const {
-  if (static_cast<std::size_t>(finest) < counted_.size()) {
-    return counted_[static_cast<std::size_t>(finest)];
-  }
+  const int counted = static_cast<int>(counted_.size()) - 1;
+  if (finest <= counted) return counted_[static_cast<std::size_t>(finest)];
+  if (counted < 0) return cellsByFactors(finest);
+  // Coarse meshes differ from what the factors of fine ones make of them, less on each level.
+  const double ratio = counted_.back() / cellsByFactors(counted);
+  return cellsByFactors(finest) * (1 + std::ldexp(ratio - 1, counted - finest));
+}
+
+double OctreeEstimate::cellsByFactors(int finest) const {
   // A divided cell is replaced by eight of the next level.
   double count = nodes_.front();
   double full = nodes_.front();  // cells that there would be if all were divided

@@ -37,6 +37,8 @@ class OctreeEstimate {
   static constexpr double kBytesPerCell = 50;
 
  private:
+  [[nodiscard]] double cellsByFactors(int finest) const;
+
   std::vector<double> nodes_;
   std::vector<double> balance_;
   double seconds_;
