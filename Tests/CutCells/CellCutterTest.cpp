@@ -270,6 +270,39 @@ TEST(CellCutterTest, WallsKnowTheirPatches) {
   EXPECT_NEAR(vector.z, -0.36, 1e-15);  // out of the fluid above the lid
 }
 
+TEST(CellCutterTest, PartsThatTouchAlongAnEdgeKeepTheFluidApart) {
+  auto soup = tessellation::box({0.25, 0.25, 0.25}, {0.5, 0.5, 0.75});
+  const auto other = tessellation::box({0.5, 0.5, 0.25}, {0.75, 0.75, 0.75});
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
+  for (std::size_t i = 0; i < other.polygonCount(); ++i) {
+    std::vector<std::uint32_t> corners;
+    for (const auto corner : other.polygon(i)) corners.push_back(first + corner);
+    soup.addPolygon(corners);
+  }
+  for (auto& p : soup.points) p += {0.0134, 0.0134, 0.0134};
+  const auto cells = CellCutter(Solid<double>(MeshSDF<double>(soup))).cut(unitCube(8));
+  expectIdentities(cells);
+  EXPECT_NEAR(check(cells).bodyVolume, 0.0625, 1e-15);
+  EXPECT_EQ(check(cells).multiPieceCells, 3U);  // of the five along the edge, not those at its ends
+}
+
+TEST(CellCutterTest, FacesWithTwoCornersInOnePlaceDoNotMatter) {
+  // An edge opens into a slit of no width, with a needle in it.
+  PolygonSoup soup = tessellation::box({0.2, 0.2, 0.2}, {0.8, 0.8, 0.8});
+  const auto twin = static_cast<std::uint32_t>(soup.points.size());
+  const auto corner = soup.corners[0];
+  const auto next = soup.corners[1];
+  soup.points.push_back(soup.points[corner]);
+  soup.corners[0] = twin;
+  const auto before = soup.polygon(0).back();
+  soup.addPolygon(std::array{corner, next, twin});
+  soup.addPolygon(std::array{before, corner, twin});
+  const auto cells = CellCutter(Solid<double>(MeshSDF<double>(soup))).cut(unitCube(7));
+  expectIdentities(cells);
+  EXPECT_NEAR(check(cells).bodyVolume, 0.216, 1e-15);
+}
+
 TEST(CellCutterTest, SaysWhatItCannotCut) {
   EXPECT_THROW(CellCutter(Solid<double>(Sphere<double>({0, 0, 0}, 1))), Error);
   auto open = tessellation::box({0, 0, 0}, {1, 1, 1});

@@ -24,13 +24,16 @@ const MeshSDF<T>& checkedMesh(const Solid<T>& solid) {
   return *mesh;
 }
 
-/// The triangles with their vertices in the world.
+/// The triangles with their vertices in the world, those in one place merged: where parts touch
+/// along an edge, it is one edge.
 template <std::floating_point T>
 PolygonSoup placedTriangles(const Solid<T>& solid) {
   auto soup = checkedMesh(solid).soup();
   const auto placement = solid.placement();
-  if (placement.isIdentity()) return soup;
-  for (auto& p : soup.points) p = Vec3<double>(placement.toWorld(Vec3<T>(p)));
+  if (!placement.isIdentity()) {
+    for (auto& p : soup.points) p = Vec3<double>(placement.toWorld(Vec3<T>(p)));
+  }
+  weldExactly(soup);
   return soup;
 }
 

@@ -33,6 +33,9 @@ class CutSurface {
   [[nodiscard]] int windingOutside() const { return windingOutside_; }
 
  private:
+  /// Of triangles with three different corners, turned so that the fluid is outside.
+  CutSurface(const PolygonSoup& triangles, int windingOutside);
+
   CutFrame frame_;
   int windingOutside_;
   std::vector<std::uint32_t> patches_;
