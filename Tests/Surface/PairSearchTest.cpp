@@ -91,9 +91,10 @@ void expectChangedAsBruteForce(TriangleList soup, std::uint32_t every, std::mt19
   soup.shuffle(engine);
   std::vector<std::uint8_t> changed;
   for (std::size_t t = 0; t < soup.corners.size(); ++t) changed.push_back(engine() % every == 0);
-  const auto tree = buildTriangleTree<double>(soup.points, soup.corners);
+  const auto arrays = buildTriangleTree<double>(soup.points, soup.corners);
+  const auto tree = arrays.tree();
   const PairTest pairs(soup.points, soup.corners, 1, changed);
-  const PairSearch search(pairs, tree.tree(), 1);
+  const PairSearch search(pairs, tree, 1);
   std::vector<FacePair> found;
   const std::atomic<std::uint32_t> lastWanted{kNone};
   const auto take = [&](std::uint32_t a, std::uint32_t b) {
