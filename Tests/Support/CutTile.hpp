@@ -18,7 +18,7 @@ struct CutTile {
         moved(surface.positions, surface.triangles),
         patches(surface.triangles.size()),
         tile(moved, patches, allOf(moved.triangleCount()), planes),
-        stretches(tile, planes, moved.windingAt({lower, lower, lower})),
+        stretches(tile, planes, windingAt({lower, lower, lower})),
         faces(tile, stretches, planes),
         result(findCellPieces(tile, stretches, faces, planes)) {}
   CutTile(const CutTile&) = delete;
@@ -81,6 +81,14 @@ struct CutTile {
     std::vector<std::uint32_t> numbers(count);
     std::iota(numbers.begin(), numbers.end(), 0U);
     return numbers;
+  }
+  /// How often the moved surface winds around a node.
+  [[nodiscard]] int windingAt(const Vec3<double>& node) const {
+    int winding = 0;
+    for (std::uint32_t id = 0; id < moved.triangleCount(); ++id) {
+      winding += riseBelowNode(moved.triangle(id), node);
+    }
+    return winding;
   }
   [[nodiscard]] double volumeOf(const TilePlace& place) const {
     double volume = 1;

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
 
 #include <algorithm>
@@ -5,21 +6,6 @@
 namespace cutwater {
 
 namespace {
-
-/// A sum with the rounding of its parts made up for (Neumaier 1974).
-class CompensatedSum {
- public:
-  void add(double x) {
-    const double sum = sum_ + x;
-    lost_ += std::abs(sum_) >= std::abs(x) ? (sum_ - sum) + x : (x - sum) + sum_;
-    sum_ = sum;
-  }
-  [[nodiscard]] double value() const { return sum_ + lost_; }
-
- private:
-  double sum_ = 0;
-  double lost_ = 0;
-};
 
 constexpr double kSlack = 1e-12;  // of a cell's size
 
@@ -85,7 +71,7 @@ void checkRanges(const CutCells& cells, CutCellsReport& report) {
 /// The volume of the cells that are not cut and have no fluid.
 double wholeBodyVolume(const CutCells& cells) {
   const auto box = cells.grid.indices();
-  CompensatedSum sum;
+  DoubleDouble sum;
   for (const auto& [first, last] : cells.bodyRuns) {
     for (auto n = first; n < last; ++n) {
       const auto i = n % box.length(0);
@@ -93,32 +79,32 @@ double wholeBodyVolume(const CutCells& cells) {
       const auto k = n / box.length(0) / box.length(1);
       const auto cell = box.at(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j),
                                static_cast<std::uint32_t>(k));
-      if (cells.rowOf(cell) == CutCells::kNoRow) sum.add(cells.cellVolume(cell));
+      if (cells.rowOf(cell) == CutCells::kNoRow) sum += cells.cellVolume(cell);
     }
   }
-  return sum.value();
+  return static_cast<double>(sum);
 }
 
 }  // namespace
 
 CutCellsReport check(const CutCells& cells) {
   CutCellsReport report{.cutCells = cells.cellCount};
-  CompensatedSum cutVolume;
-  CompensatedSum cutFluid;
-  CompensatedSum wall;
+  DoubleDouble cutVolume;
+  DoubleDouble cutFluid;
+  DoubleDouble wall;
   for (std::size_t row = 0; row < cells.cellCount; ++row) {
-    cutVolume.add(cells.cellVolume(cells.cells.index[row]));
+    cutVolume += cells.cellVolume(cells.cells.index[row]);
   }
   for (std::size_t p = 0; p < cells.pieceCount; ++p) {
-    cutFluid.add(cells.pieces.volume[p]);
-    wall.add(cells.pieces.wallArea[p]);
+    cutFluid += cells.pieces.volume[p];
+    wall += cells.pieces.wallArea[p];
   }
   const auto& planes = cells.grid.planes;
   double all = 1;
   for (const auto& axis : planes) all *= axis[axis.size() - 2] - axis[1];
-  report.bodyVolume = wholeBodyVolume(cells) + (cutVolume.value() - cutFluid.value());
+  report.bodyVolume = wholeBodyVolume(cells) + static_cast<double>(cutVolume - cutFluid);
   report.fluidVolume = all - report.bodyVolume;
-  report.wallArea = wall.value();
+  report.wallArea = static_cast<double>(wall);
   checkClosure(cells, report);
   checkRanges(cells, report);
   return report;

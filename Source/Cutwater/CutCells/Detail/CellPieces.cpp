@@ -156,7 +156,7 @@ class CellBuilder {
     }
     std::vector<std::uint32_t> shells;
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
-      if (seen[i] != 0 && volumes[i] < 0 && areas[i] > PieceSums::nothing(sizeOfCell())) {
+      if (seen[i] != 0 && volumes[i] < 0 && areas[i] > PieceSums::nothing(planes_.sizeOf(place_))) {
         shells.push_back(i);
       }
     }
@@ -213,7 +213,7 @@ class CellBuilder {
         addOpenPart(sums_[sum], open_[i - fragments_.size()]);
       }
     }
-    const auto size = sizeOfCell();
+    const auto size = planes_.sizeOf(place_);
     numberOfSum_.clear();
     for (auto& sum : sums_) {
       numberOfSum_.push_back(kNone);
@@ -227,14 +227,6 @@ class CellBuilder {
       auto& arc = out_.arcs[open_[i].arc];
       (open_[i].isHigh ? arc.below : arc.above) = numberOfSum_[sumOf_[sets_.find(node)]];
     }
-  }
-  [[nodiscard]] Vec3<double> sizeOfCell() const {
-    Vec3<double> size;
-    for (int axis = 0; axis < 3; ++axis) {
-      const int plane = place_[asIndex(axis)];
-      size[axis] = planes_.at(axis, plane + 1) - planes_.at(axis, plane);
-    }
-    return size;
   }
   [[nodiscard]] Vec3<double> referenceOf(std::uint32_t node) const {
     return node < fragments_.size() ? surface_.points(fragments_[node]).front()

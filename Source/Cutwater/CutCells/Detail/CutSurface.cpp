@@ -32,43 +32,50 @@ std::vector<Vec3<double>> inFrame(const CutFrame& frame, std::span<const Vec3<do
   return result;
 }
 
-/// The triangles with three different corners, turned if the fluid is inside. The sides of the
-/// others cancel each other.
-PolygonSoup properTriangles(const PolygonSoup& soup, FluidSide side) {
-  PolygonSoup result;
-  result.points = soup.points;
-  result.patchNames = soup.patchNames;
-  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
+/// Which triangles have three different corners. The sides of the others cancel each other.
+std::vector<std::uint32_t> properTriangles(const PolygonSoup& soup) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t i = 0; i < soup.polygonCount(); ++i) {
     const auto p = soup.polygon(i);
-    if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
-    std::array corners{p[0], p[1], p[2]};
-    if (side == FluidSide::Inside) std::swap(corners[1], corners[2]);
-    result.addPolygon(corners, soup.patches[i]);
+    if (p[0] != p[1] && p[1] != p[2] && p[2] != p[0]) result.push_back(i);
   }
   return result;
 }
 
-std::vector<MovedSurface::Corners> cornersOf(const PolygonSoup& soup) {
+/// The corners of triangles, turned if the fluid is inside.
+std::vector<MovedSurface::Corners> cornersOf(const PolygonSoup& soup,
+                                             std::span<const std::uint32_t> triangles,
+                                             FluidSide side) {
   std::vector<MovedSurface::Corners> result;
-  result.reserve(soup.polygonCount());
-  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
+  result.reserve(triangles.size());
+  for (const auto i : triangles) {
     const auto p = soup.polygon(i);
     result.push_back({p[0], p[1], p[2]});
+    if (side == FluidSide::Inside) std::swap(result.back()[1], result.back()[2]);
   }
+  return result;
+}
+
+std::vector<std::uint32_t> patchesOf(const PolygonSoup& soup,
+                                     std::span<const std::uint32_t> triangles) {
+  std::vector<std::uint32_t> result;
+  result.reserve(triangles.size());
+  for (const auto i : triangles) result.push_back(soup.patches[i]);
   return result;
 }
 
 }  // namespace
 
 CutSurface::CutSurface(const PolygonSoup& triangles, FluidSide side)
-    : CutSurface(properTriangles(triangles, side), side == FluidSide::Inside ? 1 : 0) {}
+    : CutSurface(triangles, properTriangles(triangles), side) {}
 
-CutSurface::CutSurface(const PolygonSoup& triangles, int windingOutside)
-    : frame_(frameOf(triangles.boundingBox())),
-      windingOutside_(windingOutside),
-      patches_(triangles.patches),
-      patchNames_(triangles.patchNames),
-      moved_(inFrame(frame_, triangles.points), cornersOf(triangles)) {
+CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles,
+                       FluidSide side)
+    : frame_(frameOf(soup.boundingBox())),
+      windingOutside_(side == FluidSide::Inside ? 1 : 0),
+      patches_(patchesOf(soup, triangles)),
+      patchNames_(soup.patchNames),
+      moved_(inFrame(frame_, soup.points), cornersOf(soup, triangles, side)) {
   boxes_.reserve(moved_.triangleCount());
   for (std::uint32_t id = 0; id < moved_.triangleCount(); ++id) {
     Box<double> box;

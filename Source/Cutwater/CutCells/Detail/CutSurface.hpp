@@ -33,8 +33,8 @@ class CutSurface {
   [[nodiscard]] int windingOutside() const { return windingOutside_; }
 
  private:
-  /// Of triangles with three different corners, turned so that the fluid is outside.
-  CutSurface(const PolygonSoup& triangles, int windingOutside);
+  /// Of those triangles of a soup that have three different corners.
+  CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles, FluidSide side);
 
   CutFrame frame_;
   int windingOutside_;

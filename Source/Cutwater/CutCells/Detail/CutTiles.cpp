@@ -12,26 +12,20 @@ struct Range {
   int last = -1;
 };
 
-/// The last plane for which it is true; -1 if for none. `near`: where it changes.
-template <typename IsBelow>
-int lastPlane(std::span<const double> planes, IsBelow&& isBelow, double near) {
-  // Nearly always right for grids of equal cells, and near for others.
-  const int last = static_cast<int>(planes.size()) - 1;
-  const double share = (near - planes.front()) / (planes.back() - planes.front());
-  int plane = share >= 1 ? last : share <= 0 ? 0 : static_cast<int>(share * last);
-  while (plane >= 0 && !isBelow(planes[static_cast<std::size_t>(plane)])) --plane;
-  while (plane < last && isBelow(planes[static_cast<std::size_t>(plane) + 1])) ++plane;
-  return plane;
+/// The last plane below a value, and the last that is not above it; -1 if there is none.
+int lastBelow(std::span<const double> planes, double x) {
+  return lastPlane(planes, x, [&](int n) { return planes[static_cast<std::size_t>(n)] < x; });
+}
+int lastUpTo(std::span<const double> planes, double x) {
+  return lastPlane(planes, x, [&](int n) { return planes[static_cast<std::size_t>(n)] <= x; });
 }
 
 /// The tiles along an axis that meet the closed interval.
 Range tilesWithin(std::span<const double> planes, double lower, double upper) {
   // Cell i touches it if plane i is not above it and plane i + 1 not below.
   const auto cells = static_cast<int>(planes.size()) - 1;
-  const int from = lastPlane(
-      planes, [&](double plane) { return plane < lower; }, lower);
-  const int to = lastPlane(
-      planes, [&](double plane) { return plane <= upper; }, upper);
+  const int from = lastBelow(planes, lower);
+  const int to = lastUpTo(planes, upper);
   if (to < 0 || from >= cells) return {};
   return {std::max(from, 0) / CutTiles::kWidth, std::min(to, cells - 1) / CutTiles::kWidth};
 }
@@ -39,11 +33,8 @@ Range tilesWithin(std::span<const double> planes, double lower, double upper) {
 /// The tiles along an axis whose lowest plane lies in the closed interval.
 Range tilesThatBegin(std::span<const double> planes, double lower, double upper) {
   const int width = CutTiles::kWidth;
-  const int from = lastPlane(
-                       planes, [&](double plane) { return plane < lower; }, lower) +
-                   1;
-  const int to = lastPlane(
-      planes, [&](double plane) { return plane <= upper; }, upper);
+  const int from = lastBelow(planes, lower) + 1;
+  const int to = lastUpTo(planes, upper);
   const int lastTile = (static_cast<int>(planes.size()) - 2) / width;
   return {(from + width - 1) / width, to < 0 ? -1 : std::min(to / width, lastTile)};
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace cutwater {
@@ -11,6 +12,19 @@ namespace cutwater {
 /// An axis as the index of an array.
 constexpr std::size_t asIndex(int axis) {
   return static_cast<std::size_t>(axis);
+}
+
+/// The last of ascending planes for whose number `isBelow` is true; -1 if it is for none. It
+/// changes at about x.
+template <typename IsBelow>
+[[nodiscard]] int lastPlane(std::span<const double> planes, double x, IsBelow&& isBelow) {
+  // Nearly always right for grids of equal cells, and near for others.
+  const double share = (x - planes.front()) / (planes.back() - planes.front());
+  const int last = static_cast<int>(planes.size()) - 1;
+  int plane = share >= 1 ? last : share <= 0 ? 0 : static_cast<int>(share * last);
+  while (plane >= 0 && !isBelow(plane)) --plane;
+  while (plane < last && isBelow(plane + 1)) ++plane;
+  return plane;
 }
 
 /// The planes of a grid, across each axis, in ascending order: cell i lies between planes i and i
@@ -31,18 +45,19 @@ struct GridPlanes {
   /// `isAbove(plane)` decides on planes that are no farther away than that.
   template <typename IsAbove>
   [[nodiscard]] int cellAt(int axis, double x, double error, IsAbove&& isAbove) const {
-    const auto planes = positions[asIndex(axis)];
-    const auto isBelow = [&](int plane) {
+    return lastPlane(positions[asIndex(axis)], x, [&](int plane) {
       const double gap = x - at(axis, plane);
       return gap > error || (gap >= -error && isAbove(plane));
-    };
-    // Nearly always right for grids of equal cells, and near for others.
-    const double share = (x - planes.front()) / (planes.back() - planes.front());
-    const int last = static_cast<int>(planes.size()) - 1;
-    int plane = share >= 1 ? last : share <= 0 ? 0 : static_cast<int>(share * last);
-    while (plane >= 0 && !isBelow(plane)) --plane;
-    while (plane < last && isBelow(plane + 1)) ++plane;
-    return plane;
+    });
+  }
+  /// The lengths of a cell's sides.
+  [[nodiscard]] Vec3<double> sizeOf(const std::array<std::int32_t, 3>& cell) const {
+    Vec3<double> size;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int plane = cell[asIndex(axis)];
+      size[axis] = at(axis, plane + 1) - at(axis, plane);
+    }
+    return size;
   }
 };
 

@@ -55,12 +55,4 @@ void MovedSurface::moveVertices() {
   if (!saddles.empty()) splitSaddles(triangles_, saddles);
 }
 
-int MovedSurface::windingAt(const Vec3<double>& node) const {
-  int winding = 0;
-  for (std::uint32_t id = 0; id < triangleCount(); ++id) {
-    winding += riseBelowNode(triangle(id), node);
-  }
-  return winding;
-}
-
 }  // namespace cutwater

@@ -37,9 +37,6 @@ class MovedSurface {
     return {triangles_.vertices[a], triangles_.vertices[b], triangles_.vertices[c]};
   }
 
-  /// How often the moved surface winds around a node. Asks all triangles.
-  [[nodiscard]] int windingAt(const Vec3<double>& node) const;
-
  private:
   void moveVertices();
 

@@ -9,15 +9,6 @@ namespace {
 /// In shares of a cell and of a face: what is less is rounding of points on the cell's faces.
 constexpr double kTouching = 1e-14;
 
-Vec3<double> sizeOf(const GridPlanes& planes, const TilePlace& cell) {
-  Vec3<double> size;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int plane = cell[asIndex(axis)];
-    size[axis] = planes.at(axis, plane + 1) - planes.at(axis, plane);
-  }
-  return size;
-}
-
 /// Whether a cell's fragments lie in its faces and have no area: the surface touches the cell.
 bool touches(const TileSurface& surface, std::span<const TileFragment> fragments,
              const GridPlanes& planes, double faceArea) {
@@ -56,7 +47,7 @@ void noteCells(const TileSurface& surface, const GridPlanes& planes, TileCut& ou
     for (; piece < pieces.size() && pieces[piece].cell == cell; ++piece) {
       fluid += pieces[piece].volume;
     }
-    const auto size = sizeOf(planes, surface.numbers().placeOfCell(cell));
+    const auto size = planes.sizeOf(surface.numbers().placeOfCell(cell));
     const double volume = size.x * size.y * size.z;
     const bool isTouched = touches(surface, fragments.subspan(first, last - first), planes,
                                    volume / maxComponent(size));
