@@ -24,7 +24,7 @@ bool isIn(const Box<double>& box, const Vec3<double>& p) {
 void checkClosure(const CutCells& cells, CutCellsReport& report) {
   auto sums = cells.pieces.wallVector;
   std::vector<char> isBounded(sums.size());
-  for (std::size_t p = 0; p < sums.size(); ++p) isBounded[p] = cells.pieces.wallArea[p] > 0;
+  for (std::size_t p = 0; p < sums.size(); ++p) isBounded[p] = cells.pieces.wallArea[p] > 0 ? 1 : 0;
   const auto& arcs = cells.arcs;
   for (std::size_t a = 0; a < arcs.area.size(); ++a) {
     for (const bool isBelow : {true, false}) {
@@ -71,12 +71,15 @@ void checkRanges(const CutCells& cells, CutCellsReport& report) {
 /// The volume of the cells that are not cut and have no fluid.
 double wholeBodyVolume(const CutCells& cells) {
   const auto box = cells.grid.indices();
+  const auto nx = box.length(0);
+  const auto ny = box.length(1);
+  if (nx == 0 || ny == 0) return 0;
   DoubleDouble sum;
   for (const auto& [first, last] : cells.bodyRuns) {
     for (auto n = first; n < last; ++n) {
-      const auto i = n % box.length(0);
-      const auto j = n / box.length(0) % box.length(1);
-      const auto k = n / box.length(0) / box.length(1);
+      const auto i = n % nx;
+      const auto j = n / nx % ny;
+      const auto k = n / nx / ny;
       const auto cell = box.at(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j),
                                static_cast<std::uint32_t>(k));
       if (cells.rowOf(cell) == CutCells::kNoRow) sum += cells.cellVolume(cell);

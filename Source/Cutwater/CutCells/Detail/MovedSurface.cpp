@@ -10,6 +10,21 @@ namespace {
 /// Rounding leaves a component of a normal, a sum of unit vectors times angles, below this.
 constexpr double kZero = 1e-12;
 
+/// Adds to the normals of a triangle's vertices: its unit normal times its angle there.
+void addNormal(const MovedTriangles& triangles, const Corners& corners,
+               std::vector<Vec3<double>>& normals) {
+  const std::array t{triangles.positionOf(corners[0]), triangles.positionOf(corners[1]),
+                     triangles.positionOf(corners[2])};
+  const auto area = cross(t[1] - t[0], t[2] - t[0]);
+  const double size = length(area);
+  if (!(size > 0)) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto u = t[(i + 1) % 3] - t[i];
+    const auto v = t[(i + 2) % 3] - t[i];
+    normals[corners[i]] += (std::atan2(size, dot(u, v)) / size) * area;
+  }
+}
+
 }  // namespace
 
 MovedSurface::MovedSurface(std::span<const Vec3<double>> positions,
@@ -28,15 +43,7 @@ void MovedSurface::moveVertices() {
   std::vector<Vec3<double>> normals(triangles_.vertices.size());
   for (std::uint32_t id = 0; id < triangles_.meshTriangles; ++id) {
     const auto& corners = triangles_.corners[id];
-    const std::array t{triangles_.positionOf(corners[0]), triangles_.positionOf(corners[1]),
-                       triangles_.positionOf(corners[2])};
-    const auto area = cross(t[1] - t[0], t[2] - t[0]);
-    const double size = length(area);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto u = t[(i + 1) % 3] - t[i];
-      const auto v = t[(i + 2) % 3] - t[i];
-      if (size > 0) normals[corners[i]] += (std::atan2(size, dot(u, v)) / size) * area;
-    }
+    addNormal(triangles_, corners, normals);
     for (int axis = 0; axis < 3; ++axis) {
       const int side = triangles_.facing(id, axis);
       if (side == 0) continue;
