@@ -11,7 +11,7 @@ namespace {
 constexpr double kZero = 1e-12;
 
 /// Adds to the normals of a triangle's vertices: its unit normal times its angle there.
-void addNormal(const MovedTriangles& triangles, const Corners& corners,
+void addNormal(const MovedTriangles& triangles, const MovedTriangles::Corners& corners,
                std::vector<Vec3<double>>& normals) {
   const std::array t{triangles.positionOf(corners[0]), triangles.positionOf(corners[1]),
                      triangles.positionOf(corners[2])};
