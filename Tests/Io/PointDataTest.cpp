@@ -47,6 +47,29 @@ TEST_F(PointDataTest, TheContentDecidesTheFormat) {
   EXPECT_THROW((void)readPointData(folder / "none.vtu"), Error);
 }
 
+TEST_F(PointDataTest, FilesCutWithinTheirFirstWordAreTooShort) {
+  for (const std::string content : {"\x93NUM", "# vtk Data", "#"}) {
+    EXPECT_NE(refusal(content).find("byte 0: the file is too short"), std::string::npos);
+  }
+}
+
+TEST_F(PointDataTest, XmlHasTheNamesOfPatchesBesideOtherFields) {
+  auto data = sample();
+  data.patchNames = {"hull", "<mast>"};
+  for (const bool hasOther : {true, false}) {
+    if (!hasOther) data.fieldArrays.clear();
+    writePointData(folder / "a.vtu", data);
+    std::ifstream file(folder / "a.vtu", std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    EXPECT_NE(text.find("104 117 108 108 0\n        60 109 97 115 116 62 0\n"), std::string::npos);
+    EXPECT_EQ(text.find("<FieldData"), text.rfind("<FieldData"));  // viewers read one
+    const auto again = readPointData(folder / "a.vtu");
+    EXPECT_EQ(again.fieldArrays, data.fieldArrays);
+    EXPECT_EQ(again.pointArrays, data.pointArrays);
+    EXPECT_EQ(again.notes.size(), 1U);  // texts are not read
+  }
+}
+
 TEST_F(PointDataTest, RefusesFilesBeyondTheLimit) {
   std::ofstream(path) << "1,2,3\n4,5,6\n";
   EXPECT_NO_THROW((void)readPointData(path, {.maxBytes = 12}));

@@ -33,9 +33,12 @@ TEST_F(PointTableTest, KeepsOtherColumnsInTheirOrder) {
 }
 
 TEST_F(PointTableTest, RefusesWhatIsNoTableOfPoints) {
-  EXPECT_EQ(refusal("x,y\n1,2\n"), "line 1: need columns named x, y and z; there is no z");
-  EXPECT_EQ(refusal("a,b,c\n1,2,3\n"), "line 1: need columns named x, y and z; there is no x");
-  EXPECT_EQ(refusal("x y z\n1 2 3\n"), "line 1: need columns named x, y and z; there is no x");
+  const auto missing = [](const std::string& name) {
+    return "line 1: need columns named x, y and z, with commas between them; there is no " + name;
+  };
+  EXPECT_EQ(refusal("x,y\n1,2\n"), missing("z"));
+  EXPECT_EQ(refusal("a,b,c\n1,2,3\n"), missing("x"));
+  EXPECT_EQ(refusal("x y z\n1 2 3\n"), missing("x"));
   EXPECT_EQ(refusal("x,y,z,p,p\n1,2,3,4,5\n"), "line 1: two columns named \"p\"");
   EXPECT_EQ(refusal("x,y,z,x\n1,2,3,4\n"), "nothing");  // the first is the coordinate
   EXPECT_EQ(refusal("x,y,z,\n1,2,3,4\n"), "line 1: column 4 has no name");

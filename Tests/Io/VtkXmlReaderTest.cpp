@@ -147,7 +147,7 @@ TEST_F(VtkXmlReaderTest, RefusesWhatDoesNotFitTogether) {
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
   refused("type=\"UnstructuredGrid\"", "type=\"ImageData\"", "found \"ImageData\"");
-  refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\"", "needs 15 numbers");
+  refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"5\"", "needs 15 numbers, and has 12");
   refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"3\"", "more than 9 numbers");
   refused("NumberOfPoints=\"4\"", "NumberOfPoints=\"-4\"", "NumberOfPoints is \"-4\"");
   refused("NumberOfPoints=\"4\"", "", "the attribute NumberOfPoints is missing");
@@ -174,7 +174,7 @@ TEST_F(VtkXmlReaderTest, RefusesWhatDoesNotFitTogether) {
   refused(" 42\n", " 12\n", "more than 0 numbers");
   refused("format=\"ascii\">", "format=\"text\">", "found \"text\"");
   refused("Name=\"TIME\" NumberOfTuples=\"1\"", "Name=\"TIME\"", "NumberOfTuples is missing");
-  refused("</VTKFile>", "", "no element found");
+  refused("</VTKFile>", "", "the file ends too early: it should end with </VTKFile>");
 }
 
 TEST_F(VtkXmlReaderTest, RefusesCellsWhoseCornersAreNoPoints) {

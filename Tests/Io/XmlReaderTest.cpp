@@ -57,12 +57,19 @@ TEST(XmlReaderTest, StopsBehindTheLastElementsTag) {
 
 TEST(XmlReaderTest, RefusesWhatIsNotWellFormedWithItsLine) {
   EXPECT_TRUE(refused("<A>\n<B>\n</A>").starts_with("a.xml: line 3: mismatched tag"));
-  EXPECT_TRUE(refused("<A>\n<B/>\n").starts_with("a.xml: line 3: no element found"));
   EXPECT_TRUE(
       refused("<A>\n<B a='1' a='2'/></A>").starts_with("a.xml: line 2: duplicate attribute"));
   EXPECT_TRUE(refused("<A/>\n<B/>").starts_with("a.xml: line 2: junk after document element"));
   EXPECT_TRUE(refused("<A>&unknown;</A>").starts_with("a.xml: line 1: undefined entity"));
   EXPECT_TRUE(refused("<A>\xff</A>").starts_with("a.xml: line 1: not well-formed"));
+}
+
+TEST(XmlReaderTest, SaysThatTheFileEndsTooEarly) {
+  const std::string tooEarly = "the file ends too early: it should end with </A>";
+  EXPECT_EQ(refused("<A>\n<B/>\n"), "a.xml: line 3: " + tooEarly);
+  EXPECT_EQ(refused("<A>\n<B c='1"), "a.xml: line 2: " + tooEarly);
+  EXPECT_EQ(refused("<A>\n</"), "a.xml: line 2: " + tooEarly);
+  EXPECT_EQ(refused("<?xml"), "a.xml: line 1: the file ends before its first element");
 }
 
 TEST(XmlReaderTest, RefusesDocumentTypesAndTooManyElements) {

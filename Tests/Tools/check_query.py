@@ -133,6 +133,21 @@ class Query(CommandTest):
         for one, other in zip(self.rows("by-vtp.csv"), self.rows("by-off.csv"), strict=True):
             self.assertEqual(float(one["distance"]), float(other["distance"]))
 
+    def test_patches_keep_their_names(self):
+        self.write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng base\nf 1 3 2\ng sides\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+        self.write("m.vtk", legacy(POINTS, [(0, 1, 2, 3)], [10]))
+        said = self.succeeds("query", "two.obj", "m.vtk", "-o", "q.vtu")
+        self.assertNotIn("note", said)
+        self.assertEqual(VtkXml(self.folder / "q.vtu").patch_names(), ["base", "sides"])
+        self.succeeds("query", "two.obj", "m.vtk", "-o", "q.vtu", "--write", "distance")
+        self.assertEqual(VtkXml(self.folder / "q.vtu").patch_names(), [])
+        self.write("p.csv", table(POINTS))
+        self.succeeds("query", "two.obj", "p.csv", "-o", "q.vtp")
+        self.assertEqual(VtkXml(self.folder / "q.vtp").patch_names(), ["base", "sides"])
+        note = "note: this format does not keep the names of 2 patches; .vtu and .vtp do\n"
+        self.assertTrue(self.succeeds("query", "two.obj", "p.csv", "-o", "q.csv").endswith(note))
+        self.assertNotIn("note", self.succeeds("query", "box.off", "p.csv", "-o", "q.csv"))
+
     def test_the_same_bytes_whatever_the_threads(self):
         self.write("p.csv", table([(0.01 * i, 0.02 * i - 1, 0.3) for i in range(3000)]))
         for threads in (1, 3):

@@ -13,9 +13,18 @@ namespace {
 
 using PointReader = PointData (*)(const text::Content&, std::uint64_t maxBytes);
 
-PointReader readerOf(std::string_view bytes) {
+PointReader readerOf(const text::Content& content) {
   constexpr std::string_view kVtk = "# vtk DataFile";
-  if (bytes.starts_with("\x93NUMPY")) return detail::readNpy;
+  constexpr std::string_view kNpy = "\x93NUMPY";
+  const auto bytes = content.bytes;
+  const auto isPartOf = [bytes](std::string_view word) {
+    return bytes.size() < word.size() && word.starts_with(bytes);
+  };
+  if (isPartOf(kVtk) || isPartOf(kNpy)) {
+    text::TextCursor(content).failAt({text::Place::Unit::Byte, 0},
+                                     "the file is too short: it ends within its first word");
+  }
+  if (bytes.starts_with(kNpy)) return detail::readNpy;
   if (text::equalIgnoringCase(bytes.substr(0, kVtk.size()), kVtk)) return detail::readLegacyVtk;
   if (detail::isXml(bytes)) return detail::readVtkXml;
   return detail::readPointTable;
@@ -62,7 +71,7 @@ PointData readPointData(std::span<const std::byte> bytes, const std::string& nam
   }
   if (view.empty()) throw Error(ErrorKind::File, name + ": the file is empty");
   const text::Content content{name, text::withoutByteOrderMark(view)};
-  return readerOf(content.bytes)(content, options.maxBytes);
+  return readerOf(content)(content, options.maxBytes);
 }
 
 void requireWritable(const std::filesystem::path& path, const PointData& data) {

@@ -64,6 +64,9 @@ struct PointData {
   std::vector<DataArray> cellArrays = {};
   std::vector<DataArray> fieldArrays = {};  ///< that belong to neither, such as a time
   std::vector<std::string> notes = {};      ///< what was not kept, one sentence each
+  /// What the numbers of patches in an array stand for: written to .vtu and .vtp as field data, an
+  /// array of texts called "patch names"; other formats have no place for them. Not read.
+  std::vector<std::string> patchNames = {};
 };
 
 /// Options of readPointData().

@@ -9,6 +9,7 @@
 #include "Options/LoadSurface.hpp"
 #include "Options/OutputFile.hpp"
 #include "Report/Format.hpp"
+#include "Report/OutOfMemory.hpp"
 #include "Report/ProgressBar.hpp"
 #include "Report/Stopwatch.hpp"
 
@@ -96,10 +97,20 @@ void requireFreeNames(const QuerySettings& options, const std::vector<DataArray>
   }
 }
 
+/// That the output has no place for the names of patches, if so.
+std::string lossOfNames(const QuerySettings& options, const PointData& data) {
+  const auto extension = extensionOf(options.output);
+  const bool keepsNames = extension == ".vtu" || extension == ".vtp";
+  if (keepsNames || data.patchNames.size() < 2) return {};
+  return "note: this format does not keep the names of " +
+         grouped(data.patchNames.size(), "patch") + "; .vtu and .vtp do\n";
+}
+
 void report(const QuerySettings& options, const PointData& data, const PointAnswersTable& answers,
             std::size_t count, double seconds) {
   const std::string what = options.cells ? "centres of cells" : "points";
-  for (const auto& note : data.notes) std::cout << options.points << ": " << note << '\n';
+  for (const auto& note : data.notes)
+    std::cout << onOneLine(options.points) << ": " << note << '\n';
   std::cout << "asked at " << grouped(count) << ' ' << what << " in " << duration(seconds) << '\n';
   const auto distances = answers.distance();
   if (distances.empty()) return;
@@ -111,7 +122,8 @@ void report(const QuerySettings& options, const PointData& data, const PointAnsw
 }
 
 void run(const QuerySettings& options) {
-  auto data = readPointData(options.points);
+  auto data = namingMemory(options.points + ": out of memory while reading it",
+                           [&] { return readPointData(options.points); });
   if (options.cells && data.cells.count() == 0) {
     throw Error(ErrorKind::Argument, options.points + ": --cells, but the file has no cells");
   }
@@ -130,8 +142,10 @@ void run(const QuerySettings& options) {
   const double seconds = watch.lap();
   if (!options.surface.quiet) report(options, data, answers, points.size(), seconds);
   std::move(answers).addTo(arrays, options.prefix);
+  if (std::ranges::count(options.write, "patch") > 0) data.patchNames = solid.patchNames();
   writePointData(options.output, data);
-  if (!options.surface.quiet) std::cout << "wrote " << options.output << '\n';
+  if (options.surface.quiet) return;
+  std::cout << "wrote " << onOneLine(options.output) << '\n' << lossOfNames(options, data);
 }
 
 }  // namespace

@@ -57,7 +57,8 @@ class Columns {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       coordinates_[axis] = find(wanted[axis]);
       if (coordinates_[axis] == count_) {
-        rows.fail("need columns named x, y and z; there is no " + std::string(wanted[axis]));
+        rows.fail("need columns named x, y and z, with commas between them; there is no " +
+                  std::string(wanted[axis]));
       }
     }
     for (const auto column : coordinates_) names_[column].reset();

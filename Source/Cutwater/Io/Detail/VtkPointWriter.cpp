@@ -177,7 +177,7 @@ class VtkPointWriter {
   }
 
   void declareFields() {
-    if (data_.fieldArrays.empty()) return;
+    if (data_.fieldArrays.empty() && data_.patchNames.empty()) return;
     xml_.open("FieldData");
     for (const auto& array : data_.fieldArrays) {
       const auto type = typeOf(array.numbers);
@@ -187,6 +187,7 @@ class VtkPointWriter {
                       length / array.components, bytes);
       writeLater(bytes, [this, &array] { writeNumbers(array); });
     }
+    xml_.patchNamesArray(data_.patchNames);
     xml_.close("FieldData");
   }
 

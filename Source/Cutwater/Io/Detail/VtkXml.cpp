@@ -137,6 +137,12 @@ void VtkXml::arrays(std::string_view element, std::span<const VtkArray> arrays) 
 void VtkXml::patchNames(const std::vector<std::string>& names) {
   if (names.empty()) return;
   open("FieldData");
+  patchNamesArray(names);
+  close("FieldData");
+}
+
+void VtkXml::patchNamesArray(const std::vector<std::string>& names) {
+  if (names.empty()) return;
   open("Array", {{"type", "String"},
                  {"Name", "patch names"},
                  {"NumberOfTuples", toText(static_cast<long long>(names.size()))},
@@ -147,7 +153,6 @@ void VtkXml::patchNames(const std::vector<std::string>& names) {
     line(codes + '0');
   }
   close("Array");
-  close("FieldData");
 }
 
 void VtkXml::declaration(std::string_view name, std::string_view type, int components) {

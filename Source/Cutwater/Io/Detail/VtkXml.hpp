@@ -55,6 +55,8 @@ class VtkXml {
   /// Adds the names of patches as field data, an array of texts in the order of their indices, so
   /// that files with patches as numbers tell what these are called. Nothing without names.
   void patchNames(const std::vector<std::string>& names);
+  /// The array alone, within an element of field data that has others, too.
+  void patchNamesArray(const std::vector<std::string>& names);
 
   /// The same for arrays that are in other files: their types only.
   void declarations(std::string_view element, std::span<const VtkArray> arrays);

@@ -167,9 +167,14 @@ DataNumbers VtkXmlNumbers::readText(const XmlElement& array, std::uint64_t count
   XmlWords words(content_, array);
   std::visit(
       [&](auto& values) {
+        std::uint64_t found = 0;
         for (auto& value : values) {
           const auto word = words.next();
-          if (word.empty()) words.fail("the array needs " + std::to_string(count) + " numbers");
+          if (word.empty()) {
+            words.fail("the array needs " + std::to_string(count) + " numbers, and has " +
+                       std::to_string(found));
+          }
+          ++found;
           value = text::numberOf<std::remove_reference_t<decltype(value)>>(words, word);
         }
       },

@@ -2,6 +2,7 @@
 #include <Cutwater/Text/TextCursor.hpp>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <memory>
 #include <new>
@@ -55,7 +56,7 @@ class XmlParsing {
                                     static_cast<int>(isEnd));
       if (failure_) std::rethrow_exception(failure_);
       if (isDone_) break;
-      if (status != XML_STATUS_OK) fail(XML_ErrorString(XML_GetErrorCode(parser_.get())));
+      if (status != XML_STATUS_OK) failToParse(XML_GetErrorCode(parser_.get()));
       if (isEnd) break;
     }
     return std::move(document_.children.front());
@@ -124,6 +125,17 @@ class XmlParsing {
     textBegin_ = tag + size;
     const auto text = content_.bytes.substr(tag, size);
     open_.back()->textLine = line() + static_cast<std::uint64_t>(std::ranges::count(text, '\n'));
+  }
+
+  [[noreturn]] void failToParse(XML_Error error) const {
+    constexpr std::array kEndsTooEarly{XML_ERROR_NO_ELEMENTS, XML_ERROR_UNCLOSED_TOKEN,
+                                       XML_ERROR_PARTIAL_CHAR, XML_ERROR_UNCLOSED_CDATA_SECTION};
+    if (std::ranges::find(kEndsTooEarly, error) == kEndsTooEarly.end()) {
+      fail(XML_ErrorString(error));
+    }
+    if (document_.children.empty()) fail("the file ends before its first element");
+    fail("the file ends too early: it should end with </" +
+         std::string(document_.children.front().name) + '>');
   }
 
   [[nodiscard]] std::uint64_t line() const { return XML_GetCurrentLineNumber(parser_.get()); }
