@@ -138,6 +138,8 @@ TEST_F(SceneShapesTest, TellWhatIsMissingOrWrong) {
             "line 3: sphere has no key \"radus\"; is it \"radius\"?");
   EXPECT_EQ(refusal("[a]\nshape = \"shpere\"\nradius = 1"),
             "line 2: [a]: there is no shape \"shpere\"; is it \"sphere\"?");
+  EXPECT_EQ(refusal("[a]\nshape = \"box\"\nlower = 1"),
+            "line 2: [a]: there is no shape \"box\"; is it \"cuboid\"?");
   EXPECT_EQ(refusal("[a]\nshape = 3\nradius = 1"), "line 2: [a]: there is no shape 3");
   EXPECT_EQ(refusal("[a]\nshape = \"sphere\"\n\nradius = 0"),
             "line 4: \"radius\" of sphere: need a number above 0, found 0");

@@ -26,6 +26,23 @@ TEST(SuggestionTest, OfEquallyNearWordsTheFirst) {
   EXPECT_EQ(suggestion("mast", {"mist", "most"}), "; is it \"mist\"?");
 }
 
+TEST(SuggestionTest, IsAWordOfNearlyTheSameMeaning) {
+  const std::vector<std::string> shapes{"box frame", "cuboid", "sphere", "torus"};
+  for (const char* word : {"box", "block", "cube", "rectangle"}) {
+    EXPECT_EQ(suggestion(word, shapes), "; is it \"cuboid\"?") << word;
+  }
+  EXPECT_EQ(suggestion("ball", shapes), "; is it \"sphere\"?");
+  EXPECT_EQ(suggestion("ring", shapes), "; is it \"torus\"?");
+  EXPECT_EQ(suggestion("ball", {"cuboid"}), "");  // not known here
+}
+
+TEST(SuggestionTest, IsTheOnlyWordThatBeginsWithIt) {
+  const std::vector<std::string> options{"--output", "--cells", "--cut", "--color"};
+  EXPECT_EQ(suggestion("--out", options), "; is it \"--output\"?");
+  EXPECT_EQ(suggestion("--c", {"--cells", "--color"}), "");
+  EXPECT_EQ(suggestion("ou", {"output"}), "");  // too short to tell
+}
+
 TEST(SuggestionTest, LongWordsAreNoSlips) {
   const std::string word(65, 'a');
   EXPECT_EQ(suggestion(word, {word}), "");

@@ -137,15 +137,26 @@ class Usage(CommandTest):
         self.assertIn('there is no command "frobnicate"\n', self.fails(2, "frobnicate"))
         self.assertIn('there is no command "inf"; is it "info"?', self.fails(2, "inf", "--help"))
         self.assertIn('there is no command "frobnicate"\n', self.fails(2, "frobnicate", "-h"))
+        self.assertIn('there is no command "wrap"; is it "repair"?', self.fails(2, "wrap", "a.stl"))
+        self.assertIn('there is no command "help"; is it "--help"?', self.fails(2, "help"))
+        self.assertIn('there is no command "help"; is it "--help"?', self.fails(2, "help", "info"))
+        self.assertIn('there is no command "foo"\n', self.fails(2, "foo", "info", "a.stl"))
+
+    def test_a_message_is_one_line_whatever_a_name_holds(self):
+        self.assertIn("no\\nfile\\033[1m.stl: cannot open", self.fails(1, "info", "no\nfile\033[1m.stl"))
 
     def test_names_an_option_that_there_is_not(self):
         for command, near in [
                 ("amr a.stl --levle 3 -o a.vtu", '"--levle"; is it "--level"?'),
                 ("sample a.stl --cell=3 -o a.vti", '"--cell"; is it "--cells"?'),
                 ("info a.stl --jason", '"--jason"; is it "--json"?'),
+                ("info a.stl --out b", '"--out"\n'),
+                ("query a.stl p.csv --out q.csv", '"--out"; is it "--output"?'),
                 ("make torus --diameter 3 -o a.stl", '"--diameter"\n')]:
             words = command.split()
             self.assertIn(f"cutwater: error: {words[0]} has no option {near}", self.fails(2, *words))
+        self.assertIn('error: cutwater has no option "--verison"; is it "--version"?', self.fails(2, "--verison"))
+        self.assertIn('error: cutwater has no option "--quite"\n', self.fails(2, "--quite", "info", "a.stl"))
         self.assertIn("not expected: b.stl", self.fails(2, "info", "a.stl", "b.stl"))
 
     def test_keys_of_scenes_by_a_word(self):
@@ -182,6 +193,11 @@ class Make(CommandTest):
 
     def test_refusals(self):
         self.assertIn("SHAPE: 'box': need one of capsule, cone, cuboid, ", self.fails(2, "make", "box", "-o", "a.stl"))
+        for word, shape in [("box", "cuboid"), ("cube", "cuboid"), ("rectangle", "cuboid"), ("ball", "sphere"),
+                            ("ring", "torus"), ("rod", "cylinder"), ("pill", "capsule"), ("egg", "ellipsoid"),
+                            ("toruz", "torus"), ("cyl", "cylinder")]:
+            self.assertTrue(self.fails(2, "make", word, "-o", "a.stl").endswith(f'sphere, torus; is it "{shape}"?\n'), word)
+        self.assertTrue(self.fails(2, "make", "teapot", "-o", "a.stl").endswith("sphere, torus\n"))
         for shape, option, value in [("torus", "--minor", "2"), ("ellipsoid", "--size", "1,0,1")]:
             self.assertIn(option, self.fails(2, "make", shape, option, value, "-o", "a.stl"))
         for shape, option in [("sphere", "--minor"), ("sphere", "--height"), ("ellipsoid", "--radius"),
@@ -484,7 +500,8 @@ class Amr(CommandTest):
             resource.setrlimit(resource.RLIMIT_AS, (150_000_000,) * 2)
         more = ("--max-memory", "1T")
         for command, advice in [(("amr", "-o", "a.vtu", "--level", "9", *more), "a lower --level"),
-                                (("isosurface", "-o", "a.stl", "--cells", "6000", *more), "nodes; use fewer --cells")]:
+                                (("isosurface", "-o", "a.stl", "--cells", "6000", *more), "nodes; use fewer --cells"),
+                                (("sample", "-o", "a.vti", "--cells", "600", *more), "values; use fewer --cells")]:
             done = subprocess.run([PROGRAM, *command, "box.off", "--threads", "1"], cwd=self.folder, text=True,
                                   capture_output=True, preexec_fn=limited, check=False)
             self.assertEqual(done.returncode, 1)

@@ -48,7 +48,8 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
-    return failed("cutwater", "out of memory", kFailed);
+    const std::string command = argc > 1 ? argv[1] : "";
+    return failed("cutwater", "out of memory in 'cutwater " + command + "'", kFailed);
   } catch (const std::exception& error) {
     return failed("cutwater", error.what(), kFailed);
   }

@@ -2,6 +2,8 @@
 #include <Cutwater/Text/Words.hpp>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace cutwater::text {
 
@@ -28,10 +30,7 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
   return rows[a.size()][b.size()];
 }
 
-}  // namespace
-
-std::string suggestion(const std::string& word, const std::vector<std::string>& words) {
-  if (word.size() > kLongest) return {};
+const std::string* leastEdited(const std::string& word, const std::vector<std::string>& words) {
   std::size_t least = std::max<std::size_t>(word.size() / 3, 1) + 1;
   const std::string* nearest = nullptr;
   for (const auto& other : words) {
@@ -43,7 +42,54 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
     least = edits;
     nearest = &other;
   }
-  return nearest == nullptr ? std::string() : "; is it " + inQuotes(*nearest) + "?";
+  return nearest;
+}
+
+struct Synonym {
+  std::string_view said;   ///< elsewhere
+  std::string_view known;  ///< what it is called here
+};
+
+/// Words that other programs use.
+constexpr std::array<Synonym, 20> kSynonyms = {{
+    {"box", "cuboid"},        {"block", "cuboid"},         {"brick", "cuboid"},
+    {"cube", "cuboid"},       {"rectangle", "cuboid"},     {"ball", "sphere"},
+    {"donut", "torus"},       {"doughnut", "torus"},       {"ring", "torus"},
+    {"rod", "cylinder"},      {"pill", "capsule"},         {"egg", "ellipsoid"},
+    {"check", "info"},        {"validate", "info"},        {"fix", "repair"},
+    {"heal", "repair"},       {"wrap", "repair"},          {"help", "--help"},
+    {"version", "--version"}, {"--resolution", "--cells"},
+}};
+
+const std::string* synonymOf(const std::string& word, const std::vector<std::string>& words) {
+  for (const auto& [said, known] : kSynonyms) {
+    if (said != word) continue;
+    const auto found = std::ranges::find(words, known);
+    if (found != words.end()) return &*found;
+  }
+  return nullptr;
+}
+
+const std::string* onlyOneThatBeginsWith(const std::string& word,
+                                         const std::vector<std::string>& words) {
+  constexpr std::size_t kFewest = 3;  // characters that tell what is meant
+  const std::string* found = nullptr;
+  for (const auto& other : words) {
+    if (word.size() < kFewest || !other.starts_with(word)) continue;
+    if (found != nullptr) return nullptr;
+    found = &other;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& words) {
+  if (word.size() > kLongest) return {};
+  const auto* meant = synonymOf(word, words);
+  if (meant == nullptr) meant = onlyOneThatBeginsWith(word, words);
+  if (meant == nullptr) meant = leastEdited(word, words);
+  return meant == nullptr ? std::string() : "; is it " + inQuotes(*meant) + "?";
 }
 
 }  // namespace cutwater::text

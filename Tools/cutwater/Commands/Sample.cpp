@@ -14,6 +14,7 @@
 #include "Options/OutputFile.hpp"
 #include "Options/SampleGrid.hpp"
 #include "Report/Format.hpp"
+#include "Report/OutOfMemory.hpp"
 #include "Report/ProgressBar.hpp"
 #include "Report/Stopwatch.hpp"
 
@@ -122,11 +123,8 @@ void requireRoom(const Solid<double>& solid, const GridPatch<double>& grid,
   requireWithin(options.limits, expected, !options.surface.quiet, remedy);
 }
 
-void run(const SampleSettings& options) {
-  const auto solid = loadSolid(options.surface);
-  const auto grid = gridAround(boxAround(solid), options.grid);
-  FillOptions how{.band = options.band, .threads = options.surface.threads};
-  requireRoom(solid, grid, options, how);
+void sample(const Solid<double>& solid, const GridPatch<double>& grid,
+            const SampleSettings& options, FillOptions how) {
   const Fields fields(grid.indices, options.write);
   Stopwatch watch;
   {
@@ -138,6 +136,15 @@ void run(const SampleSettings& options) {
   writeVti(options.output, grid, fields.arrays(),
            {.patchNames = fields.hasPatch() ? solid.patchNames() : std::vector<std::string>{}});
   if (!options.surface.quiet) report(options, grid, fields, seconds);
+}
+
+void run(const SampleSettings& options) {
+  const auto solid = loadSolid(options.surface);
+  const auto grid = gridAround(boxAround(solid), options.grid);
+  const FillOptions how{.band = options.band, .threads = options.surface.threads};
+  requireRoom(solid, grid, options, how);
+  namingMemory("out of memory with " + grouped(grid.indices.count()) + " values; use fewer --cells",
+               [&] { sample(solid, grid, options, how); });
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "Options/Arguments.hpp"
 
+#include <Cutwater/Text/Suggestion.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -104,7 +106,7 @@ std::size_t choiceOf(const std::string& option, const std::string& text,
                      const std::vector<std::string>& choices) {
   const auto found = std::ranges::find(choices, text);
   if (found != choices.end()) return static_cast<std::size_t>(found - choices.begin());
-  refuse(option, text, "one of " + listed(choices));
+  refuse(option, text, "one of " + listed(choices) + text::suggestion(text, choices));
 }
 
 }  // namespace cutwater::tool

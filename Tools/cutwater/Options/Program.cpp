@@ -12,6 +12,18 @@
 
 namespace cutwater::tool {
 
+namespace {
+
+std::vector<std::string> optionsOf(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const auto* option : command.get_options()) {
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+}  // namespace
+
 Program::Program(const std::string& name, const std::string& description, const std::string& footer)
     : app_(std::make_unique<CLI::App>()) {
   app_->name(name);
@@ -55,22 +67,21 @@ int Program::refuse(const std::string& message) const {
 }
 
 std::optional<std::string> Program::unknownWord() const {
-  const auto rest = app_->remaining(/*recurse=*/true);
-  const auto parsed = app_->get_subcommands();
   const auto isOption = [](const std::string& word) { return word.starts_with('-'); };
-  std::vector<std::string> known;
-  if (parsed.empty() && !rest.empty() && !isOption(rest.front())) {
+  const auto own = app_->remaining(/*recurse=*/false);  // what stands before a command
+  if (!own.empty() && !isOption(own.front())) {
+    auto known = optionsOf(*app_);  // for "help"
     for (const auto* command : app_->get_subcommands({})) known.push_back(command->get_name());
-    return "there is no command \"" + rest.front() + '"' + text::suggestion(rest.front(), known);
+    return "there is no command \"" + own.front() + '"' + text::suggestion(own.front(), known);
   }
+  const auto parsed = app_->get_subcommands();
+  const auto& asked = own.empty() && !parsed.empty() ? *parsed.front() : *app_;
+  const auto rest = asked.remaining(/*recurse=*/true);
   const auto found = std::ranges::find_if(rest, isOption);
-  if (parsed.empty() || found == rest.end()) return {};
-  for (const auto* option : parsed.front()->get_options()) {
-    for (const auto& name : option->get_lnames()) known.push_back("--" + name);
-  }
+  if (found == rest.end()) return {};
   const auto option = found->substr(0, found->find('='));
-  return parsed.front()->get_name() + " has no option \"" + option + '"' +
-         text::suggestion(option, known);
+  return asked.get_name() + " has no option \"" + option + '"' +
+         text::suggestion(option, optionsOf(asked));
 }
 
 }  // namespace cutwater::tool

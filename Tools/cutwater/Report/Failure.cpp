@@ -1,15 +1,13 @@
 #include "Report/Failure.hpp"
 
-#include <algorithm>
 #include <iostream>
+
+#include "Report/Format.hpp"
 
 namespace cutwater::tool {
 
-int failed(const std::string& program, std::string message, int status) {
-  std::replace_if(
-      message.begin(), message.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; },
-      ' ');
-  std::cerr << program << ": error: " << message << '\n';
+int failed(const std::string& program, const std::string& message, int status) {
+  std::cerr << program << ": error: " << onOneLine(message) << '\n';
   return status;
 }
 

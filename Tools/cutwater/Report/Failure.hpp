@@ -10,6 +10,6 @@ inline constexpr int kUsage = 2;
 
 /// Reports the failure on stderr, on a single line, whatever characters a file name contains.
 /// Returns the status.
-int failed(const std::string& program, std::string message, int status);
+int failed(const std::string& program, const std::string& message, int status);
 
 }  // namespace cutwater::tool
