@@ -38,7 +38,7 @@ void requireArray(const char* name, const void* data, std::int64_t count, std::s
 
 template <typename Value>
 std::span<Value> arrayOf(const char* name, Value* data, std::int64_t count) {
-  requireArray(name, data, count, sizeof(Value));
+  requireArray(name, data, count, sizeof(Value));  // NOLINT(bugprone-sizeof-expression)
   return {data, static_cast<std::size_t>(count)};
 }
 

@@ -238,7 +238,12 @@ TEST(CellCutterTest, PlanesMayBeAnyDistanceApart) {
   const auto solid = torus();
   std::array<std::vector<double>, 3> all;
   for (auto& planes : all) {
-    for (double x = 0, h = 0.013; x < 1; x += h, h *= 1.2) planes.push_back(x);
+    double step = 0.013;
+    planes = {0};
+    while (planes.back() + step < 1) {
+      planes.push_back(planes.back() + step);
+      step *= 1.2;
+    }
     planes.push_back(1);
   }
   const auto cells = CellCutter(solid).cut(cellsBetween(all, {-3, 5, 100}));

@@ -176,56 +176,79 @@ TEST(CellPiecesTest, RodsPierceFacesWithoutTouchingEdges) {
   EXPECT_LT(cut.worstClosure(), 1e-15);
 }
 
-/// The sizes of the parts of a cell that a voxel solid leaves, by flooding the boxes between all
-/// planes.
-std::vector<double> flooded(const VoxelSolid& solid, const CutTile& cut, const TilePlace& cell) {
-  std::array<std::vector<double>, 3> planes;
-  std::array<int, 3> first{};
-  std::array<int, 3> size{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const double lower = cut.positions[static_cast<std::size_t>(cell[a])];
-    const double upper = cut.positions[static_cast<std::size_t>(cell[a]) + 1];
-    first[a] = static_cast<int>(std::floor(lower / solid.width()));
-    planes[a] = {lower};
-    for (int i = first[a] + 1; i * solid.width() < upper; ++i) {
-      planes[a].push_back(i * solid.width());
+/// A cell in boxes between all planes: those of the grid and those of a voxel solid.
+class CellBoxes {
+ public:
+  CellBoxes(const VoxelSolid& solid, const CutTile& cut, const TilePlace& cell) : solid_(solid) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      const double lower = cut.positions[static_cast<std::size_t>(cell[a])];
+      const double upper = cut.positions[static_cast<std::size_t>(cell[a]) + 1];
+      first_[a] = static_cast<int>(std::floor(lower / solid.width()));
+      planes_[a] = {lower};
+      for (int i = first_[a] + 1; i * solid.width() < upper; ++i) {
+        planes_[a].push_back(i * solid.width());
+      }
+      size_[a] = static_cast<int>(planes_[a].size());
+      planes_[a].push_back(upper);
     }
-    size[a] = static_cast<int>(planes[a].size());
-    planes[a].push_back(upper);
   }
-  const auto isBody = [&](const VoxelSolid::Place& p) {
-    return solid.has({first[0] + p[0], first[1] + p[1], first[2] + p[2]});
-  };
-  std::set<VoxelSolid::Place> seen;
-  std::vector<double> result;
-  for (int x = 0; x < size[0]; ++x) {
-    for (int y = 0; y < size[1]; ++y) {
-      for (int z = 0; z < size[2]; ++z) {
-        if (isBody({x, y, z}) || !seen.insert({x, y, z}).second) continue;
-        double volume = 0;
-        std::vector<VoxelSolid::Place> pending{{x, y, z}};
-        while (!pending.empty()) {
-          const auto p = pending.back();
-          pending.pop_back();
-          double part = 1;
-          for (std::size_t a = 0; a < 3; ++a) {
-            const auto i = static_cast<std::size_t>(p[a]);
-            part *= planes[a][i + 1] - planes[a][i];
-            for (const int step : {-1, 1}) {
-              auto next = p;
-              next[a] += step;
-              if (next[a] < 0 || next[a] >= size[a] || isBody(next)) continue;
-              if (seen.insert(next).second) pending.push_back(next);
-            }
-          }
-          volume += part;
+
+  /// The sizes of the parts that the solid leaves.
+  std::vector<double> flooded() {
+    std::vector<double> result;
+    for (int x = 0; x < size_[0]; ++x) {
+      for (int y = 0; y < size_[1]; ++y) {
+        for (int z = 0; z < size_[2]; ++z) {
+          if (isNew({x, y, z})) result.push_back(floodedFrom({x, y, z}));
         }
-        result.push_back(volume);
       }
     }
+    return result;
   }
-  return result;
-}
+
+ private:
+  using Place = VoxelSolid::Place;
+
+  /// Whether this is a box of fluid that was not seen before.
+  bool isNew(const Place& p) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (p[a] < 0 || p[a] >= size_[a]) return false;
+    }
+    return !solid_.has({first_[0] + p[0], first_[1] + p[1], first_[2] + p[2]}) &&
+           seen_.insert(p).second;
+  }
+  [[nodiscard]] double volumeOf(const Place& p) const {
+    double volume = 1;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto i = static_cast<std::size_t>(p[a]);
+      volume *= planes_[a][i + 1] - planes_[a][i];
+    }
+    return volume;
+  }
+  double floodedFrom(const Place& start) {
+    double volume = 0;
+    std::vector<Place> pending{start};
+    while (!pending.empty()) {
+      const auto p = pending.back();
+      pending.pop_back();
+      volume += volumeOf(p);
+      for (std::size_t a = 0; a < 3; ++a) {
+        for (const int step : {-1, 1}) {
+          auto next = p;
+          next[a] += step;
+          if (isNew(next)) pending.push_back(next);
+        }
+      }
+    }
+    return volume;
+  }
+
+  const VoxelSolid& solid_;
+  std::array<std::vector<double>, 3> planes_;
+  std::array<int, 3> first_{};
+  std::array<int, 3> size_{};
+  std::set<Place> seen_;
+};
 
 /// `isTight`: voxels do not touch along edges or in vertices only, and neither does what is around
 /// them.
@@ -254,7 +277,7 @@ void expectFlooded(const VoxelSolid& solid, double lower, double upper, int n,
   const auto found = cut.volumes();
   for (std::uint32_t cell = 0; cell < found.size(); ++cell) {
     auto volumes = found[cell];
-    auto expected = flooded(solid, cut, cut.tile.numbers().placeOfCell(cell));
+    auto expected = CellBoxes(solid, cut, cut.tile.numbers().placeOfCell(cell)).flooded();
     std::erase_if(expected,
                   [](double volume) { return volume < 1e-20; });  // planes as good as equal
     std::ranges::sort(volumes);

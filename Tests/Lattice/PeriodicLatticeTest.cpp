@@ -244,7 +244,7 @@ TYPED_TEST(PeriodicLatticeTest, RefusesImpossibleArguments) {
     EXPECT_THROW(PeriodicLattice<T>(octet, {{1, 1, bad}, {1, 1, 1}}, T(0.1)), Error) << bad;
   }
   try {
-    PeriodicLattice<T>(octet, {{1, 1, 1}, {1, 1, 1}}, 0);
+    const PeriodicLattice<T> lattice(octet, {{1, 1, 1}, {1, 1, 1}}, 0);
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("Thickness: need 0 < radius"));

@@ -171,8 +171,8 @@ void expectSignsOf(unsigned seed, double smallest, std::array<int, 3>& found) {
   const MeshSDF<T> mesh(surface.soup());
   ASSERT_TRUE(mesh.signReport().isSound()) << mesh.signReport().summary();
   const Vec3<T> beyond{T(9.25), T(-8.5), T(7.125)};
-  for (double exponent = 1; exponent <= smallest; exponent += smallest / 75) {
-    const Vec3<T> p(surface.pointAt(exponent));
+  for (int k = 0; k < 75; ++k) {
+    const Vec3<T> p(surface.pointAt(1 + k * smallest / 75));
     const auto place = surface.placeOf(Vec3<double>(p));
     ++found[static_cast<std::size_t>(place)];
     const T value = mesh.signedDistance(p);

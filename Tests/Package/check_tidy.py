@@ -103,6 +103,12 @@ def configured_plainly(source, build, unity):
     subprocess.run(["cmake", "-S", source, "-B", folder, "-G", "Ninja", *(f"-D{entry}" for entry in kept),
                     "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", "-DCUTWATER_PRECOMPILE=OFF",
                     f"-DCUTWATER_UNITY={'ON' if unity else 'OFF'}"], check=True, capture_output=True)
+    # What a unity build compiles stands in the folder of its target: the rules of that folder hold.
+    for rules in source.rglob(".clang-tidy"):
+        if build not in rules.parents:
+            copy = folder / rules.relative_to(source)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(rules, copy)
     return folder
 
 

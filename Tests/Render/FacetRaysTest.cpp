@@ -56,6 +56,50 @@ TYPED_TEST(FacetRaysTest, NothingSlipsThroughEdges) {
   }
 }
 
+TYPED_TEST(FacetRaysTest, FindsWhatARayPasses) {
+  const auto rays = FacetRays::of(this->box({-1, -1, -1}, {1, 1, 1}), kAround, 1);
+  const auto upTo = [](double reach) { return [reach](double) { return reach; }; };
+  const Ray beside{{1.1, 0.5, 3}, {0, 0, -1}};
+  const auto pass = rays->nearest(beside, 0, 10, upTo(0.11));
+  ASSERT_TRUE(pass.has_value());
+  EXPECT_DOUBLE_EQ(pass->point.x, 1);
+  EXPECT_DOUBLE_EQ(pass->point.z, 3 - pass->along);
+  EXPECT_FALSE(rays->nearest(beside, 0, 10, upTo(0.09)).has_value());
+  EXPECT_FALSE(rays->nearest(beside, 0, 1.9, upTo(0.11)).has_value());
+  EXPECT_FALSE(rays->nearest(beside, 3, 2, upTo(0.11)).has_value());
+
+  const auto off = normalized(Vec3<double>{1, 1, 0});  // a corner's edge, seen askew
+  const Ray askew{{1 + 0.01 * off.x, 1 + 0.01 * off.y, 0.25}, normalized(Vec3<double>{1, -1, 0.5})};
+  const auto edge = rays->nearest(askew, -1, 1, upTo(0.02));
+  ASSERT_TRUE(edge.has_value());
+  EXPECT_NEAR(edge->along, 0, 1e-12);
+  EXPECT_NEAR(length(edge->point - Vec3<double>{1, 1, 0.25}), 0, 1e-12);
+}
+
+TYPED_TEST(FacetRaysTest, PassesAsCloselyAsTheDistanceSays) {
+  using T = TypeParam;
+  const MeshSDF<T> ball(tessellation::icosphere(1, 3));
+  const auto rays = FacetRays::of(ball, kAround, 1);
+  RandomPoints<double> random(6);
+  int found = 0;
+  for (int i = 0; i < 500; ++i) {
+    const auto start = 3.0 * normalized(random.next());
+    const Ray ray{start, normalized(random.next() - start)};
+    if (rays->first(ray, 0, 6, 1e-6)) continue;
+    double least = 10;
+    for (int k = 0; k <= 3000; ++k) {
+      least = std::min(least, double{ball.signedDistance(Vec3<T>(ray.at(k * 2e-3)))});
+    }
+    const auto pass = rays->nearest(ray, 0, 6, [](double) { return 0.5; });
+    if (std::abs(least - 0.5) < 1e-3) continue;
+    ASSERT_EQ(pass.has_value(), least < 0.5);
+    if (!pass) continue;
+    ++found;
+    EXPECT_NEAR(length(pass->point - ray.at(pass->along)), least, 1e-4);
+  }
+  EXPECT_GT(found, 40);
+}
+
 TYPED_TEST(FacetRaysTest, MatchesTheCrossingsOfAMesh) {
   using T = TypeParam;
   const MeshSDF<T> ball(tessellation::icosphere(1, 3));

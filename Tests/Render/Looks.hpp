@@ -32,7 +32,7 @@ class Look {
       for (int x = 0; x < kSide; ++x) row.push_back(middle(x, y));
       const auto first = static_cast<std::size_t>(y) * kSide;
       const auto seen = std::span(samples).subspan(first, kSide);
-      tracer.trace(row, 1, seen);
+      tracer.trace(row, {}, seen);
       if (options.occlusionRadius > 0) tracer.light(row, seen);
     }
     return samples;

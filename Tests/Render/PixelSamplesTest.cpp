@@ -42,11 +42,11 @@ struct Traced {
       : eye(camera()),
         samples(eye, kArea,
                 {.trace =
-                     [&](std::span<const PicturePoint> points, double spacing,
+                     [&](std::span<const PicturePoint> points, const detail::RaySpread& spread,
                          std::span<SurfaceSample> found) {
                        rays += points.size();
                        for (std::size_t i = 0; i < points.size(); ++i)
-                         found[i] = scene(points[i], spacing);
+                         found[i] = scene(points[i], spread.spacing);
                      },
                  .light = [](std::span<const PicturePoint>, std::span<SurfaceSample>) {}},
                 {.threads = threads, .progress = {}}) {}

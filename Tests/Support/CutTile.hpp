@@ -23,6 +23,7 @@ struct CutTile {
         result(findCellPieces(tile, stretches, faces, planes)) {}
   CutTile(const CutTile&) = delete;
   CutTile& operator=(const CutTile&) = delete;
+  ~CutTile() = default;
 
   [[nodiscard]] double width() const { return positions[1] - positions[0]; }
 

@@ -77,11 +77,11 @@ void expectDelaunay(const Drawing& drawing,
   std::map<std::pair<std::uint32_t, std::uint32_t>, Circle> circles;
   for (const auto& t : triangles) {
     EXPECT_GT(std::abs(drawing.turnOf(t[0], t[1], t[2])), 1e-12);
-    for (int i = 0; i < 3; ++i) circles[{t[i], t[(i + 1) % 3]}] = circumcircle(drawing, t);
+    for (std::size_t i = 0; i < 3; ++i) circles[{t[i], t[(i + 1) % 3]}] = circumcircle(drawing, t);
   }
   for (const auto& t : triangles) {
     const auto own = circumcircle(drawing, t);
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       const auto neighbour = circles.find({t[(i + 1) % 3], t[i]});
       if (neighbour == circles.end()) continue;
       const auto& [u, v, radius] = neighbour->second;

@@ -144,6 +144,8 @@ class Query(CommandTest):
         self.write("p.csv", table(POINTS))
         self.succeeds("query", "two.obj", "p.csv", "-o", "q.vtp")
         self.assertEqual(VtkXml(self.folder / "q.vtp").patch_names(), ["base", "sides"])
+        self.succeeds("query", "box.off", "p.csv", "-o", "q.vtp")
+        self.assertEqual(VtkXml(self.folder / "q.vtp").patch_names(), [])
         note = "note: this format does not keep the names of 2 patches; .vtu and .vtp do\n"
         self.assertTrue(self.succeeds("query", "two.obj", "p.csv", "-o", "q.csv").endswith(note))
         self.assertNotIn("note", self.succeeds("query", "box.off", "p.csv", "-o", "q.csv"))

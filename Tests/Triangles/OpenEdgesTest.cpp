@@ -13,11 +13,11 @@ class WindingGradientTest : public ::testing::Test {};
 TYPED_TEST_SUITE(WindingGradientTest, Precisions);
 
 TEST(OpenEdgesTest, AreThoseWithoutBalance) {
-  using Corners = std::array<std::uint32_t, 3>;
+  using Ids = std::array<std::uint32_t, 3>;
   EXPECT_TRUE(
-      findOpenEdges(std::vector<Corners>{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, 4).empty());
+      findOpenEdges(std::vector<Ids>{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, 4).empty());
   // Two triangles that pass their common edge in the same direction, and one without area.
-  const auto edges = findOpenEdges(std::vector<Corners>{{0, 1, 2}, {0, 1, 3}, {1, 1, 2}}, 4);
+  const auto edges = findOpenEdges(std::vector<Ids>{{0, 1, 2}, {0, 1, 3}, {1, 1, 2}}, 4);
   ASSERT_EQ(edges.size(), 5U);
   EXPECT_EQ(edges[0].lower, 0U);
   EXPECT_EQ(edges[0].upper, 1U);
@@ -26,7 +26,7 @@ TEST(OpenEdgesTest, AreThoseWithoutBalance) {
   EXPECT_EQ(edges[1].multiplicity, -1);  // 0 - 2, passed by (0, 1, 2) from 2 to 0
   EXPECT_EQ(edges[1].upper, 2U);
   // A sheet that ends at the middle of another is open there, fins and doubled sheets are not.
-  EXPECT_TRUE(findOpenEdges(std::vector<Corners>{{0, 1, 2}, {0, 2, 1}}, 3).empty());
+  EXPECT_TRUE(findOpenEdges(std::vector<Ids>{{0, 1, 2}, {0, 2, 1}}, 3).empty());
 }
 
 TEST(OpenEdgesTest, TakeNoSquareOfTheValence) {

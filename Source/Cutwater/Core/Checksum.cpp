@@ -10,6 +10,7 @@
 namespace cutwater {
 
 std::uint64_t xxHash64(std::span<const std::byte> bytes) {
+  if (bytes.empty()) return XXH64("", 0, 0);  // it may have no address
   return XXH64(bytes.data(), bytes.size(), 0);
 }
 

@@ -199,6 +199,9 @@ BoxClass SignedDistanceFunction<T>::classOfParts(const OrientedBox<T>& box) cons
       const;                                                                                   \
   template bool SignedDistanceFunction<T>::holdsNearestPoint(const OrientedBox<T>&) const;     \
   template bool SignedDistanceFunction<T>::holdsBothSides(const OrientedBox<T>&) const;        \
+  template BoxClass SignedDistanceFunction<T>::classByDescent(const OrientedBox<T>&,           \
+                                                              std::optional<T>) const;         \
+  template BoxClass SignedDistanceFunction<T>::classOfParts(const OrientedBox<T>&) const;      \
   template BoxClass SignedDistanceFunction<T>::classOfUndecided(const OrientedBox<T>&) const;
 CUTWATER_INSTANTIATE(float)
 CUTWATER_INSTANTIATE(double)

@@ -66,6 +66,7 @@ Box<T> SignedDistanceFunction<T>::localClearanceBox() const {
   return isExact && !box.empty() ? box : Box<T>::everywhere();
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type
 #define CUTWATER_INSTANTIATE(T)                                                                  \
   template void SignedDistanceFunction<T>::localSignedDistances(std::span<const Vec3<T>>,        \
                                                                 std::span<T>) const;             \
@@ -78,6 +79,7 @@ Box<T> SignedDistanceFunction<T>::localClearanceBox() const {
   template bool SignedDistanceFunction<T>::localFacetsIn(const OrientedBox<T>&, FacetVisitor<T>) \
       const;                                                                                     \
   template Box<T> SignedDistanceFunction<T>::localClearanceBox() const;
+// NOLINTEND(bugprone-macro-parentheses)
 CUTWATER_INSTANTIATE(float)
 CUTWATER_INSTANTIATE(double)
 #undef CUTWATER_INSTANTIATE

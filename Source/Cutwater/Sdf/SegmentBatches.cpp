@@ -92,6 +92,7 @@ CrossingLists<T> SignedDistanceFunction<T>::crossings(std::span<const Segment<T>
   return lists;
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type
 #define CUTWATER_INSTANTIATE(T)                                                               \
   template void SignedDistanceFunction<T>::firstHits(                                         \
       std::span<const Segment<T>>, std::span<FirstHit<T>>, const ParallelOptions&) const;     \
@@ -99,6 +100,7 @@ CrossingLists<T> SignedDistanceFunction<T>::crossings(std::span<const Segment<T>
                                                           std::span<FirstHit<T>>) const;      \
   template CrossingLists<T> SignedDistanceFunction<T>::crossings(std::span<const Segment<T>>, \
                                                                  const ParallelOptions&) const;
+// NOLINTEND(bugprone-macro-parentheses)
 CUTWATER_INSTANTIATE(float)
 CUTWATER_INSTANTIATE(double)
 #undef CUTWATER_INSTANTIATE

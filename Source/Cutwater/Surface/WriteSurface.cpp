@@ -27,10 +27,10 @@ Writers writersOf(SurfaceFormat format) {
       return {formats::writeOff, formats::writeOff};
     case SurfaceFormat::Vtk:
       return {formats::writeBinaryVtk, formats::writeAsciiVtk};
-    case SurfaceFormat::Vtp:  // read only
+    case SurfaceFormat::Vtp:
       break;
   }
-  return {};
+  throw Error(ErrorKind::Argument, "writeSurface: VTP is only read");
 }
 
 SurfaceFormat formatOf(const std::filesystem::path& path) {

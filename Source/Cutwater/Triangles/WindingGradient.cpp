@@ -122,8 +122,10 @@ double WindingNumber<T>::gradientBoundByArea(const Box<double>& box) const {
   return bound < kLargest ? bound : kLargest;
 }
 
-#define CUTWATER_INSTANTIATE(T)                                              \
-  template double WindingNumber<T>::gradientBound(const Box<double>&) const; \
+#define CUTWATER_INSTANTIATE(T)                                                               \
+  template std::span<const OpenEdge> WindingNumber<T>::edgesOf(std::size_t) const;            \
+  template double WindingNumber<T>::inverseSquare(const OpenEdge&, const Box<double>&) const; \
+  template double WindingNumber<T>::gradientBound(const Box<double>&) const;                  \
   template double WindingNumber<T>::gradientBoundByArea(const Box<double>&) const;
 CUTWATER_INSTANTIATE(float)
 CUTWATER_INSTANTIATE(double)

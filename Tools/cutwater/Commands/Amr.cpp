@@ -137,7 +137,7 @@ double secondsPerValue(const Solid<double>& solid, const OctreeDomain<double>& d
 OctreeOptions withRoom(const Solid<double>& solid, const OctreeDomain<double>& domain,
                        const Refinement<double>& rules, const AmrSettings& options) {
   const int threads = options.surface.threads;
-  const OctreeOptions mesh{
+  OctreeOptions mesh{
       .balance = options.mesh.balance,
       .maxCells = static_cast<std::size_t>(mostCells(options.mesh, bytesPerCell(options.mesh))),
       .threads = threads};

@@ -142,7 +142,9 @@ void run(const QuerySettings& options) {
   const double seconds = watch.lap();
   if (!options.surface.quiet) report(options, data, answers, points.size(), seconds);
   std::move(answers).addTo(arrays, options.prefix);
-  if (std::ranges::count(options.write, "patch") > 0) data.patchNames = solid.patchNames();
+  const auto names = solid.patchNames();
+  // The name of an only patch is left out: some programs cannot read texts in these files.
+  if (names.size() > 1 && std::ranges::count(options.write, "patch") > 0) data.patchNames = names;
   writePointData(options.output, data);
   if (options.surface.quiet) return;
   std::cout << "wrote " << onOneLine(options.output) << '\n' << lossOfNames(options, data);

@@ -19,7 +19,9 @@ struct JsonWriter {
   }
   static Written of(const Json::Object& members) {
     auto result = Written::object();
-    for (const auto& [key, value] : members) result[key] = of(value);
+    for (std::size_t i = 0; i < members.keys.size(); ++i) {
+      result[members.keys[i]] = of(members.values[i]);
+    }
     return result;
   }
   template <typename Value>
@@ -28,7 +30,9 @@ struct JsonWriter {
   }
 };
 
-Json::Json(std::initializer_list<Member> members) : value_(Object(members)) {}
+Json::Json(std::initializer_list<Member> members) : value_(Object{}) {
+  for (const auto& [key, value] : members) (*this)[key] = value;
+}
 
 Json Json::array(std::initializer_list<Json> values) {
   Json json;
@@ -41,14 +45,16 @@ void Json::push(Json value) {
 }
 
 Json& Json::operator[](const std::string& key) {
-  auto& members = std::get<Object>(value_);
-  const auto found = std::ranges::find(members, key, &Member::key);
-  if (found != members.end()) return found->value;
-  return members.emplace_back(Member{key, nullptr}).value;
+  auto& [keys, values] = std::get<Object>(value_);
+  const auto found = std::ranges::find(keys, key);
+  if (found != keys.end()) return values[static_cast<std::size_t>(found - keys.begin())];
+  keys.push_back(key);
+  return values.emplace_back();
 }
 
 void Json::append(const Json& object) {
-  for (const auto& [key, value] : std::get<Object>(object.value_)) (*this)[key] = value;
+  const auto& [keys, values] = std::get<Object>(object.value_);
+  for (std::size_t i = 0; i < keys.size(); ++i) (*this)[keys[i]] = values[i];
 }
 
 std::string Json::text() const {

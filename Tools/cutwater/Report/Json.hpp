@@ -16,7 +16,10 @@ class Json {
   /// A key of an object, and its value.
   struct Member;
   using Array = std::vector<Json>;
-  using Object = std::vector<Member>;
+  struct Object {
+    std::vector<std::string> keys;
+    std::vector<Json> values;
+  };
 
   // NOLINTBEGIN(google-explicit-constructor): values are written as they are
   Json(std::nullptr_t = nullptr) {}

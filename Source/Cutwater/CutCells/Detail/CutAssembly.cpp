@@ -58,11 +58,11 @@ class Assembly {
   /// Of a cell in the grown box, or just above it.
   [[nodiscard]] std::uint64_t numberOf(const TilePlace& place) const {
     const auto n = [](int i) { return static_cast<std::uint64_t>(i); };
-    return (n(place[2]) * n(cells_[1] + 3) + n(place[1])) * n(cells_[0] + 3) + n(place[0]);
+    return (n(place[2]) * (n(cells_[1]) + 3) + n(place[1])) * (n(cells_[0]) + 3) + n(place[0]);
   }
   [[nodiscard]] TilePlace placeOf(std::uint64_t number) const {
-    const auto alongX = static_cast<std::uint64_t>(cells_[0] + 3);
-    const auto alongY = static_cast<std::uint64_t>(cells_[1] + 3);
+    const auto alongX = static_cast<std::uint64_t>(cells_[0]) + 3;
+    const auto alongY = static_cast<std::uint64_t>(cells_[1]) + 3;
     return {static_cast<int>(number % alongX), static_cast<int>(number / alongX % alongY),
             static_cast<int>(number / alongX / alongY)};
   }
@@ -118,8 +118,9 @@ class Assembly {
     const auto& frame = surface_.frame();
     const double perArea = frame.scale * frame.scale;
     const auto& piece = content.pieces[number];
-    const auto walls = std::ranges::equal_range(content.walls, number, {}, &PieceWall::piece);
-    for (const auto& wall : walls) {
+    auto first = std::ranges::lower_bound(content.walls, number, {}, &PieceWall::piece);
+    for (; first != content.walls.end() && first->piece == number; ++first) {
+      const auto& wall = *first;
       out_.wallParts.piece.push_back(pieceCount());
       out_.wallParts.patch.push_back(wall.patch);
       out_.wallParts.area.push_back(wall.area / perArea);

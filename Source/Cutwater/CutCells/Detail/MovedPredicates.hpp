@@ -25,7 +25,8 @@ struct MovedVertex {
 
 /// Whether the vertex lies above the plane where the coordinate has this value.
 [[nodiscard]] inline bool isAbove(const MovedVertex& v, int axis, double plane) {
-  return v.position[axis] > plane || (v.position[axis] == plane && v.shift[axis] > 0);
+  return v.position[axis] > plane ||
+         (v.position[axis] == plane && v.shift[static_cast<std::size_t>(axis)] > 0);
 }
 
 /// A plane across an axis.

@@ -138,8 +138,7 @@ void TileSurface::sort() {
   };
   crossings_ = permuted(crossings_, orderedBy(std::span(std::as_const(crossings_)),
                                               numbers_.edgeCount(), &EdgeCrossing::edge));
-  const auto same = std::ranges::unique(crossings_, isSame);
-  crossings_.erase(same.begin(), same.end());
+  crossings_.erase(std::unique(crossings_.begin(), crossings_.end(), isSame), crossings_.end());
 }
 
 }  // namespace cutwater

@@ -101,21 +101,21 @@ class LegacyVtkReader {
         text().fail(inQuotes(keyword) + " in another kind of data set");
       }
       part.isRead = true;
-      auto& [kinds, offsets, corners, faces, faceEnds] = part.cells;
+      auto& cells = part.cells;
       file_.readCells({.fewest = 0,
                        .begin =
-                           [&](std::uint64_t cells, std::uint64_t all) {
-                             kinds.assign(cells, part.kind);
-                             offsets.reserve(cells + 1);
-                             corners.reserve(all);
+                           [&](std::uint64_t count, std::uint64_t all) {
+                             cells.kinds.assign(count, part.kind);
+                             cells.offsets.reserve(count + 1);
+                             cells.corners.reserve(all);
                            },
                        .cell =
                            [&](ScalarType type, std::uint64_t count) {
                              for (std::uint64_t i = 0; i < count; ++i) {
                                const auto index = file_.integer(type);
-                               corners.push_back(check_.checked(index, file_.numbers()));
+                               cells.corners.push_back(check_.checked(index, file_.numbers()));
                              }
-                             offsets.push_back(corners.size());
+                             cells.offsets.push_back(cells.corners.size());
                            }});
       return true;
     }

@@ -28,7 +28,7 @@ void checkDataArrays(const std::vector<DataArray>& arrays, std::size_t rows, boo
   for (std::size_t a = 0; a < arrays.size(); ++a) {
     const auto& [name, numbers, components] = arrays[a];
     if (name.empty()) refuseData("every array needs a name");
-    const auto isNamesake = [&](const DataArray& other) { return other.name == name; };
+    const auto isNamesake = [&, a](const DataArray& other) { return other.name == arrays[a].name; };
     if (std::any_of(arrays.begin(), arrays.begin() + static_cast<std::ptrdiff_t>(a), isNamesake)) {
       refuseData("two arrays named " + text::inQuotes(name));
     }

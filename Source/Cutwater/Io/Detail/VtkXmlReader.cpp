@@ -128,7 +128,7 @@ class VtkXmlReader {
               if (!std::in_range<Index>(values[i]) || std::cmp_less(values[i], least)) {
                 numbers_.fail(array, std::to_string(values[i]) + " is out of range");
               }
-              result[i] = static_cast<Index>(values[i]);
+              result[i] = static_cast<Index>(values[i]);  // NOLINT(bugprone-signed-char-misuse)
             }
           }
         },

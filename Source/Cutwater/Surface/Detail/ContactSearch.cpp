@@ -112,10 +112,12 @@ SurfaceContacts findContacts(std::span<const Vec3<T>> positions,
   return findContacts(positions, triangles, tree.tree());
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type
 #define CUTWATER_INSTANTIATE(T)                                                               \
   template SurfaceContacts findContacts(std::span<const Vec3<T>>, std::span<const CornerIds>, \
                                         const TriangleTree&, std::span<const std::uint8_t>);  \
   template SurfaceContacts findContacts(std::span<const Vec3<T>>, std::span<const CornerIds>);
+// NOLINTEND(bugprone-macro-parentheses)
 CUTWATER_INSTANTIATE(float)
 CUTWATER_INSTANTIATE(double)
 #undef CUTWATER_INSTANTIATE

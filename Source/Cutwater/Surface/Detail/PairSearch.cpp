@@ -104,7 +104,7 @@ bool PairSearch::addAround(std::uint32_t leaf, std::vector<std::uint32_t>& leave
   if (box.empty()) return true;
   const auto& boxes = isChanged_[leaf] != 0 ? childBoxes_ : changedBoxes_;
   // At every level, at most all children but one wait.
-  std::array<std::uint32_t, TriangleTree::kMaxDepth * TriangleTree::kArity> pending{};
+  std::array<std::uint32_t, std::size_t{TriangleTree::kMaxDepth} * TriangleTree::kArity> pending{};
   std::size_t count = 1;
   while (count > 0) {
     const auto n = pending[--count];

@@ -15,14 +15,14 @@ using Node = BvhNode<16>;
 // Accessed as plain arrays, to keep out functions of the standard library.
 static_assert(sizeof(Node) == 448);
 CUTWATER_INLINE inline const float* lowerSide(const Node& node, int axis) {
-  return reinterpret_cast<const float*>(&node) + 16 * axis;
+  return reinterpret_cast<const float*>(&node) + std::ptrdiff_t{16} * axis;
 }
 CUTWATER_INLINE inline const float* upperSide(const Node& node, int axis) {
-  return reinterpret_cast<const float*>(&node) + 16 * (3 + axis);
+  return reinterpret_cast<const float*>(&node) + std::ptrdiff_t{16} * (3 + axis);
 }
 
 CUTWATER_INLINE inline const float* axisOf(const Node& node, int i) {
-  return &node.center.x + 3 * (1 + i);
+  return &node.center.x + std::ptrdiff_t{3} * (1 + i);
 }
 
 // Accessed as plain arrays, like everything compiled per instruction set.
@@ -81,8 +81,8 @@ class NodePoint {
   CUTWATER_INLINE bool reachesHull(const ChildHulls& hulls, int lane) const {
     const float* const rows = rowsOf(hulls.triangles) + lane;
     const auto three = [rows](int row) __attribute__((always_inline)) {
-      return Vec3<double>{double{rows[kWidth * row]}, double{rows[kWidth * (row + 1)]},
-                          double{rows[kWidth * (row + 2)]}};
+      const float* const first = rows + std::ptrdiff_t{kWidth} * row;
+      return Vec3<double>{double{first[0]}, double{first[kWidth]}, double{first[2 * kWidth]}};
     };
     const Seen seen{position_ - Vec3<double>(hulls.triangles.center) - three(0), three(3), three(6),
                     double{thicknessOf(hulls)[lane]}};

@@ -30,8 +30,8 @@ struct PackedTriangle {
 CUTWATER_INLINE inline PackedTriangle packedTriangle(const float* rows, int stride, int lane) {
   const float* const from = rows + lane;
   const auto three = [&](int row) __attribute__((always_inline)) {
-    return Floats3{load(from + row * stride), load(from + (row + 1) * stride),
-                   load(from + (row + 2) * stride)};
+    const float* const first = from + std::ptrdiff_t{stride} * row;
+    return Floats3{load(first), load(first + stride), load(first + 2 * std::ptrdiff_t{stride})};
   };
   return {three(0), three(3), three(6), three(9)};
 }

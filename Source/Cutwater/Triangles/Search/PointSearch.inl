@@ -95,7 +95,7 @@ class Search {
   /// Prefetches what step() processes next.
   CUTWATER_INLINE void prefetch() const {
     prefetch(isLeaf_, target_);
-    if (isLeaf_) __builtin_prefetch(&tree_.slots[target_ * kWidth]);
+    if (isLeaf_) __builtin_prefetch(&tree_.slots[std::size_t{target_} * kWidth]);
   }
   /// Prefetches what most likely comes after that.
   CUTWATER_INLINE void prefetchSecond() const {

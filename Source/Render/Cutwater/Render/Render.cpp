@@ -160,9 +160,8 @@ class PatchTable {
 
 template <std::floating_point T>
 auto calls(const SphereTracer<T>& tracer) {
-  return [&](std::span<const PicturePoint> points, double spacing, std::span<SurfaceSample> found) {
-    tracer.trace(points, spacing, found);
-  };
+  return [&](std::span<const PicturePoint> points, const detail::RaySpread& spread,
+             std::span<SurfaceSample> found) { tracer.trace(points, spread, found); };
 }
 
 /// From inside a solid nothing is visible.

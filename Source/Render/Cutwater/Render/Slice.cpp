@@ -146,8 +146,8 @@ SlicePlane<T> SlicePlane<T>::across(int axis, T value) {
   const int up = axis == 2 ? 1 : 2;
   plane.right[right] = 1;
   plane.up[up] = 1;
-  constexpr std::array kNames{"x", "y", "z"};
-  plane.labels = {kNames[static_cast<std::size_t>(right)], kNames[static_cast<std::size_t>(up)]};
+  constexpr std::array kAxes{"x", "y", "z"};
+  plane.labels = {kAxes[static_cast<std::size_t>(right)], kAxes[static_cast<std::size_t>(up)]};
   return plane;
 }
 

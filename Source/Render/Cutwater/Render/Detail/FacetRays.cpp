@@ -11,13 +11,16 @@ namespace {
 constexpr double kSlack = 1e-9;  // of a facet's size
 
 /// For each child of a node how far along a ray its box begins, in the frame of the tree, which has
-/// no turned nodes. In single precision: boxes are grown by more than what rounding does.
+/// no turned nodes. In single precision: boxes are grown by more than what rounding does, and by
+/// the distance at which a ray may pass.
 class RayKeys {
  public:
   /// With u = 2^-24, distances along the ray are wrong by 4 u of themselves, and differences of
   /// coordinates by 2 u of the two.
-  RayKeys(const Vec3<double>& start, const Vec3<double>& direction)
-      : start_(start), grown_(0x1p-20F * (2 + static_cast<float>(maxComponent(abs(start))))) {
+  RayKeys(const Vec3<double>& start, const Vec3<double>& direction, double reach)
+      : start_(start),
+        grown_(static_cast<float>(reach) * (1 + 0x1p-20F) +
+               0x1p-20F * (2 + static_cast<float>(maxComponent(abs(start))))) {
     constexpr float kLeast = 1e-20F;
     for (int axis = 0; axis < 3; ++axis) {
       const auto along = static_cast<float>(direction[axis]);
@@ -51,6 +54,19 @@ class RayKeys {
   float grown_;
   Vec3<float> inverse_;
 };
+
+/// The point of an edge that is nearest to the line of a ray, and how far along the ray that is.
+FacetPass passed(const Ray& ray, const Vec3<double>& start, const Vec3<double>& edge) {
+  const auto across = [&](const Vec3<double>& v) {
+    return v - dot(v, ray.direction) * ray.direction;
+  };
+  const auto from = across(start - ray.origin);
+  const auto side = across(edge);
+  const double size = lengthSquared(side);
+  const double t = size > 0 ? std::clamp(-dot(from, side) / size, 0.0, 1.0) : 0;
+  const auto point = start + t * edge;
+  return {dot(point - ray.origin, ray.direction), point, kNone};
+}
 
 }  // namespace
 
@@ -154,15 +170,46 @@ std::optional<FacetHit> FacetRays::first(const Ray& ray, double begin, double en
                                          double samePlace) const {
   if (!(begin < end)) return {};
   Walk walk(facets_, ray, begin, end, samePlace);
+  visitAlong(ray, begin, end, 0, [&](auto slots) { return walk(slots); });
+  return walk.best();
+}
+
+std::optional<FacetPass> FacetRays::nearest(const Ray& ray, double begin, double end,
+                                            FunctionRef<double(double)> reach) const {
+  if (!(begin < end)) return {};
+  std::optional<FacetPass> best;
+  double least = 1;  // times the reach
+  visitAlong(ray, begin, end, reach(end), [&](std::span<const std::uint32_t> slots) {
+    for (const auto id : slots) {
+      if (id == kNone) break;
+      const auto& [corner, toNext, toLast, normal, patch] = facets_[id];
+      const std::array edges{std::array{corner, toNext}, std::array{corner, toLast},
+                             std::array{corner + toNext, toLast - toNext}};
+      for (const auto& [start, along] : edges) {
+        const auto pass = passed(ray, start, along);
+        if (!(pass.along >= begin && pass.along <= end)) continue;
+        const double distance = length(pass.point - ray.at(pass.along)) / reach(pass.along);
+        if (!(distance < least)) continue;
+        least = distance;
+        best = {pass.along, pass.point, patch};
+      }
+    }
+    return end;
+  });
+  return best;
+}
+
+template <typename Visit>
+void FacetRays::visitAlong(const Ray& ray, double begin, double end, double reach,
+                           Visit visit) const {
   const auto& frame = tree_.frame;
   const auto limit = [&](double along) {
     const double most = std::min(frame.scale * (along - begin), 1e30);
     return static_cast<float>(most) * (1 + 0x1p-20F) + 0x1p-20F;
   };
   tree_.tree().traverse(
-      RayKeys(frame.toFrame(ray.at(begin)), ray.direction),
-      [&](std::span<const std::uint32_t> slots) { return limit(walk(slots)); }, limit(end));
-  return walk.best();
+      RayKeys(frame.toFrame(ray.at(begin)), ray.direction, frame.scale * reach),
+      [&](std::span<const std::uint32_t> slots) { return limit(visit(slots)); }, limit(end));
 }
 
 template std::optional<FacetRays> FacetRays::of(const SignedDistanceFunction<float>&,

@@ -17,7 +17,15 @@ struct FacetHit {
   std::uint32_t patch;
 };
 
-/// The flat pieces of a solid's surface in a tree, to find the first that a ray meets.
+/// Where a ray passes a facet.
+struct FacetPass {
+  double along;
+  Vec3<double> point;  ///< of the facet, nearest to the ray
+  std::uint32_t patch;
+};
+
+/// The flat pieces of a solid's surface in a tree, to find the first that a ray meets, or the
+/// nearest that it passes.
 ///
 /// A ray meets a facet of which it passes within 1e-9 of the size, so that none slips through
 /// between two that share an edge.
@@ -34,6 +42,12 @@ class FacetRays {
   [[nodiscard]] std::optional<FacetHit> first(const Ray& ray, double begin, double end,
                                               double samePlace) const;
 
+  /// The facet that a ray which meets none passes most closely, between two distances along the
+  /// ray, in units of how far away it may be: `reach` says so for each distance along the ray, and
+  /// does not decrease.
+  [[nodiscard]] std::optional<FacetPass> nearest(const Ray& ray, double begin, double end,
+                                                 FunctionRef<double(double)> reach) const;
+
  private:
   struct Facet {
     Vec3<double> corner;
@@ -45,6 +59,11 @@ class FacetRays {
   class Walk;
 
   FacetRays() = default;
+
+  /// Calls visit(slots) for the leaves within `reach` of the ray, nearer ones mostly first; it
+  /// returns the distance along the ray beyond which no facet counts.
+  template <typename Visit>
+  void visitAlong(const Ray& ray, double begin, double end, double reach, Visit visit) const;
 
   std::vector<Facet> facets_;
   BvhArrays<16, 4> tree_;

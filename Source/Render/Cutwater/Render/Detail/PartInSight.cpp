@@ -47,7 +47,7 @@ std::optional<Frame> partInSight(SampleTracer trace, const Frame& frame,
       for (int i = 0; i < columns; ++i) {
         points[static_cast<std::size_t>(i)] = {left + (i + 0.5) * spacing, y};
       }
-      trace(points, spacing, samples);
+      trace(points, {.spacing = spacing}, samples);
       stretches[row] = stretchOf(samples);
     }
   });

@@ -57,7 +57,7 @@ void PixelSamples::tracePixels(SampleTracer trace, const ParallelOptions& option
     for (std::size_t tile = begin; tile < end; ++tile) {
       points.clear();
       tiles.forPixels(tile, [&](int x, int y) { points.push_back(middle(x, y)); });
-      trace(points, 1, std::span(found).first(points.size()));
+      trace(points, {}, std::span(found).first(points.size()));
       auto sample = found.begin();
       tiles.forPixels(tile, [&](int x, int y) { samples_[index(x, y)] = *sample++; });
     }
@@ -156,7 +156,7 @@ void PixelSamples::traceFinely(SampleTracer trace, const SparseLight& light, std
     for (int i = 0; i < kSquare; ++i) points.push_back(finePoint(x + i % kSide, y + i / kSide));
   }
   const auto samples = std::span(fine_).subspan(first * kSquare, points.size());
-  trace(points, 1.0 / kSide, samples);
+  trace(points, {.spacing = 1.0 / kSide, .group = kSquare}, samples);
   light.light(points, samples);
 }
 

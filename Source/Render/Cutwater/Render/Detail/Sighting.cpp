@@ -82,16 +82,15 @@ std::uint32_t Sighting<T>::patchAt(const Vec3<T>& foot, const Vec3<double>& norm
 }
 
 template <std::floating_point T>
-SurfaceSample Sighting<T>::passing(const Ray& ray, double along, const SurfacePoint<T>& nearest,
-                                   double reach) const {
-  const auto away = Vec3<T>(ray.at(along)) - nearest.point;
-  const double pixel = camera_.pixelSize(along);
-  const double removed = region_.clearance(Vec3<double>(nearest.point));
+SurfaceSample Sighting<T>::passing(const Ray& ray, const FacetPass& nearest, double reach) const {
+  const auto away = ray.at(nearest.along) - nearest.point;
+  const double pixel = camera_.pixelSize(nearest.along);
+  const double removed = region_.clearance(nearest.point);
   SurfaceSample sample;
-  if (!(double{length(away)} < reach * pixel && removed < kSamePlace * pixel)) return sample;
-  sample.along = along;
+  if (!(length(away) < reach * pixel && removed < kSamePlace * pixel)) return sample;
+  sample.along = nearest.along;
   sample.normal = Vec3<float>(normalized(away));
-  sample.passed = nearest.owner.patch;
+  sample.passed = nearest.patch;
   return sample;
 }
 

@@ -28,10 +28,9 @@ class Sighting {
   /// surface point nearest to there.
   [[nodiscard]] SurfaceSample near(const Ray& ray, const RayRange& range, double along,
                                    const SurfacePoint<T>& nearest) const;
-  /// For a ray that sees nothing, and is nearest to the surface at this distance along it. Empty if
-  /// the surface is farther than `reach`, in pixels, or cut away.
-  [[nodiscard]] SurfaceSample passing(const Ray& ray, double along, const SurfacePoint<T>& nearest,
-                                      double reach) const;
+  /// For a ray that sees nothing. Empty if the surface is farther than `reach`, in pixels, or cut
+  /// away.
+  [[nodiscard]] SurfaceSample passing(const Ray& ray, const FacetPass& nearest, double reach) const;
 
   /// Distance, in pixels, within which two sheets coincide, or a point beyond a cut still counts as
   /// on it.

@@ -47,9 +47,9 @@ SphereTracer<T>::SphereTracer(const SignedDistanceFunction<T>& solid, const Kept
 template <std::floating_point T>
 class SphereTracer<T>::Packet {
  public:
-  Packet(const SphereTracer& tracer, std::span<const PicturePoint> points, double spacing,
+  Packet(const SphereTracer& tracer, std::span<const PicturePoint> points, const RaySpread& spread,
          std::span<SurfaceSample> samples)
-      : t_(tracer), reach_(kReach * spacing), samples_(samples) {
+      : t_(tracer), reach_(kReach * spread.spacing), group_(spread.group), samples_(samples) {
     for (const auto& point : points) {
       const auto ray = t_.camera_.ray(point.x, point.y);
       const auto range = t_.region_.clip(ray, t_.camera_.nearest());
@@ -64,7 +64,11 @@ class SphereTracer<T>::Packet {
 
   void run() {
     stopAtCuts();
-    if (t_.facets_ != nullptr) meetFacets();
+    if (t_.facets_ != nullptr) {
+      meetFacets();
+      passFacets();
+      return;
+    }
     if (t_.distance_.isKnown()) {
       startTogether();
       march();
@@ -141,6 +145,22 @@ class SphereTracer<T>::Packet {
       if (hit) samples_[i] = Sighting<T>::atFacet(line.ray, *hit);
       return !hit;
     });
+  }
+
+  /// What is left of the rays meets no facet. How closely they pass matters only where no ray of a
+  /// group sees anything.
+  void passFacets() {
+    keepActive([&](std::size_t, Line&, std::uint32_t i) {
+      const auto first = i / group_ * group_;
+      const auto group = samples_.subspan(first, std::min(group_, samples_.size() - first));
+      return std::ranges::none_of(group, &SurfaceSample::isHit);
+    });
+    const auto reach = [&](double along) { return reach_ * t_.camera_.pixelSize(along); };
+    for (const auto i : active_) {
+      const auto& [ray, range, along, nearest, nearestAlong, wasNear] = lines_[i];
+      const auto pass = t_.facets_->nearest(ray, along, range.end, reach);
+      if (pass) samples_[i] = t_.sighting_.passing(ray, *pass, reach_);
+    }
   }
 
   /// Advances rays as far as their neighbours' distances tell that they may be.
@@ -226,7 +246,8 @@ class SphereTracer<T>::Packet {
   /// Where rays pass the surface.
   void samplePassing() {
     sampleByNearest(passing_, &Line::nearestAlong, [&](Line& line, const SurfacePoint<T>& nearest) {
-      return t_.sighting_.passing(line.ray, line.nearestAlong, nearest, reach_);
+      return t_.sighting_.passing(
+          line.ray, {line.nearestAlong, Vec3<double>(nearest.point), nearest.owner.patch}, reach_);
     });
   }
 
@@ -261,6 +282,7 @@ class SphereTracer<T>::Packet {
 
   const SphereTracer& t_;
   double reach_;  // in pixels
+  std::size_t group_;
   std::span<SurfaceSample> samples_;
   std::vector<Line> lines_;
   std::vector<std::uint32_t> active_;   // rays still marching
@@ -273,9 +295,9 @@ class SphereTracer<T>::Packet {
 };
 
 template <std::floating_point T>
-void SphereTracer<T>::trace(std::span<const PicturePoint> points, double spacing,
+void SphereTracer<T>::trace(std::span<const PicturePoint> points, const RaySpread& spread,
                             std::span<SurfaceSample> samples) const {
-  Packet(*this, points, spacing, samples).run();
+  Packet(*this, points, spread, samples).run();
 }
 
 template <std::floating_point T>

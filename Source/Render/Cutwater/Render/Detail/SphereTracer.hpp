@@ -37,9 +37,8 @@ class SphereTracer {
 
   /// Traces rays through at most kMostRays points of the picture; most efficient if they are close
   /// to each other. Samples that see nothing record whether the solid comes within about half of
-  /// `spacing`, the distance between the picture's points in pixels, so that it may hide between
-  /// them.
-  void trace(std::span<const PicturePoint> points, double spacing,
+  /// the points' spacing, so that it may hide between them.
+  void trace(std::span<const PicturePoint> points, const RaySpread& spread,
              std::span<SurfaceSample> samples) const;
 
   /// Computes how open the surfaces are that samples see or nearly meet; most efficient if they are

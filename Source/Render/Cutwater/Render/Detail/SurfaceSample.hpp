@@ -31,10 +31,17 @@ struct SurfaceSample {
   [[nodiscard]] bool isCut() const { return isHit() && (surface & kCutFace) != 0; }
 };
 
+/// How rays lie in the picture.
+struct RaySpread {
+  double spacing = 1;     ///< distance between neighbours, in pixels
+  std::size_t group = 1;  ///< so many rays follow one another of which none need record what it
+                          ///< passes if another one sees something
+};
+
 /// Samples at most kMostRays points of the picture, most efficiently if they are close to each
-/// other. `spacing`: the distance between the picture's points in pixels.
+/// other.
 inline constexpr std::size_t kMostRays = 256;
-using SampleTracer = FunctionRef<void(std::span<const PicturePoint> points, double spacing,
+using SampleTracer = FunctionRef<void(std::span<const PicturePoint> points, const RaySpread& spread,
                                       std::span<SurfaceSample> samples)>;
 
 /// Computes how open the surfaces are that at most kMostRays samples see or nearly meet.
