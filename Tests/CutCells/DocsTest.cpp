@@ -41,5 +41,15 @@ TEST(DocsTest, FractionsAndAperturesOfCutCells) {
   EXPECT_GT(faces, fluid);
 }
 
+TEST(DocsTest, CoarserLevels) {
+  const Solid<double> hull(MeshSDF<double>(tessellation::icosphere(0.4, 3)));
+  const Level<double> level({-0.5, -0.5, -0.5}, {0.125, 0.125, 0.125});
+  const auto cells = CellCutter(hull).cut(GridPatch<double>{level, IndexBox::ofSize(8, 8, 8)});
+  // [DOCS
+  const CutCells half = coarsened(cells, {2, 2, 2});  // and so on, down to one cell
+  // DOCS]
+  EXPECT_NEAR(check(half).fluidVolume, check(cells).fluidVolume, 1e-15);
+}
+
 }  // namespace
 }  // namespace cutwater::test

@@ -38,10 +38,12 @@ struct CellPlanes {
 /// the units of the grid: sums over pieces are those of the whole. Nothing refers to the solid.
 ///
 /// An arc at the rim of the box may lead to a piece beyond it. The cells that lie there, and their
-/// pieces, follow those of the box.
+/// pieces, follow those of the box; cells that were coarsened know nothing of them.
 struct CutCells {
   /// In place of a piece beside an arc: all of the cell there is fluid.
   static constexpr std::uint32_t kWholeCell = 0xfffffffe;
+  /// The same: the cell there lies beyond the box, and is not known.
+  static constexpr std::uint32_t kBeyond = 0xfffffffd;
   /// In place of a row: there is none.
   static constexpr std::uint32_t kNoRow = 0xffffffff;
 
@@ -61,7 +63,7 @@ struct CutCells {
   };
   /// Open parts of a face between two cells.
   struct Arcs {
-    std::vector<std::uint32_t> below;  ///< the piece on this side, or kWholeCell
+    std::vector<std::uint32_t> below;  ///< the piece on this side, kWholeCell or kBeyond
     std::vector<std::uint32_t> above;
     std::vector<double> area;
     std::vector<Vec3<double>> centroid;
@@ -106,6 +108,14 @@ struct CutCells {
   [[nodiscard]] double aperture(std::uint32_t arc) const;
 };
 
+/// Cells that each join as many along each axis: what cutting the coarse cells gives, up to
+/// rounding and the order of a cell's pieces, without the surface. Pieces that meet in an open face
+/// within a coarse cell are one; arcs between the same two pieces are one. What lies beyond the box
+/// is kBeyond. Repeat it for further levels, down to one cell.
+/// @throws Error(Argument) unless the ratios are at least 1 and divide the box's first index and
+/// its number of cells along each axis.
+[[nodiscard]] CutCells coarsened(const CutCells& cells, const std::array<int, 3>& ratios);
+
 /// What check() has found about cut cells.
 struct CutCellsReport {
   double fluidVolume = 0;  ///< of all cells
@@ -117,7 +127,7 @@ struct CutCellsReport {
   /// largest face: 0 but for rounding.
   double worstClosure = 0;
   std::size_t outOfRange = 0;  ///< volumes, areas or centroids beyond their cell or face
-  std::size_t lostPieces = 0;  ///< pieces that have neither wall nor arc, or arcs without a piece
+  std::size_t lostPieces = 0;  ///< pieces without wall and arc, sides of arcs without their piece
 };
 
 /// Checks what holds for cut cells of any surface.

@@ -20,6 +20,24 @@ bool isIn(const Box<double>& box, const Vec3<double>& p) {
   return maxComponent(gaps) <= 0;
 }
 
+/// Whether a piece, or what stands in its place, can lie in a cell.
+bool canBeIn(const CutCells& cells, const Index3& cell, std::uint32_t piece) {
+  if (piece < cells.pieces.cell.size()) {
+    return cells.cells.index[cells.pieces.cell[piece]] == cell;
+  }
+  const bool isInBox = cells.grid.indices().contains(cell);
+  if (piece == CutCells::kBeyond) return !isInBox;
+  return piece == CutCells::kWholeCell && (!isInBox || cells.classOf(cell) == FluidClass::Fluid);
+}
+
+/// The cell on one side of an arc.
+Index3 cellBeside(const CutCells& cells, std::size_t arc, bool isBelow) {
+  auto cell = cells.arcs.cell[arc];
+  const auto axis = cells.arcs.axis[arc];
+  if (isBelow) --(axis == 0 ? cell.i : axis == 1 ? cell.j : cell.k);
+  return cell;
+}
+
 /// What closes each piece: the sum of its wall's and its apertures' vectors.
 void checkClosure(const CutCells& cells, CutCellsReport& report) {
   auto sums = cells.pieces.wallVector;
@@ -29,11 +47,8 @@ void checkClosure(const CutCells& cells, CutCellsReport& report) {
   for (std::size_t a = 0; a < arcs.area.size(); ++a) {
     for (const bool isBelow : {true, false}) {
       const auto piece = isBelow ? arcs.below[a] : arcs.above[a];
-      if (piece == CutCells::kWholeCell) continue;
-      if (piece >= sums.size()) {
-        ++report.lostPieces;
-        continue;
-      }
+      if (!canBeIn(cells, cellBeside(cells, a, isBelow), piece)) ++report.lostPieces;
+      if (piece >= sums.size()) continue;
       sums[piece][arcs.axis[a]] += isBelow ? arcs.area[a] : -arcs.area[a];
       isBounded[piece] = 1;
     }

@@ -225,7 +225,9 @@ class CellBuilder {
     for (std::uint32_t i = 0; i < open_.size(); ++i) {
       const auto node = static_cast<std::uint32_t>(fragments_.size()) + i;
       auto& arc = out_.arcs[open_[i].arc];
-      (open_[i].isHigh ? arc.below : arc.above) = numberOfSum_[sumOf_[sets_.find(node)]];
+      const auto piece = numberOfSum_[sumOf_[sets_.find(node)]];
+      (open_[i].isHigh ? arc.below : arc.above) = piece;
+      arc.isDropped = arc.isDropped || piece == kNone;
     }
   }
   [[nodiscard]] Vec3<double> referenceOf(std::uint32_t node) const {

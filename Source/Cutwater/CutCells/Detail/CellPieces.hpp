@@ -14,6 +14,7 @@ struct PieceArc {
   double area = 0;
   Vec3<double> centroid;
   bool isNothing = false;  ///< a point, which counts for nothing
+  bool isDropped = false;  ///< a piece beside it is one
 };
 
 /// The pieces of the cells that a surface meets, in the order of cells, and what connects them, in

@@ -154,22 +154,27 @@ class Assembly {
     for (std::size_t i = 0; i < sources.size(); ++i) {
       auto below = rowBeside(sources[i], false);
       auto above = rowBeside(sources[i], true);
+      bool isDropped = arcOf(sources[i]).isDropped;
       if (i + 1 < sources.size() && sources[i + 1].isSame(sources[i])) {
         ++i;  // the tile with the lower number is below
         above = rowBeside(sources[i], true);
+        isDropped = isDropped || arcOf(sources[i]).isDropped;
       }
       const auto isOwn = [&](std::uint32_t row) { return row < out_.pieceCount; };
-      if (isOwn(below) || isOwn(above)) addArc(sources[i], below, above);
+      if (!isDropped && (isOwn(below) || isOwn(above))) addArc(sources[i], below, above);
     }
   }
+  [[nodiscard]] const PieceArc& arcOf(const ArcSource& source) const {
+    return cuts_[source.tile]->content.arcs[source.arc];
+  }
   [[nodiscard]] std::uint32_t rowBeside(const ArcSource& source, bool isAbove) const {
-    const auto& arc = cuts_[source.tile]->content.arcs[source.arc];
+    const auto& arc = arcOf(source);
     const auto piece = isAbove ? arc.above : arc.below;
     return piece == kNone ? CutCells::kWholeCell : rowsOf_[source.tile][piece];
   }
   void addArc(const ArcSource& source, std::uint32_t below, std::uint32_t above) {
     const auto& frame = surface_.frame();
-    const auto& arc = cuts_[source.tile]->content.arcs[source.arc];
+    const auto& arc = arcOf(source);
     out_.arcs.below.push_back(below);
     out_.arcs.above.push_back(above);
     out_.arcs.area.push_back(arc.area / (frame.scale * frame.scale));

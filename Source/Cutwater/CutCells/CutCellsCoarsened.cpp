@@ -1,0 +1,192 @@
+#include <Cutwater/Core/Detail/DisjointSets.hpp>
+#include <Cutwater/CutCells/Detail/CoarseNodes.hpp>
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+namespace cutwater {
+
+namespace {
+
+/// A sum of areas or volumes and their moments about a point nearby.
+class Moments {
+ public:
+  explicit Moments(const Vec3<double>& about) : about_(about) {}
+
+  void add(double size, const Vec3<double>& centroid) {
+    if (size_ == 0) only_ = centroid;
+    size_ += size;
+    moment_ += size * (centroid - about_);
+  }
+  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] Vec3<double> centroid() const {
+    return size_ > 0 ? about_ + moment_ / size_ : only_;
+  }
+
+ private:
+  Vec3<double> about_;
+  Vec3<double> only_;
+  double size_ = 0;
+  Vec3<double> moment_;
+};
+
+/// Joins nodes that meet within a coarse cell to its pieces, and adds up what they say.
+class Coarsening {
+ public:
+  Coarsening(const CutCells& fine, const std::array<int, 3>& ratios)
+      : fine_(fine), nodes_(fine, ratios) {
+    out_.grid = nodes_.grid();
+    out_.cells.index = nodes_.cells();
+    out_.cellCount = out_.cells.index.size();
+    out_.patchNames = fine.patchNames;
+  }
+
+  CutCells run() {
+    numberPieces();
+    addPieces();
+    addWallParts();
+    addArcs();
+    addBodyRuns();
+    return std::move(out_);
+  }
+
+ private:
+  /// By cell, and in each by the least node.
+  void numberPieces() {
+    detail::DisjointSets sets(nodes_.count());
+    nodes_.forFaces([&](const CoarseNodes::Face& face) {
+      if (!face.isBetween) sets.unite(face.below, face.above);
+    });
+    std::vector<std::uint32_t> roots;
+    for (std::uint32_t node = 0; node < nodes_.count(); ++node) {
+      if (sets.isRoot(node)) roots.push_back(node);
+    }
+    std::ranges::stable_sort(roots, {}, [&](std::uint32_t node) { return nodes_.rowOf(node); });
+    out_.pieceCount = roots.size();
+    std::vector<std::uint32_t> numbers(nodes_.count());
+    auto& first = out_.cells.firstPiece;
+    for (std::uint32_t piece = 0; piece < roots.size(); ++piece) {
+      const auto row = nodes_.rowOf(roots[piece]);
+      numbers[roots[piece]] = piece;
+      out_.pieces.cell.push_back(row);
+      if (first.size() <= row) first.resize(row + std::size_t{1}, piece);
+    }
+    first.resize(out_.cellCount + 1, static_cast<std::uint32_t>(roots.size()));
+    for (std::uint32_t node = 0; node < nodes_.count(); ++node) {
+      pieceOf_.push_back(numbers[sets.find(node)]);
+    }
+  }
+
+  [[nodiscard]] Vec3<double> centerOf(std::uint32_t piece) const {
+    return out_.boxOf(out_.cells.index[out_.pieces.cell[piece]]).center();
+  }
+
+  void addPieces() {
+    std::vector<Moments> volumes;
+    for (std::uint32_t piece = 0; piece < out_.pieceCount; ++piece) {
+      volumes.emplace_back(centerOf(piece));
+    }
+    auto walls = volumes;
+    auto& out = out_.pieces;
+    out.wallVector.resize(out_.pieceCount);
+    const auto& in = fine_.pieces;
+    for (std::uint32_t node = 0; node < nodes_.count(); ++node) {
+      const auto piece = pieceOf_[node];
+      if (node >= fine_.pieceCount) {
+        const auto cell = nodes_.cellOf(node);
+        volumes[piece].add(fine_.cellVolume(cell), fine_.boxOf(cell).center());
+        continue;
+      }
+      volumes[piece].add(in.volume[node], in.centroid[node]);
+      walls[piece].add(in.wallArea[node], in.wallCentroid[node]);
+      out.wallVector[piece] += in.wallVector[node];
+    }
+    for (std::uint32_t piece = 0; piece < out_.pieceCount; ++piece) {
+      const auto& wall = walls[piece];
+      out.volume.push_back(volumes[piece].size());
+      out.centroid.push_back(volumes[piece].centroid());
+      out.wallArea.push_back(wall.size());
+      out.wallCentroid.push_back(wall.size() > 0 ? wall.centroid() : out.centroid.back());
+    }
+  }
+
+  void addWallParts() {
+    const auto& in = fine_.wallParts;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<Moments, Vec3<double>>> sums;
+    for (std::size_t i = 0; i < in.piece.size(); ++i) {
+      if (in.piece[i] >= fine_.pieceCount) break;  // beyond the box
+      const auto piece = pieceOf_[in.piece[i]];
+      auto& [area, vector] =
+          sums.try_emplace({piece, in.patch[i]}, Moments(centerOf(piece)), Vec3<double>{})
+              .first->second;
+      area.add(in.area[i], in.centroid[i]);
+      vector += in.vector[i];
+    }
+    for (const auto& [key, sum] : sums) {
+      out_.wallParts.piece.push_back(key.first);
+      out_.wallParts.patch.push_back(key.second);
+      out_.wallParts.area.push_back(sum.first.size());
+      out_.wallParts.vector.push_back(sum.second);
+      out_.wallParts.centroid.push_back(sum.first.centroid());
+    }
+  }
+
+  /// Those between the same two pieces are one.
+  void addArcs() {
+    const auto pieceAt = [&](std::uint32_t node) {
+      return node < nodes_.count() ? pieceOf_[node] : node;
+    };
+    using Order = std::tuple<std::int32_t, std::int32_t, std::int32_t, int>;
+    std::map<std::tuple<Order, std::uint32_t, std::uint32_t>, Moments> sums;
+    nodes_.forFaces([&](const CoarseNodes::Face& face) {
+      if (!face.isBetween) return;
+      const auto& cell = face.cell;
+      sums.try_emplace(
+              {{cell.k, cell.j, cell.i, face.axis}, pieceAt(face.below), pieceAt(face.above)},
+              face.centroid)
+          .first->second.add(face.area, face.centroid);
+    });
+    for (const auto& [key, sum] : sums) {
+      const auto& [order, below, above] = key;
+      const auto& [k, j, i, axis] = order;
+      out_.arcs.cell.push_back({i, j, k});
+      out_.arcs.axis.push_back(static_cast<std::uint8_t>(axis));
+      out_.arcs.below.push_back(below);
+      out_.arcs.above.push_back(above);
+      out_.arcs.area.push_back(sum.size());
+      out_.arcs.centroid.push_back(sum.centroid());
+    }
+  }
+
+  /// Coarse cells that are not cut are as any of their fine cells.
+  void addBodyRuns() {
+    const auto box = out_.grid.indices();
+    std::uint64_t number = 0;
+    for (std::uint32_t k = 0; k < box.length(2); ++k) {
+      for (std::uint32_t j = 0; j < box.length(1); ++j) {
+        for (std::uint32_t i = 0; i < box.length(0); ++i, ++number) {
+          if (fine_.classOf(nodes_.firstOf(box.at(i, j, k))) != FluidClass::Body) continue;
+          if (!out_.bodyRuns.empty() && out_.bodyRuns.back()[1] == number) {
+            ++out_.bodyRuns.back()[1];
+          } else {
+            out_.bodyRuns.push_back({number, number + 1});
+          }
+        }
+      }
+    }
+  }
+
+  const CutCells& fine_;
+  CoarseNodes nodes_;
+  std::vector<std::uint32_t> pieceOf_;  // of each node
+  CutCells out_;
+};
+
+}  // namespace
+
+CutCells coarsened(const CutCells& cells, const std::array<int, 3>& ratios) {
+  return Coarsening(cells, ratios).run();
+}
+
+}  // namespace cutwater
