@@ -5,9 +5,9 @@
 #include "Options/OutputFile.hpp"
 #include "Report/Failure.hpp"
 
-namespace {
+namespace cutwater::tool {
 
-using namespace cutwater::tool;
+namespace {
 
 int run(int argc, const char* const* argv) {
   Program program(
@@ -41,10 +41,8 @@ int run(int argc, const char* const* argv) {
   return program.run(argc, argv);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  cutwater::tool::removeOutputsOnSignals();
+int runOrFail(int argc, const char* const* argv) {
+  removeOutputsOnSignals();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
@@ -53,4 +51,12 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return failed("cutwater", error.what(), kFailed);
   }
+}
+
+}  // namespace
+
+}  // namespace cutwater::tool
+
+int main(int argc, char** argv) {
+  return cutwater::tool::runOrFail(argc, argv);
 }

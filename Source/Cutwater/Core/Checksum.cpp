@@ -10,8 +10,9 @@
 namespace cutwater {
 
 std::uint64_t xxHash64(std::span<const std::byte> bytes) {
-  if (bytes.empty()) return XXH64("", 0, 0);  // it may have no address
-  return XXH64(bytes.data(), bytes.size(), 0);
+  const std::byte* const data = bytes.data();
+  if (data == nullptr) return XXH64("", 0, 0);  // of no bytes
+  return XXH64(data, bytes.size(), 0);
 }
 
 std::uint64_t checksum(std::span<const std::byte> bytes, int threads) {
