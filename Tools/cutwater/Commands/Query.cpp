@@ -101,7 +101,7 @@ void requireFreeNames(const QuerySettings& options, const std::vector<DataArray>
 std::string lossOfNames(const QuerySettings& options, const PointData& data) {
   const auto extension = extensionOf(options.output);
   const bool keepsNames = extension == ".vtu" || extension == ".vtp";
-  if (keepsNames || data.patchNames.size() < 2) return {};
+  if (keepsNames || data.patchNames.empty()) return {};
   return "note: this format does not keep the names of " +
          grouped(data.patchNames.size(), "patch") + "; .vtu and .vtp do\n";
 }

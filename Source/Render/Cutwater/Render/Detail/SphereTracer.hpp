@@ -25,7 +25,7 @@ struct TraceOptions {
 /// where it meets the surface. Steps are shortened by the possible rounding error of a value,
 /// unless that exceeds 1/4 of a pixel: for a solid so far from the origin, parts thinner than the
 /// rounding error may be lost. For the rest of a ray that needs more than kMostSteps, crossings()
-/// is queried; so it is for all rays if only signs are known. Rays that meet a facet need no steps.
+/// is queried; so it is for all rays if only signs are known. With facets, rays need no steps.
 template <std::floating_point T>
 class SphereTracer {
  public:
