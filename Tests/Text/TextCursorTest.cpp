@@ -78,8 +78,9 @@ TEST(TextCursorTest, RefusalsNameTheLine) {
     cursor.nextLine();
     static_cast<void>(cursor.number());
   };
-  EXPECT_EQ(textRefusal("\n1x", numberOfSecondLine), "it: line 2: expected a number, found \"1x\"");
-  EXPECT_EQ(textRefusal("\n1e999", numberOfSecondLine), "it: line 2: \"1e999\" is out of range");
+  EXPECT_EQ(textRefusal("\n1x\n", numberOfSecondLine),
+            "it: line 2: expected a number, found \"1x\"");
+  EXPECT_EQ(textRefusal("\n1e999\n", numberOfSecondLine), "it: line 2: \"1e999\" is out of range");
   EXPECT_EQ(textRefusal("\n", numberOfSecondLine),
             "it: line 1: a number is missing at the end of the line");
   const auto readLine = [](TextCursor& cursor) { cursor.nextLine(); };
@@ -87,6 +88,22 @@ TEST(TextCursorTest, RefusalsNameTheLine) {
   const std::string longest(TextCursor::kLongestLine, 'a');
   EXPECT_EQ(textRefusal(longest, readLine), "none");
   EXPECT_EQ(textRefusal(longest + 'a', readLine), "it: line 1: the line is longer than 64 kB");
+  const auto readLongLine = [](TextCursor& cursor) {
+    cursor.allowLongLines();
+    cursor.nextLine();
+  };
+  EXPECT_EQ(textRefusal(longest + 'a', readLongLine), "none");
+  EXPECT_EQ(textRefusal(longest + 'a' + '\0', readLongLine), "it: line 1: a NUL byte in text");
+}
+
+TEST(TextCursorTest, SaysWhereAFileIsCutWithinALine) {
+  const auto readTwo = [](TextCursor& cursor) {
+    for (int i = 0; i < 2; ++i) static_cast<void>(cursor.toNumber(cursor.wordOfFile()));
+  };
+  EXPECT_EQ(textRefusal("1 -", readTwo),
+            "it: line 1: expected a number, found \"-\"; the file ends here, within a line");
+  EXPECT_EQ(textRefusal("1 - ", readTwo), "it: line 1: expected a number, found \"-\"");
+  EXPECT_EQ(textRefusal("1\n-\n", readTwo), "it: line 2: expected a number, found \"-\"");
 }
 
 TEST(TextCursorTest, CountsMustHaveRoomInTheFile) {

@@ -30,7 +30,7 @@ class Cursor {
   [[nodiscard]] std::uint64_t bytesLeft() const { return bytes().size() - position_; }
 
   /// @throws Error(File) "name: line 7: message", for the current position or another one.
-  [[noreturn]] void fail(const std::string& message) const { failAt(place(), message); }
+  [[noreturn]] void fail(const std::string& message) const { failAt(place(), message + remark()); }
   [[noreturn]] void failAt(const Place& where, const std::string& message) const;
   /// @throws Error(Limit), with the same wording.
   [[noreturn]] void failLimit(const std::string& message) const;
@@ -51,6 +51,9 @@ class Cursor {
   [[nodiscard]] std::string_view bytes() const { return content_->bytes; }
 
  private:
+  /// What a message about the current position should say beside its cause.
+  [[nodiscard]] virtual std::string remark() const { return {}; }
+
   const Content* content_;
   std::uint64_t position_ = 0;
 };

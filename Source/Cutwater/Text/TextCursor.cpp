@@ -57,12 +57,18 @@ Place TextCursor::place() const {
   return {unit_, unit_ == Place::Unit::Line ? std::max<std::uint64_t>(line_, 1) : position()};
 }
 
+std::string TextCursor::remark() const {
+  const std::string_view text = bytes();
+  const bool endsWithinLine = !text.empty() && text.back() != '\n' && text.back() != '\r';
+  return endsWithinLine && position() == text.size() ? "; the file ends here, within a line" : "";
+}
+
 std::uint64_t TextCursor::findLineEnd(std::uint64_t begin) const {
   const std::string_view text = bytes();
-  const auto limit = std::min<std::uint64_t>(text.size(), begin + kLongestLine + 1);
+  const auto limit = std::min<std::uint64_t>(text.size(), begin + longestLine_ + 1);
   std::uint64_t end = begin;
   while (end < limit && !endsLine(text[end])) ++end;
-  if (end - begin > kLongestLine) fail("the line is longer than 64 kB");
+  if (end - begin > longestLine_) fail("the line is longer than 64 kB");
   if (end < text.size() && text[end] == '\0') fail("a NUL byte in text");
   return end;
 }

@@ -7,8 +7,9 @@ namespace cutwater::text {
 /// Splits text into lines and words for all ASCII formats.
 ///
 /// Lines end with LF, CRLF or a lone CR; words are separated by spaces, tabs, vertical tabs and
-/// form feeds. A NUL byte or a line beyond 64 kB is refused with its line number, so a binary file
-/// is never taken for text. Every byte is examined a fixed number of times.
+/// form feeds. A NUL byte is refused with its line number, and so is a line beyond 64 kB unless
+/// long ones are allowed: so a binary file is never taken for text. Every byte is examined a fixed
+/// number of times.
 class TextCursor final : public Cursor {
  public:
   /// Where a # begins a comment, which extends to the end of the line.
@@ -25,6 +26,8 @@ class TextCursor final : public Cursor {
   /// The line, or the byte if the text is part of a binary file.
   Place place() const override;
   void reportBytes() { unit_ = Place::Unit::Byte; }
+  /// For formats in which an array may be one line.
+  void allowLongLines() { longestLine_ = bytes().size(); }
 
   /// Goes to the beginning of the next line; false at the end of the file.
   bool nextLine();
@@ -59,12 +62,14 @@ class TextCursor final : public Cursor {
   void requireLineEnd();
 
  private:
+  [[nodiscard]] std::string remark() const override;
   [[nodiscard]] std::uint64_t findLineEnd(std::uint64_t begin) const;
   void skipTerminator();
   void skipBlanks();
 
   Rules rules_;
   Place::Unit unit_ = Place::Unit::Line;
+  std::uint64_t longestLine_ = kLongestLine;
   std::uint64_t line_ = 0;
   std::uint64_t lineEnd_ = 0;
   std::uint64_t next_ = 0;

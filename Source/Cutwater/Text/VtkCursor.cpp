@@ -25,6 +25,7 @@ void VtkCursor::readHeader() {
   isBinary_ = is(encoding, "BINARY");
   if (!isBinary_ && !is(encoding, "ASCII")) text_.fail("expected ASCII or BINARY");
   if (isBinary_) text_.reportBytes();
+  if (!isBinary_) text_.allowLongLines();
 }
 
 ScalarType VtkCursor::scalarType() {

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "Options/Arguments.hpp"
+
 namespace cutwater::tool {
 
 Option Option::required() const {
@@ -57,7 +59,11 @@ Option Command::addWords(const std::string& names, const std::string& value,
                          const std::vector<std::string>& words, Values values) {
   auto* option = app_->add_option(names, chosen, meaning)->delimiter(',');
   if (values == Values::One) option->allow_extra_args(false);
-  return Option(*option->check(CLI::IsMember(words))->type_name(value));
+  const auto refusal = [names, words](const std::string& text) {
+    static_cast<void>(choiceOf(names, text, words));
+    return std::string();
+  };
+  return Option(*option->check(refusal, "", names)->type_name(value));
 }
 
 Option Command::addNumber(const std::string& names, const std::string& value,

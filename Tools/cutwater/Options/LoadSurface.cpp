@@ -151,9 +151,9 @@ Solid<double> loadSolid(const SurfaceOptions& options) {
 }
 
 Box<double> boxAround(const Solid<double>& solid) {
-  const auto box = solid.boundingBox();
   const auto* const mesh = solid.as<MeshSDF<double>>();
-  return mesh == nullptr || isFinite(box) ? box : solid.placement().toWorld(mesh->surfaceBox());
+  if (mesh == nullptr) return solid.boundingBox();
+  return solid.placement().toWorld(mesh->surfaceBox());
 }
 
 std::uint64_t sourceHash(const SurfaceOptions& options) {

@@ -38,8 +38,8 @@ template <std::floating_point T = double>
 /// @throws Error also if the options request other signs for a scene.
 [[nodiscard]] Solid<double> loadSolid(const SurfaceOptions& options);
 
-/// Where to look at the solid: its bounding box or, where signs by the nearest faces leave a
-/// surface unbounded, the box of its faces. Infinite for an unbounded scene.
+/// Where to look at the solid: the box of a surface's faces, beyond which the inside of an open one
+/// may reach, or the bounding box of a scene's solid. Infinite for an unbounded scene.
 [[nodiscard]] Box<double> boxAround(const Solid<double>& solid);
 
 /// XXH64 of the surface's file, or, for a prepared one, of the file that it was made from; 0 if it

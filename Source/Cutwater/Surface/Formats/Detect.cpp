@@ -101,13 +101,14 @@ bool isCutWithinFirstWord(std::string_view bytes) {
   if (isCutWithinFirstWord(content.bytes)) {
     text.failAt({Place::Unit::Byte, 0}, "the file is too short: it ends within its first word");
   }
-  std::string message = "the content is none of " + surfaceFormats("and");
   if (content.bytes.size() < kBinaryStlHeader) {
-    message +=
-        "; if it should be a binary STL, it is too short: " + std::to_string(content.bytes.size()) +
-        " of the " + std::to_string(kBinaryStlHeader) + " bytes of the header";
+    text.failAt({Place::Unit::Byte, 0},
+                "the file is too short: " + std::to_string(content.bytes.size()) + " of the " +
+                    std::to_string(kBinaryStlHeader) +
+                    " bytes of a binary STL's header; and its text begins like none of " +
+                    surfaceFormats("and"));
   }
-  text.failAt({Place::Unit::Byte, 0}, message);
+  text.failAt({Place::Unit::Byte, 0}, "the content is none of " + surfaceFormats("and"));
 }
 
 }  // namespace
