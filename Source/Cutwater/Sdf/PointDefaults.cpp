@@ -52,6 +52,21 @@ CrossingCount SignedDistanceFunction<T>::localCrossings(const Segment<T>& segmen
 }
 
 template <std::floating_point T>
+void SignedDistanceFunction<T>::crossingsByValues(std::span<const Segment<T>> segments,
+                                                  std::span<CrossingCount> counts,
+                                                  CrossingsVisitor<T> visit) const {
+  detail::isolatedCrossings<T>(
+      {.value = [this](const Vec3<T>& p) { return localSignedDistance(p); },
+       .gradient = [this](const Vec3<T>& p) { return localGradient(p); },
+       .owner = [this](const Vec3<T>& p) { return localOwner(p); },
+       .guarantee = localGuarantee()},
+      [this](std::span<const Vec3<T>> points, std::span<T> values) {
+        localSignedDistances(points, values);
+      },
+      segments, counts, visit);
+}
+
+template <std::floating_point T>
 bool SignedDistanceFunction<T>::localFacetsIn(const OrientedBox<T>& box,
                                               FacetVisitor<T> visit) const {
   detail::sampleFacets<T>([this](const Vec3<T>& p) { return localClosestPoint(p); }, box, visit);
@@ -76,6 +91,8 @@ Box<T> SignedDistanceFunction<T>::localClearanceBox() const {
                                                               std::span<SurfacePoint<T>>) const; \
   template CrossingCount SignedDistanceFunction<T>::localCrossings(const Segment<T>&,            \
                                                                    CrossingVisitor<T>) const;    \
+  template void SignedDistanceFunction<T>::crossingsByValues(                                    \
+      std::span<const Segment<T>>, std::span<CrossingCount>, CrossingsVisitor<T>) const;         \
   template bool SignedDistanceFunction<T>::localFacetsIn(const OrientedBox<T>&, FacetVisitor<T>) \
       const;                                                                                     \
   template Box<T> SignedDistanceFunction<T>::localClearanceBox() const;

@@ -19,7 +19,25 @@ bool isFiniteSegment(const Segment<T>& segment) {
   return isFinite(segment.start) && isFinite(segment.end);
 }
 
+/// A crossing of one of the segments of a batch.
+template <std::floating_point T>
+struct NumberedCrossing {
+  std::size_t segment;
+  Crossing<T> crossing;
+};
+
 }  // namespace
+
+template <std::floating_point T>
+void SignedDistanceFunction<T>::toLocal(std::span<const Segment<T>> segments,
+                                        std::span<Segment<T>> local) const {
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const auto& [start, end] = segments[i];
+    local[i] = isFiniteSegment(segments[i])
+                   ? Segment<T>{placement_.toLocal(start), placement_.toLocal(end)}
+                   : Segment<T>{};
+  }
+}
 
 template <std::floating_point T>
 void SignedDistanceFunction<T>::firstHits(std::span<const Segment<T>> segments,
@@ -31,11 +49,7 @@ void SignedDistanceFunction<T>::firstHits(std::span<const Segment<T>> segments,
     const auto some = segments.subspan(first, count);
     const auto found = hits.subspan(first, count);
     Scratch<Segment<T>, kSegmentBatch> local;
-    for (std::size_t i = 0; i < count; ++i) {
-      local[i] = isFiniteSegment(some[i]) ? Segment<T>{placement_.toLocal(some[i].start),
-                                                       placement_.toLocal(some[i].end)}
-                                          : Segment<T>{};
-    }
+    toLocal(some, local.first(count));
     localFirstHits(local.first(count), found);
     for (std::size_t i = 0; i < count; ++i) {
       if (!isFiniteSegment(some[i])) found[i] = {};
@@ -62,31 +76,47 @@ void SignedDistanceFunction<T>::localFirstHits(std::span<const Segment<T>> segme
 }
 
 template <std::floating_point T>
+void SignedDistanceFunction<T>::localCrossingsOfEach(std::span<const Segment<T>> segments,
+                                                     std::span<CrossingCount> counts,
+                                                     CrossingsVisitor<T> visit) const {
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    counts[i] = localCrossings(segments[i], [&](const Crossing<T>& crossing) {
+      visit(i, crossing);
+      return true;
+    });
+  }
+}
+
+template <std::floating_point T>
 CrossingLists<T> SignedDistanceFunction<T>::crossings(std::span<const Segment<T>> segments,
                                                       const ParallelOptions& options) const {
   CrossingLists<T> lists;
   lists.offsets.resize(segments.size() + 1);
   lists.unresolved.resize(segments.size());
   // Those of each batch, which are joined in the order of the segments.
-  std::vector<std::vector<Crossing<T>>> batches((segments.size() + kSegmentBatch - 1) /
-                                                kSegmentBatch);
+  std::vector<std::vector<NumberedCrossing<T>>> batches((segments.size() + kSegmentBatch - 1) /
+                                                        kSegmentBatch);
   const auto visit = [&](std::size_t first, std::size_t count) {
     auto& batch = batches[first / kSegmentBatch];
-    for (std::size_t i = first; i < first + count; ++i) {
-      const auto before = batch.size();
-      const auto counted = crossings(segments[i], [&](const Crossing<T>& crossing) {
-        batch.push_back(crossing);
-        return true;
-      });
-      lists.offsets[i + 1] = batch.size() - before;
-      lists.unresolved[i] = counted.unresolved;
+    Scratch<Segment<T>, kSegmentBatch> local;
+    Scratch<CrossingCount, kSegmentBatch> counts;
+    toLocal(segments.subspan(first, count), local.first(count));
+    localCrossingsOfEach(local.first(count), counts.first(count),
+                         [&](std::size_t i, const Crossing<T>& crossing) {
+                           if (!isFiniteSegment(segments[first + i])) return;
+                           batch.push_back({i, toWorld(crossing)});
+                           ++lists.offsets[first + i + 1];
+                         });
+    for (std::size_t i = 0; i < count; ++i) {
+      lists.unresolved[first + i] = isFiniteSegment(segments[first + i]) ? counts[i].unresolved : 0;
     }
+    std::ranges::stable_sort(batch, {}, &NumberedCrossing<T>::segment);
   };
   detail::parallelBatches(segments.size(), kSegmentBatch, options, visit);
   for (std::size_t i = 0; i < segments.size(); ++i) lists.offsets[i + 1] += lists.offsets[i];
   lists.crossings.reserve(lists.offsets.back());
   for (auto& batch : batches) {
-    lists.crossings.insert(lists.crossings.end(), batch.begin(), batch.end());
+    for (const auto& each : batch) lists.crossings.push_back(each.crossing);
     batch = {};
   }
   return lists;
@@ -98,6 +128,8 @@ CrossingLists<T> SignedDistanceFunction<T>::crossings(std::span<const Segment<T>
       std::span<const Segment<T>>, std::span<FirstHit<T>>, const ParallelOptions&) const;     \
   template void SignedDistanceFunction<T>::localFirstHits(std::span<const Segment<T>>,        \
                                                           std::span<FirstHit<T>>) const;      \
+  template void SignedDistanceFunction<T>::localCrossingsOfEach(                              \
+      std::span<const Segment<T>>, std::span<CrossingCount>, CrossingsVisitor<T>) const;      \
   template CrossingLists<T> SignedDistanceFunction<T>::crossings(std::span<const Segment<T>>, \
                                                                  const ParallelOptions&) const;
 // NOLINTEND(bugprone-macro-parentheses)

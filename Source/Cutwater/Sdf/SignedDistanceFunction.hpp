@@ -163,6 +163,15 @@ class SignedDistanceFunction {
   /// The owner of the surface at a surface point.
   [[nodiscard]] virtual SurfaceOwner localOwner(const Vec3<T>&) const { return {}; }
   virtual CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const;
+  /// All crossings of a few dozen finite segments at most, those of each in order; runs inside a
+  /// parallel region. The default calls localCrossings() for one after the other. Where that is not
+  /// overridden and localSignedDistances() is faster than one value after the other, an override
+  /// may call crossingsByValues(), which has the same results.
+  virtual void localCrossingsOfEach(std::span<const Segment<T>> segments,
+                                    std::span<CrossingCount> counts,
+                                    CrossingsVisitor<T> visit) const;
+  void crossingsByValues(std::span<const Segment<T>> segments, std::span<CrossingCount> counts,
+                         CrossingsVisitor<T> visit) const;
   /// First hits of a few dozen finite segments at most; runs inside a parallel region.
   virtual void localFirstHits(std::span<const Segment<T>> segments,
                               std::span<FirstHit<T>> hits) const;
@@ -221,6 +230,8 @@ class SignedDistanceFunction {
   void describe(std::string& text, int depth) const;
   [[nodiscard]] OrientedBox<T> toLocal(const OrientedBox<T>& box) const;
   [[nodiscard]] OrientedBox<T> toLocal(const Box<T>& box) const;
+  /// Those that are not finite become points.
+  void toLocal(std::span<const Segment<T>> segments, std::span<Segment<T>> local) const;
   [[nodiscard]] BoxClass classByDescent(const OrientedBox<T>& box,
                                         std::optional<T> concavity) const;
   [[nodiscard]] BoxClass classOfParts(const OrientedBox<T>& box) const;

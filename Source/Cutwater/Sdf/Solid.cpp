@@ -61,6 +61,13 @@ CrossingCount Solid<T>::localCrossings(const Segment<T>& segment, CrossingVisito
 }
 
 template <std::floating_point T>
+void Solid<T>::localCrossingsOfEach(std::span<const Segment<T>> segments,
+                                    std::span<CrossingCount> counts,
+                                    CrossingsVisitor<T> visit) const {
+  root_->localCrossingsOfEach(segments, counts, visit);
+}
+
+template <std::floating_point T>
 void Solid<T>::localFirstHits(std::span<const Segment<T>> segments,
                               std::span<FirstHit<T>> hits) const {
   root_->localFirstHits(segments, hits);

@@ -45,6 +45,8 @@ class Solid final : public SignedDistanceFunction<T> {
                           std::span<SurfacePoint<T>> results) const override;
   SurfaceOwner localOwner(const Vec3<T>& p) const override;
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
+  void localCrossingsOfEach(std::span<const Segment<T>> segments, std::span<CrossingCount> counts,
+                            CrossingsVisitor<T> visit) const override;
   void localFirstHits(std::span<const Segment<T>> segments,
                       std::span<FirstHit<T>> hits) const override;
   Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;

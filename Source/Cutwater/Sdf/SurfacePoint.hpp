@@ -54,6 +54,10 @@ struct Crossing {
 template <std::floating_point T>
 using CrossingVisitor = FunctionRef<bool(const Crossing<T>&)>;
 
+/// The same for many segments: called with the index of one and its next crossing.
+template <std::floating_point T>
+using CrossingsVisitor = FunctionRef<void(std::size_t, const Crossing<T>&)>;
+
 /// The result of a search for crossings along a segment.
 struct CrossingCount {
   std::size_t found = 0;

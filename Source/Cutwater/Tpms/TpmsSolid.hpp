@@ -38,6 +38,10 @@ class TpmsSolid final : public SignedDistanceFunction<T> {
   T localSignedDistance(const Vec3<T>& p) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   Vec3<T> localGradient(const Vec3<T>& p) const override;
+  void localCrossingsOfEach(std::span<const Segment<T>> segments, std::span<CrossingCount> counts,
+                            CrossingsVisitor<T> visit) const override {
+    this->crossingsByValues(segments, counts, visit);
+  }
   Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   Guarantee<T> localGuarantee() const override { return guarantee_; }
   std::string localName() const override;

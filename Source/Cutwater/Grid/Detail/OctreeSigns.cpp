@@ -139,30 +139,32 @@ void OctreeSigns<T>::countCrossingsOf(int level, std::span<const std::size_t> ed
   for (std::size_t i = 0; i < opened; ++i) {
     if (!mayBeCut(classes[i])) edges_[open[i]].store(kFree, std::memory_order_relaxed);
   }
+  std::vector<Segment<T>> segments;
+  opened = 0;
   for (const auto number : edges) {
-    auto& mark = edges_[number];
-    if (mark.load(std::memory_order_relaxed) == kFree) continue;
+    if (edges_[number].load(std::memory_order_relaxed) == kFree) continue;
+    segments.push_back(edge(number, level));
+    open[opened++] = number;
+  }
+  const auto lists = solid_.crossings(segments, {.threads = 1});
+  for (std::size_t i = 0; i < opened; ++i) {
     EdgeStretch<T> thickest{};
-    const auto found = crossingsOf(edge(number, level), thickest);
-    mark.store(found, std::memory_order_relaxed);
+    const auto found = countOf(segments[i], lists.of(i), thickest);
+    edges_[open[i]].store(found, std::memory_order_relaxed);
     if (found < 2) continue;
     const std::lock_guard lock(stretchesMutex_);
-    stretches_.push_back({number, thickest});
+    stretches_.push_back({open[i], thickest});
   }
 }
 
 template <std::floating_point T>
-auto OctreeSigns<T>::crossingsOf(const Segment<T>& edge, EdgeStretch<T>& thickest) const -> Mark {
-  std::optional<Crossing<T>> last;
-  std::size_t seen = 0;
-  solid_.crossings(edge, [&](const Crossing<T>& crossing) {
-    const auto stretch = last ? stretchBetween(solid_, edge, *last, crossing) : std::nullopt;
+auto OctreeSigns<T>::countOf(const Segment<T>& edge, std::span<const Crossing<T>> crossings,
+                             EdgeStretch<T>& thickest) const -> Mark {
+  for (std::size_t i = 1; i < crossings.size(); ++i) {
+    const auto stretch = stretchBetween(solid_, edge, crossings[i - 1], crossings[i]);
     if (stretch && std::abs(stretch->distance) > std::abs(thickest.distance)) thickest = *stretch;
-    last = crossing;
-    ++seen;
-    return true;
-  });
-  return thickest.distance != 0 ? 2 : seen % 2;
+  }
+  return thickest.distance != 0 ? 2 : crossings.size() % 2;
 }
 
 template <std::floating_point T>

@@ -100,7 +100,8 @@ class OctreeSigns {
   /// Queries some edges, given by their numbers.
   void countCrossingsOf(int level, std::span<const std::size_t> edges);
   /// See CellSigns. `thickest`: of this edge.
-  [[nodiscard]] Mark crossingsOf(const Segment<T>& edge, EdgeStretch<T>& thickest) const;
+  [[nodiscard]] Mark countOf(const Segment<T>& edge, std::span<const Crossing<T>> crossings,
+                             EdgeStretch<T>& thickest) const;
   /// What is known of an edge that is crossed more than once.
   [[nodiscard]] const EdgeStretch<T>& thickestOf(std::size_t edge) const;
   [[nodiscard]] Segment<T> edge(std::size_t number, int level) const;

@@ -53,6 +53,10 @@ class Combination final : public Composite<T> {
   void localClosestPoints(std::span<const Vec3<T>> points,
                           std::span<SurfacePoint<T>> results) const override;
   SurfaceOwner localOwner(const Vec3<T>& p) const override;
+  void localCrossingsOfEach(std::span<const Segment<T>> segments, std::span<CrossingCount> counts,
+                            CrossingsVisitor<T> visit) const override {
+    this->crossingsByValues(segments, counts, visit);
+  }
   Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override;

@@ -56,6 +56,13 @@ void setTolerance(SurfacePoint<T>& result, const Vec3<T>& p, T residual,
 template <std::floating_point T>
 CrossingCount isolatedCrossings(const Field<T>& field, const Segment<T>& segment,
                                 CrossingVisitor<T> visit);
+/// The same, to the bit, for many segments side by side. `values` has the field's values at a few
+/// dozen points.
+template <std::floating_point T>
+void isolatedCrossings(const Field<T>& field,
+                       FunctionRef<void(std::span<const Vec3<T>>, std::span<T>)> values,
+                       std::span<const Segment<T>> segments, std::span<CrossingCount> counts,
+                       CrossingsVisitor<T> visit);
 
 /// Bounds of the values in a box within the guarantee's domain, from the value at its centre and
 /// the Lipschitz constant, which is required.
