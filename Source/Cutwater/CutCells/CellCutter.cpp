@@ -62,7 +62,7 @@ template <std::floating_point T>
 CellCutter::CellCutter(const Solid<T>& solid, FluidSide side)
     : surface_(std::make_shared<const CutSurface>(placedTriangles(solid), side)) {}
 
-CutCells CellCutter::cut(const CellPlanes& grid, const ParallelOptions& options) const {
+CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);
   const auto positions = inFrame(surface_->frame(), grid);
   const GridPlanes planes{{positions[0], positions[1], positions[2]}};
@@ -72,11 +72,14 @@ CutCells CellCutter::cut(const CellPlanes& grid, const ParallelOptions& options)
     if (!tiles.triangles(tile).empty()) touched.push_back(tile);
   }
   std::vector<std::unique_ptr<const TileCut>> cuts(tiles.count());
-  parallelFor(touched.size(), options, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i)
-      cuts[touched[i]] = std::make_unique<const TileCut>(cutTile(*surface_, tiles, touched[i]));
-  });
-  return assembledCells(grid, *surface_, tiles, cuts);
+  parallelFor(touched.size(), {.threads = options.threads, .progress = options.progress},
+              [&](std::size_t begin, std::size_t end) {
+                for (auto i = begin; i < end; ++i) {
+                  cuts[touched[i]] = std::make_unique<const TileCut>(
+                      cutTile(*surface_, tiles, touched[i], options.polygons));
+                }
+              });
+  return assembledCells(grid, *surface_, tiles, cuts, options.polygons);
 }
 
 template <std::floating_point T>

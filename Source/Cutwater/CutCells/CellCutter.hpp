@@ -11,6 +11,16 @@ namespace cutwater {
 
 class CutSurface;
 
+/// Options of CellCutter::cut().
+struct CutOptions {
+  /// Whether to keep the polygons of arcs and walls. They take some four times the memory of the
+  /// other rows.
+  bool polygons = false;
+  /// See ParallelOptions.
+  int threads = 0;
+  Progress progress = {};
+};
+
 /// Cuts the cells of grids by a closed surface, exactly: on which side of planes, of lines and of
 /// nodes of the grid the surface passes is decided by exact predicates, and only the points where
 /// it does are rounded. So the number of pieces, and what connects them, is right however thin
@@ -33,11 +43,10 @@ class CellCutter {
 
   /// The cells of a box.
   /// @throws Error(Argument) unless planes ascend and are finite.
-  [[nodiscard]] CutCells cut(const CellPlanes& grid, const ParallelOptions& options = {}) const;
+  [[nodiscard]] CutCells cut(const CellPlanes& grid, const CutOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>
-  [[nodiscard]] CutCells cut(const GridPatch<T>& gridPatch,
-                             const ParallelOptions& options = {}) const {
+  [[nodiscard]] CutCells cut(const GridPatch<T>& gridPatch, const CutOptions& options = {}) const {
     return cut(planesOf(gridPatch), options);
   }
 

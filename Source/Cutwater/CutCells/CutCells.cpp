@@ -58,6 +58,11 @@ std::uint32_t CutCells::rowOf(const Index3& cell) const {
                                               : kNoRow;
 }
 
+void CutCells::Polygons::add(std::span<const Vec3<double>> polygon) {
+  points.insert(points.end(), polygon.begin(), polygon.end());
+  first.push_back(points.size());
+}
+
 FluidClass CutCells::classOf(const Index3& cell) const {
   if (rowOf(cell) != kNoRow) return FluidClass::Cut;
   const auto box = grid.indices();

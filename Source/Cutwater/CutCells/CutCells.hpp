@@ -79,6 +79,18 @@ struct CutCells {
     std::vector<Vec3<double>> centroid;
   };
 
+  /// Polygons, each given by its corners in order.
+  struct Polygons {
+    std::vector<std::uint64_t> first{0};  ///< where each begins in points; then their number
+    std::vector<Vec3<double>> points;
+
+    [[nodiscard]] std::size_t count() const { return first.size() - 1; }
+    [[nodiscard]] std::span<const Vec3<double>> of(std::size_t polygon) const {
+      return std::span(points).subspan(first[polygon], first[polygon + 1] - first[polygon]);
+    }
+    void add(std::span<const Vec3<double>> polygon);
+  };
+
   CellPlanes grid;                      ///< what was cut
   Cells cells;                          ///< see above, as all rows
   Pieces pieces;                        ///< their volumes and walls
@@ -87,6 +99,15 @@ struct CutCells {
   std::vector<std::string> patchNames;  ///< of the surface
   std::size_t cellCount = 0;            ///< of the box: the rows of cells beyond it follow
   std::size_t pieceCount = 0;           ///< of these cells
+
+  /// On request, see CutOptions: the outline of each arc, counterclockwise as seen against its
+  /// axis. Holes in it are cut open by an edge there and back. Corners are the same bits in all
+  /// outlines and walls that meet there.
+  Polygons arcPolygons;
+  /// On request: the parts of triangles that make up each part of the wall, oriented as the
+  /// surface, with normals into the fluid. They are convex.
+  Polygons wallPolygons;
+  std::vector<std::uint64_t> firstWallPolygon;  ///< of each part of the wall; then their number
 
   /// Ranges [first, last) of cells without fluid, counted through the box in the order of cells;
   /// cells that are cut may be among them.
@@ -111,7 +132,7 @@ struct CutCells {
 /// Cells that each join as many along each axis: what cutting the coarse cells gives, up to
 /// rounding and the order of a cell's pieces, without the surface. Pieces that meet in an open face
 /// within a coarse cell are one; arcs between the same two pieces are one. What lies beyond the box
-/// is kBeyond. Repeat it for further levels, down to one cell.
+/// is kBeyond. There are no polygons. Repeat it for further levels, down to one cell.
 /// @throws Error(Argument) unless the ratios are at least 1 and divide the box's first index and
 /// its number of cells along each axis.
 [[nodiscard]] CutCells coarsened(const CutCells& cells, const std::array<int, 3>& ratios);

@@ -222,6 +222,9 @@ class CellBuilder {
       sum.appendWalls(numberOfSum_.back(), out_.walls);
       out_.pieces.push_back(sum.piece(fragments_.front().cell));
     }
+    for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
+      out_.ofFragments.push_back(numberOfSum_[sumOf_[sets_.find(i)]]);
+    }
     for (std::uint32_t i = 0; i < open_.size(); ++i) {
       const auto node = static_cast<std::uint32_t>(fragments_.size()) + i;
       auto& arc = out_.arcs[open_[i].arc];

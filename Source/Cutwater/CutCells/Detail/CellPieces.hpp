@@ -23,6 +23,7 @@ struct CellPieces {
   std::vector<CellPiece> pieces;
   std::vector<PieceWall> walls;
   std::vector<PieceArc> arcs;
+  std::vector<std::uint32_t> ofFragments;  ///< the piece of each fragment, or kNone
 };
 
 /// Joins what bounds each piece, and measures it.

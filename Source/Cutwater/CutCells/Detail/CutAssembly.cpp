@@ -30,8 +30,8 @@ struct ArcSource {
 class Assembly {
  public:
   Assembly(CellPlanes grid, const CutSurface& surface, const CutTiles& tiles,
-           std::span<const std::unique_ptr<const TileCut>> tileCuts)
-      : surface_(surface), tiles_(tiles), cuts_(tileCuts) {
+           std::span<const std::unique_ptr<const TileCut>> tileCuts, bool withPolygons)
+      : surface_(surface), tiles_(tiles), cuts_(tileCuts), withPolygons_(withPolygons) {
     for (int axis = 0; axis < 3; ++axis) {
       cells_[asIndex(axis)] = static_cast<int>(grid.planes[asIndex(axis)].size()) - 3;
     }
@@ -44,6 +44,7 @@ class Assembly {
     addPieces();
     addArcs();
     addBodyRuns();
+    if (withPolygons_) out_.firstWallPolygon.push_back(out_.wallPolygons.count());
     return std::move(out_);
   }
 
@@ -105,7 +106,7 @@ class Assembly {
       out_.cells.firstPiece.push_back(pieceCount());
       for (auto p = cut.firstPiece[source.cell]; p < cut.firstPiece[source.cell + 1]; ++p) {
         rowsOf_[source.tile][p] = pieceCount();
-        addPiece(cut.content, p, row);
+        addPiece(source.tile, p, row);
       }
     }
     out_.cells.firstPiece.push_back(pieceCount());
@@ -114,7 +115,8 @@ class Assembly {
   [[nodiscard]] std::uint32_t pieceCount() const {
     return static_cast<std::uint32_t>(out_.pieces.volume.size());
   }
-  void addPiece(const CellPieces& content, std::uint32_t number, std::uint32_t row) {
+  void addPiece(std::uint32_t tile, std::uint32_t number, std::uint32_t row) {
+    const auto& content = cuts_[tile]->content;
     const auto& frame = surface_.frame();
     const double perArea = frame.scale * frame.scale;
     const auto& piece = content.pieces[number];
@@ -126,6 +128,7 @@ class Assembly {
       out_.wallParts.area.push_back(wall.area / perArea);
       out_.wallParts.vector.push_back(wall.areaVector / perArea);
       out_.wallParts.centroid.push_back(frame.toWorld(wall.centroid));
+      if (withPolygons_) addWallPolygons(tile, number, wall.patch);
     }
     out_.pieces.cell.push_back(row);
     out_.pieces.volume.push_back(piece.volume / (perArea * frame.scale));
@@ -133,6 +136,37 @@ class Assembly {
     out_.pieces.wallArea.push_back(piece.area / perArea);
     out_.pieces.wallVector.push_back(piece.areaVector / perArea);
     out_.pieces.wallCentroid.push_back(frame.toWorld(piece.wallCentroid));
+  }
+
+  void addWallPolygons(std::uint32_t tile, std::uint32_t piece, std::uint32_t patch) {
+    out_.firstWallPolygon.push_back(out_.wallPolygons.count());
+    const auto& polygons = cuts_[tile]->polygons;
+    const auto within = cuts_[tile]->numbers.placeOfCell(cuts_[tile]->content.pieces[piece].cell);
+    const auto& of = polygons.wallOf;
+    const auto [first, last] = std::equal_range(of.begin(), of.end(), std::pair(piece, patch));
+    for (auto wall = first; wall != last; ++wall) {
+      const auto number = static_cast<std::size_t>(wall - of.begin());
+      addPolygon(tile, within, polygons.walls.of(number), out_.wallPolygons);
+    }
+  }
+  /// `within`: a cell of the tile or a face below it, in which the polygon lies.
+  void addPolygon(std::uint32_t tile, const TilePlace& within,
+                  std::span<const Vec3<double>> polygon, CutCells::Polygons& to) const {
+    const auto planes = tiles_.planesOf(tile);
+    const auto first = tiles_.firstCell(tile);
+    for (const auto& point : polygon) {
+      auto p = surface_.frame().toWorld(point);
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto a = asIndex(axis);
+        // In the planes of the world to the bit, also where these are rounded in the frame.
+        for (int plane = within[a]; plane <= std::min(within[a] + 1, planes.cells(axis)); ++plane) {
+          if (point[axis] != planes.at(axis, plane)) continue;
+          p[axis] = out_.grid.planes[a][static_cast<std::size_t>(first[a] + plane)];
+        }
+      }
+      to.points.push_back(p);
+    }
+    to.first.push_back(to.points.size());
   }
 
   /// Joins what the tiles on both sides of a face know.
@@ -181,6 +215,10 @@ class Assembly {
     out_.arcs.centroid.push_back(frame.toWorld(arc.centroid));
     out_.arcs.cell.push_back(indexOf(placeOf(source.face / 3)));
     out_.arcs.axis.push_back(static_cast<std::uint8_t>(source.face % 3));
+    if (!withPolygons_) return;
+    const auto& cut = *cuts_[source.tile];
+    addPolygon(source.tile, cut.numbers.placeOfFace(arc.face), cut.polygons.arcs.of(source.arc),
+               out_.arcPolygons);
   }
 
   void addBodyRuns() {
@@ -218,6 +256,7 @@ class Assembly {
   const CutSurface& surface_;
   const CutTiles& tiles_;
   std::span<const std::unique_ptr<const TileCut>> cuts_;
+  bool withPolygons_;
   TilePlace cells_{};  // of the box
   std::vector<CellSource> sources_;
   std::vector<std::vector<std::uint32_t>> rowsOf_;  // of pieces, per tile
@@ -227,8 +266,9 @@ class Assembly {
 }  // namespace
 
 CutCells assembledCells(CellPlanes grid, const CutSurface& surface, const CutTiles& tiles,
-                        std::span<const std::unique_ptr<const TileCut>> tileCuts) {
-  return Assembly(std::move(grid), surface, tiles, tileCuts).run();
+                        std::span<const std::unique_ptr<const TileCut>> tileCuts,
+                        bool withPolygons) {
+  return Assembly(std::move(grid), surface, tiles, tileCuts, withPolygons).run();
 }
 
 }  // namespace cutwater

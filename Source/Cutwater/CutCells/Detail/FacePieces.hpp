@@ -32,6 +32,11 @@ class FacePieces {
   [[nodiscard]] bool isCut(std::uint32_t face) const { return cutFace(face) != kNone; }
   /// The parts of a cut face.
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> of(std::uint32_t face) const;
+  /// The traces on a cut face: the first, and the one behind the last.
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> tracesOf(std::uint32_t face) const {
+    const auto& cut = cutFaces_[cutFace(face)];
+    return {cut.firstTrace, cut.lastTrace};
+  }
   /// The part that a point of a cut face lies in, as far as rounding tells.
   [[nodiscard]] std::uint32_t at(std::uint32_t face, const Vec3<double>& point) const;
 

@@ -1,3 +1,4 @@
+#include <Cutwater/CutCells/Detail/FaceOutlines.hpp>
 #include <Cutwater/CutCells/Detail/TileCut.hpp>
 
 #include <algorithm>
@@ -58,9 +59,43 @@ void noteCells(const TileSurface& surface, const GridPlanes& planes, TileCut& ou
   out.firstPiece.push_back(piece);
 }
 
+void addArcPolygons(const TileSurface& surface, const EdgeStretches& stretches,
+                    const FacePieces& faces, const GridPlanes& planes, TileCut& out) {
+  auto& outlines = out.polygons.arcs;
+  const auto& arcs = out.content.arcs;
+  while (outlines.count() < arcs.size()) {
+    const auto face = arcs[outlines.count()].face;
+    if (faces.isCut(face)) {
+      addOutlines(surface, stretches, faces, planes, face, outlines);
+    } else {
+      addWholeOutline(surface.numbers(), planes, face, outlines);
+    }
+  }
+}
+
+void addWallPolygons(const TileSurface& surface, TileCut& out) {
+  struct Wall {
+    std::uint32_t piece, patch, fragment;
+    auto operator<=>(const Wall&) const = default;
+  };
+  std::vector<Wall> walls;
+  const auto fragments = surface.fragments();
+  for (std::uint32_t i = 0; i < fragments.size(); ++i) {
+    const auto piece = out.content.ofFragments[i];
+    const auto patch = surface.patchOf(fragments[i].triangle);
+    if (piece != kNone && patch != kNone) walls.push_back({piece, patch, i});
+  }
+  std::ranges::sort(walls);
+  for (const auto& [piece, patch, fragment] : walls) {
+    out.polygons.wallOf.emplace_back(piece, patch);
+    out.polygons.walls.add(surface.points(fragments[fragment]));
+  }
+}
+
 }  // namespace
 
-TileCut cutTile(const CutSurface& surface, const CutTiles& tiles, std::size_t tile) {
+TileCut cutTile(const CutSurface& surface, const CutTiles& tiles, std::size_t tile,
+                bool withPolygons) {
   const auto planes = tiles.planesOf(tile);
   const TileSurface content(surface.moved(), surface.patches(), tiles.triangles(tile), planes);
   const EdgeStretches stretches(content, planes, tiles.winding(tile));
@@ -70,11 +105,16 @@ TileCut cutTile(const CutSurface& surface, const CutTiles& tiles, std::size_t ti
                  .cells = {},
                  .firstPiece = {},
                  .isTouched = {},
-                 .isBody = {}};
+                 .isBody = {},
+                 .polygons = {}};
   for (std::uint32_t cell = 0; cell < result.numbers.cellCount(); ++cell) {
     result.isBody[cell] = !stretches.isFluid(result.numbers.placeOfCell(cell));
   }
   noteCells(content, planes, result);
+  if (withPolygons) {
+    addArcPolygons(content, stretches, faces, planes, result);
+    addWallPolygons(content, result);
+  }
   return result;
 }
 
