@@ -234,6 +234,27 @@ TEST(CellCutterTest, OnlyCellsWithAWallAreCutAtABoxInPlanesOfTheGrid) {
   EXPECT_EQ(cells.classOf({1, 2, 2}), FluidClass::Cut);
 }
 
+TEST(CellCutterTest, KnowsWhichCornersAreInTheFluid) {
+  const auto solid = torus();
+  for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+    const auto cells = CellCutter(solid, side).cut(unitCube(12));
+    std::size_t thin = 0;
+    for (std::size_t row = 0; row < cells.cellCount; ++row) {
+      const auto box = cells.boxOf(cells.cells.index[row]);
+      unsigned expected = 0;
+      for (int corner = 0; corner < 8; ++corner) {
+        const bool isInside = solid.signedDistance(box.corner(corner)) < 0;
+        if (isInside == (side == FluidSide::Inside))
+          expected |= 1U << static_cast<unsigned>(corner);
+      }
+      EXPECT_EQ(cells.cells.fluidCorners[row], expected);
+      if (expected == 0 || expected == 0xff) ++thin;
+    }
+    EXPECT_GT(thin, 0U);
+    EXPECT_EQ(check(cells).thinCells, thin);
+  }
+}
+
 TEST(CellCutterTest, PlanesMayBeAnyDistanceApart) {
   const auto solid = torus();
   std::array<std::vector<double>, 3> all;

@@ -1,9 +1,12 @@
 // The code of Docs/cut-cells.md.
 #include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/Io/PointData.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 
 #include <gtest/gtest.h>
+
+#include "Support/TemporaryFolder.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -39,6 +42,20 @@ TEST(DocsTest, FractionsAndAperturesOfCutCells) {
   EXPECT_GT(fluid, 10);
   EXPECT_LT(fluid, static_cast<double>(cells.cellCount));
   EXPECT_GT(faces, fluid);
+}
+
+TEST(DocsTest, PolyhedraOfCutCells) {
+  const TemporaryFolder folder;
+  const auto path = folder / "cells.vtu";
+  const CellCutter cutter{Solid<double>(MeshSDF<double>(tessellation::icosphere(0.4, 1)))};
+  const Level<double> level({-0.5, -0.5, -0.5}, {0.25, 0.25, 0.25});
+  const auto indices = IndexBox::ofSize(4, 4, 4);
+  // [DOCS
+  const CutCells cells = cutter.cut(GridPatch<double>{level, indices}, {.polygons = true});
+  writePointData(path, cutCellMesh(cells));  // .vtu, which ParaView opens: each piece a polyhedron
+  // DOCS]
+  EXPECT_EQ(cutCellMesh(cells).cells.count(), cells.pieceCount);
+  EXPECT_GT(std::filesystem::file_size(path), 64 * cells.pieceCount);
 }
 
 TEST(DocsTest, CoarserLevels) {

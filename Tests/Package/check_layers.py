@@ -26,7 +26,7 @@ MAY_INCLUDE = {
     "Tpms": "Core Simd Sdf Shapes Operations",
     "Grid": "Core Sdf Surface",
     "CutCells": "Core Sdf Triangles Surface Mesh",
-    "Io": "Core Text Surface Lattice Grid",
+    "Io": "Core Text Surface Lattice Grid CutCells",
     "Adapters": "Core Sdf Grid",
     "Render": "Core Bvh Sdf Grid",
     "Scene": "Core Text Sdf Shapes Operations Surface Mesh Lattice Tpms Io",

@@ -19,6 +19,7 @@ int run(int argc, const char* const* argv) {
       "  cutwater sample hull.stl --cells 200 -o hull.vti\n"
       "  cutwater query hull.stl points.csv -o distances.csv\n"
       "  cutwater amr hull.stl --level 6 -o hull.vtu\n"
+      "  cutwater cells hull.stl --cells 128 -o cells.vtu\n"
       "  cutwater slice hull.stl --axis y -o hull.png\n"
       "  cutwater render hull.stl --view iso -o hull.png\n"
       "  cutwater render exchanger.toml -o exchanger.png\n"
@@ -31,6 +32,7 @@ int run(int argc, const char* const* argv) {
   addSample(program);
   addQuery(program);
   addAmr(program);
+  addCells(program);
   addSlice(program);
   addRender(program);
   addIsosurface(program);

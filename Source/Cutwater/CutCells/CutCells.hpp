@@ -51,6 +51,15 @@ struct CutCells {
   struct Cells {
     std::vector<Index3> index;
     std::vector<std::uint32_t> firstPiece;  ///< one more than cells: the last is the number of all
+    /// Bit n: corner n of the cell, see Box::corner(), is in the fluid. One in the surface is on
+    /// either side.
+    std::vector<std::uint8_t> fluidCorners;
+
+    /// Whether all corners are on one side: codes that know the signs of corners alone lose what is
+    /// in the cell.
+    [[nodiscard]] bool isThin(std::size_t row) const {
+      return fluidCorners[row] == 0 || fluidCorners[row] == 0xff;
+    }
   };
   /// Connected parts of the fluid in a cell.
   struct Pieces {
@@ -132,7 +141,8 @@ struct CutCells {
 /// Cells that each join as many along each axis: what cutting the coarse cells gives, up to
 /// rounding and the order of a cell's pieces, without the surface. Pieces that meet in an open face
 /// within a coarse cell are one; arcs between the same two pieces are one. What lies beyond the box
-/// is kBeyond. There are no polygons. Repeat it for further levels, down to one cell.
+/// is kBeyond. There are no polygons, and corners in the surface may be on the other side. Repeat
+/// it for further levels, down to one cell.
 /// @throws Error(Argument) unless the ratios are at least 1 and divide the box's first index and
 /// its number of cells along each axis.
 [[nodiscard]] CutCells coarsened(const CutCells& cells, const std::array<int, 3>& ratios);
@@ -144,6 +154,7 @@ struct CutCellsReport {
   double wallArea = 0;
   std::size_t cutCells = 0;
   std::size_t multiPieceCells = 0;
+  std::size_t thinCells = 0;  ///< see CutCells::Cells::isThin()
   /// The largest length of the sum of a piece's apertures and wall, over the area of its cell's
   /// largest face: 0 but for rounding.
   double worstClosure = 0;

@@ -74,6 +74,7 @@ void checkRanges(const CutCells& cells, CutCellsReport& report) {
       fluid += pieces.volume[p];
     }
     if (!(fluid <= volume * (1 + kSlack))) ++report.outOfRange;
+    if (cells.cells.isThin(row)) ++report.thinCells;
     if (cells.cells.firstPiece[row + 1] > cells.cells.firstPiece[row] + 1) ++report.multiPieceCells;
   }
   const auto& arcs = cells.arcs;

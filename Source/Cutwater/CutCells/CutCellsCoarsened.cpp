@@ -35,7 +35,7 @@ class Moments {
 class Coarsening {
  public:
   Coarsening(const CutCells& fine, const std::array<int, 3>& ratios)
-      : fine_(fine), nodes_(fine, ratios) {
+      : fine_(fine), ratios_(ratios), nodes_(fine, ratios) {
     out_.grid = nodes_.grid();
     out_.cells.index = nodes_.cells();
     out_.cellCount = out_.cells.index.size();
@@ -43,6 +43,7 @@ class Coarsening {
   }
 
   CutCells run() {
+    addCorners();
     numberPieces();
     addPieces();
     addWallParts();
@@ -52,6 +53,25 @@ class Coarsening {
   }
 
  private:
+  /// A corner is that of the fine cell there.
+  void addCorners() {
+    for (const auto& coarse : out_.cells.index) {
+      const auto first = nodes_.firstOf(coarse);
+      unsigned bits = 0;
+      for (unsigned corner = 0; corner < 8; ++corner) {
+        auto cell = first;
+        if ((corner & 1U) != 0) cell.i += ratios_[0] - 1;
+        if ((corner & 2U) != 0) cell.j += ratios_[1] - 1;
+        if ((corner & 4U) != 0) cell.k += ratios_[2] - 1;
+        const auto row = fine_.rowOf(cell);
+        const bool isFluid = row == CutCells::kNoRow
+                                 ? fine_.classOf(cell) == FluidClass::Fluid
+                                 : (fine_.cells.fluidCorners[row] >> corner & 1U) != 0;
+        bits |= (isFluid ? 1U : 0U) << corner;
+      }
+      out_.cells.fluidCorners.push_back(static_cast<std::uint8_t>(bits));
+    }
+  }
   /// By cell, and in each by the least node.
   void numberPieces() {
     detail::DisjointSets sets(nodes_.count());
@@ -178,6 +198,7 @@ class Coarsening {
   }
 
   const CutCells& fine_;
+  std::array<int, 3> ratios_;
   CoarseNodes nodes_;
   std::vector<std::uint32_t> pieceOf_;  // of each node
   CutCells out_;

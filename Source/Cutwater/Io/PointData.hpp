@@ -12,6 +12,8 @@
 
 namespace cutwater {
 
+struct CutCells;
+
 /// Numbers in the type that a file has them in.
 using DataNumbers =
     std::variant<std::vector<std::int8_t>, std::vector<std::uint8_t>, std::vector<std::int16_t>,
@@ -119,6 +121,16 @@ void writePointData(const std::filesystem::path& path, const PointData& data);
 /// done on them. @throws Error(Argument) and Error(Limit) as that does, except for data that are
 /// not whole.
 void requireWritable(const std::filesystem::path& path, const PointData& data);
+
+/// Cut cells as a mesh for writePointData(): a polyhedron for each piece, bounded by the polygons
+/// of its arcs and its wall, which face outwards. Neighbours share corners.
+///
+/// For each: "fraction" and "volume"; "wall_area" and "wall_vector", out of the fluid; "patch", the
+/// one with most of the wall, -1 without wall; "pieces", their number in the cell; "cell", its
+/// index along each axis.
+/// @param wholeCells  also the box's cells that are all fluid, as hexahedra.
+/// @throws Error(Argument) if there are pieces without polygons: see CutOptions.
+[[nodiscard]] PointData cutCellMesh(const CutCells& cells, bool wholeCells = false);
 
 /// The mean of each cell's corners. This is the centroid of a simplex, a parallelepiped and other
 /// symmetric cells; of a pyramid or a distorted cell it is not. NaN for a cell without corners.

@@ -10,6 +10,7 @@ void addInfo(Program& program);
 void addSample(Program& program);
 void addQuery(Program& program);
 void addAmr(Program& program);
+void addCells(Program& program);
 void addSlice(Program& program);
 void addRender(Program& program);
 void addIsosurface(Program& program);

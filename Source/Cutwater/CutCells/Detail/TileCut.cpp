@@ -33,8 +33,19 @@ bool touches(const TileSurface& surface, std::span<const TileFragment> fragments
   });
 }
 
+std::uint8_t fluidCorners(const EdgeStretches& stretches, const TilePlace& cell) {
+  unsigned bits = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const TilePlace node{cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1),
+                         cell[2] + (corner >> 2)};
+    bits |= (stretches.isFluid(node) ? 1U : 0U) << static_cast<unsigned>(corner);
+  }
+  return static_cast<std::uint8_t>(bits);
+}
+
 /// Finds the rows of cells among those of fragments and of pieces.
-void noteCells(const TileSurface& surface, const GridPlanes& planes, TileCut& out) {
+void noteCells(const TileSurface& surface, const EdgeStretches& stretches, const GridPlanes& planes,
+               TileCut& out) {
   const auto fragments = surface.fragments();
   const auto& pieces = out.content.pieces;
   std::uint32_t piece = 0;
@@ -44,6 +55,7 @@ void noteCells(const TileSurface& surface, const GridPlanes& planes, TileCut& ou
     while (last < fragments.size() && fragments[last].cell == cell) ++last;
     out.cells.push_back(cell);
     out.firstPiece.push_back(piece);
+    out.fluidCorners.push_back(fluidCorners(stretches, surface.numbers().placeOfCell(cell)));
     double fluid = 0;
     for (; piece < pieces.size() && pieces[piece].cell == cell; ++piece) {
       fluid += pieces[piece].volume;
@@ -104,13 +116,14 @@ TileCut cutTile(const CutSurface& surface, const CutTiles& tiles, std::size_t ti
                  .content = findCellPieces(content, stretches, faces, planes),
                  .cells = {},
                  .firstPiece = {},
+                 .fluidCorners = {},
                  .isTouched = {},
                  .isBody = {},
                  .polygons = {}};
   for (std::uint32_t cell = 0; cell < result.numbers.cellCount(); ++cell) {
     result.isBody[cell] = !stretches.isFluid(result.numbers.placeOfCell(cell));
   }
-  noteCells(content, planes, result);
+  noteCells(content, stretches, planes, result);
   if (withPolygons) {
     addArcPolygons(content, stretches, faces, planes, result);
     addWallPolygons(content, result);

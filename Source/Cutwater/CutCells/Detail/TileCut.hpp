@@ -24,11 +24,12 @@ struct TileCut {
 
   TileNumbers numbers{{}};
   CellPieces content;
-  std::vector<std::uint32_t> cells;       ///< those that are cut, ascending
-  std::vector<std::uint32_t> firstPiece;  ///< of each of them, then the number of all
-  std::vector<char> isTouched;            ///< whether the surface merely touches them
-  std::bitset<kCells> isBody;             ///< cells without fluid
-  TilePolygons polygons;                  ///< on request
+  std::vector<std::uint32_t> cells;        ///< those that are cut, ascending
+  std::vector<std::uint32_t> firstPiece;   ///< of each of them, then the number of all
+  std::vector<std::uint8_t> fluidCorners;  ///< as in CutCells
+  std::vector<char> isTouched;             ///< whether the surface merely touches them
+  std::bitset<kCells> isBody;              ///< cells without fluid
+  TilePolygons polygons;                   ///< on request
 };
 
 /// Cuts the cells of a tile.

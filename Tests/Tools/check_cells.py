@@ -1,0 +1,75 @@
+"""Runs `cutwater cells` as people and scripts do. Usage: check_cells.py PROGRAM [group]"""
+import json
+import unittest
+
+from command import BOX_POINTS, OPEN_BOX_FACES, CommandTest
+from readers import VtkXml
+
+
+class Cells(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.box()  # of side 2 about the origin
+
+    def totals(self, *arguments):
+        said = self.succeeds("cells", *arguments, "--json", "totals.json")
+        return said, json.loads((self.folder / "totals.json").read_text())
+
+    def test_totals_are_those_of_the_surface(self):
+        said, totals = self.totals("box.off", "--box", "-1.3,-1.3,-1.3,1.3,1.3,1.3", "--cells", "13")
+        self.assertIn("cut 602 of 13 x 13 x 13 = 2 197 cells", said)
+        self.assertEqual((totals["cells"], totals["cutCells"], totals["multiPieceCells"]), (2197, 602, 0))
+        self.assertAlmostEqual(totals["bodyVolume"], 8, places=13)
+        self.assertAlmostEqual(totals["fluidVolume"], 2.6**3 - 8, places=13)
+        self.assertAlmostEqual(totals["boundaryArea"], 24, places=13)
+        for key in ("volumeError", "areaError", "worstClosure"):
+            self.assertLess(totals[key], 1e-14)
+        _, inside = self.totals("box.off", "--inside", "--spacing", "0.3")
+        self.assertAlmostEqual(inside["fluidVolume"], 8, places=13)
+        self.assertLess(inside["volumeError"], 1e-14)
+
+    def test_a_plate_leaves_two_pieces_that_no_corner_sees(self):
+        self.box("plate.off", "6,6,1e-6")
+        said, totals = self.totals("plate.off", "--box", "-1,-1,-1.1,1,1,0.9", "--cells", "8")
+        self.assertIn("64 cells have several, in 64 all corners are on one side", said)
+        self.assertIn("part of the surface is outside the grid", said)
+        self.assertEqual((totals["pieces"], totals["thinCells"]), (128, 64))
+        self.assertIsNone(totals["volumeError"])
+        self.assertAlmostEqual(totals["bodyVolume"], 4e-6, places=15)
+
+    def test_writes_polyhedra(self):
+        self.succeeds("cells", "box.off", "--spacing", "0.3", "-o", "cut.vtu")
+        cut = VtkXml(self.folder / "cut.vtu")
+        self.assertEqual(set(cut.arrays["types"]), {42})
+        self.assertAlmostEqual(sum(cut.arrays["wall_area"]), 24, places=12)
+        self.assertEqual(cut.patch_names(), ["box"])
+        self.succeeds("cells", "box.off", "--spacing", "0.3", "--whole-cells", "-o", "all.vtu")
+        everything = VtkXml(self.folder / "all.vtu")
+        self.assertEqual(set(everything.arrays["types"]), {12, 42})
+        low, high = (pick(everything.arrays["Points"]) for pick in (min, max))
+        size = [b - a for a, b in zip(low, high)]
+        self.assertAlmostEqual(sum(everything.arrays["volume"]), size[0] * size[1] * size[2] - 8, places=11)
+
+    def test_follows_placement_and_threads(self):
+        moved = ["box.off", "--rotate", "30,z", "--translate", "0.1,0.2,5", "--cells", "20"]
+        for threads in (1, 3):
+            self.succeeds("cells", *moved, "--threads", threads, "-o", f"{threads}.vtu")
+        self.assertEqual((self.folder / "1.vtu").read_bytes(), (self.folder / "3.vtu").read_bytes())
+        _, totals = self.totals(*moved)
+        self.assertLess(totals["volumeError"], 1e-14)
+
+    def test_refusals(self):
+        self.surface("open.off", BOX_POINTS, OPEN_BOX_FACES)
+        self.assertIn("need a surface that is closed", self.fails(1, "cells", "open.off", "-q"))
+        self.assertIn("--whole-cells", self.fails(1, "cells", "box.off", "--whole-cells"))
+        self.assertIn("'cut.txt'", self.fails(2, "cells", "box.off", "-o", "cut.txt"))
+        refusal = self.fails(1, "cells", "box.off", "--cells", "1000", "--max-cells", "1e5", "-o", "cut.vtu")
+        spacing = float(refusal.split("--spacing ")[1].split()[0])
+        self.succeeds("cells", "box.off", "--spacing", spacing, "--max-cells", "1e5")
+        (self.folder / "ball.toml").write_text('[ball]\nshape = "sphere"\nradius = 1\n')
+        self.assertIn("ball.toml: cells are cut by a surface", self.fails(1, "cells", "ball.toml"))
+        self.assertEqual([f.name for f in self.folder.iterdir() if f.name.startswith("cut.")], [])
+
+
+if __name__ == "__main__":
+    unittest.main()
