@@ -189,7 +189,9 @@ void expectAsCut(const CellCutter& cutter, const Planes& planes, const Index3& f
   const Index3 coarseFirst{first.i / ratios[0], first.j / ratios[1], first.k / ratios[2]};
   const auto direct = cutter.cut(cellsBetween(everyNth(planes, ratios), coarseFirst));
   Comparison(coarse, direct).run();
-  EXPECT_EQ(coarse.cells.fluidCorners, direct.cells.fluidCorners);
+  auto corners = direct.cells.fluidCorners;
+  corners.resize(direct.cellCount);  // without those beyond the box
+  EXPECT_EQ(coarse.cells.fluidCorners, corners);
 }
 
 TEST(CutCellsCoarsenedTest, CoarseCellsAreAsCutDirectly) {
