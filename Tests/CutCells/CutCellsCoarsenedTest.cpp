@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include "CutCells/RandomVoxels.hpp"
 #include "Support/Scale.hpp"
-#include "Support/VoxelSolid.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -43,29 +43,6 @@ Planes growing(double lower, double upper, int n) {
     }
   }
   return result;
-}
-
-MeshSDF<double> meshOf(const VoxelSolid& solid) {
-  const auto surface = solid.surface();
-  PolygonSoup soup;
-  soup.points = surface.positions;
-  soup.patchNames = {"all"};
-  for (const auto& t : surface.triangles) soup.addPolygon(t);
-  return MeshSDF<double>(soup);
-}
-
-VoxelSolid randomSolid(std::mt19937& random) {
-  VoxelSolid solid(1.0 / 16);
-  const auto share = 20 + random() % 60;
-  for (int x = 1; x < 12; ++x) {
-    for (int y = 1; y < 12; ++y) {
-      for (int z = 1; z < 12; ++z) {
-        if (random() % 100 < share) solid.add({x, y, z});
-      }
-    }
-  }
-  solid.close(12);
-  return solid;
 }
 
 /// Compares coarsened cells with cells that were cut by the coarse planes.

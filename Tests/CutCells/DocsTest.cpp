@@ -68,5 +68,16 @@ TEST(DocsTest, CoarserLevels) {
   EXPECT_NEAR(check(half).fluidVolume, check(cells).fluidVolume, 1e-15);
 }
 
+TEST(DocsTest, OnePieceACell) {
+  const Solid<double> plate(MeshSDF<double>(tessellation::box({-1, -1, 0}, {1, 1, 1e-9})));
+  const Level<double> level({-0.5, -0.5, -0.45}, {0.125, 0.125, 0.125});
+  const auto cells = CellCutter(plate).cut(GridPatch<double>{level, IndexBox::ofSize(8, 8, 8)});
+  // [DOCS
+  const auto [single, lost] = merged(cells);  // or merged(cells, {.smallest = 0.01})
+  // DOCS]
+  EXPECT_EQ(lost.size(), 64U);
+  EXPECT_EQ(check(single).multiPieceCells, 0U);
+}
+
 }  // namespace
 }  // namespace cutwater::test

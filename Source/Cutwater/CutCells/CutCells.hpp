@@ -147,6 +147,36 @@ struct CutCells {
 /// its number of cells along each axis.
 [[nodiscard]] CutCells coarsened(const CutCells& cells, const std::array<int, 3>& ratios);
 
+/// Options of merged().
+struct MergeOptions {
+  /// Pieces with less than this share of their cell are covered as well, from 0 to 1.
+  double smallest = 0;
+};
+
+/// A piece of fluid that was covered.
+struct LostPiece {
+  Index3 cell;
+  double volume = 0;
+};
+
+/// Cut cells with one piece each, and what was lost.
+struct MergedCells {
+  CutCells cells;
+  std::vector<LostPiece> lost;  ///< sorted as cells
+};
+
+/// For hosts that hold one piece a cell: keeps the largest piece of each cell, and covers the
+/// others. Their volume becomes body, and faces that led to them become wall of the cells beside
+/// them, in a patch named "covered", the last one. Cells that are left without a direction of their
+/// wall, because its vector is zero, are covered, too. Nothing is joined: fluid that a plate keeps
+/// apart stays apart.
+///
+/// A cell that was all fluid is cut once one of its faces is closed. There are no polygons. What
+/// lies beyond the box is kBeyond, and nothing of it is covered: for boxes that must agree, cut
+/// boxes that are larger by a few cells, and take what is within.
+/// @throws Error(Argument) unless options are within their ranges.
+[[nodiscard]] MergedCells merged(const CutCells& cells, const MergeOptions& options = {});
+
 /// What check() has found about cut cells.
 struct CutCellsReport {
   double fluidVolume = 0;  ///< of all cells
