@@ -210,7 +210,7 @@ TEST(CutCellsCoarsenedTest, VoxelSolidsDownToOneCell) {
   std::mt19937 random(3);
   std::size_t several = 0;
   for (int n = 0; n < scaled(6) && !HasFailure(); ++n) {
-    const Solid<double> solid{meshOf(randomSolid(random))};
+    const Solid<double> solid{meshOf(randomVoxels(random))};
     const CellCutter cutter(solid);
     // Voxels on planes of the finest cells, or between them.
     const double lower = n % 2 == 0 ? 0 : -0.0113;

@@ -157,7 +157,7 @@ TEST(CutCellsMergedTest, RandomVoxels) {
   std::size_t several = 0;
   std::size_t again = 0;
   for (int n = 0; n < scaled(8) && !HasFailure(); ++n) {
-    const Solid<double> solid{meshOf(randomSolid(random))};
+    const Solid<double> solid{meshOf(randomVoxels(random))};
     const double lower = n % 2 == 0 ? 0 : -0.0113;
     const auto cells = CellCutter(solid).cut(cube(6, lower, lower + 0.75));
     const auto result = expectMerged(cells, {.smallest = n % 3 == 0 ? 0.1 : 0});
@@ -170,7 +170,7 @@ TEST(CutCellsMergedTest, RandomVoxels) {
 
 TEST(CutCellsMergedTest, BoxesAgreeWithinTwoCells) {
   std::mt19937 random(7);
-  const CellCutter cutter{Solid<double>(meshOf(randomSolid(random)))};
+  const CellCutter cutter{Solid<double>(meshOf(randomVoxels(random)))};
   const Level<double> level({0, 0, 0}, {0.107, 0.107, 0.107});
   const auto whole = merged(cutter.cut(GridPatch<double>{level, {{-2, -2, -2}, {8, 8, 8}}})).cells;
   const IndexBox inner{{2, 1, 2}, {5, 5, 6}};

@@ -18,7 +18,7 @@ inline MeshSDF<double> meshOf(const VoxelSolid& solid) {
 }
 
 /// Of 11^3 voxels of width 1/16, with a random share of them filled.
-inline VoxelSolid randomSolid(std::mt19937& random) {
+inline VoxelSolid randomVoxels(std::mt19937& random) {
   VoxelSolid solid(1.0 / 16);
   const auto share = 20 + random() % 60;
   for (int x = 1; x < 12; ++x) {

@@ -12,7 +12,7 @@ namespace cutwater {
 namespace {
 
 /// Of a cell's largest face: a wall's vector that is less is rounding.
-constexpr double kNothing = 1e-13;
+constexpr double kNoDirection = 1e-13;
 
 auto inOrder(const Index3& cell) {
   return std::tuple(cell.k, cell.j, cell.i);
@@ -85,7 +85,7 @@ class Merging {
   [[nodiscard]] bool hasDirection(const Node& node) const {
     const double face = std::max(
         {in_.faceArea(node.cell, 0), in_.faceArea(node.cell, 1), in_.faceArea(node.cell, 2)});
-    return length(node.wallVector) > kNothing * face;
+    return length(node.wallVector) > kNoDirection * face;
   }
 
   [[nodiscard]] static Index3 below(Index3 cell, int axis) {
