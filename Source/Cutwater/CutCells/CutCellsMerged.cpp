@@ -283,27 +283,29 @@ class Merging {
   }
   /// Cells without fluid before, and those whose pieces are all covered.
   void addBodyRuns() {
-    auto& runs = out_.cells.bodyRuns;
     const auto& rows = out_.cells.cells.index;
-    std::vector<Index3> covered;
-    for (const auto& piece : lost_) covered.push_back(piece.cell);
-    std::ranges::sort(covered, {}, inOrder);
-    std::uint64_t number = 0;
-    for (std::uint32_t k = 0; k < box_.length(2); ++k) {
-      for (std::uint32_t j = 0; j < box_.length(1); ++j) {
-        for (std::uint32_t i = 0; i < box_.length(0); ++i, ++number) {
-          const auto cell = box_.at(i, j, k);
-          const bool isFluid = in_.classOf(cell) == FluidClass::Fluid &&
-                               !std::ranges::binary_search(covered, inOrder(cell), {}, inOrder);
-          if (isFluid || std::ranges::binary_search(rows, inOrder(cell), {}, inOrder)) continue;
-          if (!runs.empty() && runs.back()[1] == number) {
-            ++runs.back()[1];
-          } else {
-            runs.push_back({number, number + 1});
-          }
-        }
+    auto runs = in_.bodyRuns;
+    for (const auto& [cell, volume] : lost_) {
+      if (std::ranges::binary_search(rows, inOrder(cell), {}, inOrder)) continue;
+      const auto number = numberOf(cell);
+      runs.push_back({number, number + 1});
+    }
+    std::ranges::sort(runs);
+    for (const auto& [first, last] : runs) {
+      auto& joined = out_.cells.bodyRuns;
+      if (!joined.empty() && first <= joined.back()[1]) {
+        joined.back()[1] = std::max(joined.back()[1], last);
+      } else {
+        joined.push_back({first, last});
       }
     }
+  }
+  /// In the order of the box's cells.
+  [[nodiscard]] std::uint64_t numberOf(const Index3& cell) const {
+    const auto n = [](std::int32_t i) { return static_cast<std::uint64_t>(i); };
+    const auto& lo = box_.lo;
+    return (n(cell.k - lo.k) * box_.length(1) + n(cell.j - lo.j)) * box_.length(0) +
+           n(cell.i - lo.i);
   }
 
   const CutCells& in_;

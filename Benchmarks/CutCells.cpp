@@ -1,0 +1,88 @@
+// Cut cells of a surface, on grids from coarse to fine: prints a table as Markdown. Needs no peer.
+//
+//   cutwater_cut_cell_benchmark [surface] [finest grid, 64 to 1024 cells along the longest side]
+
+#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+
+#include "Seconds.hpp"
+
+namespace cutwater::benchmarks {
+
+namespace {
+
+/// A cube around the surface, a twentieth wider than that is long.
+GridPatch<double> cubeAround(const Box<double>& surface, int cells) {
+  const double width = 1.05 * maxComponent(surface.size());
+  const double half = width / 2;
+  const double h = width / cells;
+  return {Level<double>(surface.center() - Vec3<double>{half, half, half}, {h, h, h}),
+          IndexBox::ofSize(cells, cells, cells)};
+}
+
+template <typename Value>
+std::size_t bytesOf(const std::vector<Value>& values) {
+  return values.size() * sizeof(Value);
+}
+
+/// Of all rows but polygons.
+std::size_t bytesOf(const CutCells& cells) {
+  const auto& [index, firstPiece, corners] = cells.cells;
+  const auto& [cell, volume, centroid, wallArea, wallVector, wallCentroid] = cells.pieces;
+  const auto& [below, above, area, arcCentroid, arcCell, axis] = cells.arcs;
+  const auto& [piece, patch, partArea, vector, partCentroid] = cells.wallParts;
+  return bytesOf(index) + bytesOf(firstPiece) + bytesOf(corners) + bytesOf(cell) + bytesOf(volume) +
+         bytesOf(centroid) + bytesOf(wallArea) + bytesOf(wallVector) + bytesOf(wallCentroid) +
+         bytesOf(below) + bytesOf(above) + bytesOf(area) + bytesOf(arcCentroid) + bytesOf(arcCell) +
+         bytesOf(axis) + bytesOf(piece) + bytesOf(patch) + bytesOf(partArea) + bytesOf(vector) +
+         bytesOf(partCentroid) + bytesOf(cells.bodyRuns);
+}
+
+void printRow(const CellCutter& cutter, const Box<double>& surface, int n) {
+  const auto grid = cubeAround(surface, n);
+  CutCells cells;
+  const auto seconds = [&](int threads, bool withPolygons) {
+    return bestSecondsOf(
+        [&] { cells = cutter.cut(grid, {.polygons = withPolygons, .threads = threads}); });
+  };
+  const double polygons = seconds(1, true);
+  const double one = seconds(1, false);
+  const double two = seconds(2, false);
+  const double coarser = bestSecondsOf([&] { (void)coarsened(cells, {2, 2, 2}); });
+  const double single = bestSecondsOf([&] { (void)merged(cells); });
+  const auto count = static_cast<double>(cells.cellCount);
+  std::printf("| %d | %zu | %zu | %.3f | %.0f | %.3f | %.3f | %.3f | %.3f | %.0f |\n", n,
+              cells.cellCount, cells.pieceCount, one, 1e-3 * count / one, two, polygons, coarser,
+              single, static_cast<double>(bytesOf(cells)) / count);
+  std::fflush(stdout);
+}
+
+void run(const char* file, int finest) {
+  const MeshSDF<double> mesh(file != nullptr ? readSurface(file).soup
+                                             : tessellation::torus(2, 0.7, 256, 128));
+  std::printf("%zu triangles\n\n", mesh.triangleCount());
+  std::printf(
+      "| N | cut cells | pieces | s | thousand cells/s | 2 threads, s | with polygons, s | "
+      "coarsened, s | merged, s | bytes a cell |\n"
+      "|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+  const CellCutter cutter{Solid<double>(mesh)};
+  for (int n = 64; n <= finest; n *= 2) printRow(cutter, mesh.boundingBox(), n);
+}
+
+}  // namespace
+
+}  // namespace cutwater::benchmarks
+
+int main(int argc, char** argv) try {
+  cutwater::benchmarks::run(argc > 1 ? argv[1] : nullptr, argc > 2 ? std::atoi(argv[2]) : 256);
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "cutwater_cut_cell_benchmark: %s\n", error.what());
+  return 1;
+}
