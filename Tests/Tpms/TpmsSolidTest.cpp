@@ -10,6 +10,7 @@
 #include "Support/Guarantee.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Random.hpp"
+#include "Support/SameCrossings.hpp"
 #include "Support/Scale.hpp"
 #include "Tpms/PlainPatterns.hpp"
 
@@ -95,6 +96,19 @@ TYPED_TEST(TpmsSolidTest, ValuesAreTheSameOnEveryInstructionSet) {
   }
   EXPECT_EQ(xxHash64(std::as_bytes(std::span<const T>(all))),
             sizeof(T) == 4 ? 12831404586761815146U : 5631855399450535433U);
+}
+
+TYPED_TEST(TpmsSolidTest, CrossingsOfManySegmentsAreThoseOfEach) {
+  using T = TypeParam;
+  RandomPoints<T> random(2, /*seed=*/11);
+  std::vector<Segment<T>> segments;
+  for (int i = 0; i < 150; ++i) segments.push_back({random.next(), random.next()});
+  const TpmsField<T> uniform(TpmsPattern::gyroid(), T(1.5));
+  EXPECT_GT(expectSameCrossings<T>(TpmsSolid<T>(uniform, TpmsPart::Wall, T(0.3)), segments), 100U);
+  const TpmsField<T> around(TpmsPattern::schwarzP(), TpmsMap<T>::cylindrical({T(1), 6, T(1)}));
+  Solid<T> channel = TpmsSolid<T>(around, TpmsPart::ChannelA, T(0.1));
+  channel.rotate(20, 1);
+  EXPECT_GT(expectSameCrossings<T>(channel, segments), 100U);
 }
 
 TYPED_TEST(TpmsSolidTest, MovedOnesKeepTheirGuarantee) {
