@@ -2,100 +2,15 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 
-#include <cmath>
-#include <map>
-#include <tuple>
-
 #include <gtest/gtest.h>
 
+#include "CutCells/RandomVoxels.hpp"
+#include "Support/CutPolygons.hpp"
+#include "Support/Scale.hpp"
 #include "Support/Soups.hpp"
 
 namespace cutwater::test {
 namespace {
-
-using Polygon = std::span<const Vec3<double>>;
-
-Vec3<double> areaVector(Polygon polygon) {
-  Vec3<double> area;
-  for (std::size_t k = 2; k < polygon.size(); ++k) {
-    area += 0.5 * cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
-  }
-  return area;
-}
-
-/// Polygons that should be the boundary of a polyhedron.
-class Boundary {
- public:
-  /// `sign`: 1 if the polygon's normal points out of the polyhedron.
-  void add(Polygon polygon, int sign) {
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const auto& a = polygon[k];
-      const auto& b = polygon[(k + 1) % polygon.size()];
-      if (a == b) continue;
-      const bool goesUp = std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
-      edges_[goesUp ? keyOf(a, b) : keyOf(b, a)] += goesUp ? sign : -sign;
-    }
-    if (polygon.empty()) return;
-    if (isEmpty_) origin_ = polygon[0];
-    isEmpty_ = false;
-    volume_ += sign * dot(polygon[0] - origin_, areaVector(polygon)) / 3;
-  }
-  [[nodiscard]] double volume() const { return volume_; }
-  [[nodiscard]] std::size_t openEdges() const {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(edges_, [](const auto& edge) { return edge.second != 0; }));
-  }
-
- private:
-  using Key = std::array<double, 6>;
-  static Key keyOf(const Vec3<double>& a, const Vec3<double>& b) {
-    return {a.x, a.y, a.z, b.x, b.y, b.z};
-  }
-
-  std::map<Key, int> edges_;
-  Vec3<double> origin_;
-  double volume_ = 0;
-  bool isEmpty_ = true;
-};
-
-double planeBelow(const CutCells& cells, const Index3& cell, int axis) {
-  const auto& first = cells.grid.first;
-  const int n = axis == 0 ? cell.i - first.i : axis == 1 ? cell.j - first.j : cell.k - first.k;
-  return cells.grid.planes[static_cast<std::size_t>(axis)][static_cast<std::size_t>(n + 1)];
-}
-
-/// That polygons are those of the arcs and walls, and close every piece, to the bit.
-void expectPolygonsOf(const CutCells& cells) {
-  const double unit = cells.cellVolume(cells.grid.first);
-  ASSERT_EQ(cells.arcPolygons.count(), cells.arcs.area.size());
-  ASSERT_EQ(cells.firstWallPolygon.size(), cells.wallParts.area.size() + 1);
-  ASSERT_EQ(cells.firstWallPolygon.back(), cells.wallPolygons.count());
-  std::vector<Boundary> boundaries(cells.pieceCount);
-  for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
-    const auto outline = cells.arcPolygons.of(a);
-    const int axis = cells.arcs.axis[a];
-    const double plane = planeBelow(cells, cells.arcs.cell[a], axis);
-    for (const auto& p : outline) ASSERT_EQ(p[axis], plane);
-    const auto area = areaVector(outline);
-    EXPECT_NEAR(area[axis], cells.arcs.area[a], 1e-13 * cells.faceArea(cells.arcs.cell[a], axis));
-    if (cells.arcs.below[a] < cells.pieceCount) boundaries[cells.arcs.below[a]].add(outline, 1);
-    if (cells.arcs.above[a] < cells.pieceCount) boundaries[cells.arcs.above[a]].add(outline, -1);
-  }
-  for (std::size_t w = 0; w < cells.wallParts.area.size(); ++w) {
-    double area = 0;
-    for (auto n = cells.firstWallPolygon[w]; n < cells.firstWallPolygon[w + 1]; ++n) {
-      const auto polygon = cells.wallPolygons.of(n);
-      area += length(areaVector(polygon));
-      const auto piece = cells.wallParts.piece[w];
-      if (piece < cells.pieceCount) boundaries[piece].add(polygon, -1);
-    }
-    EXPECT_NEAR(area, cells.wallParts.area[w], 1e-12 * std::cbrt(unit) * std::cbrt(unit));
-  }
-  for (std::uint32_t p = 0; p < cells.pieceCount; ++p) {
-    EXPECT_EQ(boundaries[p].openEdges(), 0U) << "piece " << p;
-    EXPECT_NEAR(boundaries[p].volume(), cells.pieces.volume[p], 1e-12 * unit) << "piece " << p;
-  }
-}
 
 CutCells cut(const PolygonSoup& soup, int n, FluidSide side = FluidSide::Outside) {
   const double h = 1.0 / n;
@@ -151,6 +66,19 @@ TEST(CutPolygonsTest, OfAPlateAndABubbleInOneCell) {
   soup = together(soup, moved(tessellation::icosphere(0.1, 1), {0.5, 0.5, 0.7}));
   expectPolygonsOf(cut(soup, 1));
   EXPECT_EQ(check(cut(soup, 1)).multiPieceCells, 1U);
+}
+
+TEST(CutPolygonsTest, OfRandomVoxels) {
+  std::mt19937 random(9);
+  for (int n = 0; n < scaled(8) && !HasFailure(); ++n) {
+    const CellCutter cutter{Solid<double>(meshOf(randomVoxels(random)))};
+    // In planes of the grid, or between them; of all cells, or in every other one.
+    const double lower = n % 2 == 0 ? 0 : -0.0113;
+    const double h = n % 4 < 2 ? 1.0 / 16 : 0.09;
+    const Level<double> level({lower, lower, lower}, {h, h, h});
+    expectPolygonsOf(
+        cutter.cut(GridPatch<double>{level, IndexBox::ofSize(12, 12, 12)}, {.polygons = true}));
+  }
 }
 
 TEST(CutPolygonsTest, AreLeftOutUnlessAskedFor) {

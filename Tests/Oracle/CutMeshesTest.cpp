@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "Support/CutPolygons.hpp"
 #include "Support/Scale.hpp"
 
 namespace cutwater::test {
@@ -53,7 +54,8 @@ void expectCells(const Solid<double>& solid, const SurfaceSize& measured, double
   const auto along = [&](double side) { return static_cast<std::int32_t>(side / width) + 3; };
   const Level<double> level(box.lower - Vec3<double>{width, width, width}, {width, width, width});
   const auto cells = CellCutter(solid).cut(
-      GridPatch<double>{level, IndexBox::ofSize(along(size.x), along(size.y), along(size.z))});
+      GridPatch<double>{level, IndexBox::ofSize(along(size.x), along(size.y), along(size.z))},
+      {.polygons = true});
   const auto report = check(cells);
   EXPECT_EQ(report.outOfRange, 0U);
   EXPECT_EQ(report.lostPieces, 0U);
@@ -61,6 +63,7 @@ void expectCells(const Solid<double>& solid, const SurfaceSize& measured, double
   EXPECT_NEAR(report.bodyVolume, measured.volume,
               1e-12 * (measured.volume + measured.area * width));
   EXPECT_NEAR(report.wallArea, measured.area, 1e-11 * measured.area);
+  expectPolygonsOf(cells);
 }
 
 TEST(CutMeshesTest, TheirCellsCloseAndMakeTheWhole) {

@@ -14,6 +14,17 @@ struct CellSource {
   std::uint32_t cell = 0;  ///< row in the tile
 };
 
+/// A face beside a piece that is no arc, because it is a point or leads to a piece that is one.
+/// With it, polygons close the piece to the bit.
+struct ClosingFace {
+  std::uint32_t tile = 0;
+  std::uint32_t piece = 0;  ///< of the tile
+  std::uint32_t arc = 0;    ///< of the tile
+  bool isAbove = false;     ///< the face is above the piece
+
+  [[nodiscard]] auto key() const { return std::tuple(tile, piece, arc); }
+};
+
 /// One tile's view of an arc.
 struct ArcSource {
   std::uint64_t face = 0;    ///< three times the number of the cell above, plus the axis
@@ -41,6 +52,7 @@ class Assembly {
 
   CutCells run() {
     gatherCells();
+    gatherArcs();
     addPieces();
     addArcs();
     addBodyRuns();
@@ -122,6 +134,7 @@ class Assembly {
     const double perArea = frame.scale * frame.scale;
     const auto& piece = content.pieces[number];
     auto first = std::ranges::lower_bound(content.walls, number, {}, &PieceWall::piece);
+    const auto firstWall = first;
     for (; first != content.walls.end() && first->piece == number; ++first) {
       const auto& wall = *first;
       out_.wallParts.piece.push_back(pieceCount());
@@ -129,7 +142,9 @@ class Assembly {
       out_.wallParts.area.push_back(wall.area / perArea);
       out_.wallParts.vector.push_back(wall.areaVector / perArea);
       out_.wallParts.centroid.push_back(frame.toWorld(wall.centroid));
-      if (withPolygons_) addWallPolygons(tile, number, wall.patch);
+      if (!withPolygons_) continue;
+      addWallPolygons(tile, number, wall.patch);
+      if (first == firstWall) addClosingFaces(tile, number);
     }
     out_.pieces.cell.push_back(row);
     out_.pieces.volume.push_back(piece.volume / (perArea * frame.scale));
@@ -148,6 +163,20 @@ class Assembly {
     for (auto wall = first; wall != last; ++wall) {
       const auto number = static_cast<std::size_t>(wall - of.begin());
       addPolygon(tile, within, polygons.walls.of(number), out_.wallPolygons);
+    }
+  }
+  /// Those of faces that count for nothing, in the first part of a piece's wall.
+  void addClosingFaces(std::uint32_t tile, std::uint32_t piece) {
+    const auto& cut = *cuts_[tile];
+    auto face =
+        std::ranges::lower_bound(closing_, std::tuple(tile, piece, 0U), {}, &ClosingFace::key);
+    for (; face != closing_.end() && face->tile == tile && face->piece == piece; ++face) {
+      const auto outline = cut.polygons.arcs.of(face->arc);
+      std::vector<Vec3<double>> polygon(outline.begin(), outline.end());
+      if (face->isAbove) std::ranges::reverse(polygon);  // into the fluid
+      if (polygon.empty()) continue;
+      addPolygon(tile, cut.numbers.placeOfFace(cut.content.arcs[face->arc].face), polygon,
+                 out_.wallPolygons);
     }
   }
   /// `within`: a cell of the tile or a face below it, in which the polygon lies.
@@ -170,33 +199,51 @@ class Assembly {
     to.first.push_back(to.points.size());
   }
 
-  /// Joins what the tiles on both sides of a face know.
-  void addArcs() {
-    std::vector<ArcSource> sources;
+  /// Finds what the tiles on both sides of a face know, and faces that count for nothing.
+  void gatherArcs() {
     for (std::uint32_t tile = 0; tile < cuts_.size(); ++tile) {
       if (!cuts_[tile]) continue;
       const auto& cut = *cuts_[tile];
       std::vector<std::uint32_t> seen(cut.numbers.faceCount());
       for (std::uint32_t arc = 0; arc < cut.content.arcs.size(); ++arc) {
         const auto face = cut.content.arcs[arc].face;
-        if (cut.content.arcs[arc].isNothing) continue;
         const auto axis = static_cast<std::uint64_t>(cut.numbers.axisOfFace(face));
-        sources.push_back({3 * numberOf(placeOf(tile, cut.numbers.placeOfFace(face))) + axis,
-                           seen[face]++, tile, arc});
+        ArcSource source{3 * numberOf(placeOf(tile, cut.numbers.placeOfFace(face))) + axis, 0, tile,
+                         arc};
+        if (cut.content.arcs[arc].isNothing) {
+          noteClosing(source);
+        } else {
+          source.number = seen[face]++;
+          arcSources_.push_back(source);
+        }
       }
     }
-    std::ranges::sort(sources, {}, &ArcSource::key);
-    for (std::size_t i = 0; i < sources.size(); ++i) {
-      auto below = rowBeside(sources[i], false);
-      auto above = rowBeside(sources[i], true);
-      bool isDropped = arcOf(sources[i]).isDropped;
-      if (i + 1 < sources.size() && sources[i + 1].isSame(sources[i])) {
-        ++i;  // the tile with the lower number is below
-        above = rowBeside(sources[i], true);
-        isDropped = isDropped || arcOf(sources[i]).isDropped;
-      }
+    std::ranges::sort(arcSources_, {}, &ArcSource::key);
+    for (std::size_t i = 0; i < arcSources_.size(); i += viewsOf(i)) {
+      if (!isDropped(i)) continue;
+      for (std::size_t n = 0; n < viewsOf(i); ++n) noteClosing(arcSources_[i + n]);
+    }
+    std::ranges::sort(closing_, {}, &ClosingFace::key);
+  }
+  /// How many tiles see the arc: two if it lies between them, that below it first.
+  [[nodiscard]] std::size_t viewsOf(std::size_t i) const {
+    return i + 1 < arcSources_.size() && arcSources_[i + 1].isSame(arcSources_[i]) ? 2 : 1;
+  }
+  [[nodiscard]] bool isDropped(std::size_t i) const {
+    return arcOf(arcSources_[i]).isDropped || arcOf(arcSources_[i + viewsOf(i) - 1]).isDropped;
+  }
+  void noteClosing(const ArcSource& source) {
+    const auto& arc = arcOf(source);
+    if (arc.below != kNone) closing_.push_back({source.tile, arc.below, source.arc, true});
+    if (arc.above != kNone) closing_.push_back({source.tile, arc.above, source.arc, false});
+  }
+
+  void addArcs() {
+    for (std::size_t i = 0; i < arcSources_.size(); i += viewsOf(i)) {
+      const auto below = rowBeside(arcSources_[i], false);
+      const auto above = rowBeside(arcSources_[i + viewsOf(i) - 1], true);
       const auto isOwn = [&](std::uint32_t row) { return row < out_.pieceCount; };
-      if (!isDropped && (isOwn(below) || isOwn(above))) addArc(sources[i], below, above);
+      if (!isDropped(i) && (isOwn(below) || isOwn(above))) addArc(arcSources_[i], below, above);
     }
   }
   [[nodiscard]] const PieceArc& arcOf(const ArcSource& source) const {
@@ -260,6 +307,8 @@ class Assembly {
   bool withPolygons_;
   TilePlace cells_{};  // of the box
   std::vector<CellSource> sources_;
+  std::vector<ArcSource> arcSources_;
+  std::vector<ClosingFace> closing_;
   std::vector<std::vector<std::uint32_t>> rowsOf_;  // of pieces, per tile
   CutCells out_;
 };

@@ -93,21 +93,26 @@ class OutlineWalk {
     Loop loop;
     while (node < isSeen_.size() && isSeen_[node] == 0) {
       isSeen_[node] = 1;
-      const auto point = startOf(node);
-      if (loop.empty() || loop.back() != point) loop.push_back(point);
+      // An end is the next one's start, but for rounding: both, so that all who share it agree.
+      for (const auto& point : endsOf(node)) {
+        if (loop.empty() || loop.back() != point) loop.push_back(point);
+      }
       node = next(node);
     }
     while (loop.size() > 1 && loop.back() == loop.front()) loop.pop_back();
     return loop;
   }
-  [[nodiscard]] Vec3<double> startOf(std::size_t node) const {
-    if (node < traces_.size()) return traces_[node].from;
+  /// In the order of the walk.
+  [[nodiscard]] std::array<Vec3<double>, 2> endsOf(std::size_t node) const {
+    if (node < traces_.size()) return {traces_[node].from, traces_[node].to};
     const int side = sideOf(node);
     const auto& stretch = stretches_[asIndex(side)][node - firstNode_[asIndex(side)]];
-    auto point = frame_.corner(side == 1 ? 2 : side == 3 ? 1 : 0);
-    point[side < 2 ? frame_.axes().first : frame_.axes().second] =
-        goesUp(side) ? stretch.from : stretch.to;
-    return point;
+    const int along = side < 2 ? frame_.axes().first : frame_.axes().second;
+    auto from = frame_.corner(side == 1 ? 2 : side == 3 ? 1 : 0);
+    auto to = from;
+    from[along] = goesUp(side) ? stretch.from : stretch.to;
+    to[along] = goesUp(side) ? stretch.to : stretch.from;
+    return {from, to};
   }
 
   /// What follows; a number beyond all nodes if there is nothing, which no closed surface has.
