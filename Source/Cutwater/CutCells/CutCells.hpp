@@ -93,10 +93,12 @@ struct CutCells {
     std::vector<std::uint64_t> first{0};  ///< where each begins in points; then their number
     std::vector<Vec3<double>> points;
 
+    /// The number of polygons, and the corners of one of them.
     [[nodiscard]] std::size_t count() const { return first.size() - 1; }
     [[nodiscard]] std::span<const Vec3<double>> of(std::size_t polygon) const {
       return std::span(points).subspan(first[polygon], first[polygon + 1] - first[polygon]);
     }
+    /// Appends a polygon.
     void add(std::span<const Vec3<double>> polygon);
   };
 

@@ -128,7 +128,7 @@ void requireWritable(const std::filesystem::path& path, const PointData& data);
 /// For each: "fraction" and "volume"; "wall_area" and "wall_vector", out of the fluid; "patch", the
 /// one with most of the wall, -1 without wall; "pieces", their number in the cell; "cell", its
 /// index along each axis.
-/// @param wholeCells  also the box's cells that are all fluid, as hexahedra.
+/// With `wholeCells`, the box's cells that are all fluid follow, as hexahedra.
 /// @throws Error(Argument) if there are pieces without polygons: see CutOptions.
 [[nodiscard]] PointData cutCellMesh(const CutCells& cells, bool wholeCells = false);
 
