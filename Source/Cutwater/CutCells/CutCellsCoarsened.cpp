@@ -158,14 +158,20 @@ class Coarsening {
     }
   }
 
-  /// Coarse cells that are not cut are as any of their fine cells.
+  /// Coarse cells that are not cut are as any of their fine cells; the first ones ascend.
   void addBodyRuns() {
+    const auto fine = fine_.grid.indices();
     const auto box = out_.grid.indices();
+    const auto ratio = [&](std::size_t axis) { return static_cast<std::uint64_t>(ratios_[axis]); };
+    auto run = fine_.bodyRuns.begin();
     std::uint64_t number = 0;
-    for (std::uint32_t k = 0; k < box.length(2); ++k) {
-      for (std::uint32_t j = 0; j < box.length(1); ++j) {
-        for (std::uint32_t i = 0; i < box.length(0); ++i, ++number) {
-          if (fine_.classOf(nodes_.firstOf(box.at(i, j, k))) != FluidClass::Body) continue;
+    for (std::uint64_t k = 0; k < box.length(2); ++k) {
+      for (std::uint64_t j = 0; j < box.length(1); ++j) {
+        auto first = (k * ratio(2) * fine.length(1) + j * ratio(1)) * fine.length(0);
+        for (std::uint64_t i = 0; i < box.length(0); ++i, ++number, first += ratio(0)) {
+          while (run != fine_.bodyRuns.end() && first >= (*run)[1]) ++run;
+          if (run == fine_.bodyRuns.end()) return;
+          if (first < (*run)[0]) continue;
           if (!out_.bodyRuns.empty() && out_.bodyRuns.back()[1] == number) {
             ++out_.bodyRuns.back()[1];
           } else {
