@@ -117,11 +117,12 @@ TEST(SparseLightTest, WithoutSpacingAllIsComputed) {
 
 TEST(SparseLightTest, TilesHaveEachPixelOnce) {
   const detail::PixelTiles tiles(kArea);
-  std::vector<int> visits(static_cast<std::size_t>(kArea.width * kArea.height));
+  const auto width = static_cast<std::size_t>(kArea.width);
+  std::vector<int> visits(width * static_cast<std::size_t>(kArea.height));
   for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
     tiles.forPixels(tile, [&](int x, int y) {
       ASSERT_TRUE(0 <= x && x < kArea.width && 0 <= y && y < kArea.height);
-      ++visits[static_cast<std::size_t>(y * kArea.width + x)];
+      ++visits[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
     });
   }
   for (const int count : visits) ASSERT_EQ(count, 1);

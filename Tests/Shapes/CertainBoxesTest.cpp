@@ -44,10 +44,10 @@ BoxClass classOf(int least, int most) {
   return most < 0 ? BoxClass::Inside : least > 0 ? BoxClass::Outside : BoxClass::Cut;
 }
 
-/// The sign of (sqrt(y2) - R)^2 + z2 - r2, for distances y from the axis.
-int ringSign(Real y2, Real R, Real z2, Real r2) {
-  const Real rest = y2 + R * R + z2 - r2;
-  const Real twice = 4 * R * R * y2;  // squared
+/// The sign of (sqrt(y2) - major)^2 + z2 - r2, for distances y from the axis.
+int ringSign(Real y2, Real major, Real z2, Real r2) {
+  const Real rest = y2 + major * major + z2 - r2;
+  const Real twice = 4 * major * major * y2;  // squared
   return rest < 0 ? -1 : sign(rest * rest - twice);
 }
 
@@ -94,14 +94,14 @@ Case<T> ring() {
             const Magnitudes z(box.lower.z, box.upper.z);
             const Real near = x.least * x.least + y.least * y.least;
             const Real far = x.most * x.most + y.most * y.most;
-            const Real R = major;
+            const Real ring = major;
             const Real r2 = Real(minor) * minor;
-            const bool reachesCircle = near <= R * R && R * R <= far;
-            const int least = reachesCircle
-                                  ? sign(z.least * z.least - r2)
-                                  : ringSign(near > R * R ? near : far, R, z.least * z.least, r2);
-            return classOf(least, std::max(ringSign(near, R, z.most * z.most, r2),
-                                           ringSign(far, R, z.most * z.most, r2)));
+            const bool reachesCircle = near <= ring * ring && ring * ring <= far;
+            const int least = reachesCircle ? sign(z.least * z.least - r2)
+                                            : ringSign(near > ring * ring ? near : far, ring,
+                                                       z.least * z.least, r2);
+            return classOf(least, std::max(ringSign(near, ring, z.most * z.most, r2),
+                                           ringSign(far, ring, z.most * z.most, r2)));
           },
           [=](const Vec3<double>& d) {
             const double toAxis = std::hypot(d.x, d.y);

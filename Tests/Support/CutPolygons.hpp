@@ -67,7 +67,7 @@ class PolyhedronBoundary {
 inline double planeBelow(const CutCells& cells, const Index3& cell, int axis) {
   const auto& first = cells.grid.first;
   const int n = axis == 0 ? cell.i - first.i : axis == 1 ? cell.j - first.j : cell.k - first.k;
-  return cells.grid.planes[static_cast<std::size_t>(axis)][static_cast<std::size_t>(n + 1)];
+  return cells.grid.planes[static_cast<std::size_t>(axis)][static_cast<std::size_t>(n) + 1];
 }
 
 /// That polygons are those of the arcs and walls, and close every piece, to the bit.

@@ -42,7 +42,7 @@
 
 namespace {
 
-using namespace cutwater;
+using namespace cutwater;  // NOLINT(google-build-using-namespace): as users may
 
 /// Multiples of 1/64 between -4 and 4, the same ones on every machine (Knuth's MMIX generator).
 template <typename T>

@@ -191,7 +191,8 @@ class Assembly {
         // In the planes of the world to the bit, also where these are rounded in the frame.
         for (int plane = within[a]; plane <= std::min(within[a] + 1, planes.cells(axis)); ++plane) {
           if (point[axis] != planes.at(axis, plane)) continue;
-          p[axis] = out_.grid.planes[a][static_cast<std::size_t>(first[a] + plane)];
+          const int ofBox = first[a] + plane;
+          p[axis] = out_.grid.planes[a][static_cast<std::size_t>(ofBox)];
         }
       }
       to.points.push_back(p);

@@ -193,7 +193,7 @@ class HoleJoiner {
     for (auto& hole : holes) {
       const auto lowest =
           std::ranges::min_element(hole, {}, [this](const Vec3<double>& p) { return p[d_]; });
-      std::ranges::rotate(hole, lowest);
+      std::rotate(hole.begin(), lowest, hole.end());
     }
     std::ranges::sort(holes, {}, [this](const Loop& hole) { return hole.front()[d_]; });
     for (const auto& hole : holes) join(outline, hole);

@@ -86,11 +86,7 @@ void addArcPolygons(const TileSurface& surface, const EdgeStretches& stretches,
 }
 
 void addWallPolygons(const TileSurface& surface, TileCut& out) {
-  struct Wall {
-    std::uint32_t piece, patch, fragment;
-    auto operator<=>(const Wall&) const = default;
-  };
-  std::vector<Wall> walls;
+  std::vector<std::array<std::uint32_t, 3>> walls;  // piece, patch, fragment
   const auto fragments = surface.fragments();
   for (std::uint32_t i = 0; i < fragments.size(); ++i) {
     const auto piece = out.content.ofFragments[i];
