@@ -212,7 +212,7 @@ class Assembly {
         ArcSource source{3 * numberOf(placeOf(tile, cut.numbers.placeOfFace(face))) + axis, 0, tile,
                          arc};
         if (cut.content.arcs[arc].isNothing) {
-          noteClosing(source);
+          if (withPolygons_) noteClosing(source);
         } else {
           source.number = seen[face]++;
           arcSources_.push_back(source);
@@ -220,6 +220,7 @@ class Assembly {
       }
     }
     std::ranges::sort(arcSources_, {}, &ArcSource::key);
+    if (!withPolygons_) return;
     for (std::size_t i = 0; i < arcSources_.size(); i += viewsOf(i)) {
       if (!isDropped(i)) continue;
       for (std::size_t n = 0; n < viewsOf(i); ++n) noteClosing(arcSources_[i + n]);

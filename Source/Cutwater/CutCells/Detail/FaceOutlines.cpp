@@ -18,14 +18,10 @@ class FaceFrame {
   [[nodiscard]] const FaceAxes& axes() const { return axes_; }
   [[nodiscard]] const TilePlace& place() const { return place_; }
   /// Corner 0 is the lowest along both axes, 1 the highest along the first, 2 along the second.
-  [[nodiscard]] TilePlace placeOfCorner(int corner) const {
+  [[nodiscard]] Vec3<double> corner(int corner) const {
     auto place = place_;
     place[asIndex(axes_.first)] += corner % 2;
     place[asIndex(axes_.second)] += corner / 2;
-    return place;
-  }
-  [[nodiscard]] Vec3<double> corner(int corner) const {
-    const auto place = placeOfCorner(corner);
     return {planes_.at(0, place[0]), planes_.at(1, place[1]), planes_.at(2, place[2])};
   }
 
