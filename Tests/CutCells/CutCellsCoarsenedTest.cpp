@@ -98,8 +98,7 @@ class Comparison {
       for (std::size_t i = 0; i < cells.arcs.area.size(); ++i) {
         const auto above = cells.arcs.cell[i];
         const auto axis = cells.arcs.axis[i];
-        auto below = above;
-        --(axis == 0 ? below.i : axis == 1 ? below.j : below.k);
+        const auto below = cells.arcs.cellBelow(i);
         const auto known = [&](const Index3& cell, std::uint32_t piece) {
           return cells.grid.indices().contains(cell) ? pieceOf(piece) : CutCells::kBeyond;
         };

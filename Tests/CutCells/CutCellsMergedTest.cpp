@@ -28,10 +28,7 @@ class Fluid {
     sets_.reset(cells.pieceCount + box_.count());
     const auto& arcs = cells.arcs;
     for (std::size_t a = 0; a < arcs.area.size(); ++a) {
-      auto below = arcs.cell[a];
-      const auto axis = arcs.axis[a];
-      --(axis == 0 ? below.i : axis == 1 ? below.j : below.k);
-      join(node(below, arcs.below[a]), node(arcs.cell[a], arcs.above[a]));
+      join(node(arcs.cellBelow(a), arcs.below[a]), node(arcs.cell[a], arcs.above[a]));
     }
     for (std::size_t n = 0; n < box_.count(); ++n) {
       const auto cell = at(n);

@@ -58,6 +58,12 @@ std::uint32_t CutCells::rowOf(const Index3& cell) const {
                                               : kNoRow;
 }
 
+Index3 CutCells::Arcs::cellBelow(std::size_t arc) const {
+  auto index = cell[arc];
+  --(axis[arc] == 0 ? index.i : axis[arc] == 1 ? index.j : index.k);
+  return index;
+}
+
 void CutCells::Polygons::add(std::span<const Vec3<double>> polygon) {
   points.insert(points.end(), polygon.begin(), polygon.end());
   first.push_back(points.size());

@@ -78,6 +78,9 @@ struct CutCells {
     std::vector<Vec3<double>> centroid;
     std::vector<Index3> cell;        ///< above the face; may lie one beyond the box
     std::vector<std::uint8_t> axis;  ///< across the face
+
+    /// The cell below the face of an arc.
+    [[nodiscard]] Index3 cellBelow(std::size_t arc) const;
   };
   /// What each patch of the surface has of a piece's wall.
   struct WallParts {

@@ -30,14 +30,6 @@ bool canBeIn(const CutCells& cells, const Index3& cell, std::uint32_t piece) {
   return piece == CutCells::kWholeCell && (!isInBox || cells.classOf(cell) == FluidClass::Fluid);
 }
 
-/// The cell on one side of an arc.
-Index3 cellBeside(const CutCells& cells, std::size_t arc, bool isBelow) {
-  auto cell = cells.arcs.cell[arc];
-  const auto axis = cells.arcs.axis[arc];
-  if (isBelow) --(axis == 0 ? cell.i : axis == 1 ? cell.j : cell.k);
-  return cell;
-}
-
 /// What closes each piece: the sum of its wall's and its apertures' vectors.
 void checkClosure(const CutCells& cells, CutCellsReport& report) {
   auto sums = cells.pieces.wallVector;
@@ -47,7 +39,8 @@ void checkClosure(const CutCells& cells, CutCellsReport& report) {
   for (std::size_t a = 0; a < arcs.area.size(); ++a) {
     for (const bool isBelow : {true, false}) {
       const auto piece = isBelow ? arcs.below[a] : arcs.above[a];
-      if (!canBeIn(cells, cellBeside(cells, a, isBelow), piece)) ++report.lostPieces;
+      const auto cell = isBelow ? arcs.cellBelow(a) : arcs.cell[a];
+      if (!canBeIn(cells, cell, piece)) ++report.lostPieces;
       if (piece >= sums.size()) continue;
       sums[piece][arcs.axis[a]] += isBelow ? arcs.area[a] : -arcs.area[a];
       isBounded[piece] = 1;
