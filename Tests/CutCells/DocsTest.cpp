@@ -4,6 +4,8 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "Support/TemporaryFolder.hpp"
@@ -42,6 +44,17 @@ TEST(DocsTest, FractionsAndAperturesOfCutCells) {
   EXPECT_GT(fluid, 10);
   EXPECT_LT(fluid, static_cast<double>(cells.cellCount));
   EXPECT_GT(faces, fluid);
+}
+
+TEST(DocsTest, SectionsInAPlane) {
+  const CellCutter cutter{Solid<double>(MeshSDF<double>(tessellation::icosphere(0.4, 3)))};
+  const std::vector<double> x{-0.5, -0.2, 0, 0.1, 0.5};
+  const std::vector<double> y{-0.5, 0.1, 0.5};
+  const double z = 0.1;
+  // [DOCS
+  const CutCells section = cutter.cutInPlane(cellsBetween({x, y, {0, 1}}), z);
+  // DOCS]
+  EXPECT_NEAR(check(section).bodyVolume, std::numbers::pi * 0.15, 0.005);
 }
 
 TEST(DocsTest, PolyhedraOfCutCells) {

@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/CutCells/Detail/CutAssembly.hpp>
+#include <Cutwater/CutCells/Detail/PlaneCut.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 
 #include <algorithm>
@@ -56,6 +57,23 @@ std::array<std::vector<double>, 3> inFrame(const CutFrame& frame, const CellPlan
   return result;
 }
 
+/// Cuts the tiles that have triangles, by cutOne(tile); null for the others.
+std::vector<std::unique_ptr<const TileCut>> cutAll(const CutTiles& tiles, const CutOptions& options,
+                                                   FunctionRef<TileCut(std::size_t)> cutOne) {
+  std::vector<std::uint32_t> touched;
+  for (std::uint32_t tile = 0; tile < tiles.count(); ++tile) {
+    if (!tiles.triangles(tile).empty()) touched.push_back(tile);
+  }
+  std::vector<std::unique_ptr<const TileCut>> cuts(tiles.count());
+  parallelFor(touched.size(), {.threads = options.threads, .progress = options.progress},
+              [&](std::size_t begin, std::size_t end) {
+                for (auto i = begin; i < end; ++i) {
+                  cuts[touched[i]] = std::make_unique<const TileCut>(cutOne(touched[i]));
+                }
+              });
+  return cuts;
+}
+
 }  // namespace
 
 template <std::floating_point T>
@@ -67,19 +85,27 @@ CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) cons
   const auto positions = inFrame(surface_->frame(), grid);
   const GridPlanes planes{{positions[0], positions[1], positions[2]}};
   const CutTiles tiles(*surface_, planes);
-  std::vector<std::uint32_t> touched;
-  for (std::uint32_t tile = 0; tile < tiles.count(); ++tile) {
-    if (!tiles.triangles(tile).empty()) touched.push_back(tile);
-  }
-  std::vector<std::unique_ptr<const TileCut>> cuts(tiles.count());
-  parallelFor(touched.size(), {.threads = options.threads, .progress = options.progress},
-              [&](std::size_t begin, std::size_t end) {
-                for (auto i = begin; i < end; ++i) {
-                  cuts[touched[i]] = std::make_unique<const TileCut>(
-                      cutTile(*surface_, tiles, touched[i], options.polygons));
-                }
-              });
+  const auto cuts = cutAll(tiles, options, [&](std::size_t tile) {
+    return cutTile(*surface_, tiles, tile, options.polygons);
+  });
   return assembledCells(grid, *surface_, tiles, cuts, options.polygons);
+}
+
+CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptions& options) const {
+  require(!options.polygons, "cut cells: there are no polygons in a plane");
+  CellPlanes layer = grid;
+  layer.planes[2] = {z - 1.5, z - 0.5, z + 0.5, z + 1.5};
+  checkPlanes(layer);
+  const auto& frame = surface_->frame();
+  const auto positions = inFrame(frame, layer);
+  const auto around = planesAround(frame.toFrame(2, z));
+  const GridPlanes planes{{positions[0], positions[1], around}};
+  const CutTiles tiles(*surface_, planes);
+  const double thickness = positions[2][2] - positions[2][1];
+  const auto cuts = cutAll(tiles, options, [&](std::size_t tile) {
+    return cutTileInPlane(*surface_, tiles, tile, thickness);
+  });
+  return assembledCells(std::move(layer), *surface_, tiles, cuts, false);
 }
 
 template <std::floating_point T>

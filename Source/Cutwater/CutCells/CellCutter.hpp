@@ -50,6 +50,17 @@ class CellCutter {
     return cut(planesOf(gridPatch), options);
   }
 
+  /// In 2D: the rectangles between the grid's planes across x and y, in the plane at `z`, of which
+  /// the answers are as exact as of cells.
+  ///
+  /// They are given as one layer of cells, the grid's first one along z, from z - 1/2 to z + 1/2,
+  /// as if the solid were its section there, so volumes are areas and areas are lengths. For
+  /// axially symmetric flow about the y axis, 2 pi times x of a centroid is the weight of a volume
+  /// or an area.
+  /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; if polygons are asked for.
+  [[nodiscard]] CutCells cutInPlane(const CellPlanes& grid, double z,
+                                    const CutOptions& options = {}) const;
+
  private:
   std::shared_ptr<const CutSurface> surface_;
 };
