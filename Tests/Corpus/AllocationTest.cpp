@@ -2,6 +2,7 @@
 // time a clean exception arrives, and nothing is left behind.
 
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/Grid/Fill.hpp>
 #include <Cutwater/Mesh/DcelSDF.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
@@ -131,6 +132,24 @@ TEST(AllocationTest, MeshesFailCleanly) {
   }
   const auto sphere = tessellation::icosphere(1, 1);
   EXPECT_GT(expectCleanFailures([&] { DcelSDF<double>(DcelMesh<double>(sphere)); }), 10);
+}
+
+TEST(AllocationTest, CutCellsFailCleanly) {
+  const Solid<double> solid(MeshSDF<double>(tessellation::torus(0.3, 0.1, 6, 4)));
+  const CellCutter cutter(solid);
+  const auto grid = cellsBetween({std::vector{-0.5, 0.0, 0.1, 0.5}, std::vector{-0.5, 0.05, 0.5},
+                                  std::vector{-0.2, 0.01, 0.2}});
+  const auto cells = cutter.cut(grid, {.threads = 1});
+  ASSERT_GT(cells.pieceCount, 8U);
+  EXPECT_GT(expectCleanFailures([&] { const CellCutter another(solid); }), 10);
+  EXPECT_GT(expectCleanFailures([&] {
+              EXPECT_EQ(cutter.cut(grid, {.polygons = true, .threads = 1}).pieces.volume,
+                        cells.pieces.volume);
+            }),
+            50);
+  EXPECT_GT(expectCleanFailures([&] { (void)cutter.cutInPlane(grid, 0.02, {.threads = 1}); }), 50);
+  EXPECT_GT(expectCleanFailures([&] { (void)coarsened(cells, {3, 2, 1}); }), 20);
+  EXPECT_GT(expectCleanFailures([&] { (void)merged(cells, {.smallest = 0.1}); }), 20);
 }
 
 /// Half a sphere, its faces with points of their own; some twice, turned or without area.

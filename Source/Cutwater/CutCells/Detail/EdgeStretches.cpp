@@ -1,6 +1,7 @@
 #include <Cutwater/CutCells/Detail/EdgeStretches.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace cutwater {
 
@@ -71,7 +72,9 @@ void EdgeStretches::setStretches(const TileSurface& surface, const GridPlanes& p
 
 void EdgeStretches::divide(const Interval<double>& edge, int winding,
                            std::vector<EdgeCrossing>& crossings) {
-  std::ranges::stable_sort(crossings, {}, &EdgeCrossing::position);
+  std::ranges::sort(crossings, {}, [](const EdgeCrossing& crossing) {
+    return std::pair(crossing.position, crossing.triangle);
+  });
   EdgeStretch stretch{.from = edge.lower};
   for (auto it = crossings.begin(); it != crossings.end(); ++it) {
     const bool isFluid = winding <= 0;
