@@ -124,6 +124,8 @@ CrossingLists<T> SignedDistanceFunction<T>::crossings(std::span<const Segment<T>
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type
 #define CUTWATER_INSTANTIATE(T)                                                               \
+  template void SignedDistanceFunction<T>::toLocal(std::span<const Segment<T>>,               \
+                                                   std::span<Segment<T>>) const;              \
   template void SignedDistanceFunction<T>::firstHits(                                         \
       std::span<const Segment<T>>, std::span<FirstHit<T>>, const ParallelOptions&) const;     \
   template void SignedDistanceFunction<T>::localFirstHits(std::span<const Segment<T>>,        \
