@@ -30,8 +30,9 @@ struct CutOptions {
 /// depends on the planes around it alone: not on the box, on other cells or on the number of
 /// threads. Areas, volumes and centroids are sums over fragments of triangles (divergence theorem).
 ///
-/// Making one takes as long as cutting some ten thousand cells; make one for many boxes. Copies
-/// share the surface. cut() is const and thread-safe.
+/// Making one takes as long as cutting some twenty thousand cells; make one for many boxes. A box
+/// takes time for its own cells, and for the triangles in it and below it. Copies share the surface.
+/// cut() is const and thread-safe.
 class CellCutter {
  public:
   /// @param solid  a MeshSDF, placed anyhow: its vertices are rounded in the world.

@@ -82,6 +82,28 @@ CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> t
     for (const auto& vertex : moved_.triangle(id)) box.extend(vertex.position);
     boxes_.push_back(box);
   }
+  constexpr std::uint32_t kLeafWidth = 16;
+  tree_ = detail::buildBinaryBvh(boxes_, kLeafWidth, 0);
+}
+
+std::vector<std::uint32_t> CutSurface::trianglesIn(const Box<double>& box) const {
+  std::vector<std::uint32_t> result;
+  std::vector<std::uint32_t> pending{0};
+  while (!pending.empty()) {
+    const auto& node = tree_.nodes[pending.back()];
+    pending.pop_back();
+    if (!node.box.overlaps(box)) continue;
+    if (!node.isLeaf()) {
+      pending.push_back(node.left);
+      pending.push_back(node.left + 1);
+      continue;
+    }
+    for (auto i = node.begin; i < node.end; ++i) {
+      if (boxes_[tree_.order[i]].overlaps(box)) result.push_back(tree_.order[i]);
+    }
+  }
+  std::ranges::sort(result);
+  return result;
 }
 
 }  // namespace cutwater

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Bvh/Detail/BinaryBvh.hpp>
 #include <Cutwater/Core/Box.hpp>
 #include <Cutwater/CutCells/Detail/MovedSurface.hpp>
 #include <Cutwater/Sdf/FluidSide.hpp>
@@ -29,6 +30,9 @@ class CutSurface {
   [[nodiscard]] const std::vector<std::string>& patchNames() const { return patchNames_; }
   /// Around each triangle of the moved surface, in the frame.
   [[nodiscard]] const Box<double>& box(std::uint32_t triangle) const { return boxes_[triangle]; }
+  /// The triangles of the moved surface whose boxes meet this one, in ascending order.
+  [[nodiscard]] std::vector<std::uint32_t> trianglesIn(const Box<double>& box) const;
+  [[nodiscard]] const Box<double>& boundingBox() const { return tree_.nodes.front().box; }
   /// The winding number far away.
   [[nodiscard]] int windingOutside() const { return windingOutside_; }
 
@@ -42,6 +46,7 @@ class CutSurface {
   std::vector<std::string> patchNames_;
   MovedSurface moved_;
   std::vector<Box<double>> boxes_;
+  detail::BinaryBvh tree_;  // over the boxes
 };
 
 }  // namespace cutwater

@@ -45,8 +45,16 @@ CutTiles::CutTiles(const CutSurface& surface, const GridPlanes& planes) : planes
   for (int axis = 0; axis < 3; ++axis) {
     sizes_[asIndex(axis)] = (planes.cells(axis) + kWidth - 1) / kWidth;
   }
-  sortTriangles(surface);
-  findWindings(surface);
+  // Those in the box, and below it: they decide on windings.
+  Box<double> column;
+  for (int axis = 0; axis < 3; ++axis) {
+    column.lower[axis] = planes.positions[asIndex(axis)].front();
+    column.upper[axis] = planes.positions[asIndex(axis)].back();
+  }
+  column.lower.z = std::min(column.lower.z, surface.boundingBox().lower.z);
+  const auto triangles = surface.trianglesIn(column);
+  sortTriangles(surface, triangles);
+  findWindings(surface, triangles);
 }
 
 TilePlace CutTiles::placeOf(std::size_t tile) const {
@@ -73,8 +81,7 @@ GridPlanes CutTiles::planesOf(std::size_t tile) const {
   return result;
 }
 
-void CutTiles::sortTriangles(const CutSurface& surface) {
-  const auto count = static_cast<std::uint32_t>(surface.moved().triangleCount());
+void CutTiles::sortTriangles(const CutSurface& surface, std::span<const std::uint32_t> triangles) {
   const auto forTiles = [&](std::uint32_t id, auto&& visit) {
     const auto& box = surface.box(id);
     std::array<Range, 3> ranges;
@@ -91,25 +98,23 @@ void CutTiles::sortTriangles(const CutSurface& surface) {
   const auto tiles = static_cast<std::size_t>(sizes_[0]) * static_cast<std::size_t>(sizes_[1]) *
                      static_cast<std::size_t>(sizes_[2]);
   first_.assign(tiles + 1, 0);
-  for (std::uint32_t id = 0; id < count; ++id) {
-    forTiles(id, [&](std::size_t tile) { ++first_[tile + 1]; });
-  }
+  for (const auto id : triangles) forTiles(id, [&](std::size_t tile) { ++first_[tile + 1]; });
   for (std::size_t tile = 0; tile < tiles; ++tile) first_[tile + 1] += first_[tile];
   triangles_.resize(first_.back());
   auto next = first_;
-  for (std::uint32_t id = 0; id < count; ++id) {
+  for (const auto id : triangles) {
     forTiles(id, [&](std::size_t tile) { triangles_[next[tile]++] = id; });
   }
 }
 
 /// Adds up, along the line up the z axis through each tile's node, what the triangles below add.
-void CutTiles::findWindings(const CutSurface& surface) {
+void CutTiles::findWindings(const CutSurface& surface, std::span<const std::uint32_t> triangles) {
   windings_.assign(count(), 0);
   const auto& [x, y, z] = planes_.positions;
   const auto at = [](std::span<const double> planes, int tile) {
     return planes[static_cast<std::size_t>(tile) * kWidth];
   };
-  for (std::uint32_t id = 0; id < surface.moved().triangleCount(); ++id) {
+  for (const auto id : triangles) {
     const auto& box = surface.box(id);
     const auto alongX = tilesThatBegin(x, box.lower.x, box.upper.x);
     if (alongX.last < alongX.first) continue;

@@ -35,8 +35,8 @@ class CutTiles {
   [[nodiscard]] int winding(std::size_t tile) const { return windings_[tile]; }
 
  private:
-  void sortTriangles(const CutSurface& surface);
-  void findWindings(const CutSurface& surface);
+  void sortTriangles(const CutSurface& surface, std::span<const std::uint32_t> triangles);
+  void findWindings(const CutSurface& surface, std::span<const std::uint32_t> triangles);
 
   const GridPlanes& planes_;
   TilePlace sizes_;
