@@ -64,6 +64,9 @@ CellCutter::CellCutter(const Solid<T>& solid, FluidSide side)
 
 CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);
+  require(options.moments >= -1 && options.moments <= CutCells::Moments::kHighest,
+          "cut cells: need a degree of moments from 0 to 4, or -1",
+          Named{"moments", options.moments});
   const auto positions = inFrame(surface_->frame(), grid);
   const GridPlanes planes{{positions[0], positions[1], positions[2]}};
   const CutTiles tiles(*surface_, planes);
@@ -76,10 +79,10 @@ CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) cons
               [&](std::size_t begin, std::size_t end) {
                 for (auto i = begin; i < end; ++i) {
                   cuts[touched[i]] = std::make_unique<const TileCut>(
-                      cutTile(*surface_, tiles, touched[i], options.polygons));
+                      cutTile(*surface_, tiles, touched[i], options));
                 }
               });
-  return assembledCells(grid, *surface_, tiles, cuts, options.polygons);
+  return assembledCells(grid, *surface_, tiles, cuts, options);
 }
 
 template <std::floating_point T>

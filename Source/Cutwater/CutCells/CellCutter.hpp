@@ -16,6 +16,9 @@ struct CutOptions {
   /// Whether to keep the polygons of arcs and walls. They take some four times the memory of the
   /// other rows.
   bool polygons = false;
+  /// The highest degree of the moments of volumes, walls and arcs, from 0 to 4: see
+  /// CutCells::Moments. -1: none.
+  int moments = -1;
   /// See ParallelOptions.
   int threads = 0;
   Progress progress = {};
@@ -42,7 +45,8 @@ class CellCutter {
   explicit CellCutter(const Solid<T>& solid, FluidSide side = FluidSide::Outside);
 
   /// The cells of a box.
-  /// @throws Error(Argument) unless planes ascend and are finite.
+  /// @throws Error(Argument) unless planes ascend and are finite, and options are within their
+  /// ranges.
   [[nodiscard]] CutCells cut(const CellPlanes& grid, const CutOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>
