@@ -4,67 +4,14 @@
 #include <Cutwater/Surface/Tessellation.hpp>
 
 #include <cmath>
-#include <map>
-#include <random>
-#include <tuple>
 
 #include <gtest/gtest.h>
 
-#include "CutCells/RandomVoxels.hpp"
-#include "Support/PolygonMoments.hpp"
-#include "Support/Scale.hpp"
+#include "CutCells/MomentCells.hpp"
 #include "Support/Soups.hpp"
 
 namespace cutwater::test {
 namespace {
-
-using Powers = std::array<int, 3>;
-
-/// In the order that CutCells::Moments states.
-const std::vector<Powers> kOrder{
-    {0, 0, 0},                                                                    //
-    {1, 0, 0}, {0, 1, 0}, {0, 0, 1},                                              //
-    {2, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 2, 0}, {0, 1, 1}, {0, 0, 2},             //
-    {3, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 1, 1}, {1, 0, 2}, {0, 3, 0},  //
-    {0, 2, 1}, {0, 1, 2}, {0, 0, 3},                                              //
-    {4, 0, 0}, {3, 1, 0}, {3, 0, 1}, {2, 2, 0}, {2, 1, 1}, {2, 0, 2}, {1, 3, 0},  //
-    {1, 2, 1}, {1, 1, 2}, {1, 0, 3}, {0, 4, 0}, {0, 3, 1}, {0, 2, 2}, {0, 1, 3},  //
-    {0, 0, 4}};
-
-int degreeOf(const Powers& powers) {
-  return powers[0] + powers[1] + powers[2];
-}
-
-GridPatch<double> unitGrid(int n, double lower = 0, double upper = 1) {
-  const double h = (upper - lower) / n;
-  return {Level<double>({lower, lower, lower}, {h, h, h}), IndexBox::ofSize(n, n, n)};
-}
-
-CutCells cellsOf(const PolygonSoup& soup, const GridPatch<double>& grid,
-                 FluidSide side = FluidSide::Inside, int degree = 4) {
-  return CellCutter(Solid<double>(MeshSDF<double>(soup)), side)
-      .cut(grid, {.polygons = true, .moments = degree});
-}
-
-PolygonSoup placedTorus() {
-  auto soup = tessellation::torus(0.3, 0.1, 40, 20);
-  RigidTransform<double> motion;
-  motion.rotate(33.0, Vec3<double>{1, 2, 3});
-  motion.translate({0.51, 0.49, 0.47});
-  for (auto& p : soup.points) p = motion.toWorld(p);
-  return soup;
-}
-
-std::vector<double> volumeAbout(const CutCells& cells, std::size_t piece, const Vec3<double>& to) {
-  return shifted(cells.moments.ofVolume(piece), cells.pieces.centroid[piece], to);
-}
-std::vector<double> wallAbout(const CutCells& cells, std::size_t piece, const Vec3<double>& to) {
-  return shifted(cells.moments.ofWall(piece), cells.pieces.wallCentroid[piece], to);
-}
-std::vector<Vec3<double>> wallVectorAbout(const CutCells& cells, std::size_t piece,
-                                          const Vec3<double>& to) {
-  return shifted(cells.moments.ofWallVector(piece), cells.pieces.wallCentroid[piece], to);
-}
 
 /// The integral of x^power from `lower` to `upper`.
 double ofPower(int power, double lower, double upper) {
@@ -255,156 +202,6 @@ TEST(CutCellsMomentsTest, OfAnOctahedronInCellsThatAreAddedUp) {
   }
 }
 
-TEST(CutCellsMomentsTest, AreThoseOfThePolygonsByQuadrature) {
-  auto plates = tessellation::box({-1, -1, 0.43}, {2, 2, 0.43 + 1e-6});
-  plates = together(plates, tessellation::box({0.2, 0.3, 0.5}, {0.4, 0.7, 0.9}));
-  std::mt19937 random(4);
-  for (const auto& soup : {placedTorus(), plates, meshOf(randomVoxels(random)).soup()}) {
-    for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
-      for (const int n : {1, 5}) expectMomentsOfPolygons(cellsOf(soup, unitGrid(n), side));
-    }
-  }
-}
-
-TEST(CutCellsMomentsTest, KeepTheIdentitiesOfTheDivergenceTheorem) {
-  for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
-    for (const int n : {1, 2, 7, 16}) {
-      for (const int degree : {0, 1, 2, 3, 4}) {
-        EXPECT_LT(check(cellsOf(placedTorus(), unitGrid(n), side, degree)).worstMoments, 1e-14);
-      }
-    }
-  }
-}
-
-TEST(CutCellsMomentsTest, ChecksFindWhatIsWrong) {
-  const auto cells = cellsOf(placedTorus(), unitGrid(7));
-  const auto worstWith = [&](auto change) {
-    auto changed = cells;
-    change(changed);
-    return check(changed).worstMoments;
-  };
-  const std::size_t xx = CutCells::Moments::indexOf(2, 0, 0);
-  const double unit = std::pow(1.0 / 7, 4);
-  EXPECT_LT(worstWith([](CutCells&) {}), 1e-15);
-  EXPECT_GT(worstWith([&](CutCells& c) { c.moments.volume[35 + xx] += 1e-9 * unit; }), 1e-11);
-  EXPECT_GT(worstWith([&](CutCells& c) { c.moments.volume[35] += 1e-9 * unit; }), 1e-11);
-  EXPECT_GT(worstWith([&](CutCells& c) { c.moments.wallVector[35 + xx].x += 1e-9 * unit; }), 1e-11);
-  EXPECT_GT(worstWith([&](CutCells& c) { c.moments.wall[35] += 1e-9 * unit; }), 1e-11);
-  EXPECT_GT(worstWith([&](CutCells& c) { c.moments.arc[15 + 3] += 1e-9 * unit; }), 1e-11);
-  EXPECT_GT(worstWith([](CutCells& c) { c.moments.arc[15] = std::nan(""); }), 1e-11);
-}
-
-TEST(CutCellsMomentsTest, OfLowDegreesAreThoseOfTheRows) {
-  const auto cells = cellsOf(placedTorus(), unitGrid(7), FluidSide::Outside);
-  const double h = 1.0 / 7;
-  for (std::size_t p = 0; p < cells.pieces.volume.size(); ++p) {
-    const auto volume = cells.moments.ofVolume(p);
-    const auto wall = cells.moments.ofWall(p);
-    EXPECT_NEAR(volume[0], cells.pieces.volume[p], 1e-15 * h * h * h);
-    EXPECT_NEAR(wall[0], cells.pieces.wallArea[p], 1e-15 * h * h);
-    EXPECT_LT(length(cells.moments.ofWallVector(p)[0] - cells.pieces.wallVector[p]), 1e-15 * h * h);
-    for (std::size_t i = 1; i < 4; ++i) {  // about centroids
-      EXPECT_NEAR(volume[i], 0, 1e-15 * volume[0]);
-      EXPECT_NEAR(wall[i], 0, 1e-15 * wall[0]);
-    }
-  }
-  for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
-    const auto arc = cells.moments.ofArc(a);
-    EXPECT_NEAR(arc[0], cells.arcs.area[a], 1e-15 * h * h);
-    for (std::size_t i = 1; i < 3; ++i) EXPECT_NEAR(arc[i], 0, 1e-15 * arc[0]);
-  }
-}
-
-TEST(CutCellsMomentsTest, HigherDegreesChangeNoLowerOnes) {
-  const auto all = cellsOf(placedTorus(), unitGrid(7));
-  for (int degree = 0; degree < 4; ++degree) {
-    const auto some = cellsOf(placedTorus(), unitGrid(7), FluidSide::Inside, degree);
-    for (std::size_t p = 0; p < all.pieceCount; ++p) {
-      for (std::size_t i = 0; i < some.moments.perPiece(); ++i) {
-        ASSERT_EQ(some.moments.ofVolume(p)[i], all.moments.ofVolume(p)[i]);
-        ASSERT_EQ(some.moments.ofWall(p)[i], all.moments.ofWall(p)[i]);
-        ASSERT_EQ(some.moments.ofWallVector(p)[i], all.moments.ofWallVector(p)[i]);
-      }
-    }
-    for (std::size_t a = 0; a < all.arcs.area.size(); ++a) {
-      for (std::size_t i = 0; i < some.moments.perArc(); ++i) {
-        ASSERT_EQ(some.moments.ofArc(a)[i], all.moments.ofArc(a)[i]);
-      }
-    }
-  }
-}
-
-/// A million cells from the origin.
-TEST(CutCellsMomentsTest, FarAwayAreAsGoodAsHere) {
-  auto soup = placedTorus();
-  for (auto& p : soup.points) {
-    for (int axis = 0; axis < 3; ++axis) p[axis] = std::round(p[axis] * 0x1p20) * 0x1p-20;
-  }
-  const auto here = cellsOf(soup, unitGrid(16), FluidSide::Outside);
-  const Vec3<double> far{0x1p18, -0x1p19, 0x1p17};
-  for (auto& p : soup.points) p += far;
-  const auto there = cellsOf(
-      soup, {Level<double>(far, {1.0 / 16, 1.0 / 16, 1.0 / 16}), IndexBox::ofSize(16, 16, 16)},
-      FluidSide::Outside);
-  EXPECT_LT(check(there).worstMoments, 1e-14);
-  ASSERT_EQ(here.pieceCount, there.pieceCount);
-  for (std::size_t p = 0; p < here.pieceCount; ++p) {
-    const auto corner = here.boxOf(here.cells.index[here.pieces.cell[p]]).lower;
-    const auto expected = volumeAbout(here, p, corner);
-    const auto found = volumeAbout(there, p, corner + far);
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      const double unit = std::pow(1.0 / 16, degreeOf(kOrder[i]) + 3);
-      EXPECT_NEAR(found[i], expected[i], 1e-14 * unit);
-    }
-  }
-}
-
-using Row = std::vector<double>;
-
-/// The moments of each cell's pieces and of the arcs above and below each cell.
-std::map<std::tuple<int, int, int, int>, std::vector<Row>> rowsByPlace(const CutCells& cells) {
-  std::map<std::tuple<int, int, int, int>, std::vector<Row>> rows;
-  const auto box = cells.grid.indices();
-  for (std::size_t p = 0; p < cells.pieceCount; ++p) {
-    const auto& index = cells.cells.index[cells.pieces.cell[p]];
-    Row row(cells.moments.ofVolume(p).begin(), cells.moments.ofVolume(p).end());
-    row.insert(row.end(), cells.moments.ofWall(p).begin(), cells.moments.ofWall(p).end());
-    for (const auto& v : cells.moments.ofWallVector(p)) row.insert(row.end(), {v.x, v.y, v.z});
-    rows[{index.i, index.j, index.k, -1}].push_back(row);
-  }
-  for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
-    const auto& index = cells.arcs.cell[a];
-    if (!box.contains(index) || !box.contains(cells.arcs.cellBelow(a))) continue;
-    rows[{index.i, index.j, index.k, cells.arcs.axis[a]}].emplace_back(
-        cells.moments.ofArc(a).begin(), cells.moments.ofArc(a).end());
-  }
-  return rows;
-}
-
-TEST(CutCellsMomentsTest, AreTheSameInEveryBoxAndWithAnyNumberOfThreads) {
-  const CellCutter cutter{Solid<double>(MeshSDF<double>(placedTorus()))};
-  const auto patch = unitGrid(29);
-  const auto whole = rowsByPlace(cutter.cut(patch, {.moments = 4, .threads = 1}));
-  EXPECT_EQ(whole, rowsByPlace(cutter.cut(patch, {.moments = 4, .threads = 4})));
-  std::mt19937 random(1);
-  std::size_t compared = 0;
-  for (int n = 0; n < scaled(20); ++n) {
-    std::array<int, 3> lo{};
-    std::array<int, 3> hi{};
-    for (std::size_t a = 0; a < 3; ++a) {
-      lo[a] = static_cast<int>(random() % 29);
-      hi[a] = lo[a] + static_cast<int>(random() % static_cast<unsigned>(29 - lo[a]));
-    }
-    const IndexBox box{{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}};
-    for (const auto& [place, rows] :
-         rowsByPlace(cutter.cut(GridPatch<double>{patch.level, box}, {.moments = 4}))) {
-      ASSERT_EQ(rows, whole.at(place));
-      ++compared;
-    }
-  }
-  EXPECT_GT(compared, 1000U);
-}
-
 TEST(CutCellsMomentsTest, ShiftThereAndBack) {
   const Box<double> box{{-1, -2, -3}, {1, 2, 3}};
   std::vector<double> moments;
@@ -430,59 +227,6 @@ TEST(CutCellsMomentsTest, ShiftThereAndBack) {
     const double expected = ofBox(powers, about, 1);
     EXPECT_NEAR(moved[CutCells::Moments::indexOf(first, second)], expected,
                 1e-12 * std::abs(expected));
-  }
-}
-
-TEST(CutCellsMomentsTest, OfCoarserCellsAreTheirOwn) {
-  std::mt19937 random(8);
-  for (const auto& soup : {placedTorus(), meshOf(randomVoxels(random)).soup()}) {
-    for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
-      const auto coarse = coarsened(cellsOf(soup, unitGrid(12), side), {2, 3, 4});
-      EXPECT_EQ(coarse.moments.degree, 4);
-      EXPECT_EQ(coarse.moments.volume.size(), 35 * coarse.pieceCount);
-      EXPECT_EQ(coarse.moments.arc.size(), 15 * coarse.arcs.area.size());
-      EXPECT_LT(check(coarse).worstMoments, 1e-14);
-      // All moments of a cell's fluid are those of cutting it.
-      const Level<double> level({0, 0, 0}, {1.0 / 6, 1.0 / 4, 1.0 / 3});
-      const auto direct = cellsOf(soup, {level, IndexBox::ofSize(6, 4, 3)}, side);
-      ASSERT_EQ(coarse.cellCount, direct.cellCount);
-      for (std::size_t row = 0; row < coarse.cellCount; ++row) {
-        const auto center = coarse.boxOf(coarse.cells.index[row]).center();
-        const auto sum = [&](const CutCells& cells) {
-          std::vector<double> result(2 * kOrder.size());
-          for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
-            const auto volume = volumeAbout(cells, p, center);
-            const auto wall = wallAbout(cells, p, center);
-            for (std::size_t i = 0; i < kOrder.size(); ++i) {
-              result[i] += volume[i];
-              result[kOrder.size() + i] += wall[i];
-            }
-          }
-          return result;
-        };
-        const auto found = sum(coarse);
-        const auto expected = sum(direct);
-        for (std::size_t i = 0; i < kOrder.size(); ++i) {
-          EXPECT_NEAR(found[i], expected[i], 1e-16);
-          EXPECT_NEAR(found[kOrder.size() + i], expected[kOrder.size() + i], 1e-14);
-        }
-      }
-    }
-  }
-}
-
-TEST(CutCellsMomentsTest, OfMergedCellsCountWhatWasClosed) {
-  const auto plate = tessellation::box({-1, -1, 0.43}, {2, 2, 0.43 + 1e-6});
-  std::mt19937 random(8);
-  for (const auto& soup : {plate, placedTorus(), meshOf(randomVoxels(random)).soup()}) {
-    const auto cells = cellsOf(soup, unitGrid(8), FluidSide::Outside);
-    for (const double smallest : {0.0, 0.3}) {
-      const auto result = merged(cells, {.smallest = smallest});
-      EXPECT_GT(result.lost.size(), 0U);
-      EXPECT_EQ(result.cells.moments.volume.size(), 35 * result.cells.pieceCount);
-      EXPECT_EQ(result.cells.moments.arc.size(), 15 * result.cells.arcs.area.size());
-      EXPECT_LT(check(result.cells).worstMoments, 1e-14);
-    }
   }
 }
 
