@@ -73,8 +73,7 @@ TEST(DocsTest, MomentsOfCutCells) {
   const CutCells cells = cutter.cut(GridPatch<double>{level, indices}, {.moments = 2});
   for (std::size_t p = 0; p < cells.pieceCount; ++p) {
     const auto& cell = cells.cells.index[cells.pieces.cell[p]];
-    // The integrals of 1, x, y, z, xx, xy, xz, yy, yz, zz over the piece, from the center of its
-    // cell.
+    // The integrals of 1, x, y, z, xx, xy, xz, yy, yz and zz, from the center of its cell.
     const auto row =
         shifted(cells.moments.ofVolume(p), cells.pieces.centroid[p], cells.boxOf(cell).center());
     useMoments(cell, row, row[CutCells::Moments::indexOf(1, 1, 0)]);  // the last is that of xy
