@@ -31,7 +31,7 @@ std::size_t bytesOf(const std::vector<Value>& values) {
   return values.size() * sizeof(Value);
 }
 
-/// Of all rows but polygons.
+/// Of all rows but polygons and moments.
 std::size_t bytesOf(const CutCells& cells) {
   const auto& [index, firstPiece, corners] = cells.cells;
   const auto& [cell, volume, centroid, wallArea, wallVector, wallCentroid] = cells.pieces;
@@ -47,19 +47,20 @@ std::size_t bytesOf(const CutCells& cells) {
 void printRow(const CellCutter& cutter, const Box<double>& surface, int n) {
   const auto grid = cubeAround(surface, n);
   CutCells cells;
-  const auto seconds = [&](int threads, bool withPolygons) {
-    return bestSecondsOf(
-        [&] { cells = cutter.cut(grid, {.polygons = withPolygons, .threads = threads}); });
+  const auto seconds = [&](const CutOptions& options) {
+    return bestSecondsOf([&] { cells = cutter.cut(grid, options); });
   };
-  const double polygons = seconds(1, true);
-  const double one = seconds(1, false);
-  const double two = seconds(2, false);
+  const double polygons = seconds({.polygons = true, .threads = 1});
+  const double second = seconds({.moments = 2, .threads = 1});
+  const double fourth = seconds({.moments = 4, .threads = 1});
+  const double one = seconds({.threads = 1});
+  const double two = seconds({.threads = 2});
   const double coarser = bestSecondsOf([&] { (void)coarsened(cells, {2, 2, 2}); });
   const double single = bestSecondsOf([&] { (void)merged(cells); });
   const auto count = static_cast<double>(cells.cellCount);
-  std::printf("| %d | %zu | %zu | %.3f | %.0f | %.3f | %.3f | %.3f | %.3f | %.0f |\n", n,
-              cells.cellCount, cells.pieceCount, one, 1e-3 * count / one, two, polygons, coarser,
-              single, static_cast<double>(bytesOf(cells)) / count);
+  std::printf("| %d | %zu | %zu | %.3f | %.0f | %.3f | %.3f | %.3f | %.3f | %.3f | %.3f | %.0f |\n",
+              n, cells.cellCount, cells.pieceCount, one, 1e-3 * count / one, two, polygons, second,
+              fourth, coarser, single, static_cast<double>(bytesOf(cells)) / count);
   std::fflush(stdout);
 }
 
@@ -69,8 +70,8 @@ void run(const char* file, int finest) {
   std::printf("%zu triangles\n\n", mesh.triangleCount());
   std::printf(
       "| N | cut cells | pieces | s | thousand cells/s | 2 threads, s | with polygons, s | "
-      "coarsened, s | merged, s | bytes a cell |\n"
-      "|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
+      "moments to degree 2, s | to degree 4, s | coarsened, s | merged, s | bytes a cell |\n"
+      "|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
   const CellCutter cutter{Solid<double>(mesh)};
   for (int n = 64; n <= finest; n *= 2) printRow(cutter, mesh.boundingBox(), n);
 }

@@ -228,6 +228,7 @@ TEST(CutInPlaneTest, ThreadsAndBoxesGiveTheSameBits) {
 TEST(CutInPlaneTest, RefusesWhatItCannotDo) {
   const CellCutter cutter(Solid<double>(MeshSDF<double>(tessellation::box({0, 0, 0}, {1, 1, 1}))));
   EXPECT_THROW((void)cutter.cutInPlane(unitSquare(4), 0.5, {.polygons = true}), Error);
+  EXPECT_THROW((void)cutter.cutInPlane(unitSquare(4), 0.5, {.moments = 1}), Error);
   EXPECT_THROW((void)cutter.cutInPlane(unitSquare(4), 1e17), Error);
   EXPECT_THROW((void)cutter.cutInPlane(unitSquare(4), std::nan("")), Error);
 }

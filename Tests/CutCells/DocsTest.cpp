@@ -71,6 +71,30 @@ TEST(DocsTest, PolyhedraOfCutCells) {
   EXPECT_GT(std::filesystem::file_size(path), 64 * cells.pieceCount);
 }
 
+TEST(DocsTest, MomentsOfCutCells) {
+  const CellCutter cutter{Solid<double>(MeshSDF<double>(tessellation::icosphere(0.4, 3)))};
+  const Level<double> level({-0.5, -0.5, -0.5}, {0.125, 0.125, 0.125});
+  const auto indices = IndexBox::ofSize(8, 8, 8);
+  std::size_t used = 0;
+  const auto useMoments = [&](const Index3&, const std::vector<double>& row, double ofXY) {
+    ++used;
+    ASSERT_EQ(row.size(), 10U);
+    EXPECT_EQ(row[5], ofXY);
+    EXPECT_LE(std::abs(row[1]), 0.0625 * row[0]);
+  };
+  // [DOCS
+  const CutCells cells = cutter.cut(GridPatch<double>{level, indices}, {.moments = 2});
+  for (std::size_t p = 0; p < cells.pieceCount; ++p) {
+    const auto& cell = cells.cells.index[cells.pieces.cell[p]];
+    // The integrals of 1, x, y, z, xx, xy, xz, yy, yz and zz, from the center of its cell.
+    const auto row =
+        shifted(cells.moments.ofVolume(p), cells.pieces.centroid[p], cells.boxOf(cell).center());
+    useMoments(cell, row, row[CutCells::Moments::indexOf(1, 1, 0)]);  // the last is that of xy
+  }
+  // DOCS]
+  EXPECT_EQ(used, cells.pieceCount);
+}
+
 TEST(DocsTest, CoarserLevels) {
   const Solid<double> hull(MeshSDF<double>(tessellation::icosphere(0.4, 3)));
   const Level<double> level({-0.5, -0.5, -0.5}, {0.125, 0.125, 0.125});

@@ -82,17 +82,20 @@ CellCutter::CellCutter(const Solid<T>& solid, FluidSide side)
 
 CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);
+  require(options.moments >= -1 && options.moments <= CutCells::Moments::kHighest,
+          "cut cells: need a degree of moments from 0 to 4, or -1",
+          Named{"moments", options.moments});
   const auto positions = inFrame(surface_->frame(), grid);
   const GridPlanes planes{{positions[0], positions[1], positions[2]}};
   const CutTiles tiles(*surface_, planes);
-  const auto cuts = cutAll(tiles, options, [&](std::size_t tile) {
-    return cutTile(*surface_, tiles, tile, options.polygons);
-  });
-  return assembledCells(grid, *surface_, tiles, cuts, options.polygons);
+  const auto cuts = cutAll(
+      tiles, options, [&](std::size_t tile) { return cutTile(*surface_, tiles, tile, options); });
+  return assembledCells(grid, *surface_, tiles, cuts, options);
 }
 
 CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptions& options) const {
-  require(!options.polygons, "cut cells: there are no polygons in a plane");
+  require(!options.polygons && options.moments < 0,
+          "cut cells: there are no polygons and no moments in a plane");
   CellPlanes layer = grid;
   layer.planes[2] = {z - 1.5, z - 0.5, z + 0.5, z + 1.5};
   checkPlanes(layer);
@@ -105,7 +108,7 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
   const auto cuts = cutAll(tiles, options, [&](std::size_t tile) {
     return cutTileInPlane(*surface_, tiles, tile, thickness);
   });
-  return assembledCells(std::move(layer), *surface_, tiles, cuts, false);
+  return assembledCells(std::move(layer), *surface_, tiles, cuts, options);
 }
 
 template <std::floating_point T>

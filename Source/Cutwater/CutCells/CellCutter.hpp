@@ -16,6 +16,9 @@ struct CutOptions {
   /// Whether to keep the polygons of arcs and walls. They take some four times the memory of the
   /// other rows.
   bool polygons = false;
+  /// The highest degree of the moments of volumes, walls and arcs, from 0 to 4: see
+  /// CutCells::Moments. -1: none.
+  int moments = -1;
   /// See ParallelOptions.
   int threads = 0;
   Progress progress = {};
@@ -31,8 +34,8 @@ struct CutOptions {
 /// threads. Areas, volumes and centroids are sums over fragments of triangles (divergence theorem).
 ///
 /// Making one takes as long as cutting some twenty thousand cells; make one for many boxes. A box
-/// takes time for its own cells, and for the triangles in it and below it. Copies share the surface.
-/// cut() is const and thread-safe.
+/// takes time for its own cells, and for the triangles in it and below it. Copies share the
+/// surface. cut() is const and thread-safe.
 class CellCutter {
  public:
   /// @param solid  a MeshSDF, placed anyhow: its vertices are rounded in the world.
@@ -43,7 +46,8 @@ class CellCutter {
   explicit CellCutter(const Solid<T>& solid, FluidSide side = FluidSide::Outside);
 
   /// The cells of a box.
-  /// @throws Error(Argument) unless planes ascend and are finite.
+  /// @throws Error(Argument) unless planes ascend and are finite, and options are within their
+  /// ranges.
   [[nodiscard]] CutCells cut(const CellPlanes& grid, const CutOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>
@@ -58,7 +62,8 @@ class CellCutter {
   /// as if the solid were its section there, so volumes are areas and areas are lengths. For
   /// axially symmetric flow about the y axis, 2 pi times x of a centroid is the weight of a volume
   /// or an area.
-  /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; if polygons are asked for.
+  /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; if polygons or moments are asked
+  /// for.
   [[nodiscard]] CutCells cutInPlane(const CellPlanes& grid, double z,
                                     const CutOptions& options = {}) const;
 

@@ -105,6 +105,44 @@ struct CutCells {
     void add(std::span<const Vec3<double>> polygon);
   };
 
+  /// Integrals of monomials, on request: see CutOptions::moments. A row has those up to the degree,
+  /// of offsets from a centroid as its row states it, to the bit: of a piece's for its volume, of
+  /// its wall's for its wall, and of an arc's. So those of small and thin pieces lose no digits.
+  /// shifted() gives those about other points, such as a cell's center.
+  ///
+  /// They are in the order of their degree, and of one degree those with higher powers of x come
+  /// first, then those of y: 1, x, y, z, xx, xy, xz, yy, yz, zz, xxx, ... Of an arc they are those
+  /// of the axes of its face, in ascending order: 1, x, z, xx, xz, zz for a face across y. The
+  /// integral of a monomial of degree k over a volume is a length to the power of k + 3, over a
+  /// wall or an arc to that of k + 2.
+  struct Moments {
+    static constexpr int kHighest = 4;     ///< degree
+    int degree = -1;                       ///< of each row; -1: there are none
+    std::vector<double> volume;            ///< of each piece
+    std::vector<double> wall;              ///< of each piece, over the area of its wall
+    std::vector<Vec3<double>> wallVector;  ///< the same, times the wall's normal out of the fluid
+    std::vector<double> arc;               ///< of each arc
+
+    /// The place of the monomial x^p y^q z^r in a row.
+    [[nodiscard]] static constexpr std::size_t indexOf(std::size_t p, std::size_t q,
+                                                       std::size_t r) {
+      const auto degree = p + q + r;
+      return degree * (degree + 1) * (degree + 2) / 6 + (q + r) * (q + r + 1) / 2 + r;
+    }
+    /// Of an arc, that of the powers of the first and the second axis of its face.
+    [[nodiscard]] static constexpr std::size_t indexOf(std::size_t first, std::size_t second) {
+      return (first + second) * (first + second + 1) / 2 + second;
+    }
+    /// The number of monomials in a row of a piece, and of an arc.
+    [[nodiscard]] std::size_t perPiece() const;
+    [[nodiscard]] std::size_t perArc() const;
+    /// The row of a piece, or of an arc.
+    [[nodiscard]] std::span<const double> ofVolume(std::size_t piece) const;
+    [[nodiscard]] std::span<const double> ofWall(std::size_t piece) const;
+    [[nodiscard]] std::span<const Vec3<double>> ofWallVector(std::size_t piece) const;
+    [[nodiscard]] std::span<const double> ofArc(std::size_t arc) const;
+  };
+
   CellPlanes grid;                      ///< what was cut
   Cells cells;                          ///< see above, as all rows
   Pieces pieces;                        ///< their volumes and walls
@@ -113,6 +151,8 @@ struct CutCells {
   std::vector<std::string> patchNames;  ///< of the surface
   std::size_t cellCount = 0;            ///< of the box: the rows of cells beyond it follow
   std::size_t pieceCount = 0;           ///< of these cells
+
+  Moments moments;  ///< on request, of pieces and arcs
 
   /// On request, see CutOptions: the outline of each arc, counterclockwise as seen against its
   /// axis. Holes in it are cut open by an edge there and back. Corners are the same bits in all
@@ -143,11 +183,22 @@ struct CutCells {
   [[nodiscard]] double aperture(std::uint32_t arc) const;
 };
 
+/// The moments about `to` of what has these about `from`: a row of CutCells::Moments for a volume
+/// or a wall, or one for an arc, whose face is across an axis. Exact but for rounding, as moments
+/// of lower degrees give those about other points.
+/// @throws Error(Argument) if a row has not the size of one.
+[[nodiscard]] std::vector<double> shifted(std::span<const double> moments, const Vec3<double>& from,
+                                          const Vec3<double>& to);
+[[nodiscard]] std::vector<Vec3<double>> shifted(std::span<const Vec3<double>> moments,
+                                                const Vec3<double>& from, const Vec3<double>& to);
+[[nodiscard]] std::vector<double> shifted(std::span<const double> moments, int axis,
+                                          const Vec3<double>& from, const Vec3<double>& to);
+
 /// Cells that each join as many along each axis: what cutting the coarse cells gives, up to
 /// rounding and the order of a cell's pieces, without the surface. Pieces that meet in an open face
 /// within a coarse cell are one; arcs between the same two pieces are one. What lies beyond the box
-/// is kBeyond. There are no polygons, and corners in the surface may be on the other side. Repeat
-/// it for further levels, down to one cell.
+/// is kBeyond. There are no polygons, and corners in the surface may be on the other side. Moments
+/// are sums of those of the cells. Repeat it for further levels, down to one cell.
 /// @throws Error(Argument) unless the ratios are at least 1 and divide the box's first index and
 /// its number of cells along each axis.
 [[nodiscard]] CutCells coarsened(const CutCells& cells, const std::array<int, 3>& ratios);
@@ -193,6 +244,11 @@ struct CutCellsReport {
   /// The largest length of the sum of a piece's apertures and wall, over the area of its cell's
   /// largest face: 0 but for rounding.
   double worstClosure = 0;
+  /// The same for moments, where there are any: the largest difference in an identity of the
+  /// divergence theorem, for monomials of offsets from a piece's centroid; over the area of that
+  /// face, and over the cell's longest side for each degree. Those of degree 0 are compared with
+  /// volumes and areas, too.
+  double worstMoments = 0;
   std::size_t outOfRange = 0;  ///< volumes, areas or centroids beyond their cell or face
   std::size_t lostPieces = 0;  ///< pieces without wall and arc, sides of arcs without their piece
 };

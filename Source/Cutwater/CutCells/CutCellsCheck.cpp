@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/Detail/MomentClosure.hpp>
 
 #include <algorithm>
 
@@ -119,6 +120,7 @@ CutCellsReport check(const CutCells& cells) {
   report.wallArea = static_cast<double>(wall);
   checkClosure(cells, report);
   checkRanges(cells, report);
+  report.worstMoments = worstMoments(cells);
   return report;
 }
 

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/Detail/CoarseNodes.hpp>
+#include <Cutwater/CutCells/Detail/MomentRows.hpp>
 #include <Cutwater/CutCells/Detail/Moments.hpp>
 
 #include <algorithm>
@@ -9,6 +10,16 @@
 namespace cutwater {
 
 namespace {
+
+/// What arcs between the same two pieces add up to.
+struct ArcSum {
+  ArcSum(const Vec3<double>& reference, std::size_t monomials)
+      : moments(reference), about(reference), all(monomials) {}
+
+  Moments moments;
+  Vec3<double> about;
+  std::vector<double> all;  ///< the moments that were asked for, about this point
+};
 
 /// Joins nodes that meet within a coarse cell to its pieces, and adds up what they say.
 class Coarsening {
@@ -25,6 +36,7 @@ class Coarsening {
     addCorners();
     numberPieces();
     addPieces();
+    if (fine_.moments.degree >= 0) addMoments();
     addWallParts();
     addArcs();
     addBodyRuns();
@@ -110,6 +122,17 @@ class Coarsening {
     }
   }
 
+  void addMoments() {
+    MomentRows rows(out_, fine_.moments.degree);
+    for (std::uint32_t node = 0; node < nodes_.count(); ++node) {
+      if (node < fine_.pieceCount) {
+        rows.addPiece(pieceOf_[node], fine_, node);
+      } else {
+        rows.addBox(pieceOf_[node], fine_.boxOf(nodes_.cellOf(node)));
+      }
+    }
+  }
+
   void addWallParts() {
     const auto& in = fine_.wallParts;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<Moments, Vec3<double>>> sums;
@@ -137,24 +160,31 @@ class Coarsening {
       return node < nodes_.count() ? pieceOf_[node] : node;
     };
     using Order = std::tuple<std::int32_t, std::int32_t, std::int32_t, int>;
-    std::map<std::tuple<Order, std::uint32_t, std::uint32_t>, Moments> sums;
+    const auto count = fine_.moments.perArc();
+    std::map<std::tuple<Order, std::uint32_t, std::uint32_t>, ArcSum> sums;
     nodes_.forFaces([&](const CoarseNodes::Face& face) {
       if (!face.isBetween) return;
       const auto& cell = face.cell;
-      sums.try_emplace(
-              {{cell.k, cell.j, cell.i, face.axis}, pieceAt(face.below), pieceAt(face.above)},
-              face.centroid)
-          .first->second.add(face.area, face.centroid);
+      const std::tuple key(Order(cell.k, cell.j, cell.i, face.axis), pieceAt(face.below),
+                           pieceAt(face.above));
+      auto& sum = sums.try_emplace(key, face.centroid, count).first->second;
+      sum.moments.add(face.area, face.centroid);
+      if (count == 0) return;
+      const auto own = momentsOfFace(fine_, face.arc, face.fine, face.axis, sum.about);
+      for (std::size_t i = 0; i < count; ++i) sum.all[i] += own[i];
     });
-    for (const auto& [key, sum] : sums) {
+    for (auto& [key, sum] : sums) {
       const auto& [order, below, above] = key;
       const auto& [k, j, i, axis] = order;
       out_.arcs.cell.push_back({i, j, k});
       out_.arcs.axis.push_back(static_cast<std::uint8_t>(axis));
       out_.arcs.below.push_back(below);
       out_.arcs.above.push_back(above);
-      out_.arcs.area.push_back(sum.size());
-      out_.arcs.centroid.push_back(sum.centroid());
+      out_.arcs.area.push_back(sum.moments.size());
+      out_.arcs.centroid.push_back(sum.moments.centroid());
+      shift(std::span(sum.all), fine_.moments.degree,
+            alongFace(sum.about - out_.arcs.centroid.back(), axis));
+      out_.moments.arc.insert(out_.moments.arc.end(), sum.all.begin(), sum.all.end());
     }
   }
 

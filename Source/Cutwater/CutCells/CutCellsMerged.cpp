@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/Detail/MomentRows.hpp>
 #include <Cutwater/CutCells/Detail/Moments.hpp>
 
 #include <algorithm>
@@ -71,6 +72,7 @@ class Merging {
     Vec3<double> centroid;
     Index3 cell;
     std::uint8_t axis = 0;
+    std::uint32_t source = CutCells::kNoRow;  ///< the arc; kNoRow for a whole face
     bool isClosed = false;
   };
 
@@ -109,7 +111,8 @@ class Merging {
               .area = in.area[a],
               .centroid = in.centroid[a],
               .cell = in.cell[a],
-              .axis = in.axis[a]});
+              .axis = in.axis[a],
+              .source = a});
     }
   }
   void addArc(Arc arc) {
@@ -215,6 +218,7 @@ class Merging {
     }
     out_.cells.cellCount = out_.cells.pieceCount;
     out_.cells.cells.firstPiece.push_back(static_cast<std::uint32_t>(out_.cells.pieceCount));
+    if (in_.moments.degree >= 0) addMoments(kept);
     addOpenArcs(pieceOf);
     addBodyRuns();
     std::ranges::sort(lost_, {}, [](const LostPiece& piece) { return inOrder(piece.cell); });
@@ -263,6 +267,26 @@ class Merging {
     parts.vector.push_back(vector);
     parts.centroid.push_back(centroid);
   }
+  /// Of the nodes that are pieces now, in their order.
+  void addMoments(std::span<const std::uint32_t> kept) {
+    MomentRows rows(out_.cells, in_.moments.degree);
+    for (std::size_t piece = 0; piece < kept.size(); ++piece) {
+      const auto& node = nodes_[kept[piece]];
+      if (node.source != CutCells::kNoRow) {
+        rows.addPiece(piece, in_, node.source);
+      } else {
+        rows.addBox(piece, in_.boxOf(node.cell));
+      }
+      const auto& about = out_.cells.pieces.wallCentroid[piece];
+      for (const auto number : node.arcs) {
+        const auto& arc = arcs_[number];
+        if (!arc.isClosed) continue;
+        const auto ofFace = momentsOfFace(in_, arc.source, arc.cell, arc.axis, about);
+        const double distance = in_.boxOf(arc.cell).lower[arc.axis] - about[arc.axis];
+        rows.addClosedFace(piece, ofFace, arc.axis, distance, arc.below == kept[piece] ? 1 : -1);
+      }
+    }
+  }
   void addOpenArcs(std::span<const std::uint32_t> pieceOf) {
     std::erase_if(arcs_, [](const Arc& arc) { return arc.isClosed; });
     std::ranges::stable_sort(arcs_, {}, [](const Arc& arc) {
@@ -279,6 +303,11 @@ class Merging {
       arcs.centroid.push_back(arc.centroid);
       arcs.cell.push_back(arc.cell);
       arcs.axis.push_back(arc.axis);
+      if (in_.moments.degree < 0) continue;
+      const auto moments = momentsOfFace(in_, arc.source, arc.cell, arc.axis, arc.centroid);
+      auto& rows = out_.cells.moments.arc;
+      rows.insert(rows.end(), moments.begin(),
+                  moments.begin() + static_cast<std::ptrdiff_t>(in_.moments.perArc()));
     }
   }
   /// Cells without fluid before, and those whose pieces are all covered.

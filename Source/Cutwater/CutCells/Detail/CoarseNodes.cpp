@@ -127,12 +127,14 @@ CoarseNodes::Face CoarseNodes::faceBelow(const Index3& cell, int axis) const {
           .below = CutCells::kBeyond,
           .above = CutCells::kBeyond,
           .area = 0,
-          .centroid = {}};
+          .centroid = {},
+          .fine = cell,
+          .arc = CutCells::kNoRow};
 }
 
 void CoarseNodes::forFaces(FunctionRef<void(const Face&)> visit) const {
   const auto& arcs = fine_.arcs;
-  for (std::size_t a = 0; a < arcs.area.size(); ++a) {
+  for (std::uint32_t a = 0; a < arcs.area.size(); ++a) {
     const auto nodeOf = [&](const Index3& cell, std::uint32_t piece) {
       if (!box_.contains(cell)) return CutCells::kBeyond;
       return piece == CutCells::kWholeCell ? wholeNode(cell) : piece;
@@ -142,6 +144,7 @@ void CoarseNodes::forFaces(FunctionRef<void(const Face&)> visit) const {
     face.above = nodeOf(arcs.cell[a], arcs.above[a]);
     face.area = arcs.area[a];
     face.centroid = arcs.centroid[a];
+    face.arc = a;
     visit(face);
   }
   for (auto node = static_cast<std::uint32_t>(fine_.pieceCount); node < count(); ++node) {

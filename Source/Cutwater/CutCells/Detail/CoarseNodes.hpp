@@ -22,6 +22,8 @@ class CoarseNodes {
     std::uint32_t above;
     double area;
     Vec3<double> centroid;
+    Index3 fine;        ///< the fine cell above it
+    std::uint32_t arc;  ///< its row; kNoRow for a whole face to a whole cell
   };
 
   /// @throws Error(Argument) as coarsened() says.

@@ -41,13 +41,14 @@ struct ArcSource {
 class Assembly {
  public:
   Assembly(CellPlanes grid, const CutSurface& surface, const CutTiles& tiles,
-           std::span<const std::unique_ptr<const TileCut>> tileCuts, bool withPolygons)
-      : surface_(surface), tiles_(tiles), cuts_(tileCuts), withPolygons_(withPolygons) {
+           std::span<const std::unique_ptr<const TileCut>> tileCuts, const CutOptions& options)
+      : surface_(surface), tiles_(tiles), cuts_(tileCuts), withPolygons_(options.polygons) {
     for (int axis = 0; axis < 3; ++axis) {
       cells_[asIndex(axis)] = static_cast<int>(grid.planes[asIndex(axis)].size()) - 3;
     }
     out_.grid = std::move(grid);
     out_.patchNames = surface.patchNames();
+    out_.moments.degree = options.moments;
   }
 
   CutCells run() {
@@ -152,6 +153,17 @@ class Assembly {
     out_.pieces.wallArea.push_back(piece.area / perArea);
     out_.pieces.wallVector.push_back(piece.areaVector / perArea);
     out_.pieces.wallCentroid.push_back(frame.toWorld(piece.wallCentroid));
+    if (out_.moments.degree >= 0) addMoments(cuts_[tile]->moments, number);
+  }
+
+  void addMoments(const CutCells::Moments& moments, std::uint32_t piece) {
+    append(moments.ofVolume(piece), out_.moments.volume);
+    append(moments.ofWall(piece), out_.moments.wall);
+    append(moments.ofWallVector(piece), out_.moments.wallVector);
+  }
+  template <typename Value>
+  static void append(std::span<const Value> values, std::vector<Value>& to) {
+    to.insert(to.end(), values.begin(), values.end());
   }
 
   void addWallPolygons(std::uint32_t tile, std::uint32_t piece, std::uint32_t patch) {
@@ -265,8 +277,9 @@ class Assembly {
     out_.arcs.centroid.push_back(frame.toWorld(arc.centroid));
     out_.arcs.cell.push_back(indexOf(placeOf(source.face / 3)));
     out_.arcs.axis.push_back(static_cast<std::uint8_t>(source.face % 3));
-    if (!withPolygons_) return;
     const auto& cut = *cuts_[source.tile];
+    if (out_.moments.degree >= 0) append(cut.moments.ofArc(source.arc), out_.moments.arc);
+    if (!withPolygons_) return;
     addPolygon(source.tile, cut.numbers.placeOfFace(arc.face), cut.polygons.arcs.of(source.arc),
                out_.arcPolygons);
   }
@@ -319,8 +332,8 @@ class Assembly {
 
 CutCells assembledCells(CellPlanes grid, const CutSurface& surface, const CutTiles& tiles,
                         std::span<const std::unique_ptr<const TileCut>> tileCuts,
-                        bool withPolygons) {
-  return Assembly(std::move(grid), surface, tiles, tileCuts, withPolygons).run();
+                        const CutOptions& options) {
+  return Assembly(std::move(grid), surface, tiles, tileCuts, options).run();
 }
 
 }  // namespace cutwater

@@ -1,3 +1,4 @@
+#include <Cutwater/CutCells/Detail/FaceFrame.hpp>
 #include <Cutwater/CutCells/Detail/FaceOutlines.hpp>
 
 #include <algorithm>
@@ -8,28 +9,6 @@ namespace cutwater {
 namespace {
 
 using Loop = std::vector<Vec3<double>>;
-
-/// Of a face: its corners and the edges that begin there, in the axes of the face.
-class FaceFrame {
- public:
-  FaceFrame(const TileNumbers& numbers, const GridPlanes& planes, std::uint32_t face)
-      : planes_(planes), axes_(numbers.axisOfFace(face)), place_(numbers.placeOfFace(face)) {}
-
-  [[nodiscard]] const FaceAxes& axes() const { return axes_; }
-  [[nodiscard]] const TilePlace& place() const { return place_; }
-  /// Corner 0 is the lowest along both axes, 1 the highest along the first, 2 along the second.
-  [[nodiscard]] Vec3<double> corner(int corner) const {
-    auto place = place_;
-    place[asIndex(axes_.first)] += corner % 2;
-    place[asIndex(axes_.second)] += corner / 2;
-    return {planes_.at(0, place[0]), planes_.at(1, place[1]), planes_.at(2, place[2])};
-  }
-
- private:
-  const GridPlanes& planes_;
-  FaceAxes axes_;
-  TilePlace place_;
-};
 
 /// Walks around the open parts of one cut face. Seen against the face's axis, fluid is on the left:
 /// up the first and the last side, see edgeOfFace(), and down those between.
@@ -71,7 +50,7 @@ class OutlineWalk {
   }
 
  private:
-  static bool goesUp(int side) { return side == 0 || side == 3; }
+  static bool goesUp(int side) { return FaceFrame::goesUp(side); }
 
   [[nodiscard]] int sideOf(std::size_t node) const {
     int side = 3;
@@ -102,13 +81,7 @@ class OutlineWalk {
   [[nodiscard]] std::array<Vec3<double>, 2> endsOf(std::size_t node) const {
     if (node < traces_.size()) return {traces_[node].from, traces_[node].to};
     const int side = sideOf(node);
-    const auto& stretch = stretches_[asIndex(side)][node - firstNode_[asIndex(side)]];
-    const int along = side < 2 ? frame_.axes().first : frame_.axes().second;
-    auto from = frame_.corner(side == 1 ? 2 : side == 3 ? 1 : 0);
-    auto to = from;
-    from[along] = goesUp(side) ? stretch.from : stretch.to;
-    to[along] = goesUp(side) ? stretch.to : stretch.from;
-    return {from, to};
+    return frame_.endsOf(side, stretches_[asIndex(side)][node - firstNode_[asIndex(side)]]);
   }
 
   /// What follows; a number beyond all nodes if there is nothing, which no closed surface has.

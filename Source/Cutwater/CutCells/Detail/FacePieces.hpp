@@ -22,6 +22,10 @@ class FacePieces {
   FacePieces(const TileSurface& surface, const EdgeStretches& stretches, const GridPlanes& planes);
 
   [[nodiscard]] std::span<const FacePiece> pieces() const { return pieces_; }
+  /// What they were made of.
+  [[nodiscard]] const TileSurface& surface() const { return surface_; }
+  [[nodiscard]] const EdgeStretches& stretches() const { return stretches_; }
+  [[nodiscard]] const GridPlanes& planes() const { return planes_; }
 
   /// The open part on whose rim a trace lies; kNone for traces with body on both sides.
   [[nodiscard]] std::uint32_t ofTrace(std::uint32_t trace) const { return ofTrace_[trace]; }

@@ -1,5 +1,6 @@
 #include <Cutwater/CutCells/Detail/FaceOutlines.hpp>
 #include <Cutwater/CutCells/Detail/TileCut.hpp>
+#include <Cutwater/CutCells/Detail/TileMoments.hpp>
 
 #include <algorithm>
 
@@ -103,7 +104,7 @@ void addWallPolygons(const TileSurface& surface, TileCut& out) {
 }  // namespace
 
 TileCut cutTile(const CutSurface& surface, const CutTiles& tiles, std::size_t tile,
-                bool withPolygons) {
+                const CutOptions& options) {
   const auto planes = tiles.planesOf(tile);
   const TileSurface content(surface.moved(), surface.patches(), tiles.triangles(tile), planes);
   const EdgeStretches stretches(content, planes, tiles.winding(tile));
@@ -115,14 +116,18 @@ TileCut cutTile(const CutSurface& surface, const CutTiles& tiles, std::size_t ti
                  .fluidCorners = {},
                  .isTouched = {},
                  .isBody = {},
-                 .polygons = {}};
+                 .polygons = {},
+                 .moments = {}};
   for (std::uint32_t cell = 0; cell < result.numbers.cellCount(); ++cell) {
     result.isBody[cell] = !stretches.isFluid(result.numbers.placeOfCell(cell));
   }
   noteCells(content, stretches, planes, result);
-  if (withPolygons) {
+  if (options.polygons) {
     addArcPolygons(content, stretches, faces, planes, result);
     addWallPolygons(content, result);
+  }
+  if (options.moments >= 0) {
+    result.moments = findMoments(faces, result.content, surface.frame(), options.moments);
   }
   return result;
 }

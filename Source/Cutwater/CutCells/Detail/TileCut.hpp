@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/CutCells/Detail/CellPieces.hpp>
 #include <Cutwater/CutCells/Detail/CutTiles.hpp>
 
@@ -30,10 +30,11 @@ struct TileCut {
   std::vector<char> isTouched;             ///< whether the surface merely touches them
   std::bitset<kCells> isBody;              ///< cells without fluid
   TilePolygons polygons;                   ///< on request
+  CutCells::Moments moments;               ///< the same
 };
 
 /// Cuts the cells of a tile.
 [[nodiscard]] TileCut cutTile(const CutSurface& surface, const CutTiles& tiles, std::size_t tile,
-                              bool withPolygons);
+                              const CutOptions& options);
 
 }  // namespace cutwater

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
+
+#include <array>
+#include <vector>
+
+namespace cutwater::test {
+
+using Powers = std::array<int, 3>;
+
+/// In the order that CutCells::Moments states.
+inline const std::vector<Powers> kOrder{
+    {0, 0, 0},                                                                    //
+    {1, 0, 0}, {0, 1, 0}, {0, 0, 1},                                              //
+    {2, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 2, 0}, {0, 1, 1}, {0, 0, 2},             //
+    {3, 0, 0}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 1, 1}, {1, 0, 2}, {0, 3, 0},  //
+    {0, 2, 1}, {0, 1, 2}, {0, 0, 3},                                              //
+    {4, 0, 0}, {3, 1, 0}, {3, 0, 1}, {2, 2, 0}, {2, 1, 1}, {2, 0, 2}, {1, 3, 0},  //
+    {1, 2, 1}, {1, 1, 2}, {1, 0, 3}, {0, 4, 0}, {0, 3, 1}, {0, 2, 2}, {0, 1, 3},  //
+    {0, 0, 4}};
+
+inline int degreeOf(const Powers& powers) {
+  return powers[0] + powers[1] + powers[2];
+}
+
+inline GridPatch<double> unitGrid(int n, double lower = 0, double upper = 1) {
+  const double h = (upper - lower) / n;
+  return {Level<double>({lower, lower, lower}, {h, h, h}), IndexBox::ofSize(n, n, n)};
+}
+
+inline CutCells cellsOf(const PolygonSoup& soup, const GridPatch<double>& grid,
+                        FluidSide side = FluidSide::Inside, int degree = 4) {
+  return CellCutter(Solid<double>(MeshSDF<double>(soup)), side)
+      .cut(grid, {.polygons = true, .moments = degree});
+}
+
+inline PolygonSoup placedTorus() {
+  auto soup = tessellation::torus(0.3, 0.1, 40, 20);
+  RigidTransform<double> motion;
+  motion.rotate(33.0, Vec3<double>{1, 2, 3});
+  motion.translate({0.51, 0.49, 0.47});
+  for (auto& p : soup.points) p = motion.toWorld(p);
+  return soup;
+}
+
+inline std::vector<double> volumeAbout(const CutCells& cells, std::size_t piece,
+                                       const Vec3<double>& to) {
+  return shifted(cells.moments.ofVolume(piece), cells.pieces.centroid[piece], to);
+}
+inline std::vector<double> wallAbout(const CutCells& cells, std::size_t piece,
+                                     const Vec3<double>& to) {
+  return shifted(cells.moments.ofWall(piece), cells.pieces.wallCentroid[piece], to);
+}
+inline std::vector<Vec3<double>> wallVectorAbout(const CutCells& cells, std::size_t piece,
+                                                 const Vec3<double>& to) {
+  return shifted(cells.moments.ofWallVector(piece), cells.pieces.wallCentroid[piece], to);
+}
+
+}  // namespace cutwater::test
