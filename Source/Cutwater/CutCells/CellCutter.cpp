@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/CutCells/Detail/CutAssembly.hpp>
+#include <Cutwater/CutCells/Detail/LeafAssembly.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 
 #include <algorithm>
@@ -76,10 +77,18 @@ CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) cons
               [&](std::size_t begin, std::size_t end) {
                 for (auto i = begin; i < end; ++i) {
                   cuts[touched[i]] = std::make_unique<const TileCut>(
-                      cutTile(*surface_, tiles, touched[i], options.polygons));
+                      cutTile(*surface_, tiles.input(touched[i]), options.polygons));
                 }
               });
   return assembledCells(grid, *surface_, tiles, cuts, options.polygons);
+}
+
+template <std::floating_point T>
+CutLeaves CellCutter::cut(const OctreeCells<T>& mesh, const ParallelOptions& options) const {
+  const LeafGrid grid(mesh, surface_->frame());
+  std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);
+  const auto tiles = cutLeafTiles(*surface_, grid, options, classes);
+  return assembledLeaves(*surface_, grid, tiles, std::move(classes));
 }
 
 template <std::floating_point T>
@@ -101,6 +110,8 @@ CellPlanes planesOf(const GridPatch<T>& gridPatch) {
 
 template CellCutter::CellCutter(const Solid<float>&, FluidSide);
 template CellCutter::CellCutter(const Solid<double>&, FluidSide);
+template CutLeaves CellCutter::cut(const OctreeCells<float>&, const ParallelOptions&) const;
+template CutLeaves CellCutter::cut(const OctreeCells<double>&, const ParallelOptions&) const;
 template CellPlanes planesOf(const GridPatch<float>&);
 template CellPlanes planesOf(const GridPatch<double>&);
 
