@@ -1,5 +1,6 @@
 // The code of Docs/cut-cells.md.
 #include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Io/PointData.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
@@ -103,6 +104,32 @@ TEST(DocsTest, CoarserLevels) {
   const CutCells half = coarsened(cells, {2, 2, 2});  // and so on, down to one cell
   // DOCS]
   EXPECT_NEAR(check(half).fluidVolume, check(cells).fluidVolume, 1e-15);
+}
+
+TEST(DocsTest, LeavesOfAnOctree) {
+  const Solid<double> hull(MeshSDF<double>(tessellation::icosphere(0.4, 3)));
+  const CellCutter cutter(hull);
+  const OctreeDomain<double> domain({-0.5, -0.5, -0.5}, 1, {1, 1, 1});
+  double fluid = 0;
+  double faces = 0;
+  const auto useFraction = [&](std::uint32_t, double fraction) { fluid += fraction; };
+  const auto useFace = [&](std::uint32_t below, std::uint32_t above, double aperture) {
+    EXPECT_NE(below, above);
+    faces += aperture;
+  };
+  // [DOCS
+  const Octree<double> mesh(hull, domain, {.cut = 2, .curvature = {{15, 4}}});
+  const CutLeaves leaves = cutter.cut(mesh);
+  for (std::uint32_t p = 0; p < leaves.pieces.cell.size(); ++p) {
+    useFraction(leaves.cut.leaf[leaves.pieces.cell[p]], leaves.volumeFraction(p));
+  }
+  for (std::uint32_t a = 0; a < leaves.arcs.area.size(); ++a) {
+    useFace(leaves.arcs.leafBelow[a], leaves.arcs.leafAbove[a], leaves.aperture(a));
+  }
+  // DOCS]
+  EXPECT_GT(fluid, 10);
+  EXPECT_GT(faces, fluid);
+  EXPECT_LT(check(leaves).worstClosure, 1e-14);
 }
 
 TEST(DocsTest, OnePieceACell) {

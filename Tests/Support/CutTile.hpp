@@ -87,7 +87,7 @@ struct CutTile {
   [[nodiscard]] int windingAt(const Vec3<double>& node) const {
     int winding = 0;
     for (std::uint32_t id = 0; id < moved.triangleCount(); ++id) {
-      winding += riseBelowNode(moved.triangle(id), node);
+      winding += riseBelowNode(moved.triangle(id), node, 2);
     }
     return winding;
   }

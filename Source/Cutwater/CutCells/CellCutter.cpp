@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/CutCells/Detail/CutAssembly.hpp>
+#include <Cutwater/CutCells/Detail/LeafAssembly.hpp>
 #include <Cutwater/CutCells/Detail/PlaneCut.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 
@@ -88,8 +89,9 @@ CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) cons
   const auto positions = inFrame(surface_->frame(), grid);
   const GridPlanes planes{{positions[0], positions[1], positions[2]}};
   const CutTiles tiles(*surface_, planes);
-  const auto cuts = cutAll(
-      tiles, options, [&](std::size_t tile) { return cutTile(*surface_, tiles, tile, options); });
+  const auto cuts = cutAll(tiles, options, [&](std::size_t tile) {
+    return cutTile(*surface_, tiles.input(tile), options);
+  });
   return assembledCells(grid, *surface_, tiles, cuts, options);
 }
 
@@ -112,6 +114,14 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
 }
 
 template <std::floating_point T>
+CutLeaves CellCutter::cut(const OctreeCells<T>& mesh, const ParallelOptions& options) const {
+  const LeafGrid grid(mesh, surface_->frame());
+  std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);
+  const auto tiles = cutLeafTiles(*surface_, grid, options, classes);
+  return assembledLeaves(*surface_, grid, tiles, std::move(classes));
+}
+
+template <std::floating_point T>
 CellPlanes planesOf(const GridPatch<T>& gridPatch) {
   const auto& [level, box] = gridPatch;
   CellPlanes result{.planes = {}, .first = box.lo};
@@ -130,6 +140,8 @@ CellPlanes planesOf(const GridPatch<T>& gridPatch) {
 
 template CellCutter::CellCutter(const Solid<float>&, FluidSide);
 template CellCutter::CellCutter(const Solid<double>&, FluidSide);
+template CutLeaves CellCutter::cut(const OctreeCells<float>&, const ParallelOptions&) const;
+template CutLeaves CellCutter::cut(const OctreeCells<double>&, const ParallelOptions&) const;
 template CellPlanes planesOf(const GridPatch<float>&);
 template CellPlanes planesOf(const GridPatch<double>&);
 

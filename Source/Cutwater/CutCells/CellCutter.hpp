@@ -3,6 +3,7 @@
 #include <Cutwater/Core/Level.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/Grid/OctreeCells.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
 #include <memory>
@@ -54,6 +55,13 @@ class CellCutter {
   [[nodiscard]] CutCells cut(const GridPatch<T>& gridPatch, const CutOptions& options = {}) const {
     return cut(planesOf(gridPatch), options);
   }
+  /// The leaves of an octree, or of a part of one: arcs to leaves that it has not lead to kBeyond.
+  /// What is said of a leaf depends on it, on the leaves across its faces and on their levels
+  /// alone. An octree of one level gives the pieces and arcs of the grid patch, to the bit.
+  /// @throws Error(Argument) if leaves are so small that their planes do not ascend.
+  template <std::floating_point T>
+  [[nodiscard]] CutLeaves cut(const OctreeCells<T>& mesh,
+                              const ParallelOptions& options = {}) const;
 
   /// In 2D: the rectangles between the grid's planes across x and y, in the plane at `z`, of which
   /// the answers are as exact as of cells.
@@ -77,6 +85,8 @@ template <std::floating_point T>
 
 extern template CellCutter::CellCutter(const Solid<float>&, FluidSide);
 extern template CellCutter::CellCutter(const Solid<double>&, FluidSide);
+extern template CutLeaves CellCutter::cut(const OctreeCells<float>&, const ParallelOptions&) const;
+extern template CutLeaves CellCutter::cut(const OctreeCells<double>&, const ParallelOptions&) const;
 extern template CellPlanes planesOf(const GridPatch<float>&);
 extern template CellPlanes planesOf(const GridPatch<double>&);
 

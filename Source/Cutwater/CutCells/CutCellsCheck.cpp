@@ -98,7 +98,75 @@ double wholeBodyVolume(const CutCells& cells) {
   return static_cast<double>(sum);
 }
 
+/// Whether a piece, or what stands in its place, can lie in a leaf.
+bool canBeIn(const CutLeaves& leaves, std::uint32_t leaf, std::uint32_t piece) {
+  if (piece < leaves.pieces.cell.size()) return leaves.cut.leaf[leaves.pieces.cell[piece]] == leaf;
+  if (piece == CutLeaves::kBeyond) return leaf == CutLeaves::kNoLeaf;
+  return piece == CutLeaves::kWholeCell && leaves.classes[leaf] == FluidClass::Fluid;
+}
+
+void checkClosure(const CutLeaves& leaves, CutCellsReport& report) {
+  auto sums = leaves.pieces.wallVector;
+  std::vector<char> isBounded(sums.size());
+  for (std::size_t p = 0; p < sums.size(); ++p) {
+    isBounded[p] = leaves.pieces.wallArea[p] > 0 ? 1 : 0;
+  }
+  const auto& arcs = leaves.arcs;
+  for (std::size_t a = 0; a < arcs.area.size(); ++a) {
+    for (const bool isBelow : {true, false}) {
+      const auto piece = isBelow ? arcs.below[a] : arcs.above[a];
+      const auto leaf = isBelow ? arcs.leafBelow[a] : arcs.leafAbove[a];
+      if (!canBeIn(leaves, leaf, piece)) ++report.lostPieces;
+      if (piece >= sums.size()) continue;
+      sums[piece][arcs.axis[a]] += isBelow ? arcs.area[a] : -arcs.area[a];
+      isBounded[piece] = 1;
+    }
+    if (!(arcs.area[a] >= 0 && arcs.area[a] <= arcs.faceArea[a] * (1 + kSlack))) {
+      ++report.outOfRange;
+    }
+  }
+  for (std::size_t p = 0; p < sums.size(); ++p) {
+    if (isBounded[p] == 0) ++report.lostPieces;
+    const auto& box = leaves.cut.box[leaves.pieces.cell[p]];
+    const auto size = box.upper - box.lower;
+    const double face = std::max({size.x * size.y, size.y * size.z, size.z * size.x});
+    report.worstClosure = std::max(report.worstClosure, length(sums[p]) / face);
+  }
+}
+
 }  // namespace
+
+CutCellsReport check(const CutLeaves& leaves) {
+  CutCellsReport report{.cutCells = leaves.cut.leaf.size()};
+  const auto& pieces = leaves.pieces;
+  DoubleDouble allFluid;
+  DoubleDouble cutVolume;
+  DoubleDouble wall;
+  for (std::uint32_t row = 0; row < report.cutCells; ++row) {
+    const double volume = leaves.leafVolume(row);
+    const auto first = leaves.cut.firstPiece[row];
+    const auto last = leaves.cut.firstPiece[row + 1];
+    double fluid = 0;
+    for (auto p = first; p < last; ++p) {
+      const bool isRight = pieces.volume[p] >= 0 && isIn(leaves.cut.box[row], pieces.centroid[p]) &&
+                           isIn(leaves.cut.box[row], pieces.wallCentroid[p]);
+      if (!isRight) ++report.outOfRange;
+      fluid += pieces.volume[p];
+      allFluid += pieces.volume[p];
+      wall += pieces.wallArea[p];
+    }
+    cutVolume += volume;
+    if (!(fluid <= volume * (1 + kSlack))) ++report.outOfRange;
+    const auto corners = leaves.cut.fluidCorners[row];
+    if (corners == 0 || corners == 0xff) ++report.thinCells;
+    if (last > first + 1) ++report.multiPieceCells;
+  }
+  report.fluidVolume = static_cast<double>(allFluid + DoubleDouble(leaves.wholeFluid));
+  report.bodyVolume = static_cast<double>(cutVolume - allFluid) + leaves.wholeBody;
+  report.wallArea = static_cast<double>(wall);
+  checkClosure(leaves, report);
+  return report;
+}
 
 CutCellsReport check(const CutCells& cells) {
   CutCellsReport report{.cutCells = cells.cellCount};

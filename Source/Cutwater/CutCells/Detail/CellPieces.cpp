@@ -268,7 +268,8 @@ class CellBuilder {
 }  // namespace
 
 CellPieces findCellPieces(const TileSurface& surface, const EdgeStretches& stretches,
-                          const FacePieces& faces, const GridPlanes& planes) {
+                          const FacePieces& faces, const GridPlanes& planes,
+                          const CellMask* wanted) {
   CellPieces result;
   for (const auto& piece : faces.pieces()) {
     result.arcs.push_back({.face = piece.face,
@@ -277,12 +278,16 @@ CellPieces findCellPieces(const TileSurface& surface, const EdgeStretches& stret
                            .isNothing = piece.isNothing});
   }
   const auto fragments = surface.fragments();
-  const auto arcOfFullFace = addFullFaces(surface, stretches, faces, planes, result.arcs);
+  const auto arcOfFullFace = addFullFaces(surface, stretches, faces, planes, wanted, result.arcs);
   CellBuilder builder(surface, stretches, faces, planes, arcOfFullFace, result);
   for (std::uint32_t first = 0; first < fragments.size();) {
     auto end = first + 1;
     while (end < fragments.size() && fragments[end].cell == fragments[first].cell) ++end;
-    builder.build(fragments.subspan(first, end - first), first);
+    if (isWanted(wanted, fragments[first].cell)) {
+      builder.build(fragments.subspan(first, end - first), first);
+    } else {
+      result.ofFragments.resize(end, kNone);
+    }
     first = end;
   }
   return result;

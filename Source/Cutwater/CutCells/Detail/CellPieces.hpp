@@ -26,8 +26,9 @@ struct CellPieces {
   std::vector<std::uint32_t> ofFragments;  ///< the piece of each fragment, or kNone
 };
 
-/// Joins what bounds each piece, and measures it.
+/// Joins what bounds each piece of the cells that are wanted, and measures it.
 [[nodiscard]] CellPieces findCellPieces(const TileSurface& surface, const EdgeStretches& stretches,
-                                        const FacePieces& faces, const GridPlanes& planes);
+                                        const FacePieces& faces, const GridPlanes& planes,
+                                        const CellMask* wanted = nullptr);
 
 }  // namespace cutwater

@@ -25,12 +25,13 @@ PieceArc wholeFace(const TileNumbers& numbers, std::uint32_t face, const GridPla
 
 std::vector<std::uint32_t> addFullFaces(const TileSurface& surface, const EdgeStretches& stretches,
                                         const FacePieces& faces, const GridPlanes& planes,
-                                        std::vector<PieceArc>& arcs) {
+                                        const CellMask* wanted, std::vector<PieceArc>& arcs) {
   const auto& numbers = surface.numbers();
   std::vector<std::uint32_t> arcOf(numbers.faceCount(), kNone);
   std::uint32_t last = kNone;
   for (const auto& fragment : surface.fragments()) {
     if (fragment.cell == std::exchange(last, fragment.cell)) continue;
+    if (!isWanted(wanted, fragment.cell)) continue;
     for (int axis = 0; axis < 3; ++axis) {
       for (int side = 0; side < 2; ++side) {
         auto place = numbers.placeOfCell(fragment.cell);

@@ -34,11 +34,10 @@ class TracesOfFragments {
   std::vector<std::uint32_t> traces_;
 };
 
-/// Adds the faces of cut cells that are whole in the fluid; returns their numbers by face.
-[[nodiscard]] std::vector<std::uint32_t> addFullFaces(const TileSurface& surface,
-                                                      const EdgeStretches& stretches,
-                                                      const FacePieces& faces,
-                                                      const GridPlanes& planes,
-                                                      std::vector<PieceArc>& arcs);
+/// Adds the faces of cut cells that are wanted which are whole in the fluid; returns their numbers
+/// by face.
+[[nodiscard]] std::vector<std::uint32_t> addFullFaces(
+    const TileSurface& surface, const EdgeStretches& stretches, const FacePieces& faces,
+    const GridPlanes& planes, const CellMask* wanted, std::vector<PieceArc>& arcs);
 
 }  // namespace cutwater

@@ -1,4 +1,5 @@
 #include <Cutwater/CutCells/Detail/CutAssembly.hpp>
+#include <Cutwater/CutCells/Detail/PieceRows.hpp>
 
 #include <algorithm>
 #include <tuple>
@@ -131,28 +132,14 @@ class Assembly {
   }
   void addPiece(std::uint32_t tile, std::uint32_t number, std::uint32_t row) {
     const auto& content = cuts_[tile]->content;
-    const auto& frame = surface_.frame();
-    const double perArea = frame.scale * frame.scale;
-    const auto& piece = content.pieces[number];
-    auto first = std::ranges::lower_bound(content.walls, number, {}, &PieceWall::piece);
-    const auto firstWall = first;
-    for (; first != content.walls.end() && first->piece == number; ++first) {
-      const auto& wall = *first;
-      out_.wallParts.piece.push_back(pieceCount());
-      out_.wallParts.patch.push_back(wall.patch);
-      out_.wallParts.area.push_back(wall.area / perArea);
-      out_.wallParts.vector.push_back(wall.areaVector / perArea);
-      out_.wallParts.centroid.push_back(frame.toWorld(wall.centroid));
-      if (!withPolygons_) continue;
-      addWallPolygons(tile, number, wall.patch);
-      if (first == firstWall) addClosingFaces(tile, number);
+    if (withPolygons_) {
+      const auto walls = wallsOf(content, number);
+      for (std::size_t i = 0; i < walls.size(); ++i) {
+        addWallPolygons(tile, number, walls[i].patch);
+        if (i == 0) addClosingFaces(tile, number);
+      }
     }
-    out_.pieces.cell.push_back(row);
-    out_.pieces.volume.push_back(piece.volume / (perArea * frame.scale));
-    out_.pieces.centroid.push_back(frame.toWorld(piece.centroid));
-    out_.pieces.wallArea.push_back(piece.area / perArea);
-    out_.pieces.wallVector.push_back(piece.areaVector / perArea);
-    out_.pieces.wallCentroid.push_back(frame.toWorld(piece.wallCentroid));
+    addPieceRows(content, number, surface_.frame(), row, out_.pieces, out_.wallParts);
     if (out_.moments.degree >= 0) addMoments(cuts_[tile]->moments, number);
   }
 

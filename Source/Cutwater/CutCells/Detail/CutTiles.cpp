@@ -128,7 +128,7 @@ void CutTiles::findWindings(const CutSurface& surface, std::span<const std::uint
           // Above the triangle's box, all nodes have the same below them.
           const bool isSame = k > 0 && at(z, k - 1) > box.upper.z;
           if (!isSame) {
-            rise = riseBelowNode(surface.moved().triangle(id), {at(x, i), at(y, j), height});
+            rise = riseBelowNode(surface.moved().triangle(id), {at(x, i), at(y, j), height}, 2);
           }
           windings_[tileAt({i, j, k})] += rise;
         }

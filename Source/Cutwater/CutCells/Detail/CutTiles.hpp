@@ -8,11 +8,19 @@
 
 namespace cutwater {
 
+/// A box of up to kTileWidth^3 cells, and what is needed to cut them.
+struct TileInput {
+  GridPlanes planes;
+  std::span<const std::uint32_t> triangles;  ///< ascending: all that meet the box
+  int winding = 0;                           ///< that of the node of lowest indices
+  const CellMask* wanted = nullptr;          ///< others are left out; null: none is
+};
+
 /// Boxes of up to kWidth^3 cells that together are a grid, and the triangles that meet each of
 /// them.
 class CutTiles {
  public:
-  static constexpr int kWidth = 8;
+  static constexpr int kWidth = kTileWidth;
 
   /// Views both.
   CutTiles(const CutSurface& surface, const GridPlanes& planes);
@@ -33,6 +41,9 @@ class CutTiles {
   [[nodiscard]] GridPlanes planesOf(std::size_t tile) const;
   /// The winding number of the node of lowest indices.
   [[nodiscard]] int winding(std::size_t tile) const { return windings_[tile]; }
+  [[nodiscard]] TileInput input(std::size_t tile) const {
+    return {.planes = planesOf(tile), .triangles = triangles(tile), .winding = winding(tile)};
+  }
 
  private:
   void sortTriangles(const CutSurface& surface, std::span<const std::uint32_t> triangles);

@@ -251,7 +251,7 @@ class FacePieces::Builder {
 };
 
 FacePieces::FacePieces(const TileSurface& surface, const EdgeStretches& stretches,
-                       const GridPlanes& planes)
+                       const GridPlanes& planes, const CellMask* wanted)
     : surface_(surface),
       stretches_(stretches),
       planes_(planes),
@@ -262,6 +262,10 @@ FacePieces::FacePieces(const TileSurface& surface, const EdgeStretches& stretche
   for (std::uint32_t first = 0; first < traces.size();) {
     auto last = first + 1;
     while (last < traces.size() && traces[last].face == traces[first].face) ++last;
+    if (!surface.numbers().isBeside(traces[first].face, wanted)) {
+      first = last;
+      continue;
+    }
     cutFaces_.push_back({.face = traces[first].face, .firstTrace = first, .lastTrace = last});
     numberOf_[traces[first].face] = static_cast<std::uint32_t>(cutFaces_.size() - 1);
     builder.build(cutFaces_.back());

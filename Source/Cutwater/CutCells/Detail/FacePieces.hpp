@@ -19,7 +19,9 @@ struct FacePiece {
 /// stretch adds its distance from a point of the part times the integral of the monomial along it.
 class FacePieces {
  public:
-  FacePieces(const TileSurface& surface, const EdgeStretches& stretches, const GridPlanes& planes);
+  /// Of the faces of the cells that are wanted: see isWanted().
+  FacePieces(const TileSurface& surface, const EdgeStretches& stretches, const GridPlanes& planes,
+             const CellMask* wanted = nullptr);
 
   [[nodiscard]] std::span<const FacePiece> pieces() const { return pieces_; }
   /// What they were made of.

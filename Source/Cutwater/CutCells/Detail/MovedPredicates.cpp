@@ -72,14 +72,19 @@ int sideOfNode(const std::array<MovedVertex, 3>& triangle, const Vec3<double>& n
   return 0;
 }
 
-int riseBelowNode(const std::array<MovedVertex, 3>& triangle, const Vec3<double>& node) {
+int riseBelowNode(const std::array<MovedVertex, 3>& triangle, const Vec3<double>& node, int axis) {
   const auto& [a, b, c] = triangle;
-  const AxisPlane x{0, node.x};
-  const AxisPlane y{1, node.y};
-  const int turn = turnSign(a, b, x, y);
-  if (turn == 0 || turnSign(b, c, x, y) != turn || turnSign(c, a, x, y) != turn) return 0;
-  // A triangle that turns left as seen from above has its normal upwards.
-  return sideOfNode(triangle, node) == turn ? -turn : 0;
+  const int low = axis == 0 ? 1 : 0;
+  const AxisPlane first{low, node[low]};
+  const AxisPlane second{3 - axis - low, node[3 - axis - low]};
+  const int turn = turnSign(a, b, first, second);
+  if (turn == 0 || turnSign(b, c, first, second) != turn || turnSign(c, a, first, second) != turn) {
+    return 0;
+  }
+  // A triangle that turns left as seen from above has its normal upwards; x and z turn right about
+  // y.
+  const int facing = axis == 1 ? -turn : turn;
+  return sideOfNode(triangle, node) == facing ? -facing : 0;
 }
 
 }  // namespace cutwater

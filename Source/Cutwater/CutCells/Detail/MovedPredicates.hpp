@@ -44,9 +44,9 @@ struct AxisPlane {
 /// points, else -1; 0 only for triangles that are seen edge-on along every axis, however moved.
 [[nodiscard]] int sideOfNode(const std::array<MovedVertex, 3>& triangle, const Vec3<double>& node);
 
-/// By how much the winding number rises, going up the z axis, where the line through the node
-/// passes through the triangle below the node: 1 into the solid, -1 out of it; 0 if it does not.
+/// By how much the winding number rises, going up an axis, where the line through the node passes
+/// through the triangle below the node: 1 into the solid, -1 out of it; 0 if it does not.
 [[nodiscard]] int riseBelowNode(const std::array<MovedVertex, 3>& triangle,
-                                const Vec3<double>& node);
+                                const Vec3<double>& node, int axis);
 
 }  // namespace cutwater

@@ -213,11 +213,8 @@ std::array<double, 3> planesAround(double z) {
 
 TileCut cutTileInPlane(const CutSurface& surface, const CutTiles& tiles, std::size_t tile,
                        double thickness) {
-  const auto planes = tiles.planesOf(tile);
-  const TileSurface content(surface.moved(), surface.patches(), tiles.triangles(tile), planes);
-  const EdgeStretches stretches(content, planes, tiles.winding(tile));
-  const FacePieces faces(content, stretches, planes);
-  return PlaneCutter(content, stretches, faces, planes, thickness).run();
+  const TileParts parts(surface, tiles.input(tile));
+  return PlaneCutter(parts.surface, parts.stretches, parts.faces, parts.planes, thickness).run();
 }
 
 }  // namespace cutwater

@@ -45,8 +45,8 @@ std::uint8_t fluidCorners(const EdgeStretches& stretches, const TilePlace& cell)
 }
 
 /// Finds the rows of cells among those of fragments and of pieces.
-void noteCells(const TileSurface& surface, const EdgeStretches& stretches, const GridPlanes& planes,
-               TileCut& out) {
+void noteCells(const TileParts& parts, TileCut& out) {
+  const auto& [wanted, frame, planes, surface, stretches, faces] = parts;
   const auto fragments = surface.fragments();
   const auto& pieces = out.content.pieces;
   std::uint32_t piece = 0;
@@ -54,6 +54,10 @@ void noteCells(const TileSurface& surface, const EdgeStretches& stretches, const
     const auto cell = fragments[first].cell;
     auto last = first + 1;
     while (last < fragments.size() && fragments[last].cell == cell) ++last;
+    if (!isWanted(wanted, cell)) {
+      first = last;
+      continue;
+    }
     out.cells.push_back(cell);
     out.firstPiece.push_back(piece);
     out.fluidCorners.push_back(fluidCorners(stretches, surface.numbers().placeOfCell(cell)));
@@ -72,8 +76,8 @@ void noteCells(const TileSurface& surface, const EdgeStretches& stretches, const
   out.firstPiece.push_back(piece);
 }
 
-void addArcPolygons(const TileSurface& surface, const EdgeStretches& stretches,
-                    const FacePieces& faces, const GridPlanes& planes, TileCut& out) {
+void addArcPolygons(const TileParts& parts, TileCut& out) {
+  const auto& [wanted, frame, planes, surface, stretches, faces] = parts;
   auto& outlines = out.polygons.arcs;
   const auto& arcs = out.content.arcs;
   while (outlines.count() < arcs.size()) {
@@ -103,14 +107,18 @@ void addWallPolygons(const TileSurface& surface, TileCut& out) {
 
 }  // namespace
 
-TileCut cutTile(const CutSurface& surface, const CutTiles& tiles, std::size_t tile,
-                const CutOptions& options) {
-  const auto planes = tiles.planesOf(tile);
-  const TileSurface content(surface.moved(), surface.patches(), tiles.triangles(tile), planes);
-  const EdgeStretches stretches(content, planes, tiles.winding(tile));
-  const FacePieces faces(content, stretches, planes);
-  TileCut result{.numbers = content.numbers(),
-                 .content = findCellPieces(content, stretches, faces, planes),
+TileParts::TileParts(const CutSurface& whole, const TileInput& input)
+    : wanted(input.wanted),
+      frame(whole.frame()),
+      planes(input.planes),
+      surface(whole.moved(), whole.patches(), input.triangles, planes),
+      stretches(surface, planes, input.winding),
+      faces(surface, stretches, planes, wanted) {}
+
+TileCut cutTile(const TileParts& parts, const CutOptions& options) {
+  const auto& [wanted, frame, planes, surface, stretches, faces] = parts;
+  TileCut result{.numbers = surface.numbers(),
+                 .content = findCellPieces(surface, stretches, faces, planes, wanted),
                  .cells = {},
                  .firstPiece = {},
                  .fluidCorners = {},
@@ -121,13 +129,13 @@ TileCut cutTile(const CutSurface& surface, const CutTiles& tiles, std::size_t ti
   for (std::uint32_t cell = 0; cell < result.numbers.cellCount(); ++cell) {
     result.isBody[cell] = !stretches.isFluid(result.numbers.placeOfCell(cell));
   }
-  noteCells(content, stretches, planes, result);
+  noteCells(parts, result);
   if (options.polygons) {
-    addArcPolygons(content, stretches, faces, planes, result);
-    addWallPolygons(content, result);
+    addArcPolygons(parts, result);
+    addWallPolygons(surface, result);
   }
   if (options.moments >= 0) {
-    result.moments = findMoments(faces, result.content, surface.frame(), options.moments);
+    result.moments = findMoments(faces, result.content, frame, options.moments);
   }
   return result;
 }

@@ -4,7 +4,6 @@
 #include <Cutwater/CutCells/Detail/CellPieces.hpp>
 #include <Cutwater/CutCells/Detail/CutTiles.hpp>
 
-#include <bitset>
 #include <utility>
 
 namespace cutwater {
@@ -19,22 +18,37 @@ struct TilePolygons {
 
 /// The cut cells of one tile, with its own numbers of cells, pieces and faces.
 struct TileCut {
-  static constexpr std::size_t kCells =
-      std::size_t{CutTiles::kWidth} * CutTiles::kWidth * CutTiles::kWidth;
-
   TileNumbers numbers{{}};
   CellPieces content;
   std::vector<std::uint32_t> cells;        ///< those that are cut, ascending
   std::vector<std::uint32_t> firstPiece;   ///< of each of them, then the number of all
   std::vector<std::uint8_t> fluidCorners;  ///< as in CutCells
   std::vector<char> isTouched;             ///< whether the surface merely touches them
-  std::bitset<kCells> isBody;              ///< cells without fluid
+  CellMask isBody;                         ///< cells without fluid
   TilePolygons polygons;                   ///< on request
   CutCells::Moments moments;               ///< the same
 };
 
-/// Cuts the cells of a tile.
-[[nodiscard]] TileCut cutTile(const CutSurface& surface, const CutTiles& tiles, std::size_t tile,
-                              const CutOptions& options);
+/// What a tile's cut cells are made of. Views the input's mask and planes.
+struct TileParts {
+  TileParts(const CutSurface& whole, const TileInput& input);
+  TileParts(const TileParts&) = delete;
+  TileParts& operator=(const TileParts&) = delete;
+  ~TileParts() = default;
+
+  const CellMask* wanted;
+  CutFrame frame;
+  GridPlanes planes;
+  TileSurface surface;
+  EdgeStretches stretches;
+  FacePieces faces;
+};
+
+/// Joins the parts to cut cells.
+[[nodiscard]] TileCut cutTile(const TileParts& parts, const CutOptions& options);
+[[nodiscard]] inline TileCut cutTile(const CutSurface& surface, const TileInput& input,
+                                     const CutOptions& options) {
+  return cutTile(TileParts(surface, input), options);
+}
 
 }  // namespace cutwater

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 
@@ -9,6 +10,18 @@ namespace cutwater {
 /// Indices of a cell, a face, an edge or a node in a box of cells; a face or an edge has those of
 /// the node where it begins.
 using TilePlace = std::array<std::int32_t, 3>;
+
+/// The most cells that a tile has along each axis: a power of two.
+inline constexpr int kTileBits = 3;
+inline constexpr int kTileWidth = 1 << kTileBits;
+
+/// Some of the cells of a tile, by number.
+using CellMask = std::bitset<std::size_t{kTileWidth} * kTileWidth * kTileWidth>;
+
+/// Whether a cell is wanted: null for all.
+inline bool isWanted(const CellMask* wanted, std::uint32_t cell) {
+  return wanted == nullptr || (*wanted)[cell];
+}
 
 /// Numbers of the cells, faces, edges and nodes of a box of cells. Faces and edges are numbered
 /// axis by axis: faces by the axis that they are across, edges by the one along which they run.
@@ -61,6 +74,14 @@ class TileNumbers {
   [[nodiscard]] TilePlace placeOfFace(std::uint32_t face) const {
     const auto a = static_cast<std::size_t>(axisOfFace(face));
     return place(face - firstFace_[a], faceSizes_[a]);
+  }
+  /// Whether one of the cells on both sides of a face is wanted.
+  [[nodiscard]] bool isBeside(std::uint32_t face, const CellMask* wanted) const {
+    if (wanted == nullptr) return true;
+    const auto a = static_cast<std::size_t>(axisOfFace(face));
+    auto place = placeOfFace(face);
+    if (place[a] < cells_[a] && (*wanted)[cell(place)]) return true;
+    return --place[a] >= 0 && (*wanted)[cell(place)];
   }
 
  private:

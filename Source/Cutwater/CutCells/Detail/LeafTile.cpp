@@ -1,0 +1,189 @@
+#include <Cutwater/CutCells/Detail/LeafTile.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <tuple>
+
+namespace cutwater {
+
+namespace {
+
+/// Notes what a tile knows about faces to leaves of other levels.
+class RimNotes {
+ public:
+  RimNotes(const LeafGrid& grid, const TileParts& parts, LeafTile& tile)
+      : grid_(grid), parts_(parts), tile_(tile) {}
+
+  void run() {
+    for (std::uint32_t row = 0; row < tile_.leaves.size(); ++row) {
+      bool hasFiner = false;
+      for (int axis = 0; axis < 3; ++axis) {
+        for (const bool isHigh : {false, true}) {
+          const auto what = grid_.across(tile_.leaves[row], axis, isHigh).first;
+          hasFiner = hasFiner || what == LeafGrid::Across::Finer;
+          if (what == LeafGrid::Across::Coarser) addFace(tile_.faceOf(row, axis, isHigh));
+        }
+      }
+      if (hasFiner) addWalls(row);
+    }
+    std::ranges::sort(tile_.rims.cutFaces);
+    std::ranges::sort(tile_.rims.triangles);
+    std::ranges::sort(tile_.rims.stretches, {}, [](const LeafRims::RimStretch& s) {
+      return std::tuple(s.face, s.side, s.arc, s.ends.lower);
+    });
+  }
+
+ private:
+  void addFace(std::uint32_t face) {
+    if (!parts_.faces.isCut(face)) return;
+    auto& rims = tile_.rims;
+    rims.cutFaces.push_back(face);
+    const auto [first, last] = parts_.faces.tracesOf(face);
+    for (auto trace = first; trace < last; ++trace) {
+      // Open parts are the first arcs.
+      rims.triangles.push_back(
+          {parts_.faces.ofTrace(trace), parts_.surface.traces()[trace].triangle});
+    }
+    const auto& numbers = parts_.surface.numbers();
+    for (int side = 0; side < 4; ++side) {
+      const auto edge = edgeOfFace(numbers.axisOfFace(face), numbers.placeOfFace(face), side);
+      const auto stretches = parts_.stretches.of(edge.axis, edge.place);
+      for (std::size_t s = 0; s < stretches.size(); ++s) {
+        rims.stretches.push_back(
+            {.face = face,
+             .side = side,
+             .isWhole = stretches[s].start == kNone && stretches[s].end == kNone,
+             .arc = parts_.faces.ofStretch(face, side, s),
+             .ends = {stretches[s].from, stretches[s].to}});
+      }
+    }
+  }
+
+  void addWalls(std::uint32_t row) {
+    const auto fragments = parts_.surface.fragments();
+    const auto [first, last] =
+        std::ranges::equal_range(fragments, tile_.cut.cells[row], {}, &TileFragment::cell);
+    for (auto fragment = first; fragment != last; ++fragment) {
+      const auto number = static_cast<std::size_t>(fragment - fragments.begin());
+      tile_.rims.walls.push_back({row, fragment->triangle, tile_.cut.content.ofFragments[number]});
+    }
+  }
+
+  const LeafGrid& grid_;
+  const TileParts& parts_;
+  LeafTile& tile_;
+};
+
+}  // namespace
+
+std::uint32_t LeafTile::faceOf(std::uint32_t row, int axis, bool isHigh) const {
+  auto place = cut.numbers.placeOfCell(cut.cells[row]);
+  place[asIndex(axis)] += isHigh ? 1 : 0;
+  return cut.numbers.face(axis, place);
+}
+
+std::span<const std::pair<std::uint32_t, std::uint32_t>> LeafTile::arcsOf(
+    std::uint32_t face) const {
+  const auto found =
+      std::ranges::equal_range(arcs, face, {}, [](const auto& arc) { return arc.first; });
+  return {found.begin(), found.end()};
+}
+
+namespace {
+
+/// Cuts the leaves of a block's own level.
+LeafTile cutLeaves(const CutSurface& surface, const LeafGrid& grid, const LeafBlock& block,
+                   int level, std::span<FluidClass> classes) {
+  const BlockPlanes planes(grid, level, block.first);
+  CellMask wanted;
+  const TileInput input{.planes = planes.view(),
+                        .triangles = block.triangles,
+                        .winding = block.winding,
+                        .wanted = &wanted};
+  const TileNumbers numbers({input.planes.cells(0), input.planes.cells(1), input.planes.cells(2)});
+  std::vector<std::uint32_t> leafOf(numbers.cellCount(), LeafGrid::kNoLeaf);
+  for (auto leaf = block.firstLeaf; leaf < block.lastLeaf; ++leaf) {
+    const auto& [index, itsLevel, kind] = grid.leaves()[leaf];
+    if (itsLevel != level) continue;
+    const auto cell =
+        numbers.cell({index.i - block.first.i, index.j - block.first.j, index.k - block.first.k});
+    wanted[cell] = true;
+    leafOf[cell] = leaf;
+  }
+  const TileParts parts(surface, input);
+  LeafTile tile{.level = level,
+                .first = block.first,
+                .cut = cutTile(parts, {}),
+                .leaves = {},
+                .arcs = {},
+                .rims = {}};
+  for (std::uint32_t cell = 0; cell < numbers.cellCount(); ++cell) {
+    if (leafOf[cell] == LeafGrid::kNoLeaf) continue;
+    classes[leafOf[cell]] = tile.cut.isBody[cell] ? FluidClass::Body : FluidClass::Fluid;
+  }
+  for (std::uint32_t row = 0; row < tile.cut.cells.size(); ++row) {
+    tile.leaves.push_back(leafOf[tile.cut.cells[row]]);
+    if (tile.cut.isTouched[row] == 0) classes[tile.leaves.back()] = FluidClass::Cut;
+  }
+  for (std::uint32_t arc = 0; arc < tile.cut.content.arcs.size(); ++arc) {
+    const auto& it = tile.cut.content.arcs[arc];
+    if (!it.isNothing) tile.arcs.emplace_back(it.face, arc);
+  }
+  std::ranges::sort(tile.arcs);
+  RimNotes(grid, parts, tile).run();
+  tile.cut.content.ofFragments = {};
+  return tile;
+}
+
+/// Cuts a block's leaves, if the surface may meet them.
+std::optional<LeafTile> cutBlock(const CutSurface& surface, const LeafGrid& grid,
+                                 const LeafBlock& block, int level, std::span<FluidClass> classes) {
+  const auto leaves = grid.leaves().subspan(block.firstLeaf, block.lastLeaf - block.firstLeaf);
+  if (block.triangles.empty()) {
+    for (auto leaf = block.firstLeaf; leaf < block.lastLeaf; ++leaf) {
+      if (grid.leaves()[leaf].level < level) continue;
+      classes[leaf] = block.winding > 0 ? FluidClass::Body : FluidClass::Fluid;
+    }
+    return {};
+  }
+  const bool hasOwn =
+      std::ranges::any_of(leaves, [&](const OctreeCell& leaf) { return leaf.level == level; });
+  if (!hasOwn) return {};
+  auto tile = cutLeaves(surface, grid, block, level, classes);
+  if (tile.leaves.empty()) return {};
+  return tile;
+}
+
+}  // namespace
+
+std::vector<LeafTile> cutLeafTiles(const CutSurface& surface, const LeafGrid& grid,
+                                   const ParallelOptions& options, std::span<FluidClass> classes) {
+  std::vector<LeafTile> tiles;
+  auto blocks = rootBlocks(surface, grid);
+  for (int level = 0; !blocks.empty(); ++level) {
+    const auto isDone = [&](double share) {
+      options.progress((level + share) / (grid.deepest() + 1));
+    };
+    std::vector<std::optional<LeafTile>> found(blocks.size());
+    std::vector<std::vector<LeafBlock>> within(blocks.size());
+    parallelFor(
+        blocks.size(),
+        {.threads = options.threads, .progress = options.progress ? Progress(isDone) : Progress()},
+        [&](std::size_t begin, std::size_t end) {
+          for (auto i = begin; i < end; ++i) {
+            found[i] = cutBlock(surface, grid, blocks[i], level, classes);
+            if (blocks[i].triangles.empty() || level == grid.deepest()) continue;
+            within[i] = blocksWithin(surface, grid, blocks[i], level);
+          }
+        });
+    for (auto& tile : found) {
+      if (tile) tiles.push_back(std::move(*tile));
+    }
+    blocks.clear();
+    for (auto& some : within) std::ranges::move(some, std::back_inserter(blocks));
+  }
+  return tiles;
+}
+
+}  // namespace cutwater

@@ -1,0 +1,31 @@
+#include <Cutwater/CutCells/Detail/PieceRows.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+std::span<const PieceWall> wallsOf(const CellPieces& content, std::uint32_t piece) {
+  const auto [first, last] = std::ranges::equal_range(content.walls, piece, {}, &PieceWall::piece);
+  return {first, last};
+}
+
+void addPieceRows(const CellPieces& content, std::uint32_t piece, const CutFrame& frame,
+                  std::uint32_t row, CutCells::Pieces& pieces, CutCells::WallParts& wallParts) {
+  const double perArea = frame.scale * frame.scale;
+  for (const auto& wall : wallsOf(content, piece)) {
+    wallParts.piece.push_back(static_cast<std::uint32_t>(pieces.volume.size()));
+    wallParts.patch.push_back(wall.patch);
+    wallParts.area.push_back(wall.area / perArea);
+    wallParts.vector.push_back(wall.areaVector / perArea);
+    wallParts.centroid.push_back(frame.toWorld(wall.centroid));
+  }
+  const auto& of = content.pieces[piece];
+  pieces.cell.push_back(row);
+  pieces.volume.push_back(of.volume / (perArea * frame.scale));
+  pieces.centroid.push_back(frame.toWorld(of.centroid));
+  pieces.wallArea.push_back(of.area / perArea);
+  pieces.wallVector.push_back(of.areaVector / perArea);
+  pieces.wallCentroid.push_back(frame.toWorld(of.wallCentroid));
+}
+
+}  // namespace cutwater
