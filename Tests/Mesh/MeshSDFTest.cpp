@@ -281,5 +281,30 @@ TYPED_TEST(MeshSDFTest, BehindAnOpenSurfaceByTheNearestFeatureIsNoBound) {
   EXPECT_EQ(mesh.surfaceBox(), (Box<T>{{0, 0, 0}, {1, 1, 0}}));
 }
 
+TYPED_TEST(MeshSDFTest, CanBeSignedByNearestWithoutBeingMadeAnew) {
+  using T = TypeParam;
+  MeshSDF<T> mesh(boxWithoutLid());
+  ASSERT_EQ(mesh.signReport().scheme, SignScheme::WindingNumber);
+  mesh.translate({T(0.5), 0, T(0.25)});
+  const auto nearest = mesh.signedByNearest();
+  MeshSDF<T> anew(boxWithoutLid(), {.signs = SignScheme::NearestFeature});
+  anew.setPlacement(mesh.placement());
+  EXPECT_EQ(nearest.signReport().scheme, SignScheme::NearestFeature);
+  EXPECT_EQ(nearest.signReport().unbalancedEdges, mesh.signReport().unbalancedEdges);
+  EXPECT_EQ(nearest.boundingBox(), anew.boundingBox());
+  EXPECT_EQ(nearest.guarantee().outside, anew.guarantee().outside);
+  RandomPoints<T> random(2);
+  std::size_t others = 0;
+  for (int i = 0; i < scaled(2000); ++i) {
+    const auto p = random.next();
+    const T distance = nearest.signedDistance(p);
+    ASSERT_EQ(distance, anew.signedDistance(p)) << p;
+    ASSERT_EQ(std::abs(distance), std::abs(mesh.signedDistance(p))) << p;
+    others += (distance < 0) != (mesh.signedDistance(p) < 0) ? 1 : 0;  // before the hole
+  }
+  EXPECT_GT(others, 0U);
+  EXPECT_EQ(mesh.signReport().scheme, SignScheme::WindingNumber);
+}
+
 }  // namespace
 }  // namespace cutwater::test

@@ -28,7 +28,7 @@ MAY_INCLUDE = {
     "CutCells": "Core Sdf Triangles Surface Mesh Grid",
     "Io": "Core Text Surface Lattice Grid CutCells",
     "Adapters": "Core Sdf Grid",
-    "Render": "Core Bvh Sdf Grid",
+    "Render": "Core Bvh Sdf Operations Grid",
     "Scene": "Core Text Sdf Shapes Operations Surface Mesh Lattice Tpms Io",
     "Repair": "Core Text Bvh Surface Mesh",
     "P4est": "Core Surface Mesh Grid Io",

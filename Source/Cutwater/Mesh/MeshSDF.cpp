@@ -131,6 +131,17 @@ MeshSDF<T> MeshSDF<T>::refitted(std::span<const Vec3<T>> positions) const {
 }
 
 template <std::floating_point T>
+MeshSDF<T> MeshSDF<T>::signedByNearest() const {
+  auto signs = this->signReport();
+  auto options = this->index().options();
+  signs.scheme = options.signs = SignScheme::NearestFeature;
+  MeshSDF result(std::make_shared<const MeshIndex<T>>(this->index().block(), this->index().layout(),
+                                                      signs, options));
+  result.setPlacement(this->placement());
+  return result;
+}
+
+template <std::floating_point T>
 Block MeshSDF<T>::toBytes(std::uint64_t source) const {
   const auto header = headerOf(this->index(), this->placement(), source);
   BlockWriter writer;

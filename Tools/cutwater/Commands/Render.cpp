@@ -43,10 +43,7 @@ struct RenderSettings {
 class Sheets final : public UnaryOperation<double> {
  public:
   explicit Sheets(const MeshSDF<double>& mesh)
-      : UnaryOperation(MeshSDF<double>(
-            mesh.soup(),
-            {.signs = SignScheme::NearestFeature, .findSelfIntersections = false, .probes = 0})),
-        box_(mesh.surfaceBox()) {}
+      : UnaryOperation(mesh.signedByNearest()), box_(mesh.surfaceBox()) {}
 
  private:
   double localSignedDistance(const Vec3<double>& p) const override {

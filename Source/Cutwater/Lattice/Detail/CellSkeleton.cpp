@@ -29,7 +29,10 @@ const Repeats<T>& checked(const Repeats<T>& cells) {
 
 template <std::floating_point T>
 CellSkeleton<T>::CellSkeleton(const UnitCell& cell, const Repeats<T>& cells)
-    : cells_(checked(cells)), searched_(cell, cells), clearance_(clearance(cell)) {
+    : cells_(checked(cells)),
+      isEndless_(cells.count == std::array<std::uint32_t, 3>{}),
+      searched_(cell, cells),
+      clearance_(clearance(cell)) {
   const auto fold = cell.foldAt(Vec3<double>(cells.period));
   std::uint32_t most = 2;
   for (const auto count : cells.count) most = std::max(most, count);

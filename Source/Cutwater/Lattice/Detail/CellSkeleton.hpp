@@ -22,7 +22,7 @@ class CellSkeleton {
 
   [[nodiscard]] Box<T> box() const { return searched_.box(); }
   [[nodiscard]] const Repeats<T>& cells() const { return cells_; }
-  [[nodiscard]] bool isEndless() const { return cells_.count == std::array<std::uint32_t, 3>{}; }
+  [[nodiscard]] bool isEndless() const { return isEndless_; }
 
  private:
   /// Whether a strut of the endless lattice is certainly part of the array.
@@ -31,6 +31,7 @@ class CellSkeleton {
   [[nodiscard]] static T clearance(const UnitCell& cell);
 
   Repeats<T> cells_;
+  bool isEndless_;
   SearchedCells<T> searched_;
   std::optional<FoldedCells<T>> folded_;
   T clearance_ = 0;

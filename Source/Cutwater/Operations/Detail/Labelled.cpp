@@ -7,8 +7,8 @@
 namespace cutwater {
 
 template <std::floating_point T>
-Labelled<T>::Labelled(Solid<T> operand, std::string name)
-    : Forwarding<T, Labelled<T>>(std::move(operand)), name_(std::move(name)) {
+Labelled<T>::Labelled(Solid<T> solid, std::string name)
+    : Forwarding<T, Labelled<T>>(std::move(solid)), name_(std::move(name)) {
   require(!name_.empty(), "named: need a name that is not empty");
 }
 

@@ -11,16 +11,18 @@ namespace cutwater {
 template <std::floating_point T>
 class Labelled final : public Forwarding<T, Labelled<T>> {
  public:
-  Labelled(Solid<T> operand, std::string name);
+  Labelled(Solid<T> solid, std::string name);
+
+  using UnaryOperation<T>::operand;
 
  private:
   std::string localName() const override { return "Named \"" + name_ + "\""; }
   bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override {
-    return this->facetsOf(this->operand(), box, visit);
+    return this->facetsOf(operand(), box, visit);
   }
-  Guarantee<T> localGuarantee() const override { return this->operand().guarantee(); }
-  Box<T> localBoundingBox() const override { return this->operand().boundingBox(); }
-  Box<T> localClearanceBox() const override { return this->operand().clearanceBox(); }
+  Guarantee<T> localGuarantee() const override { return operand().guarantee(); }
+  Box<T> localBoundingBox() const override { return operand().boundingBox(); }
+  Box<T> localClearanceBox() const override { return operand().clearanceBox(); }
   std::vector<std::string> localPatchNames() const override;
 
   std::string name_;

@@ -3,7 +3,7 @@
 #include <Cutwater/Render/Detail/PixelSamples.hpp>
 #include <Cutwater/Render/Detail/RenderLayout.hpp>
 #include <Cutwater/Render/Detail/Shading.hpp>
-#include <Cutwater/Render/Detail/SphereTracer.hpp>
+#include <Cutwater/Render/Detail/SolidTracer.hpp>
 #include <Cutwater/Render/PatchColors.hpp>
 #include <Cutwater/Render/Render.hpp>
 
@@ -23,7 +23,8 @@ using detail::LegendEntry;
 using detail::PicturePoint;
 using detail::PixelSamples;
 using detail::RenderLayout;
-using detail::SphereTracer;
+using detail::SolidPart;
+using detail::SolidTracer;
 using detail::SurfaceSample;
 
 constexpr double kUsualFieldOfView = 30;
@@ -159,7 +160,7 @@ class PatchTable {
 };
 
 template <std::floating_point T>
-auto calls(const SphereTracer<T>& tracer) {
+auto calls(const SolidTracer<T>& tracer) {
   return [&](std::span<const PicturePoint> points, const detail::RaySpread& spread,
              std::span<SurfaceSample> found) { tracer.trace(points, spread, found); };
 }
@@ -176,11 +177,11 @@ void checkEye(const SignedDistanceFunction<T>& solid, const KeptRegion& region,
 
 /// The camera turned to the visible part of the solid, which may be much smaller than its box.
 template <std::floating_point T>
-Camera aimed(Camera camera, const SignedDistanceFunction<T>& solid, const KeptRegion& region,
-             const detail::FacetRays* facets, const Frame& frame, const RenderOptions& options) {
+Camera aimed(Camera camera, const SignedDistanceFunction<T>& solid,
+             std::span<const SolidPart<T>> parts, const KeptRegion& region, const Frame& frame,
+             const RenderOptions& options) {
   for (int look = 0; look < kMostLooks; ++look) {
-    const SphereTracer<T> tracer(solid, region, camera,
-                                 {.sheets = options.sheets, .facets = facets});
+    const SolidTracer<T> tracer(solid, parts, region, camera, {.sheets = options.sheets});
     if (!tracer.knowsDistances()) {
       // Few rays could miss parts, which might then end up outside the picture.
       const auto part = detail::partOfFacets(solid, camera, frame);
@@ -230,15 +231,15 @@ Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& option
   const KeptRegion region(lookedInto(solid, options, room), options.cuts,
                           options.region.has_value());
   if (!options.sheets) checkEye(solid, region, camera);
-  const auto found = detail::FacetRays::of(solid, region.box(), options.threads);
-  const auto* const facets = found ? &*found : nullptr;
-  if (!options.show && !options.eye) camera = aimed(camera, solid, region, facets, frame, options);
+  const auto parts = detail::partsOf(solid, region.box(), options.sheets, options.threads);
+  if (!options.show && !options.eye) {
+    camera = aimed<T>(camera, solid, parts, region, frame, options);
+  }
   const bool isDraft = options.quality == PictureQuality::Draft;
-  const SphereTracer<T> tracer(solid, region, camera,
-                               {.sheets = options.sheets,
-                                .occlusionRadius = kOcclusion * rest.diagonal(),
-                                .isDraft = isDraft,
-                                .facets = facets});
+  const SolidTracer<T> tracer(solid, parts, region, camera,
+                              {.sheets = options.sheets,
+                               .occlusionRadius = kOcclusion * rest.diagonal(),
+                               .isDraft = isDraft});
   const auto trace = calls(tracer);
   const auto light = [&](std::span<const PicturePoint> points, std::span<SurfaceSample> seen) {
     tracer.light(points, seen);

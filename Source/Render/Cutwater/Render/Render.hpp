@@ -62,8 +62,9 @@ struct RenderOptions {
 /// is within half a pixel. Silhouettes have nine rays per pixel; parts between these are found by
 /// their distance, if values are distances or bounds of them. Where only signs are known, or a ray
 /// runs along the surface for more than 256 steps, crossings() decides. Where values may be off by
-/// more than 1/4 of a pixel, parts thinner than that may be lost. Light is dimmed where other parts
-/// of the surface are near, as far as values show it.
+/// more than 1/4 of a pixel, parts thinner than that may be lost. All this holds for each operand
+/// of a union by itself, and the nearest is seen. Light is dimmed where other parts of the surface
+/// are near, as far as values show it.
 /// @throws Error if the picture is smaller than 320 x 240 or larger than 2^26 pixels, an angle, a
 /// direction or a box is impossible, the region or cuts across the axes leave nothing of the
 /// solid's box, the solid is unbounded and no region is given, or, in perspective, the viewer is

@@ -35,9 +35,11 @@ class RayKeys {
     for (int axis = 0; axis < 3; ++axis) {
       const auto& lower = node.lower[static_cast<std::size_t>(axis)];
       const auto& upper = node.upper[static_cast<std::size_t>(axis)];
+      // Out of the loop over the lanes, so that compilers vectorise it.
+      const float grown = grown_, from = start[axis], inverse = inverse_[axis];
       for (std::size_t k = 0; k < out.size(); ++k) {
-        const float one = (lower[k] - grown_ - start[axis]) * inverse_[axis];
-        const float other = (upper[k] + grown_ - start[axis]) * inverse_[axis];
+        const float one = (lower[k] - grown - from) * inverse;
+        const float other = (upper[k] + grown - from) * inverse;
         const float first = one < other ? one : other;
         const float last = one < other ? other : one;
         begin[k] = first > begin[k] ? first : begin[k];

@@ -11,6 +11,7 @@ namespace cutwater::detail {
 namespace {
 
 constexpr double kStep = 2;           // pixels from the tangent plane; beyond: another sheet
+constexpr double kLevel = 0.5;        // pixels along neighbouring rays that are no step
 constexpr double kCrease = 0.94;      // cosine of a visible angle
 constexpr std::uint32_t kWanted = 0;  // not kNone; a pixel's number follows once all are marked
 constexpr Rgb kLine{28, 32, 38};
@@ -83,18 +84,25 @@ void PixelSamples::lightPixels(const SparseLight& light, const ParallelOptions& 
   });
 }
 
+/// Both are on one sheet if either point is near the other's tangent plane. So they are if the two,
+/// which are at most sqrt(2) pixels apart in the picture, are about as far away.
+bool PixelSamples::isStep(const SurfaceSample& a, const PicturePoint& atA, const SurfaceSample& b,
+                          const PicturePoint& atB) const {
+  const double pixel = camera_.pixelSize(std::min(a.along, b.along));
+  if (std::abs(a.along - b.along) < kLevel * pixel) return false;
+  const auto p = camera_.ray(atA.x, atA.y).at(a.along);
+  const auto q = camera_.ray(atB.x, atB.y).at(b.along);
+  const double height = std::min(std::abs(dot(q - p, Vec3<double>(a.normal))),
+                                 std::abs(dot(q - p, Vec3<double>(b.normal))));
+  return height > kStep * pixel;
+}
+
 PixelSamples::Difference PixelSamples::difference(const SurfaceSample& a, const PicturePoint& atA,
                                                   const SurfaceSample& b,
                                                   const PicturePoint& atB) const {
   if (!a.isHit() && !b.isHit()) return Difference::None;
   if (a.isHit() != b.isHit()) return Difference::Step;
-  // Both are on one sheet if either point is near the other's tangent plane.
-  const auto p = camera_.ray(atA.x, atA.y).at(a.along);
-  const auto q = camera_.ray(atB.x, atB.y).at(b.along);
-  const double height = std::min(std::abs(dot(q - p, Vec3<double>(a.normal))),
-                                 std::abs(dot(q - p, Vec3<double>(b.normal))));
-  const double nearer = std::min(a.along, b.along);
-  if (height > kStep * camera_.pixelSize(nearer)) return Difference::Step;
+  if (isStep(a, atA, b, atB)) return Difference::Step;
   const bool isCrease = dot(a.normal, b.normal) < static_cast<float>(kCrease);
   if (a.surface != b.surface) return isCrease ? Difference::Edge : Difference::Border;
   return isCrease ? Difference::Crease : Difference::None;

@@ -73,6 +73,8 @@ class PixelSamples {
   [[nodiscard]] const SurfaceSample& fineSample(int x, int y) const;
   [[nodiscard]] Difference difference(const SurfaceSample& a, const PicturePoint& atA,
                                       const SurfaceSample& b, const PicturePoint& atB) const;
+  [[nodiscard]] bool isStep(const SurfaceSample& a, const PicturePoint& atA, const SurfaceSample& b,
+                            const PicturePoint& atB) const;
   [[nodiscard]] bool isOnLine(int x, int y, int reach, SurfaceMatcher areOne) const;
   [[nodiscard]] bool differsFromNeighbours(int x, int y) const;
   void tracePixels(SampleTracer trace, const ParallelOptions& options);

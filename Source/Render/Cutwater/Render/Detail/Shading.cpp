@@ -13,12 +13,17 @@ constexpr double kGround = 0.20;
 constexpr double kKey = 0.62;
 constexpr double kFill = 0.10;
 constexpr double kGloss = 0.07;
-constexpr int kGlossPower = 24;
 
 constexpr double kHatchSpacing = 9;  // pixels at scale 1
 constexpr double kHatchWidth = 1.3;  // the same
 constexpr double kHatchOpacity = 0.30;
 constexpr Rgb kHatchInk{70, 52, 30};
+
+/// How narrow highlights are.
+double toGlossPower(double x) {
+  const double squared = x * x, fourth = squared * squared, eighth = fourth * fourth;
+  return eighth * eighth * eighth;
+}
 
 /// A direction in the viewer's frame: to the right, up, towards the viewer.
 Vec3<double> seen(const View& view, double right, double up, double back) {
@@ -43,7 +48,7 @@ Rgb Shading::surface(const SurfaceSample& sample, const Rgb& color) const {
   const double fill = kFill * std::max(dot(normal, fill_), 0.0);
   // Corners get less of the sky than of the lamps.
   const double diffuse = sky * open + (key + fill) * (0.45 + 0.55 * open);
-  const double gloss = kGloss * open * std::pow(std::max(dot(normal, gloss_), 0.0), kGlossPower);
+  const double gloss = kGloss * open * toGlossPower(std::max(dot(normal, gloss_), 0.0));
   auto light = toLight(color);
   for (auto& part : light) part = part * diffuse + gloss;
   return toRgb(light);

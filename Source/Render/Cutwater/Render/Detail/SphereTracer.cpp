@@ -48,15 +48,21 @@ template <std::floating_point T>
 class SphereTracer<T>::Packet {
  public:
   Packet(const SphereTracer& tracer, std::span<const PicturePoint> points, const RaySpread& spread,
-         std::span<SurfaceSample> samples)
-      : t_(tracer), reach_(kReach * spread.spacing), group_(spread.group), samples_(samples) {
+         std::span<const SurfaceSample> others)
+      : t_(tracer),
+        reach_(kReach * spread.spacing),
+        group_(spread.group),
+        others_(others),
+        samples_(points.size()) {
     for (const auto& point : points) {
       const auto ray = t_.camera_.ray(point.x, point.y);
       const auto range = t_.region_.clip(ray, t_.camera_.nearest());
       const auto index = static_cast<std::uint32_t>(lines_.size());
-      lines_.push_back({ray, range, range.begin});
-      samples_[index] = {};
-      if (!range.empty()) active_.push_back(index);
+      const auto& other = others_[index];
+      const double end =
+          other.isHit() ? std::min(range.end, other.along + samePlace(other)) : range.end;
+      lines_.push_back({ray, range, end, range.begin});
+      if (range.begin < end && !other.isCut()) active_.push_back(index);
     }
     points_.resize(active_.size());
     values_.resize(active_.size());
@@ -73,18 +79,29 @@ class SphereTracer<T>::Packet {
       startTogether();
       march();
     }
-    for (const auto i : active_) meetsBetween(i, lines_[i].along, lines_[i].range.end);
+    for (const auto i : active_) meetsBetween(i, lines_[i].along, lines_[i].end);
     sampleArrived();
     for (std::uint32_t i = 0; i < lines_.size(); ++i) {
-      if (!samples_[i].isHit() && lines_[i].nearest < reach_) passing_.push_back(i);
+      if (lines_[i].nearest < reach_ && !groupSees(i)) passing_.push_back(i);
     }
     samplePassing();
+  }
+
+  /// Replaces what others see by what is in front of it.
+  void addTo(std::span<SurfaceSample> samples) const {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      auto sample = samples_[i];
+      if (sample.isHit() && !sample.isCut()) sample.surface = t_.patchOf(sample.surface);
+      if (sample.passed != kNone) sample.passed = t_.patchOf(sample.passed);
+      if (isInFront(sample, samples[i])) samples[i] = sample;
+    }
   }
 
  private:
   struct Line {
     Ray ray;
     RayRange range;
+    double end;             // of the part before what others see
     double along;           // nothing visible up to here
     double nearest = kInf;  // least distance so far, in pixels
     double nearestAlong = 0;
@@ -92,6 +109,28 @@ class SphereTracer<T>::Packet {
   };
 
   [[nodiscard]] Vec3<T> at(const Vec3<double>& p) const { return Vec3<T>(p); }
+  /// Lengths along a ray that make no difference, where it sees something.
+  [[nodiscard]] double samePlace(const SurfaceSample& seen) const {
+    return Sighting<T>::kSamePlace * t_.camera_.pixelSize(seen.along);
+  }
+  /// Of surfaces in the same place, the first patch is seen.
+  [[nodiscard]] bool isInFront(const SurfaceSample& sample, const SurfaceSample& other) const {
+    if (!sample.isHit()) return sample.passed != kNone && !other.isHit() && other.passed == kNone;
+    if (!other.isHit() || sample.isCut()) return true;
+    const double behind = sample.along - other.along;
+    if (std::abs(behind) <= samePlace(other)) return sample.surface < other.surface;
+    return behind < 0;
+  }
+  /// Whether any ray of the i-th one's group sees something. If so, it does not matter what others
+  /// pass.
+  [[nodiscard]] bool groupSees(std::size_t i) const {
+    const auto first = i / group_ * group_;
+    const auto end = std::min(first + group_, samples_.size());
+    for (auto k = first; k < end; ++k) {
+      if (samples_[k].isHit() || others_[k].isHit()) return true;
+    }
+    return false;
+  }
   /// Evaluates the solid at the current points of the active rays.
   void evaluate() {
     points_.resize(active_.size());
@@ -119,7 +158,7 @@ class SphereTracer<T>::Packet {
       if (!t_.distance_.isInside(values_[k], points_[k], kBlur * pixel)) {
         const double free = t_.distance_(values_[k], points_[k], kBlur * pixel);
         if (free <= 0 || free > step) return true;
-        const double next = std::min(line.along + step, line.range.end);
+        const double next = std::min(line.along + step, line.end);
         if (meetsBetween(i, line.along, next)) return false;
         line.along = next;
         return true;
@@ -140,26 +179,21 @@ class SphereTracer<T>::Packet {
 
   void meetFacets() {
     keepActive([&](std::size_t, Line& line, std::uint32_t i) {
-      const double samePlace = Sighting<T>::kSamePlace * t_.camera_.pixelSize(line.along);
-      const auto hit = t_.facets_->first(line.ray, line.along, line.range.end, samePlace);
+      const double same = Sighting<T>::kSamePlace * t_.camera_.pixelSize(line.along);
+      const auto hit = t_.facets_->first(line.ray, line.along, line.end, same);
       if (hit) samples_[i] = Sighting<T>::atFacet(line.ray, *hit);
       return !hit;
     });
   }
 
-  /// What is left of the rays meets no facet. How closely they pass matters only where no ray of a
-  /// group sees anything.
+  /// What is left of the rays meets no facet.
   void passFacets() {
-    keepActive([&](std::size_t, Line&, std::uint32_t i) {
-      const auto first = i / group_ * group_;
-      const auto group = samples_.subspan(first, std::min(group_, samples_.size() - first));
-      return std::ranges::none_of(group, &SurfaceSample::isHit);
-    });
     const auto reach = [&](double along) { return reach_ * t_.camera_.pixelSize(along); };
     for (const auto i : active_) {
-      const auto& [ray, range, along, nearest, nearestAlong, wasNear] = lines_[i];
-      const auto pass = t_.facets_->nearest(ray, along, range.end, reach);
-      if (pass) samples_[i] = t_.sighting_.passing(ray, *pass, reach_);
+      if (groupSees(i)) continue;
+      const auto& line = lines_[i];
+      const auto pass = t_.facets_->nearest(line.ray, line.along, line.end, reach);
+      if (pass) samples_[i] = t_.sighting_.passing(line.ray, *pass, reach_);
     }
   }
 
@@ -167,7 +201,7 @@ class SphereTracer<T>::Packet {
   void startTogether() {
     std::vector<GroupedRay> rays;
     for (const auto i : active_) {
-      rays.push_back({&lines_[i].ray, lines_[i].range.end, lines_[i].along});
+      rays.push_back({&lines_[i].ray, lines_[i].end, lines_[i].along});
     }
     advanceTogether(rays, t_.camera_, reach_,
                     [&](std::span<const Vec3<double>> places, std::span<double> free) {
@@ -185,7 +219,7 @@ class SphereTracer<T>::Packet {
   void march() {
     const int most = t_.options_.sheets ? 8 * kStepsOfPatience : kMostSteps;
     for (int step = 0; step < most && !active_.empty(); ++step) {
-      keepActive([](auto, Line& line, auto) { return line.along < line.range.end; });
+      keepActive([](auto, Line& line, auto) { return line.along < line.end; });
       evaluate();
       const double patience =
           t_.options_.sheets ? std::max(1.0, static_cast<double>(step) / kStepsOfPatience) : 1;
@@ -283,7 +317,8 @@ class SphereTracer<T>::Packet {
   const SphereTracer& t_;
   double reach_;  // in pixels
   std::size_t group_;
-  std::span<SurfaceSample> samples_;
+  std::span<const SurfaceSample> others_;  // what rays see of other parts
+  std::vector<SurfaceSample> samples_;     // of this one; patches by its own numbers
   std::vector<Line> lines_;
   std::vector<std::uint32_t> active_;   // rays still marching
   std::vector<std::uint32_t> near_;     // those that may have arrived, in a draft
@@ -297,7 +332,9 @@ class SphereTracer<T>::Packet {
 template <std::floating_point T>
 void SphereTracer<T>::trace(std::span<const PicturePoint> points, const RaySpread& spread,
                             std::span<SurfaceSample> samples) const {
-  Packet(*this, points, spread, samples).run();
+  Packet packet(*this, points, spread, samples);
+  packet.run();
+  packet.addTo(samples);
 }
 
 template <std::floating_point T>

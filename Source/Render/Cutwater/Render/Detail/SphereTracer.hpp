@@ -13,6 +13,8 @@ struct TraceOptions {
   /// All of the surface in the region, if that consists of flat pieces; otherwise null. Where
   /// values are distances, the first that a ray meets is what it sees.
   const FacetRays* facets = nullptr;
+  /// What the solid's patches are called in samples; empty: by their own numbers.
+  std::span<const std::uint32_t> patches = {};
 };
 
 /// Finds what rays see of a solid.
@@ -38,6 +40,9 @@ class SphereTracer {
   /// Traces rays through at most kMostRays points of the picture; most efficient if they are close
   /// to each other. Samples that see nothing record whether the solid comes within about half of
   /// the points' spacing, so that it may hide between them.
+  ///
+  /// `samples` hold what the rays see of other solids. It is replaced by what they see of this one,
+  /// if that is nearer; or, if the two are in the same place, of the first patch.
   void trace(std::span<const PicturePoint> points, const RaySpread& spread,
              std::span<SurfaceSample> samples) const;
 
@@ -50,6 +55,10 @@ class SphereTracer {
 
  private:
   class Packet;
+
+  [[nodiscard]] std::uint32_t patchOf(std::uint32_t own) const {
+    return own < options_.patches.size() ? options_.patches[own] : own;
+  }
 
   const SignedDistanceFunction<T>& solid_;
   const KeptRegion& region_;
