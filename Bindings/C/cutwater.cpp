@@ -11,34 +11,15 @@
 #include <algorithm>
 #include <array>
 
-#include "Arguments.hpp"
+#include "Handles.hpp"
 
 using namespace cutwater;
 using namespace cutwater::binding;
 
-struct cw_solid {
-  explicit cw_solid(Solid<double> shape)
-      : solid(std::move(shape)), patchNames(solid.patchNames()) {}
-
-  Solid<double> solid;
-  std::vector<std::string> patchNames;
-};
-
 namespace {
 
 const Solid<double>& solidOf(const cw_solid* handle) {
-  require(handle != nullptr, "the solid is NULL");
-  return handle->solid;
-}
-
-/// Calls make() and passes its result to the caller, or NULL if it throws.
-template <typename Make>
-cw_status create(const char* function, cw_solid** result, Make make) {
-  if (result != nullptr) *result = nullptr;
-  return guarded(function, [&] {
-    require(result != nullptr, "the result is NULL");
-    *result = new cw_solid(make());
-  });
+  return handleOf(handle).solid;
 }
 
 template <typename Combine>
@@ -224,17 +205,16 @@ cw_status cw_bounding_box(const cw_solid* solid, double lower[3], double upper[3
 
 cw_status cw_patch_count(const cw_solid* solid, int32_t* count) {
   return guarded("cw_patch_count", [&] {
-    require(solid != nullptr, "the solid is NULL");
+    const auto& names = handleOf(solid).patchNames;
     require(count != nullptr, "the count is NULL");
-    *count = static_cast<std::int32_t>(solid->patchNames.size());
+    *count = static_cast<std::int32_t>(names.size());
   });
 }
 
 cw_status cw_patch_name(const cw_solid* solid, int32_t patch, const char** name) {
   return guarded("cw_patch_name", [&] {
-    require(solid != nullptr, "the solid is NULL");
+    const auto& names = handleOf(solid).patchNames;
     require(name != nullptr, "the name is NULL");
-    const auto& names = solid->patchNames;
     require(patch >= 0 && static_cast<std::size_t>(patch) < names.size(), "no such patch",
             Named{"patch", patch}, Named{"patches", names.size()});
     *name = names[static_cast<std::size_t>(patch)].c_str();

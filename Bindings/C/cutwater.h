@@ -9,11 +9,11 @@
 /// in the units of the surface's coordinates, angles in degrees. A point is three consecutive
 /// doubles (x, y, z).
 ///
-/// Every function except cw_last_error() and cw_free() returns CW_OK or an error status. After an
-/// error it has created no handle, but may have written part of the output arrays. A handle never
-/// changes: any number of threads may use it at once, provided that none frees it. Batches and
-/// grids use `threads` threads (0: as many as OpenMP would), but only one if the caller is in a
-/// parallel region; answers are the same to the bit with any number. NULL is refused unless
+/// Every function except cw_last_error() and those that free returns CW_OK or an error status.
+/// After an error it has created no handle, but may have written part of the output arrays. A
+/// handle never changes: any number of threads may use it at once, provided that none frees it.
+/// Batches and grids use `threads` threads (0: as many as OpenMP would), but only one if the caller
+/// is in a parallel region; answers are the same to the bit with any number. NULL is refused unless
 /// stated otherwise.
 
 #ifdef __cplusplus
@@ -144,6 +144,116 @@ cw_status cw_bounding_box(const cw_solid* solid, double lower[3], double upper[3
 cw_status cw_patch_count(const cw_solid* solid, int32_t* count);
 /// The name of a patch, valid as long as the handle.
 cw_status cw_patch_name(const cw_solid* solid, int32_t patch, const char** name);
+
+// Cut cells: how a closed surface cuts the cells of a grid, exactly. The solid must be a mesh,
+// moved anyhow, that is closed and does not meet itself. Lengths, areas and volumes are in the
+// units of its coordinates. The first call for a solid and a side takes as long as cutting some ten
+// thousand cells more; further ones, and those of other threads, share what it has made.
+
+/// The cut cells of a box of cells. It refers to nothing, and stays valid when the solid is freed.
+typedef struct cw_cells cw_cells;
+/// Frees a handle; NULL is ignored.
+void cw_free_cells(cw_cells* cells);
+
+/// The cells between planes, for a grid whose cells grow.
+typedef struct cw_planes {
+  const double* across[3];  ///< across each axis, ascending, one more than cells along it
+  int64_t counts[3];        ///< how many, at least 2
+  int32_t first[3];         ///< the index of the lowest cell
+} cw_planes;
+
+/// Cuts the cells of a grid patch; the control volumes of nodes, if it has these. Strides do not
+/// count. The fluid is outside the solid, or inside if `fluidInside` is not 0; polygons are kept
+/// if `polygons` is not 0.
+cw_status cw_cut_grid(const cw_solid* solid, const cw_grid* grid, int fluidInside, int polygons,
+                      int threads, cw_cells** result);
+/// Cuts the cells between planes.
+cw_status cw_cut_planes(const cw_solid* solid, const cw_planes* planes, int fluidInside,
+                        int polygons, int threads, cw_cells** result);
+
+/// As many cells along each axis joined to one: see coarsened(). The ratios divide the index of the
+/// lowest cell and the number of cells.
+cw_status cw_coarsened(const cw_cells* cells, const int32_t ratios[3], cw_cells** result);
+/// One piece a cell: the largest is kept and the others covered, and so are pieces with less than
+/// the share `smallest` of their cell, from 0 to 1: see merged().
+cw_status cw_merged(const cw_cells* cells, double smallest, cw_cells** result);
+
+/// Writes all of them to a file, and reads it again: the same rows to the bit.
+cw_status cw_save_cells(const cw_cells* cells, const char* path);
+cw_status cw_load_cells(const char* path, cw_cells** result);
+
+/// Shares of the box's cells that are fluid, from 0 to 1: `count` of them, which must be the number
+/// of cells, x fastest.
+cw_status cw_fluid_fractions(const cw_cells* cells, double* fractions, int64_t count);
+
+// Rows in arrays that stay valid as long as the handle. Cells are sorted by k, then j, then i;
+// pieces by cell; parts of walls by piece and patch; arcs by the cell above them and by axis. Rows
+// are counted from 0, vectors are three doubles in a row.
+
+/// Cells that are cut: `count` of the box, then those around it to which arcs lead.
+typedef struct cw_cut_cells {
+  int64_t count;
+  int64_t countAround;
+  const int32_t* index;         ///< i, j, k
+  const int32_t* firstPiece;    ///< for each cell the row of its first piece; then their number
+  const uint8_t* fluidCorners;  ///< bit n: the corner at (bit 0, bit 1, bit 2) of n is in the fluid
+} cw_cut_cells;
+cw_status cw_cells_rows(const cw_cells* cells, cw_cut_cells* rows);
+
+/// Connected parts of the fluid in these cells.
+typedef struct cw_pieces {
+  int64_t count;
+  int64_t countAround;
+  const int32_t* cell;  ///< row of the cell
+  const double* volume;
+  const double* centroid;
+  const double* wallArea;
+  const double* wallVector;    ///< the integral of the wall's normal out of the fluid
+  const double* wallCentroid;  ///< the piece's where there is no wall
+} cw_pieces;
+cw_status cw_cells_pieces(const cw_cells* cells, cw_pieces* rows);
+
+/// In place of the row of a piece beside an arc.
+enum {
+  CW_WHOLE_CELL = -2,  ///< all of the cell there is fluid
+  CW_BEYOND = -3       ///< the cell there is not known
+};
+
+/// Open parts of the faces between cells.
+typedef struct cw_arcs {
+  int64_t count;
+  const int32_t* below;  ///< the piece on this side, CW_WHOLE_CELL or CW_BEYOND
+  const int32_t* above;
+  const double* area;
+  const double* centroid;
+  const int32_t* cell;  ///< i, j, k of the cell above the face
+  const uint8_t* axis;  ///< across the face: 0, 1 or 2
+} cw_arcs;
+cw_status cw_cells_arcs(const cw_cells* cells, cw_arcs* rows);
+
+/// What each patch of the surface has of a piece's wall.
+typedef struct cw_wall_parts {
+  int64_t count;
+  const int32_t* piece;
+  const int32_t* patch;  ///< see cw_patch_name(); of cw_merged(), one more: what it covered
+  const double* area;
+  const double* vector;  ///< as of pieces
+  const double* centroid;
+} cw_wall_parts;
+cw_status cw_cells_wall_parts(const cw_cells* cells, cw_wall_parts* rows);
+
+/// Polygons: polygon n has the points from first[n] up to that before first[n + 1].
+typedef struct cw_polygons {
+  int64_t count;  ///< 0 if polygons were not kept
+  const int64_t* first;
+  const double* points;
+} cw_polygons;
+/// The outline of each arc, counterclockwise as seen against its axis.
+cw_status cw_cells_arc_polygons(const cw_cells* cells, cw_polygons* polygons);
+/// Those of walls, with normals into the fluid: part n of the wall has the polygons from
+/// firstOfPart[n] up to that before firstOfPart[n + 1]; NULL if polygons were not kept.
+cw_status cw_cells_wall_polygons(const cw_cells* cells, cw_polygons* polygons,
+                                 const int64_t** firstOfPart);
 
 #ifdef __cplusplus
 }

@@ -34,6 +34,41 @@ module cutwater
     integer(c_int32_t) :: nodes = 0
   end type
 
+  ! In place of the row of a piece beside an arc.
+  integer(c_int32_t), parameter :: CW_WHOLE_CELL = -2, CW_BEYOND = -3
+
+  type, bind(c) :: cw_planes
+    type(c_ptr) :: across(3) = c_null_ptr
+    integer(c_int64_t) :: counts(3) = 0
+    integer(c_int32_t) :: first(3) = 0
+  end type
+
+  ! Rows of cut cells: their arrays become Fortran's by c_f_pointer().
+  type, bind(c) :: cw_cut_cells
+    integer(c_int64_t) :: count = 0, count_around = 0
+    type(c_ptr) :: index, first_piece, fluid_corners
+  end type
+
+  type, bind(c) :: cw_pieces
+    integer(c_int64_t) :: count = 0, count_around = 0
+    type(c_ptr) :: cell, volume, centroid, wall_area, wall_vector, wall_centroid
+  end type
+
+  type, bind(c) :: cw_arcs
+    integer(c_int64_t) :: count = 0
+    type(c_ptr) :: below, above, area, centroid, cell, axis
+  end type
+
+  type, bind(c) :: cw_wall_parts
+    integer(c_int64_t) :: count = 0
+    type(c_ptr) :: piece, patch, area, vector, centroid
+  end type
+
+  type, bind(c) :: cw_polygons
+    integer(c_int64_t) :: count = 0
+    type(c_ptr) :: first, points
+  end type
+
   interface
     subroutine cw_free(solid) bind(c)
       import :: c_ptr
@@ -163,6 +198,101 @@ module cutwater
       type(c_ptr), value :: solid
       integer(c_int32_t), value :: patch
       type(c_ptr), intent(out) :: name
+    end function
+
+    subroutine cw_free_cells(cells) bind(c)
+      import :: c_ptr
+      type(c_ptr), value :: cells
+    end subroutine
+
+    integer(c_int) function cw_cut_grid(solid, grid, fluid_inside, polygons, threads, cells) bind(c)
+      import :: c_ptr, c_int, cw_grid
+      type(c_ptr), value :: solid
+      type(cw_grid), intent(in) :: grid
+      integer(c_int), value :: fluid_inside
+      integer(c_int), value :: polygons
+      integer(c_int), value :: threads
+      type(c_ptr), intent(out) :: cells
+    end function
+
+    integer(c_int) function cw_cut_planes(solid, planes, fluid_inside, polygons, threads, cells) bind(c)
+      import :: c_ptr, c_int, cw_planes
+      type(c_ptr), value :: solid
+      type(cw_planes), intent(in) :: planes
+      integer(c_int), value :: fluid_inside
+      integer(c_int), value :: polygons
+      integer(c_int), value :: threads
+      type(c_ptr), intent(out) :: cells
+    end function
+
+    integer(c_int) function cw_coarsened(cells, ratios, coarse) bind(c)
+      import :: c_ptr, c_int, c_int32_t
+      type(c_ptr), value :: cells
+      integer(c_int32_t), intent(in) :: ratios(3)
+      type(c_ptr), intent(out) :: coarse
+    end function
+
+    integer(c_int) function cw_merged(cells, smallest, single) bind(c)
+      import :: c_ptr, c_int, c_double
+      type(c_ptr), value :: cells
+      real(c_double), value :: smallest
+      type(c_ptr), intent(out) :: single
+    end function
+
+    integer(c_int) function cw_save_cells(cells, path) bind(c)
+      import :: c_ptr, c_int, c_char
+      type(c_ptr), value :: cells
+      character(kind=c_char), intent(in) :: path(*)
+    end function
+
+    integer(c_int) function cw_load_cells(path, cells) bind(c)
+      import :: c_ptr, c_int, c_char
+      character(kind=c_char), intent(in) :: path(*)
+      type(c_ptr), intent(out) :: cells
+    end function
+
+    integer(c_int) function cw_fluid_fractions(cells, fractions, count) bind(c)
+      import :: c_ptr, c_int, c_int64_t, c_double
+      type(c_ptr), value :: cells
+      real(c_double), intent(out) :: fractions(*)
+      integer(c_int64_t), value :: count
+    end function
+
+    integer(c_int) function cw_cells_rows(cells, rows) bind(c)
+      import :: c_ptr, c_int, cw_cut_cells
+      type(c_ptr), value :: cells
+      type(cw_cut_cells), intent(out) :: rows
+    end function
+
+    integer(c_int) function cw_cells_pieces(cells, rows) bind(c)
+      import :: c_ptr, c_int, cw_pieces
+      type(c_ptr), value :: cells
+      type(cw_pieces), intent(out) :: rows
+    end function
+
+    integer(c_int) function cw_cells_arcs(cells, rows) bind(c)
+      import :: c_ptr, c_int, cw_arcs
+      type(c_ptr), value :: cells
+      type(cw_arcs), intent(out) :: rows
+    end function
+
+    integer(c_int) function cw_cells_wall_parts(cells, rows) bind(c)
+      import :: c_ptr, c_int, cw_wall_parts
+      type(c_ptr), value :: cells
+      type(cw_wall_parts), intent(out) :: rows
+    end function
+
+    integer(c_int) function cw_cells_arc_polygons(cells, rows) bind(c)
+      import :: c_ptr, c_int, cw_polygons
+      type(c_ptr), value :: cells
+      type(cw_polygons), intent(out) :: rows
+    end function
+
+    integer(c_int) function cw_cells_wall_polygons(cells, polygons, first_of_part) bind(c)
+      import :: c_ptr, c_int, cw_polygons
+      type(c_ptr), value :: cells
+      type(cw_polygons), intent(out) :: polygons
+      type(c_ptr), intent(out) :: first_of_part
     end function
 
     type(c_ptr) function cw_last_error() bind(c)

@@ -17,7 +17,12 @@ program main
   integer(c_int8_t) :: classes(2)
   type(cw_mesh) :: mesh
   type(cw_grid) :: grid
-  type(c_ptr) :: tetrahedron, ball, both, solid, name
+  type(c_ptr) :: tetrahedron, ball, both, solid, name, cells
+  type(cw_pieces) :: pieces
+  type(cw_arcs) :: arcs
+  real(c_double), pointer :: volume(:), wall_vector(:, :)
+  integer(c_int32_t), pointer :: below(:)
+  real(c_double), target :: fractions(n, n, n)
 
   ! [DOCS
   mesh%points = c_loc(corners)
@@ -53,6 +58,24 @@ program main
   ! What is refused says why.
   if (cw_sphere([0d0, 0d0, 0d0], -1d0, name) /= CW_ERROR_ARGUMENT) error stop 1
   print '(2a)', "refused: ", cw_text(cw_last_error())
+
+  ! [DOCS
+  grid%origin = -0.55d0
+  grid%spacing = 0.25d0
+  call need(cw_cut_grid(tetrahedron, grid, 0, 0, 0, cells)) ! fluid outside, no polygons
+  call need(cw_cells_pieces(cells, pieces))
+  call c_f_pointer(pieces%volume, volume, [pieces%count])
+  call c_f_pointer(pieces%wall_vector, wall_vector, [3_c_int64_t, pieces%count])
+  call need(cw_cells_arcs(cells, arcs))
+  call c_f_pointer(arcs%below, below, [arcs%count])
+  call need(cw_fluid_fractions(cells, fractions, size(fractions, kind=c_int64_t)))
+  ! DOCS]
+  print '(a, i0, a, f8.5)', "pieces in cut cells: ", pieces%count, ", of volume ", sum(volume)
+  ! The body is 1/6 of the box of 2 x 2 x 2; its wall is closed.
+  if (abs((n ** 3 - sum(fractions)) * 0.25d0 ** 3 - 1d0 / 6) > 1d-12) error stop 1
+  if (any(abs(sum(wall_vector, dim=2)) > 1d-12)) error stop 1
+  if (.not. all(below >= 0 .or. below == CW_WHOLE_CELL)) error stop 1
+  call cw_free_cells(cells)
 
   call cw_free(tetrahedron)
   call cw_free(ball)

@@ -24,7 +24,7 @@ struct CellContent {
 };
 
 /// Of all cells of a box, cut or not.
-std::vector<CellContent> contentOf(const CutCells& cells) {
+std::vector<CellContent> contentsOf(const CutCells& cells) {
   std::vector<CellContent> result;
   std::map<std::tuple<int, int, int>, std::array<double, 3>> arcs;
   for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
@@ -60,8 +60,8 @@ void expectAllOfEachCell(const PolygonSoup& soup, int n, bool isAligned) {
   const Solid<double> solid{MeshSDF<double>(soup)};
   const auto outside = CellCutter(solid, FluidSide::Outside).cut(grid);
   const auto inside = CellCutter(solid, FluidSide::Inside).cut(grid);
-  const auto fluid = contentOf(outside);
-  const auto body = contentOf(inside);
+  const auto fluid = contentsOf(outside);
+  const auto body = contentsOf(inside);
   const double face = 1.0 / n / n;
   Vec3<double> ofAll;
   for (std::size_t cell = 0; cell < fluid.size(); ++cell) {

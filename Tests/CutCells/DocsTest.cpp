@@ -132,6 +132,18 @@ TEST(DocsTest, LeavesOfAnOctree) {
   EXPECT_LT(check(leaves).worstClosure, 1e-14);
 }
 
+TEST(DocsTest, FilesOfCutCells) {
+  const TemporaryFolder folder;
+  const auto path = folder / "ball.cells";
+  const CellCutter cutter{Solid<double>(MeshSDF<double>(tessellation::icosphere(0.4, 1)))};
+  const auto cells = cutter.cut(cellsBetween({{{-1, 0, 1}, {-1, 0, 1}, {-1, 0, 1}}}));
+  // [DOCS
+  saveCutCells(path, cells);
+  const CutCells loaded = loadCutCells(path);  // the same to the bit
+  // DOCS]
+  EXPECT_EQ(loaded.pieces.volume, cells.pieces.volume);
+}
+
 TEST(DocsTest, OnePieceACell) {
   const Solid<double> plate(MeshSDF<double>(tessellation::box({-1, -1, 0}, {1, 1, 1e-9})));
   const Level<double> level({-0.5, -0.5, -0.45}, {0.125, 0.125, 0.125});

@@ -48,5 +48,16 @@ TEST(ColorMapTest, TheSurfaceIsAStepInLightness) {
       10);
 }
 
+TEST(ColorMapTest, MoreFluidIsLighterByEqualSteps) {
+  const auto at = [](double share) { return lightness(detail::fluidFractionColor(share)); };
+  const double total = at(1) - at(0);
+  EXPECT_GT(total, 60);
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_NEAR(at(0.1 * (i + 1)) - at(0.1 * i), total / 10, 0.35 * total / 10) << i;
+  }
+  EXPECT_EQ(detail::fluidFractionColor(-1), detail::fluidFractionColor(0));
+  EXPECT_EQ(detail::fluidFractionColor(2), detail::fluidFractionColor(1));
+}
+
 }  // namespace
 }  // namespace cutwater::test

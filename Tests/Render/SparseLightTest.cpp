@@ -14,7 +14,7 @@ using detail::PlotArea;
 using detail::SparseLight;
 using detail::SurfaceSample;
 
-constexpr PlotArea kArea{7, 5, 50, 40};
+constexpr PlotArea kLitArea{7, 5, 50, 40};
 
 /// Pixels of size 1, seen along z.
 const Camera kCamera(View::named("+z"), Box<double>{{-30, -30, -1}, {30, 30, 1}}, {32, 25, 60, 60},
@@ -28,7 +28,7 @@ float openAt(const PicturePoint& p) {
 /// A step between columns 30 and 31 of the area.
 SurfaceSample stairs(const PicturePoint& p) {
   SurfaceSample sample;
-  sample.along = p.x < kArea.x0 + 31 ? 0 : 20;
+  sample.along = p.x < kLitArea.x0 + 31 ? 0 : 20;
   sample.normal = {0, 0, 1};
   sample.surface = 0;
   return sample;
@@ -40,15 +40,15 @@ struct Lit {
       computed += at.size();
       for (std::size_t i = 0; i < at.size(); ++i) seen[i].open = openAt(at[i]);
     };
-    SparseLight light(kCamera, kArea, spacing, compute);
-    for (int y = 0; y < kArea.height; ++y) {
-      for (int x = 0; x < kArea.width; ++x) {
-        points.push_back({kArea.x0 + x + 0.5, kArea.y0 + y + 0.5});
+    SparseLight light(kCamera, kLitArea, spacing, compute);
+    for (int y = 0; y < kLitArea.height; ++y) {
+      for (int x = 0; x < kLitArea.width; ++x) {
+        points.push_back({kLitArea.x0 + x + 0.5, kLitArea.y0 + y + 0.5});
         samples.push_back(scene(points.back()));
       }
     }
     light.prepare(samples, {.threads = threads, .progress = {}});
-    const auto width = static_cast<std::size_t>(kArea.width);
+    const auto width = static_cast<std::size_t>(kLitArea.width);
     for (std::size_t row = 0; row < samples.size(); row += width) {
       light.light(std::span(points).subspan(row, width), std::span(samples).subspan(row, width));
     }
@@ -70,7 +70,7 @@ TEST(SparseLightTest, IsInterpolatedOnASurface) {
   EXPECT_LT(lit.computed, lit.samples.size() / 8);
   for (std::size_t i = 0; i < lit.samples.size(); ++i) {
     // Beside the last column that is computed, its light goes on.
-    const auto most = openAt({kArea.x0 + 48.5, 0});
+    const auto most = openAt({kLitArea.x0 + 48.5, 0});
     ASSERT_NEAR(lit.samples[i].open, std::min(openAt(lit.points[i]), most), 1e-6F);
   }
 }
@@ -79,10 +79,10 @@ TEST(SparseLightTest, DoesNotCrossSteps) {
   const Lit lit(4, stairs);
   for (std::size_t i = 0; i < lit.samples.size(); ++i) {
     const double x = lit.points[i].x;
-    if (x > kArea.x0 + 48) continue;
+    if (x > kLitArea.x0 + 48) continue;
     // Up to the last column before the step, light goes on from there.
-    const auto most = x < kArea.x0 + 31 ? openAt({kArea.x0 + 28.5, 0}) : 1;
-    const auto least = x > kArea.x0 + 31 ? openAt({kArea.x0 + 32.5, 0}) : 0;
+    const auto most = x < kLitArea.x0 + 31 ? openAt({kLitArea.x0 + 28.5, 0}) : 1;
+    const auto least = x > kLitArea.x0 + 31 ? openAt({kLitArea.x0 + 32.5, 0}) : 0;
     const float open = lit.samples[i].open;
     const float expected = std::clamp(openAt(lit.points[i]), least, most);
     ASSERT_TRUE(std::abs(open - expected) < 1e-6F || open == openAt(lit.points[i])) << x;
@@ -92,7 +92,7 @@ TEST(SparseLightTest, DoesNotCrossSteps) {
 TEST(SparseLightTest, IsComputedWhereNothingIsNear) {
   const auto dot = [](const PicturePoint& p) {
     SurfaceSample sample;
-    if (std::abs(p.x - (kArea.x0 + 10.5)) > 0.1 || std::abs(p.y - (kArea.y0 + 10.5)) > 0.1) {
+    if (std::abs(p.x - (kLitArea.x0 + 10.5)) > 0.1 || std::abs(p.y - (kLitArea.y0 + 10.5)) > 0.1) {
       return sample;
     }
     sample.along = 0;
@@ -116,12 +116,12 @@ TEST(SparseLightTest, WithoutSpacingAllIsComputed) {
 }
 
 TEST(SparseLightTest, TilesHaveEachPixelOnce) {
-  const detail::PixelTiles tiles(kArea);
-  const auto width = static_cast<std::size_t>(kArea.width);
-  std::vector<int> visits(width * static_cast<std::size_t>(kArea.height));
+  const detail::PixelTiles tiles(kLitArea);
+  const auto width = static_cast<std::size_t>(kLitArea.width);
+  std::vector<int> visits(width * static_cast<std::size_t>(kLitArea.height));
   for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
     tiles.forPixels(tile, [&](int x, int y) {
-      ASSERT_TRUE(0 <= x && x < kArea.width && 0 <= y && y < kArea.height);
+      ASSERT_TRUE(0 <= x && x < kLitArea.width && 0 <= y && y < kLitArea.height);
       ++visits[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
     });
   }

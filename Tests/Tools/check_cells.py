@@ -3,7 +3,7 @@ import json
 import unittest
 
 from command import BOX_POINTS, OPEN_BOX_FACES, CommandTest
-from readers import VtkXml
+from readers import Png, VtkXml
 
 
 class Cells(CommandTest):
@@ -57,6 +57,32 @@ class Cells(CommandTest):
         self.assertEqual((self.folder / "1.vtu").read_bytes(), (self.folder / "3.vtu").read_bytes())
         _, totals = self.totals(*moved)
         self.assertLess(totals["volumeError"], 1e-14)
+
+    def test_draws_a_layer(self):
+        box = ["box.off", "--box", "-1.3,-1.3,-1.3,1.3,1.3,1.3", "--spacing", "0.2", "--size", "600x500"]
+        said = self.succeeds("slice", *box, "--at", "0.05", "-o", "layer.png")
+        self.assertIn("of the cells from y = -0.1 to 0.1", said)
+        self.assertIn("40 of 169 are cut; 0 have several pieces, and in 0 all corners", said)
+        picture = Png(self.folder / "layer.png")
+        self.assertEqual((picture.width, picture.height), (600, 500))
+        self.succeeds("slice", *box, "--at", "0.05", "--threads", "3", "-q", "-o", "again.png")
+        self.assertEqual((self.folder / "layer.png").read_bytes(), (self.folder / "again.png").read_bytes())
+        within = self.succeeds("slice", *box, "--axis", "z", "--inside", "--window", "0.85,0.85,1.15,1.05", "-o", "a.png")
+        self.assertIn("3 of 6 are cut", within)  # the walls at x = 1 and y = 1 meet in one
+        self.box("plate.off", "6,6,1e-6")
+        plate = self.succeeds("slice", "plate.off", "--box", "-1,-1,-1.1,1,1,0.9", "--cells", "8", "-o", "plate.png")
+        self.assertIn("8 of 64 are cut; 8 have several pieces, and in 8 all corners", plate)
+
+    def test_refuses_layers(self):
+        self.assertIn("no cells where y = 9", self.fails(1, "slice", "box.off", "--cells", "9", "--at", "9", "-o", "a.png"))
+        self.assertIn("no cells in the window", self.fails(1, "slice", "box.off", "--cells", "9", "--window", "8,8,9,9",
+                                                           "-o", "a.png"))
+        self.assertIn("pixels cannot show", self.fails(1, "slice", "box.off", "--cells", "5000", "-o", "a.png"))
+        self.assertIn("are for a picture of cells", self.fails(1, "slice", "box.off", "--inside", "-o", "a.png"))
+        (self.folder / "ball.toml").write_text('[ball]\nshape = "sphere"\nradius = 1\n')
+        self.assertIn("ball.toml: cells are cut by a surface",
+                      self.fails(1, "slice", "ball.toml", "--cells", "9", "-o", "a.png"))
+        self.assertFalse((self.folder / "a.png").exists())
 
     def test_refusals(self):
         self.surface("open.off", BOX_POINTS, OPEN_BOX_FACES)

@@ -5,7 +5,9 @@
 #include <Cutwater/Sdf/FluidSide.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -310,5 +312,24 @@ struct CutCellsReport {
 [[nodiscard]] CutCellsReport check(const CutCells& cells);
 /// The same for leaves that together fill their domain.
 [[nodiscard]] CutCellsReport check(const CutLeaves& leaves);
+
+/// Cut cells as bytes, for a file or another rank: the grid, all rows and polygons as they lie in
+/// memory, and a checksum. They depend on the cells and the machine's byte order alone.
+/// @throws Error(Argument) if rows do not belong together, as they do in all cut cells made here.
+[[nodiscard]] std::vector<std::byte> toBytes(const CutCells& cells);
+
+/// The cut cells of which toBytes() made these bytes, to the bit.
+/// @throws Error(File) for bytes of another kind, version or byte order, and for bytes that are
+/// damaged, cut off or followed by others: the checksum, counts, the order of rows and what they
+/// say of each other are checked.
+[[nodiscard]] CutCells cutCellsFrom(std::span<const std::byte> bytes);
+
+/// Writes toBytes() to a file that appears under its name only once it is complete.
+/// @throws Error(Argument) as toBytes() does; Error(File) if it cannot be written.
+void saveCutCells(const std::filesystem::path& path, const CutCells& cells);
+
+/// Reads a file that saveCutCells() wrote.
+/// @throws Error(File) "path: ..." as cutCellsFrom() does, and if it cannot be read.
+[[nodiscard]] CutCells loadCutCells(const std::filesystem::path& path);
 
 }  // namespace cutwater

@@ -180,14 +180,7 @@ void run(const CellsSettings& options) {
     throw Error(ErrorKind::Argument, "--whole-cells is for the file of -o");
   }
   const auto solid = loadSolid(options.surface);
-  const auto* const mesh = solid.as<MeshSDF<double>>();
-  if (mesh == nullptr) {
-    throw Error(ErrorKind::Argument,
-                options.surface.file +
-                    ": cells are cut by a surface, and this scene is none: make one of it by "
-                    "'cutwater isosurface'");
-  }
-  auto placedMesh = *mesh;
+  auto placedMesh = cuttingMesh(solid, options.surface);
   placedMesh.setPlacement(solid.placement());
   const auto placed = placedSurface(placedMesh);
   const auto grid = gridAround(boxAround(solid), options.grid);

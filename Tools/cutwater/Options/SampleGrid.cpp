@@ -107,10 +107,11 @@ std::vector<IndexBox> blocksOf(const IndexBox& grid) {
   return blocks;
 }
 
-void addSizeOptions(Command command, GridRequest& grid) {
+void addSizeOptions(Command command, GridRequest& grid, const std::string& otherwise) {
   const auto cells = command.add(
       "--cells", "N|NXxNYxNZ",
-      "Cubic cells, N along the longest side; or so many along each axis [default: 128]",
+      "Cubic cells, N along the longest side; or so many along each axis [default: " + otherwise +
+          "]",
       [&](const std::string& text) {
         constexpr const char* kNeed = "one whole number above 0 or three: 200 or 200x80x40";
         grid.cells = sizes("--cells", text, kNeed);

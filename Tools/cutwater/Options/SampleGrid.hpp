@@ -33,8 +33,9 @@ struct GridRequest {
 /// Small blocks of indices all over a grid, from which the time for all of it is estimated.
 [[nodiscard]] std::vector<IndexBox> blocksOf(const IndexBox& grid);
 
-/// Adds --cells, --spacing and --total. `grid` must outlive the command.
-void addSizeOptions(Command command, GridRequest& grid);
+/// Adds --cells, --spacing and --total. `grid` must outlive the command. `otherwise`: what there is
+/// without any of them.
+void addSizeOptions(Command command, GridRequest& grid, const std::string& otherwise = "128");
 /// Adds --box and --margin, likewise.
 void addPlaceOptions(Command command, GridRequest& grid);
 

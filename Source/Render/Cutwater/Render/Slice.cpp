@@ -76,28 +76,6 @@ SliceWindow<T> usualWindow(const SignedDistanceFunction<T>& solid, const SlicePl
   return window;
 }
 
-template <std::floating_point T>
-void checkWindow(const SliceWindow<T>& window) {
-  for (std::size_t i = 0; i < 2; ++i) {
-    require(std::isfinite(window.lower[i]) && std::isfinite(window.upper[i]) &&
-                std::isfinite(window.upper[i] - window.lower[i]) &&
-                window.lower[i] < window.upper[i],
-            "renderSlice: need a finite window that is not empty", Named{"lower", window.lower[i]},
-            Named{"upper", window.upper[i]});
-  }
-}
-
-/// The largest area in the given one with the window's proportions, centred.
-template <std::floating_point T>
-PlotArea fitted(const PlotArea& room, const SliceWindow<T>& window) {
-  const double w = static_cast<double>(window.upper[0] - window.lower[0]);
-  const double h = static_cast<double>(window.upper[1] - window.lower[1]);
-  const double perPixel = std::max(w / room.width, h / room.height);
-  const int width = std::clamp(static_cast<int>(std::lround(w / perPixel)), 1, room.width);
-  const int height = std::clamp(static_cast<int>(std::lround(h / perPixel)), 1, room.height);
-  return {room.x0 + (room.width - width) / 2, room.y0 + (room.height - height) / 2, width, height};
-}
-
 /// For values up to `most` in size on one side of the surface, of `range` on both. A thin body has
 /// fewer lines than there is room for elsewhere, but at least one.
 double spacingFor(double most, double range, double lines) {
@@ -177,8 +155,8 @@ Image renderSlice(const SignedDistanceFunction<T>& solid, const SlicePlane<T>& p
   const auto room = layout.room();
   const auto window =
       options.window ? *options.window : usualWindow(solid, plane, options.mesh, room);
-  checkWindow(window);
-  const auto area = fitted(room, window);
+  const auto area =
+      detail::fitted(room, detail::checkedRange(window, 0), detail::checkedRange(window, 1));
 
   const SliceField<T> field(solid, plane, window, area, options);
   const auto spacing =

@@ -10,6 +10,8 @@
 
 namespace cutwater {
 
+struct CutCells;
+
 /// A plane with coordinates (a, b) on it: the points origin + a right + b up.
 template <std::floating_point T>
 struct SlicePlane {
@@ -59,6 +61,28 @@ struct SliceOptions {
 template <std::floating_point T>
 [[nodiscard]] Image renderSlice(const SignedDistanceFunction<T>& solid, const SlicePlane<T>& plane,
                                 const SliceOptions<T>& options = {});
+
+/// Options of renderCells().
+struct CellSliceOptions {
+  /// The part that is shown, as in SliceOptions. Without it: all cells of the layer.
+  std::optional<SliceWindow<double>> window = {};
+  int width = 1600;   ///< of the picture, pixels
+  int height = 1000;  ///< of the picture, pixels
+  std::string title = {};
+  std::string unit = {};  ///< of lengths, e.g. "m"
+};
+
+/// Renders a picture of one layer of cut cells, in the plane through its middle: each piece of
+/// fluid in the colour of its share of the cell, the body hatched, the wall as a line. The body's
+/// part of a cut cell is tinted with the colour of the fluid beside it, so small cells stay in
+/// sight. Cells with several pieces are framed, and those with all corners on one side have a dot.
+///
+/// The layer lies across an axis, 0, 1 or 2, and is told by the index of its cells along it. The
+/// plane's coordinates are those of SlicePlane::across().
+/// @throws Error(Argument) unless the box has such cells and they were cut with their polygons (see
+/// CutOptions); and as renderSlice() does.
+[[nodiscard]] Image renderCells(const CutCells& cells, int axis, std::int32_t layer,
+                                const CellSliceOptions& options = {});
 
 extern template struct SlicePlane<float>;
 extern template struct SlicePlane<double>;

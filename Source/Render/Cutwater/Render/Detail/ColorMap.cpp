@@ -37,4 +37,10 @@ Rgb signedDistanceColor(double fraction) {
   return colors[static_cast<std::size_t>(std::lround(t * kSteps))];
 }
 
+Rgb fluidFractionColor(double fraction) {
+  static const auto colors = side({0.36, 0.130, 300}, {0.95, 0.100, 100}, 0.02);
+  const double t = std::clamp(fraction, 0.0, 1.0);
+  return colors[static_cast<std::size_t>(std::lround(t * kSteps))];
+}
+
 }  // namespace cutwater::detail

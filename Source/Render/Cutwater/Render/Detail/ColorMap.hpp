@@ -11,4 +11,8 @@ namespace cutwater::detail {
 /// @param fraction from -1, deepest inside, to 1, farthest outside; 0 is outside.
 [[nodiscard]] Rgb signedDistanceColor(double fraction);
 
+/// The colour of the share of a cell that is fluid: from a dark violet at 0 over green to a light
+/// yellow at 1. Lightness rises linearly with it.
+[[nodiscard]] Rgb fluidFractionColor(double fraction);
+
 }  // namespace cutwater::detail

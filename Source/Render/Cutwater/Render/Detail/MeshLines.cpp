@@ -1,36 +1,12 @@
 #include <Cutwater/Render/Detail/MeshLines.hpp>
 
 #include <algorithm>
-#include <optional>
 
 namespace cutwater::detail {
 
 namespace {
 
 using Point = std::array<double, 2>;
-
-/// The part of a line that lies in the area. (Liang and Barsky 1984.)
-std::optional<Stroke> clipped(const Stroke& line, const PlotArea& area) {
-  const Point from{line.x0, line.y0};
-  const Point way{line.x1 - line.x0, line.y1 - line.y0};
-  const Point lower{static_cast<double>(area.x0), static_cast<double>(area.y0)};
-  const Point upper{lower[0] + area.width, lower[1] + area.height};
-  double first = 0;
-  double last = 1;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (way[i] == 0) {
-      if (from[i] < lower[i] || from[i] > upper[i]) return {};
-      continue;
-    }
-    const double a = (lower[i] - from[i]) / way[i];
-    const double b = (upper[i] - from[i]) / way[i];
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
-  }
-  if (!(first < last)) return {};
-  return Stroke{from[0] + first * way[0], from[1] + first * way[1], from[0] + last * way[0],
-                from[1] + last * way[1]};
-}
 
 template <std::floating_point T>
 class Lines {

@@ -55,6 +55,38 @@ std::vector<Tick> uncrowded(std::vector<Tick> ticks, const BarScale& scale, doub
 
 }  // namespace
 
+PlotArea fitted(const PlotArea& room, const Interval<double>& right, const Interval<double>& up) {
+  const double w = right.upper - right.lower;
+  const double h = up.upper - up.lower;
+  const double perPixel = std::max(w / room.width, h / room.height);
+  const int width = std::clamp(static_cast<int>(std::lround(w / perPixel)), 1, room.width);
+  const int height = std::clamp(static_cast<int>(std::lround(h / perPixel)), 1, room.height);
+  return {room.x0 + (room.width - width) / 2, room.y0 + (room.height - height) / 2, width, height};
+}
+
+// Liang and Barsky 1984.
+std::optional<Stroke> clipped(const Stroke& line, const PlotArea& area) {
+  const std::array<double, 2> from{line.x0, line.y0};
+  const std::array<double, 2> way{line.x1 - line.x0, line.y1 - line.y0};
+  const std::array<double, 2> lower{static_cast<double>(area.x0), static_cast<double>(area.y0)};
+  const std::array<double, 2> upper{lower[0] + area.width, lower[1] + area.height};
+  double first = 0;
+  double last = 1;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (way[i] == 0) {
+      if (from[i] < lower[i] || from[i] > upper[i]) return {};
+      continue;
+    }
+    const double a = (lower[i] - from[i]) / way[i];
+    const double b = (upper[i] - from[i]) / way[i];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  if (!(first < last)) return {};
+  return Stroke{from[0] + first * way[0], from[1] + first * way[1], from[0] + last * way[0],
+                from[1] + last * way[1]};
+}
+
 SliceLayout::SliceLayout(int width, int height) : style_(width, height), room_{} {
   const auto px = [&](double length) { return style_.px(length); };
   room_ = {px(105), px(96), width - px(105) - px(170), height - px(96) - px(84)};

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Interval.hpp>
 #include <Cutwater/Render/Detail/PictureStyle.hpp>
 #include <Cutwater/Render/Slice.hpp>
 
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 
 /// Internals of renderSlice(), for its own parts only.
@@ -20,6 +23,24 @@ template <std::floating_point T>
 Interval<double> axisRange(const SliceWindow<T>& window, std::size_t i) {
   return {static_cast<double>(window.lower[i]), static_cast<double>(window.upper[i])};
 }
+
+/// Of axis i. @throws Error(Argument) unless it is finite and not empty.
+template <std::floating_point T>
+Interval<double> checkedRange(const SliceWindow<T>& window, std::size_t i) {
+  const T size = window.upper[i] - window.lower[i];
+  require(std::isfinite(window.lower[i]) && std::isfinite(window.upper[i]) && std::isfinite(size) &&
+              size > 0,
+          "picture of a plane: need a finite window that is not empty",
+          Named{"lower", window.lower[i]}, Named{"upper", window.upper[i]});
+  return axisRange(window, i);
+}
+
+/// The largest area in the given one with the proportions of these ranges, centred.
+[[nodiscard]] PlotArea fitted(const PlotArea& room, const Interval<double>& right,
+                              const Interval<double>& up);
+
+/// The part of a line that lies in the area.
+[[nodiscard]] std::optional<Stroke> clipped(const Stroke& line, const PlotArea& area);
 
 /// The annotations around a plot.
 class SliceLayout {

@@ -1,0 +1,13 @@
+// Private: whether rows of cut cells belong together.
+#pragma once
+
+#include <Cutwater/CutCells/CutCells.hpp>
+
+namespace cutwater {
+
+/// What does not hold of these rows, of which every function on cut cells relies: lengths, order,
+/// and what rows say of each other. Null if all is well. Numbers must be finite; whether volumes
+/// and areas are right is for check().
+[[nodiscard]] const char* flawOf(const CutCells& cells);
+
+}  // namespace cutwater
