@@ -160,42 +160,53 @@ class OctahedronMoments {
   double radius_;
 };
 
+/// Of all the fluid in a box and all its wall, about a point.
+struct AllMoments {
+  std::vector<double> volume = std::vector<double>(kOrder.size());
+  std::vector<double> wall = std::vector<double>(kOrder.size());
+  std::vector<Vec3<double>> wallVector = std::vector<Vec3<double>>(kOrder.size());
+
+  AllMoments(const CutCells& cells, const Vec3<double>& about) {
+    for (std::size_t p = 0; p < cells.pieceCount; ++p) addPiece(cells, p, about);
+    const auto [lo, hi] = cells.grid.indices();
+    for (int k = lo.k; k <= hi.k; ++k) {
+      for (int j = lo.j; j <= hi.j; ++j) {
+        for (int i = lo.i; i <= hi.i; ++i) addWhole(cells, {i, j, k}, about);
+      }
+    }
+  }
+
+ private:
+  void addPiece(const CutCells& cells, std::size_t piece, const Vec3<double>& about) {
+    const auto ofPiece = volumeAbout(cells, piece, about);
+    const auto ofWall = wallAbout(cells, piece, about);
+    const auto ofVector = wallVectorAbout(cells, piece, about);
+    for (std::size_t m = 0; m < kOrder.size(); ++m) {
+      volume[m] += ofPiece[m];
+      wall[m] += ofWall[m];
+      wallVector[m] += ofVector[m];
+    }
+  }
+  void addWhole(const CutCells& cells, const Index3& cell, const Vec3<double>& about) {
+    if (cells.classOf(cell) != FluidClass::Fluid) return;
+    const auto box = cells.boxOf(cell);
+    for (std::size_t m = 0; m < kOrder.size(); ++m) {
+      volume[m] += ofBox(kOrder[m], {box.lower - about, box.upper - about});
+    }
+  }
+};
+
 TEST(CutCellsMomentsTest, OfAnOctahedronInCellsThatAreAddedUp) {
   const OctahedronMoments octahedron(0.3);
   for (const Vec3<double>& center : {Vec3<double>{0.5, 0.5, 0.5}, {0.48, 0.53, 0.5}}) {
     for (const int n : {1, 2, 3, 8}) {
-      const auto cells = cellsOf(octahedron.soup(center), unitGrid(n));
-      std::vector<double> volume(kOrder.size());
-      std::vector<double> wall(kOrder.size());
-      std::vector<Vec3<double>> vector(kOrder.size());
-      const auto box = cells.grid.indices();
-      for (int k = 0; k < n; ++k) {
-        for (int j = 0; j < n; ++j) {
-          for (int i = 0; i < n; ++i) {
-            if (cells.classOf({i, j, k}) != FluidClass::Fluid) continue;
-            const auto whole = cells.boxOf({i, j, k});
-            const Box<double> about{whole.lower - center, whole.upper - center};
-            for (std::size_t m = 0; m < kOrder.size(); ++m) volume[m] += ofBox(kOrder[m], about);
-          }
-        }
-      }
-      ASSERT_EQ(box.count(), static_cast<std::size_t>(n) * n * n);
-      for (std::size_t p = 0; p < cells.pieceCount; ++p) {
-        const auto ofPiece = volumeAbout(cells, p, center);
-        const auto ofWall = wallAbout(cells, p, center);
-        const auto ofVector = wallVectorAbout(cells, p, center);
-        for (std::size_t m = 0; m < kOrder.size(); ++m) {
-          volume[m] += ofPiece[m];
-          wall[m] += ofWall[m];
-          vector[m] += ofVector[m];
-        }
-      }
+      const AllMoments found(cellsOf(octahedron.soup(center), unitGrid(n)), center);
       for (std::size_t m = 0; m < kOrder.size(); ++m) {
-        EXPECT_NEAR(volume[m], octahedron.volume(kOrder[m]), 1e-16) << n << ' ' << m;
-        EXPECT_NEAR(wall[m], octahedron.wall(kOrder[m]), 1e-15) << n << ' ' << m;
-        for (int axis = 0; axis < 3; ++axis) {
-          EXPECT_NEAR(vector[m][axis],
-                      octahedron.wallVector(kOrder[m], static_cast<std::size_t>(axis)), 1e-15);
+        EXPECT_NEAR(found.volume[m], octahedron.volume(kOrder[m]), 1e-16) << n << ' ' << m;
+        EXPECT_NEAR(found.wall[m], octahedron.wall(kOrder[m]), 1e-15) << n << ' ' << m;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          EXPECT_NEAR(found.wallVector[m][static_cast<int>(axis)],
+                      octahedron.wallVector(kOrder[m], axis), 1e-15);
         }
       }
     }

@@ -255,7 +255,7 @@ PolygonSoup randomTetrahedron(std::mt19937& random) {
   return soup;
 }
 
-CutCells insideOf(const PolygonSoup& soup, const Vec3<double>& size, std::uint32_t n) {
+CutCells insideOf(const PolygonSoup& soup, const Vec3<double>& size, int n) {
   return CellCutter(Solid<double>(MeshSDF<double>(soup)), FluidSide::Inside)
       .cut(GridPatch<double>{Level<double>({0, 0, 0}, size), IndexBox::ofSize(n, n, n)},
            {.moments = 4});
@@ -266,7 +266,7 @@ TEST(CutMomentsTest, OfTetrahedraPlacedAnyhow) {
   std::size_t compared = 0;
   for (int n = 0; n < scaled(2) && !HasFailure(); ++n) {
     const auto soup = randomTetrahedron(random);
-    for (const std::uint32_t cellsAlong : {1U, 2U}) {
+    for (const int cellsAlong : {1, 2}) {
       const double h = 1.0 / cellsAlong;
       const auto cells = insideOf(soup, {h, h, h}, cellsAlong);
       expectAsExact(cells, ExactTetrahedron(soup), {h, h, h}, 1e-13);

@@ -77,57 +77,69 @@ class PolygonMoments {
   std::vector<Vec3<double>> vector;
 };
 
+/// Within rounding of a monomial's integral over a cell of this width, or a face.
+inline void expectMoment(double found, double expected, std::size_t monomial, double unit,
+                         double width) {
+  for (const std::size_t first : {1U, 4U, 10U, 20U}) {  // of each degree
+    if (monomial >= first) unit *= width;
+  }
+  EXPECT_NEAR(found, expected, 2e-13 * unit) << monomial;
+}
+
+inline void expectMomentsOfArc(const CutCells& cells, std::size_t arc, double width) {
+  PolygonMoments outline(cells.arcs.centroid[arc]);
+  outline.add(cells.arcPolygons.of(arc), 1);
+  const int axis = cells.arcs.axis[arc];
+  for (std::size_t i = 0; i <= 4; ++i) {
+    for (std::size_t j = 0; i + j <= 4; ++j) {
+      const auto inSpace =
+          std::array{CutCells::Moments::indexOf(0, i, j), CutCells::Moments::indexOf(i, 0, j),
+                     CutCells::Moments::indexOf(i, j, 0)}[cells.arcs.axis[arc]];
+      expectMoment(cells.moments.ofArc(arc)[CutCells::Moments::indexOf(i, j)],
+                   outline.vector[inSpace][axis], inSpace, width * width, width);
+    }
+  }
+}
+
+/// `boundary`: all around the piece, about its centroid; `wall`: about its own.
+inline void expectMomentsOfPiece(const CutCells& cells, std::size_t piece,
+                                 const PolygonMoments& boundary, const PolygonMoments& wall,
+                                 double width) {
+  const double face = width * width;
+  const auto& moments = cells.moments;
+  for (std::size_t i = 0; i < 35; ++i) {
+    expectMoment(moments.ofVolume(piece)[i], boundary.volume[i], i, face * width, width);
+    expectMoment(moments.ofWall(piece)[i], wall.area[i], i, face, width);
+    for (int axis = 0; axis < 3; ++axis) {
+      expectMoment(moments.ofWallVector(piece)[i][axis], wall.vector[i][axis], i, face, width);
+    }
+  }
+}
+
 /// That moments are those of arcPolygons and wallPolygons.
 inline void expectMomentsOfPolygons(const CutCells& cells) {
-  const auto size = cells.boxOf(cells.grid.first).size();
-  const double h = maxComponent(size);
-  const auto near = [&](double found, double expected, std::size_t monomial, int dimension) {
-    const int degree = monomial < 1    ? 0
-                       : monomial < 4  ? 1
-                       : monomial < 10 ? 2
-                       : monomial < 20 ? 3
-                                       : 4;
-    EXPECT_NEAR(found, expected, 2e-13 * std::pow(h, degree + dimension)) << monomial;
-  };
+  const double width = maxComponent(cells.boxOf(cells.grid.first).size());
   std::vector<PolygonMoments> pieces;
   std::vector<PolygonMoments> walls;
-  for (std::size_t p = 0; p < cells.pieceCount; ++p) {
+  for (std::size_t p = 0; p < cells.pieces.volume.size(); ++p) {
     pieces.emplace_back(cells.pieces.centroid[p]);
     walls.emplace_back(cells.pieces.wallCentroid[p]);
   }
   for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
     const auto outline = cells.arcPolygons.of(a);
-    if (cells.arcs.below[a] < cells.pieceCount) pieces[cells.arcs.below[a]].add(outline, 1);
-    if (cells.arcs.above[a] < cells.pieceCount) pieces[cells.arcs.above[a]].add(outline, -1);
-    PolygonMoments arc(cells.arcs.centroid[a]);
-    arc.add(outline, 1);
-    const int axis = cells.arcs.axis[a];
-    for (std::size_t i = 0; i <= 4; ++i) {
-      for (std::size_t j = 0; i + j <= 4; ++j) {
-        const auto inSpace = axis == 0   ? CutCells::Moments::indexOf(0, i, j)
-                             : axis == 1 ? CutCells::Moments::indexOf(i, 0, j)
-                                         : CutCells::Moments::indexOf(i, j, 0);
-        near(cells.moments.ofArc(a)[CutCells::Moments::indexOf(i, j)], arc.vector[inSpace][axis],
-             inSpace, 2);
-      }
-    }
+    if (cells.arcs.below[a] < pieces.size()) pieces[cells.arcs.below[a]].add(outline, 1);
+    if (cells.arcs.above[a] < pieces.size()) pieces[cells.arcs.above[a]].add(outline, -1);
+    expectMomentsOfArc(cells, a, width);
   }
   for (std::size_t w = 0; w < cells.wallParts.area.size(); ++w) {
     const auto piece = cells.wallParts.piece[w];
-    if (piece >= cells.pieceCount) continue;
     for (auto n = cells.firstWallPolygon[w]; n < cells.firstWallPolygon[w + 1]; ++n) {
       pieces[piece].add(cells.wallPolygons.of(n), -1);
       walls[piece].add(cells.wallPolygons.of(n), -1);
     }
   }
   for (std::size_t p = 0; p < cells.pieceCount; ++p) {
-    for (std::size_t i = 0; i < 35; ++i) {
-      near(cells.moments.ofVolume(p)[i], pieces[p].volume[i], i, 3);
-      near(cells.moments.ofWall(p)[i], walls[p].area[i], i, 2);
-      for (int axis = 0; axis < 3; ++axis) {
-        near(cells.moments.ofWallVector(p)[i][axis], walls[p].vector[i][axis], i, 2);
-      }
-    }
+    expectMomentsOfPiece(cells, p, pieces[p], walls[p], width);
   }
 }
 

@@ -18,7 +18,7 @@ class Monomials {
   static constexpr int kHighest = CutCells::Moments::kHighest;
   /// How many there are up to a degree.
   [[nodiscard]] static constexpr std::size_t count(int degree) {
-    const auto n = static_cast<std::size_t>(degree + 1);
+    const auto n = static_cast<std::size_t>(degree) + 1;
     return kVariables == 2 ? n * (n + 1) / 2 : n * (n + 1) * (n + 2) / 6;
   }
   static constexpr std::size_t kCount = count(kHighest);
@@ -34,10 +34,11 @@ class Monomials {
 
   [[nodiscard]] static constexpr std::size_t indexOf(
       const std::array<std::uint8_t, kVariables>& powers) {
-    if constexpr (kVariables == 2)
+    if constexpr (kVariables == 2) {
       return CutCells::Moments::indexOf(powers[0], powers[1]);
-    else
+    } else {
       return CutCells::Moments::indexOf(powers[0], powers[1], powers[2]);
+    }
   }
 };
 
