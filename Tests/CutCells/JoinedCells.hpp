@@ -77,6 +77,11 @@ class JoinedCells {
       visit(below, above, int{fine_.arcs.axis[a]}, nodeOf(below, fine_.arcs.below[a]),
             nodeOf(above, fine_.arcs.above[a]), fine_.arcs.area[a], fine_.arcs.centroid[a]);
     }
+    forWholeFaces(visit);
+  }
+  /// Those of cells that are all fluid: no arc says that they are open.
+  template <typename Visit>
+  void forWholeFaces(const Visit& visit) const {
     for (int n = 0; n < static_cast<int>(box_.count()); ++n) {
       const auto x = static_cast<int>(box_.length(0));
       const auto y = static_cast<int>(box_.length(1));
