@@ -88,8 +88,10 @@ std::uint32_t CoarseFace::partAt(std::uint32_t finer, int side, double place, bo
       std::ranges::binary_search(sources_.tileOf(source).rims.cutFaces, finerFace(source));
   if (!isCut) return firstPart_[finer] < firstPart_[finer + 1] ? firstPart_[finer] : kNone;
   const auto key = [](const LeafRims::RimStretch& s) { return std::pair(s.face, s.side); };
-  const auto [first, last] = std::ranges::equal_range(sources_.tileOf(source).rims.stretches,
-                                                      std::pair(finerFace(source), side), {}, key);
+  const auto& stretches = sources_.tileOf(source).rims.stretches;
+  const std::pair edge(finerFace(source), side);
+  const auto first = std::ranges::lower_bound(stretches, edge, {}, key);
+  const auto last = std::ranges::upper_bound(stretches, edge, {}, key);
   const auto found = std::find_if(first, last, [&](const LeafRims::RimStretch& s) {
     return ifWhole ? s.isWhole : s.ends.contains(place);
   });

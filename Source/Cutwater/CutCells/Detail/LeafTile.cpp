@@ -28,7 +28,7 @@ class RimNotes {
       if (hasFiner) addWalls(row);
     }
     std::ranges::sort(tile_.rims.cutFaces);
-    std::ranges::sort(tile_.rims.triangles);
+    std::ranges::sort(tile_.rims.triangles, {}, &LeafRims::RimTriangle::key);
     std::ranges::sort(tile_.rims.stretches, {}, [](const LeafRims::RimStretch& s) {
       return std::tuple(s.face, s.side, s.arc, s.ends.lower);
     });
@@ -62,9 +62,9 @@ class RimNotes {
 
   void addWalls(std::uint32_t row) {
     const auto fragments = parts_.surface.fragments();
-    const auto [first, last] =
-        std::ranges::equal_range(fragments, tile_.cut.cells[row], {}, &TileFragment::cell);
-    for (auto fragment = first; fragment != last; ++fragment) {
+    const auto cell = tile_.cut.cells[row];
+    auto fragment = std::ranges::lower_bound(fragments, cell, {}, &TileFragment::cell);
+    for (; fragment != fragments.end() && fragment->cell == cell; ++fragment) {
       const auto number = static_cast<std::size_t>(fragment - fragments.begin());
       tile_.rims.walls.push_back({row, fragment->triangle, tile_.cut.content.ofFragments[number]});
     }
@@ -85,9 +85,9 @@ std::uint32_t LeafTile::faceOf(std::uint32_t row, int axis, bool isHigh) const {
 
 std::span<const std::pair<std::uint32_t, std::uint32_t>> LeafTile::arcsOf(
     std::uint32_t face) const {
-  const auto found =
-      std::ranges::equal_range(arcs, face, {}, [](const auto& arc) { return arc.first; });
-  return {found.begin(), found.end()};
+  const auto key = [](const auto& arc) { return arc.first; };
+  return {std::ranges::lower_bound(arcs, face, {}, key),
+          std::ranges::upper_bound(arcs, face, {}, key)};
 }
 
 namespace {

@@ -5,8 +5,9 @@
 namespace cutwater {
 
 std::span<const PieceWall> wallsOf(const CellPieces& content, std::uint32_t piece) {
-  const auto [first, last] = std::ranges::equal_range(content.walls, piece, {}, &PieceWall::piece);
-  return {first, last};
+  const auto& walls = content.walls;
+  return {std::ranges::lower_bound(walls, piece, {}, &PieceWall::piece),
+          std::ranges::upper_bound(walls, piece, {}, &PieceWall::piece)};
 }
 
 void addPieceRows(const CellPieces& content, std::uint32_t piece, const CutFrame& frame,
