@@ -87,21 +87,22 @@ class JoinedCells {
       const auto y = static_cast<int>(box_.length(1));
       const Index3 cell{n % x, n / x % y, n / x / y};
       if (fine_.classOf(cell) != FluidClass::Fluid) continue;
-      for (int axis = 0; axis < 3; ++axis) {
-        for (const int side : {0, 1}) {
-          auto other = cell;
-          (axis == 0 ? other.i : axis == 1 ? other.j : other.k) += 2 * side - 1;
-          const bool isIn = box_.contains(other);
-          if (isIn && (side == 0 || fine_.rowOf(other) != CutCells::kNoRow)) continue;
-          auto centroid = fine_.boxOf(cell).center();
-          centroid[axis] = fine_.boxOf(cell).corner(7 * side)[axis];
-          const auto& below = side == 0 ? other : cell;
-          const auto& above = side == 0 ? cell : other;
-          visit(below, above, axis, nodeOf(below, CutCells::kWholeCell),
-                nodeOf(above, CutCells::kWholeCell), fine_.faceArea(cell, axis), centroid);
-        }
-      }
+      for (const int face : {0, 1, 2, 3, 4, 5})
+        visitWholeFace(visit, cell, face / 2, face % 2 == 1);
     }
+  }
+  template <typename Visit>
+  void visitWholeFace(const Visit& visit, const Index3& cell, int axis, bool isHigh) const {
+    auto other = cell;
+    (axis == 0 ? other.i : axis == 1 ? other.j : other.k) += isHigh ? 1 : -1;
+    if (box_.contains(other) && (!isHigh || fine_.rowOf(other) != CutCells::kNoRow)) return;
+    const auto box = fine_.boxOf(cell);
+    auto centroid = box.center();
+    centroid[axis] = isHigh ? box.upper[axis] : box.lower[axis];
+    const auto& below = isHigh ? cell : other;
+    const auto& above = isHigh ? other : cell;
+    visit(below, above, axis, nodeOf(below, CutCells::kWholeCell),
+          nodeOf(above, CutCells::kWholeCell), fine_.faceArea(cell, axis), centroid);
   }
 
   void join() {

@@ -28,7 +28,7 @@ class RimNotes {
       if (hasFiner) addWalls(row);
     }
     std::ranges::sort(tile_.rims.cutFaces);
-    std::ranges::sort(tile_.rims.triangles);
+    std::ranges::sort(tile_.rims.triangles, {}, &LeafRims::RimTriangle::key);
     std::ranges::sort(tile_.rims.stretches, {}, [](const LeafRims::RimStretch& s) {
       return std::tuple(s.face, s.side, s.arc, s.ends.lower);
     });

@@ -13,7 +13,7 @@ struct LeafRims {
   struct RimTriangle {
     std::uint32_t arc = 0;
     std::uint32_t triangle = 0;
-    auto operator<=>(const RimTriangle&) const = default;
+    [[nodiscard]] auto key() const { return std::pair(arc, triangle); }
   };
   /// A stretch of an edge of such a face: `side` as in edgeOfFace(), ends in the frame.
   struct RimStretch {
