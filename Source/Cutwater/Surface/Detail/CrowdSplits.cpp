@@ -122,7 +122,6 @@ class PlaneSearch {
 
  private:
   static constexpr std::size_t kMostInSample = 96;
-  static constexpr double kNearlyHalved = 0.55;  // 0.5: half on each side
   static constexpr double kWellSplit = 0.6;
   static constexpr double kWorthwhile = 0.85;
 
@@ -145,14 +144,14 @@ class PlaneSearch {
     }
   }
 
-  /// Planes through the vertices that many of the triangles share, first through both.
+  /// Planes through the vertices that many of the triangles share.
   void tryHubs() {
     const auto [first, second] = hubs();
     if (first == kNone) return;
-    const bool hasTwo = second != kNone && pairs_.position(first) != pairs_.position(second);
-    if (hasTwo) tryAxis(first, second);
-    if (leastWork_ > kNearlyHalved) tryHub(first);
-    if (leastWork_ > kNearlyHalved && hasTwo) tryHub(second);
+    tryHub(first);
+    if (second == kNone || pairs_.position(first) == pairs_.position(second)) return;
+    tryHub(second);
+    tryAxis(first, second);
   }
 
   /// The two vertices that most triangles share; kNone unless at least an eighth does.
@@ -225,7 +224,6 @@ class PlaneSearch {
       auto plane = planeThrough(here, halvingNormal(directions, ahead, normal), reach_);
       plane.hubs[0] = hub;
       consider(plane);
-      if (leastWork_ <= kNearlyHalved) return;
     }
   }
 
@@ -239,7 +237,6 @@ class PlaneSearch {
     const Vec3<double> normal = halvingNormal(directions, ahead, cross(axis, ahead));
     for (const auto& across : {cross(normal, axis), normal}) {
       consider({{here, pairs_.position(second), here + reach_ * across}, {first, second}});
-      if (leastWork_ <= kNearlyHalved) return;
     }
   }
 

@@ -11,7 +11,7 @@ namespace {
 /// A leaf with more leaves around it is crowded. On a smooth surface there are about 16.
 constexpr std::size_t kMostAround = 48;
 /// Crowds up to this size are not split.
-constexpr std::size_t kSmallCrowd = 32;
+constexpr std::size_t kSmallCrowd = 16;
 /// Crowds are split beforehand into at most about this many tasks, of at least this many triangles.
 constexpr std::size_t kMostCrowds = 96;
 constexpr std::size_t kLeastInCrowd = 256;

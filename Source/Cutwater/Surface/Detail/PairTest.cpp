@@ -11,6 +11,7 @@ namespace cutwater {
 namespace {
 
 constexpr std::uint8_t kHasArea = 1U << 6U;  // in Views::bits
+constexpr std::size_t kMostInStar = 24;      // the time for a star is the square of its size
 
 }  // namespace
 
@@ -28,11 +29,10 @@ PairTest::PairTest(std::span<const Vec3<double>> positions, std::span<const Corn
   const Stars at = stars();
   const std::span<const std::uint32_t> list(at.list);
   parallelFor(positions.size(), inRanges, [&](std::size_t begin, std::size_t end) {
-    std::vector<Angle> angles;
     for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
       const auto star = list.subspan(at.begins[v], at.begins[v + 1] - at.begins[v]);
       const bool isAsked = std::ranges::any_of(star, [&](auto t) { return isChanged(t); });
-      isFlat_[v] = isAsked && liesFlat(v, star, angles) ? 1 : 0;
+      isFlat_[v] = isAsked && liesFlat(v, star) ? 1 : 0;
     }
   });
 }
@@ -95,34 +95,33 @@ PairTest::Views PairTest::viewsOf(const Corners& triangle) const {
   return views;
 }
 
-bool PairTest::liesFlat(std::uint32_t vertex, std::span<const std::uint32_t> star,
-                        std::vector<Angle>& angles) const {
-  if (star.size() < 3) return false;
+bool PairTest::liesFlat(std::uint32_t vertex, std::span<const std::uint32_t> star) const {
+  if (star.size() < 3 || star.size() > kMostInStar) return false;
   unsigned common = kHasArea - 1U;
   for (const auto t : star) common &= views_[t].bits;
   if (common == 0) return false;
   const int view = std::countr_zero(common);
   // Seen along that axis, each triangle fills an angle at the vertex, less than half a turn, from
   // its corner `from` to its corner `to`, counterclockwise.
-  angles.clear();
+  std::array<std::uint32_t, kMostInStar> from{};
+  std::array<std::uint32_t, kMostInStar> to{};
   unsigned turns = 0;  // angles that contain the direction of the view's first axis
-  for (const auto id : star) {
-    const auto& t = triangles_[id];
+  for (std::size_t k = 0; k < star.size(); ++k) {
+    const auto& t = triangles_[star[k]];
     const std::size_t own = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
-    angles.push_back({t[(own + 1) % 3], t[(own + 2) % 3]});
-    if (view >= 3) std::swap(angles.back().from, angles.back().to);
-    turns += views_[id].passes[static_cast<std::size_t>(view % 3)] >> own & 1U;
+    from[k] = t[(own + 1) % 3];
+    to[k] = t[(own + 2) % 3];
+    turns += views_[star[k]].passes[static_cast<std::size_t>(view % 3)] >> own & 1U;
   }
   if (turns != 1) return false;
+  if (view >= 3) std::swap(from, to);
   // One ring in which each triangle ends where the next one begins: every direction is in as many
   // angles as that axis is, in one.
-  std::ranges::sort(angles, {}, &Angle::from);
-  auto at = angles.begin();
-  for (std::size_t step = 1; step <= angles.size(); ++step) {
-    const auto end = at->to;
-    at = std::ranges::lower_bound(angles, end, {}, &Angle::from);
-    if (at == angles.end() || at->from != end) return false;
-    if ((at == angles.begin()) != (step == angles.size())) return false;
+  std::size_t at = 0;
+  for (std::size_t step = 1; step <= star.size(); ++step) {
+    const auto end = from.begin() + static_cast<std::ptrdiff_t>(star.size());
+    at = static_cast<std::size_t>(std::find(from.begin(), end, to[at]) - from.begin());
+    if (at == star.size() || (at == 0) != (step == star.size())) return false;
   }
   return true;
 }

@@ -59,15 +59,8 @@ class PairTest {
     std::array<std::uint8_t, 3> passes{};
   };
   [[nodiscard]] Views viewsOf(const Corners& triangle) const;
-  /// A triangle's angle at a vertex, between two others.
-  struct Angle {
-    std::uint32_t from = 0;
-    std::uint32_t to = 0;
-  };
-  /// Whether these triangles, all those at the vertex, lie around it as said above. `angles` is
-  /// space to work in.
-  [[nodiscard]] bool liesFlat(std::uint32_t vertex, std::span<const std::uint32_t> star,
-                              std::vector<Angle>& angles) const;
+  /// Whether these triangles, all those at the vertex, lie around it as said above.
+  [[nodiscard]] bool liesFlat(std::uint32_t vertex, std::span<const std::uint32_t> star) const;
 
   std::span<const Vec3<double>> positions_;
   std::span<const Corners> triangles_;
