@@ -5,27 +5,17 @@
 #include <Cutwater/Surface/Tessellation.hpp>
 
 #include <cstring>
-#include <cutwater.h>
-#include <memory>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "Bindings/CApiHandles.hpp"
 #include "Support/Soups.hpp"
 #include "Support/TemporaryFolder.hpp"
 
 namespace cutwater::test {
 namespace {
-
-using CellsHandle = std::unique_ptr<cw_cells, decltype(&cw_free_cells)>;
-
-template <typename Make>
-CellsHandle cellsOf(Make make) {
-  cw_cells* cells = nullptr;
-  EXPECT_EQ(make(&cells), CW_OK) << cw_last_error();
-  return {cells, &cw_free_cells};
-}
 
 /// A ball beside a thin plate, in a patch each.
 PolygonSoup ballAndPlate() {
@@ -38,7 +28,6 @@ PolygonSoup ballAndPlate() {
 }
 
 /// Turned, through C.
-using SolidHandle = std::unique_ptr<cw_solid, decltype(&cw_free)>;
 SolidHandle solidOfC() {
   const auto soup = MeshSDF<double>(ballAndPlate()).soup();
   const std::vector<std::int32_t> corners(soup.corners.begin(), soup.corners.end());
@@ -48,13 +37,9 @@ SolidHandle solidOfC() {
                        corners.data(),    static_cast<std::int64_t>(patches.size()),
                        patches.data(),    2,
                        names.data()};
-  cw_solid* mesh = nullptr;
-  EXPECT_EQ(cw_from_mesh(&arrays, 1, &mesh), CW_OK) << cw_last_error();
+  const auto mesh = made([&](cw_solid** out) { return cw_from_mesh(&arrays, 1, out); });
   const double axis[3] = {1, 2, 3};
-  cw_solid* turned = nullptr;
-  EXPECT_EQ(cw_rotated(mesh, 33, axis, nullptr, &turned), CW_OK) << cw_last_error();
-  cw_free(mesh);
-  return {turned, &cw_free};
+  return made([&](cw_solid** out) { return cw_rotated(mesh.get(), 33, axis, nullptr, out); });
 }
 
 /// The same by the library.

@@ -8,30 +8,19 @@
 
 #include <bit>
 #include <cstring>
-#include <cutwater.h>
-#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "Bindings/CApiHandles.hpp"
 #include "Support/Random.hpp"
 #include "Support/Soups.hpp"
 #include "Support/TemporaryFolder.hpp"
 
 namespace cutwater::test {
 namespace {
-
-using Handle = std::unique_ptr<cw_solid, decltype(&cw_free)>;
-
-/// What make(&handle) gives; expects that it succeeds.
-template <typename Make>
-Handle made(Make make) {
-  cw_solid* solid = nullptr;
-  EXPECT_EQ(make(&solid), CW_OK) << cw_last_error();
-  return {solid, &cw_free};
-}
 
 /// Two bodies of a patch each that do not meet, with edges and vertices of many faces.
 PolygonSoup twoPatches() {
@@ -45,7 +34,7 @@ PolygonSoup twoPatches() {
 
 /// A mesh of two patches less a ball, with a box beside it, moved: through C, and by the library.
 struct Both {
-  Handle c{nullptr, &cw_free};
+  SolidHandle c{nullptr, &cw_free};
   Solid<double> solid = Sphere<double>({0, 0, 0}, 1);
 };
 

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "Support/Grid.hpp"
 #include "Support/Scale.hpp"
 
 namespace cutwater::test {
@@ -177,13 +178,7 @@ void expectTheSameEverywhere(const Solid<double>& solid) {
   std::mt19937 random(1);
   std::size_t compared = 0;
   for (int n = 0; n < scaled(60); ++n) {
-    std::array<int, 3> lo{};
-    std::array<int, 3> hi{};
-    for (std::size_t a = 0; a < 3; ++a) {
-      lo[a] = static_cast<int>(random() % 29);
-      hi[a] = lo[a] + static_cast<int>(random() % static_cast<unsigned>(29 - lo[a]));
-    }
-    const IndexBox box{{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}};
+    const auto box = randomBox(29, random);
     const KnownCells part(cutter.cut(GridPatch<double>{patch.level, box}));
     for (const auto& [place, pieces] : part.pieces) {
       EXPECT_EQ(pieces, whole.pieces.at(place));

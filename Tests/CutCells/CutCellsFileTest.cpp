@@ -8,13 +8,13 @@
 #include <Cutwater/Surface/Tessellation.hpp>
 
 #include <cstring>
-#include <fstream>
 #include <functional>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "CutCells/RandomVoxels.hpp"
+#include "Support/FileRefusal.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Soups.hpp"
 #include "Support/TemporaryFolder.hpp"
@@ -151,16 +151,7 @@ TEST(CutCellsFileTest, HasTheBytesOfItsVersion) {
 
 /// What is wrong with the bytes; nothing if they are taken.
 std::string refusalOf(std::span<const std::byte> bytes) {
-  try {
-    static_cast<void>(cutCellsFrom(bytes));
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::File) << error.what();
-    const std::string message = error.what();
-    EXPECT_FALSE(message.empty());
-    EXPECT_EQ(message.find('\n'), std::string::npos);
-    return message;
-  }
-  return "";
+  return fileRefusal([&] { return cutCellsFrom(bytes); });
 }
 
 TEST(CutCellsFileTest, EveryBitCounts) {
@@ -305,18 +296,7 @@ TEST(CutCellsFileTest, RowsSayNothingThatOthersDeny) {
 
 /// What loadCutCells() says of a file with this content, without the file's name.
 std::string refusalOfFile(const std::string& content) {
-  const TemporaryFolder folder;
-  const auto path = folder / "file";
-  std::ofstream(path, std::ios::binary) << content;
-  try {
-    static_cast<void>(loadCutCells(path));
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::File);
-    const std::string message = error.what();
-    EXPECT_TRUE(message.starts_with(path.string() + ": ")) << message;
-    return message.substr(path.string().size() + 2);
-  }
-  return "";
+  return fileRefusal(content, [](const auto& path) { return loadCutCells(path); });
 }
 
 TEST(CutCellsFileTest, SaysWhatAFileIsThatIsNone) {

@@ -11,6 +11,7 @@
 
 #include "CutCells/MomentCells.hpp"
 #include "CutCells/RandomVoxels.hpp"
+#include "Support/Grid.hpp"
 #include "Support/PolygonMoments.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Soups.hpp"
@@ -124,13 +125,7 @@ TEST(TileMomentsTest, AreTheSameInEveryBoxAndWithAnyNumberOfThreads) {
   std::mt19937 random(1);
   std::size_t compared = 0;
   for (int n = 0; n < scaled(20); ++n) {
-    std::array<int, 3> lo{};
-    std::array<int, 3> hi{};
-    for (std::size_t a = 0; a < 3; ++a) {
-      lo[a] = static_cast<int>(random() % 29);
-      hi[a] = lo[a] + static_cast<int>(random() % static_cast<unsigned>(29 - lo[a]));
-    }
-    const IndexBox box{{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}};
+    const auto box = randomBox(29, random);
     for (const auto& [place, rows] :
          rowsByPlace(cutter.cut(GridPatch<double>{patch.level, box}, {.moments = 4}))) {
       ASSERT_EQ(rows, whole.at(place));

@@ -27,8 +27,8 @@ void expectSameWithoutTree(const MeshSDF<T>& mesh, const DcelMesh<T>& dcel) {
 template <typename T>
 void expectCutCells(const MeshSDF<T>& mesh) {
   if (!mesh.signReport().isSound() || !isOfOrdinarySize(mesh)) return;
-  const Box<double> box(Vec3<double>(mesh.surfaceBox().lower),
-                        Vec3<double>(mesh.surfaceBox().upper));
+  const Box<double> box{Vec3<double>(mesh.surfaceBox().lower),
+                        Vec3<double>(mesh.surfaceBox().upper)};
   const auto inner = Vec3<double>(mesh.triangle(0)[0]);
   std::array<std::vector<double>, 3> planes;
   for (int axis = 0; axis < 3; ++axis) {

@@ -207,34 +207,22 @@ TYPED_TEST(GeometryFileTest, AHeaderTellsWhatItIs) {
 
 /// What open() says of a file with this content.
 template <typename T>
-std::string refusalOf(const TemporaryFolder& folder, std::string_view content) {
-  const auto path = folder / "file";
-  std::ofstream(path, std::ios::binary) << content;
-  try {
-    (void)MeshSDF<T>::open(path);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::File);
-    const std::string message = error.what();
-    const auto name = path.string() + ": ";
-    EXPECT_TRUE(message.starts_with(name)) << message;
-    return message.substr(std::min(message.size(), name.size()));
-  }
-  return "";
+std::string refusalOf(std::string_view content) {
+  return fileRefusal(content, [](const auto& path) { return MeshSDF<T>::open(path); });
 }
 
 TYPED_TEST(GeometryFileTest, RefusesOtherFiles) {
   using T = TypeParam;
-  const TemporaryFolder folder;
-  EXPECT_EQ(refusalOf<T>(folder, ""), "there is nothing in it");
+  EXPECT_EQ(refusalOf<T>(""), "there is nothing in it");
   for (const auto* content : {"solid hull\n", "x", "\x89PNG\r\n\x1a\n",
                               "\x89"
                               "Cutting"}) {
-    EXPECT_EQ(refusalOf<T>(folder, content), "this is no geometry file") << content;
+    EXPECT_EQ(refusalOf<T>(content), "this is no geometry file") << content;
   }
-  EXPECT_EQ(refusalOf<T>(folder,
-                         "\x89"
+  EXPECT_EQ(refusalOf<T>("\x89"
                          "Cut"),
             "the geometry file is damaged: it ends within its header");
+  const TemporaryFolder folder;
   for (const auto& path : {folder / "", folder / "missing"}) {
     try {
       (void)MeshSDF<T>::open(path);

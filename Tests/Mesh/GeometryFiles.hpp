@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 
 #include <cstring>
@@ -9,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "Support/DamagedSoups.hpp"
+#include "Support/FileRefusal.hpp"
 
 namespace cutwater::test {
 
@@ -43,16 +43,7 @@ class EditableBytes {
 /// What is wrong with the bytes; nothing if they can be viewed.
 template <typename T>
 std::string refusal(std::span<const std::byte> bytes, const MeshViewOptions& options = {}) {
-  try {
-    static_cast<void>(MeshSDF<T>::view(bytes, options));
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::File) << error.what();
-    const std::string message = error.what();
-    EXPECT_FALSE(message.empty());
-    EXPECT_EQ(message.find('\n'), std::string::npos);
-    return message;
-  }
-  return "";
+  return fileRefusal([&] { return MeshSDF<T>::view(bytes, options); });
 }
 
 /// Open, of several patches, with faces of four corners: every array has something in it.

@@ -3,6 +3,7 @@
 #include <Cutwater/Core/IndexBox.hpp>
 
 #include <bit>
+#include <random>
 #include <type_traits>
 
 namespace cutwater::test {
@@ -22,6 +23,17 @@ void forEach(const IndexBox& box, Visit visit) {
       for (int i = box.lo.i; i <= box.hi.i; ++i) visit(Index3{i, j, k});
     }
   }
+}
+
+/// A box of indices within [0, count)^3.
+inline IndexBox randomBox(int count, std::mt19937& random) {
+  const auto upTo = [&](int end) {
+    return static_cast<int>(random() % static_cast<unsigned>(end));
+  };
+  const Index3 lower{upTo(count), upTo(count), upTo(count)};
+  return {lower,
+          {lower.i + upTo(count - lower.i), lower.j + upTo(count - lower.j),
+           lower.k + upTo(count - lower.k)}};
 }
 
 }  // namespace cutwater::test

@@ -105,7 +105,9 @@ class Rows {
   [[nodiscard]] bool areArcs() const {
     const auto& [below, above, area, centroid, cell, axis] = cells_.arcs;
     if (!areAsLong(area.size(), below, above, centroid, cell, axis)) return false;
-    const auto key = [&](std::size_t a) { return std::tuple(placeInOrder(cell[a]), axis[a]); };
+    const auto key = [&arcs = cells_.arcs](std::size_t a) {
+      return std::tuple(placeInOrder(arcs.cell[a]), arcs.axis[a]);
+    };
     for (std::size_t a = 0; a < area.size(); ++a) {
       if (axis[a] > 2 || !around_.contains(cell[a])) return false;
       const auto under = cells_.arcs.cellBelow(a);

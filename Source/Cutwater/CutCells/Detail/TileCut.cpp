@@ -46,29 +46,29 @@ std::uint8_t fluidCorners(const EdgeStretches& stretches, const TilePlace& cell)
 
 /// Finds the rows of cells among those of fragments and of pieces.
 void noteCells(const TileParts& parts, TileCut& out) {
-  const auto& [wanted, frame, planes, surface, stretches, faces] = parts;
-  const auto fragments = surface.fragments();
+  const auto& numbers = parts.surface.numbers();
+  const auto fragments = parts.surface.fragments();
   const auto& pieces = out.content.pieces;
   std::uint32_t piece = 0;
   for (std::size_t first = 0; first < fragments.size();) {
     const auto cell = fragments[first].cell;
     auto last = first + 1;
     while (last < fragments.size() && fragments[last].cell == cell) ++last;
-    if (!isWanted(wanted, cell)) {
+    if (!isWanted(parts.wanted, cell)) {
       first = last;
       continue;
     }
     out.cells.push_back(cell);
     out.firstPiece.push_back(piece);
-    out.fluidCorners.push_back(fluidCorners(stretches, surface.numbers().placeOfCell(cell)));
+    out.fluidCorners.push_back(fluidCorners(parts.stretches, numbers.placeOfCell(cell)));
     double fluid = 0;
     for (; piece < pieces.size() && pieces[piece].cell == cell; ++piece) {
       fluid += pieces[piece].volume;
     }
-    const auto size = planes.sizeOf(surface.numbers().placeOfCell(cell));
+    const auto size = parts.planes.sizeOf(numbers.placeOfCell(cell));
     const double volume = size.x * size.y * size.z;
-    const bool isTouched = touches(surface, fragments.subspan(first, last - first), planes,
-                                   volume / maxComponent(size));
+    const bool isTouched = touches(parts.surface, fragments.subspan(first, last - first),
+                                   parts.planes, volume / maxComponent(size));
     if (isTouched) out.isBody[cell] = fluid < 0.5 * volume;
     out.isTouched.push_back(isTouched ? 1 : 0);
     first = last;
@@ -77,15 +77,14 @@ void noteCells(const TileParts& parts, TileCut& out) {
 }
 
 void addArcPolygons(const TileParts& parts, TileCut& out) {
-  const auto& [wanted, frame, planes, surface, stretches, faces] = parts;
   auto& outlines = out.polygons.arcs;
   const auto& arcs = out.content.arcs;
   while (outlines.count() < arcs.size()) {
     const auto face = arcs[outlines.count()].face;
-    if (faces.isCut(face)) {
-      addOutlines(surface, stretches, faces, planes, face, outlines);
+    if (parts.faces.isCut(face)) {
+      addOutlines(parts.surface, parts.stretches, parts.faces, parts.planes, face, outlines);
     } else {
-      addWholeOutline(surface.numbers(), planes, face, outlines);
+      addWholeOutline(parts.surface.numbers(), parts.planes, face, outlines);
     }
   }
 }

@@ -139,7 +139,7 @@ void CellLayer::addSection(std::uint32_t row) {
   SectionedCell cell{.row = row, .segments = {}, .side = {}};
   const auto& parts = all_.wallParts.piece;
   for (auto piece = all_.cells.firstPiece[row]; piece < all_.cells.firstPiece[row + 1]; ++piece) {
-    const auto [first, last] = std::ranges::equal_range(parts, piece);
+    const auto [first, last] = std::equal_range(parts.begin(), parts.end(), piece);
     const auto from = static_cast<std::size_t>(first - parts.begin());
     const auto to = static_cast<std::size_t>(last - parts.begin());
     for (auto n = all_.firstWallPolygon[from]; n < all_.firstWallPolygon[to]; ++n) {
