@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "Support/DamagedSoups.hpp"
+#include "Support/Soups.hpp"
 #include "Support/TemporaryFolder.hpp"
 
 namespace cutwater::test {
@@ -130,6 +132,28 @@ TEST(DocsTest, LeavesOfAnOctree) {
   EXPECT_GT(fluid, 10);
   EXPECT_GT(faces, fluid);
   EXPECT_LT(check(leaves).worstClosure, 1e-14);
+}
+
+TEST(DocsTest, ConnectedFluid) {
+  const auto shell =
+      together(tessellation::icosphere(0.4, 2), insideOut(tessellation::icosphere(0.3, 2)));
+  const CellCutter cutter{Solid<double>(MeshSDF<double>(shell))};
+  const Level<double> level({-0.5, -0.5, -0.5}, {0.125, 0.125, 0.125});
+  const auto cells = cutter.cut(GridPatch<double>{level, IndexBox::ofSize(8, 8, 8)});
+  std::size_t inCavity = 0;
+  const auto useCavity = [&](const Index3& cell, bool isCavity) {
+    const double distance = length(cells.boxOf(cell).center());
+    EXPECT_LE(std::abs(distance - (isCavity ? 0.3 : 0.4)), 0.11);
+    inCavity += isCavity ? 1 : 0;
+  };
+  // [DOCS
+  const CutRegions fluid(cells);
+  for (std::uint32_t p = 0; p < cells.pieceCount; ++p) {
+    const bool isCavity = !fluid.regions()[fluid.ofPiece(p)].goesOn;
+    useCavity(cells.cells.index[cells.pieces.cell[p]], isCavity);
+  }
+  // DOCS]
+  EXPECT_GT(inCavity, 50U);
 }
 
 TEST(DocsTest, FilesOfCutCells) {
