@@ -94,7 +94,7 @@ class CutRegions::Builder {
   /// What is neither cut nor body, in each line along x.
   void findRuns(const CutCells& cells) {
     const auto& box = owner_.box_;
-    const std::uint64_t line = box.length(0);
+    const auto line = lines()[0];
     const auto add = [&](std::uint64_t from, std::uint64_t to) {
       while (from < to) {
         const auto end = std::min(to, (from / line + 1) * line);
@@ -124,8 +124,7 @@ class CutRegions::Builder {
   void joinRuns() {
     const auto& box = owner_.box_;
     const auto& runs = owner_.runs_;
-    const std::uint64_t nx = box.length(0);
-    const std::uint64_t ny = box.length(1);
+    const auto [nx, ny] = lines();
     const std::uint64_t nz = box.length(2);
     // For each run, those before it by a line or a layer are found by going through both lists.
     for (const auto distance : {nx, nx * ny}) {
@@ -147,6 +146,11 @@ class CutRegions::Builder {
       if (isAtRim) goesOn_[pieces_ + n] = 1;
     }
   }
+  /// The cells of a line along x, and the lines of a layer; of an empty box, in which no run is, 1.
+  [[nodiscard]] std::array<std::uint64_t, 2> lines() const {
+    const auto& box = owner_.box_;
+    return {std::max<std::uint64_t>(box.length(0), 1), std::max<std::uint64_t>(box.length(1), 1)};
+  }
   void joinRun(std::size_t a, std::size_t b) {
     sets_.unite(static_cast<std::uint32_t>(pieces_ + a), static_cast<std::uint32_t>(pieces_ + b));
   }
@@ -156,8 +160,7 @@ class CutRegions::Builder {
     return static_cast<std::uint32_t>(after - owner_.runs_.begin() - 1);
   }
   [[nodiscard]] CutRegion contentOf(const CutCells& cells, const Run& run) const {
-    const auto nx = owner_.box_.length(0);
-    const auto ny = owner_.box_.length(1);
+    const auto [nx, ny] = lines();
     const auto& planes = cells.grid.planes;
     const auto width = [&](std::size_t axis, std::uint64_t from, std::uint64_t to) {
       return planes[axis][to + 1] - planes[axis][from + 1];  // the first plane is below the box

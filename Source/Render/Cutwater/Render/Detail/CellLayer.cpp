@@ -73,7 +73,7 @@ std::optional<double> passage(const PlanePoint& p, const PlanePoint& way,
 CellSide SectionedCell::at(const PlanePoint& p) const {
   if (segments.empty()) return side;
   // Towards the segment that is met least at a slant, if nothing comes before it.
-  const WallSegment* target = nullptr;
+  const WallSegment* target = segments.data();
   double steepest = -1;
   for (const auto& segment : segments) {
     const auto way = between(segment.from, segment.to) - p;
