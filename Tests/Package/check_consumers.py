@@ -5,7 +5,8 @@ repository may show in the consumer's commands. Installed headers give no warnin
 
   static        find_package on the installed build under test, moved after installation
   fast          the same, by a consumer with -O3 -march=native -ffast-math
-  subproject    add_subdirectory, unoptimised
+  configured    add_subdirectory, without a build: it leaves the project's settings and flags alone
+  subproject    the same, built unoptimised
   fastproject   add_subdirectory by a project with -O3 -march=native -ffast-math
   shared        find_package on a shared library
   plain         find_package on a library built file by file, with no optional dependency
@@ -107,12 +108,17 @@ def check_inline_arithmetic(build):
         raise Failure("mark as CUTWATER_INLINE, or move to a .cpp:\n  " + "\n  ".join(bad))
 
 
-def consumer(args, name, includes, reference, flags="", *options):
+def configured(args, name, include, flags="", *options):
     build = args.work / f"consumer-{name}"
     configure(args.source / "Tests/Package/Consumer", build, args.compiler,
               f"-DCMAKE_CXX_FLAGS={flags}", *options)
+    check_flags(build, args.compiler, include, flags)
+    return build
+
+
+def consumer(args, name, includes, reference, flags="", *options):
+    build = configured(args, name, includes[0], flags, *options)
     run("cmake", "--build", build)
-    check_flags(build, args.compiler, includes[0], flags)
     check_c(build, includes[1])
     check_inline_arithmetic(build)
     printed = run(build / "Consumer")
@@ -174,9 +180,11 @@ def check(args):
     def packaged(name, prefix, flags=""):
         consumer(args, name, [prefix / "include"] * 2, reference, flags, f"-DCMAKE_PREFIX_PATH={prefix}")
 
+    as_subproject = f"-DCUTWATER_SOURCE={args.source}"
+
     def subproject(name, flags):
         consumer(args, name, [args.source / "Source", args.source / "Bindings/C"], reference, flags,
-                 f"-DCUTWATER_SOURCE={args.source}")
+                 as_subproject)
 
     prefix = None
     for variant in args.variants:
@@ -190,6 +198,9 @@ def check(args):
             check_example(args, prefix)
         elif variant == "fast":
             packaged(variant, prefix, FAST)
+        elif variant == "configured":
+            configured(args, variant, args.source / "Source", "", as_subproject)
+            print("configured: settings and flags stay as they are", flush=True)
         elif variant == "subproject":
             subproject(variant, "")
         elif variant == "fastproject":
