@@ -59,10 +59,12 @@ struct CutCells {
 
     /// Whether all corners are on one side: codes that know the signs of corners alone lose what is
     /// in the cell.
-    [[nodiscard]] bool isThin(std::size_t row) const {
-      return fluidCorners[row] == 0 || fluidCorners[row] == 0xff;
-    }
+    [[nodiscard]] bool isThin(std::size_t row) const { return CutCells::isThin(fluidCorners[row]); }
   };
+  /// The same, by the bits of corners.
+  [[nodiscard]] static constexpr bool isThin(std::uint8_t corners) {
+    return corners == 0 || corners == 0xff;
+  }
   /// Connected parts of the fluid in a cell.
   struct Pieces {
     std::vector<std::uint32_t> cell;  ///< its row
@@ -256,6 +258,9 @@ struct CutLeaves {
     std::vector<Box<double>> box;
     std::vector<std::uint32_t> firstPiece;  ///< one more than leaves: the last is the number of all
     std::vector<std::uint8_t> fluidCorners;  ///< as in CutCells::Cells
+
+    /// See CutCells::Cells::isThin().
+    [[nodiscard]] bool isThin(std::size_t row) const { return CutCells::isThin(fluidCorners[row]); }
   };
   /// Open parts of a face between two leaves.
   struct Arcs {

@@ -148,11 +148,9 @@ class LeavesAssembly {
   void gather(std::uint32_t finer, int axis, bool isHigh, const PieceArc& arc, const ArcSide& below,
               const ArcSide& above) {
     if (arc.isDropped) return;
-    const auto leaf = sources_.source(finer).leaf;
-    add({.finer = leaf,
+    add({.finer = sources_.source(finer).leaf,
          .axis = axis,
          .isHigh = isHigh,
-         .number = static_cast<std::uint32_t>(arcs_.size()),
          .below = below,
          .above = above,
          .area = arc.area / (frame_.scale * frame_.scale),
@@ -167,18 +165,20 @@ class LeavesAssembly {
     add({.finer = leaf,
          .axis = axis,
          .isHigh = isHigh,
-         .number = static_cast<std::uint32_t>(arcs_.size()),
          .below = below,
          .above = above,
          .area = grid_.faceArea(leaf, axis),
          .centroid = centroid});
   }
-  void add(const LeafArc& arc) {
+  /// Numbers it, unless it leads to a piece that is dropped, or to none.
+  void add(LeafArc arc) {
     const auto pieces = std::array{arc.below.piece, arc.above.piece};
     const bool isDropped = std::ranges::count(pieces, kDroppedPiece) > 0;
     const bool hasPiece =
         std::ranges::any_of(pieces, [&](std::uint32_t piece) { return piece < pieceCount(); });
-    if (!isDropped && hasPiece) arcs_.push_back(arc);
+    if (isDropped || !hasPiece) return;
+    arc.number = static_cast<std::uint32_t>(arcs_.size());
+    arcs_.push_back(arc);
   }
 
   void addArcs() {
