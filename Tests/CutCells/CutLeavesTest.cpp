@@ -13,47 +13,13 @@
 #include <gtest/gtest.h>
 
 #include "CutCells/JoinedCells.hpp"
+#include "CutCells/RandomLeaves.hpp"
 #include "CutCells/RandomVoxels.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Soups.hpp"
 
 namespace cutwater::test {
 namespace {
-
-using Mesh = OctreeCells<double>;
-
-void addRandomLeaves(std::mt19937& random, const Index3& index, int level, int deepest,
-                     unsigned percent, std::vector<OctreeCell>& leaves) {
-  if (level == deepest || random() % 100 >= percent) {
-    leaves.push_back({.index = index, .level = static_cast<std::uint8_t>(level)});
-    return;
-  }
-  for (int child = 0; child < 8; ++child) {
-    addRandomLeaves(
-        random,
-        {2 * index.i + (child & 1), 2 * index.j + (child >> 1 & 1), 2 * index.k + (child >> 2)},
-        level + 1, deepest, percent, leaves);
-  }
-}
-
-/// A cube of one root, divided at random, not balanced.
-Mesh randomMesh(std::mt19937& random, int deepest, double lower, double width,
-                unsigned percent = 60) {
-  std::vector<OctreeCell> leaves;
-  addRandomLeaves(random, {}, 0, deepest, percent, leaves);
-  return {OctreeDomain<double>({lower, lower, lower}, width, {1, 1, 1}), deepest, leaves};
-}
-
-Solid<double> turnedTorus() {
-  Solid<double> solid(MeshSDF<double>(tessellation::torus(0.3, 0.1, 40, 20)));
-  solid.rotate(33.0, Vec3<double>{1, 2, 3});
-  solid.translate({0.51, 0.49, 0.47});
-  return solid;
-}
-
-GridPatch<double> finestOf(const Mesh& mesh) {
-  return {mesh.domain().level(mesh.deepest()), mesh.domain().indices(mesh.deepest())};
-}
 
 void expectIdentities(const CutLeaves& leaves) {
   const auto report = check(leaves);

@@ -280,8 +280,16 @@ struct CutLeaves {
   CutCells::WallParts wallParts;        ///< walls by patch
   std::vector<std::string> patchNames;  ///< of the surface
   std::vector<FluidClass> classes;      ///< of every leaf; never Unknown
+  CutCells::Moments moments;            ///< on request, of pieces and arcs
   double wholeFluid = 0;                ///< the volume of the leaves that are all fluid
   double wholeBody = 0;                 ///< and of those without fluid
+
+  /// On request, see CutOptions: as in CutCells. Where leaves of other levels are across a face or
+  /// an edge of a leaf, polygons have their corners, too: those of a wall are convex but for
+  /// rounding then.
+  CutCells::Polygons arcPolygons;
+  CutCells::Polygons wallPolygons;
+  std::vector<std::uint64_t> firstWallPolygon;  ///< of each part of the wall; then their number
 
   /// The row of a leaf; kNoRow if it is not cut.
   [[nodiscard]] std::uint32_t rowOf(std::uint32_t leaf) const;

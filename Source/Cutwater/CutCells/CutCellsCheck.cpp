@@ -111,6 +111,7 @@ double wholeBodyVolume(const CutCells& cells) {
 template <typename Cut>
 CutCellsReport checkedRows(const Cut& cut) {
   CutCellsReport report{.cutCells = cutCount(cut)};
+  report.worstMoments = worstMoments(cut);
   checkClosure(cut, report);
   checkRanges(cut, report);
   return report;
@@ -136,7 +137,6 @@ CutCellsReport check(const CutCells& cells) {
   report.bodyVolume = wholeBodyVolume(cells) + static_cast<double>(sums.volume - sums.fluid);
   report.fluidVolume = all - report.bodyVolume;
   report.wallArea = static_cast<double>(sums.wall);
-  report.worstMoments = worstMoments(cells);
   return report;
 }
 
