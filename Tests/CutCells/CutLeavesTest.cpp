@@ -21,19 +21,6 @@
 namespace cutwater::test {
 namespace {
 
-using Mesh = OctreeCells<double>;
-
-Solid<double> turnedTorus() {
-  Solid<double> solid(MeshSDF<double>(tessellation::torus(0.3, 0.1, 40, 20)));
-  solid.rotate(33.0, Vec3<double>{1, 2, 3});
-  solid.translate({0.51, 0.49, 0.47});
-  return solid;
-}
-
-GridPatch<double> finestOf(const Mesh& mesh) {
-  return {mesh.domain().level(mesh.deepest()), mesh.domain().indices(mesh.deepest())};
-}
-
 void expectIdentities(const CutLeaves& leaves) {
   const auto report = check(leaves);
   EXPECT_EQ(report.outOfRange, 0U);

@@ -156,6 +156,20 @@ TEST(DocsTest, ConnectedFluid) {
   EXPECT_GT(inCavity, 50U);
 }
 
+TEST(DocsTest, PolyhedraOfLeaves) {
+  const TemporaryFolder folder;
+  const auto path = folder / "leaves.vtu";
+  const Solid<double> hull(MeshSDF<double>(tessellation::icosphere(0.4, 2)));
+  const CellCutter cutter(hull);
+  const OctreeDomain<double> domain({-0.5, -0.5, -0.5}, 1, {1, 1, 1});
+  const Octree<double> mesh(hull, domain, {.cut = 2});
+  // [DOCS
+  const CutLeaves withPolygons = cutter.cut(mesh, {.polygons = true});
+  writePointData(path, cutCellMesh(withPolygons, mesh));
+  // DOCS]
+  EXPECT_GT(std::filesystem::file_size(path), 64 * withPolygons.pieces.cell.size());
+}
+
 TEST(DocsTest, FilesOfCutCells) {
   const TemporaryFolder folder;
   const auto path = folder / "ball.cells";

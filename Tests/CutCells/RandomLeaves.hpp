@@ -1,11 +1,15 @@
 #pragma once
 
 #include <Cutwater/Grid/OctreeCells.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Sdf/Solid.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <random>
-#include <vector>
 
 namespace cutwater::test {
+
+using Mesh = OctreeCells<double>;
 
 inline void addRandomLeaves(std::mt19937& random, const Index3& index, int level, int deepest,
                             unsigned percent, std::vector<OctreeCell>& leaves) {
@@ -22,11 +26,23 @@ inline void addRandomLeaves(std::mt19937& random, const Index3& index, int level
 }
 
 /// A cube of one root, divided at random, not balanced.
-inline OctreeCells<double> randomMesh(std::mt19937& random, int deepest, double lower, double width,
-                                      unsigned percent = 60) {
+inline Mesh randomMesh(std::mt19937& random, int deepest, double lower, double width,
+                       unsigned percent = 60) {
   std::vector<OctreeCell> leaves;
   addRandomLeaves(random, {}, 0, deepest, percent, leaves);
   return {OctreeDomain<double>({lower, lower, lower}, width, {1, 1, 1}), deepest, leaves};
+}
+
+inline Solid<double> turnedTorus() {
+  Solid<double> solid(MeshSDF<double>(tessellation::torus(0.3, 0.1, 40, 20)));
+  solid.rotate(33.0, Vec3<double>{1, 2, 3});
+  solid.translate({0.51, 0.49, 0.47});
+  return solid;
+}
+
+/// The cells of its finest level.
+inline GridPatch<double> finestOf(const Mesh& mesh) {
+  return {mesh.domain().level(mesh.deepest()), mesh.domain().indices(mesh.deepest())};
 }
 
 }  // namespace cutwater::test

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Io/PointData.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
@@ -103,6 +104,48 @@ TEST(CutCellMeshTest, ComesBackFromAFile) {
   const auto& patch = numbersOf<std::int32_t>(mesh, "patch");
   for (const int wanted : {-1, 0, 1}) EXPECT_GT(std::ranges::count(patch, wanted), 4) << wanted;
   EXPECT_EQ(mesh.patchNames, (std::vector<std::string>{"lower", "upper"}));
+}
+
+Octree<double> treeAroundBall() {
+  // The ball is finer below: faces between levels are in it.
+  const Solid<double> lower(MeshSDF<double>(tessellation::icosphere(0.1, 1)));
+  Solid<double> placed = lower;
+  placed.translate({0.52, 0.49, 0.2});
+  const OctreeDomain<double> domain({0, 0, 0}, 0.25, {4, 4, 4});
+  Refinement<double> rules;
+  rules.cut = 2;
+  return Octree<double>(placed, domain, rules);
+}
+
+TEST(CutCellMeshTest, HasAPolyhedronForEachPieceOfALeaf) {
+  const CellCutter cutter{Solid<double>(MeshSDF<double>(ball()))};
+  const auto tree = treeAroundBall();
+  const auto leaves = cutter.cut(tree, {.polygons = true});
+  const auto mesh = cutCellMesh(leaves, tree, true);
+  const auto pieces = leaves.pieces.cell.size();
+  const auto& volumes = numbersOf<double>(mesh, "volume");
+  const auto& levels = numbersOf<std::int32_t>(mesh, "level");
+  const auto& leaf = numbersOf<std::int32_t>(mesh, "leaf");
+  const auto& cell = numbersOf<std::int32_t>(mesh, "cell");
+  double sum = 0;
+  for (std::size_t i = 0; i < mesh.cells.count(); ++i) {
+    sum += volumes[i];
+    const auto& of = tree.cells()[static_cast<std::size_t>(leaf[i])];
+    EXPECT_EQ(levels[i], of.level);
+    EXPECT_EQ((Index3{cell[3 * i], cell[3 * i + 1], cell[3 * i + 2]}), of.index);
+    EXPECT_EQ(mesh.cells.kinds[i], i < pieces ? 42 : 12);
+    if (i < pieces) {
+      EXPECT_NEAR(volumeOf(mesh, i), leaves.pieces.volume[i], 1e-15);
+    } else {
+      EXPECT_EQ(mesh.points[mesh.cells.cell(i)[0]], tree.box(of).lower);
+      EXPECT_EQ(mesh.points[mesh.cells.cell(i)[6]], tree.box(of).upper);
+    }
+  }
+  EXPECT_NEAR(sum, check(leaves).fluidVolume, 1e-14);
+  const auto cut = std::span(levels).first(pieces);
+  for (const int level : {0, 1, 2}) EXPECT_GT(std::ranges::count(cut, level), 4) << level;
+  const Octree<double> other(Solid<double>(MeshSDF<double>(ball())), tree.domain(), Refinement<double>{});
+  EXPECT_THROW(static_cast<void>(cutCellMesh(leaves, other)), Error);
 }
 
 TEST(CutCellMeshTest, NeedsPolygons) {

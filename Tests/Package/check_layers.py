@@ -31,7 +31,7 @@ MAY_INCLUDE = {
     "Render": "Core Bvh Sdf Operations Grid CutCells",
     "Scene": "Core Text Sdf Shapes Operations Surface Mesh Lattice Tpms Io",
     "Repair": "Core Text Bvh Surface Mesh",
-    "P4est": "Core Surface Mesh Grid Io",
+    "P4est": "Core Surface Mesh Grid CutCells Io",
 }
 PARTS = {"Render", "Scene", "Repair", "P4est"}  # components, each in a folder of its own
 GPL = {"Repair", "P4est"}

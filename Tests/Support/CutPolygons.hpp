@@ -70,37 +70,62 @@ inline double planeBelow(const CutCells& cells, const Index3& cell, int axis) {
   return cells.grid.planes[static_cast<std::size_t>(axis)][static_cast<std::size_t>(n) + 1];
 }
 
-/// That polygons are those of the arcs and walls, and close every piece, to the bit.
+/// That polygons are those of the arcs and walls, and close every piece, to the bit. `planeOf` and
+/// `faceOf`: of the face of an arc, its place and its area; `unitOf`: the volume of a piece's cell.
+/// `rounding`: of coordinates, times that of numbers near a cell's size.
+template <typename Cut, typename PlaneOf, typename FaceOf, typename UnitOf>
+void expectPolygons(const Cut& cut, std::size_t pieceCount, const PlaneOf& planeOf,
+                    const FaceOf& faceOf, const UnitOf& unitOf, double rounding = 1) {
+  ASSERT_EQ(cut.arcPolygons.count(), cut.arcs.area.size());
+  ASSERT_EQ(cut.firstWallPolygon.size(), cut.wallParts.area.size() + 1);
+  ASSERT_EQ(cut.firstWallPolygon.back(), cut.wallPolygons.count());
+  std::vector<PolyhedronBoundary> boundaries(pieceCount);
+  for (std::size_t a = 0; a < cut.arcs.area.size(); ++a) {
+    const auto outline = cut.arcPolygons.of(a);
+    const int axis = cut.arcs.axis[a];
+    const double plane = planeOf(a);
+    for (const auto& p : outline) ASSERT_EQ(p[axis], plane);
+    EXPECT_NEAR(areaVector(outline)[axis], cut.arcs.area[a], 1e-13 * rounding * faceOf(a));
+    if (cut.arcs.below[a] < pieceCount) boundaries[cut.arcs.below[a]].add(outline, 1);
+    if (cut.arcs.above[a] < pieceCount) boundaries[cut.arcs.above[a]].add(outline, -1);
+  }
+  for (std::size_t w = 0; w < cut.wallParts.area.size(); ++w) {
+    const auto piece = cut.wallParts.piece[w];
+    double area = 0;
+    for (auto n = cut.firstWallPolygon[w]; n < cut.firstWallPolygon[w + 1]; ++n) {
+      const auto polygon = cut.wallPolygons.of(n);
+      area += length(areaVector(polygon));
+      if (piece < pieceCount) boundaries[piece].add(polygon, -1);
+    }
+    EXPECT_NEAR(area, cut.wallParts.area[w], 1e-12 * rounding * std::pow(unitOf(piece), 2.0 / 3));
+  }
+  for (std::uint32_t p = 0; p < pieceCount; ++p) {
+    EXPECT_EQ(boundaries[p].openEdges(), 0U) << "piece " << p;
+    EXPECT_NEAR(boundaries[p].volume(), cut.pieces.volume[p], 1e-12 * rounding * unitOf(p))
+        << "piece " << p;
+  }
+}
+
 inline void expectPolygonsOf(const CutCells& cells) {
   const double unit = cells.cellVolume(cells.grid.first);
-  ASSERT_EQ(cells.arcPolygons.count(), cells.arcs.area.size());
-  ASSERT_EQ(cells.firstWallPolygon.size(), cells.wallParts.area.size() + 1);
-  ASSERT_EQ(cells.firstWallPolygon.back(), cells.wallPolygons.count());
-  std::vector<PolyhedronBoundary> boundaries(cells.pieceCount);
-  for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
-    const auto outline = cells.arcPolygons.of(a);
-    const int axis = cells.arcs.axis[a];
-    const double plane = planeBelow(cells, cells.arcs.cell[a], axis);
-    for (const auto& p : outline) ASSERT_EQ(p[axis], plane);
-    const auto area = areaVector(outline);
-    EXPECT_NEAR(area[axis], cells.arcs.area[a], 1e-13 * cells.faceArea(cells.arcs.cell[a], axis));
-    if (cells.arcs.below[a] < cells.pieceCount) boundaries[cells.arcs.below[a]].add(outline, 1);
-    if (cells.arcs.above[a] < cells.pieceCount) boundaries[cells.arcs.above[a]].add(outline, -1);
-  }
-  for (std::size_t w = 0; w < cells.wallParts.area.size(); ++w) {
-    double area = 0;
-    for (auto n = cells.firstWallPolygon[w]; n < cells.firstWallPolygon[w + 1]; ++n) {
-      const auto polygon = cells.wallPolygons.of(n);
-      area += length(areaVector(polygon));
-      const auto piece = cells.wallParts.piece[w];
-      if (piece < cells.pieceCount) boundaries[piece].add(polygon, -1);
-    }
-    EXPECT_NEAR(area, cells.wallParts.area[w], 1e-12 * std::cbrt(unit) * std::cbrt(unit));
-  }
-  for (std::uint32_t p = 0; p < cells.pieceCount; ++p) {
-    EXPECT_EQ(boundaries[p].openEdges(), 0U) << "piece " << p;
-    EXPECT_NEAR(boundaries[p].volume(), cells.pieces.volume[p], 1e-12 * unit) << "piece " << p;
-  }
+  expectPolygons(
+      cells, cells.pieceCount,
+      [&](std::size_t a) { return planeBelow(cells, cells.arcs.cell[a], cells.arcs.axis[a]); },
+      [&](std::size_t a) { return cells.faceArea(cells.arcs.cell[a], cells.arcs.axis[a]); },
+      [&](std::uint32_t) { return unit; });
+}
+
+inline void expectPolygonsOf(const CutLeaves& leaves, double rounding = 1) {
+  const auto planeOf = [&](std::size_t a) {
+    const bool isBelow = leaves.arcs.below[a] < leaves.pieces.cell.size();
+    const auto piece = isBelow ? leaves.arcs.below[a] : leaves.arcs.above[a];
+    const auto& box = leaves.cut.box[leaves.pieces.cell[piece]];
+    return isBelow ? box.upper[leaves.arcs.axis[a]] : box.lower[leaves.arcs.axis[a]];
+  };
+  expectPolygons(
+      leaves, leaves.pieces.cell.size(), planeOf,
+      [&](std::size_t a) { return leaves.arcs.faceArea[a]; },
+      [&](std::uint32_t p) { return leaves.leafVolume(leaves.pieces.cell[p]); }, rounding);
 }
 
 }  // namespace cutwater::test

@@ -84,6 +84,42 @@ class Cells(CommandTest):
                       self.fails(1, "slice", "ball.toml", "--cells", "9", "-o", "a.png"))
         self.assertFalse((self.folder / "a.png").exists())
 
+    def test_an_octree_of_one_level_gives_the_totals_of_the_grid(self):
+        place = ["box.off", "--box", "-1.3,-1.3,-1.3,1.3,1.3,1.3"]
+        _, grid = self.totals(*place, "--cells", "13")
+        said, octree = self.totals(*place, "--roots", "13", "--level", "0")
+        self.assertIn("cut 602 of 2 197 cells of an octree", said)
+        self.assertEqual(set(grid), set(octree))
+        for key in ("cells", "cutCells", "pieces", "multiPieceCells", "thinCells"):
+            self.assertEqual(grid[key], octree[key])
+        for key in ("fluidVolume", "bodyVolume", "boundaryArea"):
+            self.assertAlmostEqual(grid[key], octree[key], places=12)
+
+    def test_leaves_are_polyhedra_of_several_levels(self):
+        said, totals = self.totals("box.off", "--roots", "4", "--level", "1", "--edges", "30:3",
+                                   "--whole-cells", "-o", "leaves.vtu")
+        self.assertIn("of an octree, the finest of", said)
+        self.assertAlmostEqual(totals["bodyVolume"], 8, places=12)
+        for key in ("volumeError", "areaError", "worstClosure"):
+            self.assertLess(totals[key], 1e-13)
+        leaves = VtkXml(self.folder / "leaves.vtu")
+        self.assertEqual(set(leaves.arrays["types"]), {12, 42})
+        self.assertAlmostEqual(sum(leaves.arrays["volume"]), totals["fluidVolume"], places=11)
+        cut = [level for level, kind in zip(leaves.arrays["level"], leaves.arrays["types"]) if kind == 42]
+        self.assertEqual((min(cut), max(cut), len(cut)), (1, 3, totals["pieces"]))
+        inside = self.totals("box.off", "--roots", "4", "--level", "2", "--inside")[1]
+        self.assertAlmostEqual(inside["fluidVolume"], 8, places=12)
+
+    def test_refusals_of_octrees(self):
+        refusal = self.fails(1, "cells", "box.off", "--level", "9", "--max-cells", "1e5", "-o", "cut.vtu")
+        level = refusal.split("--level ")[1].split()[0]
+        self.succeeds("cells", "box.off", "--level", level, "--max-cells", "1e5")
+        self.assertIn("memory", self.fails(1, "cells", "box.off", "--level", "9", "--max-memory", "0.1"))
+        self.fails(2, "cells", "box.off", "--level", "2", "--cells", "9")
+        self.fails(2, "cells", "box.off", "--edges", "30:2")
+        self.assertIn("a level up to", self.fails(2, "cells", "box.off", "--roots", "5000", "--level", "20"))
+        self.assertEqual([f.name for f in self.folder.iterdir() if f.name.startswith("cut.")], [])
+
     def test_refusals(self):
         self.surface("open.off", BOX_POINTS, OPEN_BOX_FACES)
         self.assertIn("need a surface that is closed", self.fails(1, "cells", "open.off", "-q"))

@@ -39,6 +39,12 @@ PolygonSoup placedTriangles(const Solid<T>& solid) {
   return soup;
 }
 
+void checkOptions(const CutOptions& options) {
+  require(options.moments >= -1 && options.moments <= CutCells::Moments::kHighest,
+          "cut cells: need a degree of moments from 0 to 4, or -1",
+          Named{"moments", options.moments});
+}
+
 void checkPlanes(const CellPlanes& grid) {
   for (const auto& planes : grid.planes) {
     require(planes.size() >= 4,
@@ -83,9 +89,7 @@ CellCutter::CellCutter(const Solid<T>& solid, FluidSide side)
 
 CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);
-  require(options.moments >= -1 && options.moments <= CutCells::Moments::kHighest,
-          "cut cells: need a degree of moments from 0 to 4, or -1",
-          Named{"moments", options.moments});
+  checkOptions(options);
   const auto positions = inFrame(surface_->frame(), grid);
   const GridPlanes planes{{positions[0], positions[1], positions[2]}};
   const CutTiles tiles(*surface_, planes);
@@ -114,11 +118,12 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
 }
 
 template <std::floating_point T>
-CutLeaves CellCutter::cut(const OctreeCells<T>& mesh, const ParallelOptions& options) const {
+CutLeaves CellCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options) const {
+  checkOptions(options);
   const LeafGrid grid(mesh, surface_->frame());
   std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);
   const auto tiles = cutLeafTiles(*surface_, grid, options, classes);
-  return assembledLeaves(*surface_, grid, tiles, std::move(classes));
+  return assembledLeaves(*surface_, grid, tiles, std::move(classes), options);
 }
 
 template <std::floating_point T>
@@ -140,8 +145,8 @@ CellPlanes planesOf(const GridPatch<T>& gridPatch) {
 
 template CellCutter::CellCutter(const Solid<float>&, FluidSide);
 template CellCutter::CellCutter(const Solid<double>&, FluidSide);
-template CutLeaves CellCutter::cut(const OctreeCells<float>&, const ParallelOptions&) const;
-template CutLeaves CellCutter::cut(const OctreeCells<double>&, const ParallelOptions&) const;
+template CutLeaves CellCutter::cut(const OctreeCells<float>&, const CutOptions&) const;
+template CutLeaves CellCutter::cut(const OctreeCells<double>&, const CutOptions&) const;
 template CellPlanes planesOf(const GridPatch<float>&);
 template CellPlanes planesOf(const GridPatch<double>&);
 

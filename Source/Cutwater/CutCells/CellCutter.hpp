@@ -57,11 +57,12 @@ class CellCutter {
   }
   /// The leaves of an octree, or of a part of one: arcs to leaves that it has not lead to kBeyond.
   /// What is said of a leaf depends on it, on the leaves across its faces and on their levels
-  /// alone. An octree of one level gives the pieces and arcs of the grid patch, to the bit.
-  /// @throws Error(Argument) if leaves are so small that their planes do not ascend.
+  /// alone; its polygons have corners of the leaves across its edges as well. An octree of one
+  /// level gives the pieces and arcs of the grid patch, to the bit.
+  /// @throws Error(Argument) if leaves are so small that their planes do not ascend, and unless
+  /// options are within their ranges.
   template <std::floating_point T>
-  [[nodiscard]] CutLeaves cut(const OctreeCells<T>& mesh,
-                              const ParallelOptions& options = {}) const;
+  [[nodiscard]] CutLeaves cut(const OctreeCells<T>& mesh, const CutOptions& options = {}) const;
 
   /// In 2D: the rectangles between the grid's planes across x and y, in the plane at `z`, of which
   /// the answers are as exact as of cells.
@@ -85,8 +86,8 @@ template <std::floating_point T>
 
 extern template CellCutter::CellCutter(const Solid<float>&, FluidSide);
 extern template CellCutter::CellCutter(const Solid<double>&, FluidSide);
-extern template CutLeaves CellCutter::cut(const OctreeCells<float>&, const ParallelOptions&) const;
-extern template CutLeaves CellCutter::cut(const OctreeCells<double>&, const ParallelOptions&) const;
+extern template CutLeaves CellCutter::cut(const OctreeCells<float>&, const CutOptions&) const;
+extern template CutLeaves CellCutter::cut(const OctreeCells<double>&, const CutOptions&) const;
 extern template CellPlanes planesOf(const GridPatch<float>&);
 extern template CellPlanes planesOf(const GridPatch<double>&);
 

@@ -62,10 +62,12 @@ struct CutCells {
 
     /// Whether all corners are on one side: codes that know the signs of corners alone lose what is
     /// in the cell.
-    [[nodiscard]] bool isThin(std::size_t row) const {
-      return fluidCorners[row] == 0 || fluidCorners[row] == 0xff;
-    }
+    [[nodiscard]] bool isThin(std::size_t row) const { return CutCells::isThin(fluidCorners[row]); }
   };
+  /// The same, by the bits of corners.
+  [[nodiscard]] static constexpr bool isThin(std::uint8_t corners) {
+    return corners == 0 || corners == 0xff;
+  }
   /// Connected parts of the fluid in a cell.
   struct Pieces {
     std::vector<std::uint32_t> cell;  ///< its row
@@ -259,6 +261,9 @@ struct CutLeaves {
     std::vector<Box<double>> box;
     std::vector<std::uint32_t> firstPiece;  ///< one more than leaves: the last is the number of all
     std::vector<std::uint8_t> fluidCorners;  ///< as in CutCells::Cells
+
+    /// See CutCells::Cells::isThin().
+    [[nodiscard]] bool isThin(std::size_t row) const { return CutCells::isThin(fluidCorners[row]); }
   };
   /// Open parts of a face between two leaves.
   struct Arcs {
@@ -278,8 +283,16 @@ struct CutLeaves {
   CutCells::WallParts wallParts;        ///< walls by patch
   std::vector<std::string> patchNames;  ///< of the surface
   std::vector<FluidClass> classes;      ///< of every leaf; never Unknown
+  CutCells::Moments moments;            ///< on request, of pieces and arcs
   double wholeFluid = 0;                ///< the volume of the leaves that are all fluid
   double wholeBody = 0;                 ///< and of those without fluid
+
+  /// On request, see CutOptions: as in CutCells. Where leaves of other levels are across a face or
+  /// an edge of a leaf, polygons have their corners, too: those of a wall are convex but for
+  /// rounding then.
+  CutCells::Polygons arcPolygons;
+  CutCells::Polygons wallPolygons;
+  std::vector<std::uint64_t> firstWallPolygon;  ///< of each part of the wall; then their number
 
   /// The row of a leaf; kNoRow if it is not cut.
   [[nodiscard]] std::uint32_t rowOf(std::uint32_t leaf) const;

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/Detail/CutRows.hpp>
 #include <Cutwater/CutCells/Detail/MomentClosure.hpp>
 
 #include <algorithm>
@@ -10,10 +11,6 @@ namespace {
 
 constexpr double kSlack = 1e-12;  // of a cell's size
 
-double largestFace(const CutCells& cells, const Index3& cell) {
-  return std::max({cells.faceArea(cell, 0), cells.faceArea(cell, 1), cells.faceArea(cell, 2)});
-}
-
 bool isIn(const Box<double>& box, const Vec3<double>& p) {
   const auto slack =
       kSlack * (box.upper - box.lower) + 0x1p-50 * max(abs(box.lower), abs(box.upper));
@@ -21,61 +18,73 @@ bool isIn(const Box<double>& box, const Vec3<double>& p) {
   return maxComponent(gaps) <= 0;
 }
 
-/// Whether a piece, or what stands in its place, can lie in a cell.
-bool canBeIn(const CutCells& cells, const Index3& cell, std::uint32_t piece) {
-  if (piece < cells.pieces.cell.size()) {
-    return cells.cells.index[cells.pieces.cell[piece]] == cell;
-  }
-  const bool isInBox = cells.grid.indices().contains(cell);
-  if (piece == CutCells::kBeyond) return !isInBox;
-  return piece == CutCells::kWholeCell && (!isInBox || cells.classOf(cell) == FluidClass::Fluid);
-}
-
 /// What closes each piece: the sum of its wall's and its apertures' vectors.
-void checkClosure(const CutCells& cells, CutCellsReport& report) {
-  auto sums = cells.pieces.wallVector;
+template <typename Cut>
+void checkClosure(const Cut& cut, CutCellsReport& report) {
+  auto sums = cut.pieces.wallVector;
   std::vector<char> isBounded(sums.size());
-  for (std::size_t p = 0; p < sums.size(); ++p) isBounded[p] = cells.pieces.wallArea[p] > 0 ? 1 : 0;
-  const auto& arcs = cells.arcs;
+  for (std::size_t p = 0; p < sums.size(); ++p) isBounded[p] = cut.pieces.wallArea[p] > 0 ? 1 : 0;
+  const auto& arcs = cut.arcs;
   for (std::size_t a = 0; a < arcs.area.size(); ++a) {
     for (const bool isBelow : {true, false}) {
       const auto piece = isBelow ? arcs.below[a] : arcs.above[a];
-      const auto cell = isBelow ? arcs.cellBelow(a) : arcs.cell[a];
-      if (!canBeIn(cells, cell, piece)) ++report.lostPieces;
+      if (!canBeBeside(cut, a, isBelow, piece)) ++report.lostPieces;
       if (piece >= sums.size()) continue;
       sums[piece][arcs.axis[a]] += isBelow ? arcs.area[a] : -arcs.area[a];
       isBounded[piece] = 1;
     }
   }
-  for (std::size_t p = 0; p < cells.pieceCount; ++p) {
+  for (std::size_t p = 0; p < pieceCount(cut); ++p) {
     if (isBounded[p] == 0) ++report.lostPieces;
-    const auto& cell = cells.cells.index[cells.pieces.cell[p]];
-    report.worstClosure = std::max(report.worstClosure, length(sums[p]) / largestFace(cells, cell));
+    const double face = largestFace(cut, cut.pieces.cell[p]);
+    report.worstClosure = std::max(report.worstClosure, length(sums[p]) / face);
   }
 }
 
-void checkRanges(const CutCells& cells, CutCellsReport& report) {
-  const auto& pieces = cells.pieces;
-  for (std::size_t row = 0; row < cells.cellCount; ++row) {
-    const auto& cell = cells.cells.index[row];
-    const auto box = cells.boxOf(cell);
-    const double volume = cells.cellVolume(cell);
+template <typename Cut>
+void checkRanges(const Cut& cut, CutCellsReport& report) {
+  const auto& pieces = cut.pieces;
+  const auto& rows = rowsOf(cut);
+  for (std::size_t row = 0; row < cutCount(cut); ++row) {
+    const auto box = boxOfRow(cut, row);
+    const auto size = box.size();
     double fluid = 0;
-    for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
+    for (auto p = rows.firstPiece[row]; p < rows.firstPiece[row + 1]; ++p) {
       const bool isRight = pieces.volume[p] >= 0 && isIn(box, pieces.centroid[p]) &&
                            isIn(box, pieces.wallCentroid[p]);
       if (!isRight) ++report.outOfRange;
       fluid += pieces.volume[p];
     }
-    if (!(fluid <= volume * (1 + kSlack))) ++report.outOfRange;
-    if (cells.cells.isThin(row)) ++report.thinCells;
-    if (cells.cells.firstPiece[row + 1] > cells.cells.firstPiece[row] + 1) ++report.multiPieceCells;
+    if (!(fluid <= size.x * size.y * size.z * (1 + kSlack))) ++report.outOfRange;
+    if (rows.isThin(row)) ++report.thinCells;
+    if (rows.firstPiece[row + 1] > rows.firstPiece[row] + 1) ++report.multiPieceCells;
   }
-  const auto& arcs = cells.arcs;
+  const auto& arcs = cut.arcs;
   for (std::size_t a = 0; a < arcs.area.size(); ++a) {
-    const double face = cells.faceArea(arcs.cell[a], arcs.axis[a]);
-    if (!(arcs.area[a] >= 0 && arcs.area[a] <= face * (1 + kSlack))) ++report.outOfRange;
+    if (!(arcs.area[a] >= 0 && arcs.area[a] <= faceAreaOf(cut, a) * (1 + kSlack))) {
+      ++report.outOfRange;
+    }
   }
+}
+
+/// The volumes of the cells that are cut and of their fluid, and their walls.
+struct CutSums {
+  DoubleDouble volume;
+  DoubleDouble fluid;
+  DoubleDouble wall;
+};
+template <typename Cut>
+CutSums sumsOf(const Cut& cut) {
+  CutSums sums;
+  for (std::size_t row = 0; row < cutCount(cut); ++row) {
+    const auto size = boxOfRow(cut, row).size();
+    sums.volume += size.x * size.y * size.z;
+  }
+  for (std::size_t p = 0; p < pieceCount(cut); ++p) {
+    sums.fluid += cut.pieces.volume[p];
+    sums.wall += cut.pieces.wallArea[p];
+  }
+  return sums;
 }
 
 /// The volume of the cells that are not cut and have no fluid.
@@ -98,97 +107,36 @@ double wholeBodyVolume(const CutCells& cells) {
   return static_cast<double>(sum);
 }
 
-/// Whether a piece, or what stands in its place, can lie in a leaf.
-bool canBeIn(const CutLeaves& leaves, std::uint32_t leaf, std::uint32_t piece) {
-  if (piece < leaves.pieces.cell.size()) return leaves.cut.leaf[leaves.pieces.cell[piece]] == leaf;
-  if (piece == CutLeaves::kBeyond) return leaf == CutLeaves::kNoLeaf;
-  return piece == CutLeaves::kWholeCell && leaves.classes[leaf] == FluidClass::Fluid;
-}
-
-void checkClosure(const CutLeaves& leaves, CutCellsReport& report) {
-  auto sums = leaves.pieces.wallVector;
-  std::vector<char> isBounded(sums.size());
-  for (std::size_t p = 0; p < sums.size(); ++p) {
-    isBounded[p] = leaves.pieces.wallArea[p] > 0 ? 1 : 0;
-  }
-  const auto& arcs = leaves.arcs;
-  for (std::size_t a = 0; a < arcs.area.size(); ++a) {
-    for (const bool isBelow : {true, false}) {
-      const auto piece = isBelow ? arcs.below[a] : arcs.above[a];
-      const auto leaf = isBelow ? arcs.leafBelow[a] : arcs.leafAbove[a];
-      if (!canBeIn(leaves, leaf, piece)) ++report.lostPieces;
-      if (piece >= sums.size()) continue;
-      sums[piece][arcs.axis[a]] += isBelow ? arcs.area[a] : -arcs.area[a];
-      isBounded[piece] = 1;
-    }
-    if (!(arcs.area[a] >= 0 && arcs.area[a] <= arcs.faceArea[a] * (1 + kSlack))) {
-      ++report.outOfRange;
-    }
-  }
-  for (std::size_t p = 0; p < sums.size(); ++p) {
-    if (isBounded[p] == 0) ++report.lostPieces;
-    const auto& box = leaves.cut.box[leaves.pieces.cell[p]];
-    const auto size = box.upper - box.lower;
-    const double face = std::max({size.x * size.y, size.y * size.z, size.z * size.x});
-    report.worstClosure = std::max(report.worstClosure, length(sums[p]) / face);
-  }
+/// What holds for rows alone.
+template <typename Cut>
+CutCellsReport checkedRows(const Cut& cut) {
+  CutCellsReport report{.cutCells = cutCount(cut)};
+  report.worstMoments = worstMoments(cut);
+  checkClosure(cut, report);
+  checkRanges(cut, report);
+  return report;
 }
 
 }  // namespace
 
 CutCellsReport check(const CutLeaves& leaves) {
-  CutCellsReport report{.cutCells = leaves.cut.leaf.size()};
-  const auto& pieces = leaves.pieces;
-  DoubleDouble allFluid;
-  DoubleDouble cutVolume;
-  DoubleDouble wall;
-  for (std::uint32_t row = 0; row < report.cutCells; ++row) {
-    const double volume = leaves.leafVolume(row);
-    const auto first = leaves.cut.firstPiece[row];
-    const auto last = leaves.cut.firstPiece[row + 1];
-    double fluid = 0;
-    for (auto p = first; p < last; ++p) {
-      const bool isRight = pieces.volume[p] >= 0 && isIn(leaves.cut.box[row], pieces.centroid[p]) &&
-                           isIn(leaves.cut.box[row], pieces.wallCentroid[p]);
-      if (!isRight) ++report.outOfRange;
-      fluid += pieces.volume[p];
-      allFluid += pieces.volume[p];
-      wall += pieces.wallArea[p];
-    }
-    cutVolume += volume;
-    if (!(fluid <= volume * (1 + kSlack))) ++report.outOfRange;
-    const auto corners = leaves.cut.fluidCorners[row];
-    if (corners == 0 || corners == 0xff) ++report.thinCells;
-    if (last > first + 1) ++report.multiPieceCells;
-  }
-  report.fluidVolume = static_cast<double>(allFluid + DoubleDouble(leaves.wholeFluid));
-  report.bodyVolume = static_cast<double>(cutVolume - allFluid) + leaves.wholeBody;
-  report.wallArea = static_cast<double>(wall);
-  checkClosure(leaves, report);
+  auto report = checkedRows(leaves);
+  const auto sums = sumsOf(leaves);
+  report.fluidVolume = static_cast<double>(sums.fluid + DoubleDouble(leaves.wholeFluid));
+  report.bodyVolume = static_cast<double>(sums.volume - sums.fluid) + leaves.wholeBody;
+  report.wallArea = static_cast<double>(sums.wall);
   return report;
 }
 
 CutCellsReport check(const CutCells& cells) {
-  CutCellsReport report{.cutCells = cells.cellCount};
-  DoubleDouble cutVolume;
-  DoubleDouble cutFluid;
-  DoubleDouble wall;
-  for (std::size_t row = 0; row < cells.cellCount; ++row) {
-    cutVolume += cells.cellVolume(cells.cells.index[row]);
-  }
-  for (std::size_t p = 0; p < cells.pieceCount; ++p) {
-    cutFluid += cells.pieces.volume[p];
-    wall += cells.pieces.wallArea[p];
-  }
+  auto report = checkedRows(cells);
+  const auto sums = sumsOf(cells);
   const auto& planes = cells.grid.planes;
   double all = 1;
   for (const auto& axis : planes) all *= axis[axis.size() - 2] - axis[1];
-  report.bodyVolume = wholeBodyVolume(cells) + static_cast<double>(cutVolume - cutFluid);
+  report.bodyVolume = wholeBodyVolume(cells) + static_cast<double>(sums.volume - sums.fluid);
   report.fluidVolume = all - report.bodyVolume;
-  report.wallArea = static_cast<double>(wall);
-  checkClosure(cells, report);
-  checkRanges(cells, report);
-  report.worstMoments = worstMoments(cells);
+  report.wallArea = static_cast<double>(sums.wall);
   return report;
 }
 

@@ -1,10 +1,13 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/Grid/OctreeCells.hpp>
 #include <Cutwater/Io/PointData.hpp>
 
 #include <algorithm>
 #include <array>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 // Cut cells as polyhedra.
 
@@ -47,23 +50,104 @@ std::array<Vec3<double>, 8> cornersOf(const Box<double>& box) {
   return corners;
 }
 
+/// What a polyhedron says of its cell.
+struct CellName {
+  Index3 index;
+  std::int32_t leaf = 0;  ///< of octrees
+  std::int32_t level = 0;
+  Box<double> box;
+};
+
+/// What cut cells are asked for, beside their rows.
+class CellsOfGrid {
+ public:
+  explicit CellsOfGrid(const CutCells& cells) : cells_(cells) {}
+
+  [[nodiscard]] const CutCells& cut() const { return cells_; }
+  [[nodiscard]] std::size_t pieceCount() const { return cells_.pieceCount; }
+  [[nodiscard]] const std::vector<std::uint32_t>& firstPiece() const {
+    return cells_.cells.firstPiece;
+  }
+  [[nodiscard]] CellName name(std::uint32_t row) const { return named(cells_.cells.index[row]); }
+  /// Those that are all fluid.
+  [[nodiscard]] std::vector<CellName> whole() const {
+    std::vector<CellName> result;
+    const auto box = cells_.grid.indices();
+    for (std::uint32_t k = 0; k < box.length(2); ++k) {
+      for (std::uint32_t j = 0; j < box.length(1); ++j) {
+        for (std::uint32_t i = 0; i < box.length(0); ++i) {
+          const auto cell = box.at(i, j, k);
+          if (cells_.classOf(cell) == FluidClass::Fluid) result.push_back(named(cell));
+        }
+      }
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] CellName named(const Index3& index) const {
+    return {.index = index, .leaf = 0, .level = 0, .box = cells_.boxOf(index)};
+  }
+
+  const CutCells& cells_;
+};
+
+/// The same of leaves.
+template <std::floating_point T>
+class LeavesOfOctree {
+ public:
+  LeavesOfOctree(const CutLeaves& leaves, const OctreeCells<T>& mesh)
+      : leaves_(leaves), mesh_(mesh) {}
+
+  [[nodiscard]] const CutLeaves& cut() const { return leaves_; }
+  [[nodiscard]] std::size_t pieceCount() const { return leaves_.pieces.cell.size(); }
+  [[nodiscard]] const std::vector<std::uint32_t>& firstPiece() const {
+    return leaves_.cut.firstPiece;
+  }
+  [[nodiscard]] CellName name(std::uint32_t row) const { return named(leaves_.cut.leaf[row]); }
+  [[nodiscard]] std::vector<CellName> whole() const {
+    std::vector<CellName> result;
+    for (std::uint32_t leaf = 0; leaf < leaves_.classes.size(); ++leaf) {
+      if (leaves_.classes[leaf] == FluidClass::Fluid) result.push_back(named(leaf));
+    }
+    return result;
+  }
+
+ private:
+  /// Between planes as its neighbours have them.
+  [[nodiscard]] CellName named(std::uint32_t leaf) const {
+    const auto& [index, level, kind] = mesh_.cells()[leaf];
+    const auto grid = mesh_.domain().level(level);
+    const Index3 next{index.i + 1, index.j + 1, index.k + 1};
+    return {.index = index,
+            .leaf = static_cast<std::int32_t>(leaf),
+            .level = level,
+            .box = {Vec3<double>(grid.cell(index).lower), Vec3<double>(grid.cell(next).lower)}};
+  }
+
+  const CutLeaves& leaves_;
+  const OctreeCells<T>& mesh_;
+};
+
+template <typename Cells>
 class MeshOfCells {
  public:
-  explicit MeshOfCells(const CutCells& cells) : cells_(cells), arcs_(cells.pieceCount) {
-    require(cells.pieceCount == 0 || !cells.firstWallPolygon.empty(),
+  explicit MeshOfCells(const Cells& from)
+      : from_(from), cells_(from.cut()), arcs_(from.pieceCount()) {
+    require(from.pieceCount() == 0 || !cells_.firstWallPolygon.empty(),
             "cutCellMesh: need cells that were cut with their polygons");
-    for (std::uint32_t arc = 0; arc < cells.arcs.area.size(); ++arc) {
-      for (const auto piece : {cells.arcs.below[arc], cells.arcs.above[arc]}) {
-        if (piece < cells.pieceCount) arcs_[piece].push_back(arc);
+    for (std::uint32_t arc = 0; arc < cells_.arcs.area.size(); ++arc) {
+      for (const auto piece : {cells_.arcs.below[arc], cells_.arcs.above[arc]}) {
+        if (piece < from.pieceCount()) arcs_[piece].push_back(arc);
       }
     }
   }
 
   PointData made(bool wholeCells) {
-    if (wholeCells) findWholeCells();
+    if (wholeCells) whole_ = from_.whole();
     gatherPoints();
     std::size_t wall = 0;
-    for (std::uint32_t piece = 0; piece < cells_.pieceCount; ++piece) addPiece(piece, wall);
+    for (std::uint32_t piece = 0; piece < from_.pieceCount(); ++piece) addPiece(piece, wall);
     for (const auto& cell : whole_) addWhole(cell);
     mesh_.mesh = DataMesh::Unstructured;
     mesh_.points = std::move(points_).take();
@@ -73,25 +157,18 @@ class MeshOfCells {
         {"wall_area", std::move(wallArea_)}, {"wall_vector", std::move(wallVector_), 3},
         {"patch", std::move(patch_)},        {"pieces", std::move(pieces_)},
         {"cell", std::move(cell_), 3}};
+    if constexpr (kIsOctree) {
+      mesh_.cellArrays.push_back({"leaf", std::move(leaf_)});
+      mesh_.cellArrays.push_back({"level", std::move(level_)});
+    }
     return std::move(mesh_);
   }
 
  private:
-  void findWholeCells() {
-    const auto box = cells_.grid.indices();
-    for (std::uint32_t k = 0; k < box.length(2); ++k) {
-      for (std::uint32_t j = 0; j < box.length(1); ++j) {
-        for (std::uint32_t i = 0; i < box.length(0); ++i) {
-          const auto cell = box.at(i, j, k);
-          if (cells_.classOf(cell) == FluidClass::Fluid) whole_.push_back(cell);
-        }
-      }
-    }
-  }
   void gatherPoints() {
     points_.add(cells_.arcPolygons.points);
     points_.add(cells_.wallPolygons.points);
-    for (const auto& cell : whole_) points_.add(cornersOf(cells_.boxOf(cell)));
+    for (const auto& cell : whole_) points_.add(cornersOf(cell.box));
     points_.sort();
   }
 
@@ -119,10 +196,10 @@ class MeshOfCells {
     endCell(kPolyhedron);
     mesh_.cells.faceEnds.push_back(static_cast<std::int64_t>(mesh_.cells.faces.size()));
     const auto row = cells_.pieces.cell[piece];
-    addValues(cells_.cells.index[row], cells_.volumeFraction(piece), cells_.pieces.volume[piece],
+    addValues(from_.name(row), cells_.volumeFraction(piece), cells_.pieces.volume[piece],
               cells_.pieces.wallArea[piece], cells_.pieces.wallVector[piece], patch);
     pieces_.push_back(
-        static_cast<std::int32_t>(cells_.cells.firstPiece[row + 1] - cells_.cells.firstPiece[row]));
+        static_cast<std::int32_t>(from_.firstPiece()[row + 1] - from_.firstPiece()[row]));
   }
   /// Faces are counterclockwise as seen from outside.
   void addFace(std::span<const Vec3<double>> polygon, bool isOutward, std::size_t firstFace) {
@@ -136,12 +213,13 @@ class MeshOfCells {
       corners_.push_back(faces.back());
     }
   }
-  void addWhole(const Index3& cell) {
+  void addWhole(const CellName& cell) {
     corners_.clear();
-    for (const auto& p : cornersOf(cells_.boxOf(cell))) corners_.push_back(points_.numberOf(p));
+    for (const auto& p : cornersOf(cell.box)) corners_.push_back(points_.numberOf(p));
     endCell(kHexahedron);
     mesh_.cells.faceEnds.push_back(-1);
-    addValues(cell, 1, cells_.cellVolume(cell), 0, {}, -1);
+    const auto size = cell.box.size();
+    addValues(cell, 1, size.x * size.y * size.z, 0, {}, -1);
     pieces_.push_back(1);
   }
   void endCell(std::uint8_t kind) {
@@ -149,19 +227,27 @@ class MeshOfCells {
     mesh_.cells.corners.insert(mesh_.cells.corners.end(), corners_.begin(), corners_.end());
     mesh_.cells.offsets.push_back(mesh_.cells.corners.size());
   }
-  void addValues(const Index3& cell, double fraction, double volume, double wallArea,
+  void addValues(const CellName& cell, double fraction, double volume, double wallArea,
                  const Vec3<double>& wallVector, std::int32_t patch) {
     fraction_.push_back(fraction);
     volume_.push_back(volume);
     wallArea_.push_back(wallArea);
     patch_.push_back(patch);
     for (int axis = 0; axis < 3; ++axis) wallVector_.push_back(wallVector[axis]);
-    cell_.insert(cell_.end(), {cell.i, cell.j, cell.k});
+    cell_.insert(cell_.end(), {cell.index.i, cell.index.j, cell.index.k});
+    if constexpr (kIsOctree) {
+      leaf_.push_back(cell.leaf);
+      level_.push_back(cell.level);
+    }
   }
 
-  const CutCells& cells_;
+  using Cut = std::remove_cvref_t<decltype(std::declval<Cells>().cut())>;
+  static constexpr bool kIsOctree = std::is_same_v<Cut, CutLeaves>;
+
+  const Cells& from_;
+  const Cut& cells_;
   std::vector<std::vector<std::uint32_t>> arcs_;  // of each piece
-  std::vector<Index3> whole_;
+  std::vector<CellName> whole_;
   DistinctPoints points_;
   std::vector<std::uint64_t> corners_;  // of the cell at hand
   PointData mesh_;
@@ -172,12 +258,25 @@ class MeshOfCells {
   std::vector<std::int32_t> patch_;
   std::vector<std::int32_t> pieces_;
   std::vector<std::int32_t> cell_;
+  std::vector<std::int32_t> leaf_;
+  std::vector<std::int32_t> level_;
 };
 
 }  // namespace
 
 PointData cutCellMesh(const CutCells& cells, bool wholeCells) {
-  return MeshOfCells(cells).made(wholeCells);
+  return MeshOfCells(CellsOfGrid(cells)).made(wholeCells);
 }
+
+template <std::floating_point T>
+PointData cutCellMesh(const CutLeaves& leaves, const OctreeCells<T>& mesh, bool wholeLeaves) {
+  require(leaves.classes.size() == mesh.cells().size(),
+          "cutCellMesh: need the octree whose leaves were cut",
+          Named{"leaves", leaves.classes.size()}, Named{"cells", mesh.cells().size()});
+  return MeshOfCells(LeavesOfOctree(leaves, mesh)).made(wholeLeaves);
+}
+
+template PointData cutCellMesh(const CutLeaves&, const OctreeCells<float>&, bool);
+template PointData cutCellMesh(const CutLeaves&, const OctreeCells<double>&, bool);
 
 }  // namespace cutwater

@@ -2,6 +2,7 @@
 
 #include <Cutwater/Core/Vec3.hpp>
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -13,6 +14,9 @@
 namespace cutwater {
 
 struct CutCells;
+struct CutLeaves;
+template <std::floating_point T>
+class OctreeCells;
 
 /// Numbers in the type that a file has them in.
 using DataNumbers =
@@ -131,6 +135,15 @@ void requireWritable(const std::filesystem::path& path, const PointData& data);
 /// With `wholeCells`, the box's cells that are all fluid follow, as hexahedra.
 /// @throws Error(Argument) if there are pieces without polygons: see CutOptions.
 [[nodiscard]] PointData cutCellMesh(const CutCells& cells, bool wholeCells = false);
+/// The same of the leaves of an octree, which is that which was cut: "cell" is the index on the
+/// leaf's level then, "leaf" its number and "level" its level. Edges of polyhedra meet edge by
+/// edge, at leaves of other levels as well; hexahedra that follow have their eight corners alone.
+/// @throws Error(Argument) if the octree has another number of leaves, too.
+template <std::floating_point T>
+[[nodiscard]] PointData cutCellMesh(const CutLeaves& leaves, const OctreeCells<T>& mesh,
+                                    bool wholeLeaves = false);
+extern template PointData cutCellMesh(const CutLeaves&, const OctreeCells<float>&, bool);
+extern template PointData cutCellMesh(const CutLeaves&, const OctreeCells<double>&, bool);
 
 /// The mean of each cell's corners. This is the centroid of a simplex, a parallelepiped and other
 /// symmetric cells; of a pyramid or a distorted cell it is not. NaN for a cell without corners.

@@ -36,15 +36,16 @@ void requireLevels(const RefinementOptions& options, const OctreeDomain<double>&
 
 }  // namespace
 
-void addMeshOptions(Command command, MeshOptions& options) {
+void addRoots(Command command, MeshOptions& options) {
   options.roots.cells = {16};
-  addRefinementOptions(command, options.refinement);
   command.add("--roots", "N", "Cubes of level 0, N along the longest side [default: 16]",
               [&](const std::string& text) {
                 options.roots.cells = sizes("--roots", text, kRoots);
                 if (options.roots.cells.size() != 1) refuse("--roots", text, kRoots);
               });
-  addPlaceOptions(command, options.roots);
+}
+
+void addBalance(Command command, MeshOptions& options) {
   addChoice<Balance>(
       command, "--balance", options.balance,
       {{"none", Balance::None},
@@ -53,6 +54,13 @@ void addMeshOptions(Command command, MeshOptions& options) {
        {"corner", Balance::Corner}},
       "Which neighbours differ by at most one level: those that share a face, an edge or a corner "
       "[default: corner]");
+}
+
+void addMeshOptions(Command command, MeshOptions& options) {
+  addRefinementOptions(command, options.refinement).required();
+  addRoots(command, options);
+  addPlaceOptions(command, options.roots);
+  addBalance(command, options);
   command.addWords(
       "--write", "distance,normal,patch,patches,class,level",
       "Values of each cell, at its centre: class is 0 inside, 1 outside, 2 cut, 3 "

@@ -21,6 +21,9 @@ struct MeshOptions {
 /// Adds the rules of refinement, --roots, --box, --margin, --balance, --write, and the limits.
 /// `options` must outlive the command.
 void addMeshOptions(Command command, MeshOptions& options);
+/// Two of them alone.
+void addRoots(Command command, MeshOptions& options);
+void addBalance(Command command, MeshOptions& options);
 
 /// @throws Error as gridAround().
 /// @throws UsageError for an option with a level that is too fine for so many roots.

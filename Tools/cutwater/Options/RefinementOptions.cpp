@@ -57,13 +57,11 @@ RefinementOptions::Patch patchOf(const std::string& text) {
 
 }  // namespace
 
-void addRefinementOptions(Command command, RefinementOptions& options) {
+Option addRefinementOptions(Command command, RefinementOptions& options) {
   auto& rules = options.rules;
-  command
-      .addNumber("--level", "N",
-                 "Refine what the surface meets to this level: so many halvings of the roots",
-                 rules.cut, {0, 20})
-      .required();
+  const auto level = command.addNumber(
+      "--level", "N", "Refine what the surface meets to this level: so many halvings of the roots",
+      rules.cut, {0, 20});
   command.addRepeated(
       "--band", "DISTANCE:LEVEL",
       "Refine what is within this distance of the surface, in its units, to that level; may be "
@@ -87,6 +85,7 @@ void addRefinementOptions(Command command, RefinementOptions& options) {
   command.addRepeated("--walls", "CELLS:LEVEL",
                       "Refine walls until there are so many cells from one side to the other",
                       [&](const std::string& text) { rules.walls = widthOf("--walls", text); });
+  return level;
 }
 
 Refinement<double> rulesFor(const RefinementOptions& options,

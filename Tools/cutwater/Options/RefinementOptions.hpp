@@ -8,7 +8,7 @@
 
 namespace cutwater::tool {
 
-/// The refinement rules given to `cutwater amr`.
+/// The refinement rules of `cutwater amr` and `cutwater cells`.
 struct RefinementOptions {
   struct Patch {
     std::string name;
@@ -19,9 +19,9 @@ struct RefinementOptions {
   std::vector<Patch> patches;  ///< by name; repeated names refer to one patch
 };
 
-/// Adds --level, --band, --patch, --curvature, --edges, --gaps and --walls. `options` must outlive
-/// the command.
-void addRefinementOptions(Command command, RefinementOptions& options);
+/// Adds --level, --band, --patch, --curvature, --edges, --gaps and --walls; returns --level.
+/// `options` must outlive the command.
+Option addRefinementOptions(Command command, RefinementOptions& options);
 
 /// All rules, for a solid with these patches.
 /// @throws Error if a patch has none of these names.

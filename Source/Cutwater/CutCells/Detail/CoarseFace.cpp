@@ -16,6 +16,7 @@ CoarseFace::CoarseFace(const LeafGrid& grid, const LeafSources& sources,
       finer_(grid.finerAcross(sources.source(coarse).leaf, axis, isHigh)) {
   findParts(classes);
   for (auto& part : parts_) findBehind(part);
+  for (auto& part : points_) findBehind(part);
   sets_.reset(parts_.size());
   joinThroughEdges();
   settle();
@@ -31,6 +32,9 @@ void CoarseFace::findParts(std::span<const FluidClass> classes) {
     }
     for (const auto& [face, arc] : sources_.tileOf(source).arcsOf(finerFace(source))) {
       parts_.push_back({.leaf = leaf, .arc = arc});
+    }
+    for (const auto& [face, arc] : sources_.tileOf(source).pointsOf(finerFace(source))) {
+      points_.push_back({.leaf = leaf, .arc = arc});
     }
   }
   firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
@@ -115,6 +119,9 @@ void CoarseFace::settle() {
     auto& behind = parts_[part].behind;
     if (behind == kUnknown) behind = parts_[sets_.find(part)].behind;
     if (behind == kUnknown) behind = wholeFacePiece();
+  }
+  for (auto& part : points_) {
+    if (part.behind == kUnknown) part.behind = kNone;
   }
 }
 

@@ -28,6 +28,8 @@ class CoarseFace {
 
   /// In the order of leaves.
   [[nodiscard]] std::span<const Part> parts() const { return parts_; }
+  /// With polygons: those that count for nothing, but have an outline.
+  [[nodiscard]] std::span<const Part> points() const { return points_; }
 
  private:
   /// What is behind a part whose rim says nothing.
@@ -57,6 +59,7 @@ class CoarseFace {
   std::vector<std::uint32_t> finer_;      // leaves
   std::vector<std::uint32_t> firstPart_;  // of each; then the number of all
   std::vector<Part> parts_;
+  std::vector<Part> points_;
   detail::DisjointSets sets_;
 };
 

@@ -140,17 +140,7 @@ class Assembly {
       }
     }
     addPieceRows(content, number, surface_.frame(), row, out_.pieces, out_.wallParts);
-    if (out_.moments.degree >= 0) addMoments(cuts_[tile]->moments, number);
-  }
-
-  void addMoments(const CutCells::Moments& moments, std::uint32_t piece) {
-    append(moments.ofVolume(piece), out_.moments.volume);
-    append(moments.ofWall(piece), out_.moments.wall);
-    append(moments.ofWallVector(piece), out_.moments.wallVector);
-  }
-  template <typename Value>
-  static void append(std::span<const Value> values, std::vector<Value>& to) {
-    to.insert(to.end(), values.begin(), values.end());
+    if (out_.moments.degree >= 0) addPieceMoments(cuts_[tile]->moments, number, out_.moments);
   }
 
   void addWallPolygons(std::uint32_t tile, std::uint32_t piece, std::uint32_t patch) {
@@ -183,18 +173,14 @@ class Assembly {
                   std::span<const Vec3<double>> polygon, CutCells::Polygons& to) const {
     const auto planes = tiles_.planesOf(tile);
     const auto first = tiles_.firstCell(tile);
+    const auto planeOf = [&](int axis, int number) {
+      const auto a = asIndex(axis);
+      const auto ofBox = static_cast<std::size_t>(first[a] + number);
+      return std::pair(planes.at(axis, number), out_.grid.planes[a][ofBox]);
+    };
+    const TilePlace cells{planes.cells(0), planes.cells(1), planes.cells(2)};
     for (const auto& point : polygon) {
-      auto p = surface_.frame().toWorld(point);
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto a = asIndex(axis);
-        // In the planes of the world to the bit, also where these are rounded in the frame.
-        for (int plane = within[a]; plane <= std::min(within[a] + 1, planes.cells(axis)); ++plane) {
-          if (point[axis] != planes.at(axis, plane)) continue;
-          const int ofBox = first[a] + plane;
-          p[axis] = out_.grid.planes[a][static_cast<std::size_t>(ofBox)];
-        }
-      }
-      to.points.push_back(p);
+      to.points.push_back(inWorld(point, surface_.frame(), within, cells, planeOf));
     }
     to.first.push_back(to.points.size());
   }
@@ -265,7 +251,7 @@ class Assembly {
     out_.arcs.cell.push_back(indexOf(placeOf(source.face / 3)));
     out_.arcs.axis.push_back(static_cast<std::uint8_t>(source.face % 3));
     const auto& cut = *cuts_[source.tile];
-    if (out_.moments.degree >= 0) append(cut.moments.ofArc(source.arc), out_.moments.arc);
+    if (out_.moments.degree >= 0) addArcMoments(cut.moments, source.arc, out_.moments);
     if (!withPolygons_) return;
     addPolygon(source.tile, cut.numbers.placeOfFace(arc.face), cut.polygons.arcs.of(source.arc),
                out_.arcPolygons);

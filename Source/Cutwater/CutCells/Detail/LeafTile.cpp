@@ -1,3 +1,4 @@
+#include <Cutwater/CutCells/Detail/CellRims.hpp>
 #include <Cutwater/CutCells/Detail/LeafTile.hpp>
 
 #include <algorithm>
@@ -15,19 +16,26 @@ class RimNotes {
   RimNotes(const LeafGrid& grid, const TileParts& parts, LeafTile& tile)
       : grid_(grid), parts_(parts), tile_(tile) {}
 
-  void run() {
+  void run(bool withPolygons) {
+    withPolygons_ = withPolygons;
     for (std::uint32_t row = 0; row < tile_.leaves.size(); ++row) {
       bool hasFiner = false;
       for (int axis = 0; axis < 3; ++axis) {
         for (const bool isHigh : {false, true}) {
           const auto what = grid_.across(tile_.leaves[row], axis, isHigh).first;
           hasFiner = hasFiner || what == LeafGrid::Across::Finer;
+          if (what == LeafGrid::Across::Finer) {
+            facesToFiner_.emplace_back(tile_.faceOf(row, axis, isHigh), isHigh);
+          }
           if (what == LeafGrid::Across::Coarser) addFace(tile_.faceOf(row, axis, isHigh));
         }
       }
       if (hasFiner) addWalls(row);
     }
+    if (withPolygons_ && !facesToFiner_.empty()) addWallEdges();
     std::ranges::sort(tile_.rims.cutFaces);
+    std::ranges::sort(tile_.rims.traces, {}, &LeafRims::Trace::key);
+    std::ranges::sort(tile_.rims.wallEdges, {}, &LeafRims::WallEdge::key);
     std::ranges::sort(tile_.rims.triangles, {}, &LeafRims::RimTriangle::key);
     std::ranges::sort(tile_.rims.stretches, {}, [](const LeafRims::RimStretch& s) {
       return std::tuple(s.face, s.side, s.arc, s.ends.lower);
@@ -44,6 +52,9 @@ class RimNotes {
       // Open parts are the first arcs.
       rims.triangles.push_back(
           {parts_.faces.ofTrace(trace), parts_.surface.traces()[trace].triangle});
+      if (!withPolygons_) continue;
+      const auto& it = parts_.surface.traces()[trace];
+      rims.traces.push_back({face, it.triangle, it.from, it.to});
     }
     const auto& numbers = parts_.surface.numbers();
     for (int side = 0; side < 4; ++side) {
@@ -70,9 +81,46 @@ class RimNotes {
     }
   }
 
+  void addWallEdges() {
+    std::ranges::sort(facesToFiner_);
+    const TracesOfFragments traces(parts_.surface);
+    const auto& fragmentOf = tile_.cut.polygons.fragmentOf;
+    for (std::uint32_t wall = 0; wall < fragmentOf.size(); ++wall) {
+      for (const auto number : traces.of(fragmentOf[wall])) {
+        const auto& trace = parts_.surface.traces()[number];
+        const bool isHigh = trace.below == fragmentOf[wall];
+        if (!std::ranges::binary_search(facesToFiner_, std::pair(trace.face, isHigh))) continue;
+        tile_.rims.wallEdges.push_back({.wall = wall,
+                                        .edge = edgeOn(trace, fragmentOf[wall]),
+                                        .triangle = trace.triangle,
+                                        .axis = parts_.surface.numbers().axisOfFace(trace.face),
+                                        .isHigh = isHigh});
+      }
+    }
+  }
+  /// Which of a fragment's edges a trace is. Of several that are one point, any will do.
+  [[nodiscard]] std::uint32_t edgeOn(const FaceTrace& trace, std::uint32_t fragment) const {
+    const auto& it = parts_.surface.fragments()[fragment];
+    const auto points = parts_.surface.points(it);
+    const auto meshEdges = parts_.surface.meshEdges(it);
+    const bool isBelow = trace.below == fragment;
+    std::uint32_t edge = 0;
+    while (edge + 1 < it.size) {
+      const auto& from = points[edge];
+      const auto& to = points[edge + 1];
+      const bool isIt =
+          isBelow ? from == trace.from && to == trace.to : from == trace.to && to == trace.from;
+      if (isIt && meshEdges[edge] == kNone) break;
+      ++edge;
+    }
+    return edge;
+  }
+
   const LeafGrid& grid_;
   const TileParts& parts_;
   LeafTile& tile_;
+  bool withPolygons_ = false;
+  std::vector<std::pair<std::uint32_t, bool>> facesToFiner_;  // and whether they are high ones
 };
 
 }  // namespace
@@ -83,18 +131,33 @@ std::uint32_t LeafTile::faceOf(std::uint32_t row, int axis, bool isHigh) const {
   return cut.numbers.face(axis, place);
 }
 
-std::span<const std::pair<std::uint32_t, std::uint32_t>> LeafTile::arcsOf(
-    std::uint32_t face) const {
+namespace {
+
+using FaceArcs = std::span<const std::pair<std::uint32_t, std::uint32_t>>;
+
+FaceArcs ofFace(FaceArcs arcs, std::uint32_t face) {
   const auto key = [](const auto& arc) { return arc.first; };
   return {std::ranges::lower_bound(arcs, face, {}, key),
           std::ranges::upper_bound(arcs, face, {}, key)};
+}
+
+}  // namespace
+
+std::span<const std::pair<std::uint32_t, std::uint32_t>> LeafTile::arcsOf(
+    std::uint32_t face) const {
+  return ofFace(arcs, face);
+}
+
+std::span<const std::pair<std::uint32_t, std::uint32_t>> LeafTile::pointsOf(
+    std::uint32_t face) const {
+  return ofFace(points, face);
 }
 
 namespace {
 
 /// Cuts the leaves of a block's own level.
 LeafTile cutLeaves(const CutSurface& surface, const LeafGrid& grid, const LeafBlock& block,
-                   int level, std::span<FluidClass> classes) {
+                   int level, const CutOptions& options, std::span<FluidClass> classes) {
   const BlockPlanes planes(grid, level, block.first);
   CellMask wanted;
   const TileInput input{.planes = planes.view(),
@@ -114,9 +177,10 @@ LeafTile cutLeaves(const CutSurface& surface, const LeafGrid& grid, const LeafBl
   const TileParts parts(surface, input);
   LeafTile tile{.level = level,
                 .first = block.first,
-                .cut = cutTile(parts, {}),
+                .cut = cutTile(parts, options),
                 .leaves = {},
                 .arcs = {},
+                .points = {},
                 .rims = {}};
   for (std::uint32_t cell = 0; cell < numbers.cellCount(); ++cell) {
     if (leafOf[cell] == LeafGrid::kNoLeaf) continue;
@@ -129,16 +193,20 @@ LeafTile cutLeaves(const CutSurface& surface, const LeafGrid& grid, const LeafBl
   for (std::uint32_t arc = 0; arc < tile.cut.content.arcs.size(); ++arc) {
     const auto& it = tile.cut.content.arcs[arc];
     if (!it.isNothing) tile.arcs.emplace_back(it.face, arc);
+    const bool isOutlined = options.polygons && !tile.cut.polygons.arcs.of(arc).empty();
+    if (it.isNothing && isOutlined) tile.points.emplace_back(it.face, arc);
   }
   std::ranges::sort(tile.arcs);
-  RimNotes(grid, parts, tile).run();
+  std::ranges::sort(tile.points);
+  RimNotes(grid, parts, tile).run(options.polygons);
   tile.cut.content.ofFragments = {};
   return tile;
 }
 
 /// Cuts a block's leaves, if the surface may meet them.
 std::optional<LeafTile> cutBlock(const CutSurface& surface, const LeafGrid& grid,
-                                 const LeafBlock& block, int level, std::span<FluidClass> classes) {
+                                 const LeafBlock& block, int level, const CutOptions& options,
+                                 std::span<FluidClass> classes) {
   const auto leaves = grid.leaves().subspan(block.firstLeaf, block.lastLeaf - block.firstLeaf);
   if (block.triangles.empty()) {
     for (auto leaf = block.firstLeaf; leaf < block.lastLeaf; ++leaf) {
@@ -150,7 +218,7 @@ std::optional<LeafTile> cutBlock(const CutSurface& surface, const LeafGrid& grid
   const bool hasOwn =
       std::ranges::any_of(leaves, [&](const OctreeCell& leaf) { return leaf.level == level; });
   if (!hasOwn) return {};
-  auto tile = cutLeaves(surface, grid, block, level, classes);
+  auto tile = cutLeaves(surface, grid, block, level, options, classes);
   if (tile.leaves.empty()) return {};
   return tile;
 }
@@ -158,7 +226,7 @@ std::optional<LeafTile> cutBlock(const CutSurface& surface, const LeafGrid& grid
 }  // namespace
 
 std::vector<LeafTile> cutLeafTiles(const CutSurface& surface, const LeafGrid& grid,
-                                   const ParallelOptions& options, std::span<FluidClass> classes) {
+                                   const CutOptions& options, std::span<FluidClass> classes) {
   std::vector<LeafTile> tiles;
   auto blocks = rootBlocks(surface, grid);
   for (int level = 0; !blocks.empty(); ++level) {
@@ -172,7 +240,7 @@ std::vector<LeafTile> cutLeafTiles(const CutSurface& surface, const LeafGrid& gr
         {.threads = options.threads, .progress = options.progress ? Progress(isDone) : Progress()},
         [&](std::size_t begin, std::size_t end) {
           for (auto i = begin; i < end; ++i) {
-            found[i] = cutBlock(surface, grid, blocks[i], level, classes);
+            found[i] = cutBlock(surface, grid, blocks[i], level, options, classes);
             if (blocks[i].triangles.empty() || level == grid.deepest()) continue;
             within[i] = blocksWithin(surface, grid, blocks[i], level);
           }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/CutCells/Detail/LeafBlocks.hpp>
 #include <Cutwater/CutCells/Detail/TileCut.hpp>
 
@@ -29,11 +28,31 @@ struct LeafRims {
     std::uint32_t triangle = 0;
     std::uint32_t piece = 0;
   };
+  /// With polygons: the trace of a triangle on a face to a coarser leaf, in the frame.
+  struct Trace {
+    std::uint32_t face = 0;
+    std::uint32_t triangle = 0;
+    Vec3<double> from;  ///< as FaceTrace
+    Vec3<double> to;
+    [[nodiscard]] auto key() const { return std::pair(face, triangle); }
+  };
+  /// With polygons: an edge of a part of a wall, see TilePolygons, in a face of its leaf to finer
+  /// ones.
+  struct WallEdge {
+    std::uint32_t wall = 0;
+    std::uint32_t edge = 0;  ///< from this corner to the next
+    std::uint32_t triangle = 0;
+    int axis = 0;  ///< across the face
+    bool isHigh = false;
+    [[nodiscard]] auto key() const { return std::pair(wall, edge); }
+  };
 
   std::vector<RimTriangle> triangles;   ///< sorted
   std::vector<RimStretch> stretches;    ///< sorted by face and side
   std::vector<WallTriangle> walls;      ///< sorted by row and triangle
   std::vector<std::uint32_t> cutFaces;  ///< ascending: those that the surface meets
+  std::vector<Trace> traces;            ///< sorted by face and triangle
+  std::vector<WallEdge> wallEdges;      ///< sorted by wall and edge
 };
 
 /// The leaves of one level in a block that are cut.
@@ -44,6 +63,8 @@ struct LeafTile {
   std::vector<std::uint32_t> leaves;  ///< of the rows of `cut`
   /// The arcs that count, by face: pairs of a face and an arc.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> arcs;
+  /// With polygons: those that count for nothing, but have an outline.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> points;
   LeafRims rims;
 
   /// A face of one of the cells that are cut.
@@ -51,12 +72,14 @@ struct LeafTile {
   /// Its arcs that count: see `arcs`.
   [[nodiscard]] std::span<const std::pair<std::uint32_t, std::uint32_t>> arcsOf(
       std::uint32_t face) const;
+  [[nodiscard]] std::span<const std::pair<std::uint32_t, std::uint32_t>> pointsOf(
+      std::uint32_t face) const;
 };
 
 /// Cuts the leaves of an octree, and sets the classes of all of them. The order of tiles says
 /// nothing.
 [[nodiscard]] std::vector<LeafTile> cutLeafTiles(const CutSurface& surface, const LeafGrid& grid,
-                                                 const ParallelOptions& options,
+                                                 const CutOptions& options,
                                                  std::span<FluidClass> classes);
 
 }  // namespace cutwater

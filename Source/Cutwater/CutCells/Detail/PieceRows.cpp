@@ -4,6 +4,15 @@
 
 namespace cutwater {
 
+namespace {
+
+template <typename Value>
+void append(std::span<const Value> values, std::vector<Value>& to) {
+  to.insert(to.end(), values.begin(), values.end());
+}
+
+}  // namespace
+
 std::span<const PieceWall> wallsOf(const CellPieces& content, std::uint32_t piece) {
   const auto& walls = content.walls;
   return {std::ranges::lower_bound(walls, piece, {}, &PieceWall::piece),
@@ -27,6 +36,16 @@ void addPieceRows(const CellPieces& content, std::uint32_t piece, const CutFrame
   pieces.wallArea.push_back(of.area / perArea);
   pieces.wallVector.push_back(of.areaVector / perArea);
   pieces.wallCentroid.push_back(frame.toWorld(of.wallCentroid));
+}
+
+void addPieceMoments(const CutCells::Moments& from, std::uint32_t piece, CutCells::Moments& to) {
+  append(from.ofVolume(piece), to.volume);
+  append(from.ofWall(piece), to.wall);
+  append(from.ofWallVector(piece), to.wallVector);
+}
+
+void addArcMoments(const CutCells::Moments& from, std::uint32_t arc, CutCells::Moments& to) {
+  append(from.ofArc(arc), to.arc);
 }
 
 }  // namespace cutwater

@@ -100,6 +100,7 @@ void addWallPolygons(const TileSurface& surface, TileCut& out) {
   std::ranges::sort(walls);
   for (const auto& [piece, patch, fragment] : walls) {
     out.polygons.wallOf.emplace_back(piece, patch);
+    out.polygons.fragmentOf.push_back(fragment);
     out.polygons.walls.add(surface.points(fragments[fragment]));
   }
 }

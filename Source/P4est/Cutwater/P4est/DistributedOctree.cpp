@@ -2,6 +2,8 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
 #include <Cutwater/P4est/Detail/ForestBuilder.hpp>
+#include <Cutwater/P4est/Detail/GhostLeaves.hpp>
+#include <Cutwater/P4est/Detail/OwnLeaves.hpp>
 
 namespace cutwater {
 
@@ -84,7 +86,7 @@ DistributedOctree<T>::DistributedOctree(const SignedDistanceFunction<T>& solid,
                                         const OctreeDomain<T>& domain,
                                         const Refinement<T>& refinement, MPI_Comm comm,
                                         const DistributedOctreeOptions& options)
-    : comm_(comm) {
+    : comm_(comm), balance_(options.balance) {
   requireSameArguments(solid, domain, refinement, comm, options);
   std::optional<detail::CellTagger<T>> tagger;
   const int deepest = refinement.deepest();
@@ -106,6 +108,26 @@ std::uint64_t DistributedOctree<T>::checksum(const OctreeTargets<T>& values) con
   agreed(comm_, [&] { sum = cutwater::checksum(local(), values); });
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, comm_);
   return sum;
+}
+
+template <std::floating_point T>
+DistributedCut DistributedOctree<T>::cut(const CellCutter& cutter,
+                                         const CutOptions& options) const {
+  require(balance_ != Balance::None, "DistributedOctree: cut() needs a balanced mesh");
+  const auto leaves = detail::leavesWithGhosts(*forest_, balance_, local().cells());
+  DistributedCut result;
+  agreed(comm_, [&] {
+    const OctreeCells<T> part(local().domain(), local().deepest(), leaves.cells);
+    std::vector<double> volumes;
+    for (const auto& [index, level, kind] : local().cells()) {
+      const auto grid = local().domain().level(level);
+      const Index3 next{index.i + 1, index.j + 1, index.k + 1};
+      const auto size = Vec3<double>(grid.cell(next).lower) - Vec3<double>(grid.cell(index).lower);
+      volumes.push_back(size.x * size.y * size.z);
+    }
+    result = detail::ownLeaves(cutter.cut(part, options), leaves.firstOwn, volumes, leaves.numbers);
+  });
+  return result;
 }
 
 template <std::floating_point T>

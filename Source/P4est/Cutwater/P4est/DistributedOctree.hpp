@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Grid/OctreeFill.hpp>
 
@@ -21,6 +22,21 @@ struct DistributedOctreeOptions {
   std::size_t maxCells = std::numeric_limits<std::size_t>::max();
   /// At most this many threads on each rank; 0: as many as there are. See ParallelOptions.
   int threads = 0;
+};
+
+/// The cut leaves of one rank: see DistributedOctree::cut().
+struct DistributedCut {
+  /// Where an arc leads to a leaf of another rank.
+  struct Rim {
+    std::uint32_t arc = 0;   ///< its row in `leaves`; the side that is kBeyond there
+    std::uint64_t leaf = 0;  ///< its number among the leaves of all ranks
+    /// The number of the piece among those of that leaf, from 0, or CutLeaves::kWholeCell.
+    std::uint32_t piece = 0;
+    bool operator==(const Rim&) const = default;
+  };
+
+  CutLeaves leaves;       ///< of this rank, by their index in DistributedOctree::local()
+  std::vector<Rim> rims;  ///< in the order of arcs
 };
 
 /// The mesh of an Octree, distributed over the ranks of an MPI program: p4est's forest of octrees
@@ -58,12 +74,22 @@ class DistributedOctree {
   /// p8est_checksum() of levels and positions, returned on all ranks. Collective.
   [[nodiscard]] std::uint32_t forestChecksum() const;
 
+  /// Cuts this rank's leaves: rows are those that CellCutter::cut() gives for all leaves, to the
+  /// bit, on any number of ranks, but for the order of numbers, and arcs to leaves of other ranks
+  /// are told by `rims`. Sums over ranks are those of the whole. Collective. The cutter must be of
+  /// the same solid on all ranks; ranks cut leaves of others that touch theirs once more, and send
+  /// no rows.
+  /// @throws Error(Argument), the same on all ranks, for a mesh without balance, and as
+  /// CellCutter::cut().
+  [[nodiscard]] DistributedCut cut(const CellCutter& cutter, const CutOptions& options = {}) const;
+
   /// The forest, for p4est's ghost layers, node numbers and iterators. It must not be changed;
   /// p8est_copy() makes a copy that may be. It has no user data.
   [[nodiscard]] p8est* forest() const { return forest_.get(); }
 
  private:
   MPI_Comm comm_;
+  Balance balance_;
   std::shared_ptr<p8est> forest_;
   std::uint64_t firstNumber_ = 0;
   std::uint64_t cellCount_ = 0;

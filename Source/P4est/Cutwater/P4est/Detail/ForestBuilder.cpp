@@ -1,6 +1,7 @@
 #include <Cutwater/Grid/Detail/OctreeBuilder.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
 #include <Cutwater/P4est/Detail/ForestBuilder.hpp>
+#include <Cutwater/P4est/Detail/GhostLeaves.hpp>
 
 #include <p8est_bits.h>
 #include <p8est_extended.h>
@@ -24,14 +25,6 @@ void destroy(p8est_t* forest) {
   auto* connectivity = forest->connectivity;
   p8est_destroy(forest);
   p8est_connectivity_destroy(connectivity);
-}
-
-/// The quadrant's index on its level.
-Index3 indexIn(const Index3& root, const p8est_quadrant_t& quadrant) {
-  const auto along = [&](std::int32_t first, p4est_qcoord_t x) {
-    return (first << quadrant.level) + (x >> (P8EST_MAXLEVEL - quadrant.level));
-  };
-  return {along(root.i, quadrant.x), along(root.j, quadrant.y), along(root.k, quadrant.z)};
 }
 
 }  // namespace
@@ -122,22 +115,12 @@ template <std::floating_point T>
 template <typename Visit>
 void ForestBuilder<T>::forQuadrants(const Visit& visit) const {
   for (auto tree = forest_->first_local_tree; tree <= forest_->last_local_tree; ++tree) {
-    const auto root = rootOf(tree);
+    const auto root = rootOf(*forest_, tree);
     auto& quadrants = p8est_tree_array_index(forest_->trees, tree)->quadrants;
     for (std::size_t n = 0; n < quadrants.elem_count; ++n) {
       visit(*p8est_quadrant_array_index(&quadrants, n), root);
     }
   }
-}
-
-template <std::floating_point T>
-Index3 ForestBuilder<T>::rootOf(p4est_topidx_t tree) const {
-  // A brick's vertices have integer coordinates; the first vertex of a tree is its lower corner.
-  const auto& brick = *forest_->connectivity;
-  const std::ptrdiff_t vertex = brick.tree_to_vertex[std::ptrdiff_t{P8EST_CHILDREN} * tree];
-  const double* lower = brick.vertices + 3 * vertex;
-  return {static_cast<std::int32_t>(lower[0]), static_cast<std::int32_t>(lower[1]),
-          static_cast<std::int32_t>(lower[2])};
 }
 
 template <std::floating_point T>

@@ -45,7 +45,6 @@ class ForestBuilder {
 
   template <typename Visit>
   void forQuadrants(const Visit& visit) const;
-  [[nodiscard]] Index3 rootOf(p4est_topidx_t tree) const;
   /// Tags this rank's quadrants that have no tag yet.
   void tagNew(int deepest);
   void tagQuadrants(int level, Quadrants& quadrants);

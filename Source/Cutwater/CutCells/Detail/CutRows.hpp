@@ -1,0 +1,71 @@
+// What check() asks of cut cells and of cut leaves alike.
+#pragma once
+
+#include <Cutwater/CutCells/CutCells.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+/// The cells that are cut, without those beyond the box, and their pieces.
+inline std::size_t cutCount(const CutCells& cells) {
+  return cells.cellCount;
+}
+inline std::size_t cutCount(const CutLeaves& leaves) {
+  return leaves.cut.leaf.size();
+}
+inline std::size_t pieceCount(const CutCells& cells) {
+  return cells.pieceCount;
+}
+inline std::size_t pieceCount(const CutLeaves& leaves) {
+  return leaves.pieces.cell.size();
+}
+inline const CutCells::Cells& rowsOf(const CutCells& cells) {
+  return cells.cells;
+}
+inline const CutLeaves::Leaves& rowsOf(const CutLeaves& leaves) {
+  return leaves.cut;
+}
+
+/// Of a row of those.
+inline Box<double> boxOfRow(const CutCells& cells, std::size_t row) {
+  return cells.boxOf(cells.cells.index[row]);
+}
+inline const Box<double>& boxOfRow(const CutLeaves& leaves, std::size_t row) {
+  return leaves.cut.box[row];
+}
+/// The area of its largest face.
+template <typename Cut>
+double largestFace(const Cut& cut, std::size_t row) {
+  const auto size = boxOfRow(cut, row).size();
+  return std::max({size.y * size.z, size.z * size.x, size.x * size.y});
+}
+
+/// Of the face that an arc lies in.
+inline double faceAreaOf(const CutCells& cells, std::size_t arc) {
+  return cells.faceArea(cells.arcs.cell[arc], cells.arcs.axis[arc]);
+}
+inline double faceAreaOf(const CutLeaves& leaves, std::size_t arc) {
+  return leaves.arcs.faceArea[arc];
+}
+
+/// Whether a piece, or what stands in its place, can lie beside an arc.
+inline bool canBeBeside(const CutCells& cells, std::size_t arc, bool isBelow, std::uint32_t piece) {
+  const auto cell = isBelow ? cells.arcs.cellBelow(arc) : cells.arcs.cell[arc];
+  if (piece < cells.pieces.cell.size()) {
+    return cells.cells.index[cells.pieces.cell[piece]] == cell;
+  }
+  const bool isInBox = cells.grid.indices().contains(cell);
+  if (piece == CutCells::kBeyond) return !isInBox;
+  return piece == CutCells::kWholeCell && (!isInBox || cells.classOf(cell) == FluidClass::Fluid);
+}
+inline bool canBeBeside(const CutLeaves& leaves, std::size_t arc, bool isBelow,
+                        std::uint32_t piece) {
+  const auto leaf = isBelow ? leaves.arcs.leafBelow[arc] : leaves.arcs.leafAbove[arc];
+  if (piece < leaves.pieces.cell.size()) return leaves.cut.leaf[leaves.pieces.cell[piece]] == leaf;
+  if (piece == CutLeaves::kBeyond) return leaf == CutLeaves::kNoLeaf;
+  return piece == CutLeaves::kWholeCell && leaf != CutLeaves::kNoLeaf &&
+         leaves.classes[leaf] == FluidClass::Fluid;
+}
+
+}  // namespace cutwater
