@@ -144,7 +144,8 @@ TEST(CutCellMeshTest, HasAPolyhedronForEachPieceOfALeaf) {
   EXPECT_NEAR(sum, check(leaves).fluidVolume, 1e-14);
   const auto cut = std::span(levels).first(pieces);
   for (const int level : {0, 1, 2}) EXPECT_GT(std::ranges::count(cut, level), 4) << level;
-  const Octree<double> other(Solid<double>(MeshSDF<double>(ball())), tree.domain(), Refinement<double>{});
+  const Octree<double> other(Solid<double>(MeshSDF<double>(ball())), tree.domain(),
+                             Refinement<double>{});
   EXPECT_THROW(static_cast<void>(cutCellMesh(leaves, other)), Error);
 }
 

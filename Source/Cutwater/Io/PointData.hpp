@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/Grid/OctreeCells.hpp>
 
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -15,8 +15,6 @@ namespace cutwater {
 
 struct CutCells;
 struct CutLeaves;
-template <std::floating_point T>
-class OctreeCells;
 
 /// Numbers in the type that a file has them in.
 using DataNumbers =

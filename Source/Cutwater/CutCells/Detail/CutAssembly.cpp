@@ -175,7 +175,7 @@ class Assembly {
     const auto first = tiles_.firstCell(tile);
     const auto planeOf = [&](int axis, int number) {
       const auto a = asIndex(axis);
-      const auto ofBox = static_cast<std::size_t>(first[a] + number);
+      const auto ofBox = asIndex(first[a] + number);
       return std::pair(planes.at(axis, number), out_.grid.planes[a][ofBox]);
     };
     const TilePlace cells{planes.cells(0), planes.cells(1), planes.cells(2)};

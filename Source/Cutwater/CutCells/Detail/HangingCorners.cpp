@@ -7,8 +7,9 @@ namespace cutwater {
 
 namespace {
 
-/// Whether a leaf of another level is across a face or an edge.
-bool isBesideOtherLevel(const LeafGrid& grid, std::uint32_t leaf) {
+/// Whether a finer leaf, or a coarser one that is cut, is across a face or an edge. Beside a
+/// coarser one that is not, all polygons are of this level.
+bool isBesideOtherLevel(const LeafGrid& grid, const CutLeaves& leaves, std::uint32_t leaf) {
   const auto& [index, level, kind] = grid.leaves()[leaf];
   for (int n = 0; n < 27; ++n) {
     const std::array<int, 3> step{n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
@@ -16,7 +17,9 @@ bool isBesideOtherLevel(const LeafGrid& grid, std::uint32_t leaf) {
     auto cell = index;
     for (int axis = 0; axis < 3; ++axis) along(cell, axis) += step[asIndex(axis)];
     const auto other = grid.at(cell, level);
-    if (other != LeafGrid::kNoLeaf && grid.leaves()[other].level != level) return true;
+    if (other == LeafGrid::kNoLeaf || grid.leaves()[other].level == level) continue;
+    if (grid.leaves()[other].level > level) return true;
+    if (leaves.classes[other] == FluidClass::Cut) return true;
   }
   return false;
 }
@@ -88,7 +91,7 @@ CutCells::Polygons throughPoints(const CutCells::Polygons& polygons, const Point
 void insertHangingCorners(const LeafGrid& grid, CutLeaves& leaves) {
   std::vector<char> isMixed;  // of rows
   for (const auto leaf : leaves.cut.leaf) {
-    isMixed.push_back(isBesideOtherLevel(grid, leaf) ? 1 : 0);
+    isMixed.push_back(isBesideOtherLevel(grid, leaves, leaf) ? 1 : 0);
   }
   if (std::ranges::count(isMixed, 1) == 0) return;
   const auto isMixedPiece = [&](std::uint32_t piece) {

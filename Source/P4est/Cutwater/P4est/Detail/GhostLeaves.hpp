@@ -1,7 +1,7 @@
 // Includes p8est.h.
 #pragma once
 
-#include <Cutwater/Grid/OctreeCells.hpp>
+#include <Cutwater/Grid/Octree.hpp>
 
 #include <p8est.h>
 
