@@ -11,37 +11,10 @@
 #include <gtest/gtest.h>
 
 #include "Support/Scale.hpp"
+#include "Support/Shells.hpp"
 
 namespace cutwater::test {
 namespace {
-
-double volumeOf(const PolygonSoup& soup) {
-  double sum = 0;
-  const auto& origin = soup.points[soup.corners[0]];
-  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
-    const auto p = soup.polygon(i);
-    for (std::size_t k = 2; k < p.size(); ++k) {
-      sum += dot(soup.points[p[0]] - origin,
-                 cross(soup.points[p[k - 1]] - origin, soup.points[p[k]] - origin)) /
-             6;
-    }
-  }
-  return sum;
-}
-
-double areaOf(const PolygonSoup& soup) {
-  double sum = 0;
-  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
-    const auto p = soup.polygon(i);
-    Vec3<double> area;
-    for (std::size_t k = 2; k < p.size(); ++k) {
-      area += 0.5 * cross(soup.points[p[k - 1]] - soup.points[p[0]],
-                          soup.points[p[k]] - soup.points[p[0]]);
-    }
-    sum += length(area);
-  }
-  return sum;
-}
 
 Solid<double> torus() {
   Solid<double> solid(MeshSDF<double>(tessellation::torus(0.3, 0.1, 40, 20)));

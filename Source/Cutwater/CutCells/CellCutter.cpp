@@ -18,10 +18,9 @@ const MeshSDF<T>& checkedMesh(const Solid<T>& solid) {
   const auto* const mesh = solid.template as<MeshSDF<T>>();
   require(mesh != nullptr, "cut cells: need a mesh: make one of the solid, see isosurface()");
   const auto& signs = mesh->signReport();
-  if (!signs.isSound()) {
-    throw Error(
-        ErrorKind::Topology,
-        "cut cells: need a surface that is closed and does not meet itself: " + signs.summary());
+  if (!signs.isClosed() || signs.unorientable > 0) {
+    throw Error(ErrorKind::Topology,
+                "cut cells: need a surface that is closed: " + signs.summary());
   }
   return *mesh;
 }
@@ -29,14 +28,26 @@ const MeshSDF<T>& checkedMesh(const Solid<T>& solid) {
 /// The triangles with their vertices in the world, those in one place merged: where parts touch
 /// along an edge, it is one edge.
 template <std::floating_point T>
-PolygonSoup placedTriangles(const Solid<T>& solid) {
-  auto soup = checkedMesh(solid).soup();
+PolygonSoup placedTriangles(const Solid<T>& solid, const MeshSDF<T>& mesh) {
+  auto soup = mesh.soup();
   const auto placement = solid.placement();
   if (!placement.isIdentity()) {
     for (auto& p : soup.points) p = Vec3<double>(placement.toWorld(Vec3<T>(p)));
   }
   weldExactly(soup);
   return soup;
+}
+
+template <std::floating_point T>
+std::shared_ptr<const CutSurface> surfaceOf(const Solid<T>& solid, FluidSide side) {
+  const auto& mesh = checkedMesh(solid);
+  auto surface = std::make_shared<const CutSurface>(placedTriangles(solid, mesh), side,
+                                                    mesh.signReport().isSound());
+  if (surface->meetsItself()) {
+    throw Error(ErrorKind::Topology, "cut cells: parts of the surface meet: " +
+                                         mesh.signReport().summary());
+  }
+  return surface;
 }
 
 void checkPlanes(const CellPlanes& grid) {
@@ -79,7 +90,7 @@ std::vector<std::unique_ptr<const TileCut>> cutAll(const CutTiles& tiles, const 
 
 template <std::floating_point T>
 CellCutter::CellCutter(const Solid<T>& solid, FluidSide side)
-    : surface_(std::make_shared<const CutSurface>(placedTriangles(solid), side)) {}
+    : surface_(surfaceOf(solid, side)) {}
 
 CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);

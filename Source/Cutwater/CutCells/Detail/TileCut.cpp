@@ -111,7 +111,7 @@ TileParts::TileParts(const CutSurface& whole, const TileInput& input)
     : wanted(input.wanted),
       frame(whole.frame()),
       planes(input.planes),
-      surface(whole.moved(), whole.patches(), input.triangles, planes),
+      surface(whole.moved(), whole.patches(), input.triangles, planes, whole.kinds()),
       stretches(surface, planes, input.winding),
       faces(surface, stretches, planes, wanted) {}
 
