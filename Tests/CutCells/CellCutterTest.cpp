@@ -3,6 +3,7 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
 
 #include <cmath>
 #include <map>
@@ -170,6 +171,15 @@ void expectTheSameEverywhere(const Solid<double>& solid) {
 TEST(CellCutterTest, ACellIsTheSameInEveryBoxAndWithAnyNumberOfThreads) {
   expectTheSameEverywhere(torus());
   expectTheSameEverywhere(turnedBox());
+}
+
+TEST(CellCutterTest, SoIsOneInWhichTheSurfaceMeetsItself) {
+  const auto ring = triangulated(tessellation::torus(0.3, 0.1, 40, 20));
+  const auto ball = moved(tessellation::icosphere(0.2, 2), {0.27, 0.05, 0.03});
+  Solid<double> solid{MeshSDF<double>(joined({ring, ball}))};
+  solid.translate({0.41, 0.49, 0.47});
+  EXPECT_GT(check(CellCutter(solid).cut(unitCube(29))).meetingCells, 50U);
+  expectTheSameEverywhere(solid);
 }
 
 TEST(CellCutterTest, MillionsOfDiagonalsAwayIsAsGoodAsHere) {

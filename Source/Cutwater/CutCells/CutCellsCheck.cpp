@@ -69,6 +69,7 @@ void checkRanges(const CutCells& cells, CutCellsReport& report) {
     }
     if (!(fluid <= volume * (1 + kSlack))) ++report.outOfRange;
     if (cells.cells.isThin(row)) ++report.thinCells;
+    if (cells.cells.meets[row] != 0) ++report.meetingCells;
     if (cells.cells.firstPiece[row + 1] > cells.cells.firstPiece[row] + 1) ++report.multiPieceCells;
   }
   const auto& arcs = cells.arcs;

@@ -133,11 +133,12 @@ CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> t
   if (isSound) return;
   const auto positions = inFrame(frame_, soup.points);
   const auto corners = cornersOf(soup, triangles, side);
-  kinds_ = findSheetKinds({.surface = moved_,
-                           .positions = positions,
-                           .corners = corners,
-                           .trianglesIn = [this](const Box<double>& box) { return trianglesIn(box); },
-                           .windingOutside = windingOutside_});
+  kinds_ =
+      findSheetKinds({.surface = moved_,
+                      .positions = positions,
+                      .corners = corners,
+                      .trianglesIn = [this](const Box<double>& box) { return trianglesIn(box); },
+                      .windingOutside = windingOutside_});
 }
 
 bool CutSurface::meetsItself() const {

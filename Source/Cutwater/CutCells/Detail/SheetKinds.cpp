@@ -19,6 +19,7 @@ class KindFinder {
     noteMeetings();
     noteCrowdedEdges();
     decideParts();
+    decideGaps();
     return std::move(kinds_);
   }
 
@@ -63,18 +64,31 @@ class KindFinder {
     }
   }
 
-  /// Triangles that are connected across edges, without those that meet others, are of one kind.
-  void decideParts() {
-    const auto count = static_cast<std::uint32_t>(kinds_.size());
-    std::vector<std::uint32_t> atEdge(3 * std::size_t{count}, kNoTriangle);
-    detail::DisjointSets sets(count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      if (kinds_[i] == SheetKind::Meeting) continue;
+  /// Calls visit(one, other) for the triangles at each edge.
+  template <typename Visit>
+  void forEdges(Visit&& visit) const {
+    std::vector<std::uint32_t> atEdge(3 * kinds_.size(), kNoTriangle);
+    for (std::uint32_t i = 0; i < kinds_.size(); ++i) {
       for (const auto edge : in_.surface.edges(i)) {
         const auto other = std::exchange(atEdge[edge], i);
-        if (other != kNoTriangle) sets.unite(i, other);
+        if (other != kNoTriangle) visit(other, i);
       }
     }
+  }
+  /// Whether it is one that closes the gap between copies of vertices.
+  [[nodiscard]] bool isGap(std::uint32_t triangle) const { return triangle >= in_.corners.size(); }
+
+  /// Triangles of the mesh that are connected across edges, without those that meet others, are of
+  /// one kind.
+  void decideParts() {
+    const auto count = static_cast<std::uint32_t>(in_.corners.size());
+    detail::DisjointSets sets(count);
+    const auto isPart = [&](std::uint32_t i) {
+      return !isGap(i) && kinds_[i] != SheetKind::Meeting;
+    };
+    forEdges([&](std::uint32_t one, std::uint32_t other) {
+      if (isPart(one) && isPart(other)) sets.unite(one, other);
+    });
     std::vector<std::uint32_t> largest(count, kNoTriangle);
     std::vector<double> areas(count);
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -84,12 +98,34 @@ class KindFinder {
     }
     std::vector<SheetKind> ofPart(count, SheetKind::Meeting);  // where there is no area
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (sets.isRoot(i) && largest[i] != kNoTriangle && kinds_[i] != SheetKind::Meeting) {
+      if (sets.isRoot(i) && largest[i] != kNoTriangle && isPart(i)) {
         ofPart[i] = windingInFront(largest[i]) == 0 ? SheetKind::Wall : SheetKind::Buried;
       }
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (kinds_[i] != SheetKind::Meeting) kinds_[i] = ofPart[sets.find(i)];
+      if (isPart(i)) kinds_[i] = ofPart[sets.find(i)];
+    }
+  }
+  /// Gaps are of the kind of all triangles of the mesh around them, if these are of one.
+  void decideGaps() {
+    detail::DisjointSets sets(kinds_.size());
+    forEdges([&](std::uint32_t one, std::uint32_t other) {
+      if (isGap(one) && isGap(other)) sets.unite(one, other);
+    });
+    constexpr std::array kAll{SheetKind::Wall, SheetKind::Buried, SheetKind::Meeting};
+    std::vector<std::array<bool, kAll.size()>> around(kinds_.size());
+    forEdges([&](std::uint32_t one, std::uint32_t other) {
+      if (isGap(one)) std::swap(one, other);
+      if (isGap(one) || !isGap(other)) return;
+      around[sets.find(other)][static_cast<std::size_t>(kinds_[one])] = true;
+    });
+    for (auto i = static_cast<std::uint32_t>(in_.corners.size()); i < kinds_.size(); ++i) {
+      kinds_[i] = SheetKind::Meeting;
+      for (const auto kind : kAll) {
+        auto only = std::array<bool, kAll.size()>{};
+        only[static_cast<std::size_t>(kind)] = true;
+        if (around[sets.find(i)] == only) kinds_[i] = kind;
+      }
     }
   }
   [[nodiscard]] Vec3<double> normalOf(std::uint32_t triangle) const {

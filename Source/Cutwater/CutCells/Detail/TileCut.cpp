@@ -1,4 +1,5 @@
 #include <Cutwater/CutCells/Detail/FaceOutlines.hpp>
+#include <Cutwater/CutCells/Detail/FaceRegions.hpp>
 #include <Cutwater/CutCells/Detail/TileCut.hpp>
 #include <Cutwater/CutCells/Detail/TileMoments.hpp>
 
@@ -62,13 +63,19 @@ void noteCells(const TileParts& parts, TileCut& out) {
     out.firstPiece.push_back(piece);
     out.fluidCorners.push_back(fluidCorners(stretches, surface.numbers().placeOfCell(cell)));
     double fluid = 0;
+    double wall = 0;
     for (; piece < pieces.size() && pieces[piece].cell == cell; ++piece) {
       fluid += pieces[piece].volume;
+      wall += pieces[piece].area;
     }
     const auto size = planes.sizeOf(surface.numbers().placeOfCell(cell));
     const double volume = size.x * size.y * size.z;
-    const bool isTouched = touches(surface, fragments.subspan(first, last - first), planes,
-                                   volume / maxComponent(size));
+    const double faceArea = volume / maxComponent(size);
+    const auto here = fragments.subspan(first, last - first);
+    const bool meets = surface.meetAny(here);
+    out.meets.push_back(meets ? 1 : 0);
+    const bool isTouched =
+        meets ? wall <= kSliver * faceArea : touches(surface, here, planes, faceArea);
     if (isTouched) out.isBody[cell] = fluid < 0.5 * volume;
     out.isTouched.push_back(isTouched ? 1 : 0);
     first = last;
@@ -123,6 +130,7 @@ TileCut cutTile(const TileParts& parts, const CutOptions& options) {
                  .firstPiece = {},
                  .fluidCorners = {},
                  .isTouched = {},
+                 .meets = {},
                  .isBody = {},
                  .polygons = {},
                  .moments = {}};

@@ -101,8 +101,7 @@ void TileSurface::addTrace(std::uint32_t triangle, const Fragment& fragment, std
   const auto& edge = fragment.edges[side];
   const auto end = [&](const FragmentEdge& other) {
     if (!other.isPlane()) {
-      return TraceEnd{.meshEdge =
-                          surface_.edges(triangle)[static_cast<std::size_t>(other.number)]};
+      return TraceEnd{.meshEdge = surface_.edges(triangle)[static_cast<std::size_t>(other.number)]};
     }
     return TraceEnd{.gridEdge = numbers_.edge(3 - edge.axis - other.axis,
                                               placeOnPlanes(fragment, edge, other))};
