@@ -3,6 +3,7 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
 
 #include <cmath>
 #include <map>
@@ -12,37 +13,10 @@
 
 #include "Support/Grid.hpp"
 #include "Support/Scale.hpp"
+#include "Support/Shells.hpp"
 
 namespace cutwater::test {
 namespace {
-
-double volumeOf(const PolygonSoup& soup) {
-  double sum = 0;
-  const auto& origin = soup.points[soup.corners[0]];
-  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
-    const auto p = soup.polygon(i);
-    for (std::size_t k = 2; k < p.size(); ++k) {
-      sum += dot(soup.points[p[0]] - origin,
-                 cross(soup.points[p[k - 1]] - origin, soup.points[p[k]] - origin)) /
-             6;
-    }
-  }
-  return sum;
-}
-
-double areaOf(const PolygonSoup& soup) {
-  double sum = 0;
-  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
-    const auto p = soup.polygon(i);
-    Vec3<double> area;
-    for (std::size_t k = 2; k < p.size(); ++k) {
-      area += 0.5 * cross(soup.points[p[k - 1]] - soup.points[p[0]],
-                          soup.points[p[k]] - soup.points[p[0]]);
-    }
-    sum += length(area);
-  }
-  return sum;
-}
 
 Solid<double> torus() {
   Solid<double> solid(MeshSDF<double>(tessellation::torus(0.3, 0.1, 40, 20)));
@@ -192,6 +166,15 @@ void expectTheSameEverywhere(const Solid<double>& solid) {
 TEST(CellCutterTest, ACellIsTheSameInEveryBoxAndWithAnyNumberOfThreads) {
   expectTheSameEverywhere(torus());
   expectTheSameEverywhere(turnedBox());
+}
+
+TEST(CellCutterTest, SoIsOneInWhichTheSurfaceMeetsItself) {
+  const auto ring = triangulated(tessellation::torus(0.3, 0.1, 40, 20));
+  const auto ball = moved(tessellation::icosphere(0.2, 2), {0.27, 0.05, 0.03});
+  Solid<double> solid{MeshSDF<double>(joined({ring, ball}))};
+  solid.translate({0.41, 0.49, 0.47});
+  EXPECT_GT(check(CellCutter(solid).cut(unitCube(29))).meetingCells, 50U);
+  expectTheSameEverywhere(solid);
 }
 
 TEST(CellCutterTest, MillionsOfDiagonalsAwayIsAsGoodAsHere) {

@@ -56,6 +56,7 @@ void expectSame(const CutCells& a, const CutCells& b) {
   EXPECT_EQ(a.cells.index, b.cells.index);
   EXPECT_EQ(a.cells.firstPiece, b.cells.firstPiece);
   EXPECT_EQ(a.cells.fluidCorners, b.cells.fluidCorners);
+  EXPECT_EQ(a.cells.meets, b.cells.meets);
   EXPECT_EQ(a.pieces.cell, b.pieces.cell);
   EXPECT_EQ(a.pieces.volume, b.pieces.volume);
   EXPECT_EQ(a.pieces.centroid, b.pieces.centroid);
@@ -145,8 +146,8 @@ TEST(CutCellsFileTest, AFileHoldsTheBytes) {
 TEST(CutCellsFileTest, HasTheBytesOfItsVersion) {
   // If the layout has changed, raise the version in the file's head, and write down the new value.
   const auto bytes = toBytes(cutOne(true));
-  EXPECT_EQ(std::to_integer<int>(bytes[8]), 1);
-  EXPECT_EQ(xxHash64(bytes), 0xdada10ef99dc8309U);
+  EXPECT_EQ(std::to_integer<int>(bytes[8]), 2);
+  EXPECT_EQ(xxHash64(bytes), 0xa89608c22e7f4565U);
 }
 
 /// What is wrong with the bytes; nothing if they are taken.
@@ -258,6 +259,7 @@ TEST(CutCellsFileTest, PlanesAndCellsAreThoseOfAGrid) {
   EXPECT_EQ(flawWith([](CutCells& c) { c.cells.index.back().i += 9; }), cells);
   EXPECT_EQ(flawWith([](CutCells& c) { --c.cellCount; }), cells);
   EXPECT_EQ(flawWith([](CutCells& c) { c.cells.fluidCorners.pop_back(); }), cells);
+  EXPECT_EQ(flawWith([](CutCells& c) { c.cells.meets.pop_back(); }), cells);
   EXPECT_EQ(flawWith([](CutCells& c) { c.cells.firstPiece.back() += 1; }), cells);
   EXPECT_EQ(flawWith([](CutCells& c) { c.cells.firstPiece[1] = 1000; }), cells);
   EXPECT_EQ(flawWith([](CutCells& c) { c.bodyRuns.back()[1] = 37; }), runs);
@@ -310,7 +312,7 @@ TEST(CutCellsFileTest, SaysWhatAFileIsThatIsNone) {
             "the file of cut cells is damaged: it ends within its head");
   put(bytes, 8, std::uint32_t{7});
   EXPECT_EQ(refusalOfFile(asFile()),
-            "the file of cut cells has version 7, this library reads version 1: cut the cells "
+            "the file of cut cells has version 7, this library reads version 2: cut the cells "
             "anew");
   put(bytes, 12, std::uint32_t{0x04030201});
   EXPECT_EQ(refusalOfFile(asFile()),

@@ -5,6 +5,8 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -47,6 +49,29 @@ TEST(DocsTest, FractionsAndAperturesOfCutCells) {
   EXPECT_GT(fluid, 10);
   EXPECT_LT(fluid, static_cast<double>(cells.cellCount));
   EXPECT_GT(faces, fluid);
+}
+
+TEST(DocsTest, TubesWithoutEnds) {
+  const auto closed = tessellation::cylinder(0.3, 0.5, 12);
+  PolygonSoup open;
+  open.points = closed.points;
+  for (std::size_t i = 0; i < closed.polygonCount(); ++i) {
+    const auto corners = closed.polygon(i);
+    const auto isAtSameHeight = [&](std::uint32_t corner) {
+      return closed.points[corner].z == closed.points[corners[0]].z;
+    };
+    if (!std::ranges::all_of(corners, isAtSameHeight)) open.addPolygon(corners);
+  }
+  const Solid<double> tube{MeshSDF<double>(open)};
+  // [DOCS
+  const CellCutter cutter(tube, FluidSide::Inside, {.capHoles = true});
+  // DOCS]
+  const std::vector<double> planes{-0.5, 0, 0.5};
+  const auto cells = cutter.cut(cellsBetween({planes, planes, planes}));
+  // A prism over a regular polygon.
+  EXPECT_NEAR(check(cells).fluidVolume, 0.5 * 12 * 0.5 * 0.09 * std::sin(std::numbers::pi / 6),
+              1e-15);
+  EXPECT_EQ(cells.patchNames.back(), "cap");
 }
 
 TEST(DocsTest, SectionsInAPlane) {

@@ -4,6 +4,8 @@
 #include <Cutwater/CutCells/Detail/LeafAssembly.hpp>
 #include <Cutwater/CutCells/Detail/PlaneCut.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Surface/Detail/HoleCaps.hpp>
+#include <Cutwater/Triangles/OpenEdges.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +16,18 @@ namespace cutwater {
 namespace {
 
 template <std::floating_point T>
-const MeshSDF<T>& checkedMesh(const Solid<T>& solid) {
+const MeshSDF<T>& checkedMesh(const Solid<T>& solid, const CutterOptions& options) {
   const auto* const mesh = solid.template as<MeshSDF<T>>();
   require(mesh != nullptr, "cut cells: need a mesh: make one of the solid, see isosurface()");
   const auto& signs = mesh->signReport();
-  if (!signs.isSound()) {
-    throw Error(
-        ErrorKind::Topology,
-        "cut cells: need a surface that is closed and does not meet itself: " + signs.summary());
+  if (signs.unorientable > 0) {
+    throw Error(ErrorKind::Topology,
+                "cut cells: need a surface with two sides: " + signs.summary());
+  }
+  if (!signs.isClosed() && !options.capHoles) {
+    throw Error(ErrorKind::Topology,
+                "cut cells: need a surface that is closed, see CutterOptions::capHoles: " +
+                    signs.summary());
   }
   return *mesh;
 }
@@ -29,8 +35,8 @@ const MeshSDF<T>& checkedMesh(const Solid<T>& solid) {
 /// The triangles with their vertices in the world, those in one place merged: where parts touch
 /// along an edge, it is one edge.
 template <std::floating_point T>
-PolygonSoup placedTriangles(const Solid<T>& solid) {
-  auto soup = checkedMesh(solid).soup();
+PolygonSoup placedTriangles(const Solid<T>& solid, const MeshSDF<T>& mesh) {
+  auto soup = mesh.soup();
   const auto placement = solid.placement();
   if (!placement.isIdentity()) {
     for (auto& p : soup.points) p = Vec3<double>(placement.toWorld(Vec3<T>(p)));
@@ -43,6 +49,41 @@ void checkOptions(const CutOptions& options) {
   require(options.moments >= -1 && options.moments <= CutCells::Moments::kHighest,
           "cut cells: need a degree of moments from 0 to 4, or -1",
           Named{"moments", options.moments});
+}
+
+/// Closes the holes of triangles whose points are all different.
+void addCaps(PolygonSoup& soup) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
+    const auto p = soup.polygon(i);
+    triangles.push_back({p[0], p[1], p[2]});
+  }
+  const auto edges = findOpenEdges(triangles, soup.points.size());
+  const auto caps = capHoles<double>(soup.points, edges);
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  const auto patch = static_cast<std::uint32_t>(soup.patchNames.size());
+  soup.patchNames.emplace_back("cap");
+  soup.points.insert(soup.points.end(), caps.positions.begin(), caps.positions.end());
+  for (const auto& [a, b, c] : caps.triangles) {
+    soup.addPolygon(std::array{first + a, first + b, first + c});
+    soup.patches.back() = patch;
+  }
+  weldExactly(soup);
+}
+
+template <std::floating_point T>
+std::shared_ptr<const CutSurface> surfaceOf(const Solid<T>& solid, FluidSide side,
+                                            const CutterOptions& options) {
+  const auto& mesh = checkedMesh(solid, options);
+  auto triangles = placedTriangles(solid, mesh);
+  if (!mesh.signReport().isClosed()) addCaps(triangles);
+  return std::make_shared<const CutSurface>(triangles, side, mesh.signReport().isSound());
+}
+
+void requireSimple(const CutSurface& surface, const char* what) {
+  if (!surface.meetsItself()) return;
+  throw Error(ErrorKind::Topology, std::string("cut cells: the surface meets itself, and ") + what +
+                                       " need one that does not");
 }
 
 void checkPlanes(const CellPlanes& grid) {
@@ -84,12 +125,13 @@ std::vector<std::unique_ptr<const TileCut>> cutAll(const CutTiles& tiles, const 
 }  // namespace
 
 template <std::floating_point T>
-CellCutter::CellCutter(const Solid<T>& solid, FluidSide side)
-    : surface_(std::make_shared<const CutSurface>(placedTriangles(solid), side)) {}
+CellCutter::CellCutter(const Solid<T>& solid, FluidSide side, const CutterOptions& options)
+    : surface_(surfaceOf(solid, side, options)) {}
 
 CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);
   checkOptions(options);
+  if (options.polygons || options.moments >= 0) requireSimple(*surface_, "polygons and moments");
   const auto positions = inFrame(surface_->frame(), grid);
   const GridPlanes planes{{positions[0], positions[1], positions[2]}};
   const CutTiles tiles(*surface_, planes);
@@ -102,6 +144,7 @@ CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) cons
 CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptions& options) const {
   require(!options.polygons && options.moments < 0,
           "cut cells: there are no polygons and no moments in a plane");
+  requireSimple(*surface_, "cells in a plane");
   CellPlanes layer = grid;
   layer.planes[2] = {z - 1.5, z - 0.5, z + 0.5, z + 1.5};
   checkPlanes(layer);
@@ -120,6 +163,7 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
 template <std::floating_point T>
 CutLeaves CellCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options) const {
   checkOptions(options);
+  requireSimple(*surface_, "leaves of octrees");
   const LeafGrid grid(mesh, surface_->frame());
   std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);
   const auto tiles = cutLeafTiles(*surface_, grid, options, classes);
@@ -143,8 +187,8 @@ CellPlanes planesOf(const GridPatch<T>& gridPatch) {
   return result;
 }
 
-template CellCutter::CellCutter(const Solid<float>&, FluidSide);
-template CellCutter::CellCutter(const Solid<double>&, FluidSide);
+template CellCutter::CellCutter(const Solid<float>&, FluidSide, const CutterOptions&);
+template CellCutter::CellCutter(const Solid<double>&, FluidSide, const CutterOptions&);
 template CutLeaves CellCutter::cut(const OctreeCells<float>&, const CutOptions&) const;
 template CutLeaves CellCutter::cut(const OctreeCells<double>&, const CutOptions&) const;
 template CellPlanes planesOf(const GridPatch<float>&);

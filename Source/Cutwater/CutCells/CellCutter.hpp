@@ -25,10 +25,20 @@ struct CutOptions {
   Progress progress = {};
 };
 
-/// Cuts the cells of grids by a closed surface, exactly: on which side of planes, of lines and of
-/// nodes of the grid the surface passes is decided by exact predicates, and only the points where
-/// it does are rounded. So the number of pieces, and what connects them, is right however thin
-/// walls and gaps are, and pieces close up to rounding.
+/// Options of a CellCutter.
+struct CutterOptions {
+  /// Whether to close the holes of an open surface, by triangles across their rims, in a patch of
+  /// their own named "cap", the last one. If false, open surfaces are refused.
+  bool capHoles = false;
+};
+
+/// Cuts the cells of grids by a closed surface: the body is where its winding number is positive,
+/// so shells form a union. Cells are cut exactly: on which side of planes, of lines and of nodes of
+/// the grid the surface passes is decided by exact predicates, and only the points where it does
+/// are rounded. So the number of pieces, and what connects them, is right however thin walls and
+/// gaps are, and pieces close up to rounding. Where triangles meet others outside of corners and
+/// edges that they share, or share an edge with more than one, cells have CutCells::Cells::meets,
+/// and pieces are found in floating point.
 ///
 /// A wall in a plane of the grid belongs to the cell whose fluid it bounds. What is said of a cell
 /// depends on the planes around it alone: not on the box, on other cells or on the number of
@@ -41,14 +51,17 @@ class CellCutter {
  public:
   /// @param solid  a MeshSDF, placed anyhow: its vertices are rounded in the world.
   /// @param side  where the fluid is.
-  /// @throws Error(Argument) for other solids; Error(Topology) unless the surface is closed and
-  /// does not meet itself: see MeshSDF::signReport().
+  /// @param options  see there.
+  /// @throws Error(Argument) for other solids; Error(Topology) unless the surface is closed, or is
+  /// to be, and can be oriented, see MeshSDF::signReport(), and if all of its triangles cancel each
+  /// other.
   template <std::floating_point T>
-  explicit CellCutter(const Solid<T>& solid, FluidSide side = FluidSide::Outside);
+  explicit CellCutter(const Solid<T>& solid, FluidSide side = FluidSide::Outside,
+                      const CutterOptions& options = {});
 
   /// The cells of a box.
   /// @throws Error(Argument) unless planes ascend and are finite, and options are within their
-  /// ranges.
+  /// ranges; Error(Topology) if polygons or moments are asked for and the surface meets itself.
   [[nodiscard]] CutCells cut(const CellPlanes& grid, const CutOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>
@@ -60,7 +73,7 @@ class CellCutter {
   /// alone; its polygons have corners of the leaves across its edges as well. An octree of one
   /// level gives the pieces and arcs of the grid patch, to the bit.
   /// @throws Error(Argument) if leaves are so small that their planes do not ascend, and unless
-  /// options are within their ranges.
+  /// options are within their ranges; Error(Topology) if the surface meets itself.
   template <std::floating_point T>
   [[nodiscard]] CutLeaves cut(const OctreeCells<T>& mesh, const CutOptions& options = {}) const;
 
@@ -72,7 +85,7 @@ class CellCutter {
   /// axially symmetric flow about the y axis, 2 pi times x of a centroid is the weight of a volume
   /// or an area.
   /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; if polygons or moments are asked
-  /// for.
+  /// for. Error(Topology) if the surface meets itself.
   [[nodiscard]] CutCells cutInPlane(const CellPlanes& grid, double z,
                                     const CutOptions& options = {}) const;
 
@@ -84,8 +97,8 @@ class CellCutter {
 template <std::floating_point T>
 [[nodiscard]] CellPlanes planesOf(const GridPatch<T>& gridPatch);
 
-extern template CellCutter::CellCutter(const Solid<float>&, FluidSide);
-extern template CellCutter::CellCutter(const Solid<double>&, FluidSide);
+extern template CellCutter::CellCutter(const Solid<float>&, FluidSide, const CutterOptions&);
+extern template CellCutter::CellCutter(const Solid<double>&, FluidSide, const CutterOptions&);
 extern template CutLeaves CellCutter::cut(const OctreeCells<float>&, const CutOptions&) const;
 extern template CutLeaves CellCutter::cut(const OctreeCells<double>&, const CutOptions&) const;
 extern template CellPlanes planesOf(const GridPatch<float>&);

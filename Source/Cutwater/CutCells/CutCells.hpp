@@ -59,6 +59,9 @@ struct CutCells {
     /// Bit n: corner n of the cell, see Box::corner(), is in the fluid. One in the surface is on
     /// either side.
     std::vector<std::uint8_t> fluidCorners;
+    /// 1 where pieces are found in floating point, because the surface meets itself and a triangle
+    /// that meets others is in the cell: see CellCutter. Else 0.
+    std::vector<std::uint8_t> meets;
 
     /// Whether all corners are on one side: codes that know the signs of corners alone lose what is
     /// in the cell.
@@ -362,7 +365,8 @@ struct CutCellsReport {
   double wallArea = 0;
   std::size_t cutCells = 0;
   std::size_t multiPieceCells = 0;
-  std::size_t thinCells = 0;  ///< see CutCells::Cells::isThin()
+  std::size_t thinCells = 0;     ///< see CutCells::Cells::isThin()
+  std::size_t meetingCells = 0;  ///< see CutCells::Cells::meets
   /// The largest length of the sum of a piece's apertures and wall, over the area of its cell's
   /// largest face: 0 but for rounding.
   double worstClosure = 0;

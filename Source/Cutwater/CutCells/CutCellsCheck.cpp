@@ -136,6 +136,8 @@ CutCellsReport check(const CutCells& cells) {
   for (const auto& axis : planes) all *= axis[axis.size() - 2] - axis[1];
   report.bodyVolume = wholeBodyVolume(cells) + static_cast<double>(sums.volume - sums.fluid);
   report.fluidVolume = all - report.bodyVolume;
+  const auto own = std::span(cells.cells.meets).first(cells.cellCount);
+  report.meetingCells = own.size() - static_cast<std::size_t>(std::ranges::count(own, 0));
   report.wallArea = static_cast<double>(sums.wall);
   return report;
 }

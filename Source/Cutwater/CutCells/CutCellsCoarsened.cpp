@@ -35,6 +35,7 @@ class Coarsening {
   CutCells run() {
     addCorners();
     numberPieces();
+    addMeetings();
     addPieces();
     if (fine_.moments.degree >= 0) addMoments();
     addWallParts();
@@ -86,6 +87,14 @@ class Coarsening {
     first.resize(out_.cellCount + 1, static_cast<std::uint32_t>(roots.size()));
     for (std::uint32_t node = 0; node < nodes_.count(); ++node) {
       pieceOf_.push_back(numbers[sets.find(node)]);
+    }
+  }
+
+  void addMeetings() {
+    out_.cells.meets.assign(out_.cellCount, 0);
+    for (std::uint32_t piece = 0; piece < fine_.pieceCount; ++piece) {
+      if (fine_.cells.meets[fine_.pieces.cell[piece]] == 0) continue;
+      out_.cells.meets[nodes_.rowOf(piece)] = 1;
     }
   }
 

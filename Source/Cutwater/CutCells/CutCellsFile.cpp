@@ -18,7 +18,7 @@ namespace cutwater {
 namespace {
 
 /// Raised whenever the meaning of a byte changes.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kWord = sizeof(std::uint64_t);
 
 struct FileHead {
@@ -44,8 +44,8 @@ void visitRows(Cells& all, Visit&& visit) {
   visit(first.j);
   visit(first.k);
   const auto visitEach = [&](auto&... arrays) { (visit(arrays), ...); };
-  auto& [index, firstPiece, fluidCorners] = cells;
-  visitEach(index, firstPiece, fluidCorners);
+  auto& [index, firstPiece, fluidCorners, meets] = cells;
+  visitEach(index, firstPiece, fluidCorners, meets);
   auto& [cell, volume, centroid, wallArea, wallVector, wallCentroid] = pieces;
   visitEach(cell, volume, centroid, wallArea, wallVector, wallCentroid);
   auto& [below, above, area, arcCentroid, arcCell, axis] = arcs;

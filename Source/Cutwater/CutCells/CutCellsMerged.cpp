@@ -233,6 +233,8 @@ class Merging {
     cells.cells.firstPiece.push_back(number);
     cells.cells.fluidCorners.push_back(
         isPiece ? in_.cells.fluidCorners[in_.pieces.cell[node.source]] : std::uint8_t{0xff});
+    cells.cells.meets.push_back(isPiece ? in_.cells.meets[in_.pieces.cell[node.source]]
+                                        : std::uint8_t{0});
     auto wall = Moments(node.centroid);
     if (isPiece) {
       wall.add(in_.pieces.wallArea[node.source], in_.pieces.wallCentroid[node.source]);

@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/Detail/CellPieces.hpp>
 #include <Cutwater/CutCells/Detail/CellRims.hpp>
+#include <Cutwater/CutCells/Detail/MeetingCells.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -280,13 +281,17 @@ CellPieces findCellPieces(const TileSurface& surface, const EdgeStretches& stret
   const auto fragments = surface.fragments();
   const auto arcOfFullFace = addFullFaces(surface, stretches, faces, planes, wanted, result.arcs);
   CellBuilder builder(surface, stretches, faces, planes, arcOfFullFace, result);
+  MeetingCells meeting(faces, arcOfFullFace, result);
   for (std::uint32_t first = 0; first < fragments.size();) {
     auto end = first + 1;
     while (end < fragments.size() && fragments[end].cell == fragments[first].cell) ++end;
-    if (isWanted(wanted, fragments[first].cell)) {
-      builder.build(fragments.subspan(first, end - first), first);
-    } else {
+    const auto here = fragments.subspan(first, end - first);
+    if (!isWanted(wanted, here.front().cell)) {
       result.ofFragments.resize(end, kNone);
+    } else if (surface.meetAny(here)) {
+      meeting.build(here);
+    } else {
+      builder.build(here, first);
     }
     first = end;
   }

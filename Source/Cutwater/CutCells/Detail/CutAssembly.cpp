@@ -119,6 +119,7 @@ class Assembly {
       out_.cells.index.push_back(indexOf(placeOf(source.number & ~kBeyondBit)));
       out_.cells.firstPiece.push_back(pieceCount());
       out_.cells.fluidCorners.push_back(cut.fluidCorners[source.cell]);
+      out_.cells.meets.push_back(cut.meets[source.cell]);
       for (auto p = cut.firstPiece[source.cell]; p < cut.firstPiece[source.cell + 1]; ++p) {
         rowsOf_[source.tile][p] = pieceCount();
         addPiece(source.tile, p, row);

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/Detail/CutSurface.hpp>
 
 #include <algorithm>
@@ -42,6 +43,45 @@ std::vector<std::uint32_t> properTriangles(const PolygonSoup& soup) {
   return result;
 }
 
+/// Those that are left once triangles with the same corners that face opposite ways have cancelled
+/// each other: where solids have a face in common, it is within their union.
+std::vector<std::uint32_t> withoutOpposites(const PolygonSoup& soup,
+                                            std::span<const std::uint32_t> triangles) {
+  struct Face {
+    std::array<std::uint32_t, 3> corners;  // ascending
+    bool isEven;                           // they are in the triangle's order
+    std::uint32_t triangle;
+  };
+  std::vector<Face> faces;
+  for (const auto i : triangles) {
+    const auto p = soup.polygon(i);
+    Face face{{p[0], p[1], p[2]}, true, i};
+    for (const std::size_t n : {0, 1, 0}) {
+      auto& first = face.corners[n];
+      auto& second = face.corners[n + 1];
+      if (first > second) std::swap(first, second), face.isEven = !face.isEven;
+    }
+    faces.push_back(face);
+  }
+  std::ranges::stable_sort(faces, {}, &Face::corners);
+  std::vector<std::uint32_t> left;
+  std::vector<std::uint32_t> open;  // of one way, in the group of equal corners
+  bool isEven = true;
+  for (std::size_t n = 0; n < faces.size(); ++n) {
+    if (open.empty() || faces[n].isEven == isEven) {
+      isEven = faces[n].isEven;
+      open.push_back(faces[n].triangle);
+    } else {
+      open.pop_back();
+    }
+    if (n + 1 < faces.size() && faces[n + 1].corners == faces[n].corners) continue;
+    left.insert(left.end(), open.begin(), open.end());
+    open.clear();
+  }
+  std::ranges::sort(left);
+  return left;
+}
+
 /// The corners of triangles, turned if the fluid is inside.
 std::vector<MovedSurface::Corners> cornersOf(const PolygonSoup& soup,
                                              std::span<const std::uint32_t> triangles,
@@ -66,16 +106,22 @@ std::vector<std::uint32_t> patchesOf(const PolygonSoup& soup,
 
 }  // namespace
 
-CutSurface::CutSurface(const PolygonSoup& triangles, FluidSide side)
-    : CutSurface(triangles, properTriangles(triangles), side) {}
+CutSurface::CutSurface(const PolygonSoup& triangles, FluidSide side, bool isSound)
+    : CutSurface(triangles,
+                 isSound ? properTriangles(triangles)
+                         : withoutOpposites(triangles, properTriangles(triangles)),
+                 side, isSound) {}
 
 CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles,
-                       FluidSide side)
+                       FluidSide side, bool isSound)
     : frame_(frameOf(soup.boundingBox())),
       windingOutside_(side == FluidSide::Inside ? 1 : 0),
       patches_(patchesOf(soup, triangles)),
       patchNames_(soup.patchNames),
       moved_(inFrame(frame_, soup.points), cornersOf(soup, triangles, side)) {
+  if (triangles.empty()) {
+    throw Error(ErrorKind::Topology, "cut cells: the surface bounds nothing");
+  }
   boxes_.reserve(moved_.triangleCount());
   for (std::uint32_t id = 0; id < moved_.triangleCount(); ++id) {
     Box<double> box;
@@ -84,6 +130,19 @@ CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> t
   }
   constexpr std::uint32_t kLeafWidth = 16;
   tree_ = detail::buildBinaryBvh(boxes_, kLeafWidth, 0);
+  if (isSound) return;
+  const auto positions = inFrame(frame_, soup.points);
+  const auto corners = cornersOf(soup, triangles, side);
+  kinds_ =
+      findSheetKinds({.surface = moved_,
+                      .positions = positions,
+                      .corners = corners,
+                      .trianglesIn = [this](const Box<double>& box) { return trianglesIn(box); },
+                      .windingOutside = windingOutside_});
+}
+
+bool CutSurface::meetsItself() const {
+  return std::ranges::find(kinds_, SheetKind::Meeting) != kinds_.end();
 }
 
 std::vector<std::uint32_t> CutSurface::trianglesIn(const Box<double>& box) const {

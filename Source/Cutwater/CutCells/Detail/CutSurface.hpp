@@ -2,7 +2,7 @@
 
 #include <Cutwater/Bvh/Detail/BinaryBvh.hpp>
 #include <Cutwater/Core/Box.hpp>
-#include <Cutwater/CutCells/Detail/MovedSurface.hpp>
+#include <Cutwater/CutCells/Detail/SheetKinds.hpp>
 #include <Cutwater/Sdf/FluidSide.hpp>
 #include <Cutwater/Surface/PolygonSoup.hpp>
 
@@ -21,8 +21,11 @@ struct CutFrame {
 /// A closed surface as cells are cut by it: in its frame, with the fluid outside, and moved.
 class CutSurface {
  public:
-  /// @throws Error(Topology) if the triangles of the soup are not closed.
-  CutSurface(const PolygonSoup& triangles, FluidSide side);
+  /// Equal points of the soup are one. `isSound`: it is known not to meet itself, and no shell lies
+  /// within another's solid.
+  /// @throws Error(Topology) if the triangles of the soup are not closed, or cancel each
+  /// other.
+  CutSurface(const PolygonSoup& triangles, FluidSide side, bool isSound);
 
   [[nodiscard]] const CutFrame& frame() const { return frame_; }
   [[nodiscard]] const MovedSurface& moved() const { return moved_; }
@@ -33,12 +36,17 @@ class CutSurface {
   /// The triangles of the moved surface whose boxes meet this one, in ascending order.
   [[nodiscard]] std::vector<std::uint32_t> trianglesIn(const Box<double>& box) const;
   [[nodiscard]] const Box<double>& boundingBox() const { return tree_.nodes.front().box; }
+  /// Of all triangles of the moved surface; empty: all are walls.
+  [[nodiscard]] std::span<const SheetKind> kinds() const { return kinds_; }
+  /// Whether parts of it meet.
+  [[nodiscard]] bool meetsItself() const;
   /// The winding number far away.
   [[nodiscard]] int windingOutside() const { return windingOutside_; }
 
  private:
-  /// Of those triangles of a soup that have three different corners.
-  CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles, FluidSide side);
+  /// Of some triangles of a soup.
+  CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles, FluidSide side,
+             bool isSound);
 
   CutFrame frame_;
   int windingOutside_;
@@ -47,6 +55,7 @@ class CutSurface {
   MovedSurface moved_;
   std::vector<Box<double>> boxes_;
   detail::BinaryBvh tree_;  // over the boxes
+  std::vector<SheetKind> kinds_;
 };
 
 }  // namespace cutwater

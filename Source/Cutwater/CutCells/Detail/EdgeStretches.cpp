@@ -1,6 +1,7 @@
 #include <Cutwater/CutCells/Detail/EdgeStretches.hpp>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace cutwater {
@@ -17,6 +18,13 @@ void forTilePlaces(const TilePlace& sizes, Visit&& visit) {
       for (int i = 0; i < sizes[0]; ++i) visit(TilePlace{i, j, k});
     }
   }
+}
+
+/// Takes crossings away that are those of no walls; returns whether there were any.
+bool hidesBuried(const TileSurface& surface, std::vector<EdgeCrossing>& crossings) {
+  return std::erase_if(crossings, [&](const EdgeCrossing& crossing) {
+           return surface.kindOf(crossing.triangle) == SheetKind::Buried;
+         }) > 0;
 }
 
 }  // namespace
@@ -65,20 +73,24 @@ void EdgeStretches::setStretches(const TileSurface& surface, const GridPlanes& p
     const int axis = numbers_.axisOfEdge(edge);
     const auto first = numbers_.placeOfEdge(edge);
     const int plane = first[asIndex(axis)];
-    divide({planes.at(axis, plane), planes.at(axis, plane + 1)}, winding(first), here);
+    const bool meets = surface.meetAny(here);
+    int before = winding(first);
+    if (!meets && hidesBuried(surface, here)) before = before > 0 ? 1 : 0;
+    divide({planes.at(axis, plane), planes.at(axis, plane + 1)}, before, !meets, here);
   }
   firstOfCrossed_.push_back(static_cast<std::uint32_t>(stretches_.size()));
 }
 
-void EdgeStretches::divide(const Interval<double>& edge, int winding,
+void EdgeStretches::divide(const Interval<double>& edge, int winding, bool takeTurns,
                            std::vector<EdgeCrossing>& crossings) {
-  std::ranges::sort(crossings, {}, [](const EdgeCrossing& crossing) {
-    return std::pair(crossing.position, crossing.triangle);
+  // Where solids meet, the next one begins before the last one ends.
+  std::ranges::sort(crossings, {}, [&](const EdgeCrossing& crossing) {
+    return std::tuple(crossing.position, takeTurns ? 0 : -crossing.rise, crossing.triangle);
   });
   EdgeStretch stretch{.from = edge.lower};
   for (auto it = crossings.begin(); it != crossings.end(); ++it) {
     const bool isFluid = winding <= 0;
-    if (isFluid == (winding + it->rise <= 0)) {
+    if (takeTurns && isFluid == (winding + it->rise <= 0)) {
       // Fluid and body take turns: rounding has put these in the wrong order, or in none.
       const auto other = std::find_if(it + 1, crossings.end(), [&](const EdgeCrossing& c) {
         return c.position - it->position <= kRounding && c.rise != it->rise;

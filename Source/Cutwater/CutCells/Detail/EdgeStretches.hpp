@@ -35,8 +35,10 @@ class EdgeStretches {
  private:
   void setWindings(const TileSurface& surface, int winding);
   void setStretches(const TileSurface& surface, const GridPlanes& planes);
-  /// Adds the stretches of an edge that begins at this winding number.
-  void divide(const Interval<double>& edge, int winding, std::vector<EdgeCrossing>& crossings);
+  /// Adds the stretches of an edge that begins at this winding number; `takeTurns`: at crossings,
+  /// fluid and body do.
+  void divide(const Interval<double>& edge, int winding, bool takeTurns,
+              std::vector<EdgeCrossing>& crossings);
 
   TileNumbers numbers_;
   std::vector<std::int32_t> windings_;                  // of nodes

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/Detail/FacePieces.hpp>
+#include <Cutwater/CutCells/Detail/FaceRegions.hpp>
 #include <Cutwater/CutCells/Detail/FaceSum.hpp>
 
 #include <algorithm>
@@ -268,7 +269,13 @@ FacePieces::FacePieces(const TileSurface& surface, const EdgeStretches& stretche
     }
     cutFaces_.push_back({.face = traces[first].face, .firstTrace = first, .lastTrace = last});
     numberOf_[traces[first].face] = static_cast<std::uint32_t>(cutFaces_.size() - 1);
-    builder.build(cutFaces_.back());
+    if (surface.meetAny(traces.subspan(first, last - first))) {
+      cutFaces_.back().firstPiece = static_cast<std::uint32_t>(pieces_.size());
+      const FaceRegions regions(surface, stretches, planes, traces[first].face);
+      pieces_.insert(pieces_.end(), regions.parts().begin(), regions.parts().end());
+    } else {
+      builder.build(cutFaces_.back());
+    }
     first = last;
   }
 }

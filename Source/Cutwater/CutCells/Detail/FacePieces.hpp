@@ -36,6 +36,12 @@ class FacePieces {
   [[nodiscard]] std::uint32_t ofStretch(std::uint32_t face, int side, std::size_t stretch) const;
   /// Whether the surface has a trace on the face.
   [[nodiscard]] bool isCut(std::uint32_t face) const { return cutFace(face) != kNone; }
+  /// Whether traces on a cut face are those of triangles that meet others: the parts are those of
+  /// FaceRegions, and are known by their number alone.
+  [[nodiscard]] bool meetsOn(std::uint32_t face) const {
+    const auto [first, last] = tracesOf(face);
+    return surface_.meetAny(surface_.traces().subspan(first, last - first));
+  }
   /// The parts of a cut face.
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> of(std::uint32_t face) const;
   /// The traces on a cut face: the first, and the one behind the last.

@@ -37,10 +37,10 @@ void PieceSums::addOpenPart(double distance, double area, const Vec3<double>& ce
   moment_ += distance * area * (centroid - reference_);
 }
 
-bool PieceSums::isNothing(const Vec3<double>& cellSize) const {
+bool PieceSums::isNothing(const Vec3<double>& cellSize, double share) const {
   double area = openArea_;
   for (const auto& wall : walls_) area += wall.area;
-  return area <= nothing(cellSize);
+  return area <= nothing(cellSize, share);
 }
 
 CellPiece PieceSums::piece(std::uint32_t cell) const {

@@ -41,16 +41,19 @@ class PieceSums {
   void addOpenPart(double distance, double area, const Vec3<double>& centroid);
 
   /// Whether the piece is a point or an edge, but for rounding: what copies of vertices leave.
-  [[nodiscard]] bool isNothing(const Vec3<double>& cellSize) const;
+  /// `share`: of a face, which is rounding.
+  [[nodiscard]] bool isNothing(const Vec3<double>& cellSize, double share = kRounding) const;
   /// An area that is rounding in a cell of this size.
-  [[nodiscard]] static double nothing(const Vec3<double>& cellSize) {
-    return 1e-14 * dot(cellSize, {cellSize.y, cellSize.z, cellSize.x});
+  [[nodiscard]] static double nothing(const Vec3<double>& cellSize, double share = kRounding) {
+    return share * dot(cellSize, {cellSize.y, cellSize.z, cellSize.x});
   }
   [[nodiscard]] CellPiece piece(std::uint32_t cell) const;
   /// Appends the parts of the wall in the order of patches.
   void appendWalls(std::uint32_t piece, std::vector<PieceWall>& walls);
 
  private:
+  static constexpr double kRounding = 1e-14;
+
   PieceWall& wallOf(std::uint32_t patch);
 
   Vec3<double> reference_;

@@ -73,6 +73,7 @@ class PlaneCutter {
     }
     if (isTouched) out_.isBody[cell] = fluid < 0.5 * size.x * size.y;
     out_.isTouched.push_back(isTouched ? 1 : 0);
+    out_.meets.push_back(0);
     finishWalls(out_.firstPiece.back());
   }
   /// Returns their area.

@@ -70,8 +70,10 @@ class Rows {
  private:
   /// Those of the box, and then those around it.
   [[nodiscard]] bool areCells() const {
-    const auto& [index, firstPiece, fluidCorners] = cells_.cells;
-    if (cells_.cellCount > index.size() || !areAsLong(index.size(), fluidCorners)) return false;
+    const auto& [index, firstPiece, fluidCorners, meets] = cells_.cells;
+    if (cells_.cellCount > index.size() || !areAsLong(index.size(), fluidCorners, meets)) {
+      return false;
+    }
     if (!areStarts(firstPiece, index.size(), cells_.pieces.cell.size())) return false;
     for (std::size_t row = 0; row < index.size(); ++row) {
       const bool isOwn = row < cells_.cellCount;

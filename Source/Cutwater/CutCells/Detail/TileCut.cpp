@@ -1,4 +1,5 @@
 #include <Cutwater/CutCells/Detail/FaceOutlines.hpp>
+#include <Cutwater/CutCells/Detail/FaceRegions.hpp>
 #include <Cutwater/CutCells/Detail/TileCut.hpp>
 #include <Cutwater/CutCells/Detail/TileMoments.hpp>
 
@@ -62,13 +63,19 @@ void noteCells(const TileParts& parts, TileCut& out) {
     out.firstPiece.push_back(piece);
     out.fluidCorners.push_back(fluidCorners(parts.stretches, numbers.placeOfCell(cell)));
     double fluid = 0;
+    double wall = 0;
     for (; piece < pieces.size() && pieces[piece].cell == cell; ++piece) {
       fluid += pieces[piece].volume;
+      wall += pieces[piece].area;
     }
     const auto size = parts.planes.sizeOf(numbers.placeOfCell(cell));
     const double volume = size.x * size.y * size.z;
-    const bool isTouched = touches(parts.surface, fragments.subspan(first, last - first),
-                                   parts.planes, volume / maxComponent(size));
+    const double faceArea = volume / maxComponent(size);
+    const auto here = fragments.subspan(first, last - first);
+    const bool meets = parts.surface.meetAny(here);
+    out.meets.push_back(meets ? 1 : 0);
+    const bool isTouched =
+        meets ? wall <= kSliver * faceArea : touches(parts.surface, here, parts.planes, faceArea);
     if (isTouched) out.isBody[cell] = fluid < 0.5 * volume;
     out.isTouched.push_back(isTouched ? 1 : 0);
     first = last;
@@ -111,7 +118,7 @@ TileParts::TileParts(const CutSurface& whole, const TileInput& input)
     : wanted(input.wanted),
       frame(whole.frame()),
       planes(input.planes),
-      surface(whole.moved(), whole.patches(), input.triangles, planes),
+      surface(whole.moved(), whole.patches(), input.triangles, planes, whole.kinds()),
       stretches(surface, planes, input.winding),
       faces(surface, stretches, planes, wanted) {}
 
@@ -123,6 +130,7 @@ TileCut cutTile(const TileParts& parts, const CutOptions& options) {
                  .firstPiece = {},
                  .fluidCorners = {},
                  .isTouched = {},
+                 .meets = {},
                  .isBody = {},
                  .polygons = {},
                  .moments = {}};

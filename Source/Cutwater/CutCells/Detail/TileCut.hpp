@@ -25,6 +25,7 @@ struct TileCut {
   std::vector<std::uint32_t> firstPiece;   ///< of each of them, then the number of all
   std::vector<std::uint8_t> fluidCorners;  ///< as in CutCells
   std::vector<char> isTouched;             ///< whether the surface merely touches them
+  std::vector<std::uint8_t> meets;         ///< as in CutCells
   CellMask isBody;                         ///< cells without fluid
   TilePolygons polygons;                   ///< on request
   CutCells::Moments moments;               ///< the same

@@ -51,59 +51,80 @@ std::vector<Item> permuted(const std::vector<Item>& items, std::span<const std::
 }  // namespace
 
 TileSurface::TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> patches,
-                         std::span<const std::uint32_t> triangles, const GridPlanes& planes)
-    : numbers_({planes.cells(0), planes.cells(1), planes.cells(2)}), patches_(patches) {
+                         std::span<const std::uint32_t> triangles, const GridPlanes& planes,
+                         std::span<const SheetKind> kinds)
+    : surface_(surface),
+      numbers_({planes.cells(0), planes.cells(1), planes.cells(2)}),
+      patches_(patches),
+      kinds_(kinds) {
   TriangleSplitter splitter(planes);
   for (const auto id : triangles) {
     splitter.split(surface.triangle(id), surface.corners(id),
-                   [&](const Fragment& fragment) { add(surface, id, fragment); });
+                   [&](const Fragment& fragment) { add(id, fragment); });
   }
   sort();
+  if (!kinds_.empty()) sortBuried();
 }
 
-void TileSurface::add(const MovedSurface& surface, std::uint32_t triangle,
-                      const Fragment& fragment) {
-  const auto number = static_cast<std::uint32_t>(fragments_.size());
+Vec3<double> TileSurface::normalOf(std::uint32_t triangle) const {
+  const auto [a, b, c] = surface_.triangle(triangle);
+  return cross(b.position - a.position, c.position - a.position);
+}
+
+std::span<const EdgeCrossing> TileSurface::crossingsOf(std::uint32_t edge) const {
+  return sortedUnder(std::span(crossings_), edge, &EdgeCrossing::edge);
+}
+
+void TileSurface::add(std::uint32_t triangle, const Fragment& fragment) {
   const auto size = static_cast<std::size_t>(fragment.size);
-  fragments_.push_back({numbers_.cell(fragment.cell), triangle,
-                        static_cast<std::uint32_t>(points_.size()),
-                        static_cast<std::uint32_t>(size)});
-  const auto meshEdgeOf = [&](const FragmentEdge& edge) {
-    return surface.edges(triangle)[static_cast<std::size_t>(edge.number)];
-  };
+  auto& fragments = kindOf(triangle) == SheetKind::Buried ? buriedFragments_ : fragments_;
+  fragments.push_back({numbers_.cell(fragment.cell), triangle,
+                       static_cast<std::uint32_t>(points_.size()),
+                       static_cast<std::uint32_t>(size)});
   for (std::size_t i = 0; i < size; ++i) {
     const auto& edge = fragment.edges[i];
     points_.push_back(fragment.points[i]);
-    meshEdges_.push_back(edge.isPlane() ? kNone : meshEdgeOf(edge));
-    if (!edge.isPlane()) continue;
-
-    const auto end = [&](const FragmentEdge& other) {
-      if (!other.isPlane()) return TraceEnd{.meshEdge = meshEdgeOf(other)};
-      return TraceEnd{.gridEdge = numbers_.edge(3 - edge.axis - other.axis,
-                                                placeOnPlanes(fragment, edge, other))};
-    };
-    const auto& before = fragment.edges[(i + size - 1) % size];
-    const auto& after = fragment.edges[(i + 1) % size];
-    FaceTrace trace{.face = numbers_.face(edge.axis, placeOnPlanes(fragment, edge, edge)),
-                    .triangle = triangle,
-                    .from = fragment.points[i],
-                    .to = fragment.points[(i + 1) % size],
-                    .start = end(before),
-                    .end = end(after)};
-    if (isUnderPlane(fragment, edge)) {
-      trace.below = number;
-    } else {
-      trace.above = number;
-      std::swap(trace.from, trace.to);
-      std::swap(trace.start, trace.end);
-    }
-    traces_.push_back(trace);
-    if (before.isPlane()) {
-      const int axis = 3 - edge.axis - before.axis;
-      crossings_.push_back({end(before).gridEdge, triangle, fragment.points[i][axis],
-                            riseAt(fragment, before, edge)});
-    }
+    meshEdges_.push_back(
+        edge.isPlane() ? kNone : surface_.edges(triangle)[static_cast<std::size_t>(edge.number)]);
+    if (edge.isPlane()) addTrace(triangle, fragment, i);
   }
+}
+
+/// That of the last fragment's side on a plane, and the crossing where it begins, if it does at
+/// another one.
+void TileSurface::addTrace(std::uint32_t triangle, const Fragment& fragment, std::size_t side) {
+  const bool isBuried = kindOf(triangle) == SheetKind::Buried;
+  const auto number =
+      static_cast<std::uint32_t>((isBuried ? buriedFragments_ : fragments_).size() - 1);
+  const auto size = static_cast<std::size_t>(fragment.size);
+  const auto& edge = fragment.edges[side];
+  const auto end = [&](const FragmentEdge& other) {
+    if (!other.isPlane()) {
+      return TraceEnd{.meshEdge = surface_.edges(triangle)[static_cast<std::size_t>(other.number)]};
+    }
+    return TraceEnd{.gridEdge = numbers_.edge(3 - edge.axis - other.axis,
+                                              placeOnPlanes(fragment, edge, other))};
+  };
+  const auto& before = fragment.edges[(side + size - 1) % size];
+  const auto& after = fragment.edges[(side + 1) % size];
+  FaceTrace trace{.face = numbers_.face(edge.axis, placeOnPlanes(fragment, edge, edge)),
+                  .triangle = triangle,
+                  .from = fragment.points[side],
+                  .to = fragment.points[(side + 1) % size],
+                  .start = end(before),
+                  .end = end(after)};
+  if (isUnderPlane(fragment, edge)) {
+    trace.below = number;
+  } else {
+    trace.above = number;
+    std::swap(trace.from, trace.to);
+    std::swap(trace.start, trace.end);
+  }
+  (isBuried ? buriedTraces_ : traces_).push_back(trace);
+  if (!before.isPlane()) return;
+  const int axis = 3 - edge.axis - before.axis;
+  crossings_.push_back({end(before).gridEdge, triangle, fragment.points[side][axis],
+                        riseAt(fragment, before, edge)});
 }
 
 void TileSurface::sort() {
@@ -139,6 +160,16 @@ void TileSurface::sort() {
   crossings_ = permuted(crossings_, orderedBy(std::span(std::as_const(crossings_)),
                                               numbers_.edgeCount(), &EdgeCrossing::edge));
   crossings_.erase(std::unique(crossings_.begin(), crossings_.end(), isSame), crossings_.end());
+}
+
+/// As the others; who has a fragment or the trace does not matter.
+void TileSurface::sortBuried() {
+  std::ranges::stable_sort(buriedFragments_, {}, &TileFragment::cell);
+  const auto key = [](const FaceTrace& trace) { return std::pair(trace.face, trace.triangle); };
+  std::ranges::stable_sort(buriedTraces_, {}, key);
+  const auto isSame = [&](const FaceTrace& a, const FaceTrace& b) { return key(a) == key(b); };
+  buriedTraces_.erase(std::unique(buriedTraces_.begin(), buriedTraces_.end(), isSame),
+                      buriedTraces_.end());
 }
 
 }  // namespace cutwater

@@ -1,12 +1,22 @@
 #pragma once
 
-#include <Cutwater/CutCells/Detail/MovedSurface.hpp>
+#include <Cutwater/CutCells/Detail/SheetKinds.hpp>
 #include <Cutwater/CutCells/Detail/TileNumbers.hpp>
 #include <Cutwater/CutCells/Detail/TriangleSplitter.hpp>
 
+#include <algorithm>
 #include <vector>
 
 namespace cutwater {
+
+/// The records that have this number, among those sorted by it. (clang 14 does not take
+/// std::ranges::equal_range() of a span.)
+template <typename Record>
+std::span<const Record> sortedUnder(std::span<const Record> records, std::uint32_t number,
+                                    std::uint32_t Record::*member) {
+  return {std::ranges::lower_bound(records, number, {}, member),
+          std::ranges::upper_bound(records, number, {}, member)};
+}
 
 /// Where a piece of a trace ends: on an edge of the mesh, which the next triangle shares, or on an
 /// edge of the grid.
@@ -49,14 +59,35 @@ struct TileFragment {
 class TileSurface {
  public:
   /// Takes the triangles of these numbers, in ascending order; all that meet the box. `patches`: of
-  /// the triangles of the mesh; viewed.
+  /// the triangles of the mesh; `kinds`: of all, or none if all are walls. All but the numbers and
+  /// the planes is viewed.
   TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> patches,
-              std::span<const std::uint32_t> triangles, const GridPlanes& planes);
+              std::span<const std::uint32_t> triangles, const GridPlanes& planes,
+              std::span<const SheetKind> kinds = {});
 
   [[nodiscard]] const TileNumbers& numbers() const { return numbers_; }
+  /// Those of walls, and of triangles that meet others.
   [[nodiscard]] std::span<const TileFragment> fragments() const { return fragments_; }
   [[nodiscard]] std::span<const FaceTrace> traces() const { return traces_; }
+  /// Those of triangles that are no walls, without their triangles' edges.
+  [[nodiscard]] std::span<const TileFragment> buriedFragments() const { return buriedFragments_; }
+  [[nodiscard]] std::span<const FaceTrace> buriedTraces() const { return buriedTraces_; }
+  /// Those of all triangles.
   [[nodiscard]] std::span<const EdgeCrossing> crossings() const { return crossings_; }
+  [[nodiscard]] std::span<const EdgeCrossing> crossingsOf(std::uint32_t edge) const;
+
+  [[nodiscard]] SheetKind kindOf(std::uint32_t triangle) const {
+    return kinds_.empty() ? SheetKind::Wall : kinds_[triangle];
+  }
+  /// Whether triangles that meet others are among these fragments or traces.
+  template <typename Parts>
+  [[nodiscard]] bool meetAny(const Parts& parts) const {
+    return !kinds_.empty() && std::ranges::any_of(parts, [&](const auto& part) {
+      return kindOf(part.triangle) == SheetKind::Meeting;
+    });
+  }
+  /// A triangle's normal, into the fluid, twice as long as its area is large.
+  [[nodiscard]] Vec3<double> normalOf(std::uint32_t triangle) const;
 
   [[nodiscard]] std::span<const Vec3<double>> points(const TileFragment& fragment) const {
     return std::span(points_).subspan(fragment.first, fragment.size);
@@ -71,16 +102,22 @@ class TileSurface {
   }
 
  private:
-  void add(const MovedSurface& surface, std::uint32_t triangle, const Fragment& fragment);
+  void add(std::uint32_t triangle, const Fragment& fragment);
+  void addTrace(std::uint32_t triangle, const Fragment& fragment, std::size_t side);
   void sort();
+  void sortBuried();
 
+  const MovedSurface& surface_;
   TileNumbers numbers_;
   std::span<const std::uint32_t> patches_;
+  std::span<const SheetKind> kinds_;
   std::vector<TileFragment> fragments_;
   std::vector<Vec3<double>> points_;
   std::vector<std::uint32_t> meshEdges_;
   std::vector<FaceTrace> traces_;
   std::vector<EdgeCrossing> crossings_;
+  std::vector<TileFragment> buriedFragments_;
+  std::vector<FaceTrace> buriedTraces_;
 };
 
 }  // namespace cutwater

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <Cutwater/Core/Box.hpp>
+#include <Cutwater/Core/FunctionRef.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace cutwater {
+
+/// A plane, with a normal of unit length.
+struct SheetPlane {
+  Vec3<double> normal;
+  double offset = 0;
+
+  [[nodiscard]] double height(const Vec3<double>& p) const { return dot(normal, p) - offset; }
+};
+
+/// A convex polygon of a surface in a box.
+struct Sheet {
+  std::vector<Vec3<double>> points;
+  SheetPlane plane;  ///< its normal points into the fluid
+  std::uint32_t patch = 0;
+};
+
+/// A box, divided by planes through the sheets in it into convex leaves that no sheet passes
+/// through (Fuchs, Kedem and Naylor, SIGGRAPH 1980). Where sheets crowd, it is halved first.
+///
+/// All is in floating point: leaves thinner than kNear may be lost, and nothing else depends on it.
+class SheetTree {
+ public:
+  using Polygon = std::vector<Vec3<double>>;
+
+  /// Distances from planes below this are rounding. Coordinates are up to about 1.
+  static constexpr double kNear = 0x1p-48;
+
+  /// A polygon in a plane of the tree, and the leaves below it and above it, where its normal
+  /// points.
+  struct Portal {
+    std::uint32_t below = 0;
+    std::uint32_t above = 0;
+    std::uint32_t node = 0;
+    Polygon polygon;
+  };
+
+  SheetTree(const Box<double>& box, std::vector<Sheet> sheets);
+
+  [[nodiscard]] std::uint32_t leafCount() const { return leafCount_; }
+  /// Between all leaves that are neighbours.
+  [[nodiscard]] std::span<const Portal> portals() const { return portals_; }
+  /// The sheets in the plane of a portal.
+  [[nodiscard]] std::span<const Sheet> sheetsAt(const Portal& portal) const {
+    return nodes_[portal.node].sheets;
+  }
+  /// The sheets in one of the box's faces: two for each axis, low and high.
+  [[nodiscard]] std::span<const Sheet> sheetsIn(std::size_t face) const { return inFaces_[face]; }
+
+  /// The parts of a polygon that leaves have; of one in a plane of the tree, those on this side.
+  void divide(const Polygon& polygon, const Vec3<double>& side,
+              FunctionRef<void(std::uint32_t leaf, const Polygon& part)> visit) const {
+    divideFrom(root_, polygon, side, visit);
+  }
+  /// The leaf at a point, or on this side of it.
+  [[nodiscard]] std::uint32_t leafAt(const Vec3<double>& p, const Vec3<double>& side) const;
+  /// A point within each leaf that has any portals or faces of the box; not in a place that
+  /// symmetry would make special.
+  [[nodiscard]] std::vector<Vec3<double>> pointsIn() const;
+
+  /// One of the box's faces, counterclockwise as seen from outside.
+  [[nodiscard]] Polygon face(std::size_t face) const;
+  /// The direction into the box from one of its faces.
+  [[nodiscard]] static Vec3<double> inwards(std::size_t face);
+
+ private:
+  struct Node {
+    SheetPlane plane;
+    std::array<std::uint32_t, 2> children{};  ///< below and above
+    std::vector<Sheet> sheets;                ///< in the plane
+  };
+  /// A child that is a leaf.
+  static constexpr std::uint32_t kLeaf = 0x80000000;
+
+  std::uint32_t build(std::vector<Sheet> sheets);
+  void findPortals(std::uint32_t node, std::vector<SheetPlane>& path);
+  [[nodiscard]] Polygon inBox(const SheetPlane& plane, std::span<const SheetPlane> path) const;
+  void divideFrom(std::uint32_t node, const Polygon& polygon, const Vec3<double>& side,
+                  FunctionRef<void(std::uint32_t, const Polygon&)> visit) const;
+
+  Box<double> box_;
+  std::array<std::vector<Sheet>, 6> inFaces_;
+  std::vector<Node> nodes_;
+  std::uint32_t root_ = kLeaf;
+  std::uint32_t leafCount_ = 0;
+  std::vector<Portal> portals_;
+};
+
+/// Twice the area of a polygon, times its normal.
+[[nodiscard]] Vec3<double> twiceArea(std::span<const Vec3<double>> polygon);
+/// The mean of its corners.
+[[nodiscard]] Vec3<double> middleOf(std::span<const Vec3<double>> polygon);
+
+/// Shares a polygon out among the patches of the sheets in its plane that face its way, the first
+/// that has a part of it; calls visit(patch, part). What none has is the last one's. There must be
+/// sheets.
+void sharedOut(const SheetTree::Polygon& polygon, const Vec3<double>& normal,
+               std::span<const Sheet> sheets,
+               FunctionRef<void(std::uint32_t patch, const SheetTree::Polygon& part)> visit);
+
+}  // namespace cutwater
