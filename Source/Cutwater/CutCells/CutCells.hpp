@@ -2,6 +2,7 @@
 
 #include <Cutwater/Core/Box.hpp>
 #include <Cutwater/Core/IndexBox.hpp>
+#include <Cutwater/Grid/OctreeCells.hpp>
 #include <Cutwater/Sdf/FluidSide.hpp>
 
 #include <array>
@@ -13,9 +14,6 @@
 #include <vector>
 
 namespace cutwater {
-
-template <std::floating_point T>
-class OctreeCells;
 
 /// The cells of a box of indices, between planes across each axis: of a grid patch, or of a grid
 /// whose cells grow. It includes the planes of the cells around the box, one to each side.
