@@ -1,8 +1,10 @@
-// Cut cells of a surface, on grids from coarse to fine: prints a table as Markdown. Needs no peer.
+// Cut cells of a surface, on grids and octrees from coarse to fine: prints tables as Markdown.
+// Needs no peer.
 //
 //   cutwater_cut_cell_benchmark [surface] [finest grid, 64 to 1024 cells along the longest side]
 
 #include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/ReadSurface.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
@@ -64,6 +66,25 @@ void printRow(const CellCutter& cutter, const Box<double>& surface, int n) {
   std::fflush(stdout);
 }
 
+/// Roots as in `cutwater cells`, 16 along the longest side; leaves of the finest level where they
+/// are cut.
+void printLeaves(const CellCutter& cutter, const MeshSDF<double>& mesh, int level) {
+  const auto room = cubeAround(mesh.boundingBox(), 16);
+  const OctreeDomain<double> domain(room.level.origin(), room.level.spacing().x, {16, 16, 16});
+  const Octree<double> octree(mesh, domain, {.cut = level});
+  CutLeaves leaves;
+  const auto seconds = [&](const CutOptions& options) {
+    return bestSecondsOf([&] { leaves = cutter.cut(octree, options); });
+  };
+  const double polygons = seconds({.polygons = true, .threads = 1});
+  const double two = seconds({.threads = 2});
+  const double one = seconds({.threads = 1});
+  const auto count = static_cast<double>(leaves.cut.leaf.size());
+  std::printf("| %d | %zu | %zu | %.3f | %.0f | %.3f | %.3f |\n", level, octree.cells().size(),
+              leaves.cut.leaf.size(), one, 1e-3 * count / one, two, polygons);
+  std::fflush(stdout);
+}
+
 void run(const char* file, int finest) {
   const MeshSDF<double> mesh(file != nullptr ? readSurface(file).soup
                                              : tessellation::torus(2, 0.7, 256, 128));
@@ -74,6 +95,11 @@ void run(const char* file, int finest) {
       "|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
   const CellCutter cutter{Solid<double>(mesh)};
   for (int n = 64; n <= finest; n *= 2) printRow(cutter, mesh.boundingBox(), n);
+  std::printf(
+      "\n| level | leaves | cut leaves | s | thousand leaves/s | 2 threads, s | with polygons, s "
+      "|\n"
+      "|---:|---:|---:|---:|---:|---:|---:|\n");
+  for (int level = 2; 16 << level <= finest; ++level) printLeaves(cutter, mesh, level);
 }
 
 }  // namespace
