@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
+#include "Support/DamagedSoups.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Shells.hpp"
 #include "Support/Soups.hpp"

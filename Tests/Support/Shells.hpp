@@ -23,20 +23,6 @@ inline PolygonSoup joined(std::initializer_list<PolygonSoup> soups) {
   return result;
 }
 
-inline PolygonSoup moved(PolygonSoup soup, const Vec3<double>& by) {
-  for (auto& p : soup.points) p += by;
-  return soup;
-}
-
-/// With all polygons the other way round.
-inline PolygonSoup turned(PolygonSoup soup) {
-  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
-    std::reverse(soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.offsets[i]),
-                 soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.offsets[i + 1]));
-  }
-  return soup;
-}
-
 /// Its signed volume, about its first point, and its area.
 inline double volumeOf(const PolygonSoup& soup) {
   double sum = 0;

@@ -316,8 +316,7 @@ struct CutRegion {
 };
 
 /// The connected regions of the fluid in cut cells: pieces, and cells that are all fluid, joined by
-/// open parts of faces and by nothing else. So no plate leaks, however thin, and no gap is closed,
-/// however narrow. (FluidRegions does without cut cells, and joins nothing through them.)
+/// open parts of faces alone. So no plate leaks, and no gap is closed, however thin.
 class CutRegions {
  public:
   /// In place of a region: there is none.
@@ -352,9 +351,6 @@ class CutRegions {
   std::vector<Run> runs_;
   std::vector<std::uint32_t> ofLeaf_;
 };
-
-extern template CutRegions::CutRegions(const CutLeaves&, const OctreeCells<float>&);
-extern template CutRegions::CutRegions(const CutLeaves&, const OctreeCells<double>&);
 
 /// What check() has found about cut cells.
 struct CutCellsReport {

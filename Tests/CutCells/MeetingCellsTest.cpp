@@ -1,0 +1,200 @@
+// Surfaces whose shells overlap, repeat or pass through themselves.
+
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/Octree.hpp>
+
+#include <map>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "CutCells/ShellCells.hpp"
+#include "Support/Scale.hpp"
+
+namespace cutwater::test {
+namespace {
+
+/// The volume or, between equal planes, the area of what boxes cover of a box: by inclusion and
+/// exclusion.
+double covered(const Box<double>& within, const std::vector<Box<double>>& boxes, int across = -1) {
+  double sum = 0;
+  for (unsigned some = 1; some < 1U << boxes.size(); ++some) {
+    auto common = within;
+    int sign = -1;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if ((some >> i & 1U) == 0) continue;
+      common = common.intersection(boxes[i]);
+      sign = -sign;
+    }
+    if (common.empty()) continue;
+    double size = sign;
+    for (int axis = 0; axis < 3; ++axis) size *= axis == across ? 1 : common.size()[axis];
+    sum += size;
+  }
+  return sum;
+}
+
+/// Compares the volume of each cell and the open area of each face with inclusion and exclusion.
+void expectUnion(const std::vector<Box<double>>& boxes, int n, std::size_t& meeting) {
+  PolygonSoup soup;
+  for (const auto& box : boxes) {
+    soup = joined({soup, tessellation::box(box.lower, box.upper)});
+  }
+  const auto cells = cellsOfShells(soup, n);
+  expectClosed(cells);
+  meeting += check(cells).meetingCells;
+  std::map<std::pair<std::array<int, 3>, int>, double> open;
+  const auto key = [](const Index3& index, int axis) {
+    return std::pair(std::array<int, 3>{index.i, index.j, index.k}, axis);
+  };
+  for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
+    open[key(cells.arcs.cell[a], cells.arcs.axis[a])] += cells.arcs.area[a];
+  }
+  for (int number = 0; number < n * n * n; ++number) {
+    const Index3 cell{number % n, number / n % n, number / n / n};
+    const auto box = cells.boxOf(cell);
+    const auto row = cells.rowOf(cell);
+    double fluid = cells.classOf(cell) == FluidClass::Fluid ? cells.cellVolume(cell) : 0;
+    if (row != CutCells::kNoRow) {
+      for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
+        fluid += cells.pieces.volume[p];
+      }
+    }
+    ASSERT_NEAR(fluid, cells.cellVolume(cell) - covered(box, boxes), 1e-14);
+    if (row == CutCells::kNoRow) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      // Walls in the face's plane close it, whatever side they bound.
+      auto face = box;
+      face.upper[axis] = face.lower[axis];
+      EXPECT_NEAR(open[key(cell, axis)], cells.faceArea(cell, axis) - covered(face, boxes, axis),
+                  1e-14);
+    }
+  }
+}
+
+TEST(MeetingCellsTest, UnionsOfBoxesAreThoseOfInclusionAndExclusion) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(0.03, 0.97);
+  std::size_t meeting = 0;
+  for (int round = 0; round < scaled(60) && !HasFailure(); ++round) {
+    std::vector<Box<double>> boxes;
+    for (int k = 0; k < 2 + round % 3; ++k) {
+      const auto corner = [&] {
+        return Vec3<double>{number(random), number(random), number(random)};
+      };
+      const auto p = corner();
+      const auto q = corner();
+      boxes.push_back({min(p, q), max(p, q)});
+    }
+    expectUnion(boxes, 1 + round % 5, meeting);
+  }
+  EXPECT_GT(meeting, 100U);
+}
+
+/// Faces lie on one another and in planes of the grid.
+TEST(MeetingCellsTest, UnionsOfBoxesInPlanesOfTheGridAreThoseOfInclusionAndExclusion) {
+  std::mt19937 random(4);
+  std::size_t meeting = 0;
+  for (int round = 0; round < scaled(200) && !HasFailure(); ++round) {
+    std::vector<Box<double>> boxes;
+    for (int k = 0; k < 2 + round % 3; ++k) {
+      Box<double> box;
+      for (int axis = 0; axis < 3; ++axis) {
+        const int lower = static_cast<int>(random() % 7) + 1;
+        const int upper = lower + 1 + static_cast<int>(random() % static_cast<unsigned>(8 - lower));
+        box.lower[axis] = lower / 9.0;
+        box.upper[axis] = upper / 9.0;
+      }
+      boxes.push_back(box);
+    }
+    expectUnion(boxes, std::array{1, 2, 3, 9}[static_cast<std::size_t>(round) % 4], meeting);
+  }
+  EXPECT_GT(meeting, 100U);
+}
+
+/// A plate through a cell, of two boxes that overlap in its middle, parts it; patches keep their
+/// walls.
+TEST(MeetingCellsTest, PiecesAndPatchesAreThoseOfTheUnion) {
+  const auto left = tessellation::box({-0.5, -0.5, 0.4}, {0.7, 1.5, 0.5});
+  const auto right = tessellation::box({0.3, -0.5, 0.35}, {1.5, 1.5, 0.45});
+  auto both = joined({left, right});
+  both.patchNames = {"left", "right"};
+  for (std::size_t i = left.polygonCount(); i < both.polygonCount(); ++i) both.patches[i] = 1;
+  const auto cells = cellsOfShells(both, 1);
+  expectClosed(cells);
+  ASSERT_EQ(cells.pieceCount, 2U);
+  EXPECT_EQ(check(cells).meetingCells, 1U);
+  const auto [below, above] = std::minmax(cells.pieces.volume[0], cells.pieces.volume[1]);
+  EXPECT_NEAR(below, 0.3 * 0.4 + 0.7 * 0.35, 1e-15);
+  EXPECT_NEAR(above, 0.7 * 0.5 + 0.3 * 0.55, 1e-15);
+  std::array<double, 2> areas{};
+  for (std::size_t w = 0; w < cells.wallParts.area.size(); ++w) {
+    if (cells.wallParts.piece[w] >= cells.pieceCount) continue;
+    areas[cells.wallParts.patch[w]] += cells.wallParts.area[w];
+  }
+  EXPECT_NEAR(areas[0], 0.7 + 0.05 + 0.3, 1e-15);  // top, end, and bottom beside the right one
+  EXPECT_NEAR(areas[1], 0.7 + 0.05 + 0.3, 1e-15);
+  EXPECT_EQ(cells.arcs.area.size(), 2U + 4 * 2);
+}
+
+/// A shell twice, and one that passes through itself.
+TEST(MeetingCellsTest, ShellsThatRepeatOrCrossThemselvesCount) {
+  const auto one = ball(0.4, kMiddle, 1);
+  for (const int n : {1, 4}) {
+    const auto cells = cellsOfShells(joined({one, one}), n);
+    expectClosed(cells);
+    EXPECT_NEAR(check(cells).bodyVolume, volumeOf(one), 1e-14);
+    EXPECT_NEAR(check(cells).wallArea, areaOf(one), 1e-13);
+  }
+  // A prism over a figure of eight: one loop has the winding number 1, the other -1.
+  PolygonSoup eight;
+  for (const double z : {0.3, 0.7}) {
+    for (const auto& [x, y] : {std::pair(0.2, 0.2), {0.8, 0.8}, {0.8, 0.2}, {0.2, 0.8}}) {
+      eight.points.push_back({x, y, z});
+    }
+  }
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const auto next = (i + 1) % 4;
+    eight.addPolygon(std::array{i, next, next + 4});
+    eight.addPolygon(std::array{i, next + 4, i + 4});
+  }
+  for (std::uint32_t i = 1; i < 3; ++i) {
+    eight.addPolygon(std::array{0U, i + 1, i});
+    eight.addPolygon(std::array{4U, i + 4, i + 5});
+  }
+  const auto cells = cellsOfShells(eight, 3);
+  expectClosed(cells);
+  EXPECT_NEAR(check(cells).bodyVolume, 0.09 * 0.4, 1e-15);
+}
+
+TEST(MeetingCellsTest, CoarserCellsAreThoseOfTheUnion) {
+  const auto both = joined({ball(0.3, {0.35, 0.4, 0.5}, 2), ball(0.3, {0.6, 0.6, 0.5}, 2)});
+  const auto fine = cellsOfShells(both, 16);
+  const auto coarse = coarsened(fine, {4, 4, 4});
+  const auto expected = cellsOfShells(both, 4);
+  expectClosed(coarse);
+  EXPECT_EQ(coarse.cells.index, expected.cells.index);
+  EXPECT_EQ(coarse.cells.firstPiece, expected.cells.firstPiece);
+  EXPECT_EQ(coarse.cells.meets, expected.cells.meets);
+  EXPECT_NEAR(check(coarse).wallArea, check(expected).wallArea, 1e-13);
+  const auto single = merged(fine);
+  double lost = 0;
+  for (const auto& piece : single.lost) lost += piece.volume;
+  EXPECT_NEAR(check(single.cells).bodyVolume, check(fine).bodyVolume + lost, 1e-14);
+}
+
+TEST(MeetingCellsTest, WhatNeedsASimpleSurfaceIsRefused) {
+  const auto one = tessellation::box({0.2, 0.2, 0.2}, {0.6, 0.6, 0.6});
+  const Solid<double> solid = solidOf(joined({one, moved(one, {0.1, 0.1, 0.1})}));
+  const CellCutter cutter(solid);
+  const GridPatch<double> grid{Level<double>({0, 0, 0}, {1, 1, 1}), IndexBox::ofSize(1, 1, 1)};
+  EXPECT_NO_THROW(static_cast<void>(cutter.cut(grid)));
+  EXPECT_THROW(static_cast<void>(cutter.cut(grid, {.polygons = true})), Error);
+  EXPECT_THROW(static_cast<void>(cutter.cut(grid, {.moments = 0})), Error);
+  EXPECT_THROW(static_cast<void>(cutter.cutInPlane(planesOf(grid), 0.5)), Error);
+  const Octree<double> mesh(solid, OctreeDomain<double>({0, 0, 0}, 1, {1, 1, 1}), {.cut = 1});
+  EXPECT_THROW(static_cast<void>(cutter.cut(mesh)), Error);
+}
+
+}  // namespace
+}  // namespace cutwater::test
