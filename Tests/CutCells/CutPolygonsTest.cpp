@@ -6,6 +6,7 @@
 
 #include "CutCells/RandomVoxels.hpp"
 #include "Support/CutPolygons.hpp"
+#include "Support/DamagedSoups.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Soups.hpp"
 
@@ -17,11 +18,6 @@ CutCells cut(const PolygonSoup& soup, int n, FluidSide side = FluidSide::Outside
   return CellCutter(Solid<double>(MeshSDF<double>(soup)), side)
       .cut(GridPatch<double>{Level<double>({0, 0, 0}, {h, h, h}), IndexBox::ofSize(n, n, n)},
            {.polygons = true});
-}
-
-PolygonSoup moved(PolygonSoup soup, const Vec3<double>& by) {
-  for (auto& p : soup.points) p += by;
-  return soup;
 }
 
 TEST(CutPolygonsTest, CloseEveryPiece) {
