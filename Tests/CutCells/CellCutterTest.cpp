@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "Support/DamagedSoups.hpp"
 #include "Support/Grid.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Shells.hpp"
