@@ -276,16 +276,9 @@ TEST(CellCutterTest, WallsKnowTheirPatches) {
 }
 
 TEST(CellCutterTest, PartsThatTouchAlongAnEdgeKeepTheFluidApart) {
-  auto soup = tessellation::box({0.25, 0.25, 0.25}, {0.5, 0.5, 0.75});
-  const auto other = tessellation::box({0.5, 0.5, 0.25}, {0.75, 0.75, 0.75});
-  const auto first = static_cast<std::uint32_t>(soup.points.size());
-  soup.points.insert(soup.points.end(), other.points.begin(), other.points.end());
-  for (std::size_t i = 0; i < other.polygonCount(); ++i) {
-    std::vector<std::uint32_t> corners;
-    for (const auto corner : other.polygon(i)) corners.push_back(first + corner);
-    soup.addPolygon(corners);
-  }
-  for (auto& p : soup.points) p += {0.0134, 0.0134, 0.0134};
+  const auto soup = moved(joined({tessellation::box({0.25, 0.25, 0.25}, {0.5, 0.5, 0.75}),
+                                  tessellation::box({0.5, 0.5, 0.25}, {0.75, 0.75, 0.75})}),
+                          {0.0134, 0.0134, 0.0134});
   const auto cells = CellCutter(Solid<double>(MeshSDF<double>(soup))).cut(unitCube(8));
   expectIdentities(cells);
   EXPECT_NEAR(check(cells).bodyVolume, 0.0625, 1e-15);
