@@ -15,23 +15,17 @@
 #include "CutCells/JoinedCells.hpp"
 #include "CutCells/RandomLeaves.hpp"
 #include "CutCells/RandomVoxels.hpp"
+#include "Support/CutIdentities.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Soups.hpp"
 
 namespace cutwater::test {
 namespace {
 
-void expectIdentities(const CutLeaves& leaves) {
-  const auto report = check(leaves);
-  EXPECT_EQ(report.outOfRange, 0U);
-  EXPECT_EQ(report.lostPieces, 0U);
-  EXPECT_LT(report.worstClosure, 1e-13);
-}
-
 /// Cuts a mesh, and compares with its finest cells; returns how many leaves have several pieces.
 std::size_t expectAsJoined(const CellCutter& cutter, const Mesh& mesh) {
   const auto leaves = cutter.cut(mesh);
-  expectIdentities(leaves);
+  expectIdentities(leaves, 1e-13);
   const auto fine = cutter.cut(finestOf(mesh));
   EXPECT_NEAR(check(leaves).bodyVolume, check(fine).bodyVolume, 1e-13);
   EXPECT_NEAR(check(leaves).fluidVolume, check(fine).fluidVolume, 1e-13);
@@ -165,7 +159,7 @@ TEST(CutLeavesTest, LeavesBesideMuchFinerOnes) {
   };
   divide(divide, {}, 0);
   const auto cut = cutter.cut(Mesh(domain, kDeepest, leaves));
-  expectIdentities(cut);
+  expectIdentities(cut, 1e-13);
   EXPECT_NEAR(check(cut).bodyVolume, 0.125, 1e-15);
   EXPECT_NEAR(check(cut).wallArea, 1.5, 1e-14);
   std::size_t jumps = 0;
@@ -184,7 +178,7 @@ TEST(CutLeavesTest, ClassesAreThoseOfTheSolid) {
   const Octree<float> mesh(Solid<float>(MeshSDF<float>(tessellation::icosphere(0.6, 2))), domain,
                            {.cut = 5}, {.balance = Balance::None});
   const auto leaves = CellCutter(solid).cut(mesh);
-  expectIdentities(leaves);
+  expectIdentities(leaves, 1e-13);
   std::map<FluidClass, int> count;
   for (std::size_t leaf = 0; leaf < mesh.cells().size(); ++leaf) {
     const auto box = mesh.box(mesh.cells()[leaf]);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "Support/CutIdentities.hpp"
 #include "Support/DamagedSoups.hpp"
 #include "Support/Shells.hpp"
 
@@ -24,10 +25,7 @@ inline CutCells cellsOfShells(const PolygonSoup& soup, int n, FluidSide side = F
 }
 
 inline void expectClosed(const CutCells& cells) {
-  const auto report = check(cells);
-  EXPECT_EQ(report.outOfRange, 0U);
-  EXPECT_EQ(report.lostPieces, 0U);
-  EXPECT_LT(report.worstClosure, 1e-13);
+  expectIdentities(cells, 1e-13);
 }
 
 inline PolygonSoup ball(double radius, const Vec3<double>& center, int level = 3) {

@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 
+#include "Support/CutIdentities.hpp"
 #include "Support/DamagedSoups.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Shells.hpp"
@@ -118,13 +119,6 @@ double fluidIn(const CutCells& cells, const Index3& cell) {
   return sum;
 }
 
-void expectCloses(const CutCells& cells) {
-  const auto report = check(cells);
-  EXPECT_EQ(report.outOfRange, 0U);
-  EXPECT_EQ(report.lostPieces, 0U);
-  EXPECT_LT(report.worstClosure, 1e-12);
-}
-
 /// By inclusion and exclusion, in each cell.
 TEST(CutUnionsTest, TetrahedraInRationals) {
   std::mt19937 random(21);
@@ -138,7 +132,7 @@ TEST(CutUnionsTest, TetrahedraInRationals) {
     const RationalBody inC(c);
     const int n = 1 + round % 3;
     const auto cells = cutUnion(joined({a, b, c}), n, FluidSide::Inside);
-    expectCloses(cells);
+    expectIdentities(cells, 1e-12);
     meeting += check(cells).meetingCells;
     for (int number = 0; number < n * n * n; ++number) {
       const Index3 index{number % n, number / n % n, number / n / n};
@@ -186,7 +180,7 @@ TEST(CutUnionsTest, MeshesByCgal) {
   }
   for (const int n : {1, 2, 7, 24, 50}) {
     const auto cells = cutUnion(joined({torus, ball}), n, FluidSide::Outside);
-    expectCloses(cells);
+    expectIdentities(cells, 1e-12);
     const auto report = check(cells);
     EXPECT_NEAR(report.bodyVolume, volume, 1e-14);
     EXPECT_NEAR(report.fluidVolume, 1 - volume, 1e-14);
@@ -196,7 +190,7 @@ TEST(CutUnionsTest, MeshesByCgal) {
       EXPECT_LT(4 * report.meetingCells, report.cutCells);
     }
     const auto inside = cutUnion(joined({torus, ball}), n, FluidSide::Inside);
-    expectCloses(inside);
+    expectIdentities(inside, 1e-12);
     EXPECT_NEAR(check(inside).fluidVolume, volume, 1e-14);
     EXPECT_NEAR(check(inside).wallArea, area, 1e-11);
   }
