@@ -1,4 +1,4 @@
-#include <Cutwater/CutCells/Detail/MovedSurface.hpp>
+#include <Cutwater/CutCells/Detail/Surface/MovedSurface.hpp>
 
 #include <array>
 #include <random>

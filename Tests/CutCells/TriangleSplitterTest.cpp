@@ -1,4 +1,4 @@
-#include <Cutwater/CutCells/Detail/TriangleSplitter.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/TriangleSplitter.hpp>
 
 #include <map>
 #include <vector>

@@ -1,7 +1,7 @@
 // The cells in which a triangle has a part, and the planes and edges that bound these parts,
 // against rational numbers, in which vertices and planes really are moved.
 
-#include <Cutwater/CutCells/Detail/TriangleSplitter.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/TriangleSplitter.hpp>
 
 #include <cmath>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/CutCells/Detail/CellPieces.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/CellPieces.hpp>
 
 #include <algorithm>
 #include <cmath>

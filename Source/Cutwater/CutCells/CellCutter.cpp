@@ -1,8 +1,8 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
-#include <Cutwater/CutCells/Detail/CutAssembly.hpp>
-#include <Cutwater/CutCells/Detail/LeafAssembly.hpp>
-#include <Cutwater/CutCells/Detail/PlaneCut.hpp>
+#include <Cutwater/CutCells/Detail/Leaves/LeafAssembly.hpp>
+#include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/PlaneCut.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/Detail/HoleCaps.hpp>
 #include <Cutwater/Triangles/OpenEdges.hpp>

@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
-#include <Cutwater/CutCells/Detail/CutRows.hpp>
-#include <Cutwater/CutCells/Detail/MomentClosure.hpp>
+#include <Cutwater/CutCells/Detail/Moments/MomentClosure.hpp>
+#include <Cutwater/CutCells/Detail/Rows/CutRows.hpp>
 
 #include <algorithm>
 

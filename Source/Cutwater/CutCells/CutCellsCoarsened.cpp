@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
-#include <Cutwater/CutCells/Detail/CoarseNodes.hpp>
-#include <Cutwater/CutCells/Detail/MomentRows.hpp>
-#include <Cutwater/CutCells/Detail/Moments.hpp>
+#include <Cutwater/CutCells/Detail/Moments/MomentRows.hpp>
+#include <Cutwater/CutCells/Detail/Moments/Moments.hpp>
+#include <Cutwater/CutCells/Detail/Rows/CoarseNodes.hpp>
 
 #include <algorithm>
 #include <map>

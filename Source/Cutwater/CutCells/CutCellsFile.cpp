@@ -2,7 +2,7 @@
 #include <Cutwater/Core/Detail/OutputFile.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
-#include <Cutwater/CutCells/Detail/RowFlaws.hpp>
+#include <Cutwater/CutCells/Detail/Rows/RowFlaws.hpp>
 #include <Cutwater/Text/LoadFile.hpp>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
-#include <Cutwater/CutCells/Detail/MomentRows.hpp>
-#include <Cutwater/CutCells/Detail/Moments.hpp>
+#include <Cutwater/CutCells/Detail/Moments/MomentRows.hpp>
+#include <Cutwater/CutCells/Detail/Moments/Moments.hpp>
 
 #include <algorithm>
 #include <map>

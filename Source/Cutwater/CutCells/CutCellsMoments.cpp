@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
-#include <Cutwater/CutCells/Detail/Monomials.hpp>
+#include <Cutwater/CutCells/Detail/Moments/Monomials.hpp>
 
 namespace cutwater {
 

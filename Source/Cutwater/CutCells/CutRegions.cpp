@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
-#include <Cutwater/CutCells/Detail/LeafGrid.hpp>
+#include <Cutwater/CutCells/Detail/Leaves/LeafGrid.hpp>
 
 #include <algorithm>
 #include <numeric>

@@ -1,0 +1,122 @@
+#include <Cutwater/Core/Detail/DisjointSets.hpp>
+#include <Cutwater/CutCells/Detail/Faces/FaceAxes.hpp>
+#include <Cutwater/CutCells/Detail/Faces/FaceRegions.hpp>
+#include <Cutwater/CutCells/Detail/Faces/LocalWinding.hpp>
+
+#include <algorithm>
+#include <tuple>
+
+namespace cutwater {
+
+namespace {
+
+/// A box about the face, as thick as wide: traces stand for walls across it.
+Box<double> slabOf(const GridPlanes& planes, const FaceAxes& axes, const TilePlace& place) {
+  Box<double> box;
+  double width = 0;
+  for (const int axis : {axes.first, axes.second}) {
+    box.lower[axis] = planes.at(axis, place[asIndex(axis)]);
+    box.upper[axis] = planes.at(axis, place[asIndex(axis)] + 1);
+    width = std::max(width, box.upper[axis] - box.lower[axis]);
+  }
+  const double plane = planes.at(axes.across, place[asIndex(axes.across)]);
+  box.lower[axes.across] = plane - 0.5 * width;
+  box.upper[axes.across] = plane + 0.5 * width;
+  return box;
+}
+
+std::vector<Sheet> sheetsOf(std::span<const FaceTrace> traces, const FaceAxes& axes,
+                            const Box<double>& slab) {
+  std::vector<Sheet> sheets;
+  for (const auto& trace : traces) {
+    const auto way = trace.to - trace.from;
+    const double size = length(way);
+    if (!(size > SheetTree::kNear)) continue;
+    Sheet sheet{.points = {trace.from, trace.from, trace.to, trace.to}, .plane = {}};
+    for (const std::size_t n : {0, 3}) sheet.points[n][axes.across] = slab.lower[axes.across];
+    for (const std::size_t n : {1, 2}) sheet.points[n][axes.across] = slab.upper[axes.across];
+    // To the left: where the fluid is.
+    sheet.plane.normal[axes.first] = -way[axes.second] / size;
+    sheet.plane.normal[axes.second] = way[axes.first] / size;
+    sheet.plane.offset = dot(sheet.plane.normal, trace.from);
+    sheets.push_back(std::move(sheet));
+  }
+  return sheets;
+}
+
+}  // namespace
+
+FaceRegions::FaceRegions(const TileSurface& surface, const EdgeStretches& stretches,
+                         const GridPlanes& planes, std::uint32_t face)
+    : axis_(surface.numbers().axisOfFace(face)) {
+  const FaceAxes axes(axis_);
+  const auto slab = slabOf(planes, axes, surface.numbers().placeOfFace(face));
+  const auto found = sortedUnder(surface.traces(), face, &FaceTrace::face);
+  const SheetTree tree(slab, sheetsOf(found, axes, slab));
+  const double plane = planes.at(axis_, surface.numbers().placeOfFace(face)[asIndex(axis_)]);
+  const auto size = slab.size();
+  const double least = kSliver * size[axes.first] * size[axes.second];
+
+  const auto low = static_cast<std::size_t>(2 * axis_);
+  std::vector<std::uint32_t> regionOf(tree.leafCount(), kNone);
+  const auto points = tree.pointsIn();
+  // The slab's high face is counterclockwise as seen against the axis.
+  tree.divide(tree.face(low + 1), SheetTree::inwards(low + 1),
+              [&](std::uint32_t leaf, SheetTree::Polygon polygon) {
+                for (auto& p : polygon) p[axis_] = plane;
+                regionOf[leaf] = static_cast<std::uint32_t>(regions_.size());
+                const int winding = windingOnFace(surface, stretches, face, points[leaf]);
+                regions_.push_back({std::move(polygon), winding <= 0, kNone});
+              });
+  detail::DisjointSets sets(regions_.size());
+  for (const auto& portal : tree.portals()) {
+    const auto below = regionOf[portal.below];
+    const auto above = regionOf[portal.above];
+    if (below == kNone || above == kNone) continue;
+    const bool isOpen = regions_[below].isFluid && regions_[above].isFluid;
+    if (isOpen && 0.5 * length(twiceArea(portal.polygon)) > least) sets.unite(below, above);
+  }
+  for (std::uint32_t i = 0; i < regions_.size(); ++i) {
+    if (!regions_[i].isFluid) continue;
+    auto& part = regions_[sets.find(i)].part;
+    if (part == kNone) {
+      part = static_cast<std::uint32_t>(parts_.size());
+      parts_.push_back({.face = face, .centroid = {}});
+    }
+    regions_[i].part = part;
+  }
+  measure(face, least);
+}
+
+void FaceRegions::measure(std::uint32_t face, double least) {
+  std::vector<Vec3<double>> moments(parts_.size());
+  for (const auto& region : regions_) {
+    if (region.part == kNone) continue;
+    auto& part = parts_[region.part];
+    for (std::size_t k = 2; k < region.polygon.size(); ++k) {
+      const auto& [a, b, c] = std::tie(region.polygon[0], region.polygon[k - 1], region.polygon[k]);
+      const double area = 0.5 * cross(b - a, c - a)[axis_];
+      part.area += area;
+      moments[region.part] += area / 3 * ((a + b) + c);
+    }
+  }
+  for (std::uint32_t n = 0; n < parts_.size(); ++n) {
+    parts_[n].face = face;
+    parts_[n].isNothing = !(parts_[n].area > least);
+    if (!parts_[n].isNothing) parts_[n].centroid = moments[n] / parts_[n].area;
+  }
+}
+
+bool makeSheet(const TileSurface& surface, const TileFragment& fragment, Sheet& sheet) {
+  const auto normal = surface.normalOf(fragment.triangle);
+  const double size = length(normal);
+  if (!(size > 0)) return false;
+  const auto points = surface.points(fragment);
+  sheet.points.assign(points.begin(), points.end());
+  sheet.plane.normal = normal / size;
+  sheet.plane.offset = dot(sheet.plane.normal, middleOf(points));
+  sheet.patch = surface.patchOf(fragment.triangle);
+  return true;
+}
+
+}  // namespace cutwater

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Cutwater/CutCells/Detail/Faces/EdgeStretches.hpp>
+#include <Cutwater/CutCells/Detail/Faces/FacePieces.hpp>
+#include <Cutwater/CutCells/Detail/Faces/SheetTree.hpp>
+
+namespace cutwater {
+
+/// A face between two cells, divided along the traces on it into convex regions: for faces on which
+/// the surface meets itself, and for the cells beside them. In floating point; the same for both
+/// cells.
+class FaceRegions {
+ public:
+  struct Region {
+    SheetTree::Polygon polygon;
+    bool isFluid = false;
+    std::uint32_t part = kNone;  ///< the open part that it belongs to
+  };
+
+  FaceRegions(const TileSurface& surface, const EdgeStretches& stretches, const GridPlanes& planes,
+              std::uint32_t face);
+
+  [[nodiscard]] std::span<const Region> regions() const { return regions_; }
+  /// The connected open parts; what has no area, but for rounding, is nothing.
+  [[nodiscard]] std::span<const FacePiece> parts() const { return parts_; }
+
+ private:
+  void measure(std::uint32_t face, double least);
+
+  int axis_ = 0;
+  std::vector<Region> regions_;
+  std::vector<FacePiece> parts_;
+};
+
+/// The sheet of a fragment, in its triangle's plane; false if that has no area.
+[[nodiscard]] bool makeSheet(const TileSurface& surface, const TileFragment& fragment,
+                             Sheet& sheet);
+
+/// An area that counts for nothing, in cells and faces where the surface meets itself: in shares of
+/// a face.
+inline constexpr double kSliver = 1e-12;
+
+}  // namespace cutwater

@@ -1,0 +1,136 @@
+#include <Cutwater/CutCells/Detail/Leaves/CoarseFace.hpp>
+
+#include <algorithm>
+#include <tuple>
+
+namespace cutwater {
+
+CoarseFace::CoarseFace(const LeafGrid& grid, const LeafSources& sources,
+                       std::span<const FluidClass> classes, std::uint32_t coarse, int axis,
+                       bool isHigh)
+    : grid_(grid),
+      sources_(sources),
+      coarse_(coarse),
+      axis_(axis),
+      isHigh_(isHigh),
+      finer_(grid.finerAcross(sources.source(coarse).leaf, axis, isHigh)) {
+  findParts(classes);
+  for (auto& part : parts_) findBehind(part);
+  for (auto& part : points_) findBehind(part);
+  sets_.reset(parts_.size());
+  joinThroughEdges();
+  settle();
+}
+
+void CoarseFace::findParts(std::span<const FluidClass> classes) {
+  for (const auto leaf : finer_) {
+    firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
+    const auto source = sources_.of(leaf);
+    if (source == kNone) {
+      if (classes[leaf] == FluidClass::Fluid) parts_.push_back({.leaf = leaf});
+      continue;
+    }
+    for (const auto& [face, arc] : sources_.tileOf(source).arcsOf(finerFace(source))) {
+      parts_.push_back({.leaf = leaf, .arc = arc});
+    }
+    for (const auto& [face, arc] : sources_.tileOf(source).pointsOf(finerFace(source))) {
+      points_.push_back({.leaf = leaf, .arc = arc});
+    }
+  }
+  firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
+}
+
+void CoarseFace::findBehind(Part& part) const {
+  part.behind = kUnknown;
+  if (part.arc == kNone) return;
+  const auto& fine = sources_.tileOf(sources_.of(part.leaf)).rims.triangles;
+  const auto& walls = sources_.tileOf(coarse_).rims.walls;
+  const auto row = sources_.source(coarse_).row;
+  const auto key = [](const LeafRims::WallTriangle& wall) {
+    return std::pair(wall.row, wall.triangle);
+  };
+  for (auto rim = std::ranges::lower_bound(fine, part.arc, {}, &LeafRims::RimTriangle::arc);
+       rim != fine.end() && rim->arc == part.arc; ++rim) {
+    const std::pair wanted(row, rim->triangle);
+    const auto wall = std::ranges::lower_bound(walls, wanted, {}, key);
+    if (wall == walls.end() || key(*wall) != wanted) continue;
+    part.behind = wall->piece;
+    if (part.behind != kNone) return;
+  }
+}
+
+void CoarseFace::joinThroughEdges() {
+  for (std::uint32_t n = 0; n < finer_.size(); ++n) {
+    for (int side = 0; side < 4; ++side) joinThroughEdge(n, side);
+  }
+}
+
+/// Where nothing crosses an edge of a finer face, the parts on both sides of it are one. Of two
+/// faces, the finer one does this.
+void CoarseFace::joinThroughEdge(std::uint32_t finer, int side) {
+  const auto& [index, level, kind] = grid_.leaves()[finer_[finer]];
+  const FaceAxes axes(axis_);
+  const int run = side < 2 ? axes.first : axes.second;
+  auto next = index;
+  along(next, side < 2 ? axes.second : axes.first) += side % 2 == 0 ? -1 : 1;
+  const auto other = std::ranges::lower_bound(finer_, grid_.at(next, level));
+  const bool isThere = other != finer_.end() && *other == grid_.at(next, level);
+  if (!isThere || grid_.leaves()[*other].level > level) return;
+  const double middle = 0.5 * (grid_.planeInFrame(level, run, along(index, run)) +
+                               grid_.planeInFrame(level, run, along(index, run) + 1));
+  const auto part = partAt(finer, side, middle, true);
+  if (part == kNone) return;
+  const auto beside =
+      partAt(static_cast<std::uint32_t>(other - finer_.begin()), side ^ 1, middle, false);
+  if (beside != kNone) sets_.unite(part, beside);
+}
+
+std::uint32_t CoarseFace::partAt(std::uint32_t finer, int side, double place, bool ifWhole) const {
+  const auto source = sources_.of(finer_[finer]);
+  const bool isCut =
+      source != kNone &&
+      std::ranges::binary_search(sources_.tileOf(source).rims.cutFaces, finerFace(source));
+  if (!isCut) return firstPart_[finer] < firstPart_[finer + 1] ? firstPart_[finer] : kNone;
+  const auto key = [](const LeafRims::RimStretch& s) { return std::pair(s.face, s.side); };
+  const auto& stretches = sources_.tileOf(source).rims.stretches;
+  const std::pair edge(finerFace(source), side);
+  const auto first = std::ranges::lower_bound(stretches, edge, {}, key);
+  const auto last = std::ranges::upper_bound(stretches, edge, {}, key);
+  const auto found = std::find_if(first, last, [&](const LeafRims::RimStretch& s) {
+    return ifWhole ? s.isWhole : s.ends.contains(place);
+  });
+  return found == last ? kNone : partOf(finer, found->arc);
+}
+
+std::uint32_t CoarseFace::partOf(std::uint32_t finer, std::uint32_t arc) const {
+  for (auto part = firstPart_[finer]; part < firstPart_[finer + 1]; ++part) {
+    if (parts_[part].arc == arc) return part;
+  }
+  return kNone;
+}
+
+void CoarseFace::settle() {
+  const auto count = static_cast<std::uint32_t>(parts_.size());
+  for (std::uint32_t part = 0; part < count; ++part) {
+    auto& root = parts_[sets_.find(part)].behind;
+    if (root == kUnknown) root = parts_[part].behind;
+  }
+  for (std::uint32_t part = 0; part < count; ++part) {
+    auto& behind = parts_[part].behind;
+    if (behind == kUnknown) behind = parts_[sets_.find(part)].behind;
+    if (behind == kUnknown) behind = wholeFacePiece();
+  }
+  for (auto& part : points_) {
+    if (part.behind == kUnknown) part.behind = kNone;
+  }
+}
+
+std::uint32_t CoarseFace::wholeFacePiece() const {
+  const auto& tile = sources_.tileOf(coarse_);
+  const auto arcs = tile.arcsOf(sources_.faceOf(coarse_, axis_, isHigh_));
+  if (arcs.empty()) return kNone;
+  const auto& arc = tile.cut.content.arcs[arcs.front().second];
+  return isHigh_ ? arc.below : arc.above;
+}
+
+}  // namespace cutwater

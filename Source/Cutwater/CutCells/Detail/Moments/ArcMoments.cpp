@@ -1,0 +1,71 @@
+#include <Cutwater/CutCells/Detail/Faces/FaceFrame.hpp>
+#include <Cutwater/CutCells/Detail/Moments/ArcMoments.hpp>
+
+namespace cutwater {
+
+ArcMoments::ArcMoments(const FacePieces& faces, std::span<const PieceArc> arcs,
+                       const CutFrame& frame, int degree)
+    : faces_(faces),
+      arcs_(arcs),
+      frame_(frame),
+      degree_(degree),
+      count_(Monomials<2>::count(degree)),
+      moments_(arcs.size() * count_),
+      references_(faces.pieces().size()),
+      hasReference_(faces.pieces().size()) {
+  const auto parts = faces.pieces();
+  for (std::uint32_t part = 0; part < parts.size(); part = faces.of(parts[part].face).second) {
+    addCutFace(parts[part].face);
+  }
+  for (auto arc = parts.size(); arc < arcs.size(); ++arc) addWholeFace(arc);
+}
+
+void ArcMoments::addCutFace(std::uint32_t face) {
+  const auto& surface = faces_.surface();
+  const FaceFrame frame(surface.numbers(), faces_.planes(), face);
+  const int across = frame.axes().across;
+  const auto [firstTrace, lastTrace] = faces_.tracesOf(face);
+  for (auto i = firstTrace; i < lastTrace; ++i) {
+    const auto& trace = surface.traces()[i];
+    addRimPart(faces_.ofTrace(i), {trace.from, trace.to}, across);
+  }
+  for (int side = 0; side < 4; ++side) {
+    const auto edge = edgeOfFace(across, frame.place(), side);
+    const auto stretches = faces_.stretches().of(edge.axis, edge.place);
+    for (std::size_t s = 0; s < stretches.size(); ++s) {
+      addRimPart(faces_.ofStretch(face, side, s), frame.endsOf(side, stretches[s]), across);
+    }
+  }
+  const auto [firstPart, lastPart] = faces_.of(face);
+  for (auto part = firstPart; part < lastPart; ++part) {
+    const auto own = std::span(moments_).subspan(part * count_, count_);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const auto& [powers, degree, raised, factorials] = kMonomials<2>[i];
+      own[i] *= factorials * factorialRatio(0, degree + 2);
+    }
+    shift(own, degree_, alongFace(references_[part] - centroid(part), across));
+  }
+}
+
+void ArcMoments::addRimPart(std::uint32_t arc, const std::array<Vec3<double>, 2>& ends,
+                            int across) {
+  if (hasReference_[arc] == 0) references_[arc] = ends[0];
+  hasReference_[arc] = 1;
+  const auto p = ends[0] - references_[arc];
+  const auto q = ends[1] - references_[arc];
+  const double twice = cross(p, q)[across];
+  std::array<double, Monomials<2>::kCount> h{1};
+  addCorner(h, degree_, alongFace(p, across));
+  addCorner(h, degree_, alongFace(q, across));
+  for (std::size_t i = 0; i < count_; ++i) moments_[arc * count_ + i] += twice * h[i];
+}
+
+void ArcMoments::addWholeFace(std::size_t arc) {
+  const FaceFrame frame(faces_.surface().numbers(), faces_.planes(), arcs_[arc].face);
+  const int across = frame.axes().across;
+  const auto whole = momentsOfBox(alongFace(frame.corner(0) - centroid(arc), across),
+                                  alongFace(frame.corner(3) - centroid(arc), across));
+  std::copy_n(whole.begin(), count_, moments_.begin() + static_cast<std::ptrdiff_t>(arc * count_));
+}
+
+}  // namespace cutwater

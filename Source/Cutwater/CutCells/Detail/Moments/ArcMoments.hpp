@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Cutwater/CutCells/Detail/Moments/Monomials.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/CellPieces.hpp>
+#include <Cutwater/CutCells/Detail/Surface/CutSurface.hpp>
+
+namespace cutwater {
+
+/// A point in a tile's coordinates, rounded as it is in the world.
+[[nodiscard]] inline Vec3<double> asStated(const CutFrame& frame, const Vec3<double>& point) {
+  const auto p = frame.toWorld(point);
+  return {frame.toFrame(0, p.x), frame.toFrame(1, p.y), frame.toFrame(2, p.z)};
+}
+
+/// The moments of the open parts of a tile's faces, in the coordinates of the tile, about centroids
+/// as they are stated in the world.
+///
+/// Each straight part of a rim adds those of the triangle that it makes with a point of the part.
+class ArcMoments {
+ public:
+  /// Of the open parts of cut faces, and of whole faces, which follow these. Views its arguments.
+  ArcMoments(const FacePieces& faces, std::span<const PieceArc> arcs, const CutFrame& frame,
+             int degree);
+
+  [[nodiscard]] std::span<const double> of(std::size_t arc) const {
+    return std::span(moments_).subspan(arc * count_, count_);
+  }
+  /// The point that they refer to.
+  [[nodiscard]] Vec3<double> centroid(std::size_t arc) const {
+    return asStated(frame_, arcs_[arc].centroid);
+  }
+
+ private:
+  void addCutFace(std::uint32_t face);
+  void addRimPart(std::uint32_t arc, const std::array<Vec3<double>, 2>& ends, int across);
+  void addWholeFace(std::size_t arc);
+
+  const FacePieces& faces_;
+  std::span<const PieceArc> arcs_;
+  const CutFrame& frame_;
+  int degree_;
+  std::size_t count_;
+  std::vector<double> moments_;
+  std::vector<Vec3<double>> references_;  // of the parts of cut faces
+  std::vector<char> hasReference_;
+};
+
+}  // namespace cutwater

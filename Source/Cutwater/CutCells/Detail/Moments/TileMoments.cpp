@@ -1,0 +1,180 @@
+#include <Cutwater/CutCells/Detail/Moments/ArcMoments.hpp>
+#include <Cutwater/CutCells/Detail/Moments/TileMoments.hpp>
+
+#include <algorithm>
+#include <tuple>
+
+namespace cutwater {
+
+namespace {
+
+using Coefficients = std::array<double, Monomials<3>::kCount>;
+
+/// Of the world, to the power, in units of the frame: a power of two.
+double unitOf(const CutFrame& frame, int power) {
+  double unit = 1;
+  for (int n = 0; n < power; ++n) unit *= frame.scale;
+  return unit;
+}
+
+/// An open part of a face of a piece's cell.
+struct OpenSide {
+  std::uint32_t piece = 0;
+  int face = 0;  ///< of the cell: twice the axis, and 1 for the one above
+  std::uint32_t arc = 0;
+
+  [[nodiscard]] auto key() const { return std::tuple(piece, face, arc); }
+};
+
+/// Sums up the moments of pieces by the divergence theorem: a triangle of a wall adds those of the
+/// tetrahedron that it makes with a point of the piece, and an open part its distance from that
+/// point times its own.
+class PieceMoments {
+ public:
+  PieceMoments(const FacePieces& faces, const CellPieces& content, const CutFrame& frame,
+               CutCells::Moments& out)
+      : faces_(faces),
+        surface_(faces.surface()),
+        content_(content),
+        frame_(frame),
+        out_(out),
+        count_(out.perPiece()),
+        references_(content.pieces.size()),
+        hasReference_(content.pieces.size()) {
+    out.volume.resize(content.pieces.size() * count_);
+    out.wall.resize(content.pieces.size() * count_);
+    out.wallVector.resize(content.pieces.size() * count_);
+  }
+
+  void add(const ArcMoments& arcs) {
+    for (std::uint32_t i = 0; i < content_.ofFragments.size(); ++i) addFragment(i);
+    applyFactors();
+    addOpenSides(arcs);
+    for (std::uint32_t piece = 0; piece < content_.pieces.size(); ++piece) moveToCentroids(piece);
+  }
+
+ private:
+  [[nodiscard]] int degree() const { return out_.degree; }
+
+  void refer(std::uint32_t piece, const Vec3<double>& point) {
+    if (hasReference_[piece] == 0) references_[piece] = point;
+    hasReference_[piece] = 1;
+  }
+
+  void addFragment(std::uint32_t number) {
+    const auto piece = content_.ofFragments[number];
+    if (piece == kNone) return;
+    const auto& fragment = surface_.fragments()[number];
+    const auto points = surface_.points(fragment);
+    refer(piece, points[0]);
+    if (surface_.patchOf(fragment.triangle) != kNone) addWall(piece, points);
+  }
+  /// A convex polygon, with its normal into the fluid.
+  void addWall(std::uint32_t piece, std::span<const Vec3<double>> polygon) {
+    const auto& reference = references_[piece];
+    const auto a = polygon[0] - reference;
+    Coefficients corner{1};
+    addCorner(corner, degree(), asArray(a));
+    for (std::size_t k = 2; k < polygon.size(); ++k) {
+      auto h = corner;
+      addCorner(h, degree(), asArray(polygon[k - 1] - reference));
+      addCorner(h, degree(), asArray(polygon[k] - reference));
+      const auto twice = -cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
+      addTriangle(piece, h, dot(a, twice), twice);
+    }
+  }
+  /// Takes six times the tetrahedron's volume, and twice the triangle's vector.
+  void addTriangle(std::uint32_t piece, const Coefficients& h, double volume,
+                   const Vec3<double>& vector) {
+    const double area = length(vector);
+    const auto first = piece * count_;
+    for (std::size_t i = 0; i < count_; ++i) {
+      out_.volume[first + i] += volume * h[i];
+      out_.wall[first + i] += area * h[i];
+      out_.wallVector[first + i] += h[i] * vector;
+    }
+  }
+  /// Those of simplices, see addCorner().
+  void applyFactors() {
+    for (std::size_t i = 0; i < out_.volume.size(); ++i) {
+      const auto& monomial = kMonomials<3>[i % count_];
+      const double ofTriangle = monomial.factorials * factorialRatio(0, monomial.degree + 2);
+      out_.volume[i] *= ofTriangle / (monomial.degree + 3);
+      out_.wall[i] *= ofTriangle;
+      out_.wallVector[i] = ofTriangle * out_.wallVector[i];
+    }
+  }
+
+  void addOpenSides(const ArcMoments& arcs) {
+    std::vector<OpenSide> sides;
+    for (std::uint32_t arc = 0; arc < content_.arcs.size(); ++arc) {
+      const auto& [below, above] = std::pair(content_.arcs[arc].below, content_.arcs[arc].above);
+      const int axis = surface_.numbers().axisOfFace(content_.arcs[arc].face);
+      if (below != kNone) sides.push_back({below, 2 * axis + 1, arc});
+      if (above != kNone) sides.push_back({above, 2 * axis, arc});
+    }
+    // Those of a cell in the order of its faces, wherever the tile begins.
+    std::ranges::sort(sides, {}, &OpenSide::key);
+    for (const auto& side : sides) addOpenSide(side, arcs);
+  }
+  void addOpenSide(const OpenSide& side, const ArcMoments& arcs) {
+    const int across = side.face / 2;
+    const auto place = surface_.numbers().placeOfFace(content_.arcs[side.arc].face);
+    auto about = arcs.centroid(side.arc);
+    about[across] = faces_.planes().at(across, place[asIndex(across)]);
+    refer(side.piece, about);
+    const auto way = about - references_[side.piece];
+    std::array<double, Monomials<2>::kCount> ofFace{};
+    std::ranges::copy(arcs.of(side.arc), ofFace.begin());
+    shift(std::span(ofFace), degree(), alongFace(way, across));
+    const auto moments = inSpace(ofFace, degree(), across, way[across]);
+    const double outwards = side.face % 2 == 1 ? way[across] : -way[across];
+    for (std::size_t i = 0; i < count_; ++i) {
+      out_.volume[side.piece * count_ + i] += outwards * moments[i] / (kMonomials<3>[i].degree + 3);
+    }
+  }
+
+  /// And to the units of the world.
+  void moveToCentroids(std::uint32_t piece) {
+    const auto from = references_[piece];
+    const auto ofPiece = asArray(from - asStated(frame_, content_.pieces[piece].centroid));
+    const auto ofWall = asArray(from - asStated(frame_, content_.pieces[piece].wallCentroid));
+    const auto first = piece * count_;
+    shift(std::span(out_.volume).subspan(first, count_), degree(), ofPiece);
+    shift(std::span(out_.wall).subspan(first, count_), degree(), ofWall);
+    shift(std::span(out_.wallVector).subspan(first, count_), degree(), ofWall);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const double unit = unitOf(frame_, kMonomials<3>[i].degree + 2);
+      out_.volume[first + i] /= unit * frame_.scale;
+      out_.wall[first + i] /= unit;
+      out_.wallVector[first + i] = out_.wallVector[first + i] / unit;
+    }
+  }
+
+  const FacePieces& faces_;
+  const TileSurface& surface_;
+  const CellPieces& content_;
+  const CutFrame& frame_;
+  CutCells::Moments& out_;
+  std::size_t count_;
+  std::vector<Vec3<double>> references_;
+  std::vector<char> hasReference_;
+};
+
+}  // namespace
+
+CutCells::Moments findMoments(const FacePieces& faces, const CellPieces& content,
+                              const CutFrame& frame, int degree) {
+  CutCells::Moments result{.degree = degree, .volume = {}, .wall = {}, .wallVector = {}, .arc = {}};
+  const ArcMoments arcs(faces, content.arcs, frame, degree);
+  PieceMoments(faces, content, frame, result).add(arcs);
+  for (std::size_t arc = 0; arc < content.arcs.size(); ++arc) {
+    const auto own = arcs.of(arc);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      result.arc.push_back(own[i] / unitOf(frame, kMonomials<2>[i].degree + 2));
+    }
+  }
+  return result;
+}
+
+}  // namespace cutwater

@@ -1,0 +1,230 @@
+#include <Cutwater/Core/Detail/DisjointSets.hpp>
+#include <Cutwater/CutCells/Detail/Faces/FaceRegions.hpp>
+#include <Cutwater/CutCells/Detail/Faces/LocalWinding.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/MeetingCells.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace cutwater {
+
+namespace {
+
+using Polygon = SheetTree::Polygon;
+
+Box<double> boxOf(const GridPlanes& planes, const TilePlace& place) {
+  Box<double> box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.lower[axis] = planes.at(axis, place[asIndex(axis)]);
+    box.upper[axis] = planes.at(axis, place[asIndex(axis)] + 1);
+  }
+  return box;
+}
+
+std::vector<Sheet> sheetsOf(const TileSurface& surface, std::span<const TileFragment> fragments) {
+  std::vector<Sheet> sheets;
+  for (const auto& fragment : fragments) {
+    Sheet sheet;
+    if (makeSheet(surface, fragment, sheet)) sheets.push_back(std::move(sheet));
+  }
+  return sheets;
+}
+
+/// One cell.
+class MeetingCell {
+ public:
+  MeetingCell(const FacePieces& faces, std::span<const std::uint32_t> arcOfFullFace,
+              std::span<const TileFragment> fragments, CellPieces& out)
+      : faces_(faces),
+        surface_(faces.surface()),
+        arcOfFullFace_(arcOfFullFace),
+        cell_(fragments.front().cell),
+        place_(surface_.numbers().placeOfCell(cell_)),
+        tree_(boxOf(faces.planes(), place_), sheetsOf(surface_, fragments)),
+        points_(tree_.pointsIn()),
+        out_(out) {
+    const auto size = faces.planes().sizeOf(place_);
+    least_ = kSliver * std::min({size.x * size.y, size.y * size.z, size.z * size.x});
+    somePatch_ = surface_.patchOf(fragments.front().triangle);
+    for (std::uint32_t leaf = 0; leaf < tree_.leafCount(); ++leaf) {
+      const int winding = windingInCell(surface_, faces.stretches(), cell_, points_[leaf]);
+      isFluid_.push_back(winding <= 0 ? 1 : 0);
+    }
+  }
+
+  void run() {
+    findOpenParts();
+    sets_.reset(tree_.leafCount() + open_.size());
+    for (const auto& portal : tree_.portals()) {
+      if (isFluid_[portal.below] != 0 && isFluid_[portal.above] != 0) {
+        unite(portal.below, portal.above, portal.polygon);
+      } else if (isFluid_[portal.below] != isFluid_[portal.above]) {
+        addWall(portal);
+      }
+    }
+    for (std::size_t face = 0; face < 6; ++face) addFace(face);
+    measure();
+  }
+
+ private:
+  struct OpenPart {
+    std::uint32_t arc = 0;
+    std::size_t face = 0;  ///< two for each axis, low and high
+  };
+  struct Wall {
+    std::uint32_t node = 0;  ///< whose it is: a leaf, or an open part
+    std::uint32_t patch = 0;
+    Polygon polygon;
+  };
+
+  [[nodiscard]] std::uint32_t faceNumber(std::size_t face) const {
+    auto place = place_;
+    place[face / 2] += static_cast<int>(face % 2);
+    return surface_.numbers().face(static_cast<int>(face / 2), place);
+  }
+  void findOpenParts() {
+    for (std::size_t n = 0; n < 6; ++n) {
+      const auto face = faceNumber(n);
+      firstOpen_[n] = static_cast<std::uint32_t>(open_.size());
+      if (faces_.isCut(face)) {
+        const auto [from, to] = faces_.of(face);
+        for (auto arc = from; arc < to; ++arc) open_.push_back({arc, n});
+      } else if (arcOfFullFace_[face] != kNone) {
+        open_.push_back({arcOfFullFace_[face], n});
+      }
+    }
+  }
+  [[nodiscard]] std::uint32_t nodeOfArc(std::size_t face, std::uint32_t arc) const {
+    auto i = firstOpen_[face];
+    while (open_[i].arc != arc) ++i;
+    return tree_.leafCount() + i;
+  }
+  void unite(std::uint32_t one, std::uint32_t other, const Polygon& open) {
+    if (0.5 * length(twiceArea(open)) > least_) sets_.unite(one, other);
+  }
+
+  void addWall(const SheetTree::Portal& portal) {
+    const bool facesUp = isFluid_[portal.above] != 0;
+    addWall(facesUp ? portal.above : portal.below, portal.polygon,
+            (facesUp ? 1.0 : -1.0) * twiceArea(portal.polygon), tree_.sheetsAt(portal));
+  }
+  /// `normal`: into the fluid.
+  void addWall(std::uint32_t node, Polygon polygon, const Vec3<double>& normal,
+               std::span<const Sheet> sheets) {
+    if (dot(twiceArea(polygon), normal) < 0) std::ranges::reverse(polygon);
+    if (sheets.empty()) {  // only if rounding has hidden them
+      walls_.push_back({node, somePatch_, std::move(polygon)});
+      return;
+    }
+    sharedOut(polygon, normal, sheets, [&](std::uint32_t patch, const Polygon& part) {
+      walls_.push_back({node, patch, part});
+    });
+  }
+
+  /// Joins what is open on a face with what is behind it, and adds walls in the face's plane.
+  void addFace(std::size_t n) {
+    const auto face = faceNumber(n);
+    const FaceRegions found(surface_, faces_.stretches(), faces_.planes(), face);
+    const auto inwards = SheetTree::inwards(n);
+    for (const auto& region : found.regions()) {
+      const auto arc = region.isFluid ? nodeOfRegion(n, face, region) : kNone;
+      tree_.divide(region.polygon, inwards, [&](std::uint32_t leaf, const Polygon& part) {
+        if (region.isFluid && isFluid_[leaf] != 0) {
+          unite(arc, leaf, part);
+        } else if (region.isFluid) {
+          addWall(arc, part, -inwards, tree_.sheetsIn(n));
+        } else if (isFluid_[leaf] != 0) {
+          addWall(leaf, part, inwards, tree_.sheetsIn(n));
+        }
+      });
+    }
+  }
+  [[nodiscard]] std::uint32_t nodeOfRegion(std::size_t n, std::uint32_t face,
+                                           const FaceRegions::Region& region) const {
+    if (!faces_.isCut(face)) return nodeOfArc(n, arcOfFullFace_[face]);
+    const auto first = faces_.of(face).first;
+    return nodeOfArc(
+        n, faces_.meetsOn(face) ? first + region.part : faces_.at(face, middleOf(region.polygon)));
+  }
+
+  void measure() {
+    std::vector<std::uint32_t> sumOf(tree_.leafCount() + open_.size(), kNone);  // by root
+    std::vector<PieceSums> sums;
+    const auto sumAt = [&](std::uint32_t node) -> PieceSums& {
+      auto& sum = sumOf[sets_.find(node)];
+      if (sum == kNone) {
+        sum = static_cast<std::uint32_t>(sums.size());
+        sums.emplace_back(node < tree_.leafCount()
+                              ? points_[node]
+                              : out_.arcs[open_[node - tree_.leafCount()].arc].centroid);
+      }
+      return sums[sum];
+    };
+    for (const auto& wall : walls_) sumAt(wall.node).addWall(wall.polygon, wall.patch);
+    for (std::uint32_t i = 0; i < open_.size(); ++i) {
+      addOpenPart(sumAt(tree_.leafCount() + i), open_[i]);
+    }
+    std::vector<std::uint32_t> numbers;
+    for (auto& sum : sums) {
+      numbers.push_back(kNone);
+      if (sum.isNothing(faces_.planes().sizeOf(place_), kSliver)) continue;
+      numbers.back() = static_cast<std::uint32_t>(out_.pieces.size());
+      sum.appendWalls(numbers.back(), out_.walls);
+      out_.pieces.push_back(withinCell(sum.piece(cell_)));
+    }
+    for (std::uint32_t i = 0; i < open_.size(); ++i) {
+      auto& arc = out_.arcs[open_[i].arc];
+      const bool isHigh = open_[i].face % 2 == 1;
+      const auto piece = numbers[sumOf[sets_.find(tree_.leafCount() + i)]];
+      (isHigh ? arc.below : arc.above) = piece;
+      arc.isDropped = arc.isDropped || piece == kNone;
+      if (piece == kNone) continue;
+      out_.pieces[piece].areaVector[static_cast<int>(open_[i].face / 2)] +=
+          isHigh ? -arc.area : arc.area;
+    }
+  }
+  /// Films have no volume but for rounding, and so any centroid. The wall's vector is what closes
+  /// the open parts: slivers that were lost do not matter to it.
+  [[nodiscard]] CellPiece withinCell(CellPiece piece) const {
+    const auto box = boxOf(faces_.planes(), place_);
+    piece.volume = std::max(piece.volume, 0.0);
+    piece.areaVector = {};
+    piece.centroid = max(box.lower, min(box.upper, piece.centroid));
+    piece.wallCentroid = max(box.lower, min(box.upper, piece.wallCentroid));
+    return piece;
+  }
+  void addOpenPart(PieceSums& sum, const OpenPart& part) const {
+    const auto& arc = out_.arcs[part.arc];
+    const int axis = static_cast<int>(part.face / 2);
+    const bool isHigh = part.face % 2 == 1;
+    const double plane =
+        faces_.planes().at(axis, place_[part.face / 2] + static_cast<int>(part.face % 2));
+    const double way = plane - sum.reference()[axis];
+    sum.addOpenPart(isHigh ? way : -way, arc.area, arc.centroid);
+  }
+
+  const FacePieces& faces_;
+  const TileSurface& surface_;
+  std::span<const std::uint32_t> arcOfFullFace_;
+  std::uint32_t cell_;
+  TilePlace place_;
+  SheetTree tree_;
+  std::vector<Vec3<double>> points_;  // in leaves
+  CellPieces& out_;
+  double least_ = 0;
+  std::uint32_t somePatch_ = 0;
+  std::vector<char> isFluid_;  // leaves
+  std::vector<OpenPart> open_;
+  std::array<std::uint32_t, 6> firstOpen_{};
+  detail::DisjointSets sets_;  // of leaves, then open parts
+  std::vector<Wall> walls_;
+};
+
+}  // namespace
+
+void MeetingCells::build(std::span<const TileFragment> fragments) {
+  MeetingCell(faces_, arcOfFullFace_, fragments, out_).run();
+  out_.ofFragments.resize(out_.ofFragments.size() + fragments.size(), kNone);
+}
+
+}  // namespace cutwater

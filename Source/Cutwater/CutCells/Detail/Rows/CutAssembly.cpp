@@ -1,0 +1,313 @@
+#include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
+#include <Cutwater/CutCells/Detail/Rows/PieceRows.hpp>
+
+#include <algorithm>
+#include <tuple>
+
+namespace cutwater {
+
+namespace {
+
+/// A cell that is cut: where its rows come from.
+struct CellSource {
+  std::uint64_t number = 0;  ///< in the grown box; those beyond the box follow all others
+  std::uint32_t tile = 0;
+  std::uint32_t cell = 0;  ///< row in the tile
+};
+
+/// A face beside a piece that is no arc, because it is a point or leads to a piece that is one.
+/// With it, polygons close the piece to the bit.
+struct ClosingFace {
+  std::uint32_t tile = 0;
+  std::uint32_t piece = 0;  ///< of the tile
+  std::uint32_t arc = 0;    ///< of the tile
+  bool isAbove = false;     ///< the face is above the piece
+
+  [[nodiscard]] auto key() const { return std::tuple(tile, piece, arc); }
+};
+
+/// One tile's view of an arc.
+struct ArcSource {
+  std::uint64_t face = 0;    ///< three times the number of the cell above, plus the axis
+  std::uint32_t number = 0;  ///< among the open parts of the face
+  std::uint32_t tile = 0;
+  std::uint32_t arc = 0;
+
+  [[nodiscard]] bool isSame(const ArcSource& other) const {
+    return face == other.face && number == other.number;
+  }
+  [[nodiscard]] auto key() const { return std::tuple(face, number, tile); }
+};
+
+class Assembly {
+ public:
+  Assembly(CellPlanes grid, const CutSurface& surface, const CutTiles& tiles,
+           std::span<const std::unique_ptr<const TileCut>> tileCuts, const CutOptions& options)
+      : surface_(surface), tiles_(tiles), cuts_(tileCuts), withPolygons_(options.polygons) {
+    for (int axis = 0; axis < 3; ++axis) {
+      cells_[asIndex(axis)] = static_cast<int>(grid.planes[asIndex(axis)].size()) - 3;
+    }
+    out_.grid = std::move(grid);
+    out_.patchNames = surface.patchNames();
+    out_.moments.degree = options.moments;
+  }
+
+  CutCells run() {
+    gatherCells();
+    gatherArcs();
+    addPieces();
+    addArcs();
+    addBodyRuns();
+    if (withPolygons_) out_.firstWallPolygon.push_back(out_.wallPolygons.count());
+    return std::move(out_);
+  }
+
+ private:
+  static constexpr std::uint64_t kBeyondBit = std::uint64_t{1} << 63U;
+
+  [[nodiscard]] TilePlace placeOf(std::uint32_t tile, const TilePlace& within) const {
+    auto place = tiles_.firstCell(tile);
+    for (std::size_t a = 0; a < 3; ++a) place[a] += within[a];
+    return place;
+  }
+  /// Of a cell in the grown box, or just above it.
+  [[nodiscard]] std::uint64_t numberOf(const TilePlace& place) const {
+    const auto n = [](int i) { return static_cast<std::uint64_t>(i); };
+    return (n(place[2]) * (n(cells_[1]) + 3) + n(place[1])) * (n(cells_[0]) + 3) + n(place[0]);
+  }
+  [[nodiscard]] TilePlace placeOf(std::uint64_t number) const {
+    const auto alongX = static_cast<std::uint64_t>(cells_[0]) + 3;
+    const auto alongY = static_cast<std::uint64_t>(cells_[1]) + 3;
+    return {static_cast<int>(number % alongX), static_cast<int>(number / alongX % alongY),
+            static_cast<int>(number / alongX / alongY)};
+  }
+  [[nodiscard]] bool isBeyond(const TilePlace& place) const {
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (place[a] < 1 || place[a] > cells_[a]) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] Index3 indexOf(const TilePlace& place) const {
+    const auto& first = out_.grid.first;
+    return {first.i + place[0] - 1, first.j + place[1] - 1, first.k + place[2] - 1};
+  }
+
+  void gatherCells() {
+    for (std::uint32_t tile = 0; tile < cuts_.size(); ++tile) {
+      if (!cuts_[tile]) continue;
+      const auto& cut = *cuts_[tile];
+      for (std::uint32_t row = 0; row < cut.cells.size(); ++row) {
+        if (cut.isTouched[row] != 0) continue;
+        const auto place = placeOf(tile, cut.numbers.placeOfCell(cut.cells[row]));
+        sources_.push_back({numberOf(place) | (isBeyond(place) ? kBeyondBit : 0), tile, row});
+      }
+    }
+    std::ranges::sort(sources_, {}, &CellSource::number);
+    const auto beyond = std::ranges::lower_bound(sources_, kBeyondBit, {}, &CellSource::number);
+    out_.cellCount = static_cast<std::size_t>(beyond - sources_.begin());
+  }
+
+  void addPieces() {
+    rowsOf_.resize(cuts_.size());
+    for (std::size_t tile = 0; tile < cuts_.size(); ++tile) {
+      if (cuts_[tile])
+        rowsOf_[tile].assign(cuts_[tile]->content.pieces.size(), CutCells::kWholeCell);
+    }
+    for (const auto& source : sources_) {
+      const auto& cut = *cuts_[source.tile];
+      const auto row = static_cast<std::uint32_t>(out_.cells.index.size());
+      out_.cells.index.push_back(indexOf(placeOf(source.number & ~kBeyondBit)));
+      out_.cells.firstPiece.push_back(pieceCount());
+      out_.cells.fluidCorners.push_back(cut.fluidCorners[source.cell]);
+      out_.cells.meets.push_back(cut.meets[source.cell]);
+      for (auto p = cut.firstPiece[source.cell]; p < cut.firstPiece[source.cell + 1]; ++p) {
+        rowsOf_[source.tile][p] = pieceCount();
+        addPiece(source.tile, p, row);
+      }
+    }
+    out_.cells.firstPiece.push_back(pieceCount());
+    out_.pieceCount = out_.cells.firstPiece[out_.cellCount];
+  }
+  [[nodiscard]] std::uint32_t pieceCount() const {
+    return static_cast<std::uint32_t>(out_.pieces.volume.size());
+  }
+  void addPiece(std::uint32_t tile, std::uint32_t number, std::uint32_t row) {
+    const auto& content = cuts_[tile]->content;
+    if (withPolygons_) {
+      const auto walls = wallsOf(content, number);
+      for (std::size_t i = 0; i < walls.size(); ++i) {
+        addWallPolygons(tile, number, walls[i].patch);
+        if (i == 0) addClosingFaces(tile, number);
+      }
+    }
+    addPieceRows(content, number, surface_.frame(), row, out_.pieces, out_.wallParts);
+    if (out_.moments.degree >= 0) addPieceMoments(cuts_[tile]->moments, number, out_.moments);
+  }
+
+  void addWallPolygons(std::uint32_t tile, std::uint32_t piece, std::uint32_t patch) {
+    out_.firstWallPolygon.push_back(out_.wallPolygons.count());
+    const auto& polygons = cuts_[tile]->polygons;
+    const auto within = cuts_[tile]->numbers.placeOfCell(cuts_[tile]->content.pieces[piece].cell);
+    const auto& of = polygons.wallOf;
+    const auto [first, last] = std::equal_range(of.begin(), of.end(), std::pair(piece, patch));
+    for (auto wall = first; wall != last; ++wall) {
+      const auto number = static_cast<std::size_t>(wall - of.begin());
+      addPolygon(tile, within, polygons.walls.of(number), out_.wallPolygons);
+    }
+  }
+  /// Those of faces that count for nothing, in the first part of a piece's wall.
+  void addClosingFaces(std::uint32_t tile, std::uint32_t piece) {
+    const auto& cut = *cuts_[tile];
+    auto face =
+        std::ranges::lower_bound(closing_, std::tuple(tile, piece, 0U), {}, &ClosingFace::key);
+    for (; face != closing_.end() && face->tile == tile && face->piece == piece; ++face) {
+      const auto outline = cut.polygons.arcs.of(face->arc);
+      std::vector<Vec3<double>> polygon(outline.begin(), outline.end());
+      if (face->isAbove) std::ranges::reverse(polygon);  // into the fluid
+      if (polygon.empty()) continue;
+      addPolygon(tile, cut.numbers.placeOfFace(cut.content.arcs[face->arc].face), polygon,
+                 out_.wallPolygons);
+    }
+  }
+  /// `within`: a cell of the tile or a face below it, in which the polygon lies.
+  void addPolygon(std::uint32_t tile, const TilePlace& within,
+                  std::span<const Vec3<double>> polygon, CutCells::Polygons& to) const {
+    const auto planes = tiles_.planesOf(tile);
+    const auto first = tiles_.firstCell(tile);
+    const auto planeOf = [&](int axis, int number) {
+      const auto a = asIndex(axis);
+      const auto ofBox = asIndex(first[a] + number);
+      return std::pair(planes.at(axis, number), out_.grid.planes[a][ofBox]);
+    };
+    const TilePlace cells{planes.cells(0), planes.cells(1), planes.cells(2)};
+    for (const auto& point : polygon) {
+      to.points.push_back(inWorld(point, surface_.frame(), within, cells, planeOf));
+    }
+    to.first.push_back(to.points.size());
+  }
+
+  /// Finds what the tiles on both sides of a face know, and faces that count for nothing.
+  void gatherArcs() {
+    for (std::uint32_t tile = 0; tile < cuts_.size(); ++tile) {
+      if (!cuts_[tile]) continue;
+      const auto& cut = *cuts_[tile];
+      std::vector<std::uint32_t> seen(cut.numbers.faceCount());
+      for (std::uint32_t arc = 0; arc < cut.content.arcs.size(); ++arc) {
+        const auto face = cut.content.arcs[arc].face;
+        const auto axis = static_cast<std::uint64_t>(cut.numbers.axisOfFace(face));
+        ArcSource source{3 * numberOf(placeOf(tile, cut.numbers.placeOfFace(face))) + axis, 0, tile,
+                         arc};
+        if (cut.content.arcs[arc].isNothing) {
+          if (withPolygons_) noteClosing(source);
+        } else {
+          source.number = seen[face]++;
+          arcSources_.push_back(source);
+        }
+      }
+    }
+    std::ranges::sort(arcSources_, {}, &ArcSource::key);
+    if (!withPolygons_) return;
+    for (std::size_t i = 0; i < arcSources_.size(); i += viewsOf(i)) {
+      if (!isDropped(i)) continue;
+      for (std::size_t n = 0; n < viewsOf(i); ++n) noteClosing(arcSources_[i + n]);
+    }
+    std::ranges::sort(closing_, {}, &ClosingFace::key);
+  }
+  /// How many tiles see the arc: two if it lies between them, that below it first.
+  [[nodiscard]] std::size_t viewsOf(std::size_t i) const {
+    return i + 1 < arcSources_.size() && arcSources_[i + 1].isSame(arcSources_[i]) ? 2 : 1;
+  }
+  [[nodiscard]] bool isDropped(std::size_t i) const {
+    return arcOf(arcSources_[i]).isDropped || arcOf(arcSources_[i + viewsOf(i) - 1]).isDropped;
+  }
+  void noteClosing(const ArcSource& source) {
+    const auto& arc = arcOf(source);
+    if (arc.below != kNone) closing_.push_back({source.tile, arc.below, source.arc, true});
+    if (arc.above != kNone) closing_.push_back({source.tile, arc.above, source.arc, false});
+  }
+
+  void addArcs() {
+    for (std::size_t i = 0; i < arcSources_.size(); i += viewsOf(i)) {
+      const auto below = rowBeside(arcSources_[i], false);
+      const auto above = rowBeside(arcSources_[i + viewsOf(i) - 1], true);
+      const auto isOwn = [&](std::uint32_t row) { return row < out_.pieceCount; };
+      if (!isDropped(i) && (isOwn(below) || isOwn(above))) addArc(arcSources_[i], below, above);
+    }
+  }
+  [[nodiscard]] const PieceArc& arcOf(const ArcSource& source) const {
+    return cuts_[source.tile]->content.arcs[source.arc];
+  }
+  [[nodiscard]] std::uint32_t rowBeside(const ArcSource& source, bool isAbove) const {
+    const auto& arc = arcOf(source);
+    const auto piece = isAbove ? arc.above : arc.below;
+    return piece == kNone ? CutCells::kWholeCell : rowsOf_[source.tile][piece];
+  }
+  void addArc(const ArcSource& source, std::uint32_t below, std::uint32_t above) {
+    const auto& frame = surface_.frame();
+    const auto& arc = arcOf(source);
+    out_.arcs.below.push_back(below);
+    out_.arcs.above.push_back(above);
+    out_.arcs.area.push_back(arc.area / (frame.scale * frame.scale));
+    out_.arcs.centroid.push_back(frame.toWorld(arc.centroid));
+    out_.arcs.cell.push_back(indexOf(placeOf(source.face / 3)));
+    out_.arcs.axis.push_back(static_cast<std::uint8_t>(source.face % 3));
+    const auto& cut = *cuts_[source.tile];
+    if (out_.moments.degree >= 0) addArcMoments(cut.moments, source.arc, out_.moments);
+    if (!withPolygons_) return;
+    addPolygon(source.tile, cut.numbers.placeOfFace(arc.face), cut.polygons.arcs.of(source.arc),
+               out_.arcPolygons);
+  }
+
+  void addBodyRuns() {
+    std::uint64_t next = 0;
+    for (int k = 1; k <= cells_[2]; ++k) {
+      for (int j = 1; j <= cells_[1]; ++j) {
+        for (int i = 1; i <= cells_[0];) {
+          const int width = CutTiles::kWidth;
+          const auto tile = tiles_.tileAt({i / width, j / width, k / width});
+          const int end = std::min((i / width + 1) * width, cells_[0] + 1);
+          if (!cuts_[tile]) {
+            addRun(next, end - i, tiles_.winding(tile) > 0);
+            i = end;
+            continue;
+          }
+          for (; i < end; ++i) {
+            const auto cell = cuts_[tile]->numbers.cell({i % width, j % width, k % width});
+            addRun(next, 1, cuts_[tile]->isBody[cell]);
+          }
+        }
+      }
+    }
+  }
+  void addRun(std::uint64_t& next, int count, bool isBody) {
+    const auto first = next;
+    next += static_cast<std::uint64_t>(count);
+    if (!isBody) return;
+    if (!out_.bodyRuns.empty() && out_.bodyRuns.back()[1] == first) {
+      out_.bodyRuns.back()[1] = next;
+    } else {
+      out_.bodyRuns.push_back({first, next});
+    }
+  }
+
+  const CutSurface& surface_;
+  const CutTiles& tiles_;
+  std::span<const std::unique_ptr<const TileCut>> cuts_;
+  bool withPolygons_;
+  TilePlace cells_{};  // of the box
+  std::vector<CellSource> sources_;
+  std::vector<ArcSource> arcSources_;
+  std::vector<ClosingFace> closing_;
+  std::vector<std::vector<std::uint32_t>> rowsOf_;  // of pieces, per tile
+  CutCells out_;
+};
+
+}  // namespace
+
+CutCells assembledCells(CellPlanes grid, const CutSurface& surface, const CutTiles& tiles,
+                        std::span<const std::unique_ptr<const TileCut>> tileCuts,
+                        const CutOptions& options) {
+  return Assembly(std::move(grid), surface, tiles, tileCuts, options).run();
+}
+
+}  // namespace cutwater

@@ -1,0 +1,51 @@
+#include <Cutwater/CutCells/Detail/Rows/PieceRows.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+namespace {
+
+template <typename Value>
+void append(std::span<const Value> values, std::vector<Value>& to) {
+  to.insert(to.end(), values.begin(), values.end());
+}
+
+}  // namespace
+
+std::span<const PieceWall> wallsOf(const CellPieces& content, std::uint32_t piece) {
+  const auto& walls = content.walls;
+  return {std::ranges::lower_bound(walls, piece, {}, &PieceWall::piece),
+          std::ranges::upper_bound(walls, piece, {}, &PieceWall::piece)};
+}
+
+void addPieceRows(const CellPieces& content, std::uint32_t piece, const CutFrame& frame,
+                  std::uint32_t row, CutCells::Pieces& pieces, CutCells::WallParts& wallParts) {
+  const double perArea = frame.scale * frame.scale;
+  for (const auto& wall : wallsOf(content, piece)) {
+    wallParts.piece.push_back(static_cast<std::uint32_t>(pieces.volume.size()));
+    wallParts.patch.push_back(wall.patch);
+    wallParts.area.push_back(wall.area / perArea);
+    wallParts.vector.push_back(wall.areaVector / perArea);
+    wallParts.centroid.push_back(frame.toWorld(wall.centroid));
+  }
+  const auto& of = content.pieces[piece];
+  pieces.cell.push_back(row);
+  pieces.volume.push_back(of.volume / (perArea * frame.scale));
+  pieces.centroid.push_back(frame.toWorld(of.centroid));
+  pieces.wallArea.push_back(of.area / perArea);
+  pieces.wallVector.push_back(of.areaVector / perArea);
+  pieces.wallCentroid.push_back(frame.toWorld(of.wallCentroid));
+}
+
+void addPieceMoments(const CutCells::Moments& from, std::uint32_t piece, CutCells::Moments& to) {
+  append(from.ofVolume(piece), to.volume);
+  append(from.ofWall(piece), to.wall);
+  append(from.ofWallVector(piece), to.wallVector);
+}
+
+void addArcMoments(const CutCells::Moments& from, std::uint32_t arc, CutCells::Moments& to) {
+  append(from.ofArc(arc), to.arc);
+}
+
+}  // namespace cutwater

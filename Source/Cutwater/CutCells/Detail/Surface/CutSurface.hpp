@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Cutwater/Bvh/Detail/BinaryBvh.hpp>
+#include <Cutwater/Core/Box.hpp>
+#include <Cutwater/CutCells/Detail/Surface/SheetKinds.hpp>
+#include <Cutwater/Sdf/FluidSide.hpp>
+#include <Cutwater/Surface/PolygonSoup.hpp>
+
+namespace cutwater {
+
+/// Coordinates in which cells are cut: those of the world minus an origin, times a power of two.
+/// Both are exact for all vertices and for the planes between them.
+struct CutFrame {
+  Vec3<double> origin;
+  double scale = 1;
+
+  [[nodiscard]] double toFrame(int axis, double x) const { return (x - origin[axis]) * scale; }
+  [[nodiscard]] Vec3<double> toWorld(const Vec3<double>& p) const { return p / scale + origin; }
+};
+
+/// A closed surface as cells are cut by it: in its frame, with the fluid outside, and moved.
+class CutSurface {
+ public:
+  /// Equal points of the soup are one. `isSound`: it is known not to meet itself, and no shell lies
+  /// within another's solid.
+  /// @throws Error(Topology) if the triangles of the soup are not closed, or cancel each
+  /// other.
+  CutSurface(const PolygonSoup& triangles, FluidSide side, bool isSound);
+
+  [[nodiscard]] const CutFrame& frame() const { return frame_; }
+  [[nodiscard]] const MovedSurface& moved() const { return moved_; }
+  [[nodiscard]] std::span<const std::uint32_t> patches() const { return patches_; }
+  [[nodiscard]] const std::vector<std::string>& patchNames() const { return patchNames_; }
+  /// Around each triangle of the moved surface, in the frame.
+  [[nodiscard]] const Box<double>& box(std::uint32_t triangle) const { return boxes_[triangle]; }
+  /// The triangles of the moved surface whose boxes meet this one, in ascending order.
+  [[nodiscard]] std::vector<std::uint32_t> trianglesIn(const Box<double>& box) const;
+  [[nodiscard]] const Box<double>& boundingBox() const { return tree_.nodes.front().box; }
+  /// Of all triangles of the moved surface; empty: all are walls.
+  [[nodiscard]] std::span<const SheetKind> kinds() const { return kinds_; }
+  /// Whether parts of it meet.
+  [[nodiscard]] bool meetsItself() const;
+  /// The winding number far away.
+  [[nodiscard]] int windingOutside() const { return windingOutside_; }
+
+ private:
+  /// Of some triangles of a soup.
+  CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles, FluidSide side,
+             bool isSound);
+
+  CutFrame frame_;
+  int windingOutside_;
+  std::vector<std::uint32_t> patches_;
+  std::vector<std::string> patchNames_;
+  MovedSurface moved_;
+  std::vector<Box<double>> boxes_;
+  detail::BinaryBvh tree_;  // over the boxes
+  std::vector<SheetKind> kinds_;
+};
+
+}  // namespace cutwater

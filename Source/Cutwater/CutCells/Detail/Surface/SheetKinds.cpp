@@ -1,0 +1,167 @@
+#include <Cutwater/Core/Detail/DisjointSets.hpp>
+#include <Cutwater/Core/Parallel.hpp>
+#include <Cutwater/CutCells/Detail/Surface/SheetKinds.hpp>
+#include <Cutwater/Triangles/TriangleIntersection.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace cutwater {
+
+namespace {
+
+class KindFinder {
+ public:
+  explicit KindFinder(const SheetInput& input)
+      : in_(input), kinds_(input.surface.triangleCount(), SheetKind::Wall) {}
+
+  std::vector<SheetKind> run() {
+    noteMeetings();
+    noteCrowdedEdges();
+    decideParts();
+    decideGaps();
+    return std::move(kinds_);
+  }
+
+ private:
+  [[nodiscard]] std::array<Vec3<double>, 3> placesOf(std::uint32_t triangle) const {
+    const auto& [a, b, c] = in_.corners[triangle];
+    return {in_.positions[a], in_.positions[b], in_.positions[c]};
+  }
+  [[nodiscard]] bool meetsAny(std::uint32_t triangle) const {
+    const auto places = placesOf(triangle);
+    if (!hasArea(places)) return false;
+    Box<double> box;
+    for (const auto& p : places) box.extend(p);
+    return std::ranges::any_of(in_.trianglesIn(box), [&](std::uint32_t other) {
+      return other != triangle && other < in_.corners.size() && hasArea(placesOf(other)) &&
+             intersect(in_.positions, in_.corners[triangle], in_.corners[other]);
+    });
+  }
+  void noteMeetings() {
+    parallelFor(in_.corners.size(), {}, [&](std::size_t begin, std::size_t end) {
+      for (auto i = static_cast<std::uint32_t>(begin); i < end; ++i) {
+        if (meetsAny(i)) kinds_[i] = SheetKind::Meeting;
+      }
+    });
+  }
+  void noteCrowdedEdges() {
+    std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>> sides;
+    for (std::uint32_t i = 0; i < in_.corners.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto ends = std::minmax(in_.corners[i][k], in_.corners[i][(k + 1) % 3]);
+        sides.push_back({{ends.first, ends.second}, i});
+      }
+    }
+    std::ranges::sort(sides);
+    for (std::size_t first = 0; first < sides.size();) {
+      auto last = first;
+      while (last < sides.size() && sides[last].first == sides[first].first) ++last;
+      for (auto i = first; i < last && last - first > 2; ++i) {
+        kinds_[sides[i].second] = SheetKind::Meeting;
+      }
+      first = last;
+    }
+  }
+
+  /// Calls visit(one, other) for the triangles at each edge.
+  template <typename Visit>
+  void forEdges(Visit&& visit) const {
+    std::vector<std::uint32_t> atEdge(3 * kinds_.size(), kNoTriangle);
+    for (std::uint32_t i = 0; i < kinds_.size(); ++i) {
+      for (const auto edge : in_.surface.edges(i)) {
+        const auto other = std::exchange(atEdge[edge], i);
+        if (other != kNoTriangle) visit(other, i);
+      }
+    }
+  }
+  /// Whether it is one that closes the gap between copies of vertices.
+  [[nodiscard]] bool isGap(std::uint32_t triangle) const { return triangle >= in_.corners.size(); }
+
+  /// Triangles of the mesh that are connected across edges, without those that meet others, are of
+  /// one kind.
+  void decideParts() {
+    const auto count = static_cast<std::uint32_t>(in_.corners.size());
+    detail::DisjointSets sets(count);
+    const auto isPart = [&](std::uint32_t i) {
+      return !isGap(i) && kinds_[i] != SheetKind::Meeting;
+    };
+    forEdges([&](std::uint32_t one, std::uint32_t other) {
+      if (isPart(one) && isPart(other)) sets.unite(one, other);
+    });
+    std::vector<std::uint32_t> largest(count, kNoTriangle);
+    std::vector<double> areas(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto root = sets.find(i);
+      const double area = length(normalOf(i));
+      if (area > areas[root]) areas[root] = area, largest[root] = i;
+    }
+    std::vector<SheetKind> ofPart(count, SheetKind::Meeting);  // where there is no area
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (sets.isRoot(i) && largest[i] != kNoTriangle && isPart(i)) {
+        ofPart[i] = windingInFront(largest[i]) == 0 ? SheetKind::Wall : SheetKind::Buried;
+      }
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (isPart(i)) kinds_[i] = ofPart[sets.find(i)];
+    }
+  }
+  /// Gaps are of the kind of all triangles of the mesh around them, if these are of one.
+  void decideGaps() {
+    detail::DisjointSets sets(kinds_.size());
+    forEdges([&](std::uint32_t one, std::uint32_t other) {
+      if (isGap(one) && isGap(other)) sets.unite(one, other);
+    });
+    constexpr std::array kAll{SheetKind::Wall, SheetKind::Buried, SheetKind::Meeting};
+    std::vector<std::array<bool, kAll.size()>> around(kinds_.size());
+    forEdges([&](std::uint32_t one, std::uint32_t other) {
+      if (isGap(one)) std::swap(one, other);
+      if (isGap(one) || !isGap(other)) return;
+      around[sets.find(other)][static_cast<std::size_t>(kinds_[one])] = true;
+    });
+    for (auto i = static_cast<std::uint32_t>(in_.corners.size()); i < kinds_.size(); ++i) {
+      kinds_[i] = SheetKind::Meeting;
+      for (const auto kind : kAll) {
+        auto only = std::array<bool, kAll.size()>{};
+        only[static_cast<std::size_t>(kind)] = true;
+        if (around[sets.find(i)] == only) kinds_[i] = kind;
+      }
+    }
+  }
+  [[nodiscard]] Vec3<double> normalOf(std::uint32_t triangle) const {
+    const auto [a, b, c] = in_.surface.triangle(triangle);
+    return cross(b.position - a.position, c.position - a.position);
+  }
+  /// On the side of the triangle to which its normal points. Behind it, it is one more.
+  [[nodiscard]] int windingInFront(std::uint32_t triangle) const {
+    const auto normal = normalOf(triangle);
+    int axis = 0;
+    for (const int other : {1, 2}) {
+      if (std::abs(normal[other]) > std::abs(normal[axis])) axis = other;
+    }
+    const auto [a, b, c] = in_.surface.triangle(triangle);
+    const auto middle = (a.position + b.position + c.position) / 3.0;
+    Box<double> below{middle, middle};
+    below.lower[axis] = -Box<double>::kInf;
+    int winding = in_.windingOutside;
+    for (const auto other : in_.trianglesIn(below)) {
+      if (other == triangle) continue;
+      winding += riseBelowNode(in_.surface.triangle(other), middle, axis);
+    }
+    // So it is below the triangle: behind one that faces up.
+    return normal[axis] > 0 ? winding - 1 : winding;
+  }
+
+  static constexpr std::uint32_t kNoTriangle = 0xffffffff;
+
+  const SheetInput& in_;
+  std::vector<SheetKind> kinds_;
+};
+
+}  // namespace
+
+std::vector<SheetKind> findSheetKinds(const SheetInput& input) {
+  return KindFinder(input).run();
+}
+
+}  // namespace cutwater

@@ -1,0 +1,221 @@
+#include <Cutwater/CutCells/Detail/Tiles/PlaneCut.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace cutwater {
+
+namespace {
+
+/// In perimeters of the rectangle: what is shorter is a point, but for rounding.
+constexpr double kPoint = 1e-14;
+
+/// Turns open parts of the faces between two layers into pieces of cells, and stretches of their
+/// edges into arcs.
+class PlaneCutter {
+ public:
+  PlaneCutter(const TileSurface& surface, const EdgeStretches& stretches, const FacePieces& faces,
+              const GridPlanes& planes, double thickness)
+      : surface_(surface),
+        stretches_(stretches),
+        faces_(faces),
+        planes_(planes),
+        thickness_(thickness),
+        rowOf_(faces.pieces().size(), kNone) {}
+
+  TileCut run() {
+    out_.numbers = surface_.numbers();
+    const auto& cells = out_.numbers.cells();
+    for (int j = 0; j < cells[1]; ++j) {
+      for (int i = 0; i < cells[0]; ++i) addCell({i, j, 1});
+    }
+    out_.firstPiece.push_back(pieceCount());
+    for (const auto& [key, wall] : walls_) {
+      if (wall.area > 0) out_.content.walls.push_back(meanOf(wall));
+    }
+    for (const int axis : {0, 1}) {
+      for (int j = 0; j < cells[1] + axis; ++j) {
+        for (int i = 0; i < cells[0] + 1 - axis; ++i) addArcs(axis, {i, j, 1});
+      }
+    }
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t pieceCount() const {
+    return static_cast<std::uint32_t>(out_.content.pieces.size());
+  }
+  [[nodiscard]] std::uint32_t faceOf(const TilePlace& cell) const {
+    return out_.numbers.face(2, cell);
+  }
+  [[nodiscard]] std::span<const EdgeStretch> stretchesOf(const TilePlace& cell, int side) const {
+    const auto edge = edgeOfFace(2, cell, side);
+    return stretches_.of(edge.axis, edge.place);
+  }
+
+  void addCell(const TilePlace& place) {
+    const auto cell = out_.numbers.cell(place);
+    const auto face = faceOf(place);
+    out_.isBody[cell] = !stretches_.isFluid(place);
+    if (!faces_.isCut(face)) return;
+    const auto size = planes_.sizeOf(place);
+    const double least = kPoint * 2 * (size.x + size.y);
+    out_.cells.push_back(cell);
+    out_.firstPiece.push_back(pieceCount());
+    out_.fluidCorners.push_back(fluidCorners(place));
+    const double fluid = addPieces(place, least);
+    const auto [first, last] = faces_.tracesOf(face);
+    bool isTouched = true;
+    for (auto trace = first; trace < last; ++trace) {
+      isTouched = isTouched && lengthOf(trace) <= least;
+      addWall(trace);
+    }
+    if (isTouched) out_.isBody[cell] = fluid < 0.5 * size.x * size.y;
+    out_.isTouched.push_back(isTouched ? 1 : 0);
+    out_.meets.push_back(0);
+    finishWalls(out_.firstPiece.back());
+  }
+  /// Returns their area.
+  double addPieces(const TilePlace& place, double least) {
+    const auto [first, last] = faces_.of(faceOf(place));
+    const auto rims = rimsOf(place);
+    double sum = 0;
+    for (auto n = first; n < last; ++n) {
+      const auto& piece = faces_.pieces()[n];
+      if (piece.isNothing || rims[n - first] <= least) continue;
+      rowOf_[n] = pieceCount();
+      out_.content.pieces.push_back({.cell = out_.numbers.cell(place),
+                                     .volume = piece.area * thickness_,
+                                     .centroid = piece.centroid,
+                                     .areaVector = {},
+                                     .wallCentroid = {}});
+      sum += piece.area;
+    }
+    return sum;
+  }
+  /// The lengths of the rims of a cut face's open parts.
+  [[nodiscard]] std::vector<double> rimsOf(const TilePlace& place) const {
+    const auto face = faceOf(place);
+    const auto [first, last] = faces_.of(face);
+    std::vector<double> rims(last - first);
+    const auto [firstTrace, lastTrace] = faces_.tracesOf(face);
+    for (auto trace = firstTrace; trace < lastTrace; ++trace) {
+      const auto piece = faces_.ofTrace(trace);
+      if (piece != kNone) rims[piece - first] += lengthOf(trace);
+    }
+    for (int side = 0; side < 4; ++side) {
+      const auto stretches = stretchesOf(place, side);
+      for (std::size_t s = 0; s < stretches.size(); ++s) {
+        rims[faces_.ofStretch(face, side, s) - first] += stretches[s].length();
+      }
+    }
+    return rims;
+  }
+  [[nodiscard]] double lengthOf(std::uint32_t trace) const {
+    const auto& t = surface_.traces()[trace];
+    return length(t.to - t.from);
+  }
+  [[nodiscard]] std::uint8_t fluidCorners(const TilePlace& place) const {
+    unsigned bits = 0;
+    for (int corner = 0; corner < 4; ++corner) {
+      const TilePlace node{place[0] + corner % 2, place[1] + corner / 2, 1};
+      if (stretches_.isFluid(node)) bits |= 0x11U << static_cast<unsigned>(corner);
+    }
+    return static_cast<std::uint8_t>(bits);
+  }
+
+  /// A wall is as long as the trace, and as high as the cell.
+  void addWall(std::uint32_t trace) {
+    const auto open = faces_.ofTrace(trace);
+    const auto piece = open == kNone ? kNone : rowOf_[open];
+    const auto& t = surface_.traces()[trace];
+    const auto patch = surface_.patchOf(t.triangle);
+    if (piece == kNone || patch == kNone) return;
+    auto& wall = walls_[{piece, patch}];
+    wall.piece = piece;
+    wall.patch = patch;
+    const auto way = t.to - t.from;
+    const double area = length(way) * thickness_;
+    wall.area += area;
+    wall.areaVector += thickness_ * Vec3<double>{way.y, -way.x, 0};
+    wall.centroid += area * 0.5 * (t.from + t.to);
+  }
+  static PieceWall meanOf(PieceWall wall) {
+    wall.centroid = wall.centroid / wall.area;
+    return wall;
+  }
+  /// Sums up the walls of the pieces from this one on.
+  void finishWalls(std::uint32_t first) {
+    auto& pieces = out_.content.pieces;
+    for (auto it = walls_.lower_bound({first, 0}); it != walls_.end(); ++it) {
+      const auto& wall = it->second;
+      auto& piece = pieces[wall.piece];
+      piece.area += wall.area;
+      piece.areaVector += wall.areaVector;
+      piece.wallCentroid += wall.centroid;
+    }
+    for (auto p = first; p < pieceCount(); ++p) {
+      auto& piece = pieces[p];
+      piece.wallCentroid = piece.area > 0 ? piece.wallCentroid / piece.area : piece.centroid;
+    }
+  }
+
+  /// What is open between two rectangles: the stretches of the edge that begins there.
+  void addArcs(int axis, const TilePlace& place) {
+    auto below = place;
+    --below[asIndex(axis)];
+    // Sides of rectangles, see FacePieces::ofStretch().
+    const int highSide = axis == 0 ? 3 : 1;
+    const int lowSide = axis == 0 ? 2 : 0;
+    const auto stretches = stretches_.of(1 - axis, place);
+    for (std::size_t s = 0; s < stretches.size(); ++s) {
+      PieceArc arc{.face = out_.numbers.face(axis, place), .centroid = {}};
+      const bool isCutBelow = setPiece(below, highSide, s, arc.below, arc);
+      const bool isCutAbove = setPiece(place, lowSide, s, arc.above, arc);
+      if (!isCutBelow && !isCutAbove) continue;
+      arc.area = stretches[s].length() * thickness_;
+      arc.centroid[axis] = planes_.at(axis, place[asIndex(axis)]);
+      arc.centroid[1 - axis] = stretches[s].middle();
+      arc.centroid.z = planes_.at(2, 1);
+      out_.content.arcs.push_back(arc);
+    }
+  }
+  /// Finds the piece of a cell beside an arc; returns whether the cell is in the tile and cut.
+  bool setPiece(const TilePlace& cell, int side, std::size_t stretch, std::uint32_t& piece,
+                PieceArc& arc) const {
+    const auto& cells = out_.numbers.cells();
+    if (cell[0] < 0 || cell[1] < 0 || cell[0] >= cells[0] || cell[1] >= cells[1]) return false;
+    const auto face = faceOf(cell);
+    if (!faces_.isCut(face)) return false;
+    piece = rowOf_[faces_.ofStretch(face, side, stretch)];
+    arc.isDropped = arc.isDropped || piece == kNone;
+    return true;
+  }
+
+  const TileSurface& surface_;
+  const EdgeStretches& stretches_;
+  const FacePieces& faces_;
+  const GridPlanes& planes_;
+  double thickness_;
+  std::vector<std::uint32_t> rowOf_;  // the piece of each open part, or kNone
+  /// By piece and patch; centroids are integrals.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, PieceWall> walls_;
+  TileCut out_;
+};
+
+}  // namespace
+
+std::array<double, 3> planesAround(double z) {
+  // How far away the others are does not matter: only what lies in the plane is used.
+  const double gap = 0x1p-20 * std::max(1.0, std::abs(z));
+  return {z - gap, z, z + gap};
+}
+
+TileCut cutTileInPlane(const CutSurface& surface, const CutTiles& tiles, std::size_t tile,
+                       double thickness) {
+  const TileParts parts(surface, tiles.input(tile));
+  return PlaneCutter(parts.surface, parts.stretches, parts.faces, parts.planes, thickness).run();
+}
+
+}  // namespace cutwater

@@ -1,0 +1,151 @@
+#include <Cutwater/CutCells/Detail/Faces/FaceOutlines.hpp>
+#include <Cutwater/CutCells/Detail/Faces/FaceRegions.hpp>
+#include <Cutwater/CutCells/Detail/Moments/TileMoments.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/TileCut.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+namespace {
+
+/// In shares of a cell and of a face: what is less is rounding of points on the cell's faces.
+constexpr double kTouching = 1e-14;
+
+/// Whether a cell's fragments lie in its faces and have no area: the surface touches the cell.
+bool touches(const TileSurface& surface, std::span<const TileFragment> fragments,
+             const GridPlanes& planes, double faceArea) {
+  const auto cell = surface.numbers().placeOfCell(fragments.front().cell);
+  return std::ranges::all_of(fragments, [&](const TileFragment& fragment) {
+    const auto points = surface.points(fragment);
+    bool isInFace = false;
+    for (int axis = 0; axis < 3 && !isInFace; ++axis) {
+      for (const int side : {0, 1}) {
+        const double plane = planes.at(axis, cell[asIndex(axis)] + side);
+        isInFace = isInFace || std::ranges::all_of(
+                                   points, [&](const Vec3<double>& p) { return p[axis] == plane; });
+      }
+    }
+    if (!isInFace) return false;
+    Vec3<double> area;
+    for (std::size_t k = 2; k < points.size(); ++k) {
+      area += 0.5 * cross(points[k - 1] - points[0], points[k] - points[0]);
+    }
+    return length(area) <= kTouching * faceArea;
+  });
+}
+
+std::uint8_t fluidCorners(const EdgeStretches& stretches, const TilePlace& cell) {
+  unsigned bits = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const TilePlace node{cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1),
+                         cell[2] + (corner >> 2)};
+    bits |= (stretches.isFluid(node) ? 1U : 0U) << static_cast<unsigned>(corner);
+  }
+  return static_cast<std::uint8_t>(bits);
+}
+
+/// Finds the rows of cells among those of fragments and of pieces.
+void noteCells(const TileParts& parts, TileCut& out) {
+  const auto& numbers = parts.surface.numbers();
+  const auto fragments = parts.surface.fragments();
+  const auto& pieces = out.content.pieces;
+  std::uint32_t piece = 0;
+  for (std::size_t first = 0; first < fragments.size();) {
+    const auto cell = fragments[first].cell;
+    auto last = first + 1;
+    while (last < fragments.size() && fragments[last].cell == cell) ++last;
+    if (!isWanted(parts.wanted, cell)) {
+      first = last;
+      continue;
+    }
+    out.cells.push_back(cell);
+    out.firstPiece.push_back(piece);
+    out.fluidCorners.push_back(fluidCorners(parts.stretches, numbers.placeOfCell(cell)));
+    double fluid = 0;
+    double wall = 0;
+    for (; piece < pieces.size() && pieces[piece].cell == cell; ++piece) {
+      fluid += pieces[piece].volume;
+      wall += pieces[piece].area;
+    }
+    const auto size = parts.planes.sizeOf(numbers.placeOfCell(cell));
+    const double volume = size.x * size.y * size.z;
+    const double faceArea = volume / maxComponent(size);
+    const auto here = fragments.subspan(first, last - first);
+    const bool meets = parts.surface.meetAny(here);
+    out.meets.push_back(meets ? 1 : 0);
+    const bool isTouched =
+        meets ? wall <= kSliver * faceArea : touches(parts.surface, here, parts.planes, faceArea);
+    if (isTouched) out.isBody[cell] = fluid < 0.5 * volume;
+    out.isTouched.push_back(isTouched ? 1 : 0);
+    first = last;
+  }
+  out.firstPiece.push_back(piece);
+}
+
+void addArcPolygons(const TileParts& parts, TileCut& out) {
+  auto& outlines = out.polygons.arcs;
+  const auto& arcs = out.content.arcs;
+  while (outlines.count() < arcs.size()) {
+    const auto face = arcs[outlines.count()].face;
+    if (parts.faces.isCut(face)) {
+      addOutlines(parts.surface, parts.stretches, parts.faces, parts.planes, face, outlines);
+    } else {
+      addWholeOutline(parts.surface.numbers(), parts.planes, face, outlines);
+    }
+  }
+}
+
+void addWallPolygons(const TileSurface& surface, TileCut& out) {
+  std::vector<std::array<std::uint32_t, 3>> walls;  // piece, patch, fragment
+  const auto fragments = surface.fragments();
+  for (std::uint32_t i = 0; i < fragments.size(); ++i) {
+    const auto piece = out.content.ofFragments[i];
+    const auto patch = surface.patchOf(fragments[i].triangle);
+    if (piece != kNone && patch != kNone) walls.push_back({piece, patch, i});
+  }
+  std::ranges::sort(walls);
+  for (const auto& [piece, patch, fragment] : walls) {
+    out.polygons.wallOf.emplace_back(piece, patch);
+    out.polygons.fragmentOf.push_back(fragment);
+    out.polygons.walls.add(surface.points(fragments[fragment]));
+  }
+}
+
+}  // namespace
+
+TileParts::TileParts(const CutSurface& whole, const TileInput& input)
+    : wanted(input.wanted),
+      frame(whole.frame()),
+      planes(input.planes),
+      surface(whole.moved(), whole.patches(), input.triangles, planes, whole.kinds()),
+      stretches(surface, planes, input.winding),
+      faces(surface, stretches, planes, wanted) {}
+
+TileCut cutTile(const TileParts& parts, const CutOptions& options) {
+  const auto& [wanted, frame, planes, surface, stretches, faces] = parts;
+  TileCut result{.numbers = surface.numbers(),
+                 .content = findCellPieces(surface, stretches, faces, planes, wanted),
+                 .cells = {},
+                 .firstPiece = {},
+                 .fluidCorners = {},
+                 .isTouched = {},
+                 .meets = {},
+                 .isBody = {},
+                 .polygons = {},
+                 .moments = {}};
+  for (std::uint32_t cell = 0; cell < result.numbers.cellCount(); ++cell) {
+    result.isBody[cell] = !stretches.isFluid(result.numbers.placeOfCell(cell));
+  }
+  noteCells(parts, result);
+  if (options.polygons) {
+    addArcPolygons(parts, result);
+    addWallPolygons(surface, result);
+  }
+  if (options.moments >= 0) {
+    result.moments = findMoments(faces, result.content, frame, options.moments);
+  }
+  return result;
+}
+
+}  // namespace cutwater

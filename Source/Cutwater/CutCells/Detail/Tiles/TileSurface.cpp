@@ -1,0 +1,175 @@
+#include <Cutwater/CutCells/Detail/Tiles/TileSurface.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace cutwater {
+
+namespace {
+
+bool isUnderPlane(const Fragment& fragment, const FragmentEdge& plane) {
+  return fragment.cell[static_cast<std::size_t>(plane.axis)] < plane.number;
+}
+
+/// The node of lowest indices at which the planes of two edges, and the cell, begin.
+TilePlace placeOnPlanes(const Fragment& fragment, const FragmentEdge& a, const FragmentEdge& b) {
+  auto place = fragment.cell;
+  place[static_cast<std::size_t>(a.axis)] = a.number;
+  place[static_cast<std::size_t>(b.axis)] = b.number;
+  return place;
+}
+
+/// The rise of the winding number along the third axis where the fragment's edges lie on two
+/// planes.
+int riseAt(const Fragment& fragment, const FragmentEdge& in, const FragmentEdge& out) {
+  // A polygon that faces up goes up along the plane that limits it in x, then back along the one
+  // that limits it in y; the other way round beyond either of them.
+  const bool isCyclic = (in.axis + 1) % 3 == out.axis;
+  const bool facesUp = (isCyclic == isUnderPlane(fragment, in)) == isUnderPlane(fragment, out);
+  return facesUp ? -1 : 1;
+}
+
+/// The order of items by a number below `count`, and of equal ones as they are.
+template <typename Item, typename Key>
+std::vector<std::uint32_t> orderedBy(std::span<const Item> items, std::uint32_t count, Key key) {
+  std::vector<std::uint32_t> first(count + 1);
+  for (const auto& item : items) ++first[item.*key + 1];
+  for (std::uint32_t n = 0; n < count; ++n) first[n + 1] += first[n];
+  std::vector<std::uint32_t> order(items.size());
+  for (std::uint32_t i = 0; i < items.size(); ++i) order[first[items[i].*key]++] = i;
+  return order;
+}
+
+template <typename Item>
+std::vector<Item> permuted(const std::vector<Item>& items, std::span<const std::uint32_t> order) {
+  std::vector<Item> result;
+  result.reserve(items.size());
+  for (const auto i : order) result.push_back(items[i]);
+  return result;
+}
+
+}  // namespace
+
+TileSurface::TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> patches,
+                         std::span<const std::uint32_t> triangles, const GridPlanes& planes,
+                         std::span<const SheetKind> kinds)
+    : surface_(surface),
+      numbers_({planes.cells(0), planes.cells(1), planes.cells(2)}),
+      patches_(patches),
+      kinds_(kinds) {
+  TriangleSplitter splitter(planes);
+  for (const auto id : triangles) {
+    splitter.split(surface.triangle(id), surface.corners(id),
+                   [&](const Fragment& fragment) { add(id, fragment); });
+  }
+  sort();
+  if (!kinds_.empty()) sortBuried();
+}
+
+Vec3<double> TileSurface::normalOf(std::uint32_t triangle) const {
+  const auto [a, b, c] = surface_.triangle(triangle);
+  return cross(b.position - a.position, c.position - a.position);
+}
+
+std::span<const EdgeCrossing> TileSurface::crossingsOf(std::uint32_t edge) const {
+  return sortedUnder(std::span(crossings_), edge, &EdgeCrossing::edge);
+}
+
+void TileSurface::add(std::uint32_t triangle, const Fragment& fragment) {
+  const auto size = static_cast<std::size_t>(fragment.size);
+  auto& fragments = kindOf(triangle) == SheetKind::Buried ? buriedFragments_ : fragments_;
+  fragments.push_back({numbers_.cell(fragment.cell), triangle,
+                       static_cast<std::uint32_t>(points_.size()),
+                       static_cast<std::uint32_t>(size)});
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto& edge = fragment.edges[i];
+    points_.push_back(fragment.points[i]);
+    meshEdges_.push_back(
+        edge.isPlane() ? kNone : surface_.edges(triangle)[static_cast<std::size_t>(edge.number)]);
+    if (edge.isPlane()) addTrace(triangle, fragment, i);
+  }
+}
+
+/// That of the last fragment's side on a plane, and the crossing where it begins, if it does at
+/// another one.
+void TileSurface::addTrace(std::uint32_t triangle, const Fragment& fragment, std::size_t side) {
+  const bool isBuried = kindOf(triangle) == SheetKind::Buried;
+  const auto number =
+      static_cast<std::uint32_t>((isBuried ? buriedFragments_ : fragments_).size() - 1);
+  const auto size = static_cast<std::size_t>(fragment.size);
+  const auto& edge = fragment.edges[side];
+  const auto end = [&](const FragmentEdge& other) {
+    if (!other.isPlane()) {
+      return TraceEnd{.meshEdge = surface_.edges(triangle)[static_cast<std::size_t>(other.number)]};
+    }
+    return TraceEnd{.gridEdge = numbers_.edge(3 - edge.axis - other.axis,
+                                              placeOnPlanes(fragment, edge, other))};
+  };
+  const auto& before = fragment.edges[(side + size - 1) % size];
+  const auto& after = fragment.edges[(side + 1) % size];
+  FaceTrace trace{.face = numbers_.face(edge.axis, placeOnPlanes(fragment, edge, edge)),
+                  .triangle = triangle,
+                  .from = fragment.points[side],
+                  .to = fragment.points[(side + 1) % size],
+                  .start = end(before),
+                  .end = end(after)};
+  if (isUnderPlane(fragment, edge)) {
+    trace.below = number;
+  } else {
+    trace.above = number;
+    std::swap(trace.from, trace.to);
+    std::swap(trace.start, trace.end);
+  }
+  (isBuried ? buriedTraces_ : traces_).push_back(trace);
+  if (!before.isPlane()) return;
+  const int axis = 3 - edge.axis - before.axis;
+  crossings_.push_back({end(before).gridEdge, triangle, fragment.points[side][axis],
+                        riseAt(fragment, before, edge)});
+}
+
+void TileSurface::sort() {
+  // All are in the order of triangles so far.
+  const auto order =
+      orderedBy(std::span(std::as_const(fragments_)), numbers_.cellCount(), &TileFragment::cell);
+  std::vector<std::uint32_t> numberOf(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) numberOf[order[i]] = i;
+  fragments_ = permuted(fragments_, order);
+
+  // Both sides of a face have the trace, one after the other.
+  std::vector<FaceTrace> traces;
+  traces.reserve(traces_.size() / 2 + 1);
+  for (const auto i :
+       orderedBy(std::span(std::as_const(traces_)), numbers_.faceCount(), &FaceTrace::face)) {
+    auto trace = traces_[i];
+    if (trace.below != kNone) trace.below = numberOf[trace.below];
+    if (trace.above != kNone) trace.above = numberOf[trace.above];
+    if (!traces.empty() && traces.back().face == trace.face &&
+        traces.back().triangle == trace.triangle) {
+      traces.back().below = std::min(traces.back().below, trace.below);
+      traces.back().above = std::min(traces.back().above, trace.above);
+    } else {
+      traces.push_back(trace);
+    }
+  }
+  traces_ = std::move(traces);
+
+  // Up to four cells have the crossing.
+  const auto isSame = [](const EdgeCrossing& a, const EdgeCrossing& b) {
+    return a.edge == b.edge && a.triangle == b.triangle;
+  };
+  crossings_ = permuted(crossings_, orderedBy(std::span(std::as_const(crossings_)),
+                                              numbers_.edgeCount(), &EdgeCrossing::edge));
+  crossings_.erase(std::unique(crossings_.begin(), crossings_.end(), isSame), crossings_.end());
+}
+
+/// As the others; who has a fragment or the trace does not matter.
+void TileSurface::sortBuried() {
+  std::ranges::stable_sort(buriedFragments_, {}, &TileFragment::cell);
+  const auto key = [](const FaceTrace& trace) { return std::pair(trace.face, trace.triangle); };
+  std::ranges::stable_sort(buriedTraces_, {}, key);
+  const auto isSame = [&](const FaceTrace& a, const FaceTrace& b) { return key(a) == key(b); };
+  buriedTraces_.erase(std::unique(buriedTraces_.begin(), buriedTraces_.end(), isSame),
+                      buriedTraces_.end());
+}
+
+}  // namespace cutwater
