@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "Commands/Commands.hpp"
+#include "Options/CuttingCost.hpp"
 #include "Options/Limits.hpp"
 #include "Options/LoadSurface.hpp"
 #include "Options/MeshOptions.hpp"
@@ -33,28 +34,51 @@ struct CellsSettings {
   bool isInside = false;
   bool wholeCells = false;
 
+  [[nodiscard]] bool hasPolygons() const { return !output.empty(); }
   [[nodiscard]] FluidSide side() const { return isInside ? FluidSide::Inside : FluidSide::Outside; }
 };
 
-/// Memory in bytes, as measured for hulls, statues and machine parts; parts of triangles count
-/// beside cells.
+/// Memory in bytes, as measured, beside what bytesToCut() says.
 struct CellBytes {
-  static constexpr double kCut = 5000;
-  static constexpr double kTriangle = 1500;
   static constexpr double kWhole = 250;
   static constexpr double kLeaf = OctreeEstimate::kBytesPerCell + 30;
 };
 
+/// Cuts, and takes the time.
+template <typename Mesh>
+auto cut(const CellsSettings& options, const CellCutter& cutter, const Mesh& mesh, bool isShown,
+         double& seconds) {
+  ProgressBar bar("cutting", isShown && !options.surface.quiet);
+  Stopwatch watch;
+  auto cells = cutter.cut(mesh, {.polygons = options.hasPolygons(),
+                                 .threads = options.surface.threads,
+                                 .progress = bar.callback()});
+  seconds = watch.lap();
+  return cells;
+}
+
+/// The same box in cells 2^halvings times as large; the last ones may reach beyond it.
+GridPatch<double> ofLargerCells(const GridPatch<double>& grid, int halvings) {
+  const auto along = [&](int axis) { return ((grid.indices.length(axis) - 1) >> halvings) + 1; };
+  const auto lower = grid.level.cell(grid.indices.lo).lower;
+  return {Level<double>(lower, std::ldexp(1.0, halvings) * grid.level.spacing()),
+          IndexBox::ofSize(along(0), along(1), along(2))};
+}
+
 /// @throws Error(Limit) if there is no room.
-void requireRoom(const CellsSettings& options, const PlacedSurface& placed,
-                 const GridPatch<double>& grid) {
-  const double cut = placed.expectedCells(grid.level.spacing());
-  const auto all = static_cast<double>(grid.indices.count());
-  const double whole = options.wholeCells ? all : 0;
-  const Expected expected{.what = "cells",
-                          .items = cut + whole,
-                          .bytes = CellBytes::kCut * cut + CellBytes::kWhole * whole +
-                                   CellBytes::kTriangle * static_cast<double>(placed.triangles)};
+void requireRoom(const CellsSettings& options, const CellCutter& cutter,
+                 const PlacedSurface& placed, const GridPatch<double>& grid) {
+  const double expectedCut = placed.expectedCells(grid.level.spacing());
+  const double whole = options.wholeCells ? static_cast<double>(grid.indices.count()) : 0;
+  Expected expected{.what = "cells", .items = expectedCut + whole};
+  expected.bytes =
+      bytesToCut(expectedCut, placed.triangles, options.hasPolygons()) + CellBytes::kWhole * whole;
+  expected.seconds = secondsToCut(expectedCut, [&](int halvings) {
+    CutCount count;
+    const auto larger = ofLargerCells(grid, halvings);
+    count.cells = static_cast<double>(cut(options, cutter, larger, false, count.seconds).cellCount);
+    return count;
+  });
   requireWithin(options.limits, expected, !options.surface.quiet, [&] {
     const double tooMany = expected.items / options.limits.items.value_or(expected.items);
     const double tooLarge = expected.bytes / options.limits.mostBytes();
@@ -62,26 +86,22 @@ void requireRoom(const CellsSettings& options, const PlacedSurface& placed,
   });
 }
 
-/// Memory for each cell of an octree, those that are not cut among them.
-double bytesPerLeaf(const CellsSettings& options, const PlacedSurface& placed,
-                    const OctreeDomain<double>& domain, const OctreeEstimate& mesh) {
-  const auto sizeOf = [&](int level) {
-    return std::ldexp(domain.spacing(), -level) * Vec3<double>{1, 1, 1};
+/// The leaves of an octree that the surface cuts.
+double expectedLeaves(int level, const PlacedSurface& placed, const OctreeDomain<double>& domain,
+                      const OctreeEstimate& mesh) {
+  const auto sizeOf = [&](int l) {
+    return std::ldexp(domain.spacing(), -l) * Vec3<double>{1, 1, 1};
   };
   // A leaf that is divided further makes four of it, along a sheet.
-  const int level = options.octree.refinement.rules.cut;
   double cut = placed.expectedCells(sizeOf(level));
   for (int finer = level; finer < mesh.deepest(); ++finer) cut += 3 * mesh.divided(finer);
-  cut = std::min({cut, placed.expectedCells(sizeOf(mesh.deepest())), mesh.cells()});
-  const auto triangles = static_cast<double>(placed.triangles);
-  return CellBytes::kLeaf + (options.wholeCells ? CellBytes::kWhole : 0) +
-         (CellBytes::kCut * cut + CellBytes::kTriangle * triangles) / mesh.cells();
+  return std::min({cut, placed.expectedCells(sizeOf(mesh.deepest())), mesh.cells()});
 }
 
 /// The octree that the options describe.
 /// @throws Error(Limit) if there is no room for it, or for its leaves once they are cut.
 Octree<double> octreeAround(const CellsSettings& options, const Solid<double>& solid,
-                            const PlacedSurface& placed) {
+                            const CellCutter& cutter, const PlacedSurface& placed) {
   auto wanted = options.octree;
   wanted.roots.box = options.grid.box;
   wanted.roots.margin = options.grid.margin;
@@ -90,8 +110,19 @@ Octree<double> octreeAround(const CellsSettings& options, const Solid<double>& s
   const auto rules = rulesFor(wanted.refinement, solid.patchNames());
   OctreeOptions mesh{.balance = wanted.balance, .threads = options.surface.threads};
   const auto estimated = estimate(solid, domain, rules, mesh);
-  const double bytes = bytesPerLeaf(options, placed, domain, estimated);
-  requireRoom(wanted, estimated, bytes, 0, !options.surface.quiet);
+  const double leaves = expectedLeaves(rules.cut, placed, domain, estimated);
+  const double bytes =
+      CellBytes::kLeaf + (options.wholeCells ? CellBytes::kWhole : 0) +
+      bytesToCut(leaves, placed.triangles, options.hasPolygons()) / estimated.cells();
+  const double seconds = secondsToCut(leaves, [&](int halvings) {
+    CutCount count;
+    const Octree<double> coarser(solid, domain, {.cut = std::max(0, rules.cut - halvings)}, mesh);
+    const auto found = cut(options, cutter, coarser, false, count.seconds);
+    count.cells = static_cast<double>(found.cut.leaf.size());
+    return count;
+  });
+  requireRoom(wanted, estimated, bytes, std::max(0.0, seconds) / estimated.cells(),
+              !options.surface.quiet);
   mesh.maxCells = static_cast<std::size_t>(mostCells(wanted, bytes));
   ProgressBar bar("meshing", !options.surface.quiet);
   mesh.progress = bar.callback();
@@ -104,19 +135,6 @@ void writeJson(const std::string& path, const std::string& text) {
   file.commit();
 }
 
-/// Cuts, and takes the time.
-template <typename Mesh>
-auto cut(const CellsSettings& options, const CellCutter& cutter, const Mesh& mesh,
-         double& seconds) {
-  Stopwatch watch;
-  ProgressBar bar("cutting", !options.surface.quiet);
-  auto cells = cutter.cut(mesh, {.polygons = !options.output.empty(),
-                                 .threads = options.surface.threads,
-                                 .progress = bar.callback()});
-  seconds = watch.lap();
-  return cells;
-}
-
 /// `cells`: as in "5 of 2 x 2 x 2 = 8 cells of 1 x 1 x 1".
 void report(const CellsSettings& options, const CellTotals& totals, const std::string& cells) {
   if (!options.json.empty()) writeJson(options.json, totals.json(options.surface.file));
@@ -125,10 +143,10 @@ void report(const CellsSettings& options, const CellTotals& totals, const std::s
   if (!options.output.empty()) std::cout << "wrote " << onOneLine(options.output) << '\n';
 }
 
-void cutGrid(const CellsSettings& options, const Solid<double>& solid, const PlacedSurface& placed,
+void cutGrid(const CellsSettings& options, const CellCutter& cutter, const PlacedSurface& placed,
              const GridPatch<double>& grid) {
   double seconds = 0;
-  const auto cells = cut(options, CellCutter(solid, options.side()), grid, seconds);
+  const auto cells = cut(options, cutter, grid, true, seconds);
   const auto& box = grid.indices;
   const Box<double> filled{grid.level.cell(box.lo).lower, grid.level.cell(box.hi).upper};
   CellTotals totals(check(cells), box.count(), cells.pieceCount, filled, placed, options.side());
@@ -142,11 +160,11 @@ void cutGrid(const CellsSettings& options, const Solid<double>& solid, const Pla
              grouped(box.count()) + " cells of " + extent(grid.level.spacing()));
 }
 
-void cutOctree(const CellsSettings& options, const Solid<double>& solid,
+void cutOctree(const CellsSettings& options, const Solid<double>& solid, const CellCutter& cutter,
                const PlacedSurface& placed) {
-  const auto mesh = octreeAround(options, solid, placed);
+  const auto mesh = octreeAround(options, solid, cutter, placed);
   double seconds = 0;
-  const auto leaves = cut(options, CellCutter(solid, options.side()), mesh, seconds);
+  const auto leaves = cut(options, cutter, mesh, true, seconds);
   CellTotals totals(check(leaves), mesh.cells().size(), leaves.pieces.cell.size(),
                     mesh.domain().box(), placed, options.side());
   totals.seconds = seconds;
@@ -167,14 +185,16 @@ void run(const CellsSettings& options, bool onOctree) {
   auto placedMesh = cuttingMesh(solid, options.surface);
   placedMesh.setPlacement(solid.placement());
   const PlacedSurface placed(placedMesh);
+  const CellCutter cutter(solid, options.side());
   if (onOctree) {
-    namingMemory("out of memory; use a lower --level", [&] { cutOctree(options, solid, placed); });
+    namingMemory("out of memory; use a lower --level",
+                 [&] { cutOctree(options, solid, cutter, placed); });
     return;
   }
   const auto grid = gridAround(boxAround(solid), options.grid);
-  requireRoom(options, placed, grid);
+  requireRoom(options, cutter, placed, grid);
   namingMemory("out of memory with " + grouped(grid.indices.count()) + " cells; use fewer --cells",
-               [&] { cutGrid(options, solid, placed, grid); });
+               [&] { cutGrid(options, cutter, placed, grid); });
 }
 
 void addOctreeOptions(Command command, MeshOptions& options) {
