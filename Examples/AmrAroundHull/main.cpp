@@ -2,7 +2,7 @@
 #include <Cutwater/Grid/OctreeFill.hpp>
 #include <Cutwater/Grid/OctreeRegions.hpp>
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
-#include <Cutwater/Io/Vtu.hpp>
+#include <Cutwater/Io/VtkFiles.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/ReadSurface.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>

@@ -26,6 +26,8 @@
 #include <Cutwater/Core/Vec3.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/CutLeaves.hpp>
+#include <Cutwater/CutCells/CutRegions.hpp>
 #include <Cutwater/Grid/CellPatches.hpp>
 #include <Cutwater/Grid/EdgeCrossings.hpp>
 #include <Cutwater/Grid/Fill.hpp>
@@ -42,10 +44,8 @@
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
 #include <Cutwater/Io/PointData.hpp>
 #include <Cutwater/Io/Tables.hpp>
-#include <Cutwater/Io/Vti.hpp>
-#include <Cutwater/Io/VtkArray.hpp>
+#include <Cutwater/Io/VtkFiles.hpp>
 #include <Cutwater/Io/VtpSurface.hpp>
-#include <Cutwater/Io/Vtu.hpp>
 #include <Cutwater/Lattice/Beam.hpp>
 #include <Cutwater/Lattice/BeamGraph.hpp>
 #include <Cutwater/Lattice/BeamLattice.hpp>

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/CutRegions.hpp>
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>

@@ -1,5 +1,6 @@
 // The code of Docs/cut-cells.md.
 #include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/CutRegions.hpp>
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Io/PointData.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>

@@ -2,6 +2,7 @@
 
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/CutLeaves.hpp>
 #include <Cutwater/Grid/OctreeCells.hpp>
 
 #include <algorithm>

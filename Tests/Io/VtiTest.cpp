@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/Vti.hpp>
+#include <Cutwater/Io/VtkFiles.hpp>
 
 #include <array>
 #include <vector>

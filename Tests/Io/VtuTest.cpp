@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Io/Vtu.hpp>
+#include <Cutwater/Io/VtkFiles.hpp>
 
 #include <algorithm>
 #include <set>

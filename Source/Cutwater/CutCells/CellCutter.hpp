@@ -3,6 +3,7 @@
 #include <Cutwater/Core/Level.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/CutLeaves.hpp>
 #include <Cutwater/Grid/OctreeCells.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 

@@ -2,7 +2,6 @@
 
 #include <Cutwater/Core/Box.hpp>
 #include <Cutwater/Core/IndexBox.hpp>
-#include <Cutwater/Grid/OctreeCells.hpp>
 #include <Cutwater/Sdf/FluidSide.hpp>
 
 #include <array>
@@ -241,117 +240,6 @@ struct MergedCells {
 /// @throws Error(Argument) unless options are within their ranges.
 [[nodiscard]] MergedCells merged(const CutCells& cells, const MergeOptions& options = {});
 
-/// The fluid in the leaves of an octree that a surface cuts, in arrays as those of CutCells. Leaves
-/// are given by their index in OctreeCells::cells().
-///
-/// Leaves that are cut are sorted by index; pieces by leaf; parts of the wall by piece and patch.
-/// An arc lies in one face of the finer of its two leaves: across from finer leaves, the open parts
-/// of a leaf's face are the arcs of theirs. Arcs are sorted by the finer leaf, of equal ones by
-/// that above, then by axis, and low faces come before high ones.
-struct CutLeaves {
-  /// In place of a piece, as in CutCells: kBeyond where there is no leaf across the face.
-  static constexpr std::uint32_t kWholeCell = CutCells::kWholeCell;
-  static constexpr std::uint32_t kBeyond = CutCells::kBeyond;
-  /// In place of a row or a leaf: there is none.
-  static constexpr std::uint32_t kNoRow = CutCells::kNoRow;
-  static constexpr std::uint32_t kNoLeaf = 0xffffffff;
-
-  /// Leaves that are cut.
-  struct Leaves {
-    std::vector<std::uint32_t> leaf;  ///< its index
-    std::vector<Box<double>> box;
-    std::vector<std::uint32_t> firstPiece;  ///< one more than leaves: the last is the number of all
-    std::vector<std::uint8_t> fluidCorners;  ///< as in CutCells::Cells
-
-    /// See CutCells::Cells::isThin().
-    [[nodiscard]] bool isThin(std::size_t row) const { return CutCells::isThin(fluidCorners[row]); }
-  };
-  /// Open parts of a face between two leaves.
-  struct Arcs {
-    std::vector<std::uint32_t> below;  ///< the piece on this side, kWholeCell or kBeyond
-    std::vector<std::uint32_t> above;
-    std::vector<std::uint32_t> leafBelow;  ///< the leaf on this side, or kNoLeaf
-    std::vector<std::uint32_t> leafAbove;
-    std::vector<double> area;
-    std::vector<Vec3<double>> centroid;
-    std::vector<double> faceArea;    ///< of the finer leaf's face, which it lies in
-    std::vector<std::uint8_t> axis;  ///< across the face
-  };
-
-  Leaves cut;                           ///< see above, as all rows
-  CutCells::Pieces pieces;              ///< their volumes and walls; `cell` is the row of the leaf
-  Arcs arcs;                            ///< what connects pieces across faces
-  CutCells::WallParts wallParts;        ///< walls by patch
-  std::vector<std::string> patchNames;  ///< of the surface
-  std::vector<FluidClass> classes;      ///< of every leaf; never Unknown
-  CutCells::Moments moments;            ///< on request, of pieces and arcs
-  double wholeFluid = 0;                ///< the volume of the leaves that are all fluid
-  double wholeBody = 0;                 ///< and of those without fluid
-
-  /// On request, see CutOptions: as in CutCells. Where leaves of other levels are across a face or
-  /// an edge of a leaf, polygons have their corners, too: those of a wall are convex but for
-  /// rounding then.
-  CutCells::Polygons arcPolygons;
-  CutCells::Polygons wallPolygons;
-  std::vector<std::uint64_t> firstWallPolygon;  ///< of each part of the wall; then their number
-
-  /// The row of a leaf; kNoRow if it is not cut.
-  [[nodiscard]] std::uint32_t rowOf(std::uint32_t leaf) const;
-  /// The volume of a leaf that is cut, by its row.
-  [[nodiscard]] double leafVolume(std::uint32_t row) const;
-  /// The share that a piece has of its leaf, from 0 to 1.
-  [[nodiscard]] double volumeFraction(std::uint32_t piece) const;
-  /// The share that an arc has of the finer leaf's face, from 0 to 1.
-  [[nodiscard]] double aperture(std::uint32_t arc) const;
-};
-
-/// A connected region of fluid.
-struct CutRegion {
-  double volume = 0;
-  std::size_t pieces = 0;      ///< of cut cells
-  std::size_t wholeCells = 0;  ///< that are all fluid
-  /// Whether it is open to what lies beyond the box, or where a mesh has no leaf. If not, it is a
-  /// cavity.
-  bool goesOn = false;
-};
-
-/// The connected regions of the fluid in cut cells: pieces, and cells that are all fluid, joined by
-/// open parts of faces alone. So no plate leaks, and no gap is closed, however thin.
-class CutRegions {
- public:
-  /// In place of a region: there is none.
-  static constexpr std::uint32_t kNone = CutCells::kNoRow;
-
-  explicit CutRegions(const CutCells& cells);
-  /// Of the leaves of this mesh.
-  template <std::floating_point T>
-  CutRegions(const CutLeaves& leaves, const OctreeCells<T>& mesh);
-
-  /// The regions, largest first.
-  [[nodiscard]] std::span<const CutRegion> regions() const { return regions_; }
-  /// The region of a piece; kNone for pieces in cells beyond the box.
-  [[nodiscard]] std::uint32_t ofPiece(std::uint32_t piece) const { return ofPiece_[piece]; }
-  /// The region of a cell of the box that is all fluid; kNone for others.
-  [[nodiscard]] std::uint32_t ofCell(const Index3& cell) const;
-  /// The same for a leaf.
-  [[nodiscard]] std::uint32_t ofLeaf(std::uint32_t leaf) const { return ofLeaf_[leaf]; }
-
- private:
-  /// Cells [first, last), counted through the box, of one line along x.
-  struct Run {
-    std::uint64_t first = 0;
-    std::uint64_t last = 0;
-    std::uint32_t region = kNone;
-  };
-  class Builder;
-
-  IndexBox box_{};
-  std::vector<CutRegion> regions_;
-  std::vector<std::uint32_t> ofPiece_;
-  std::vector<Run> runs_;
-  std::vector<std::uint32_t> ofLeaf_;
-};
-
 /// What check() has found about cut cells.
 struct CutCellsReport {
   double fluidVolume = 0;  ///< of all cells
@@ -375,8 +263,6 @@ struct CutCellsReport {
 
 /// Checks what holds for cut cells of any surface.
 [[nodiscard]] CutCellsReport check(const CutCells& cells);
-/// The same for leaves that together fill their domain.
-[[nodiscard]] CutCellsReport check(const CutLeaves& leaves);
 
 /// Cut cells as bytes, for a file or another rank: the grid, all rows and polygons as they lie in
 /// memory, and a checksum. They depend on the cells and the machine's byte order alone.

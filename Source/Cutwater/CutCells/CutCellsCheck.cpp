@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/CutLeaves.hpp>
 #include <Cutwater/CutCells/Detail/Moments/MomentClosure.hpp>
 #include <Cutwater/CutCells/Detail/Rows/CutRows.hpp>
 

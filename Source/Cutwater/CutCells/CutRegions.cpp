@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/CutRegions.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafGrid.hpp>
 
 #include <algorithm>

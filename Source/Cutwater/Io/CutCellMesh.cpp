@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/CutLeaves.hpp>
 #include <Cutwater/Grid/OctreeCells.hpp>
 #include <Cutwater/Io/PointData.hpp>
 

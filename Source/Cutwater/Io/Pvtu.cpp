@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Detail/OutputFile.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Io/Detail/VtkXml.hpp>
-#include <Cutwater/Io/Vtu.hpp>
+#include <Cutwater/Io/VtkFiles.hpp>
 
 namespace cutwater {
 

@@ -1,7 +1,7 @@
 #include <Cutwater/Core/Detail/OutputFile.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Io/Detail/VtkXml.hpp>
-#include <Cutwater/Io/Vti.hpp>
+#include <Cutwater/Io/VtkFiles.hpp>
 
 #include <limits>
 

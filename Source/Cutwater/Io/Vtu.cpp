@@ -2,7 +2,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/OctreeNodes.hpp>
 #include <Cutwater/Io/Detail/VtkXml.hpp>
-#include <Cutwater/Io/Vtu.hpp>
+#include <Cutwater/Io/VtkFiles.hpp>
 
 #include <algorithm>
 #include <limits>

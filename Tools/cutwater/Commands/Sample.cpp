@@ -1,6 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Grid/Fill.hpp>
-#include <Cutwater/Io/Vti.hpp>
+#include <Cutwater/Io/VtkFiles.hpp>
 
 #include <algorithm>
 #include <cmath>

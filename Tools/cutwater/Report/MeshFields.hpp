@@ -2,7 +2,7 @@
 
 #include <Cutwater/Grid/CellPatches.hpp>
 #include <Cutwater/Grid/OctreeFill.hpp>
-#include <Cutwater/Io/VtkArray.hpp>
+#include <Cutwater/Io/VtkFiles.hpp>
 
 #include <array>
 #include <string>

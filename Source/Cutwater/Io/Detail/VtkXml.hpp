@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Io/VtkArray.hpp>
+#include <Cutwater/Io/VtkFiles.hpp>
 
 #include <initializer_list>
 #include <string_view>

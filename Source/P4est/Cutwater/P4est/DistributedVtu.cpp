@@ -1,5 +1,5 @@
 #include <Cutwater/Core/Detail/OutputFile.hpp>
-#include <Cutwater/Io/Vtu.hpp>
+#include <Cutwater/Io/VtkFiles.hpp>
 #include <Cutwater/P4est/Agreement.hpp>
 #include <Cutwater/P4est/DistributedVtu.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Io/Vtu.hpp>
+#include <Cutwater/Io/VtkFiles.hpp>
 #include <Cutwater/P4est/DistributedOctree.hpp>
 
 namespace cutwater {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/CutLeaves.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafTile.hpp>
 
 namespace cutwater {

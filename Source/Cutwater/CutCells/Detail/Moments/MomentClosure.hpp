@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/CutLeaves.hpp>
 
 namespace cutwater {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/CutLeaves.hpp>
 
 #include <algorithm>
 
