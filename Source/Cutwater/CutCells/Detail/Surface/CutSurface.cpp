@@ -130,15 +130,18 @@ CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> t
   }
   constexpr std::uint32_t kLeafWidth = 16;
   tree_ = detail::buildBinaryBvh(boxes_, kLeafWidth, 0);
-  if (isSound) return;
-  const auto positions = inFrame(frame_, soup.points);
-  const auto corners = cornersOf(soup, triangles, side);
-  kinds_ =
-      findSheetKinds({.surface = moved_,
-                      .positions = positions,
-                      .corners = corners,
-                      .trianglesIn = [this](const Box<double>& box) { return trianglesIn(box); },
-                      .windingOutside = windingOutside_});
+  if (!isSound) {
+    const auto positions = inFrame(frame_, soup.points);
+    const auto corners = cornersOf(soup, triangles, side);
+    kinds_ =
+        findSheetKinds({.surface = moved_,
+                        .positions = positions,
+                        .corners = corners,
+                        .trianglesIn = [this](const Box<double>& box) { return trianglesIn(box); },
+                        .windingOutside = windingOutside_});
+  }
+  if (!moved_.overlapping().empty()) kinds_.resize(moved_.triangleCount(), SheetKind::Wall);
+  for (const auto i : moved_.overlapping()) kinds_[i] = SheetKind::Meeting;
 }
 
 bool CutSurface::meetsItself() const {

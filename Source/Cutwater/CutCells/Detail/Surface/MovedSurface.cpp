@@ -59,7 +59,7 @@ void MovedSurface::moveVertices() {
       if (face == 3) saddles.push_back({v, axis});
     }
   }
-  if (!saddles.empty()) splitSaddles(triangles_, saddles);
+  if (!saddles.empty()) overlapping_ = splitSaddles(triangles_, saddles);
 }
 
 }  // namespace cutwater

@@ -3,6 +3,7 @@
 #include <Cutwater/CutCells/Detail/Surface/MovedTriangles.hpp>
 
 #include <span>
+#include <vector>
 
 namespace cutwater {
 
@@ -15,7 +16,8 @@ namespace cutwater {
 ///
 /// At a saddle, a vertex with walls in one plane that face opposite ways, each of them has a copy
 /// of the vertex of its own. Triangles without area close the gaps between copies, and follow those
-/// of the mesh.
+/// of the mesh. Where parts of the surface touch in such a vertex, they overlap once they are
+/// moved.
 class MovedSurface {
  public:
   using Corners = MovedTriangles::Corners;
@@ -36,11 +38,14 @@ class MovedSurface {
     const auto& [a, b, c] = triangles_.corners[id];
     return {triangles_.vertices[a], triangles_.vertices[b], triangles_.vertices[c]};
   }
+  /// Triangles of the mesh at vertices around which moved parts overlap, in ascending order.
+  [[nodiscard]] std::span<const std::uint32_t> overlapping() const { return overlapping_; }
 
  private:
   void moveVertices();
 
   MovedTriangles triangles_;
+  std::vector<std::uint32_t> overlapping_;
 };
 
 }  // namespace cutwater

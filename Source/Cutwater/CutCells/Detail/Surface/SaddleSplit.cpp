@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -15,7 +16,7 @@ class SaddleSplit {
       : all_(triangles), vertexCount_(static_cast<std::uint32_t>(triangles.vertices.size())) {}
 
   /// Takes the vertices at which walls across an axis face both ways, and the axes.
-  void run(std::span<const Saddle> saddles) {
+  std::vector<std::uint32_t> run(std::span<const Saddle> saddles) {
     findPartners();
     for (const auto& [vertex, axis] : saddles) cornersAt_[vertex];
     for (std::uint32_t side = 0; side < partner_.size(); ++side) {
@@ -26,6 +27,7 @@ class SaddleSplit {
     for (const auto& [corner, flips] : flips_) moveCorner(corner, flips);
     closeEdges();
     closeCopies();
+    return overlapping();
   }
 
  private:
@@ -112,6 +114,30 @@ class SaddleSplit {
   }
   [[nodiscard]] int wallFacing(std::uint32_t triangle, int axis) const {
     return all_.facing(triangle, axis);
+  }
+
+  /// The triangles at vertices whose fans of triangles have different copies.
+  [[nodiscard]] std::vector<std::uint32_t> overlapping() const {
+    std::vector<std::uint32_t> found;
+    for (const auto& [vertex, corners] : cornersAt_) {
+      const auto fan = fanFrom(corners.front());
+      std::set<std::uint32_t> copies;
+      std::set<std::uint32_t> others;
+      for (const auto corner : corners) {
+        (fan.contains(corner) ? copies : others).insert(all_.startOf(corner));
+      }
+      if (others.empty() || (copies == others && copies.size() == 1)) continue;
+      for (const auto corner : corners) found.push_back(corner / 3);
+    }
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+  /// The corners at a vertex that are connected with this one across edges.
+  [[nodiscard]] std::set<std::uint32_t> fanFrom(std::uint32_t corner) const {
+    std::set<std::uint32_t> fan;
+    while (fan.insert(corner).second) corner = around(corner, true);
+    return fan;
   }
 
   void moveCorner(std::uint32_t corner, unsigned flips) {
@@ -231,8 +257,9 @@ class SaddleSplit {
 
 }  // namespace
 
-void splitSaddles(MovedTriangles& triangles, std::span<const Saddle> saddles) {
-  SaddleSplit(triangles).run(saddles);
+std::vector<std::uint32_t> splitSaddles(MovedTriangles& triangles,
+                                        std::span<const Saddle> saddles) {
+  return SaddleSplit(triangles).run(saddles);
 }
 
 }  // namespace cutwater

@@ -2,7 +2,9 @@
 
 #include <Cutwater/CutCells/Detail/Surface/MovedTriangles.hpp>
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace cutwater {
 
@@ -13,7 +15,9 @@ struct Saddle {
 };
 
 /// Gives walls at saddles copies of the vertex that are moved to the side to which they face, and
-/// closes the gaps between copies by triangles without area.
-void splitSaddles(MovedTriangles& triangles, std::span<const Saddle> saddles);
+/// closes the gaps between copies by triangles without area. Returns the triangles at vertices in
+/// which parts of the surface touch that have copies of their own: moved, these parts overlap.
+[[nodiscard]] std::vector<std::uint32_t> splitSaddles(MovedTriangles& triangles,
+                                                      std::span<const Saddle> saddles);
 
 }  // namespace cutwater

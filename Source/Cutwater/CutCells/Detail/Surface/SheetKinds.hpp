@@ -15,7 +15,7 @@ enum class SheetKind : std::uint8_t {
   Wall,    ///< all of it separates the winding numbers 0 and 1
   Buried,  ///< all of it separates others: it is no wall
   /// It meets other triangles outside of corners and edges that they share, or lies at an edge of
-  /// more than two triangles: any part of it may be either.
+  /// more than two triangles, or does the former once it is moved: any part of it may be either.
   Meeting
 };
 
