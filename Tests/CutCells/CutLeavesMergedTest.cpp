@@ -193,7 +193,7 @@ TEST(CutLeavesMergedTest, AnOctreeOfOneLevelIsTheGrid) {
     for (std::uint64_t code = 0; code < 512; ++code) {
       leaves.push_back({.index = detail::indexOf(code), .level = 2});
     }
-    expectAsGrid(cutter, Mesh(domain, 2, leaves), {.smallest = n % 3 == 0 ? 0.1 : 0});
+    expectAsGrid(cutter, Mesh(domain, 2, leaves), {.smallest = n % 3 == 0 ? 0 : 0.5});
   }
 }
 
