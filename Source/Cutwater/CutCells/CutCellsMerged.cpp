@@ -53,16 +53,15 @@ class MergeBox final : public MergeGraph::Mesh {
   }
   /// The face below a cell.
   [[nodiscard]] MergeGraph::Arc faceBelow(const Index3& cell, std::uint8_t axis) const {
-    return {.placeBelow = placeOf(beside(cell, axis, false)),
-            .placeAbove = placeOf(cell),
+    return {.owner = placeOf(cell),
+            .other = placeOf(beside(cell, axis, false)),
             .centroid = {},
-            .axis = axis,
-            .owner = placeOf(cell)};
+            .axis = axis};
   }
 
  private:
   /// The cells of the box along an axis, and one more on each side.
-  [[nodiscard]] Place along(std::size_t axis) const { return box_.length(axis) + 2; }
+  [[nodiscard]] Place along(int axis) const { return box_.length(axis) + 2; }
   [[nodiscard]] static Index3 beside(Index3 cell, int axis, bool isHigh) {
     (axis == 0 ? cell.i : axis == 1 ? cell.j : cell.k) += isHigh ? 1 : -1;
     return cell;
@@ -75,7 +74,10 @@ class MergeBox final : public MergeGraph::Mesh {
 class CellMerging {
  public:
   explicit CellMerging(const CutCells& cells)
-      : in_(cells), box_(cells.grid.indices()), mesh_(cells), graph_(mesh_) {
+      : in_(cells),
+        box_(cells.grid.indices()),
+        mesh_(cells),
+        graph_(mesh_, cells.pieceCount, cells.arcs.area.size()) {
     for (std::uint32_t piece = 0; piece < in_.pieceCount; ++piece) {
       graph_.add(MergeGraph::Node{.place = mesh_.placeOf(in_.cells.index[in_.pieces.cell[piece]]),
                                   .source = piece,
@@ -111,10 +113,10 @@ class CellMerging {
     MergedRows rows(in_, graph_, kept, out);
     rows.addPieces();
     const auto nameOf = [](const MergeGraph::Arc& arc) { return std::pair(arc.owner, arc.axis); };
-    for (const auto& arc : rows.openArcs(nameOf)) {
+    rows.forOpenArcs(nameOf, [&](const MergeGraph::Arc& arc) {
       rows.addArc(arc);
       out.arcs.cell.push_back(mesh_.cellAt(arc.owner));
-    }
+    });
     addLost();
     addBodyRuns();
     return std::move(out_);

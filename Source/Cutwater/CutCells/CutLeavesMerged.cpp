@@ -70,11 +70,10 @@ class MergeOctree final : public MergeGraph::Mesh {
   [[nodiscard]] Arc arcIn(std::uint32_t below, std::uint32_t above, std::uint8_t axis) const {
     const bool isHigh =
         above == LeafGrid::kNoLeaf || (below != LeafGrid::kNoLeaf && level(below) > level(above));
-    return {.placeBelow = placeOf(below),
-            .placeAbove = placeOf(above),
+    return {.owner = placeOf(isHigh ? below : above),
+            .other = placeOf(isHigh ? above : below),
             .centroid = {},
             .axis = axis,
-            .owner = placeOf(isHigh ? below : above),
             .isHigh = isHigh};
   }
 
@@ -115,7 +114,10 @@ class MergeOctree final : public MergeGraph::Mesh {
 class LeafMerging {
  public:
   LeafMerging(const CutLeaves& leaves, const LeafGrid& grid)
-      : in_(leaves), grid_(grid), mesh_(grid, leaves.classes), graph_(mesh_) {
+      : in_(leaves),
+        grid_(grid),
+        mesh_(grid, leaves.classes),
+        graph_(mesh_, leaves.pieces.cell.size(), leaves.arcs.area.size()) {
     addPieces();
     addArcs();
   }
@@ -133,12 +135,16 @@ class LeafMerging {
     const auto nameOf = [](const MergeGraph::Arc& arc) {
       return std::tuple(MergeOctree::codeOf(arc.owner), arc.axis, arc.isHigh);
     };
-    for (const auto& arc : rows.openArcs(nameOf)) {
+    rows.forOpenArcs(nameOf, [&](const MergeGraph::Arc& arc) {
       rows.addArc(arc);
-      out.arcs.leafBelow.push_back(leafOrNone(arc.placeBelow));
-      out.arcs.leafAbove.push_back(leafOrNone(arc.placeAbove));
-      out.arcs.faceArea.push_back(grid_.faceArea(mesh_.leafAt(arc.owner), arc.axis));
-    }
+      const bool isNew = arc.source == CutCells::kNoRow;
+      out.arcs.leafBelow.push_back(isNew ? leafOrNone(arc.placeBelow())
+                                         : in_.arcs.leafBelow[arc.source]);
+      out.arcs.leafAbove.push_back(isNew ? leafOrNone(arc.placeAbove())
+                                         : in_.arcs.leafAbove[arc.source]);
+      out.arcs.faceArea.push_back(isNew ? grid_.faceArea(mesh_.leafAt(arc.owner), arc.axis)
+                                        : in_.arcs.faceArea[arc.source]);
+    });
     addLost();
     addClasses();
     return std::move(out_);

@@ -20,7 +20,7 @@ void MergeGraph::add(const Arc& arc) {
     if (side < nodes_.size()) {
       nodes_[side].arcs.push_back(number);
     } else if (side == CutCells::kWholeCell) {
-      ofWhole_[isBelow ? arc.placeBelow : arc.placeAbove].push_back(number);
+      ofWhole_[isBelow ? arc.placeBelow() : arc.placeAbove()].push_back(number);
     }
   }
   arcs_.push_back(arc);
@@ -54,6 +54,7 @@ std::uint32_t MergeGraph::largest(std::uint32_t first, std::uint32_t last) const
 }
 
 bool MergeGraph::isSmall(const Node& node, double share) const {
+  if (share == 0) return false;
   const auto size = mesh_.boxOf(node.place).size();
   return std::clamp(node.volume / (size.x * size.y * size.z), 0.0, 1.0) < share;
 }
@@ -79,13 +80,14 @@ std::uint32_t MergeGraph::nodeOfWhole(Place place) {
   std::set<std::tuple<Place, std::uint8_t, bool>> known;  // the cell across, the axis, and the side
   for (const auto arc : nodes_[number].arcs) {
     auto& it = arcs_[arc];
-    const bool isAbove = it.placeAbove == place;
+    const bool isAbove = it.placeAbove() == place;
     (isAbove ? it.above : it.below) = number;
-    known.emplace(isAbove ? it.placeBelow : it.placeAbove, it.axis, isAbove);
+    known.emplace(isAbove ? it.placeBelow() : it.placeAbove(), it.axis, isAbove);
   }
   for (auto& face : mesh_.facesOfWhole(place)) {
-    const bool isAbove = face.placeAbove == place;
-    if (known.contains({isAbove ? face.placeBelow : face.placeAbove, face.axis, isAbove})) continue;
+    const bool isAbove = face.placeAbove() == place;
+    if (known.contains({isAbove ? face.placeBelow() : face.placeAbove(), face.axis, isAbove}))
+      continue;
     (isAbove ? face.above : face.below) = number;
     add(face);
   }
@@ -104,7 +106,7 @@ void MergeGraph::closeArc(std::uint32_t arc) {
   for (const bool isBelow : {true, false}) {
     auto side = isBelow ? arcs_[arc].below : arcs_[arc].above;
     if (side == CutCells::kWholeCell) {
-      side = nodeOfWhole(isBelow ? arcs_[arc].placeBelow : arcs_[arc].placeAbove);
+      side = nodeOfWhole(isBelow ? arcs_[arc].placeBelow() : arcs_[arc].placeAbove());
     }
     if (side >= nodes_.size() || nodes_[side].isCovered) continue;
     const auto& it = arcs_[arc];

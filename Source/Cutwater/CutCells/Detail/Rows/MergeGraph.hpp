@@ -33,15 +33,17 @@ class MergeGraph {
   struct Arc {
     std::uint32_t below = CutCells::kWholeCell;  ///< a node, kWholeCell or kBeyond
     std::uint32_t above = CutCells::kWholeCell;
-    Place placeBelow = 0;
-    Place placeAbove = 0;
+    Place owner = 0;  ///< the finer cell, whose face it lies in
+    Place other = 0;  ///< the cell across
     double area = 0;
     Vec3<double> centroid;
     std::uint8_t axis = 0;
-    Place owner = 0;                          ///< the finer cell, whose face it lies in
-    bool isHigh = false;                      ///< of that cell's faces across the axis
+    bool isHigh = false;                      ///< of the owner's faces across the axis
     std::uint32_t source = CutCells::kNoRow;  ///< the arc; kNoRow for all of the owner's face
     bool isClosed = false;
+
+    [[nodiscard]] Place placeBelow() const { return isHigh ? owner : other; }
+    [[nodiscard]] Place placeAbove() const { return isHigh ? other : owner; }
   };
 
   /// What the graph asks of its mesh.
@@ -55,7 +57,11 @@ class MergeGraph {
     [[nodiscard]] virtual std::vector<Arc> facesOfWhole(Place place) const = 0;
   };
 
-  explicit MergeGraph(const Mesh& mesh) : mesh_(mesh) {}
+  /// Of about so many pieces and arcs.
+  MergeGraph(const Mesh& mesh, std::size_t pieces, std::size_t arcs) : mesh_(mesh) {
+    nodes_.reserve(pieces);
+    arcs_.reserve(arcs);
+  }
 
   /// Adds a piece; those of a cell one after the other, cells in the order of places.
   void add(Node node) { nodes_.push_back(std::move(node)); }

@@ -6,8 +6,8 @@
 #include <Cutwater/CutCells/Detail/Rows/MergeGraph.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <type_traits>
+#include <utility>
 
 namespace cutwater {
 
@@ -46,14 +46,16 @@ class MergedRows {
     to.insert(to.end(), moments.begin(),
               moments.begin() + static_cast<std::ptrdiff_t>(in_.moments.perArc()));
   }
-  /// The arcs that are open, in the order of nameOf(arc).
-  template <typename NameOf>
-  [[nodiscard]] std::vector<MergeGraph::Arc> openArcs(const NameOf& nameOf) const {
-    std::vector<MergeGraph::Arc> open;
-    std::ranges::copy_if(graph_.arcs(), std::back_inserter(open),
-                         [](const MergeGraph::Arc& arc) { return !arc.isClosed; });
-    std::ranges::stable_sort(open, {}, nameOf);
-    return open;
+  /// Calls visit(arc) for the arcs that are open, in the order of nameOf(arc).
+  template <typename NameOf, typename Visit>
+  void forOpenArcs(const NameOf& nameOf, const Visit& visit) const {
+    std::vector<std::pair<decltype(nameOf(graph_.arcs()[0])), std::uint32_t>> order;
+    order.reserve(graph_.arcs().size());
+    for (std::uint32_t arc = 0; arc < graph_.arcs().size(); ++arc) {
+      if (!graph_.arcs()[arc].isClosed) order.emplace_back(nameOf(graph_.arcs()[arc]), arc);
+    }
+    if (!std::ranges::is_sorted(order)) std::ranges::sort(order);
+    for (const auto& [name, arc] : order) visit(graph_.arcs()[arc]);
   }
 
  private:
