@@ -7,13 +7,13 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 
-#include <cstring>
 #include <functional>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "CutCells/RandomVoxels.hpp"
+#include "CutCells/RowFiles.hpp"
 #include "Support/FileRefusal.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Soups.hpp"
@@ -21,8 +21,6 @@
 
 namespace cutwater::test {
 namespace {
-
-constexpr std::size_t kHead = 32;
 
 /// A box across cells with a ball beside it, in a patch each: walls in planes of the grid, bubbles,
 /// thin cells, cells beyond the box.
@@ -44,11 +42,6 @@ CutCells cutOne(bool polygons) {
                     {.polygons = polygons});
 }
 
-void expectSame(const CutCells::Polygons& a, const CutCells::Polygons& b) {
-  EXPECT_EQ(a.first, b.first);
-  EXPECT_EQ(a.points, b.points);
-}
-
 /// Everything there is.
 void expectSame(const CutCells& a, const CutCells& b) {
   EXPECT_EQ(a.grid.planes, b.grid.planes);
@@ -57,35 +50,11 @@ void expectSame(const CutCells& a, const CutCells& b) {
   EXPECT_EQ(a.cells.firstPiece, b.cells.firstPiece);
   EXPECT_EQ(a.cells.fluidCorners, b.cells.fluidCorners);
   EXPECT_EQ(a.cells.meets, b.cells.meets);
-  EXPECT_EQ(a.pieces.cell, b.pieces.cell);
-  EXPECT_EQ(a.pieces.volume, b.pieces.volume);
-  EXPECT_EQ(a.pieces.centroid, b.pieces.centroid);
-  EXPECT_EQ(a.pieces.wallArea, b.pieces.wallArea);
-  EXPECT_EQ(a.pieces.wallVector, b.pieces.wallVector);
-  EXPECT_EQ(a.pieces.wallCentroid, b.pieces.wallCentroid);
-  EXPECT_EQ(a.arcs.below, b.arcs.below);
-  EXPECT_EQ(a.arcs.above, b.arcs.above);
-  EXPECT_EQ(a.arcs.area, b.arcs.area);
-  EXPECT_EQ(a.arcs.centroid, b.arcs.centroid);
   EXPECT_EQ(a.arcs.cell, b.arcs.cell);
-  EXPECT_EQ(a.arcs.axis, b.arcs.axis);
-  EXPECT_EQ(a.wallParts.piece, b.wallParts.piece);
-  EXPECT_EQ(a.wallParts.patch, b.wallParts.patch);
-  EXPECT_EQ(a.wallParts.area, b.wallParts.area);
-  EXPECT_EQ(a.wallParts.vector, b.wallParts.vector);
-  EXPECT_EQ(a.wallParts.centroid, b.wallParts.centroid);
-  EXPECT_EQ(a.patchNames, b.patchNames);
   EXPECT_EQ(a.cellCount, b.cellCount);
   EXPECT_EQ(a.pieceCount, b.pieceCount);
-  EXPECT_EQ(a.moments.degree, b.moments.degree);
-  EXPECT_EQ(a.moments.volume, b.moments.volume);
-  EXPECT_EQ(a.moments.wall, b.moments.wall);
-  EXPECT_EQ(a.moments.wallVector, b.moments.wallVector);
-  EXPECT_EQ(a.moments.arc, b.moments.arc);
-  EXPECT_EQ(a.firstWallPolygon, b.firstWallPolygon);
   EXPECT_EQ(a.bodyRuns, b.bodyRuns);
-  expectSame(a.arcPolygons, b.arcPolygons);
-  expectSame(a.wallPolygons, b.wallPolygons);
+  expectSameRows(a, b);
 }
 
 void expectComesBack(const CutCells& cells) {
@@ -150,44 +119,14 @@ TEST(CutCellsFileTest, HasTheBytesOfItsVersion) {
   EXPECT_EQ(xxHash64(bytes), 0xa89608c22e7f4565U);
 }
 
-/// What is wrong with the bytes; nothing if they are taken.
-std::string refusalOf(std::span<const std::byte> bytes) {
-  return fileRefusal([&] { return cutCellsFrom(bytes); });
-}
-
 TEST(CutCellsFileTest, EveryBitCounts) {
-  auto bytes = toBytes(cutOne(true));
+  const auto bytes = toBytes(cutOne(true));
   ASSERT_LT(bytes.size(), 6000U);
-  for (std::size_t at = 0; at < bytes.size(); ++at) {
-    for (unsigned bit = 0; bit < 8; ++bit) {
-      bytes[at] ^= std::byte{1} << bit;
-      EXPECT_NE(refusalOf(bytes), "") << "bit " << bit << " of byte " << at;
-      bytes[at] ^= std::byte{1} << bit;
-    }
-  }
-  EXPECT_EQ(refusalOf(bytes), "");
+  expectEveryBitCounts(bytes, cutCellsFrom);
 }
 
 TEST(CutCellsFileTest, RefusesBytesThatAreCutOffOrFollowedByOthers) {
-  auto bytes = toBytes(cutOne(false));
-  for (std::size_t size = 0; size < bytes.size(); ++size) {
-    EXPECT_NE(refusalOf(std::span(bytes).first(size)), "") << size;
-  }
-  for (const std::size_t more : {1U, 8U, 100U}) {
-    auto longer = bytes;
-    longer.resize(bytes.size() + more);
-    EXPECT_EQ(refusalOf(longer),
-              "the file of cut cells is damaged: it is longer than its head tells");
-  }
-}
-
-template <typename Number>
-void put(std::vector<std::byte>& bytes, std::size_t at, Number number) {
-  std::memcpy(bytes.data() + at, &number, sizeof(number));
-}
-
-void makeGood(std::vector<std::byte>& bytes) {
-  put(bytes, 24, checksum(std::span(bytes).subspan(kHead)));
+  expectNeedsItsLength(toBytes(cutOne(false)), cutCellsFrom);
 }
 
 /// All that can be asked of cut cells.
@@ -199,49 +138,12 @@ void ask(const CutCells& cells) {
 }
 
 TEST(CutCellsFileTest, CellsWithAForgedChecksumAreRefusedOrSafeToUse) {
-  const auto intact = toBytes(cutTwo({.polygons = true}));
-  std::mt19937_64 random(5);
-  std::size_t refused = 0;
-  std::size_t taken = 0;
-  const auto tryWith = [&](std::size_t at, std::uint64_t word) {
-    auto bytes = intact;
-    put(bytes, at, word);
-    makeGood(bytes);
-    try {
-      const auto cells = cutCellsFrom(bytes);
-      ++taken;
-      ask(cells);
-    } catch (const Error& error) {
-      ++refused;
-      EXPECT_EQ(error.kind(), ErrorKind::File) << error.what();
-    }
-  };
-  const auto words = (intact.size() - kHead) / 8;
-  for (int n = 0; n < scaled(2000); ++n) {
-    const auto at = kHead + 8 * (random() % words);
-    std::uint64_t before = 0;
-    std::memcpy(&before, intact.data() + at, sizeof(before));
-    for (const auto word : {std::uint64_t{0}, ~std::uint64_t{0}, before + 1, before - 1,
-                            before ^ (std::uint64_t{1} << 32U), std::uint64_t{random()}}) {
-      tryWith(at, word);
-    }
-  }
-  EXPECT_GT(refused, 1000U);
-  EXPECT_GT(taken, 1000U);  // most of these have another digit in a number
+  expectForgeriesAreSafe(toBytes(cutTwo({.polygons = true})), scaled(2000), cutCellsFrom, ask);
 }
 
 /// What toBytes() says of two boxes' cells once something in them is changed.
 std::string flawWith(const std::function<void(CutCells&)>& change) {
-  auto cells = cutTwo({.polygons = true, .moments = 1});
-  change(cells);
-  try {
-    static_cast<void>(toBytes(cells));
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::Argument);
-    const std::string message = error.what();
-    return message.substr(message.rfind(": ") + 2);
-  }
-  return "";
+  return flawAfter(cutTwo({.polygons = true, .moments = 1}), change);
 }
 
 TEST(CutCellsFileTest, PlanesAndCellsAreThoseOfAGrid) {

@@ -33,6 +33,14 @@ inline Mesh randomMesh(std::mt19937& random, int deepest, double lower, double w
   return {OctreeDomain<double>({lower, lower, lower}, width, {1, 1, 1}), deepest, leaves};
 }
 
+/// The same, with 100 leaves at least.
+inline Mesh dividedMesh(std::mt19937& random, int deepest, double lower, double width,
+                        unsigned percent = 60) {
+  auto mesh = randomMesh(random, deepest, lower, width, percent);
+  while (mesh.cells().size() < 100) mesh = randomMesh(random, deepest, lower, width, percent);
+  return mesh;
+}
+
 inline Solid<double> turnedTorus() {
   Solid<double> solid(MeshSDF<double>(tessellation::torus(0.3, 0.1, 40, 20)));
   solid.rotate(33.0, Vec3<double>{1, 2, 3});

@@ -132,10 +132,11 @@ class Coarsening {
   }
 
   void addMoments() {
-    MomentRows rows(out_, fine_.moments.degree);
+    out_.moments.degree = fine_.moments.degree;
+    MomentRows rows(out_.pieces, out_.moments);
     for (std::uint32_t node = 0; node < nodes_.count(); ++node) {
       if (node < fine_.pieceCount) {
-        rows.addPiece(pieceOf_[node], fine_, node);
+        rows.addPiece(pieceOf_[node], fine_.pieces, fine_.moments, node);
       } else {
         rows.addBox(pieceOf_[node], fine_.boxOf(nodes_.cellOf(node)));
       }
@@ -179,7 +180,7 @@ class Coarsening {
       auto& sum = sums.try_emplace(key, face.centroid, count).first->second;
       sum.moments.add(face.area, face.centroid);
       if (count == 0) return;
-      const auto own = momentsOfFace(fine_, face.arc, face.fine, face.axis, sum.about);
+      const auto own = momentsOfFace(fine_, face.arc, fine_.boxOf(face.fine), face.axis, sum.about);
       for (std::size_t i = 0; i < count; ++i) sum.all[i] += own[i];
     });
     for (auto& [key, sum] : sums) {

@@ -2,8 +2,12 @@
 
 #include <Cutwater/Core/Box.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/Grid/OctreeCells.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -76,5 +80,49 @@ struct CutLeaves {
 /// Checks what holds for leaves of any surface that together fill their domain, see check() of
 /// CutCells.
 [[nodiscard]] CutCellsReport check(const CutLeaves& leaves);
+
+/// A piece of a leaf that was covered.
+struct LostLeafPiece {
+  std::uint32_t leaf = 0;
+  double volume = 0;
+};
+
+/// Cut leaves with one piece each, and what was lost.
+struct MergedLeaves {
+  CutLeaves leaves;
+  std::vector<LostLeafPiece> lost;  ///< sorted by leaf
+};
+
+/// One piece a leaf, as merged() of CutCells leaves one a cell. Where leaves of other levels are
+/// across a face, the arcs to them are closed one by one, each in the face of the finer leaf. A
+/// leaf that was all fluid is cut once a part of one of its faces is closed. An octree of one level
+/// gives what its grid gives, to the bit. What is beyond the leaves is kBeyond, and nothing of it
+/// is covered.
+/// @param mesh  the octree whose leaves were cut.
+/// @throws Error(Argument) unless options are within their ranges, and if the octree has another
+/// number of leaves.
+template <std::floating_point T>
+[[nodiscard]] MergedLeaves merged(const CutLeaves& leaves, const OctreeCells<T>& mesh,
+                                  const MergeOptions& options = {});
+extern template MergedLeaves merged(const CutLeaves&, const OctreeCells<float>&,
+                                    const MergeOptions&);
+extern template MergedLeaves merged(const CutLeaves&, const OctreeCells<double>&,
+                                    const MergeOptions&);
+
+/// Cut leaves as bytes, see toBytes() of CutCells.
+/// @throws Error(Argument) if rows do not belong together, as they do in all cut leaves made here.
+[[nodiscard]] std::vector<std::byte> toBytes(const CutLeaves& leaves);
+
+/// The cut leaves of which toBytes() made these bytes, to the bit. The octree is not among them.
+/// @throws Error(File) as cutCellsFrom() does.
+[[nodiscard]] CutLeaves cutLeavesFrom(std::span<const std::byte> bytes);
+
+/// Writes toBytes() to a file that appears under its name only once it is complete.
+/// @throws Error(Argument) as toBytes() does; Error(File) if it cannot be written.
+void saveCutLeaves(const std::filesystem::path& path, const CutLeaves& leaves);
+
+/// Reads a file that saveCutLeaves() wrote.
+/// @throws Error(File) "path: ..." as cutLeavesFrom() does, and if it cannot be read.
+[[nodiscard]] CutLeaves loadCutLeaves(const std::filesystem::path& path);
 
 }  // namespace cutwater

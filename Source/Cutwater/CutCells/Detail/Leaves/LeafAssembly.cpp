@@ -1,8 +1,8 @@
-#include <Cutwater/Core/Detail/DoubleDouble.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/CoarseFace.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/HangingCorners.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafAssembly.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafPolygons.hpp>
+#include <Cutwater/CutCells/Detail/Leaves/WholeLeaves.hpp>
 #include <Cutwater/CutCells/Detail/Moments/Monomials.hpp>
 #include <Cutwater/CutCells/Detail/Rows/PieceRows.hpp>
 
@@ -76,7 +76,7 @@ class LeavesAssembly {
       }
     }
     addArcs();
-    addWholeLeaves();
+    sumWholeLeaves(grid_, out_);
     if (withPolygons_) {
       addWallPolygons();
       insertHangingCorners(grid_, out_);
@@ -311,17 +311,6 @@ class LeavesAssembly {
     if (grid_.leaves()[arc.above.leaf].level != grid_.leaves()[arc.finer].level) return;
     arc.finer = arc.above.leaf;
     arc.isHigh = false;
-  }
-
-  void addWholeLeaves() {
-    DoubleDouble fluid;
-    DoubleDouble body;
-    for (std::uint32_t leaf = 0; leaf < out_.classes.size(); ++leaf) {
-      if (out_.classes[leaf] == FluidClass::Fluid) fluid += grid_.volume(leaf);
-      if (out_.classes[leaf] == FluidClass::Body) body += grid_.volume(leaf);
-    }
-    out_.wholeFluid = static_cast<double>(fluid);
-    out_.wholeBody = static_cast<double>(body);
   }
 
   const CutFrame& frame_;

@@ -5,42 +5,46 @@
 
 namespace cutwater {
 
-/// The moments of an arc, or of the whole face below a cell for kNoRow, in its plane about a point.
-[[nodiscard]] inline std::array<double, Monomials<2>::kCount> momentsOfFace(
-    const CutCells& cells, std::uint32_t arc, const Index3& cell, int axis,
-    const Vec3<double>& about) {
+/// The moments of an arc of cells or leaves in its plane, about a point; for kNoRow, of the whole
+/// face of this box across the axis.
+template <typename Cut>
+[[nodiscard]] std::array<double, Monomials<2>::kCount> momentsOfFace(const Cut& cut,
+                                                                     std::uint32_t arc,
+                                                                     const Box<double>& box,
+                                                                     int axis,
+                                                                     const Vec3<double>& about) {
   if (arc == CutCells::kNoRow) {
-    const auto box = cells.boxOf(cell);
     return momentsOfBox(alongFace(box.lower - about, axis), alongFace(box.upper - about, axis));
   }
   std::array<double, Monomials<2>::kCount> result{};
-  std::ranges::copy(cells.moments.ofArc(arc), result.begin());
-  shift(std::span(result), cells.moments.degree, alongFace(cells.arcs.centroid[arc] - about, axis));
+  std::ranges::copy(cut.moments.ofArc(arc), result.begin());
+  shift(std::span(result), cut.moments.degree, alongFace(cut.arcs.centroid[arc] - about, axis));
   return result;
 }
 
-/// Rows of moments that are sums of others, for the pieces of a CutCells.
+/// Rows of moments that are sums of others, for the pieces of cells or leaves.
 class MomentRows {
  public:
-  /// Of pieces whose centroids are known.
-  MomentRows(CutCells& cells, int degree) : cells_(cells), moments_(cells.moments) {
-    moments_.degree = degree;
-    moments_.volume.resize(cells.pieces.volume.size() * moments_.perPiece());
+  /// Of pieces whose centroids are known, to the degree of `moments`.
+  MomentRows(const CutCells::Pieces& pieces, CutCells::Moments& moments)
+      : pieces_(pieces), moments_(moments) {
+    moments_.volume.resize(pieces.volume.size() * moments_.perPiece());
     moments_.wall.resize(moments_.volume.size());
     moments_.wallVector.resize(moments_.volume.size());
   }
 
   /// Those of a piece of other cells.
-  void addPiece(std::size_t to, const CutCells& cells, std::size_t piece) {
-    add(cells.moments.ofVolume(piece), cells.pieces.centroid[piece] - cells_.pieces.centroid[to],
-        moments_.volume, to);
-    const auto ofWall = cells.pieces.wallCentroid[piece] - cells_.pieces.wallCentroid[to];
-    add(cells.moments.ofWall(piece), ofWall, moments_.wall, to);
-    add(cells.moments.ofWallVector(piece), ofWall, moments_.wallVector, to);
+  void addPiece(std::size_t to, const CutCells::Pieces& pieces, const CutCells::Moments& moments,
+                std::size_t piece) {
+    add(moments.ofVolume(piece), pieces.centroid[piece] - pieces_.centroid[to], moments_.volume,
+        to);
+    const auto ofWall = pieces.wallCentroid[piece] - pieces_.wallCentroid[to];
+    add(moments.ofWall(piece), ofWall, moments_.wall, to);
+    add(moments.ofWallVector(piece), ofWall, moments_.wallVector, to);
   }
   /// Those of a box of fluid.
   void addBox(std::size_t to, const Box<double>& box) {
-    const auto& centroid = cells_.pieces.centroid[to];
+    const auto& centroid = pieces_.centroid[to];
     const auto own = momentsOfBox(asArray(box.lower - centroid), asArray(box.upper - centroid));
     for (std::size_t i = 0; i < moments_.perPiece(); ++i) {
       moments_.volume[to * moments_.perPiece() + i] += own[i];
@@ -66,7 +70,7 @@ class MomentRows {
                std::span(rows).subspan(to * row.size(), row.size()));
   }
 
-  CutCells& cells_;
+  const CutCells::Pieces& pieces_;
   CutCells::Moments& moments_;
 };
 

@@ -1,3 +1,4 @@
+#include <Cutwater/CutCells/Detail/Rows/CutRows.hpp>
 #include <Cutwater/CutCells/Detail/Rows/RowFlaws.hpp>
 
 #include <algorithm>
@@ -49,9 +50,68 @@ bool isGrid(const CellPlanes& grid) {
   return count < 0x1p62;
 }
 
-class Rows {
+/// Whether pieces are those of their cells, in order.
+template <typename Cut>
+bool arePieces(const Cut& cut) {
+  const auto& [cell, volume, centroid, wallArea, wallVector, wallCentroid] = cut.pieces;
+  const auto& first = rowsOf(cut).firstPiece;
+  if (!areAsLong(cell.size(), volume, centroid, wallArea, wallVector, wallCentroid)) return false;
+  for (std::size_t row = 0; row + 1 < first.size(); ++row) {
+    for (auto p = first[row]; p < first[row + 1]; ++p) {
+      if (cell[p] != row) return false;
+    }
+  }
+  return areFinite(volume) && areFinite(centroid) && areFinite(wallArea) && areFinite(wallVector) &&
+         areFinite(wallCentroid);
+}
+
+template <typename Cut>
+bool areWallParts(const Cut& cut) {
+  const auto& [piece, patch, area, vector, centroid] = cut.wallParts;
+  if (!areAsLong(piece.size(), patch, area, vector, centroid)) return false;
+  if (!std::ranges::is_sorted(piece)) return false;
+  if (!piece.empty() && piece.back() >= cut.pieces.cell.size()) return false;
+  const auto patches = cut.patchNames.size();
+  return std::ranges::all_of(patch, [=](auto id) { return id < patches; }) && areFinite(area) &&
+         areFinite(vector) && areFinite(centroid);
+}
+
+template <typename Cut>
+bool areMoments(const Cut& cut) {
+  const auto& moments = cut.moments;
+  const auto& [degree, volume, wall, wallVector, arc] = moments;
+  if (degree < -1 || degree > CutCells::Moments::kHighest) return false;
+  const auto pieces = degree < 0 ? 0 : moments.perPiece() * cut.pieces.cell.size();
+  const auto arcs = degree < 0 ? 0 : moments.perArc() * cut.arcs.area.size();
+  return areAsLong(pieces, volume, wall, wallVector) && areAsLong(arcs, arc) && areFinite(volume) &&
+         areFinite(wall) && areFinite(wallVector) && areFinite(arc);
+}
+
+template <typename Cut>
+bool arePolygons(const Cut& cut) {
+  const auto& arcs = cut.arcPolygons;
+  const auto& walls = cut.wallPolygons;
+  for (const auto* polygons : {&arcs, &walls}) {
+    const auto& [first, points] = *polygons;
+    if (first.empty() || !areStarts(first, polygons->count(), points.size())) return false;
+    if (!areFinite(points)) return false;
+  }
+  const auto& first = cut.firstWallPolygon;
+  if (first.empty()) return arcs.count() == 0 && walls.count() == 0;
+  return arcs.count() == cut.arcs.area.size() &&
+         areStarts(first, cut.wallParts.piece.size(), walls.count());
+}
+
+/// What of an arc, whose cells are some, lies beside it.
+template <typename Cut>
+bool areBeside(const Cut& cut, std::size_t arc) {
+  return canBeBeside(cut, arc, true, cut.arcs.below[arc]) &&
+         canBeBeside(cut, arc, false, cut.arcs.above[arc]);
+}
+
+class CellRows {
  public:
-  explicit Rows(const CutCells& cells) : cells_(cells), box_(cells.grid.indices()) {
+  explicit CellRows(const CutCells& cells) : cells_(cells), box_(cells.grid.indices()) {
     const auto& [lo, hi] = box_;
     around_ = {{lo.i - 1, lo.j - 1, lo.k - 1}, {hi.i + 1, hi.j + 1, hi.k + 1}};
   }
@@ -59,11 +119,11 @@ class Rows {
   [[nodiscard]] const char* flaw() const {
     if (!areCells()) return "its cells are not those of a grid, in order";
     if (!areBodyRuns()) return "its runs of cells without fluid are none";
-    if (!arePieces()) return "its pieces do not belong to its cells";
+    if (!hasItsPieces() || !arePieces(cells_)) return "its pieces do not belong to its cells";
     if (!areArcs()) return "its arcs do not lie between its pieces";
-    if (!areWallParts()) return "its walls do not belong to its pieces";
-    if (!areMoments()) return "its moments do not belong to its pieces and arcs";
-    if (!arePolygons()) return "its polygons do not belong to its arcs and walls";
+    if (!areWallParts(cells_)) return "its walls do not belong to its pieces";
+    if (!areMoments(cells_)) return "its moments do not belong to its pieces and arcs";
+    if (!arePolygons(cells_)) return "its polygons do not belong to its arcs and walls";
     return nullptr;
   }
 
@@ -91,18 +151,8 @@ class Rows {
     }
     return end <= box_.count();
   }
-  [[nodiscard]] bool arePieces() const {
-    const auto& [cell, volume, centroid, wallArea, wallVector, wallCentroid] = cells_.pieces;
-    const auto& first = cells_.cells.firstPiece;
-    if (cells_.pieceCount != first[cells_.cellCount]) return false;
-    if (!areAsLong(cell.size(), volume, centroid, wallArea, wallVector, wallCentroid)) return false;
-    for (std::size_t row = 0; row + 1 < first.size(); ++row) {
-      for (auto p = first[row]; p < first[row + 1]; ++p) {
-        if (cell[p] != row) return false;
-      }
-    }
-    return areFinite(volume) && areFinite(centroid) && areFinite(wallArea) &&
-           areFinite(wallVector) && areFinite(wallCentroid);
+  [[nodiscard]] bool hasItsPieces() const {
+    return cells_.pieceCount == cells_.cells.firstPiece[cells_.cellCount];
   }
   [[nodiscard]] bool areArcs() const {
     const auto& [below, above, area, centroid, cell, axis] = cells_.arcs;
@@ -114,50 +164,10 @@ class Rows {
       if (axis[a] > 2 || !around_.contains(cell[a])) return false;
       const auto under = cells_.arcs.cellBelow(a);
       if (!box_.contains(cell[a]) && !box_.contains(under)) return false;
-      if (!isBeside(below[a], under) || !isBeside(above[a], cell[a])) return false;
+      if (!areBeside(cells_, a)) return false;
       if (a > 0 && key(a) < key(a - 1)) return false;
     }
     return areFinite(area) && areFinite(centroid);
-  }
-  /// Whether a side of an arc can be what lies in the cell there.
-  [[nodiscard]] bool isBeside(std::uint32_t side, const Index3& cell) const {
-    const auto& owner = cells_.pieces.cell;
-    if (side < owner.size()) return cells_.cells.index[owner[side]] == cell;
-    const bool isInBox = box_.contains(cell);
-    if (side == CutCells::kBeyond) return !isInBox;
-    if (side != CutCells::kWholeCell) return false;
-    return !isInBox || cells_.classOf(cell) == FluidClass::Fluid;
-  }
-  [[nodiscard]] bool areWallParts() const {
-    const auto& [piece, patch, area, vector, centroid] = cells_.wallParts;
-    if (!areAsLong(piece.size(), patch, area, vector, centroid)) return false;
-    if (!std::ranges::is_sorted(piece)) return false;
-    if (!piece.empty() && piece.back() >= cells_.pieces.cell.size()) return false;
-    const auto patches = cells_.patchNames.size();
-    return std::ranges::all_of(patch, [=](auto id) { return id < patches; }) && areFinite(area) &&
-           areFinite(vector) && areFinite(centroid);
-  }
-  [[nodiscard]] bool areMoments() const {
-    const auto& moments = cells_.moments;
-    const auto& [degree, volume, wall, wallVector, arc] = moments;
-    if (degree < -1 || degree > CutCells::Moments::kHighest) return false;
-    const auto pieces = degree < 0 ? 0 : moments.perPiece() * cells_.pieces.cell.size();
-    const auto arcs = degree < 0 ? 0 : moments.perArc() * cells_.arcs.area.size();
-    return areAsLong(pieces, volume, wall, wallVector) && areAsLong(arcs, arc) &&
-           areFinite(volume) && areFinite(wall) && areFinite(wallVector) && areFinite(arc);
-  }
-  [[nodiscard]] bool arePolygons() const {
-    const auto& arcs = cells_.arcPolygons;
-    const auto& walls = cells_.wallPolygons;
-    for (const auto* polygons : {&arcs, &walls}) {
-      const auto& [first, points] = *polygons;
-      if (first.empty() || !areStarts(first, polygons->count(), points.size())) return false;
-      if (!areFinite(points)) return false;
-    }
-    const auto& first = cells_.firstWallPolygon;
-    if (first.empty()) return arcs.count() == 0 && walls.count() == 0;
-    return arcs.count() == cells_.arcs.area.size() &&
-           areStarts(first, cells_.wallParts.piece.size(), walls.count());
   }
 
   const CutCells& cells_;
@@ -165,11 +175,110 @@ class Rows {
   IndexBox around_;
 };
 
+class LeafRows {
+ public:
+  explicit LeafRows(const CutLeaves& leaves) : leaves_(leaves) {}
+
+  [[nodiscard]] const char* flaw() const {
+    if (!areClasses()) return "its classes are not those of leaves";
+    if (!areLeaves()) return "its leaves are not those that are cut, in order";
+    if (!arePieces(leaves_)) return "its pieces do not belong to its leaves";
+    if (!areArcs()) return "its arcs do not lie between its pieces";
+    if (!areWallParts(leaves_)) return "its walls do not belong to its pieces";
+    if (!areMoments(leaves_)) return "its moments do not belong to its pieces and arcs";
+    if (!arePolygons(leaves_)) return "its polygons do not belong to its arcs and walls";
+    return nullptr;
+  }
+
+ private:
+  [[nodiscard]] bool areClasses() const {
+    const auto& classes = leaves_.classes;
+    if (classes.size() >= CutLeaves::kNoLeaf) return false;
+    // Where there are none, they have no volume.
+    const auto isVolume = [&](double volume, FluidClass of) {
+      return std::isfinite(volume) && volume >= 0 &&
+             (volume == 0 || std::ranges::find(classes, of) != classes.end());
+    };
+    return std::ranges::all_of(classes, [](FluidClass it) { return it < FluidClass::Unknown; }) &&
+           isVolume(leaves_.wholeFluid, FluidClass::Fluid) &&
+           isVolume(leaves_.wholeBody, FluidClass::Body);
+  }
+  [[nodiscard]] bool areLeaves() const {
+    const auto& [leaf, box, firstPiece, fluidCorners] = leaves_.cut;
+    const auto& classes = leaves_.classes;
+    if (!areAsLong(leaf.size(), box, fluidCorners)) return false;
+    if (!areStarts(firstPiece, leaf.size(), leaves_.pieces.cell.size())) return false;
+    if (std::ranges::adjacent_find(leaf, std::greater_equal()) != leaf.end()) return false;
+    if (std::ranges::count(classes, FluidClass::Cut) != std::ssize(leaf)) return false;
+    for (std::size_t row = 0; row < leaf.size(); ++row) {
+      const auto& [lower, upper] = box[row];
+      if (leaf[row] >= classes.size() || classes[leaf[row]] != FluidClass::Cut) return false;
+      if (!isFinite(lower) || !isFinite(upper) || !(maxComponent(lower - upper) < 0)) return false;
+    }
+    return true;
+  }
+  [[nodiscard]] bool areArcs() const {
+    const auto& [below, above, leafBelow, leafAbove, area, centroid, faceArea, axis] = leaves_.arcs;
+    if (!areAsLong(area.size(), below, above, leafBelow, leafAbove, centroid, faceArea, axis)) {
+      return false;
+    }
+    Place last{};
+    for (std::size_t a = 0; a < area.size(); ++a) {
+      if (axis[a] > 2 || !isLeaf(leafBelow[a]) || !isLeaf(leafAbove[a])) return false;
+      if (leafBelow[a] == leafAbove[a] || !areBeside(leaves_, a) || !haveCommonFace(a)) {
+        return false;
+      }
+      if (!isInOrder(a, last)) return false;
+    }
+    return areFinite(area) && areFinite(centroid) && areFinite(faceArea);
+  }
+  [[nodiscard]] bool isLeaf(std::uint32_t leaf) const {
+    return leaf == CutLeaves::kNoLeaf || leaf < leaves_.classes.size();
+  }
+  /// At least one side of an arc is a piece; and if both are, their leaves touch.
+  [[nodiscard]] bool haveCommonFace(std::size_t arc) const {
+    const auto pieces = leaves_.pieces.cell.size();
+    const auto below = leaves_.arcs.below[arc];
+    const auto above = leaves_.arcs.above[arc];
+    if (below >= pieces && above >= pieces) return false;
+    if (below >= pieces || above >= pieces) return true;
+    const auto& under = boxOfRow(leaves_, leaves_.pieces.cell[below]);
+    const auto& over = boxOfRow(leaves_, leaves_.pieces.cell[above]);
+    const int axis = leaves_.arcs.axis[arc];
+    auto gap = max(under.lower, over.lower) - min(under.upper, over.upper);
+    gap[axis] = -1;
+    return under.upper[axis] == over.lower[axis] && maxComponent(gap) < 0;
+  }
+
+  /// By which arcs are sorted: the finer leaf, the axis, and whether it is a high face.
+  using Place = std::tuple<std::uint32_t, std::uint8_t, bool>;
+  /// Takes the next arc's place, the first one that it can have: which leaf is the finer one is not
+  /// known, nor where in the order leaves of other ranks are.
+  [[nodiscard]] bool isInOrder(std::size_t arc, Place& last) const {
+    const auto& arcs = leaves_.arcs;
+    if (arcs.leafBelow[arc] == CutLeaves::kNoLeaf || arcs.leafAbove[arc] == CutLeaves::kNoLeaf) {
+      return true;
+    }
+    const Place ofBelow{arcs.leafBelow[arc], arcs.axis[arc], true};
+    const Place ofAbove{arcs.leafAbove[arc], arcs.axis[arc], false};
+    const auto& [first, second] = std::minmax(ofBelow, ofAbove);
+    if (second < last) return false;
+    last = first < last ? second : first;
+    return true;
+  }
+
+  const CutLeaves& leaves_;
+};
+
 }  // namespace
 
 const char* flawOf(const CutCells& cells) {
   if (!isGrid(cells.grid)) return "its planes are not those of a grid";
-  return Rows(cells).flaw();
+  return CellRows(cells).flaw();
+}
+
+const char* flawOf(const CutLeaves& leaves) {
+  return LeafRows(leaves).flaw();
 }
 
 }  // namespace cutwater

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/CutLeaves.hpp>
 
 namespace cutwater {
 
@@ -9,5 +10,7 @@ namespace cutwater {
 /// and what rows say of each other. Null if all is well. Numbers must be finite; whether volumes
 /// and areas are right is for check().
 [[nodiscard]] const char* flawOf(const CutCells& cells);
+/// The same of leaves. Whether they are those of some octree, functions that take it must see.
+[[nodiscard]] const char* flawOf(const CutLeaves& leaves);
 
 }  // namespace cutwater
