@@ -84,7 +84,11 @@ class Merging {
     }
     return kept;
   }
+  /// Cells without a wall, which open patches bound, need none.
   [[nodiscard]] bool hasDirection(const Node& node) const {
+    const bool isPiece = node.source != CutCells::kNoRow;
+    const double wall = isPiece ? in_.pieces.wallArea[node.source] : 0;
+    if (wall == 0 && node.closed.size() == 0) return true;
     const double face = std::max(
         {in_.faceArea(node.cell, 0), in_.faceArea(node.cell, 1), in_.faceArea(node.cell, 2)});
     return length(node.wallVector) > kNoDirection * face;

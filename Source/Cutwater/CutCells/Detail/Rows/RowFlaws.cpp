@@ -114,17 +114,19 @@ class Rows {
       if (axis[a] > 2 || !around_.contains(cell[a])) return false;
       const auto under = cells_.arcs.cellBelow(a);
       if (!box_.contains(cell[a]) && !box_.contains(under)) return false;
-      if (!isBeside(below[a], under) || !isBeside(above[a], cell[a])) return false;
+      if (!isBeside(below[a], under, above[a])) return false;
+      if (!isBeside(above[a], cell[a], below[a])) return false;
       if (a > 0 && key(a) < key(a - 1)) return false;
     }
     return areFinite(area) && areFinite(centroid);
   }
-  /// Whether a side of an arc can be what lies in the cell there.
-  [[nodiscard]] bool isBeside(std::uint32_t side, const Index3& cell) const {
+  /// Whether a side of an arc can be what lies in the cell there; beyond an open patch, which has a
+  /// piece on the other side, that is not told.
+  [[nodiscard]] bool isBeside(std::uint32_t side, const Index3& cell, std::uint32_t other) const {
     const auto& owner = cells_.pieces.cell;
     if (side < owner.size()) return cells_.cells.index[owner[side]] == cell;
     const bool isInBox = box_.contains(cell);
-    if (side == CutCells::kBeyond) return !isInBox;
+    if (side == CutCells::kBeyond) return !isInBox || other < cells_.pieceCount;
     if (side != CutCells::kWholeCell) return false;
     return !isInBox || cells_.classOf(cell) == FluidClass::Fluid;
   }

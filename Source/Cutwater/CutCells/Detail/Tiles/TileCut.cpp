@@ -87,8 +87,11 @@ void addArcPolygons(const TileParts& parts, TileCut& out) {
   auto& outlines = out.polygons.arcs;
   const auto& arcs = out.content.arcs;
   while (outlines.count() < arcs.size()) {
-    const auto face = arcs[outlines.count()].face;
-    if (parts.faces.isCut(face)) {
+    const auto& arc = arcs[outlines.count()];
+    const auto face = arc.face;
+    if (arc.isOpenPatch()) {
+      outlines.add({});
+    } else if (parts.faces.isCut(face)) {
       addOutlines(parts.surface, parts.stretches, parts.faces, parts.planes, face, outlines);
     } else {
       addWholeOutline(parts.surface.numbers(), parts.planes, face, outlines);
@@ -102,7 +105,12 @@ void addWallPolygons(const TileSurface& surface, TileCut& out) {
   for (std::uint32_t i = 0; i < fragments.size(); ++i) {
     const auto piece = out.content.ofFragments[i];
     const auto patch = surface.patchOf(fragments[i].triangle);
-    if (piece != kNone && patch != kNone) walls.push_back({piece, patch, i});
+    if (piece == kNone || patch == kNone) continue;
+    if (out.content.isWall(i)) {
+      walls.push_back({piece, patch, i});
+    } else if (out.content.openArcOf[i] != CellPieces::kNoArea) {
+      walls.push_back({piece, TilePolygons::kOfArc + out.content.openArcOf[i], i});
+    }
   }
   std::ranges::sort(walls);
   for (const auto& [piece, patch, fragment] : walls) {
@@ -118,7 +126,8 @@ TileParts::TileParts(const CutSurface& whole, const TileInput& input)
     : wanted(input.wanted),
       frame(whole.frame()),
       planes(input.planes),
-      surface(whole.moved(), whole.patches(), input.triangles, planes, whole.kinds()),
+      surface(whole.moved(), whole.patches(), input.triangles, planes, whole.kinds(),
+              whole.openKinds()),
       stretches(surface, planes, input.winding),
       faces(surface, stretches, planes, wanted) {}
 
