@@ -81,18 +81,20 @@ TEST(DocsTest, DuctsWithOpenEnds) {
   const Level<double> level({0, 0, 0}, {0.125, 0.125, 0.125});
   const auto indices = IndexBox::ofSize(8, 8, 8);
   double open = 0;
-  const auto useInlet = [&](const Index3& cell, double aperture) {
-    EXPECT_EQ(cell.i, 2);
+  const auto useOpening = [&](const std::string& patch, const Index3& cell, double aperture) {
+    EXPECT_EQ(cell.i, patch == "inlet" ? 2 : 6);
     open += aperture;
   };
   // [DOCS
   const CellCutter cutter(duct, FluidSide::Inside, {.openPatches = {"inlet", "outlet"}});
   const CutCells cells = cutter.cut(GridPatch<double>{level, indices});
-  for (std::uint32_t a = 0; a < cells.arcs.area.size(); ++a) {
-    if (cells.arcs.below[a] == CutCells::kBeyond) useInlet(cells.arcs.cell[a], cells.aperture(a));
+  for (std::size_t n = 0; n < cells.openArcs.arc.size(); ++n) {
+    const auto arc = cells.openArcs.arc[n];
+    const auto& patch = cells.patchNames[cells.openArcs.patch[n]];
+    useOpening(patch, cells.arcs.cell[arc], cells.aperture(arc));
   }
   // DOCS]
-  EXPECT_NEAR(open, 0.31 * 0.37 * 64, 1e-13);
+  EXPECT_NEAR(open, 2 * 0.31 * 0.37 * 64, 1e-13);
 }
 
 TEST(DocsTest, SectionsInAPlane) {

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <functional>
+#include <map>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -46,12 +48,9 @@ inline Solid<double> ductOf(const PolygonSoup& soup) {
       })));
 }
 
-/// Whether an arc leads from a piece of the box out of an open patch, in the midst of cells.
+/// Whether an arc is a part of an open patch.
 inline bool isOpenPatch(const CutCells& cells, std::size_t arc) {
-  const auto isPiece = [&](std::uint32_t side) { return side < cells.pieceCount; };
-  const auto [below, above] = std::pair(cells.arcs.below[arc], cells.arcs.above[arc]);
-  return (below == CutCells::kBeyond && isPiece(above)) ||
-         (above == CutCells::kBeyond && isPiece(below));
+  return cells.openArcs.patchOf(static_cast<std::uint32_t>(arc)) != CutCells::kNoRow;
 }
 
 /// What a piece has of open patches: areas, and vectors out of the fluid.
@@ -61,19 +60,26 @@ struct OpenSum {
   Vec3<double> moment;  ///< areas times centroids
 };
 
-/// Of cells that were cut, where no arc at the rim of the box leads to kBeyond otherwise.
-inline std::vector<OpenSum> openSums(const CutCells& cells) {
-  std::vector<OpenSum> sums(cells.pieceCount);
+/// By piece and patch.
+using OpenSums = std::map<std::pair<std::uint32_t, std::uint32_t>, OpenSum>;
+inline OpenSums openSums(const CutCells& cells) {
+  OpenSums sums;
   const auto& arcs = cells.arcs;
-  for (std::size_t a = 0; a < arcs.area.size(); ++a) {
-    if (!isOpenPatch(cells, a)) continue;
+  for (std::size_t n = 0; n < cells.openArcs.arc.size(); ++n) {
+    const auto a = cells.openArcs.arc[n];
     const bool isUp = arcs.above[a] == CutCells::kBeyond;
-    auto& sum = sums[isUp ? arcs.below[a] : arcs.above[a]];
+    EXPECT_NE(isUp, arcs.below[a] == CutCells::kBeyond);
+    auto& sum = sums[{isUp ? arcs.below[a] : arcs.above[a], cells.openArcs.patch[n]}];
     sum.area += arcs.area[a];
     sum.vector[arcs.axis[a]] += isUp ? arcs.area[a] : -arcs.area[a];
     sum.moment += arcs.area[a] * arcs.centroid[a];
   }
   return sums;
+}
+inline double openArea(const CutCells& cells) {
+  double area = 0;
+  for (const auto& [key, sum] : openSums(cells)) area += sum.area;
+  return area;
 }
 
 /// That cells with open patches are those of the same surface with walls instead, to the bit, and
@@ -102,17 +108,22 @@ inline void expectOpened(const CutCells& open, const CutCells& closed,
       EXPECT_EQ(open.wallParts.centroid[left++], walls.centroid[w]);
       if (piece < open.pieceCount) areas[piece] += walls.area[w];
     } else if (piece < open.pieceCount) {
-      sums[piece].area -= walls.area[w];
-      sums[piece].vector -= walls.vector[w];
-      sums[piece].moment -= walls.area[w] * walls.centroid[w];
+      auto& sum = sums[{piece, walls.patch[w]}];
+      sum.area -= walls.area[w];
+      sum.vector -= walls.vector[w];
+      sum.moment -= walls.area[w] * walls.centroid[w];
     }
   }
   for (std::uint32_t p = 0; p < open.pieceCount; ++p) {
     const double face = open.faceArea(open.cells.index[open.pieces.cell[p]], 0);
     EXPECT_NEAR(open.pieces.wallArea[p], areas[p], 1e-14 * face);
-    EXPECT_NEAR(sums[p].area, 0, 1e-14 * face);
-    EXPECT_LT(length(sums[p].vector), 1e-14 * face);
-    EXPECT_LT(length(sums[p].moment), 1e-14 * face);
+  }
+  for (const auto& [key, sum] : sums) {
+    ASSERT_LT(key.first, open.pieceCount);
+    const double face = open.faceArea(open.cells.index[open.pieces.cell[key.first]], 0);
+    EXPECT_NEAR(sum.area, 0, 1e-14 * face);
+    EXPECT_LT(length(sum.vector), 1e-14 * face);
+    EXPECT_LT(length(sum.moment), 1e-14 * face);
   }
   std::size_t arc = 0;  // of those of the closed surface
   for (std::size_t a = 0; a < open.arcs.area.size(); ++a) {

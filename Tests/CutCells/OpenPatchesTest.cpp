@@ -7,6 +7,7 @@
 #include <Cutwater/Surface/Tessellation.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <random>
@@ -45,6 +46,7 @@ void expectEnds(const CutCells& cells, int first, int last) {
     ASSERT_EQ(cells.arcs.axis[a], 0);
     const bool isUp = cells.arcs.above[a] == CutCells::kBeyond;
     ASSERT_EQ(cells.arcs.cell[a].i, isUp ? last : first);
+    EXPECT_EQ(cells.openArcs.patchOf(static_cast<std::uint32_t>(a)), isUp ? 2U : 1U);
     EXPECT_EQ(cells.arcs.centroid[a].x, isUp ? 0.75 : 0.25);
     ends[isUp ? 1 : 0].area += cells.arcs.area[a];
     ends[isUp ? 1 : 0].moment += cells.arcs.area[a] * cells.arcs.centroid[a];
@@ -155,9 +157,7 @@ TEST(OpenPatchesTest, AnAnnulusIsOneApertureWithAHole) {
     expectIdentities(cells, 1e-14);
     expectPolygonsOf(cells);
     EXPECT_LT(check(cells).worstMoments, 1e-14);
-    double area = 0;
-    for (const auto& sum : openSums(cells)) area += sum.area;
-    EXPECT_NEAR(area, 2 * 18.0 / 256, 1e-15);
+    EXPECT_NEAR(openArea(cells), 2 * 18.0 / 256, 1e-15);
   }
   // All of an end in one face.
   const std::vector<double> x{0, 0.25, 0.75, 1};
@@ -204,18 +204,20 @@ TEST(OpenPatchesTest, InRandomVoxelsTakeThePlaceOfWalls) {
   EXPECT_GT(arcs, 1000U);
 }
 
-/// The open parts in the faces of each coarse cell, and the number of its pieces.
-std::map<std::tuple<int, int, int>, std::array<double, 7>> openOf(const CutCells& cells) {
-  std::map<std::tuple<int, int, int>, std::array<double, 7>> result;
+/// What open patches have of the faces of each cell, and the number of its pieces.
+auto openOf(const CutCells& cells) {
+  std::map<std::tuple<int, int, int, std::uint32_t>, std::array<double, 6>> result;
   for (std::uint32_t p = 0; p < cells.pieceCount; ++p) {
     const auto& at = cells.cells.index[cells.pieces.cell[p]];
-    result[{at.i, at.j, at.k}][6] += 1;
+    result[{at.i, at.j, at.k, CutCells::kNoRow}][0] += 1;
   }
   for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
-    if (!isOpenPatch(cells, a)) continue;
+    const auto patch = cells.openArcs.patchOf(static_cast<std::uint32_t>(a));
+    if (patch == CutCells::kNoRow) continue;
     const bool isUp = cells.arcs.above[a] == CutCells::kBeyond;
     const auto at = isUp ? cells.arcs.cellBelow(a) : cells.arcs.cell[a];
-    result[{at.i, at.j, at.k}][2 * cells.arcs.axis[a] + (isUp ? 1 : 0)] += cells.arcs.area[a];
+    result[{at.i, at.j, at.k, patch}][2 * cells.arcs.axis[a] + (isUp ? 1 : 0)] +=
+        cells.arcs.area[a];
   }
   return result;
 }
@@ -226,7 +228,6 @@ TEST(OpenPatchesTest, CoarsenedCellsAreThoseOfTheCoarseGrid) {
     const auto side = n % 2 == 0 ? FluidSide::Outside : FluidSide::Inside;
     const Solid<double> solid{MeshSDF<double>(randomlyPatched(random, randomVoxels(random), 2))};
     const CellCutter cutter(solid, side, {.openPatches = {"a", "b"}});
-    // Around all voxels, so that no other arcs lead beyond the box.
     const auto fine = cutter.cut(unitGrid(24, -0.25, 1.25), {.moments = 2});
     const auto half = coarsened(fine, {2, 2, 2});
     expectIdentities(half, 1e-13);
@@ -242,6 +243,30 @@ TEST(OpenPatchesTest, CoarsenedCellsAreThoseOfTheCoarseGrid) {
     const auto again = refusal([&] { return coarsened(half, {2, 2, 2}); });
     EXPECT_NE(again.find("need open patches in planes between coarse cells"), std::string::npos);
   }
+}
+
+TEST(OpenPatchesTest, FilesWithOtherOpenArcsAreRefused) {
+  const auto cells = CellCutter(ductOf(duct()), FluidSide::Inside, kEndsOpen).cut(unitGrid(8));
+  const auto flawWith = [&](const std::function<void(CutCells&)>& damage) {
+    auto damaged = cells;
+    damage(damaged);
+    return refusal([&] { return toBytes(damaged); });
+  };
+  const std::string flaw =
+      "toBytes: need cut cells as they are made: its arcs do not lie between its pieces";
+  EXPECT_EQ(flawWith([](CutCells&) {}), "");
+  EXPECT_EQ(flawWith([](CutCells& c) { c.openArcs = {}; }), flaw);
+  EXPECT_EQ(flawWith([](CutCells& c) { c.openArcs.arc.pop_back(); }), flaw);
+  EXPECT_EQ(flawWith([](CutCells& c) { c.openArcs.patch.pop_back(); }), flaw);
+  EXPECT_EQ(flawWith([](CutCells& c) { c.openArcs.patch[0] = 3; }), flaw);
+  EXPECT_EQ(flawWith([](CutCells& c) { std::swap(c.openArcs.arc[0], c.openArcs.arc[1]); }), flaw);
+  EXPECT_EQ(flawWith([](CutCells& c) {
+              const auto a = c.openArcs.arc[0];
+              std::swap(c.arcs.below[a], c.arcs.above[a]);
+            }),
+            flaw);
+  auto bytes = toBytes(cells);
+  EXPECT_EQ(toBytes(cutCellsFrom(bytes)), bytes);
 }
 
 TEST(OpenPatchesTest, MergingKeepsCellsThatOpenPatchesBoundAlone) {

@@ -70,8 +70,8 @@ class CellCutter {
   /// The cells of a box.
   /// @throws Error(Argument) unless planes ascend and are finite, and options are within their
   /// ranges; Error(Topology) if polygons or moments are asked for and the surface meets itself, and
-  /// where an open patch lies in a cell of the box, but in none of its faces, or in a cell where
-  /// triangles meet. Whether it lies in a face is decided exactly.
+  /// where an open patch lies in a cell of the box, but in none of its faces, which is
+  /// decided exactly.
   [[nodiscard]] CutCells cut(const CellPlanes& grid, const CutOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>

@@ -92,6 +92,14 @@ struct CutCells {
     /// The cell below the face of an arc.
     [[nodiscard]] Index3 cellBelow(std::size_t arc) const;
   };
+  /// The arcs that are parts of open patches, see CutterOptions.
+  struct OpenArcs {
+    std::vector<std::uint32_t> arc;    ///< their rows, ascending
+    std::vector<std::uint32_t> patch;  ///< index into patchNames
+
+    /// The open patch of an arc; kNoRow for others.
+    [[nodiscard]] std::uint32_t patchOf(std::uint32_t row) const;
+  };
   /// What each patch of the surface has of a piece's wall.
   struct WallParts {
     std::vector<std::uint32_t> piece;
@@ -157,6 +165,7 @@ struct CutCells {
   Cells cells;                          ///< see above, as all rows
   Pieces pieces;                        ///< their volumes and walls
   Arcs arcs;                            ///< what connects pieces across faces
+  OpenArcs openArcs;                    ///< which of them are open patches
   WallParts wallParts;                  ///< walls by patch
   std::vector<std::string> patchNames;  ///< of the surface
   std::size_t cellCount = 0;            ///< of the box: the rows of cells beyond it follow

@@ -36,7 +36,7 @@ static_assert(sizeof(FileHead) == 32);
 /// Visits all that is in cut cells. What is added to them and not named here does not compile.
 template <typename Cells, typename Visit>
 void visitRows(Cells& all, Visit&& visit) {
-  auto& [grid, cells, pieces, arcs, wallParts, patchNames, cellCount, pieceCount, moments,
+  auto& [grid, cells, pieces, arcs, openArcs, wallParts, patchNames, cellCount, pieceCount, moments,
          arcPolygons, wallPolygons, firstWallPolygon, bodyRuns] = all;
   auto& [planes, first] = grid;
   for (auto& across : planes) visit(across);
@@ -57,6 +57,14 @@ void visitRows(Cells& all, Visit&& visit) {
   visitEach(degree, ofVolumes, ofWalls, ofWallVectors, ofArcs);
   for (auto* polygons : {&arcPolygons, &wallPolygons}) visitEach(polygons->first, polygons->points);
   visitEach(firstWallPolygon, bodyRuns);
+}
+
+/// What follows where there are open patches.
+template <typename Cells, typename Visit>
+void visitOpenArcs(Cells& all, Visit&& visit) {
+  auto& [arc, patch] = all.openArcs;
+  visit(arc);
+  visit(patch);
 }
 
 class RowWriter {
@@ -187,6 +195,7 @@ std::vector<std::byte> toBytes(const CutCells& cells) {
   }
   RowWriter writer;
   visitRows(cells, writer);
+  if (!cells.openArcs.arc.empty()) visitOpenArcs(cells, writer);
   return std::move(writer).finish();
 }
 
@@ -194,6 +203,10 @@ CutCells cutCellsFrom(std::span<const std::byte> bytes) {
   CutCells cells;
   RowReader reader(checkedBody(bytes));
   visitRows(cells, reader);
+  if (!reader.isAtEnd()) {
+    visitOpenArcs(cells, reader);
+    requireUndamaged(!cells.openArcs.arc.empty(), "something follows its last array");
+  }
   requireUndamaged(reader.isAtEnd(), "something follows its last array");
   const auto* const flaw = flawOf(cells);
   requireUndamaged(flaw == nullptr, flaw);

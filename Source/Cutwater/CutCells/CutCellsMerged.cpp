@@ -2,6 +2,7 @@
 #include <Cutwater/CutCells/CutCells.hpp>
 #include <Cutwater/CutCells/Detail/Moments/MomentRows.hpp>
 #include <Cutwater/CutCells/Detail/Moments/Moments.hpp>
+#include <Cutwater/CutCells/Detail/Rows/OpenRows.hpp>
 
 #include <algorithm>
 #include <map>
@@ -303,6 +304,8 @@ class Merging {
     };
     auto& arcs = out_.cells.arcs;
     for (const auto& arc : arcs_) {
+      const auto patch = in_.openArcs.patchOf(arc.source);
+      if (patch != CutCells::kNoRow) addOpenRow(arcs.area.size(), patch, out_.cells.openArcs);
       arcs.below.push_back(sideOf(arc.below));
       arcs.above.push_back(sideOf(arc.above));
       arcs.area.push_back(arc.area);

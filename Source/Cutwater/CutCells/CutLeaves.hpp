@@ -50,6 +50,7 @@ struct CutLeaves {
   Leaves cut;                           ///< see above, as all rows
   CutCells::Pieces pieces;              ///< their volumes and walls; `cell` is the row of the leaf
   Arcs arcs;                            ///< what connects pieces across faces
+  CutCells::OpenArcs openArcs;          ///< which of them are open patches
   CutCells::WallParts wallParts;        ///< walls by patch
   std::vector<std::string> patchNames;  ///< of the surface
   std::vector<FluidClass> classes;      ///< of every leaf; never Unknown

@@ -275,6 +275,7 @@ class LeavesAssembly {
   void addOpenPart(const ArcOrigin& origin) {
     const auto& tile = sources_.tileOf(origin.source);
     const auto& arc = tile.cut.content.arcs[origin.arc];
+    if (arc.isOpenPatch()) addOpenRow(out_.arcs.area.size(), arc.patch, out_.openArcs);
     out_.arcs.area.push_back(arc.area / (frame_.scale * frame_.scale));
     out_.arcs.centroid.push_back(frame_.toWorld(arc.centroid));
     if (out_.moments.degree >= 0) addArcMoments(tile.cut.moments, origin.arc, out_.moments);

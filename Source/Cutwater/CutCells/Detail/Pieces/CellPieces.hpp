@@ -21,13 +21,11 @@ struct PieceArc {
   [[nodiscard]] bool isOpenPatch() const { return patch != kNone; }
 };
 
-/// A fragment of an open patch that cannot be a part of an arc: it lies in no plane of its cell, or
-/// meets others.
+/// A fragment of an open patch that cannot be a part of an arc: it lies in no plane of its cell.
 struct OpenMisfit {
   std::uint32_t triangle = 0;
   std::uint32_t cell = 0;
   Vec3<double> point;
-  bool meets = false;
 };
 
 /// The pieces of the cells that a surface meets, in the order of cells, and what connects them, in

@@ -70,12 +70,13 @@ class OpenArcs {
     const auto face = openFaceOf(surface_, planes_, fragment);
     const auto piece = out_.ofFragments[number];
     if (!face.isOpen || (piece == kNone && !meets)) return;
-    if (meets || !face.isFace()) {
-      if (isFilm(surface_.points(fragment))) return;
-      out_.misfits.push_back(
-          {fragment.triangle, fragment.cell, surface_.points(fragment).front(), meets});
-      return;
+    if (!face.isFace()) {
+      const auto points = surface_.points(fragment);
+      if (!isFilm(points)) {
+        out_.misfits.push_back({fragment.triangle, fragment.cell, points.front()});
+      }
     }
+    if (!face.isFace() || meets) return;  // see MeetingCells
     parts_.push_back({number, piece, surface_.patchOf(fragment.triangle), face});
     out_.openArcOf[number] = CellPieces::kNoArea;
   }

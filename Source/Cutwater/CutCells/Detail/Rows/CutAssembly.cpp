@@ -274,6 +274,7 @@ class Assembly {
   void addArc(const ArcSource& source, std::uint32_t below, std::uint32_t above) {
     const auto& frame = surface_.frame();
     const auto& arc = arcOf(source);
+    if (arc.isOpenPatch()) addOpenRow(out_.arcs.area.size(), arc.patch, out_.openArcs);
     out_.arcs.below.push_back(below);
     out_.arcs.above.push_back(above);
     out_.arcs.area.push_back(arc.area / (frame.scale * frame.scale));

@@ -59,7 +59,7 @@ inline bool canBeBeside(const CutCells& cells, std::size_t arc, bool isBelow, st
   }
   const bool isInBox = cells.grid.indices().contains(cell);
   if (piece == CutCells::kBeyond) {
-    return !isInBox || (isBelow ? cells.arcs.above : cells.arcs.below)[arc] < cells.pieceCount;
+    return !isInBox || cells.openArcs.patchOf(static_cast<std::uint32_t>(arc)) != CutCells::kNoRow;
   }
   return piece == CutCells::kWholeCell && (!isInBox || cells.classOf(cell) == FluidClass::Fluid);
 }

@@ -23,9 +23,8 @@ namespace {
 
 /// What is wrong with a triangle of an open patch.
 std::string faultOf(const CutSurface& surface, const OpenMisfit& misfit) {
-  if (misfit.meets) return "meets other triangles";
-  const auto kind = surface.openKinds()[misfit.triangle];
-  return hasAxis(kind) ? "lies in no plane of the grid" : "is across no axis";
+  return hasAxis(surface.openKinds()[misfit.triangle]) ? "lies in no plane of the grid"
+                                                       : "is across no axis";
 }
 
 }  // namespace
@@ -41,7 +40,7 @@ void refuseMisfits(const CutSurface& surface, std::span<const OpenMisfit> misfit
   throw Error(ErrorKind::Topology, "cut cells: the open patch \"" + name + "\" " +
                                        faultOf(surface, first) + " at (" + detail::toText(p.x) +
                                        ", " + detail::toText(p.y) + ", " + detail::toText(p.z) +
-                                       "); it must lie in planes of the grid and meet nothing");
+                                       "); it must lie in planes of the grid");
 }
 
 }  // namespace cutwater

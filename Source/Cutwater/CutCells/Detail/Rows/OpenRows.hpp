@@ -12,6 +12,12 @@ namespace cutwater {
 [[nodiscard]] std::vector<Vec3<double>> openOutline(const CutCells::Polygons& parts,
                                                     const FaceAxes& axes, bool isBelow);
 
+/// Notes that an arc is a part of an open patch.
+inline void addOpenRow(std::size_t arc, std::uint32_t patch, CutCells::OpenArcs& rows) {
+  rows.arc.push_back(static_cast<std::uint32_t>(arc));
+  rows.patch.push_back(patch);
+}
+
 /// Throws Error(Topology) that names the first of these by triangle and place, if there are any.
 void refuseMisfits(const CutSurface& surface, std::span<const OpenMisfit> misfits);
 

@@ -110,23 +110,35 @@ class Rows {
     const auto key = [&arcs = cells_.arcs](std::size_t a) {
       return std::tuple(placeInOrder(arcs.cell[a]), arcs.axis[a]);
     };
+    std::size_t open = 0;  // of those of open patches
     for (std::size_t a = 0; a < area.size(); ++a) {
       if (axis[a] > 2 || !around_.contains(cell[a])) return false;
       const auto under = cells_.arcs.cellBelow(a);
       if (!box_.contains(cell[a]) && !box_.contains(under)) return false;
-      if (!isBeside(below[a], under, above[a])) return false;
-      if (!isBeside(above[a], cell[a], below[a])) return false;
+      const bool isOpen = open < cells_.openArcs.arc.size() && cells_.openArcs.arc[open] == a;
+      if (isOpen && !leadsOut(below[a], above[a]) && !leadsOut(above[a], below[a])) return false;
+      if (isOpen) ++open;
+      if (!isBeside(below[a], under, isOpen) || !isBeside(above[a], cell[a], isOpen)) return false;
       if (a > 0 && key(a) < key(a - 1)) return false;
     }
-    return areFinite(area) && areFinite(centroid);
+    return open == cells_.openArcs.arc.size() && areAsLong(open, cells_.openArcs.patch) &&
+           arePatches(cells_.openArcs.patch) && areFinite(area) && areFinite(centroid);
   }
-  /// Whether a side of an arc can be what lies in the cell there; beyond an open patch, which has a
-  /// piece on the other side, that is not told.
-  [[nodiscard]] bool isBeside(std::uint32_t side, const Index3& cell, std::uint32_t other) const {
+  /// From a piece of the box.
+  [[nodiscard]] bool leadsOut(std::uint32_t side, std::uint32_t other) const {
+    return side == CutCells::kBeyond && other < cells_.pieceCount;
+  }
+  [[nodiscard]] bool arePatches(const std::vector<std::uint32_t>& numbers) const {
+    const auto count = cells_.patchNames.size();
+    return std::ranges::all_of(numbers, [=](auto patch) { return patch < count; });
+  }
+  /// Whether a side of an arc can be what lies in the cell there. What is beyond an open patch can
+  /// be anywhere.
+  [[nodiscard]] bool isBeside(std::uint32_t side, const Index3& cell, bool isOpen) const {
     const auto& owner = cells_.pieces.cell;
     if (side < owner.size()) return cells_.cells.index[owner[side]] == cell;
     const bool isInBox = box_.contains(cell);
-    if (side == CutCells::kBeyond) return !isInBox || other < cells_.pieceCount;
+    if (side == CutCells::kBeyond) return isOpen || !isInBox;
     if (side != CutCells::kWholeCell) return false;
     return !isInBox || cells_.classOf(cell) == FluidClass::Fluid;
   }
@@ -135,9 +147,7 @@ class Rows {
     if (!areAsLong(piece.size(), patch, area, vector, centroid)) return false;
     if (!std::ranges::is_sorted(piece)) return false;
     if (!piece.empty() && piece.back() >= cells_.pieces.cell.size()) return false;
-    const auto patches = cells_.patchNames.size();
-    return std::ranges::all_of(patch, [=](auto id) { return id < patches; }) && areFinite(area) &&
-           areFinite(vector) && areFinite(centroid);
+    return arePatches(patch) && areFinite(area) && areFinite(vector) && areFinite(centroid);
   }
   [[nodiscard]] bool areMoments() const {
     const auto& moments = cells_.moments;

@@ -154,7 +154,7 @@ class PlaneCutter {
         openFaceOf(surface_, planes_, {.cell = cell, .triangle = t.triangle});
     if (!isOpen) return false;
     if (axis != 0 && axis != 1) {
-      out_.content.misfits.push_back({t.triangle, cell, t.from, false});
+      out_.content.misfits.push_back({t.triangle, cell, t.from});
       return false;
     }
     auto place = out_.numbers.placeOfCell(cell);
