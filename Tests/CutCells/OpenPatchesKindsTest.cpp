@@ -5,6 +5,7 @@
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Io/PointData.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Surface/SurfaceMeasure.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 
 #include <algorithm>
@@ -127,6 +128,74 @@ TEST(OpenPatchesKindsTest, InAPlaneTheyAreArcsOfSides) {
   const auto cut = [&] { return off.cutInPlane(cellsBetween({others, planes, {0, 1}}), 0.5); };
   EXPECT_NE(refusal(cut).find("\"outlet\" lies in no plane of the grid at (0.75, "),
             std::string::npos);
+}
+
+TEST(OpenPatchesKindsTest, InPlanesOfRandomVoxelsTheyTakeThePlaceOfWalls) {
+  std::mt19937 random(5);
+  for (int n = 0; n < scaled(6) && !HasFailure(); ++n) {
+    const auto side = n % 2 == 0 ? FluidSide::Outside : FluidSide::Inside;
+    const Solid<double> solid{MeshSDF<double>(withPatches(
+        meshOf(randomVoxels(random)).soup(), {"wall", "a", "b"},
+        [&](const FlatTriangle&) { return static_cast<std::uint32_t>(random() % 3); }))};
+    const auto grid = planesOf(unitGrid(16));
+    const double z = 0.3 + 0.05 * n;
+    const auto open =
+        CellCutter(solid, side, {.openPatches = {"a"}}).cutInPlane(grid, z, {.threads = 2});
+    expectIdentities(open, 1e-13);
+    EXPECT_GT(open.openArcs.arc.size(), 20U);
+    expectOpened(open, CellCutter(solid, side).cutInPlane(grid, z),
+                 [](std::uint32_t patch) { return patch == 1; });
+  }
+}
+
+/// A bend: the half of a torus at y >= 0, without its ends.
+PolygonSoup bend(int sides) {
+  const auto whole = tessellation::torus(0.3, 0.1, 36, sides);
+  PolygonSoup half;
+  half.points = whole.points;
+  for (auto& p : half.points) p.y = std::abs(p.y) < 1e-12 ? 0 : p.y;
+  for (std::size_t i = 0; i < whole.polygonCount(); ++i) {
+    const auto corners = whole.polygon(i);
+    const auto isBehind = [&](std::uint32_t corner) { return half.points[corner].y >= 0; };
+    if (std::ranges::all_of(corners, isBehind)) half.addPolygon(corners);
+  }
+  return half;
+}
+
+TEST(OpenPatchesKindsTest, ABendIsOpenAtItsEndsOnAllLevels) {
+  for (const int sides : {5, 16}) {
+    const auto soup = bend(sides);
+    const Solid<double> solid{MeshSDF<double>(soup)};
+    const CellCutter cutter(solid, FluidSide::Inside, {.capHoles = true, .openPatches = {"cap"}});
+    const double section = 0.5 * sides * 0.01 * std::sin(2 * std::numbers::pi / sides);
+    double volume = 0;
+    const auto expectBend = [&](const auto& cut) {
+      expectIdentities(cut, 1e-13);
+      const auto report = check(cut);
+      EXPECT_NEAR(report.wallArea, measure(soup).area, 1e-13);
+      EXPECT_LT(report.worstMoments, 1e-13);
+      EXPECT_NEAR(openAreas(cut).back(), 2 * section, 1e-15);
+      if (volume == 0) volume = report.fluidVolume;
+      EXPECT_NEAR(report.fluidVolume, volume, 1e-14);
+    };
+    const CutOptions all{.polygons = true, .moments = 2};
+    for (const int n : {4, 10, 26}) {
+      const auto cells = cutter.cut(unitGrid(n, -0.5, 0.5), all);
+      expectBend(cells);
+      expectPolygonsOf(cells);
+    }
+    for (const int finest : {1, 2, 4}) {
+      const OctreeDomain<double> domain({-0.5, -0.5, -0.5}, 0.25, {4, 4, 4});
+      const Octree<double> mesh(solid, domain, {.cut = 1, .edges = {{40, finest}}},
+                                {.balance = Balance::None});
+      const auto leaves = cutter.cut(mesh, all);
+      expectBend(leaves);
+      expectPolygonsOf(leaves, 10);
+      const CutRegions regions(leaves, mesh);
+      ASSERT_EQ(regions.regions().size(), 1U);
+      EXPECT_TRUE(regions.regions()[0].goesOn);
+    }
+  }
 }
 
 /// Without the triangles that lie across an axis.
