@@ -216,7 +216,7 @@ cw_status cw_cells_pieces(const cw_cells* cells, cw_pieces* rows);
 /// In place of the row of a piece beside an arc.
 enum {
   CW_WHOLE_CELL = -2,  ///< all of the cell there is fluid
-  CW_BEYOND = -3       ///< the cell there is not known
+  CW_BEYOND = -3       ///< the cell there is not known, or fluid goes on beyond an open patch
 };
 
 /// Open parts of the faces between cells.

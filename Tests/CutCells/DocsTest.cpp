@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "CutCells/OpenCells.hpp"
 #include "Support/DamagedSoups.hpp"
 #include "Support/Soups.hpp"
 #include "Support/TemporaryFolder.hpp"
@@ -73,6 +74,27 @@ TEST(DocsTest, TubesWithoutEnds) {
   EXPECT_NEAR(check(cells).fluidVolume, 0.5 * 12 * 0.5 * 0.09 * std::sin(std::numbers::pi / 6),
               1e-15);
   EXPECT_EQ(cells.patchNames.back(), "cap");
+}
+
+TEST(DocsTest, DuctsWithOpenEnds) {
+  const auto duct = ductOf(tessellation::box({0.25, 0.3, 0.35}, {0.75, 0.61, 0.72}));
+  const Level<double> level({0, 0, 0}, {0.125, 0.125, 0.125});
+  const auto indices = IndexBox::ofSize(8, 8, 8);
+  double open = 0;
+  const auto useOpening = [&](const std::string& patch, const Index3& cell, double aperture) {
+    EXPECT_EQ(cell.i, patch == "inlet" ? 2 : 6);
+    open += aperture;
+  };
+  // [DOCS
+  const CellCutter cutter(duct, FluidSide::Inside, {.openPatches = {"inlet", "outlet"}});
+  const CutCells cells = cutter.cut(GridPatch<double>{level, indices});
+  for (std::size_t n = 0; n < cells.openArcs.arc.size(); ++n) {
+    const auto arc = cells.openArcs.arc[n];
+    const auto& patch = cells.patchNames[cells.openArcs.patch[n]];
+    useOpening(patch, cells.arcs.cell[arc], cells.aperture(arc));
+  }
+  // DOCS]
+  EXPECT_NEAR(open, 2 * 0.31 * 0.37 * 64, 1e-13);
 }
 
 TEST(DocsTest, SectionsInAPlane) {

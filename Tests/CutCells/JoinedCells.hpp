@@ -173,7 +173,12 @@ class JoinedCells {
       };
       const auto pieces = std::pair(pieceOf(a), pieceOf(b));
       if (std::min(pieces.first, pieces.second) >= leaves.pieces.cell.size()) return;
-      auto& sum = expected[{leafOf(below), leafOf(above), axis, pieces.first, pieces.second}];
+      // Beyond an open patch, there is no leaf.
+      const auto leafBeside = [&](const Index3& cell, std::uint32_t node) {
+        return node == CutLeaves::kBeyond ? CutLeaves::kNoLeaf : leafOf(cell);
+      };
+      auto& sum =
+          expected[{leafBeside(below, a), leafBeside(above, b), axis, pieces.first, pieces.second}];
       sum.first += area;
       sum.second += area * centroid;
     });

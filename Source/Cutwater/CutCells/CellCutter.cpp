@@ -77,7 +77,8 @@ std::shared_ptr<const CutSurface> surfaceOf(const Solid<T>& solid, FluidSide sid
   const auto& mesh = checkedMesh(solid, options);
   auto triangles = placedTriangles(solid, mesh);
   if (!mesh.signReport().isClosed()) addCaps(triangles);
-  return std::make_shared<const CutSurface>(triangles, side, mesh.signReport().isSound());
+  const auto open = patchesCalled(options.openPatches, triangles.patchNames);
+  return std::make_shared<const CutSurface>(triangles, side, mesh.signReport().isSound(), open);
 }
 
 void requireSimple(const CutSurface& surface, const char* what) {

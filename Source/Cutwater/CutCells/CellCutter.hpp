@@ -8,6 +8,8 @@
 #include <Cutwater/Sdf/Solid.hpp>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace cutwater {
 
@@ -31,6 +33,10 @@ struct CutterOptions {
   /// Whether to close the holes of an open surface, by triangles across their rims, in a patch of
   /// their own named "cap", the last one. If false, open surfaces are refused.
   bool capHoles = false;
+  /// The names of patches that are no walls but open, such as inlets, outlets and planes of
+  /// symmetry. They must lie in planes of the grid: what they have of a face is an arc that leads
+  /// to CutCells::kBeyond, and the fluid goes on there. See Docs/cut-cells.md.
+  std::vector<std::string> openPatches = {};
 };
 
 /// Cuts the cells of grids by a closed surface: the body is where its winding number is positive,
@@ -54,7 +60,8 @@ class CellCutter {
   /// @param solid  a MeshSDF, placed anyhow: its vertices are rounded in the world.
   /// @param side  where the fluid is.
   /// @param options  see there.
-  /// @throws Error(Argument) for other solids; Error(Topology) unless the surface is closed, or is
+  /// @throws Error(Argument) for other solids, and for open patches that there are none of, or that
+  /// are named twice; Error(Topology) unless the surface is closed, or is
   /// to be, and can be oriented, see MeshSDF::signReport(), and if all of its triangles cancel each
   /// other.
   template <std::floating_point T>
@@ -63,7 +70,9 @@ class CellCutter {
 
   /// The cells of a box.
   /// @throws Error(Argument) unless planes ascend and are finite, and options are within their
-  /// ranges; Error(Topology) if polygons or moments are asked for and the surface meets itself.
+  /// ranges; Error(Topology) if polygons or moments are asked for and the surface meets itself, and
+  /// where an open patch lies in a cell of the box, but in none of its faces, which is
+  /// decided exactly.
   [[nodiscard]] CutCells cut(const CellPlanes& grid, const CutOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>
@@ -75,7 +84,8 @@ class CellCutter {
   /// alone; its polygons have corners of the leaves across its edges as well. An octree of one
   /// level gives the pieces and arcs of the grid patch, to the bit.
   /// @throws Error(Argument) if leaves are so small that their planes do not ascend, and unless
-  /// options are within their ranges; Error(Topology) if the surface meets itself.
+  /// options are within their ranges; Error(Topology) if the surface meets itself, and where an
+  /// open patch lies in a leaf, but in none of its faces.
   template <std::floating_point T>
   [[nodiscard]] CutLeaves cut(const OctreeCells<T>& mesh, const CutOptions& options = {}) const;
 

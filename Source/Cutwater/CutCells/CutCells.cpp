@@ -64,6 +64,12 @@ Index3 CutCells::Arcs::cellBelow(std::size_t arc) const {
   return index;
 }
 
+std::uint32_t CutCells::OpenArcs::patchOf(std::uint32_t row) const {
+  const auto found = std::ranges::lower_bound(arc, row);
+  return found != arc.end() && *found == row ? patch[static_cast<std::size_t>(found - arc.begin())]
+                                             : kNoRow;
+}
+
 void CutCells::Polygons::add(std::span<const Vec3<double>> polygon) {
   points.insert(points.end(), polygon.begin(), polygon.end());
   first.push_back(points.size());

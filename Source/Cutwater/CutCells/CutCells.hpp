@@ -40,11 +40,14 @@ struct CellPlanes {
 /// the units of the grid: sums over pieces are those of the whole. Nothing refers to the solid.
 ///
 /// An arc at the rim of the box may lead to a piece beyond it. The cells that lie there, and their
-/// pieces, follow those of the box; cells that were coarsened know nothing of them.
+/// pieces, follow those of the box; cells that were coarsened know nothing of them. What an open
+/// patch (see CutterOptions) has of a piece's boundary is an arc that leads to kBeyond, whatever
+/// cell is across the face: the last ones of a face.
 struct CutCells {
   /// In place of a piece beside an arc: all of the cell there is fluid.
   static constexpr std::uint32_t kWholeCell = 0xfffffffe;
-  /// The same: the cell there lies beyond the box, and is not known.
+  /// The same: the cell there lies beyond the box, and is not known, or the piece on the other side
+  /// goes on beyond an open patch.
   static constexpr std::uint32_t kBeyond = 0xfffffffd;
   /// In place of a row: there is none.
   static constexpr std::uint32_t kNoRow = 0xffffffff;
@@ -88,6 +91,14 @@ struct CutCells {
 
     /// The cell below the face of an arc.
     [[nodiscard]] Index3 cellBelow(std::size_t arc) const;
+  };
+  /// The arcs that are parts of open patches, see CutterOptions.
+  struct OpenArcs {
+    std::vector<std::uint32_t> arc;    ///< their rows, ascending
+    std::vector<std::uint32_t> patch;  ///< index into patchNames
+
+    /// The open patch of an arc; kNoRow for others.
+    [[nodiscard]] std::uint32_t patchOf(std::uint32_t row) const;
   };
   /// What each patch of the surface has of a piece's wall.
   struct WallParts {
@@ -154,6 +165,7 @@ struct CutCells {
   Cells cells;                          ///< see above, as all rows
   Pieces pieces;                        ///< their volumes and walls
   Arcs arcs;                            ///< what connects pieces across faces
+  OpenArcs openArcs;                    ///< which of them are open patches
   WallParts wallParts;                  ///< walls by patch
   std::vector<std::string> patchNames;  ///< of the surface
   std::size_t cellCount = 0;            ///< of the box: the rows of cells beyond it follow
@@ -207,7 +219,7 @@ struct CutCells {
 /// is kBeyond. There are no polygons, and corners in the surface may be on the other side. Moments
 /// are sums of those of the cells. Repeat it for further levels, down to one cell.
 /// @throws Error(Argument) unless the ratios are at least 1 and divide the box's first index and
-/// its number of cells along each axis.
+/// its number of cells along each axis, and if an open patch lies within a coarse cell.
 [[nodiscard]] CutCells coarsened(const CutCells& cells, const std::array<int, 3>& ratios);
 
 /// Options of merged().
@@ -231,8 +243,8 @@ struct MergedCells {
 /// For hosts that hold one piece a cell: keeps the largest piece of each cell, and covers the
 /// others. Their volume becomes body, and faces that led to them become wall of the cells beside
 /// them, in a patch named "covered", the last one. Cells that are left without a direction of their
-/// wall, because its vector is zero, are covered, too. Nothing is joined: fluid that a plate keeps
-/// apart stays apart.
+/// wall, because its vector is zero, are covered, too; those without a wall, bounded by open
+/// patches alone, are not. Nothing is joined: fluid that a plate keeps apart stays apart.
 ///
 /// A cell that was all fluid is cut once one of its faces is closed. There are no polygons. What
 /// lies beyond the box is kBeyond, and nothing of it is covered: for boxes that must agree, cut

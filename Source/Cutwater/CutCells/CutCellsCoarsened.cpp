@@ -2,6 +2,7 @@
 #include <Cutwater/CutCells/Detail/Moments/MomentRows.hpp>
 #include <Cutwater/CutCells/Detail/Moments/Moments.hpp>
 #include <Cutwater/CutCells/Detail/Rows/CoarseNodes.hpp>
+#include <Cutwater/CutCells/Detail/Rows/OpenRows.hpp>
 
 #include <algorithm>
 #include <map>
@@ -164,19 +165,19 @@ class Coarsening {
     }
   }
 
-  /// Those between the same two pieces are one.
+  /// Those between the same two pieces are one, and those of an open patch.
   void addArcs() {
     const auto pieceAt = [&](std::uint32_t node) {
       return node < nodes_.count() ? pieceOf_[node] : node;
     };
     using Order = std::tuple<std::int32_t, std::int32_t, std::int32_t, int>;
     const auto count = fine_.moments.perArc();
-    std::map<std::tuple<Order, std::uint32_t, std::uint32_t>, ArcSum> sums;
+    std::map<std::tuple<Order, std::uint32_t, std::uint32_t, std::uint32_t>, ArcSum> sums;
     nodes_.forFaces([&](const CoarseNodes::Face& face) {
       if (!face.isBetween) return;
       const auto& cell = face.cell;
       const std::tuple key(Order(cell.k, cell.j, cell.i, face.axis), pieceAt(face.below),
-                           pieceAt(face.above));
+                           pieceAt(face.above), fine_.openArcs.patchOf(face.arc));
       auto& sum = sums.try_emplace(key, face.centroid, count).first->second;
       sum.moments.add(face.area, face.centroid);
       if (count == 0) return;
@@ -184,8 +185,9 @@ class Coarsening {
       for (std::size_t i = 0; i < count; ++i) sum.all[i] += own[i];
     });
     for (auto& [key, sum] : sums) {
-      const auto& [order, below, above] = key;
+      const auto& [order, below, above, patch] = key;
       const auto& [k, j, i, axis] = order;
+      if (patch != CutCells::kNoRow) addOpenRow(out_.arcs.area.size(), patch, out_.openArcs);
       out_.arcs.cell.push_back({i, j, k});
       out_.arcs.axis.push_back(static_cast<std::uint8_t>(axis));
       out_.arcs.below.push_back(below);

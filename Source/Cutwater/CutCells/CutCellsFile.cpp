@@ -9,12 +9,12 @@ namespace cutwater {
 namespace {
 
 constexpr RowFileKind kCellsFile{
-    .magic = {'\x89', 'C', 'u', 't', 'C', 'e', 'l', '\x1a'}, .version = 2, .rows = "cells"};
+    .magic = {'\x89', 'C', 'u', 't', 'C', 'e', 'l', '\x1a'}, .version = 3, .rows = "cells"};
 
 /// Visits all that is in cut cells. What is added to them and not named here does not compile.
 template <typename Cells, typename Visit>
 void visitCells(Cells& all, Visit&& visit) {
-  auto& [grid, cells, pieces, arcs, wallParts, patchNames, cellCount, pieceCount, moments,
+  auto& [grid, cells, pieces, arcs, openArcs, wallParts, patchNames, cellCount, pieceCount, moments,
          arcPolygons, wallPolygons, firstWallPolygon, bodyRuns] = all;
   auto& [planes, first] = grid;
   for (auto& across : planes) visit(across);
@@ -27,6 +27,7 @@ void visitCells(Cells& all, Visit&& visit) {
   visitPieces(pieces, visit);
   auto& [below, above, area, centroid, cell, axis] = arcs;
   visitEach(below, above, area, centroid, cell, axis);
+  visitOpenArcs(openArcs, visit);
   visitWallParts(wallParts, visit);
   visitEach(patchNames, cellCount, pieceCount);
   visitMomentsAndPolygons(all, visit);

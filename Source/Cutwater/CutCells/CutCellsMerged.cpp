@@ -83,6 +83,7 @@ class CellMerging {
                                   .source = piece,
                                   .volume = in_.pieces.volume[piece],
                                   .centroid = in_.pieces.centroid[piece],
+                                  .wallArea = in_.pieces.wallArea[piece],
                                   .wallVector = in_.pieces.wallVector[piece],
                                   .closed = Moments(in_.pieces.centroid[piece])});
     }

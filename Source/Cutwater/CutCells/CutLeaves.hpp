@@ -21,7 +21,8 @@ namespace cutwater {
 /// of a leaf's face are the arcs of theirs. Arcs are sorted by the finer leaf, of equal ones by
 /// that above, then by axis, and low faces come before high ones.
 struct CutLeaves {
-  /// In place of a piece, as in CutCells: kBeyond where there is no leaf across the face.
+  /// In place of a piece, as in CutCells: kBeyond where there is no leaf across the face, and
+  /// beyond open patches, where the leaf is said to be kNoLeaf.
   static constexpr std::uint32_t kWholeCell = CutCells::kWholeCell;
   static constexpr std::uint32_t kBeyond = CutCells::kBeyond;
   /// In place of a row or a leaf: there is none.
@@ -53,6 +54,7 @@ struct CutLeaves {
   Leaves cut;                           ///< see above, as all rows
   CutCells::Pieces pieces;              ///< their volumes and walls; `cell` is the row of the leaf
   Arcs arcs;                            ///< what connects pieces across faces
+  CutCells::OpenArcs openArcs;          ///< which of them are open patches
   CutCells::WallParts wallParts;        ///< walls by patch
   std::vector<std::string> patchNames;  ///< of the surface
   std::vector<FluidClass> classes;      ///< of every leaf; never Unknown

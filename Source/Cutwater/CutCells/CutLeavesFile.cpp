@@ -14,14 +14,15 @@ constexpr RowFileKind kLeavesFile{
 /// Visits all that is in cut leaves. What is added to them and not named here does not compile.
 template <typename Leaves, typename Visit>
 void visitLeaves(Leaves& all, Visit&& visit) {
-  auto& [cut, pieces, arcs, wallParts, patchNames, classes, moments, wholeFluid, wholeBody,
-         arcPolygons, wallPolygons, firstWallPolygon] = all;
+  auto& [cut, pieces, arcs, openArcs, wallParts, patchNames, classes, moments, wholeFluid,
+         wholeBody, arcPolygons, wallPolygons, firstWallPolygon] = all;
   const auto visitEach = [&](auto&... arrays) { (visit(arrays), ...); };
   auto& [leaf, box, firstPiece, fluidCorners] = cut;
   visitEach(leaf, box, firstPiece, fluidCorners);
   visitPieces(pieces, visit);
   auto& [below, above, leafBelow, leafAbove, area, centroid, faceArea, axis] = arcs;
   visitEach(below, above, leafBelow, leafAbove, area, centroid, faceArea, axis);
+  visitOpenArcs(openArcs, visit);
   visitWallParts(wallParts, visit);
   visitEach(patchNames, classes, wholeFluid, wholeBody);
   visitMomentsAndPolygons(all, visit);

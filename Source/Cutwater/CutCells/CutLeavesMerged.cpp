@@ -165,6 +165,7 @@ class LeafMerging {
                                     .source = p,
                                     .volume = in_.pieces.volume[p],
                                     .centroid = in_.pieces.centroid[p],
+                                    .wallArea = in_.pieces.wallArea[p],
                                     .wallVector = in_.pieces.wallVector[p],
                                     .closed = Moments(in_.pieces.centroid[p])});
       }

@@ -16,8 +16,8 @@ struct CutRegion {
   double volume = 0;
   std::size_t pieces = 0;      ///< of cut cells
   std::size_t wholeCells = 0;  ///< that are all fluid
-  /// Whether it is open to what lies beyond the box, or where a mesh has no leaf. If not, it is a
-  /// cavity.
+  /// Whether it is open to what lies beyond the box, where a mesh has no leaf, or beyond an open
+  /// patch. If not, it is a cavity.
   bool goesOn = false;
 };
 

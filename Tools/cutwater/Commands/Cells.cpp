@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "Commands/Commands.hpp"
 #include "Options/CuttingCost.hpp"
@@ -31,6 +33,7 @@ struct CellsSettings {
   GridRequest grid;
   MeshOptions octree;  ///< but for place and limits
   Limits limits;
+  std::vector<std::string> openPatches;
   bool isInside = false;
   bool wholeCells = false;
 
@@ -160,9 +163,8 @@ void cutGrid(const CellsSettings& options, const CellCutter& cutter, const Place
              grouped(box.count()) + " cells of " + extent(grid.level.spacing()));
 }
 
-void cutOctree(const CellsSettings& options, const Solid<double>& solid, const CellCutter& cutter,
+void cutOctree(const CellsSettings& options, const Octree<double>& mesh, const CellCutter& cutter,
                const PlacedSurface& placed) {
-  const auto mesh = octreeAround(options, solid, cutter, placed);
   double seconds = 0;
   const auto leaves = cut(options, cutter, mesh, true, seconds);
   CellTotals totals(check(leaves), mesh.cells().size(), leaves.pieces.cell.size(),
@@ -184,15 +186,18 @@ void run(const CellsSettings& options, bool onOctree) {
   const auto solid = loadSolid(options.surface);
   auto placedMesh = cuttingMesh(solid, options.surface);
   placedMesh.setPlacement(solid.placement());
-  const PlacedSurface placed(placedMesh);
-  const CellCutter cutter(solid, options.side());
+  const CellCutter cutter(solid, options.side(), {.openPatches = options.openPatches});
+  const PlacedSurface placed(placedMesh, options.openPatches);
+  // Coarser cells, by which time is estimated, have not all planes of open patches.
+  const auto trial = options.openPatches.empty() ? cutter : CellCutter(solid, options.side());
   if (onOctree) {
-    namingMemory("out of memory; use a lower --level",
-                 [&] { cutOctree(options, solid, cutter, placed); });
+    namingMemory("out of memory; use a lower --level", [&] {
+      cutOctree(options, octreeAround(options, solid, trial, placed), cutter, placed);
+    });
     return;
   }
   const auto grid = gridAround(boxAround(solid), options.grid);
-  requireRoom(options, cutter, placed, grid);
+  requireRoom(options, trial, placed, grid);
   namingMemory("out of memory with " + grouped(grid.indices.count()) + " cells; use fewer --cells",
                [&] { cutGrid(options, cutter, placed, grid); });
 }
@@ -225,6 +230,10 @@ void addCells(Program& program) {
   addOctreeOptions(command, options->octree);
   addLimits(command, "--max-cells", options->limits);
   command.addFlag("--inside", "The fluid is inside the surface", options->isInside);
+  command.addRepeated("--open", "PATCH",
+                      "This patch is no wall but open, as inlets and outlets are; it must lie in "
+                      "planes of the grid; may be repeated",
+                      [=](const std::string& text) { options->openPatches.push_back(text); });
   command.addFlag("--whole-cells", "Write the cells that are all fluid as well",
                   options->wholeCells);
   command.setFooter(
@@ -235,7 +244,8 @@ void addCells(Program& program) {
       "  cutwater cells hull.stl --cells 128 -o cells.vtu\n"
       "  cutwater cells hull.stl --spacing 0.02 --box -1,-1,-1,7,1,0 --json totals.json\n"
       "  cutwater cells hull.stl --level 4 --edges 30:6 -o cells.vtu\n"
-      "  cutwater cells manifold.stl --inside --whole-cells --cells 200 -o fluid.vtu");
+      "  cutwater cells manifold.stl --inside --whole-cells --cells 200 -o fluid.vtu\n"
+      "  cutwater cells pipe.obj --inside --open inlet --open outlet --spacing 0.01 -o pipe.vtu");
   command.setAction([=] { run(*options, command.isGiven("--level")); });
 }
 

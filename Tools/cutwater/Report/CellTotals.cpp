@@ -1,5 +1,6 @@
 #include "Report/CellTotals.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "Report/Format.hpp"
@@ -15,7 +16,8 @@ Json orNull(const std::optional<double>& value) {
 
 }  // namespace
 
-PlacedSurface::PlacedSurface(const MeshSDF<double>& mesh) : box{}, measure{}, projected{} {
+PlacedSurface::PlacedSurface(const MeshSDF<double>& mesh, std::span<const std::string> openPatches)
+    : box{}, measure{}, projected{} {
   auto soup = mesh.soup();
   for (auto& p : soup.points) p = mesh.placement().toWorld(p);
   measure = cutwater::measure(soup);
@@ -24,7 +26,10 @@ PlacedSurface::PlacedSurface(const MeshSDF<double>& mesh) : box{}, measure{}, pr
   for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
     const auto c = soup.polygon(i);
     const auto& a = soup.points[c[0]];
-    projected += 0.5 * abs(cross(soup.points[c[1]] - a, soup.points[c[2]] - a));
+    const auto vector = 0.5 * cross(soup.points[c[1]] - a, soup.points[c[2]] - a);
+    projected += abs(vector);
+    const auto& patch = soup.patchNames[soup.patches[i]];
+    if (std::ranges::count(openPatches, patch) > 0) openArea += length(vector);
   }
 }
 
@@ -38,10 +43,11 @@ CellTotals::CellTotals(const CutCellsReport& report, std::size_t all, std::size_
     : found(report), cells(all), pieces(allPieces) {
   const auto beyond = max(filled.lower - placed.box.lower, placed.box.upper - filled.upper);
   if (maxComponent(beyond) > 0) return;
-  const auto& [area, volume] = placed.measure;
+  const double area = placed.measure.area - placed.openArea;
+  const double volume = placed.measure.volume;
   const double within = side == FluidSide::Inside ? found.fluidVolume : found.bodyVolume;
   volumeError = std::abs(within - volume) / volume;
-  areaError = std::abs(found.wallArea - area) / area;
+  areaError = std::abs(found.wallArea - area) / placed.measure.area;
 }
 
 std::string CellTotals::json(const std::string& input) const {

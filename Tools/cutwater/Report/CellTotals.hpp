@@ -5,13 +5,16 @@
 #include <Cutwater/Surface/SurfaceMeasure.hpp>
 
 #include <optional>
+#include <span>
 #include <string>
 
 namespace cutwater::tool {
 
 /// A surface where it is placed, which all cells around it must give again.
 struct PlacedSurface {
-  explicit PlacedSurface(const MeshSDF<double>& mesh);
+  /// `openPatches`: the names of those that are no walls.
+  explicit PlacedSurface(const MeshSDF<double>& mesh,
+                         std::span<const std::string> openPatches = {});
 
   /// Cells of a size that it cuts: about as many as its sheets have faces of cells in their
   /// shadows.
@@ -19,6 +22,7 @@ struct PlacedSurface {
 
   Box<double> box;
   SurfaceMeasure measure;
+  double openArea = 0;     ///< of open patches
   Vec3<double> projected;  ///< the areas of its shadows along the axes, all sheets counted
   std::size_t triangles = 0;
 };

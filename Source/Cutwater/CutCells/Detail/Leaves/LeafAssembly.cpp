@@ -4,6 +4,7 @@
 #include <Cutwater/CutCells/Detail/Leaves/LeafPolygons.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/WholeLeaves.hpp>
 #include <Cutwater/CutCells/Detail/Moments/Monomials.hpp>
+#include <Cutwater/CutCells/Detail/Rows/OpenRows.hpp>
 #include <Cutwater/CutCells/Detail/Rows/PieceRows.hpp>
 
 #include <algorithm>
@@ -71,6 +72,7 @@ class LeavesAssembly {
       for (int axis = 0; axis < 3; ++axis) {
         for (const bool isHigh : {false, true}) {
           gatherArcs(source, axis, isHigh);
+          gatherOpenPatches(source, axis, isHigh);
           if (withPolygons_) gatherPoints(source, axis, isHigh);
         }
       }
@@ -133,6 +135,17 @@ class LeavesAssembly {
         return;
       case LeafGrid::Across::Finer:
         return gatherFiner(source, axis, isHigh);
+    }
+  }
+
+  /// No leaf is across from them, whatever lies there.
+  void gatherOpenPatches(std::uint32_t source, int axis, bool isHigh) {
+    const auto& tile = sources_.tileOf(source);
+    for (const auto& [face, number] : tile.openArcsOf(sources_.faceOf(source, axis, isHigh))) {
+      const auto& arc = tile.cut.content.arcs[number];
+      if ((isHigh ? arc.below : arc.above) == kNone) continue;  // that of the leaf across
+      const auto own = ownSide(source, number, isHigh);
+      gather({source, number}, axis, isHigh, isHigh ? own : ArcSide{}, isHigh ? ArcSide{} : own);
     }
   }
 
@@ -262,6 +275,7 @@ class LeavesAssembly {
   void addOpenPart(const ArcOrigin& origin) {
     const auto& tile = sources_.tileOf(origin.source);
     const auto& arc = tile.cut.content.arcs[origin.arc];
+    if (arc.isOpenPatch()) addOpenRow(out_.arcs.area.size(), arc.patch, out_.openArcs);
     out_.arcs.area.push_back(arc.area / (frame_.scale * frame_.scale));
     out_.arcs.centroid.push_back(frame_.toWorld(arc.centroid));
     if (out_.moments.degree >= 0) addArcMoments(tile.cut.moments, origin.arc, out_.moments);
@@ -329,6 +343,12 @@ class LeavesAssembly {
 CutLeaves assembledLeaves(const CutSurface& surface, const LeafGrid& grid,
                           std::span<const LeafTile> tiles, std::vector<FluidClass> classes,
                           const CutOptions& options) {
+  std::vector<OpenMisfit> misfits;
+  for (const auto& tile : tiles) {
+    const auto& found = tile.cut.content.misfits;
+    misfits.insert(misfits.end(), found.begin(), found.end());
+  }
+  refuseMisfits(surface, misfits);
   return LeavesAssembly(surface, grid, tiles, std::move(classes), options).run();
 }
 

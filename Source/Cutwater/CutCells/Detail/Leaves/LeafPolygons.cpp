@@ -1,4 +1,5 @@
 #include <Cutwater/CutCells/Detail/Leaves/LeafPolygons.hpp>
+#include <Cutwater/CutCells/Detail/Rows/OpenRows.hpp>
 #include <Cutwater/CutCells/Detail/Rows/PieceRows.hpp>
 
 #include <algorithm>
@@ -38,9 +39,16 @@ Vec3<double> LeafPolygons::inWorldOf(const LeafTile& tile, const TilePlace& with
   return inWorld(point, frame_, within, tile.cut.numbers.cells(), planeOf);
 }
 
-LeafPolygons::Polygon LeafPolygons::outlineOf(std::uint32_t source, std::uint32_t arc) const {
+LeafPolygons::Polygon LeafPolygons::outlineOf(std::uint32_t source, std::uint32_t arc) {
   const auto& tile = sources_.tileOf(source);
-  const auto within = tile.cut.numbers.placeOfFace(tile.cut.content.arcs[arc].face);
+  const auto& it = tile.cut.content.arcs[arc];
+  if (it.isOpenPatch()) {
+    const bool isBelow = it.below != kNone;
+    CutCells::Polygons parts;
+    addWall(source, isBelow ? it.below : it.above, TilePolygons::kOfArc + arc, parts);
+    return openOutline(parts, FaceAxes(tile.cut.numbers.axisOfFace(it.face)), isBelow);
+  }
+  const auto within = tile.cut.numbers.placeOfFace(it.face);
   Polygon result;
   for (const auto& point : tile.cut.polygons.arcs.of(arc)) {
     result.push_back(inWorldOf(tile, within, point));

@@ -10,9 +10,10 @@ namespace cutwater {
 /// The polygons of leaves, in the coordinates of the world.
 ///
 /// Where finer leaves are across a face of a leaf, the outlines of their open parts bound its
-/// pieces, too. A part of its wall that ends in that face then goes along the traces of its
-/// triangle on theirs, so that pieces close to the bit. Points that both levels compute may differ
-/// by rounding, as each puts them in its own cells: the wall goes to and fro between the two.
+/// pieces, too. A part of its wall, or of an open patch, that ends in that face then goes along the
+/// traces of its triangle on theirs, so that pieces close to the bit. Points that both levels
+/// compute may differ by rounding, as each puts them in its own cells: the wall goes to and fro
+/// between the two.
 class LeafPolygons {
  public:
   using Polygon = std::vector<Vec3<double>>;
@@ -22,7 +23,7 @@ class LeafPolygons {
       : frame_(frame), grid_(grid), sources_(sources) {}
 
   /// The outline of an arc of a source's tile; empty if that is a point.
-  [[nodiscard]] Polygon outlineOf(std::uint32_t source, std::uint32_t arc) const;
+  [[nodiscard]] Polygon outlineOf(std::uint32_t source, std::uint32_t arc);
   /// That of all of a leaf's face.
   [[nodiscard]] Polygon outlineOfFace(std::uint32_t leaf, int axis, bool isHigh) const;
   /// Appends what a patch has of the wall of a piece, by the numbers of the source's tile.

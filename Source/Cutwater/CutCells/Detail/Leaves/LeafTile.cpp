@@ -153,6 +153,11 @@ std::span<const std::pair<std::uint32_t, std::uint32_t>> LeafTile::pointsOf(
   return ofFace(points, face);
 }
 
+std::span<const std::pair<std::uint32_t, std::uint32_t>> LeafTile::openArcsOf(
+    std::uint32_t face) const {
+  return ofFace(openArcs, face);
+}
+
 namespace {
 
 /// Cuts the leaves of a block's own level.
@@ -181,6 +186,7 @@ LeafTile cutLeaves(const CutSurface& surface, const LeafGrid& grid, const LeafBl
                 .leaves = {},
                 .arcs = {},
                 .points = {},
+                .openArcs = {},
                 .rims = {}};
   for (std::uint32_t cell = 0; cell < numbers.cellCount(); ++cell) {
     if (leafOf[cell] == LeafGrid::kNoLeaf) continue;
@@ -192,14 +198,20 @@ LeafTile cutLeaves(const CutSurface& surface, const LeafGrid& grid, const LeafBl
   }
   for (std::uint32_t arc = 0; arc < tile.cut.content.arcs.size(); ++arc) {
     const auto& it = tile.cut.content.arcs[arc];
+    if (it.isOpenPatch()) {
+      tile.openArcs.emplace_back(it.face, arc);
+      continue;
+    }
     if (!it.isNothing) tile.arcs.emplace_back(it.face, arc);
     const bool isOutlined = options.polygons && !tile.cut.polygons.arcs.of(arc).empty();
     if (it.isNothing && isOutlined) tile.points.emplace_back(it.face, arc);
   }
   std::ranges::sort(tile.arcs);
   std::ranges::sort(tile.points);
+  std::ranges::sort(tile.openArcs);
   RimNotes(grid, parts, tile).run(options.polygons);
   tile.cut.content.ofFragments = {};
+  tile.cut.content.openArcOf = {};
   return tile;
 }
 

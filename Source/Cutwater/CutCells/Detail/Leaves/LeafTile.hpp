@@ -65,6 +65,8 @@ struct LeafTile {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> arcs;
   /// With polygons: those that count for nothing, but have an outline.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> points;
+  /// The arcs of open patches, which are not among `arcs`.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> openArcs;
   LeafRims rims;
 
   /// A face of one of the cells that are cut.
@@ -73,6 +75,8 @@ struct LeafTile {
   [[nodiscard]] std::span<const std::pair<std::uint32_t, std::uint32_t>> arcsOf(
       std::uint32_t face) const;
   [[nodiscard]] std::span<const std::pair<std::uint32_t, std::uint32_t>> pointsOf(
+      std::uint32_t face) const;
+  [[nodiscard]] std::span<const std::pair<std::uint32_t, std::uint32_t>> openArcsOf(
       std::uint32_t face) const;
 };
 

@@ -1,23 +1,28 @@
 #include <Cutwater/CutCells/Detail/Faces/FaceFrame.hpp>
 #include <Cutwater/CutCells/Detail/Moments/ArcMoments.hpp>
 
+#include <utility>
+
 namespace cutwater {
 
-ArcMoments::ArcMoments(const FacePieces& faces, std::span<const PieceArc> arcs,
-                       const CutFrame& frame, int degree)
+ArcMoments::ArcMoments(const FacePieces& faces, const CellPieces& content, const CutFrame& frame,
+                       int degree)
     : faces_(faces),
-      arcs_(arcs),
+      arcs_(content.arcs),
       frame_(frame),
       degree_(degree),
       count_(Monomials<2>::count(degree)),
-      moments_(arcs.size() * count_),
-      references_(faces.pieces().size()),
-      hasReference_(faces.pieces().size()) {
+      moments_(arcs_.size() * count_),
+      references_(arcs_.size()),
+      hasReference_(arcs_.size()) {
   const auto parts = faces.pieces();
   for (std::uint32_t part = 0; part < parts.size(); part = faces.of(parts[part].face).second) {
     addCutFace(parts[part].face);
   }
-  for (auto arc = parts.size(); arc < arcs.size(); ++arc) addWholeFace(arc);
+  for (auto arc = parts.size(); arc < arcs_.size() && !arcs_[arc].isOpenPatch(); ++arc) {
+    addWholeFace(arc);
+  }
+  addOpenPatches(content.openArcOf);
 }
 
 void ArcMoments::addCutFace(std::uint32_t face) {
@@ -37,14 +42,36 @@ void ArcMoments::addCutFace(std::uint32_t face) {
     }
   }
   const auto [firstPart, lastPart] = faces_.of(face);
-  for (auto part = firstPart; part < lastPart; ++part) {
-    const auto own = std::span(moments_).subspan(part * count_, count_);
-    for (std::size_t i = 0; i < count_; ++i) {
-      const auto& [powers, degree, raised, factorials] = kMonomials<2>[i];
-      own[i] *= factorials * factorialRatio(0, degree + 2);
+  for (auto part = firstPart; part < lastPart; ++part) finishRim(part, across);
+}
+
+/// Each fragment's edges: what lies within the arc cancels.
+void ArcMoments::addOpenPatches(std::span<const std::uint32_t> arcOf) {
+  const auto& surface = faces_.surface();
+  for (std::size_t i = 0; i < arcOf.size(); ++i) {
+    const auto arc = arcOf[i];
+    if (arc >= arcs_.size()) continue;
+    const auto points = surface.points(surface.fragments()[i]);
+    const bool isBelow = arcs_[arc].below != kNone;  // its normal points down then
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      std::array ends{points[k], points[(k + 1) % points.size()]};
+      if (isBelow) std::swap(ends[0], ends[1]);
+      addRimPart(arc, ends, surface.numbers().axisOfFace(arcs_[arc].face));
     }
-    shift(own, degree_, alongFace(references_[part] - centroid(part), across));
   }
+  for (std::uint32_t arc = 0; arc < arcs_.size(); ++arc) {
+    if (arcs_[arc].isOpenPatch()) finishRim(arc, surface.numbers().axisOfFace(arcs_[arc].face));
+  }
+}
+
+/// Applies the factors of simplices, and moves the moments to the centroid.
+void ArcMoments::finishRim(std::uint32_t arc, int across) {
+  const auto own = std::span(moments_).subspan(arc * count_, count_);
+  for (std::size_t i = 0; i < count_; ++i) {
+    const auto& [powers, degree, raised, factorials] = kMonomials<2>[i];
+    own[i] *= factorials * factorialRatio(0, degree + 2);
+  }
+  shift(own, degree_, alongFace(references_[arc] - centroid(arc), across));
 }
 
 void ArcMoments::addRimPart(std::uint32_t arc, const std::array<Vec3<double>, 2>& ends,

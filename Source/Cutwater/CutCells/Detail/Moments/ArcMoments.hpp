@@ -18,9 +18,9 @@ namespace cutwater {
 /// Each straight part of a rim adds those of the triangle that it makes with a point of the part.
 class ArcMoments {
  public:
-  /// Of the open parts of cut faces, and of whole faces, which follow these. Views its arguments.
-  ArcMoments(const FacePieces& faces, std::span<const PieceArc> arcs, const CutFrame& frame,
-             int degree);
+  /// Of the open parts of cut faces, of whole faces, which follow these, and of open patches. Views
+  /// its arguments.
+  ArcMoments(const FacePieces& faces, const CellPieces& content, const CutFrame& frame, int degree);
 
   [[nodiscard]] std::span<const double> of(std::size_t arc) const {
     return std::span(moments_).subspan(arc * count_, count_);
@@ -34,6 +34,8 @@ class ArcMoments {
   void addCutFace(std::uint32_t face);
   void addRimPart(std::uint32_t arc, const std::array<Vec3<double>, 2>& ends, int across);
   void addWholeFace(std::size_t arc);
+  void addOpenPatches(std::span<const std::uint32_t> arcOf);
+  void finishRim(std::uint32_t arc, int across);
 
   const FacePieces& faces_;
   std::span<const PieceArc> arcs_;
@@ -41,7 +43,7 @@ class ArcMoments {
   int degree_;
   std::size_t count_;
   std::vector<double> moments_;
-  std::vector<Vec3<double>> references_;  // of the parts of cut faces
+  std::vector<Vec3<double>> references_;  // of arcs with a rim
   std::vector<char> hasReference_;
 };
 

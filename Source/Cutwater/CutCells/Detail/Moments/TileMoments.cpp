@@ -67,10 +67,12 @@ class PieceMoments {
     const auto& fragment = surface_.fragments()[number];
     const auto points = surface_.points(fragment);
     refer(piece, points[0]);
-    if (surface_.patchOf(fragment.triangle) != kNone) addWall(piece, points);
+    if (surface_.patchOf(fragment.triangle) != kNone) {
+      addPolygon(piece, points, content_.isWall(number));
+    }
   }
   /// A convex polygon, with its normal into the fluid.
-  void addWall(std::uint32_t piece, std::span<const Vec3<double>> polygon) {
+  void addPolygon(std::uint32_t piece, std::span<const Vec3<double>> polygon, bool isWall) {
     const auto& reference = references_[piece];
     const auto a = polygon[0] - reference;
     Coefficients corner{1};
@@ -80,16 +82,20 @@ class PieceMoments {
       addCorner(h, degree(), asArray(polygon[k - 1] - reference));
       addCorner(h, degree(), asArray(polygon[k] - reference));
       const auto twice = -cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
-      addTriangle(piece, h, dot(a, twice), twice);
+      addTetrahedron(piece, h, dot(a, twice));
+      if (isWall) addTriangle(piece, h, twice);
     }
   }
-  /// Takes six times the tetrahedron's volume, and twice the triangle's vector.
-  void addTriangle(std::uint32_t piece, const Coefficients& h, double volume,
-                   const Vec3<double>& vector) {
+  /// Takes six times its volume.
+  void addTetrahedron(std::uint32_t piece, const Coefficients& h, double volume) {
+    const auto first = piece * count_;
+    for (std::size_t i = 0; i < count_; ++i) out_.volume[first + i] += volume * h[i];
+  }
+  /// Takes twice its vector.
+  void addTriangle(std::uint32_t piece, const Coefficients& h, const Vec3<double>& vector) {
     const double area = length(vector);
     const auto first = piece * count_;
     for (std::size_t i = 0; i < count_; ++i) {
-      out_.volume[first + i] += volume * h[i];
       out_.wall[first + i] += area * h[i];
       out_.wallVector[first + i] += h[i] * vector;
     }
@@ -108,6 +114,7 @@ class PieceMoments {
   void addOpenSides(const ArcMoments& arcs) {
     std::vector<OpenSide> sides;
     for (std::uint32_t arc = 0; arc < content_.arcs.size(); ++arc) {
+      if (content_.arcs[arc].isOpenPatch()) continue;  // its fragments are counted
       const auto& [below, above] = std::pair(content_.arcs[arc].below, content_.arcs[arc].above);
       const int axis = surface_.numbers().axisOfFace(content_.arcs[arc].face);
       if (below != kNone) sides.push_back({below, 2 * axis + 1, arc});
@@ -166,7 +173,7 @@ class PieceMoments {
 CutCells::Moments findMoments(const FacePieces& faces, const CellPieces& content,
                               const CutFrame& frame, int degree) {
   CutCells::Moments result{.degree = degree, .volume = {}, .wall = {}, .wallVector = {}, .arc = {}};
-  const ArcMoments arcs(faces, content.arcs, frame, degree);
+  const ArcMoments arcs(faces, content, frame, degree);
   PieceMoments(faces, content, frame, result).add(arcs);
   for (std::size_t arc = 0; arc < content.arcs.size(); ++arc) {
     const auto own = arcs.of(arc);

@@ -2,6 +2,7 @@
 #include <Cutwater/CutCells/Detail/Pieces/CellPieces.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/CellRims.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/MeetingCells.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/OpenArcs.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -208,8 +209,7 @@ class CellBuilder {
         sums_.emplace_back(referenceOf(i));
       }
       if (i < fragments_.size()) {
-        sums_[sum].addWall(surface_.points(fragments_[i]),
-                           surface_.patchOf(fragments_[i].triangle));
+        addFragment(sums_[sum], fragments_[i]);
       } else {
         addOpenPart(sums_[sum], open_[i - fragments_.size()]);
       }
@@ -237,6 +237,13 @@ class CellBuilder {
   [[nodiscard]] Vec3<double> referenceOf(std::uint32_t node) const {
     return node < fragments_.size() ? surface_.points(fragments_[node]).front()
                                     : out_.arcs[open_[node - fragments_.size()].arc].centroid;
+  }
+  void addFragment(PieceSums& sum, const TileFragment& fragment) const {
+    if (openFaceOf(surface_, planes_, fragment).isFace()) {
+      sum.addOpenPatch(surface_.points(fragment));
+    } else {
+      sum.addWall(surface_.points(fragment), surface_.patchOf(fragment.triangle));
+    }
   }
   void addOpenPart(PieceSums& sum, const OpenPart& part) const {
     const auto& arc = out_.arcs[part.arc];
@@ -295,6 +302,7 @@ CellPieces findCellPieces(const TileSurface& surface, const EdgeStretches& stret
     }
     first = end;
   }
+  addOpenArcs(surface, planes, wanted, result);
   return result;
 }
 

@@ -15,15 +15,38 @@ struct PieceArc {
   Vec3<double> centroid;
   bool isNothing = false;  ///< a point, which counts for nothing
   bool isDropped = false;  ///< a piece beside it is one
+  /// The open patch of which it is a part: it has a piece on one side, and leads out on the other.
+  std::uint32_t patch = kNone;
+
+  [[nodiscard]] bool isOpenPatch() const { return patch != kNone; }
+};
+
+/// A fragment of an open patch that cannot be a part of an arc: it lies in no plane of its cell.
+struct OpenMisfit {
+  std::uint32_t triangle = 0;
+  std::uint32_t cell = 0;
+  Vec3<double> point;
 };
 
 /// The pieces of the cells that a surface meets, in the order of cells, and what connects them, in
-/// the order of faces.
+/// the order of faces; arcs of open patches follow, in the order of cells.
 struct CellPieces {
+  /// In place of an arc: of an open patch, but without area.
+  static constexpr std::uint32_t kNoArea = kNone - 1;
+
   std::vector<CellPiece> pieces;
   std::vector<PieceWall> walls;
   std::vector<PieceArc> arcs;
   std::vector<std::uint32_t> ofFragments;  ///< the piece of each fragment, or kNone
+  /// The arc of which each fragment of an open patch is a part, or kNoArea; of walls kNone. Empty
+  /// if no patch is open.
+  std::vector<std::uint32_t> openArcOf;
+  std::vector<OpenMisfit> misfits;
+
+  /// Whether a fragment is a part of a wall.
+  [[nodiscard]] bool isWall(std::size_t fragment) const {
+    return openArcOf.empty() || openArcOf[fragment] == kNone;
+  }
 };
 
 /// Joins what bounds each piece of the cells that are wanted, and measures it.

@@ -1,9 +1,13 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceRegions.hpp>
 #include <Cutwater/CutCells/Detail/Faces/LocalWinding.hpp>
+#include <Cutwater/CutCells/Detail/Moments/Moments.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/MeetingCells.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/OpenArcs.hpp>
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 #include <utility>
 
 namespace cutwater {
@@ -21,11 +25,17 @@ Box<double> boxOf(const GridPlanes& planes, const TilePlace& place) {
   return box;
 }
 
-std::vector<Sheet> sheetsOf(const TileSurface& surface, std::span<const TileFragment> fragments) {
+/// Added to the patches of sheets that are open and lie in a face of the cell.
+constexpr std::uint32_t kOpenSheet = 0x80000000;
+
+std::vector<Sheet> sheetsOf(const TileSurface& surface, const GridPlanes& planes,
+                            std::span<const TileFragment> fragments) {
   std::vector<Sheet> sheets;
   for (const auto& fragment : fragments) {
     Sheet sheet;
-    if (makeSheet(surface, fragment, sheet)) sheets.push_back(std::move(sheet));
+    if (!makeSheet(surface, fragment, sheet)) continue;
+    if (openFaceOf(surface, planes, fragment).isFace()) sheet.patch |= kOpenSheet;
+    sheets.push_back(std::move(sheet));
   }
   return sheets;
 }
@@ -40,7 +50,7 @@ class MeetingCell {
         arcOfFullFace_(arcOfFullFace),
         cell_(fragments.front().cell),
         place_(surface_.numbers().placeOfCell(cell_)),
-        tree_(boxOf(faces.planes(), place_), sheetsOf(surface_, fragments)),
+        tree_(boxOf(faces.planes(), place_), sheetsOf(surface_, faces.planes(), fragments)),
         points_(tree_.pointsIn()),
         out_(out) {
     const auto size = faces.planes().sizeOf(place_);
@@ -75,7 +85,9 @@ class MeetingCell {
     std::uint32_t node = 0;  ///< whose it is: a leaf, or an open part
     std::uint32_t patch = 0;
     Polygon polygon;
+    std::size_t openFace = kNoFace;  ///< in which it is a part of an open patch
   };
+  static constexpr std::size_t kNoFace = 6;
 
   [[nodiscard]] std::uint32_t faceNumber(std::size_t face) const {
     auto place = place_;
@@ -108,16 +120,17 @@ class MeetingCell {
     addWall(facesUp ? portal.above : portal.below, portal.polygon,
             (facesUp ? 1.0 : -1.0) * twiceArea(portal.polygon), tree_.sheetsAt(portal));
   }
-  /// `normal`: into the fluid.
+  /// `normal`: into the fluid. `face`: in which all of it lies, with the fluid in the cell.
   void addWall(std::uint32_t node, Polygon polygon, const Vec3<double>& normal,
-               std::span<const Sheet> sheets) {
+               std::span<const Sheet> sheets, std::size_t face = kNoFace) {
     if (dot(twiceArea(polygon), normal) < 0) std::ranges::reverse(polygon);
     if (sheets.empty()) {  // only if rounding has hidden them
       walls_.push_back({node, somePatch_, std::move(polygon)});
       return;
     }
     sharedOut(polygon, normal, sheets, [&](std::uint32_t patch, const Polygon& part) {
-      walls_.push_back({node, patch, part});
+      const bool isOpen = (patch & kOpenSheet) != 0;
+      walls_.push_back({node, patch & ~kOpenSheet, part, isOpen ? face : kNoFace});
     });
   }
 
@@ -134,7 +147,7 @@ class MeetingCell {
         } else if (region.isFluid) {
           addWall(arc, part, -inwards, tree_.sheetsIn(n));
         } else if (isFluid_[leaf] != 0) {
-          addWall(leaf, part, inwards, tree_.sheetsIn(n));
+          addWall(leaf, part, inwards, tree_.sheetsIn(n), n);
         }
       });
     }
@@ -160,7 +173,13 @@ class MeetingCell {
       }
       return sums[sum];
     };
-    for (const auto& wall : walls_) sumAt(wall.node).addWall(wall.polygon, wall.patch);
+    for (const auto& wall : walls_) {
+      if (wall.openFace == kNoFace) {
+        sumAt(wall.node).addWall(wall.polygon, wall.patch);
+      } else {
+        sumAt(wall.node).addOpenPatch(wall.polygon);
+      }
+    }
     for (std::uint32_t i = 0; i < open_.size(); ++i) {
       addOpenPart(sumAt(tree_.leafCount() + i), open_[i]);
     }
@@ -181,6 +200,34 @@ class MeetingCell {
       if (piece == kNone) continue;
       out_.pieces[piece].areaVector[static_cast<int>(open_[i].face / 2)] +=
           isHigh ? -arc.area : arc.area;
+    }
+    addOpenPatches([&](std::uint32_t node) { return numbers[sumOf[sets_.find(node)]]; });
+  }
+  /// One arc for all that a patch has of a piece in a face. `pieceOf`: of a node.
+  template <typename PieceOf>
+  void addOpenPatches(const PieceOf& pieceOf) {
+    std::map<std::tuple<std::uint32_t, std::size_t, std::uint32_t>, Moments> sums;
+    for (const auto& wall : walls_) {
+      const auto piece = pieceOf(wall.node);
+      if (wall.openFace == kNoFace || piece == kNone) continue;
+      const auto& polygon = wall.polygon;
+      auto& sum = sums.try_emplace({piece, wall.openFace, wall.patch}, polygon[0]).first->second;
+      for (std::size_t k = 2; k < polygon.size(); ++k) {
+        const auto twice = cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
+        sum.add(0.5 * length(twice), (polygon[0] + polygon[k - 1] + polygon[k]) / 3.0);
+      }
+    }
+    for (const auto& [key, sum] : sums) {
+      const auto& [piece, face, patch] = key;
+      if (!(sum.size() > least_)) continue;
+      const bool isHigh = face % 2 == 1;
+      const auto axis = static_cast<int>(face / 2);
+      PieceArc arc{
+          .face = faceNumber(face), .area = sum.size(), .centroid = sum.centroid(), .patch = patch};
+      arc.centroid[axis] = faces_.planes().at(axis, place_[face / 2] + static_cast<int>(face % 2));
+      (isHigh ? arc.below : arc.above) = piece;
+      out_.pieces[piece].areaVector[axis] += isHigh ? -arc.area : arc.area;
+      out_.arcs.push_back(arc);
     }
   }
   /// Films have no volume but for rounding, and so any centroid. The wall's vector is what closes

@@ -13,8 +13,10 @@ PieceWall& PieceSums::wallOf(std::uint32_t patch) {
 }
 
 void PieceSums::addWall(std::span<const Vec3<double>> polygon, std::uint32_t patch) {
-  if (patch == kNone) return;
-  auto& wall = wallOf(patch);
+  if (patch != kNone) addPolygon(polygon, wallOf(patch));
+}
+
+void PieceSums::addPolygon(std::span<const Vec3<double>> polygon, PieceWall& wall) {
   const auto a = polygon[0] - reference_;
   for (std::size_t k = 2; k < polygon.size(); ++k) {
     const auto b = polygon[k - 1] - reference_;
@@ -38,7 +40,7 @@ void PieceSums::addOpenPart(double distance, double area, const Vec3<double>& ce
 }
 
 bool PieceSums::isNothing(const Vec3<double>& cellSize, double share) const {
-  double area = openArea_;
+  double area = openArea_ + openPatches_.area;
   for (const auto& wall : walls_) area += wall.area;
   return area <= nothing(cellSize, share);
 }

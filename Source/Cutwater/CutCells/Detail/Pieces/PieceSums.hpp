@@ -36,6 +36,8 @@ class PieceSums {
 
   /// A convex polygon, with its normal into the fluid; `patch`: kNone for one without area.
   void addWall(std::span<const Vec3<double>> polygon, std::uint32_t patch);
+  /// The same of an open patch.
+  void addOpenPatch(std::span<const Vec3<double>> polygon) { addPolygon(polygon, openPatches_); }
   /// An open part at this distance from the reference, outwards.
   [[nodiscard]] const Vec3<double>& reference() const { return reference_; }
   void addOpenPart(double distance, double area, const Vec3<double>& centroid);
@@ -55,12 +57,14 @@ class PieceSums {
   static constexpr double kRounding = 1e-14;
 
   PieceWall& wallOf(std::uint32_t patch);
+  void addPolygon(std::span<const Vec3<double>> polygon, PieceWall& wall);
 
   Vec3<double> reference_;
   double volume_ = 0;  // times 3
   double openArea_ = 0;
   Vec3<double> moment_;
   std::vector<PieceWall> walls_;  // centroids are integrals from the reference
+  PieceWall openPatches_{.areaVector = {}, .centroid = {}};
 };
 
 }  // namespace cutwater

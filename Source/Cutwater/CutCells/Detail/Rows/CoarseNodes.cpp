@@ -145,6 +145,10 @@ void CoarseNodes::forFaces(FunctionRef<void(const Face&)> visit) const {
     face.area = arcs.area[a];
     face.centroid = arcs.centroid[a];
     face.arc = a;
+    const bool leadsOut = face.below == CutCells::kBeyond || face.above == CutCells::kBeyond;
+    require(face.isBetween || !leadsOut,
+            "coarsened: need open patches in planes between coarse cells", Named{"axis", face.axis},
+            Named{"centroid", face.centroid});
     visit(face);
   }
   for (auto node = static_cast<std::uint32_t>(fine_.pieceCount); node < count(); ++node) {

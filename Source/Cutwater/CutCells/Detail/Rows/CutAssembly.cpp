@@ -1,4 +1,5 @@
 #include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
+#include <Cutwater/CutCells/Detail/Rows/OpenRows.hpp>
 #include <Cutwater/CutCells/Detail/Rows/PieceRows.hpp>
 
 #include <algorithm>
@@ -28,6 +29,11 @@ struct ClosingFace {
 
 /// One tile's view of an arc.
 struct ArcSource {
+  /// Added to numbers of arcs of open patches, which one tile sees: that of the cell below the
+  /// face, or above it.
+  static constexpr std::uint32_t kLeadsUp = 0x40000000;
+  static constexpr std::uint32_t kLeadsDown = 0x80000000;
+
   std::uint64_t face = 0;    ///< three times the number of the cell above, plus the axis
   std::uint32_t number = 0;  ///< among the open parts of the face
   std::uint32_t tile = 0;
@@ -54,6 +60,7 @@ class Assembly {
 
   CutCells run() {
     gatherCells();
+    checkMisfits();
     gatherArcs();
     addPieces();
     addArcs();
@@ -107,6 +114,19 @@ class Assembly {
     out_.cellCount = static_cast<std::size_t>(beyond - sources_.begin());
   }
 
+  /// Of open patches. Beyond the box, they are walls.
+  void checkMisfits() const {
+    std::vector<OpenMisfit> misfits;
+    for (std::uint32_t tile = 0; tile < cuts_.size(); ++tile) {
+      if (!cuts_[tile]) continue;
+      for (const auto& misfit : cuts_[tile]->content.misfits) {
+        const auto place = placeOf(tile, cuts_[tile]->numbers.placeOfCell(misfit.cell));
+        if (!isBeyond(place)) misfits.push_back(misfit);
+      }
+    }
+    refuseMisfits(surface_, misfits);
+  }
+
   void addPieces() {
     rowsOf_.resize(cuts_.size());
     for (std::size_t tile = 0; tile < cuts_.size(); ++tile) {
@@ -146,13 +166,17 @@ class Assembly {
 
   void addWallPolygons(std::uint32_t tile, std::uint32_t piece, std::uint32_t patch) {
     out_.firstWallPolygon.push_back(out_.wallPolygons.count());
+    addPolygonsOf(tile, piece, patch, out_.wallPolygons);
+  }
+  void addPolygonsOf(std::uint32_t tile, std::uint32_t piece, std::uint32_t patch,
+                     CutCells::Polygons& to) const {
     const auto& polygons = cuts_[tile]->polygons;
     const auto within = cuts_[tile]->numbers.placeOfCell(cuts_[tile]->content.pieces[piece].cell);
     const auto& of = polygons.wallOf;
     const auto [first, last] = std::equal_range(of.begin(), of.end(), std::pair(piece, patch));
     for (auto wall = first; wall != last; ++wall) {
       const auto number = static_cast<std::size_t>(wall - of.begin());
-      addPolygon(tile, within, polygons.walls.of(number), out_.wallPolygons);
+      addPolygon(tile, within, polygons.walls.of(number), to);
     }
   }
   /// Those of faces that count for nothing, in the first part of a piece's wall.
@@ -200,7 +224,11 @@ class Assembly {
         if (cut.content.arcs[arc].isNothing) {
           if (withPolygons_) noteClosing(source);
         } else {
+          const auto& it = cut.content.arcs[arc];
           source.number = seen[face]++;
+          if (it.isOpenPatch()) {
+            source.number += it.below != kNone ? ArcSource::kLeadsUp : ArcSource::kLeadsDown;
+          }
           arcSources_.push_back(source);
         }
       }
@@ -240,11 +268,13 @@ class Assembly {
   [[nodiscard]] std::uint32_t rowBeside(const ArcSource& source, bool isAbove) const {
     const auto& arc = arcOf(source);
     const auto piece = isAbove ? arc.above : arc.below;
+    if (piece == kNone && arc.isOpenPatch()) return CutCells::kBeyond;
     return piece == kNone ? CutCells::kWholeCell : rowsOf_[source.tile][piece];
   }
   void addArc(const ArcSource& source, std::uint32_t below, std::uint32_t above) {
     const auto& frame = surface_.frame();
     const auto& arc = arcOf(source);
+    if (arc.isOpenPatch()) addOpenRow(out_.arcs.area.size(), arc.patch, out_.openArcs);
     out_.arcs.below.push_back(below);
     out_.arcs.above.push_back(above);
     out_.arcs.area.push_back(arc.area / (frame.scale * frame.scale));
@@ -254,8 +284,17 @@ class Assembly {
     const auto& cut = *cuts_[source.tile];
     if (out_.moments.degree >= 0) addArcMoments(cut.moments, source.arc, out_.moments);
     if (!withPolygons_) return;
+    if (arc.isOpenPatch()) return addOpenPatch(source);
     addPolygon(source.tile, cut.numbers.placeOfFace(arc.face), cut.polygons.arcs.of(source.arc),
                out_.arcPolygons);
+  }
+  void addOpenPatch(const ArcSource& source) {
+    const auto& arc = arcOf(source);
+    const bool isBelow = arc.below != kNone;
+    CutCells::Polygons parts;
+    addPolygonsOf(source.tile, isBelow ? arc.below : arc.above, TilePolygons::kOfArc + source.arc,
+                  parts);
+    out_.arcPolygons.add(openOutline(parts, FaceAxes(static_cast<int>(source.face % 3)), isBelow));
   }
 
   void addBodyRuns() {

@@ -50,14 +50,17 @@ inline double faceAreaOf(const CutLeaves& leaves, std::size_t arc) {
   return leaves.arcs.faceArea[arc];
 }
 
-/// Whether a piece, or what stands in its place, can lie beside an arc.
+/// Whether a piece, or what stands in its place, can lie beside an arc. What is beyond an open
+/// patch is beyond all cells.
 inline bool canBeBeside(const CutCells& cells, std::size_t arc, bool isBelow, std::uint32_t piece) {
   const auto cell = isBelow ? cells.arcs.cellBelow(arc) : cells.arcs.cell[arc];
   if (piece < cells.pieces.cell.size()) {
     return cells.cells.index[cells.pieces.cell[piece]] == cell;
   }
   const bool isInBox = cells.grid.indices().contains(cell);
-  if (piece == CutCells::kBeyond) return !isInBox;
+  if (piece == CutCells::kBeyond) {
+    return !isInBox || cells.openArcs.patchOf(static_cast<std::uint32_t>(arc)) != CutCells::kNoRow;
+  }
   return piece == CutCells::kWholeCell && (!isInBox || cells.classOf(cell) == FluidClass::Fluid);
 }
 inline bool canBeBeside(const CutLeaves& leaves, std::size_t arc, bool isBelow,

@@ -60,6 +60,7 @@ bool MergeGraph::isSmall(const Node& node, double share) const {
 }
 
 bool MergeGraph::hasDirection(const Node& node) const {
+  if (node.wallArea == 0 && node.closed.size() == 0) return true;
   const auto size = mesh_.boxOf(node.place).size();
   const double face = std::max({size.y * size.z, size.z * size.x, size.x * size.y});
   return length(node.wallVector) > kNoDirection * face;

@@ -23,6 +23,7 @@ class MergeGraph {
     std::uint32_t source = CutCells::kNoRow;  ///< the piece
     double volume = 0;
     Vec3<double> centroid;
+    double wallArea = 0;  ///< without the faces that were closed
     Vec3<double> wallVector;
     Moments closed;  ///< the faces that were closed
     Vec3<double> closedVector = {};
@@ -90,6 +91,7 @@ class MergeGraph {
  private:
   [[nodiscard]] std::uint32_t largest(std::uint32_t first, std::uint32_t last) const;
   [[nodiscard]] bool isSmall(const Node& node, double share) const;
+  /// Of its wall. Cells without one, which open patches bound, need none.
   [[nodiscard]] bool hasDirection(const Node& node) const;
   std::uint32_t nodeOfWhole(Place place);
   void coverNode(std::uint32_t node);

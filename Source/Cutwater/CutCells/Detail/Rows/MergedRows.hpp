@@ -4,6 +4,7 @@
 #include <Cutwater/CutCells/Detail/Moments/MomentRows.hpp>
 #include <Cutwater/CutCells/Detail/Rows/CutRows.hpp>
 #include <Cutwater/CutCells/Detail/Rows/MergeGraph.hpp>
+#include <Cutwater/CutCells/Detail/Rows/OpenRows.hpp>
 
 #include <algorithm>
 #include <type_traits>
@@ -35,6 +36,8 @@ class MergedRows {
     const auto sideOf = [&](std::uint32_t side) {
       return side < pieceOf_.size() ? pieceOf_[side] : side;
     };
+    const auto patch = in_.openArcs.patchOf(arc.source);
+    if (patch != CutCells::kNoRow) addOpenRow(out_.arcs.area.size(), patch, out_.openArcs);
     out_.arcs.below.push_back(sideOf(arc.below));
     out_.arcs.above.push_back(sideOf(arc.above));
     out_.arcs.area.push_back(arc.area);

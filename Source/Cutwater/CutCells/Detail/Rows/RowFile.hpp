@@ -132,6 +132,12 @@ void visitPieces(Pieces& pieces, Visit&& visit) {
   visit(wallVector);
   visit(wallCentroid);
 }
+template <typename OpenArcs, typename Visit>
+void visitOpenArcs(OpenArcs& openArcs, Visit&& visit) {
+  auto& [arc, patch] = openArcs;
+  visit(arc);
+  visit(patch);
+}
 template <typename WallParts, typename Visit>
 void visitWallParts(WallParts& wallParts, Visit&& visit) {
   auto& [piece, patch, area, vector, centroid] = wallParts;

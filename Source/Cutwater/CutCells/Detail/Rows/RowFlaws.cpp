@@ -66,14 +66,32 @@ bool arePieces(const Cut& cut) {
 }
 
 template <typename Cut>
+bool arePatches(const Cut& cut, const std::vector<std::uint32_t>& numbers) {
+  const auto count = cut.patchNames.size();
+  return std::ranges::all_of(numbers, [=](auto patch) { return patch < count; });
+}
+
+/// Whether those of open patches lead out of one of the first pieces.
+template <typename Cut>
+bool areOpenArcs(const Cut& cut, std::size_t pieceCount) {
+  const auto& [arcs, patches] = cut.openArcs;
+  if (!areAsLong(arcs.size(), patches) || !arePatches(cut, patches)) return false;
+  if (std::ranges::adjacent_find(arcs, std::greater_equal()) != arcs.end()) return false;
+  if (!arcs.empty() && arcs.back() >= cut.arcs.area.size()) return false;
+  return std::ranges::all_of(arcs, [&](std::uint32_t arc) {
+    const auto [outer, inner] =
+        std::minmax(cut.arcs.below[arc], cut.arcs.above[arc], std::greater());
+    return outer == CutCells::kBeyond && inner < pieceCount;
+  });
+}
+
+template <typename Cut>
 bool areWallParts(const Cut& cut) {
   const auto& [piece, patch, area, vector, centroid] = cut.wallParts;
   if (!areAsLong(piece.size(), patch, area, vector, centroid)) return false;
   if (!std::ranges::is_sorted(piece)) return false;
   if (!piece.empty() && piece.back() >= cut.pieces.cell.size()) return false;
-  const auto patches = cut.patchNames.size();
-  return std::ranges::all_of(patch, [=](auto id) { return id < patches; }) && areFinite(area) &&
-         areFinite(vector) && areFinite(centroid);
+  return arePatches(cut, patch) && areFinite(area) && areFinite(vector) && areFinite(centroid);
 }
 
 template <typename Cut>
@@ -121,6 +139,7 @@ class CellRows {
     if (!areBodyRuns()) return "its runs of cells without fluid are none";
     if (!hasItsPieces() || !arePieces(cells_)) return "its pieces do not belong to its cells";
     if (!areArcs()) return "its arcs do not lie between its pieces";
+    if (!areOpenArcs(cells_, cells_.pieceCount)) return "its open patches are not those of arcs";
     if (!areWallParts(cells_)) return "its walls do not belong to its pieces";
     if (!areMoments(cells_)) return "its moments do not belong to its pieces and arcs";
     if (!arePolygons(cells_)) return "its polygons do not belong to its arcs and walls";
@@ -184,6 +203,9 @@ class LeafRows {
     if (!areLeaves()) return "its leaves are not those that are cut, in order";
     if (!arePieces(leaves_)) return "its pieces do not belong to its leaves";
     if (!areArcs()) return "its arcs do not lie between its pieces";
+    if (!areOpenArcs(leaves_, leaves_.pieces.cell.size())) {
+      return "its open patches are not those of arcs";
+    }
     if (!areWallParts(leaves_)) return "its walls do not belong to its pieces";
     if (!areMoments(leaves_)) return "its moments do not belong to its pieces and arcs";
     if (!arePolygons(leaves_)) return "its polygons do not belong to its arcs and walls";

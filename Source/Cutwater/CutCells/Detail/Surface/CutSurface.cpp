@@ -106,19 +106,21 @@ std::vector<std::uint32_t> patchesOf(const PolygonSoup& soup,
 
 }  // namespace
 
-CutSurface::CutSurface(const PolygonSoup& triangles, FluidSide side, bool isSound)
+CutSurface::CutSurface(const PolygonSoup& triangles, FluidSide side, bool isSound,
+                       std::span<const std::uint32_t> openPatches)
     : CutSurface(triangles,
                  isSound ? properTriangles(triangles)
                          : withoutOpposites(triangles, properTriangles(triangles)),
-                 side, isSound) {}
+                 side, isSound, openPatches) {}
 
 CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles,
-                       FluidSide side, bool isSound)
+                       FluidSide side, bool isSound, std::span<const std::uint32_t> openPatches)
     : frame_(frameOf(soup.boundingBox())),
       windingOutside_(side == FluidSide::Inside ? 1 : 0),
       patches_(patchesOf(soup, triangles)),
       patchNames_(soup.patchNames),
-      moved_(inFrame(frame_, soup.points), cornersOf(soup, triangles, side)) {
+      moved_(inFrame(frame_, soup.points), cornersOf(soup, triangles, side)),
+      openKinds_(findOpenKinds(moved_, patches_, openPatches)) {
   if (triangles.empty()) {
     throw Error(ErrorKind::Topology, "cut cells: the surface bounds nothing");
   }

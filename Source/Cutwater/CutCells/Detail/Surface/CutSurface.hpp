@@ -2,6 +2,7 @@
 
 #include <Cutwater/Bvh/Detail/BinaryBvh.hpp>
 #include <Cutwater/Core/Box.hpp>
+#include <Cutwater/CutCells/Detail/Surface/OpenPatches.hpp>
 #include <Cutwater/CutCells/Detail/Surface/SheetKinds.hpp>
 #include <Cutwater/Sdf/FluidSide.hpp>
 #include <Cutwater/Surface/PolygonSoup.hpp>
@@ -22,10 +23,11 @@ struct CutFrame {
 class CutSurface {
  public:
   /// Equal points of the soup are one. `isSound`: it is known not to meet itself, and no shell lies
-  /// within another's solid.
+  /// within another's solid. `openPatches`: their numbers.
   /// @throws Error(Topology) if the triangles of the soup are not closed, or cancel each
   /// other.
-  CutSurface(const PolygonSoup& triangles, FluidSide side, bool isSound);
+  CutSurface(const PolygonSoup& triangles, FluidSide side, bool isSound,
+             std::span<const std::uint32_t> openPatches = {});
 
   [[nodiscard]] const CutFrame& frame() const { return frame_; }
   [[nodiscard]] const MovedSurface& moved() const { return moved_; }
@@ -38,6 +40,8 @@ class CutSurface {
   [[nodiscard]] const Box<double>& boundingBox() const { return tree_.nodes.front().box; }
   /// Of all triangles of the moved surface; empty: all are walls.
   [[nodiscard]] std::span<const SheetKind> kinds() const { return kinds_; }
+  /// Of the triangles of the mesh; empty: no patch is open.
+  [[nodiscard]] std::span<const OpenKind> openKinds() const { return openKinds_; }
   /// Whether parts of it meet.
   [[nodiscard]] bool meetsItself() const;
   /// The winding number far away.
@@ -46,13 +50,14 @@ class CutSurface {
  private:
   /// Of some triangles of a soup.
   CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles, FluidSide side,
-             bool isSound);
+             bool isSound, std::span<const std::uint32_t> openPatches);
 
   CutFrame frame_;
   int windingOutside_;
   std::vector<std::uint32_t> patches_;
   std::vector<std::string> patchNames_;
   MovedSurface moved_;
+  std::vector<OpenKind> openKinds_;
   std::vector<Box<double>> boxes_;
   detail::BinaryBvh tree_;  // over the boxes
   std::vector<SheetKind> kinds_;

@@ -1,8 +1,12 @@
+#include <Cutwater/Core/Detail/DisjointSets.hpp>
+#include <Cutwater/CutCells/Detail/Moments/Moments.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/OpenArcs.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/PlaneCut.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace cutwater {
 
@@ -39,6 +43,7 @@ class PlaneCutter {
         for (int i = 0; i < cells[0] + 1 - axis; ++i) addArcs(axis, {i, j, 1});
       }
     }
+    addOpenArcs();
     return std::move(out_);
   }
 
@@ -131,7 +136,7 @@ class PlaneCutter {
     const auto piece = open == kNone ? kNone : rowOf_[open];
     const auto& t = surface_.traces()[trace];
     const auto patch = surface_.patchOf(t.triangle);
-    if (piece == kNone || patch == kNone) return;
+    if (piece == kNone || patch == kNone || takeOpen(trace, piece)) return;
     auto& wall = walls_[{piece, patch}];
     wall.piece = piece;
     wall.patch = patch;
@@ -140,6 +145,27 @@ class PlaneCutter {
     wall.area += area;
     wall.areaVector += thickness_ * Vec3<double>{way.y, -way.x, 0};
     wall.centroid += area * 0.5 * (t.from + t.to);
+  }
+  /// Whether a trace is one of an open patch, in a side of the piece's cell.
+  bool takeOpen(std::uint32_t trace, std::uint32_t piece) {
+    const auto& t = surface_.traces()[trace];
+    const auto cell = out_.content.pieces[piece].cell;
+    const auto [isOpen, axis, isHigh] =
+        openFaceOf(surface_, planes_, {.cell = cell, .triangle = t.triangle});
+    if (!isOpen) return false;
+    if (axis != 0 && axis != 1) {
+      out_.content.misfits.push_back({t.triangle, cell, t.from});
+      return false;
+    }
+    auto place = out_.numbers.placeOfCell(cell);
+    place[asIndex(axis)] += isHigh ? 1 : 0;
+    PieceArc arc{.face = out_.numbers.face(axis, place),
+                 .area = length(t.to - t.from) * thickness_,
+                 .centroid = 0.5 * (t.from + t.to),
+                 .patch = surface_.patchOf(t.triangle)};
+    (isHigh ? arc.below : arc.above) = piece;
+    openTraces_.emplace_back(trace, arc);
+    return true;
   }
   static PieceWall meanOf(PieceWall wall) {
     wall.centroid = wall.centroid / wall.area;
@@ -193,6 +219,35 @@ class PlaneCutter {
     return true;
   }
 
+  /// Those of open patches: traces that share an edge of the mesh are one.
+  void addOpenArcs() {
+    const auto sideOf = [](const PieceArc& arc) {
+      return std::tuple(arc.below, arc.above, arc.face, arc.patch);
+    };
+    using Side = decltype(sideOf({}));
+    detail::DisjointSets sets(openTraces_.size());
+    std::map<std::pair<Side, std::uint32_t>, std::uint32_t> ofEdge;
+    for (std::uint32_t n = 0; n < openTraces_.size(); ++n) {
+      const auto& [trace, arc] = openTraces_[n];
+      for (const auto& end : {surface_.traces()[trace].start, surface_.traces()[trace].end}) {
+        if (end.gridEdge != kNone) continue;
+        const auto [other, isNew] = ofEdge.try_emplace({sideOf(arc), end.meshEdge}, n);
+        if (!isNew) sets.unite(n, other->second);
+      }
+    }
+    std::map<std::uint32_t, Moments> sums;  // by the first trace
+    for (std::uint32_t n = 0; n < openTraces_.size(); ++n) {
+      const auto& arc = openTraces_[n].second;
+      sums.try_emplace(sets.find(n), arc.centroid).first->second.add(arc.area, arc.centroid);
+    }
+    for (const auto& [first, sum] : sums) {
+      if (!(sum.size() > 0)) continue;
+      auto& arc = out_.content.arcs.emplace_back(openTraces_[first].second);
+      arc.area = sum.size();
+      arc.centroid = sum.centroid();
+    }
+  }
+
   const TileSurface& surface_;
   const EdgeStretches& stretches_;
   const FacePieces& faces_;
@@ -201,6 +256,7 @@ class PlaneCutter {
   std::vector<std::uint32_t> rowOf_;  // the piece of each open part, or kNone
   /// By piece and patch; centroids are integrals.
   std::map<std::pair<std::uint32_t, std::uint32_t>, PieceWall> walls_;
+  std::vector<std::pair<std::uint32_t, PieceArc>> openTraces_;
   TileCut out_;
 };
 

@@ -45,11 +45,22 @@ std::uint8_t fluidCorners(const EdgeStretches& stretches, const TilePlace& cell)
   return static_cast<std::uint8_t>(bits);
 }
 
+/// What pieces have of the surface: walls and open patches.
+std::vector<double> surfaceAreas(const CellPieces& content) {
+  std::vector<double> areas;
+  for (const auto& piece : content.pieces) areas.push_back(piece.area);
+  for (const auto& arc : content.arcs) {
+    if (arc.isOpenPatch()) areas[arc.below != kNone ? arc.below : arc.above] += arc.area;
+  }
+  return areas;
+}
+
 /// Finds the rows of cells among those of fragments and of pieces.
 void noteCells(const TileParts& parts, TileCut& out) {
   const auto& numbers = parts.surface.numbers();
   const auto fragments = parts.surface.fragments();
   const auto& pieces = out.content.pieces;
+  const auto areas = surfaceAreas(out.content);
   std::uint32_t piece = 0;
   for (std::size_t first = 0; first < fragments.size();) {
     const auto cell = fragments[first].cell;
@@ -63,10 +74,10 @@ void noteCells(const TileParts& parts, TileCut& out) {
     out.firstPiece.push_back(piece);
     out.fluidCorners.push_back(fluidCorners(parts.stretches, numbers.placeOfCell(cell)));
     double fluid = 0;
-    double wall = 0;
+    double area = 0;
     for (; piece < pieces.size() && pieces[piece].cell == cell; ++piece) {
       fluid += pieces[piece].volume;
-      wall += pieces[piece].area;
+      area += areas[piece];
     }
     const auto size = parts.planes.sizeOf(numbers.placeOfCell(cell));
     const double volume = size.x * size.y * size.z;
@@ -75,7 +86,7 @@ void noteCells(const TileParts& parts, TileCut& out) {
     const bool meets = parts.surface.meetAny(here);
     out.meets.push_back(meets ? 1 : 0);
     const bool isTouched =
-        meets ? wall <= kSliver * faceArea : touches(parts.surface, here, parts.planes, faceArea);
+        meets ? area <= kSliver * faceArea : touches(parts.surface, here, parts.planes, faceArea);
     if (isTouched) out.isBody[cell] = fluid < 0.5 * volume;
     out.isTouched.push_back(isTouched ? 1 : 0);
     first = last;
@@ -87,8 +98,11 @@ void addArcPolygons(const TileParts& parts, TileCut& out) {
   auto& outlines = out.polygons.arcs;
   const auto& arcs = out.content.arcs;
   while (outlines.count() < arcs.size()) {
-    const auto face = arcs[outlines.count()].face;
-    if (parts.faces.isCut(face)) {
+    const auto& arc = arcs[outlines.count()];
+    const auto face = arc.face;
+    if (arc.isOpenPatch()) {
+      outlines.add({});
+    } else if (parts.faces.isCut(face)) {
       addOutlines(parts.surface, parts.stretches, parts.faces, parts.planes, face, outlines);
     } else {
       addWholeOutline(parts.surface.numbers(), parts.planes, face, outlines);
@@ -102,7 +116,12 @@ void addWallPolygons(const TileSurface& surface, TileCut& out) {
   for (std::uint32_t i = 0; i < fragments.size(); ++i) {
     const auto piece = out.content.ofFragments[i];
     const auto patch = surface.patchOf(fragments[i].triangle);
-    if (piece != kNone && patch != kNone) walls.push_back({piece, patch, i});
+    if (piece == kNone || patch == kNone) continue;
+    if (out.content.isWall(i)) {
+      walls.push_back({piece, patch, i});
+    } else if (out.content.openArcOf[i] != CellPieces::kNoArea) {
+      walls.push_back({piece, TilePolygons::kOfArc + out.content.openArcOf[i], i});
+    }
   }
   std::ranges::sort(walls);
   for (const auto& [piece, patch, fragment] : walls) {
@@ -118,7 +137,8 @@ TileParts::TileParts(const CutSurface& whole, const TileInput& input)
     : wanted(input.wanted),
       frame(whole.frame()),
       planes(input.planes),
-      surface(whole.moved(), whole.patches(), input.triangles, planes, whole.kinds()),
+      surface(whole.moved(), whole.patches(), input.triangles, planes, whole.kinds(),
+              whole.openKinds()),
       stretches(surface, planes, input.winding),
       faces(surface, stretches, planes, wanted) {}
 

@@ -10,8 +10,10 @@ namespace cutwater {
 
 /// The polygons of one tile, in its coordinates.
 struct TilePolygons {
-  CutCells::Polygons arcs;   ///< by arc
+  CutCells::Polygons arcs;   ///< by arc; empty for those of open patches
   CutCells::Polygons walls;  ///< in the order of pieces and patches
+  /// In place of a patch: what makes up the arc of an open patch, plus the arc.
+  static constexpr std::uint32_t kOfArc = 0x80000000;
   /// Of each of them, the piece and the patch.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wallOf;
   std::vector<std::uint32_t> fragmentOf;  ///< and the fragment of the tile's surface

@@ -52,11 +52,12 @@ std::vector<Item> permuted(const std::vector<Item>& items, std::span<const std::
 
 TileSurface::TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> patches,
                          std::span<const std::uint32_t> triangles, const GridPlanes& planes,
-                         std::span<const SheetKind> kinds)
+                         std::span<const SheetKind> kinds, std::span<const OpenKind> openKinds)
     : surface_(surface),
       numbers_({planes.cells(0), planes.cells(1), planes.cells(2)}),
       patches_(patches),
-      kinds_(kinds) {
+      kinds_(kinds),
+      openKinds_(openKinds) {
   TriangleSplitter splitter(planes);
   for (const auto id : triangles) {
     splitter.split(surface.triangle(id), surface.corners(id),

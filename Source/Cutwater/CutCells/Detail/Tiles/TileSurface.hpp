@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/CutCells/Detail/Surface/OpenPatches.hpp>
 #include <Cutwater/CutCells/Detail/Surface/SheetKinds.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/TileNumbers.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/TriangleSplitter.hpp>
@@ -59,11 +60,11 @@ struct TileFragment {
 class TileSurface {
  public:
   /// Takes the triangles of these numbers, in ascending order; all that meet the box. `patches`: of
-  /// the triangles of the mesh; `kinds`: of all, or none if all are walls. All but the numbers and
-  /// the planes is viewed.
+  /// the triangles of the mesh; `kinds`: of all, or none if all are walls; `openKinds`: of those of
+  /// the mesh, or none if no patch is open. All but the numbers and the planes is viewed.
   TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> patches,
               std::span<const std::uint32_t> triangles, const GridPlanes& planes,
-              std::span<const SheetKind> kinds = {});
+              std::span<const SheetKind> kinds = {}, std::span<const OpenKind> openKinds = {});
 
   [[nodiscard]] const TileNumbers& numbers() const { return numbers_; }
   /// Those of walls, and of triangles that meet others.
@@ -78,6 +79,15 @@ class TileSurface {
 
   [[nodiscard]] SheetKind kindOf(std::uint32_t triangle) const {
     return kinds_.empty() ? SheetKind::Wall : kinds_[triangle];
+  }
+  [[nodiscard]] OpenKind openKindOf(std::uint32_t triangle) const {
+    return triangle < openKinds_.size() ? openKinds_[triangle] : OpenKind::Wall;
+  }
+  /// Whether there may be others than walls.
+  [[nodiscard]] bool hasOpenPatches() const { return !openKinds_.empty(); }
+  /// The coordinate along an axis of a triangle that lies across it.
+  [[nodiscard]] double placeOf(std::uint32_t triangle, int axis) const {
+    return surface_.triangle(triangle)[0].position[axis];
   }
   /// Whether triangles that meet others are among these fragments or traces.
   template <typename Parts>
@@ -111,6 +121,7 @@ class TileSurface {
   TileNumbers numbers_;
   std::span<const std::uint32_t> patches_;
   std::span<const SheetKind> kinds_;
+  std::span<const OpenKind> openKinds_;
   std::vector<TileFragment> fragments_;
   std::vector<Vec3<double>> points_;
   std::vector<std::uint32_t> meshEdges_;

@@ -99,6 +99,11 @@ class OwnLeaves {
     const auto& from = part_.arcs;
     if (!isOwn(from.below[arc]) && !isOwn(from.above[arc])) return;
     auto& to = out_.leaves;
+    const auto patch = part_.openArcs.patchOf(static_cast<std::uint32_t>(arc));
+    if (patch != CutCells::kNoRow) {
+      to.openArcs.arc.push_back(static_cast<std::uint32_t>(to.arcs.area.size()));
+      to.openArcs.patch.push_back(patch);
+    }
     takeSide(from.leafBelow[arc], from.below[arc], to.arcs.leafBelow, to.arcs.below);
     takeSide(from.leafAbove[arc], from.above[arc], to.arcs.leafAbove, to.arcs.above);
     to.arcs.area.push_back(from.area[arc]);

@@ -1,0 +1,82 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/CutCells/Detail/Surface/OpenPatches.hpp>
+#include <Cutwater/Triangles/TriangleIntersection.hpp>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace cutwater {
+
+namespace {
+
+std::string listOf(std::span<const std::string> names) {
+  constexpr std::size_t kFew = 20;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(kFew, names.size()); ++i) {
+    list += (i > 0 ? ", \"" : "\"") + names[i] + "\"";
+  }
+  return names.size() > kFew ? list + ", ..." : list;
+}
+
+bool liesAcross(const std::array<MovedVertex, 3>& triangle, int axis) {
+  const double at = triangle[0].position[axis];
+  return triangle[1].position[axis] == at && triangle[2].position[axis] == at;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> patchesCalled(std::span<const std::string> names,
+                                         std::span<const std::string> patchNames) {
+  std::vector<std::uint32_t> result;
+  for (std::size_t n = 0; n < names.size(); ++n) {
+    const auto before = result.size();
+    for (std::uint32_t patch = 0; patch < patchNames.size(); ++patch) {
+      if (patchNames[patch] == names[n]) result.push_back(patch);
+    }
+    if (result.size() == before) {
+      throw Error(ErrorKind::Argument,
+                  "cut cells: no patch is called \"" + names[n] +
+                      "\" that could be open; there are: " + listOf(patchNames));
+    }
+    if (std::ranges::count(names.first(n), names[n]) > 0) {
+      throw Error(ErrorKind::Argument, "cut cells: the open patch \"" + names[n] +
+                                           "\" is named twice; there are: " + listOf(patchNames));
+    }
+  }
+  return result;
+}
+
+std::vector<OpenKind> findOpenKinds(const MovedSurface& surface,
+                                    std::span<const std::uint32_t> patches,
+                                    std::span<const std::uint32_t> openPatches) {
+  if (openPatches.empty()) return {};
+  std::vector<OpenKind> kinds(surface.meshTriangleCount(), OpenKind::Wall);
+  std::map<std::uint32_t, std::array<bool, 3>>
+      planesOf;  // of a patch: whether any is across an axis
+  std::vector<std::uint32_t> empty;
+  for (std::uint32_t id = 0; id < kinds.size(); ++id) {
+    if (std::ranges::count(openPatches, patches[id]) == 0) continue;
+    const auto triangle = surface.triangle(id);
+    if (!hasArea({triangle[0].position, triangle[1].position, triangle[2].position})) {
+      empty.push_back(id);
+      continue;
+    }
+    kinds[id] = OpenKind::Inclined;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!liesAcross(triangle, axis)) continue;
+      kinds[id] = static_cast<OpenKind>(axis);
+      planesOf[patches[id]][static_cast<std::size_t>(axis)] = true;
+    }
+  }
+  for (const auto id : empty) {
+    const auto triangle = surface.triangle(id);
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool isOfPatch = planesOf[patches[id]][static_cast<std::size_t>(axis)];
+      if (isOfPatch && liesAcross(triangle, axis)) kinds[id] = static_cast<OpenKind>(axis);
+    }
+  }
+  return kinds;
+}
+
+}  // namespace cutwater
