@@ -115,8 +115,8 @@ TEST(CutCellsFileTest, AFileHoldsTheBytes) {
 TEST(CutCellsFileTest, HasTheBytesOfItsVersion) {
   // If the layout has changed, raise the version in the file's head, and write down the new value.
   const auto bytes = toBytes(cutOne(true));
-  EXPECT_EQ(std::to_integer<int>(bytes[8]), 2);
-  EXPECT_EQ(xxHash64(bytes), 0xa89608c22e7f4565U);
+  EXPECT_EQ(std::to_integer<int>(bytes[8]), 3);
+  EXPECT_EQ(xxHash64(bytes), 0xa8e852eb0fb3acfdU);
 }
 
 TEST(CutCellsFileTest, EveryBitCounts) {
@@ -214,7 +214,7 @@ TEST(CutCellsFileTest, SaysWhatAFileIsThatIsNone) {
             "the file of cut cells is damaged: it ends within its head");
   put(bytes, 8, std::uint32_t{7});
   EXPECT_EQ(refusalOfFile(asFile()),
-            "the file of cut cells has version 7, this library reads version 2: cut the cells "
+            "the file of cut cells has version 7, this library reads version 3: cut the cells "
             "anew");
   put(bytes, 12, std::uint32_t{0x04030201});
   EXPECT_EQ(refusalOfFile(asFile()),

@@ -252,14 +252,16 @@ TEST(OpenPatchesTest, FilesWithOtherOpenArcsAreRefused) {
     damage(damaged);
     return refusal([&] { return toBytes(damaged); });
   };
-  const std::string flaw =
-      "toBytes: need cut cells as they are made: its arcs do not lie between its pieces";
+  const std::string need = "toBytes: need cut cells as they are made: ";
+  const auto flaw = need + "its arcs do not lie between its pieces";
+  const auto openFlaw = need + "its open patches are not those of arcs";
   EXPECT_EQ(flawWith([](CutCells&) {}), "");
   EXPECT_EQ(flawWith([](CutCells& c) { c.openArcs = {}; }), flaw);
   EXPECT_EQ(flawWith([](CutCells& c) { c.openArcs.arc.pop_back(); }), flaw);
-  EXPECT_EQ(flawWith([](CutCells& c) { c.openArcs.patch.pop_back(); }), flaw);
-  EXPECT_EQ(flawWith([](CutCells& c) { c.openArcs.patch[0] = 3; }), flaw);
-  EXPECT_EQ(flawWith([](CutCells& c) { std::swap(c.openArcs.arc[0], c.openArcs.arc[1]); }), flaw);
+  EXPECT_EQ(flawWith([](CutCells& c) { c.openArcs.patch.pop_back(); }), openFlaw);
+  EXPECT_EQ(flawWith([](CutCells& c) { c.openArcs.patch[0] = 3; }), openFlaw);
+  EXPECT_EQ(flawWith([](CutCells& c) { std::swap(c.openArcs.arc[0], c.openArcs.arc[1]); }),
+            openFlaw);
   EXPECT_EQ(flawWith([](CutCells& c) {
               const auto a = c.openArcs.arc[0];
               std::swap(c.arcs.below[a], c.arcs.above[a]);

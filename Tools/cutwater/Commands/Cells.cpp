@@ -62,7 +62,9 @@ auto cut(const CellsSettings& options, const CellCutter& cutter, const Mesh& mes
 
 /// The same box in cells 2^halvings times as large; the last ones may reach beyond it.
 GridPatch<double> ofLargerCells(const GridPatch<double>& grid, int halvings) {
-  const auto along = [&](int axis) { return ((grid.indices.length(axis) - 1) >> halvings) + 1; };
+  const auto along = [&](int axis) {
+    return static_cast<std::int32_t>((grid.indices.length(axis) - 1) >> halvings) + 1;
+  };
   const auto lower = grid.level.cell(grid.indices.lo).lower;
   return {Level<double>(lower, std::ldexp(1.0, halvings) * grid.level.spacing()),
           IndexBox::ofSize(along(0), along(1), along(2))};
