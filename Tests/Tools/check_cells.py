@@ -161,6 +161,7 @@ class Cells(CommandTest):
         self.assertIn("--whole-cells", self.fails(1, "cells", "box.off", "--whole-cells"))
         self.assertIn("'cut.txt'", self.fails(2, "cells", "box.off", "-o", "cut.txt"))
         refusal = self.fails(1, "cells", "box.off", "--cells", "1000", "--max-cells", "1e5", "-o", "cut.vtu")
+        self.assertRegex(refusal, r"about [\d ]+ cells, [\d.]+ [MG]B of memory, about [\d.]+ (ms|s);")
         spacing = float(refusal.split("--spacing ")[1].split()[0])
         self.succeeds("cells", "box.off", "--spacing", spacing, "--max-cells", "1e5")
         (self.folder / "ball.toml").write_text('[ball]\nshape = "sphere"\nradius = 1\n')

@@ -9,7 +9,7 @@ double bytesToCut(double cells, std::size_t triangles, bool polygons) {
   // As measured for hulls, statues and machine parts.
   constexpr double kCell = 1200;
   constexpr double kCellWithPolygons = 5000;
-  constexpr double kTriangle = 1500;
+  constexpr double kTriangle = 500;
   return (polygons ? kCellWithPolygons : kCell) * cells +
          kTriangle * static_cast<double>(triangles);
 }
