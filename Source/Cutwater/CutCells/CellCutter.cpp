@@ -131,7 +131,7 @@ CellCutter::CellCutter(const Solid<T>& solid, FluidSide side, const CutterOption
 CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);
   checkOptions(options);
-  if (options.polygons || options.moments >= 0) requireSimple(*surface_, "polygons and moments");
+  if (options.polygons) requireSimple(*surface_, "polygons");
   const auto positions = inFrame(surface_->frame(), grid);
   const GridPlanes planes{{positions[0], positions[1], positions[2]}};
   const CutTiles tiles(*surface_, planes);
@@ -163,7 +163,7 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
 template <std::floating_point T>
 CutLeaves CellCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options) const {
   checkOptions(options);
-  requireSimple(*surface_, "leaves of octrees");
+  if (options.polygons) requireSimple(*surface_, "polygons");
   const LeafGrid grid(mesh, surface_->frame());
   std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);
   const auto tiles = cutLeafTiles(*surface_, grid, options, classes);

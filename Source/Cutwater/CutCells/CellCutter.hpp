@@ -62,7 +62,7 @@ class CellCutter {
 
   /// The cells of a box.
   /// @throws Error(Argument) unless planes ascend and are finite, and options are within their
-  /// ranges; Error(Topology) if polygons or moments are asked for and the surface meets itself.
+  /// ranges; Error(Topology) if polygons are asked for and the surface meets itself.
   [[nodiscard]] CutCells cut(const CellPlanes& grid, const CutOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>
@@ -74,7 +74,7 @@ class CellCutter {
   /// alone; its polygons have corners of the leaves across its edges as well. An octree of one
   /// level gives the pieces and arcs of the grid patch, to the bit.
   /// @throws Error(Argument) if leaves are so small that their planes do not ascend, and unless
-  /// options are within their ranges; Error(Topology) if the surface meets itself.
+  /// options are within their ranges; Error(Topology) as of a box.
   template <std::floating_point T>
   [[nodiscard]] CutLeaves cut(const OctreeCells<T>& mesh, const CutOptions& options = {}) const;
 

@@ -90,9 +90,11 @@ FaceRegions::FaceRegions(const TileSurface& surface, const EdgeStretches& stretc
 
 void FaceRegions::measure(std::uint32_t face, double least) {
   std::vector<Vec3<double>> moments(parts_.size());
+  std::vector<Vec3<double>> middles(parts_.size());
   for (const auto& region : regions_) {
     if (region.part == kNone) continue;
     auto& part = parts_[region.part];
+    middles[region.part] = middleOf(region.polygon);
     for (std::size_t k = 2; k < region.polygon.size(); ++k) {
       const auto& [a, b, c] = std::tie(region.polygon[0], region.polygon[k - 1], region.polygon[k]);
       const double area = 0.5 * cross(b - a, c - a)[axis_];
@@ -103,7 +105,7 @@ void FaceRegions::measure(std::uint32_t face, double least) {
   for (std::uint32_t n = 0; n < parts_.size(); ++n) {
     parts_[n].face = face;
     parts_[n].isNothing = !(parts_[n].area > least);
-    if (!parts_[n].isNothing) parts_[n].centroid = moments[n] / parts_[n].area;
+    parts_[n].centroid = parts_[n].isNothing ? middles[n] : moments[n] / parts_[n].area;
   }
 }
 

@@ -1,10 +1,17 @@
 #pragma once
 
 #include <Cutwater/CutCells/Detail/Faces/EdgeStretches.hpp>
-#include <Cutwater/CutCells/Detail/Faces/FacePieces.hpp>
 #include <Cutwater/CutCells/Detail/Faces/SheetTree.hpp>
 
 namespace cutwater {
+
+/// A connected open part of a face between two cells.
+struct FacePiece {
+  std::uint32_t face = 0;
+  double area = 0;
+  Vec3<double> centroid;   ///< on the face; of the whole face if the area is 0
+  bool isNothing = false;  ///< its rim is a point
+};
 
 /// A face between two cells, divided along the traces on it into convex regions: for faces on which
 /// the surface meets itself, and for the cells beside them. In floating point; the same for both
@@ -12,7 +19,7 @@ namespace cutwater {
 class FaceRegions {
  public:
   struct Region {
-    SheetTree::Polygon polygon;
+    SheetTree::Polygon polygon;  ///< counterclockwise as seen against the face's axis
     bool isFluid = false;
     std::uint32_t part = kNone;  ///< the open part that it belongs to
   };

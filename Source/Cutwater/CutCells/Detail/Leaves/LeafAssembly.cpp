@@ -98,6 +98,7 @@ class LeavesAssembly {
       cut.box.push_back(grid_.boxOf(leaf));
       cut.firstPiece.push_back(pieceCount());
       cut.fluidCorners.push_back(from.fluidCorners[row]);
+      cut.meets.push_back(from.meets[row]);
       for (auto p = from.firstPiece[row]; p < from.firstPiece[row + 1]; ++p) {
         addPieceRows(from.content, p, frame_, outRow, out_.pieces, out_.wallParts);
         if (out_.moments.degree >= 0) addPieceMoments(from.moments, p, out_.moments);

@@ -1,4 +1,3 @@
-#include <Cutwater/CutCells/Detail/Faces/FaceFrame.hpp>
 #include <Cutwater/CutCells/Detail/Moments/ArcMoments.hpp>
 
 namespace cutwater {
@@ -21,9 +20,37 @@ ArcMoments::ArcMoments(const FacePieces& faces, std::span<const PieceArc> arcs,
 }
 
 void ArcMoments::addCutFace(std::uint32_t face) {
-  const auto& surface = faces_.surface();
-  const FaceFrame frame(surface.numbers(), faces_.planes(), face);
+  const FaceFrame frame(faces_.surface().numbers(), faces_.planes(), face);
   const int across = frame.axes().across;
+  if (faces_.meetsOn(face)) {
+    addRegions(face, across);
+  } else {
+    addRims(frame);
+  }
+  const auto [firstPart, lastPart] = faces_.of(face);
+  for (auto part = firstPart; part < lastPart; ++part) {
+    const auto own = std::span(moments_).subspan(part * count_, count_);
+    for (std::size_t i = 0; i < count_; ++i) {
+      const auto& [powers, degree, raised, factorials] = kMonomials<2>[i];
+      own[i] *= factorials * factorialRatio(0, degree + 2);
+    }
+    shift(own, degree_, alongFace(references_[part] - centroid(part), across));
+  }
+}
+
+void ArcMoments::addRegions(std::uint32_t face, int across) {
+  for (const auto& [polygon, isFluid, part] : faces_.regionsOn(face)) {
+    if (part == kNone) continue;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      addRimPart(part, {polygon[k], polygon[(k + 1) % polygon.size()]}, across);
+    }
+  }
+}
+
+void ArcMoments::addRims(const FaceFrame& frame) {
+  const auto& surface = faces_.surface();
+  const int across = frame.axes().across;
+  const auto face = surface.numbers().face(across, frame.place());
   const auto [firstTrace, lastTrace] = faces_.tracesOf(face);
   for (auto i = firstTrace; i < lastTrace; ++i) {
     const auto& trace = surface.traces()[i];
@@ -35,15 +62,6 @@ void ArcMoments::addCutFace(std::uint32_t face) {
     for (std::size_t s = 0; s < stretches.size(); ++s) {
       addRimPart(faces_.ofStretch(face, side, s), frame.endsOf(side, stretches[s]), across);
     }
-  }
-  const auto [firstPart, lastPart] = faces_.of(face);
-  for (auto part = firstPart; part < lastPart; ++part) {
-    const auto own = std::span(moments_).subspan(part * count_, count_);
-    for (std::size_t i = 0; i < count_; ++i) {
-      const auto& [powers, degree, raised, factorials] = kMonomials<2>[i];
-      own[i] *= factorials * factorialRatio(0, degree + 2);
-    }
-    shift(own, degree_, alongFace(references_[part] - centroid(part), across));
   }
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <Cutwater/CutCells/CutCells.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FacePieces.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/PieceSums.hpp>
+
+#include <utility>
 
 namespace cutwater {
 
@@ -17,6 +20,12 @@ struct PieceArc {
   bool isDropped = false;  ///< a piece beside it is one
 };
 
+/// Convex polygons of walls, with normals into the fluid: of each one its piece and its patch.
+struct WallPolygons {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> of;
+  CutCells::Polygons polygons;
+};
+
 /// The pieces of the cells that a surface meets, in the order of cells, and what connects them, in
 /// the order of faces.
 struct CellPieces {
@@ -24,6 +33,8 @@ struct CellPieces {
   std::vector<PieceWall> walls;
   std::vector<PieceArc> arcs;
   std::vector<std::uint32_t> ofFragments;  ///< the piece of each fragment, or kNone
+  /// In cells where triangles meet, whose fragments have no piece; in the order of these cells.
+  WallPolygons meetingWalls;
 };
 
 /// Joins what bounds each piece of the cells that are wanted, and measures it.

@@ -124,9 +124,8 @@ class MeetingCell {
   /// Joins what is open on a face with what is behind it, and adds walls in the face's plane.
   void addFace(std::size_t n) {
     const auto face = faceNumber(n);
-    const FaceRegions found(surface_, faces_.stretches(), faces_.planes(), face);
     const auto inwards = SheetTree::inwards(n);
-    for (const auto& region : found.regions()) {
+    for (const auto& region : faces_.regionsOn(face)) {
       const auto arc = region.isFluid ? nodeOfRegion(n, face, region) : kNone;
       tree_.divide(region.polygon, inwards, [&](std::uint32_t leaf, const Polygon& part) {
         if (region.isFluid && isFluid_[leaf] != 0) {
@@ -141,10 +140,7 @@ class MeetingCell {
   }
   [[nodiscard]] std::uint32_t nodeOfRegion(std::size_t n, std::uint32_t face,
                                            const FaceRegions::Region& region) const {
-    if (!faces_.isCut(face)) return nodeOfArc(n, arcOfFullFace_[face]);
-    const auto first = faces_.of(face).first;
-    return nodeOfArc(
-        n, faces_.meetsOn(face) ? first + region.part : faces_.at(face, middleOf(region.polygon)));
+    return nodeOfArc(n, faces_.isCut(face) ? region.part : arcOfFullFace_[face]);
   }
 
   void measure() {
@@ -171,6 +167,12 @@ class MeetingCell {
       numbers.back() = static_cast<std::uint32_t>(out_.pieces.size());
       sum.appendWalls(numbers.back(), out_.walls);
       out_.pieces.push_back(withinCell(sum.piece(cell_)));
+    }
+    for (const auto& wall : walls_) {
+      const auto piece = numbers[sumOf[sets_.find(wall.node)]];
+      if (piece == kNone) continue;
+      out_.meetingWalls.of.emplace_back(piece, wall.patch);
+      out_.meetingWalls.polygons.add(wall.polygon);
     }
     for (std::uint32_t i = 0; i < open_.size(); ++i) {
       auto& arc = out_.arcs[open_[i].arc];

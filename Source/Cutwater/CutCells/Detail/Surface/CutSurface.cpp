@@ -139,10 +139,7 @@ CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> t
                       .corners = corners,
                       .trianglesIn = [this](const Box<double>& box) { return trianglesIn(box); },
                       .windingOutside = windingOutside_});
-}
-
-bool CutSurface::meetsItself() const {
-  return std::ranges::find(kinds_, SheetKind::Meeting) != kinds_.end();
+  meetsItself_ = std::ranges::find(kinds_, SheetKind::Meeting) != kinds_.end();
 }
 
 std::vector<std::uint32_t> CutSurface::trianglesIn(const Box<double>& box) const {

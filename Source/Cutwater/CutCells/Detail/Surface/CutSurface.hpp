@@ -39,7 +39,7 @@ class CutSurface {
   /// Of all triangles of the moved surface; empty: all are walls.
   [[nodiscard]] std::span<const SheetKind> kinds() const { return kinds_; }
   /// Whether parts of it meet.
-  [[nodiscard]] bool meetsItself() const;
+  [[nodiscard]] bool meetsItself() const { return meetsItself_; }
   /// The winding number far away.
   [[nodiscard]] int windingOutside() const { return windingOutside_; }
 
@@ -56,6 +56,7 @@ class CutSurface {
   std::vector<Box<double>> boxes_;
   detail::BinaryBvh tree_;  // over the boxes
   std::vector<SheetKind> kinds_;
+  bool meetsItself_ = false;
 };
 
 }  // namespace cutwater

@@ -145,6 +145,7 @@ TileCut cutTile(const TileParts& parts, const CutOptions& options) {
   if (options.moments >= 0) {
     result.moments = findMoments(faces, result.content, frame, options.moments);
   }
+  result.content.meetingWalls = {};
   return result;
 }
 
