@@ -60,6 +60,13 @@ inline PolygonSoup soupOf(const std::vector<Box<double>>& boxes) {
   return soup;
 }
 
+/// With these heights.
+inline std::vector<Box<double>> asPrisms(std::vector<Box<double>> boxes, double lower,
+                                         double upper) {
+  for (auto& box : boxes) box.lower.z = lower, box.upper.z = upper;
+  return boxes;
+}
+
 /// Boxes in the unit cube, anywhere.
 inline std::vector<Box<double>> randomBoxes(std::mt19937& random, int count) {
   std::uniform_real_distribution<double> number(0.03, 0.97);

@@ -1,8 +1,5 @@
 // Surfaces whose shells overlap, repeat or pass through themselves.
 
-#include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/Octree.hpp>
-
 #include <map>
 #include <random>
 
@@ -138,18 +135,6 @@ TEST(MeetingCellsTest, CoarserCellsAreThoseOfTheUnion) {
   double lost = 0;
   for (const auto& piece : single.lost) lost += piece.volume;
   EXPECT_NEAR(check(single.cells).bodyVolume, check(fine).bodyVolume + lost, 1e-14);
-}
-
-TEST(MeetingCellsTest, WhatNeedsASimpleSurfaceIsRefused) {
-  const auto one = tessellation::box({0.2, 0.2, 0.2}, {0.6, 0.6, 0.6});
-  const Solid<double> solid = solidOf(joined({one, moved(one, {0.1, 0.1, 0.1})}));
-  const CellCutter cutter(solid);
-  const GridPatch<double> grid{Level<double>({0, 0, 0}, {1, 1, 1}), IndexBox::ofSize(1, 1, 1)};
-  EXPECT_NO_THROW(static_cast<void>(cutter.cut(grid)));
-  EXPECT_THROW(static_cast<void>(cutter.cut(grid, {.polygons = true})), Error);
-  EXPECT_THROW(static_cast<void>(cutter.cutInPlane(planesOf(grid), 0.5)), Error);
-  const Octree<double> mesh(solid, OctreeDomain<double>({0, 0, 0}, 1, {1, 1, 1}), {.cut = 1});
-  EXPECT_THROW(static_cast<void>(cutter.cut(mesh, {.polygons = true})), Error);
 }
 
 }  // namespace

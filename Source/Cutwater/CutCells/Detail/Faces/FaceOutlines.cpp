@@ -1,5 +1,6 @@
 #include <Cutwater/CutCells/Detail/Faces/FaceFrame.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceOutlines.hpp>
+#include <Cutwater/CutCells/Detail/Faces/JoinedLoops.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -35,7 +36,7 @@ class OutlineWalk {
     std::ranges::sort(starts_);
   }
 
-  /// The loops of each of the face's parts, from the first part on; those around the fluid first.
+  /// The loops of each of the face's parts, from the first part on.
   [[nodiscard]] std::vector<std::vector<Loop>> loops() {
     const auto [firstPart, lastPart] = faces_.of(face_);
     std::vector<std::vector<Loop>> result(lastPart - firstPart);
@@ -45,7 +46,6 @@ class OutlineWalk {
       auto loop = loopFrom(n);
       if (loop.size() >= 3) result[partOf(n) - firstPart].push_back(std::move(loop));
     }
-    for (auto& loops : result) putRimFirst(loops);
     return result;
   }
 
@@ -123,20 +123,6 @@ class OutlineWalk {
     return firstNode_[asIndex(following)] + (goesUp(following) ? 0 : count - 1);
   }
 
-  [[nodiscard]] double areaOf(const Loop& loop) const {
-    double area = 0;
-    for (std::size_t i = 2; i < loop.size(); ++i) {
-      area += cross(loop[i - 1] - loop[0], loop[i] - loop[0])[frame_.axes().across];
-    }
-    return area;
-  }
-  void putRimFirst(std::vector<Loop>& loops) const {
-    if (loops.size() < 2) return;
-    const auto rim =
-        std::ranges::max_element(loops, {}, [this](const Loop& loop) { return areaOf(loop); });
-    std::iter_swap(loops.begin(), rim);
-  }
-
   const FacePieces& faces_;
   FaceFrame frame_;
   std::uint32_t face_;
@@ -149,83 +135,15 @@ class OutlineWalk {
   std::vector<char> isSeen_;
 };
 
-/// Joins holes to the outline around them.
-class HoleJoiner {
- public:
-  explicit HoleJoiner(const FaceAxes& axes) : c_(axes.first), d_(axes.second) {}
-
-  [[nodiscard]] Loop joined(std::vector<Loop> loops) const {
-    auto outline = std::move(loops.front());
-    // From below: what is below a hole's lowest point is joined already.
-    std::vector<Loop> holes(std::make_move_iterator(loops.begin() + 1),
-                            std::make_move_iterator(loops.end()));
-    for (auto& hole : holes) {
-      const auto lowest =
-          std::ranges::min_element(hole, {}, [this](const Vec3<double>& p) { return p[d_]; });
-      std::rotate(hole.begin(), lowest, hole.end());
-    }
-    std::ranges::sort(holes, {}, [this](const Loop& hole) { return hole.front()[d_]; });
-    for (const auto& hole : holes) join(outline, hole);
-    return outline;
-  }
-
- private:
-  void join(Loop& outline, const Loop& hole) const {
-    const auto at = outline.begin() + static_cast<std::ptrdiff_t>(seenFrom(outline, hole.front()));
-    Loop way(hole);
-    way.push_back(hole.front());
-    way.push_back(*at);
-    outline.insert(at + 1, way.begin(), way.end());
-  }
-
-  /// A corner of the outline below the point that nothing of the outline hides (Eberly,
-  /// "Triangulation by ear clipping", 2002).
-  [[nodiscard]] std::size_t seenFrom(const Loop& outline, const Vec3<double>& p) const {
-    std::size_t best = 0;
-    double height = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const auto next = (i + 1) % outline.size();
-      const auto& from = outline[i];
-      const auto& to = outline[next];
-      if ((from[c_] <= p[c_]) == (to[c_] <= p[c_])) continue;
-      const double here = from[d_] + (p[c_] - from[c_]) / (to[c_] - from[c_]) * (to[d_] - from[d_]);
-      if (here > p[d_] || here <= height) continue;
-      height = here;
-      best = from[d_] < to[d_] ? i : next;
-    }
-    // Corners in the triangle of the point, what is right below it, and that corner may hide it:
-    // the one that is least to the side is seen.
-    const auto& corner = outline[best];
-    const auto slope = [&](const Vec3<double>& q) {
-      return std::abs(q[c_] - p[c_]) / (p[d_] - q[d_]);
-    };
-    double least = slope(corner);
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const auto& q = outline[i];
-      const bool isOnThatSide = (q[c_] - p[c_]) * (corner[c_] - p[c_]) > 0;
-      if (!isOnThatSide || q[d_] >= p[d_] || !(slope(q) < least)) continue;
-      // Above the line from the point right below to the corner.
-      const double share = (q[c_] - p[c_]) / (corner[c_] - p[c_]);
-      if (share > 1 || q[d_] < height + share * (corner[d_] - height)) continue;
-      least = slope(q);
-      best = i;
-    }
-    return best;
-  }
-
-  int c_;
-  int d_;
-};
-
 }  // namespace
 
 void addOutlines(const TileSurface& surface, const EdgeStretches& stretches,
                  const FacePieces& faces, const GridPlanes& planes, std::uint32_t face,
                  CutCells::Polygons& out) {
-  const HoleJoiner joiner(FaceAxes(surface.numbers().axisOfFace(face)));
+  const FaceAxes axes(surface.numbers().axisOfFace(face));
   for (auto& loops : OutlineWalk(surface, stretches, faces, planes, face).loops()) {
     // None is left of a part whose rim is a point.
-    out.add(loops.empty() ? Loop{} : joiner.joined(std::move(loops)));
+    out.add(joinedLoops(axes, std::move(loops)));
   }
 }
 

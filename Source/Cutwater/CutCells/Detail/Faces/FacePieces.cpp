@@ -298,7 +298,7 @@ std::vector<FaceRegions::Region> FacePieces::regionsOn(std::uint32_t face) const
     return std::vector<FaceRegions::Region>(from.regions().begin(), from.regions().end());
   };
   if (isCut(face) && meetsOn(face)) {
-    auto regions = copied(regions_[cutFaces_[cutFace(face)].regions]);
+    auto regions = copied(meetingRegions(face));
     for (auto& region : regions) {
       if (region.part != kNone) region.part += of(face).first;
     }

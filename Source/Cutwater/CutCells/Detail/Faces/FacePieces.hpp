@@ -34,6 +34,10 @@ class FacePieces {
   [[nodiscard]] bool meetsOn(std::uint32_t face) const {
     return cutFaces_[cutFace(face)].regions != kNone;
   }
+  /// Of a face on which triangles meet.
+  [[nodiscard]] const FaceRegions& meetingRegions(std::uint32_t face) const {
+    return regions_[cutFaces_[cutFace(face)].regions];
+  }
   /// The convex regions of any face, each with the number of its open part: kNone where there is
   /// none, and on faces that are not cut.
   [[nodiscard]] std::vector<FaceRegions::Region> regionsOn(std::uint32_t face) const;

@@ -4,6 +4,7 @@
 #include <Cutwater/CutCells/Detail/Leaves/LeafAssembly.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafPolygons.hpp>
 #include <Cutwater/CutCells/Detail/Moments/Monomials.hpp>
+#include <Cutwater/CutCells/Detail/Rows/PieceClosing.hpp>
 #include <Cutwater/CutCells/Detail/Rows/PieceRows.hpp>
 
 #include <algorithm>
@@ -80,6 +81,7 @@ class LeavesAssembly {
     if (withPolygons_) {
       addWallPolygons();
       insertHangingCorners(grid_, out_);
+      closePieces(out_);
     }
     return std::move(out_);
   }

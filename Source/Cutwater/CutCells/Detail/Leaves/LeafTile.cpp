@@ -117,6 +117,7 @@ class RimNotes {
     const TracesOfFragments traces(parts_.surface);
     const auto& fragmentOf = tile_.cut.polygons.fragmentOf;
     for (std::uint32_t wall = 0; wall < fragmentOf.size(); ++wall) {
+      if (fragmentOf[wall] == kNone) continue;  // the whole piece is closed at last
       for (const auto number : traces.of(fragmentOf[wall])) {
         const auto& trace = parts_.surface.traces()[number];
         const bool isHigh = trace.below == fragmentOf[wall];

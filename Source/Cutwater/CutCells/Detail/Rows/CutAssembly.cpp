@@ -1,4 +1,5 @@
 #include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
+#include <Cutwater/CutCells/Detail/Rows/PieceClosing.hpp>
 #include <Cutwater/CutCells/Detail/Rows/PieceRows.hpp>
 
 #include <algorithm>
@@ -58,7 +59,10 @@ class Assembly {
     addPieces();
     addArcs();
     addBodyRuns();
-    if (withPolygons_) out_.firstWallPolygon.push_back(out_.wallPolygons.count());
+    if (withPolygons_) {
+      out_.firstWallPolygon.push_back(out_.wallPolygons.count());
+      closePieces(out_);
+    }
     return std::move(out_);
   }
 

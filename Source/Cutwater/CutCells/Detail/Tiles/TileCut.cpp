@@ -1,6 +1,8 @@
 #include <Cutwater/CutCells/Detail/Faces/FaceOutlines.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceRegions.hpp>
+#include <Cutwater/CutCells/Detail/Faces/RegionOutlines.hpp>
 #include <Cutwater/CutCells/Detail/Moments/TileMoments.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/ConformedWalls.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/TileCut.hpp>
 
 #include <algorithm>
@@ -88,7 +90,9 @@ void addArcPolygons(const TileParts& parts, TileCut& out) {
   const auto& arcs = out.content.arcs;
   while (outlines.count() < arcs.size()) {
     const auto face = arcs[outlines.count()].face;
-    if (parts.faces.isCut(face)) {
+    if (parts.faces.isCut(face) && parts.faces.meetsOn(face)) {
+      addRegionOutlines(parts.faces, face, outlines);
+    } else if (parts.faces.isCut(face)) {
       addOutlines(parts.surface, parts.stretches, parts.faces, parts.planes, face, outlines);
     } else {
       addWholeOutline(parts.surface.numbers(), parts.planes, face, outlines);
@@ -97,18 +101,25 @@ void addArcPolygons(const TileParts& parts, TileCut& out) {
 }
 
 void addWallPolygons(const TileSurface& surface, TileCut& out) {
-  std::vector<std::array<std::uint32_t, 3>> walls;  // piece, patch, fragment
+  const auto meeting = conformedWalls(surface, out.content, out.polygons.arcs);
+  // Piece, patch, fragment or kNone, number of those that meet.
+  std::vector<std::array<std::uint32_t, 4>> walls;
   const auto fragments = surface.fragments();
   for (std::uint32_t i = 0; i < fragments.size(); ++i) {
     const auto piece = out.content.ofFragments[i];
     const auto patch = surface.patchOf(fragments[i].triangle);
-    if (piece != kNone && patch != kNone) walls.push_back({piece, patch, i});
+    if (piece != kNone && patch != kNone) walls.push_back({piece, patch, i, 0});
+  }
+  for (std::uint32_t i = 0; i < meeting.of.size(); ++i) {
+    const auto [piece, patch] = meeting.of[i];
+    if (patch != kNone) walls.push_back({piece, patch, kNone, i});
   }
   std::ranges::sort(walls);
-  for (const auto& [piece, patch, fragment] : walls) {
+  for (const auto& [piece, patch, fragment, number] : walls) {
     out.polygons.wallOf.emplace_back(piece, patch);
     out.polygons.fragmentOf.push_back(fragment);
-    out.polygons.walls.add(surface.points(fragments[fragment]));
+    out.polygons.walls.add(fragment == kNone ? meeting.polygons.of(number)
+                                             : surface.points(fragments[fragment]));
   }
 }
 

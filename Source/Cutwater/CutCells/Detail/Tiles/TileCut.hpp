@@ -14,7 +14,7 @@ struct TilePolygons {
   CutCells::Polygons walls;  ///< in the order of pieces and patches
   /// Of each of them, the piece and the patch.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wallOf;
-  std::vector<std::uint32_t> fragmentOf;  ///< and the fragment of the tile's surface
+  std::vector<std::uint32_t> fragmentOf;  ///< and the fragment, or kNone where triangles meet
 };
 
 /// The cut cells of one tile, with its own numbers of cells, pieces and faces.
