@@ -13,21 +13,6 @@
 namespace cutwater::test {
 namespace {
 
-/// The integral of x^power from `lower` to `upper`.
-double ofPower(int power, double lower, double upper) {
-  return (std::pow(upper, power + 1) - std::pow(lower, power + 1)) / (power + 1);
-}
-/// Of a box, or of its face across an axis, on which all have this coordinate.
-double ofBox(const Powers& powers, const Box<double>& box, int across = -1, double at = 0) {
-  double result = 1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const int power = powers[static_cast<std::size_t>(axis)];
-    result *=
-        axis == across ? std::pow(at, power) : ofPower(power, box.lower[axis], box.upper[axis]);
-  }
-  return result;
-}
-
 TEST(CutCellsMomentsTest, AreInTheOrderOfTheirDegrees) {
   ASSERT_EQ(kOrder.size(), 35U);
   for (std::size_t i = 0; i < kOrder.size(); ++i) {

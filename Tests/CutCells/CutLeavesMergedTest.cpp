@@ -152,6 +152,7 @@ void expectAsGrid(const CellCutter& cutter, const Mesh& mesh, const MergeOptions
     ASSERT_NE(other, CutCells::kNoRow);
     partners[row] = other;
     EXPECT_EQ(l.cut.fluidCorners[row], c.cells.fluidCorners[other]);
+    EXPECT_EQ(l.cut.meets[row], c.cells.meets[other]);
     EXPECT_EQ(l.pieces.volume[row], c.pieces.volume[other]);
     EXPECT_EQ(l.pieces.centroid[row], c.pieces.centroid[other]);
     EXPECT_EQ(l.pieces.wallArea[row], c.pieces.wallArea[other]);

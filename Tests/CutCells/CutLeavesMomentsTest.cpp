@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "CutCells/RandomLeaves.hpp"
+#include "CutCells/ShellCells.hpp"
 #include "Support/Scale.hpp"
 
 namespace cutwater::test {
@@ -64,32 +65,52 @@ Sums sumsOf(const CutCells& fine, const OctreeCell& leaf, int deepest) {
   return sums;
 }
 
+/// Compares the moments of leaves with those of the finest cells in them; returns how many are
+/// coarser.
+std::size_t expectSumsOfFinest(const CellCutter& cutter, const Mesh& mesh) {
+  std::size_t coarse = 0;
+  const auto leaves = cutter.cut(mesh, {.moments = 4});
+  const auto fine = cutter.cut(finestOf(mesh), {.moments = 4});
+  EXPECT_LT(check(leaves).worstMoments, 1e-13);
+  for (std::size_t row = 0; row < leaves.cut.leaf.size(); ++row) {
+    const auto& leaf = mesh.cells()[leaves.cut.leaf[row]];
+    if (leaf.level < mesh.deepest()) ++coarse;
+    Sums sums;
+    for (auto p = leaves.cut.firstPiece[row]; p < leaves.cut.firstPiece[row + 1]; ++p) {
+      add(leaves, p, sums);
+    }
+    const auto expected = sumsOf(fine, leaf, mesh.deepest());
+    for (std::size_t i = 0; i < 35; ++i) {
+      EXPECT_NEAR(sums.volume[i], expected.volume[i], 1e-13);
+      EXPECT_NEAR(sums.wall[i], expected.wall[i], 1e-13);
+    }
+  }
+  return coarse;
+}
+
 TEST(CutLeavesMomentsTest, AreSumsOfThoseOfTheFinestCells) {
   std::mt19937 random(21);
   std::size_t coarse = 0;
   for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
     const CellCutter cutter(turnedTorus(), side);
     for (int n = 0; n < scaled(3) && !HasFailure(); ++n) {
-      const auto mesh = randomMesh(random, 4, 0, 1, 80);
-      const auto leaves = cutter.cut(mesh, {.moments = 4});
-      const auto fine = cutter.cut(finestOf(mesh), {.moments = 4});
-      EXPECT_LT(check(leaves).worstMoments, 1e-13);
-      for (std::size_t row = 0; row < leaves.cut.leaf.size(); ++row) {
-        const auto& leaf = mesh.cells()[leaves.cut.leaf[row]];
-        if (leaf.level < mesh.deepest()) ++coarse;
-        Sums sums;
-        for (auto p = leaves.cut.firstPiece[row]; p < leaves.cut.firstPiece[row + 1]; ++p) {
-          add(leaves, p, sums);
-        }
-        const auto expected = sumsOf(fine, leaf, mesh.deepest());
-        for (std::size_t i = 0; i < 35; ++i) {
-          EXPECT_NEAR(sums.volume[i], expected.volume[i], 1e-13);
-          EXPECT_NEAR(sums.wall[i], expected.wall[i], 1e-13);
-        }
-      }
+      coarse += expectSumsOfFinest(cutter, randomMesh(random, 4, 0, 1, 80));
     }
   }
   EXPECT_GT(coarse, 100U);
+}
+
+TEST(CutLeavesMomentsTest, OfShellsThatOverlapAreSumsOfThoseOfTheFinestCells) {
+  std::mt19937 random(24);
+  const auto both = joined({ball(0.3, {0.35, 0.4, 0.51}, 2), ball(0.27, {0.6, 0.62, 0.48}, 2)});
+  std::size_t coarse = 0;
+  for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+    const CellCutter cutter(solidOf(both), side);
+    for (int n = 0; n < scaled(2) && !HasFailure(); ++n) {
+      coarse += expectSumsOfFinest(cutter, randomMesh(random, 4, 0, 1, 80));
+    }
+  }
+  EXPECT_GT(coarse, 50U);
 }
 
 TEST(CutLeavesMomentsTest, OfOneLevelAreThoseOfTheGrid) {

@@ -1,46 +1,20 @@
 // Surfaces whose shells overlap, repeat or pass through themselves.
 
-#include <Cutwater/Core/Error.hpp>
-#include <Cutwater/Grid/Octree.hpp>
-
 #include <map>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "CutCells/BoxUnions.hpp"
 #include "CutCells/ShellCells.hpp"
 #include "Support/Scale.hpp"
 
 namespace cutwater::test {
 namespace {
 
-/// The volume or, between equal planes, the area of what boxes cover of a box: by inclusion and
-/// exclusion.
-double covered(const Box<double>& within, const std::vector<Box<double>>& boxes, int across = -1) {
-  double sum = 0;
-  for (unsigned some = 1; some < 1U << boxes.size(); ++some) {
-    auto common = within;
-    int sign = -1;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if ((some >> i & 1U) == 0) continue;
-      common = common.intersection(boxes[i]);
-      sign = -sign;
-    }
-    if (common.empty()) continue;
-    double size = sign;
-    for (int axis = 0; axis < 3; ++axis) size *= axis == across ? 1 : common.size()[axis];
-    sum += size;
-  }
-  return sum;
-}
-
 /// Compares the volume of each cell and the open area of each face with inclusion and exclusion.
 void expectUnion(const std::vector<Box<double>>& boxes, int n, std::size_t& meeting) {
-  PolygonSoup soup;
-  for (const auto& box : boxes) {
-    soup = joined({soup, tessellation::box(box.lower, box.upper)});
-  }
-  const auto cells = cellsOfShells(soup, n);
+  const auto cells = cellsOfShells(soupOf(boxes), n);
   expectClosed(cells);
   meeting += check(cells).meetingCells;
   std::map<std::pair<std::array<int, 3>, int>, double> open;
@@ -74,19 +48,9 @@ void expectUnion(const std::vector<Box<double>>& boxes, int n, std::size_t& meet
 
 TEST(MeetingCellsTest, UnionsOfBoxesAreThoseOfInclusionAndExclusion) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> number(0.03, 0.97);
   std::size_t meeting = 0;
   for (int round = 0; round < scaled(60) && !HasFailure(); ++round) {
-    std::vector<Box<double>> boxes;
-    for (int k = 0; k < 2 + round % 3; ++k) {
-      const auto corner = [&] {
-        return Vec3<double>{number(random), number(random), number(random)};
-      };
-      const auto p = corner();
-      const auto q = corner();
-      boxes.push_back({min(p, q), max(p, q)});
-    }
-    expectUnion(boxes, 1 + round % 5, meeting);
+    expectUnion(randomBoxes(random, 2 + round % 3), 1 + round % 5, meeting);
   }
   EXPECT_GT(meeting, 100U);
 }
@@ -96,18 +60,8 @@ TEST(MeetingCellsTest, UnionsOfBoxesInPlanesOfTheGridAreThoseOfInclusionAndExclu
   std::mt19937 random(4);
   std::size_t meeting = 0;
   for (int round = 0; round < scaled(200) && !HasFailure(); ++round) {
-    std::vector<Box<double>> boxes;
-    for (int k = 0; k < 2 + round % 3; ++k) {
-      Box<double> box;
-      for (int axis = 0; axis < 3; ++axis) {
-        const int lower = static_cast<int>(random() % 7) + 1;
-        const int upper = lower + 1 + static_cast<int>(random() % static_cast<unsigned>(8 - lower));
-        box.lower[axis] = lower / 9.0;
-        box.upper[axis] = upper / 9.0;
-      }
-      boxes.push_back(box);
-    }
-    expectUnion(boxes, std::array{1, 2, 3, 9}[static_cast<std::size_t>(round) % 4], meeting);
+    expectUnion(randomBoxesInPlanes(random, 2 + round % 3, 9),
+                std::array{1, 2, 3, 9}[static_cast<std::size_t>(round) % 4], meeting);
   }
   EXPECT_GT(meeting, 100U);
 }
@@ -181,19 +135,6 @@ TEST(MeetingCellsTest, CoarserCellsAreThoseOfTheUnion) {
   double lost = 0;
   for (const auto& piece : single.lost) lost += piece.volume;
   EXPECT_NEAR(check(single.cells).bodyVolume, check(fine).bodyVolume + lost, 1e-14);
-}
-
-TEST(MeetingCellsTest, WhatNeedsASimpleSurfaceIsRefused) {
-  const auto one = tessellation::box({0.2, 0.2, 0.2}, {0.6, 0.6, 0.6});
-  const Solid<double> solid = solidOf(joined({one, moved(one, {0.1, 0.1, 0.1})}));
-  const CellCutter cutter(solid);
-  const GridPatch<double> grid{Level<double>({0, 0, 0}, {1, 1, 1}), IndexBox::ofSize(1, 1, 1)};
-  EXPECT_NO_THROW(static_cast<void>(cutter.cut(grid)));
-  EXPECT_THROW(static_cast<void>(cutter.cut(grid, {.polygons = true})), Error);
-  EXPECT_THROW(static_cast<void>(cutter.cut(grid, {.moments = 0})), Error);
-  EXPECT_THROW(static_cast<void>(cutter.cutInPlane(planesOf(grid), 0.5)), Error);
-  const Octree<double> mesh(solid, OctreeDomain<double>({0, 0, 0}, 1, {1, 1, 1}), {.cut = 1});
-  EXPECT_THROW(static_cast<void>(cutter.cut(mesh)), Error);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <Cutwater/Surface/Tessellation.hpp>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace cutwater::test {
@@ -26,15 +27,30 @@ inline int degreeOf(const Powers& powers) {
   return powers[0] + powers[1] + powers[2];
 }
 
+/// The integral of x^power from `lower` to `upper`.
+inline double ofPower(int power, double lower, double upper) {
+  return (std::pow(upper, power + 1) - std::pow(lower, power + 1)) / (power + 1);
+}
+/// Of a box, or of its face across an axis, on which all have this coordinate.
+inline double ofBox(const Powers& powers, const Box<double>& box, int across = -1, double at = 0) {
+  double result = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int power = powers[static_cast<std::size_t>(axis)];
+    result *=
+        axis == across ? std::pow(at, power) : ofPower(power, box.lower[axis], box.upper[axis]);
+  }
+  return result;
+}
+
 inline GridPatch<double> unitGrid(int n, double lower = 0, double upper = 1) {
   const double h = (upper - lower) / n;
   return {Level<double>({lower, lower, lower}, {h, h, h}), IndexBox::ofSize(n, n, n)};
 }
 
 inline CutCells cellsOf(const PolygonSoup& soup, const GridPatch<double>& grid,
-                        FluidSide side = FluidSide::Inside, int degree = 4) {
+                        FluidSide side = FluidSide::Inside, int degree = 4, bool polygons = true) {
   return CellCutter(Solid<double>(MeshSDF<double>(soup)), side)
-      .cut(grid, {.polygons = true, .moments = degree});
+      .cut(grid, {.polygons = polygons, .moments = degree});
 }
 
 inline PolygonSoup placedTorus() {

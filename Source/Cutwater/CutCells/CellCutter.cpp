@@ -81,12 +81,6 @@ std::shared_ptr<const CutSurface> surfaceOf(const Solid<T>& solid, FluidSide sid
   return std::make_shared<const CutSurface>(triangles, side, mesh.signReport().isSound(), open);
 }
 
-void requireSimple(const CutSurface& surface, const char* what) {
-  if (!surface.meetsItself()) return;
-  throw Error(ErrorKind::Topology, std::string("cut cells: the surface meets itself, and ") + what +
-                                       " need one that does not");
-}
-
 void checkPlanes(const CellPlanes& grid) {
   for (const auto& planes : grid.planes) {
     require(planes.size() >= 4,
@@ -132,7 +126,6 @@ CellCutter::CellCutter(const Solid<T>& solid, FluidSide side, const CutterOption
 CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);
   checkOptions(options);
-  if (options.polygons || options.moments >= 0) requireSimple(*surface_, "polygons and moments");
   const auto positions = inFrame(surface_->frame(), grid);
   const GridPlanes planes{{positions[0], positions[1], positions[2]}};
   const CutTiles tiles(*surface_, planes);
@@ -145,7 +138,6 @@ CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) cons
 CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptions& options) const {
   require(!options.polygons && options.moments < 0,
           "cut cells: there are no polygons and no moments in a plane");
-  requireSimple(*surface_, "cells in a plane");
   CellPlanes layer = grid;
   layer.planes[2] = {z - 1.5, z - 0.5, z + 0.5, z + 1.5};
   checkPlanes(layer);
@@ -164,7 +156,6 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
 template <std::floating_point T>
 CutLeaves CellCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options) const {
   checkOptions(options);
-  requireSimple(*surface_, "leaves of octrees");
   const LeafGrid grid(mesh, surface_->frame());
   std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);
   const auto tiles = cutLeafTiles(*surface_, grid, options, classes);

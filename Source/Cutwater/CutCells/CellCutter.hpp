@@ -70,9 +70,9 @@ class CellCutter {
 
   /// The cells of a box.
   /// @throws Error(Argument) unless planes ascend and are finite, and options are within their
-  /// ranges; Error(Topology) if polygons or moments are asked for and the surface meets itself, and
-  /// where an open patch lies in a cell of the box, but in none of its faces, which is
-  /// decided exactly.
+  /// ranges; Error(Topology) where an open patch lies in a cell of the box, but in none of its
+  /// faces, which is decided exactly, and with polygons where it lies in one in which triangles
+  /// meet.
   [[nodiscard]] CutCells cut(const CellPlanes& grid, const CutOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>
@@ -84,8 +84,7 @@ class CellCutter {
   /// alone; its polygons have corners of the leaves across its edges as well. An octree of one
   /// level gives the pieces and arcs of the grid patch, to the bit.
   /// @throws Error(Argument) if leaves are so small that their planes do not ascend, and unless
-  /// options are within their ranges; Error(Topology) if the surface meets itself, and where an
-  /// open patch lies in a leaf, but in none of its faces.
+  /// options are within their ranges; Error(Topology) as of cells.
   template <std::floating_point T>
   [[nodiscard]] CutLeaves cut(const OctreeCells<T>& mesh, const CutOptions& options = {}) const;
 
@@ -97,7 +96,7 @@ class CellCutter {
   /// axially symmetric flow about the y axis, 2 pi times x of a centroid is the weight of a volume
   /// or an area.
   /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; if polygons or moments are asked
-  /// for. Error(Topology) if the surface meets itself.
+  /// for. Error(Topology) as cut() with polygons.
   [[nodiscard]] CutCells cutInPlane(const CellPlanes& grid, double z,
                                     const CutOptions& options = {}) const;
 

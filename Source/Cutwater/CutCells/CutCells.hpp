@@ -178,7 +178,8 @@ struct CutCells {
   /// outlines and walls that meet there.
   Polygons arcPolygons;
   /// On request: the parts of triangles that make up each part of the wall, oriented as the
-  /// surface, with normals into the fluid. They are convex.
+  /// surface, with normals into the fluid. They are convex. In cells where triangles meet, parts in
+  /// one plane may be one, and others without area close the piece.
   Polygons wallPolygons;
   std::vector<std::uint64_t> firstWallPolygon;  ///< of each part of the wall; then their number
 

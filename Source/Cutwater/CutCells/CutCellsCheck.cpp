@@ -125,6 +125,8 @@ CutCellsReport check(const CutLeaves& leaves) {
   const auto sums = sumsOf(leaves);
   report.fluidVolume = static_cast<double>(sums.fluid + DoubleDouble(leaves.wholeFluid));
   report.bodyVolume = static_cast<double>(sums.volume - sums.fluid) + leaves.wholeBody;
+  const auto& meets = leaves.cut.meets;
+  report.meetingCells = meets.size() - static_cast<std::size_t>(std::ranges::count(meets, 0));
   report.wallArea = static_cast<double>(sums.wall);
   return report;
 }

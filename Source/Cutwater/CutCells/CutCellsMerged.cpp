@@ -106,10 +106,7 @@ class CellMerging {
     out.cellCount = kept.size();
     out.pieceCount = kept.size();
     for (const auto node : kept) {
-      const auto source = graph_.nodes()[node].source;
       out.cells.index.push_back(mesh_.cellAt(graph_.nodes()[node].place));
-      out.cells.meets.push_back(
-          source == CutCells::kNoRow ? std::uint8_t{0} : in_.cells.meets[in_.pieces.cell[source]]);
     }
     MergedRows rows(in_, graph_, kept, out);
     rows.addPieces();

@@ -17,8 +17,8 @@ void visitLeaves(Leaves& all, Visit&& visit) {
   auto& [cut, pieces, arcs, openArcs, wallParts, patchNames, classes, moments, wholeFluid,
          wholeBody, arcPolygons, wallPolygons, firstWallPolygon] = all;
   const auto visitEach = [&](auto&... arrays) { (visit(arrays), ...); };
-  auto& [leaf, box, firstPiece, fluidCorners] = cut;
-  visitEach(leaf, box, firstPiece, fluidCorners);
+  auto& [leaf, box, firstPiece, fluidCorners, meets] = cut;
+  visitEach(leaf, box, firstPiece, fluidCorners, meets);
   visitPieces(pieces, visit);
   auto& [below, above, leafBelow, leafAbove, area, centroid, faceArea, axis] = arcs;
   visitEach(below, above, leafBelow, leafAbove, area, centroid, faceArea, axis);

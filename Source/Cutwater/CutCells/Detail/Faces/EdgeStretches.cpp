@@ -83,13 +83,12 @@ void EdgeStretches::setStretches(const TileSurface& surface, const GridPlanes& p
 
 void EdgeStretches::divide(const Interval<double>& edge, int winding, bool takeTurns,
                            std::vector<EdgeCrossing>& crossings) {
-  // Where solids meet, the next one begins before the last one ends.
   std::ranges::sort(crossings, {}, [&](const EdgeCrossing& crossing) {
-    return std::tuple(crossing.position, takeTurns ? 0 : -crossing.rise, crossing.triangle);
+    return std::tuple(crossing.position, crossing.triangle);
   });
   EdgeStretch stretch{.from = edge.lower};
+  bool isFluid = winding <= 0;
   for (auto it = crossings.begin(); it != crossings.end(); ++it) {
-    const bool isFluid = winding <= 0;
     if (takeTurns && isFluid == (winding + it->rise <= 0)) {
       // Fluid and body take turns: rounding has put these in the wrong order, or in none.
       const auto other = std::find_if(it + 1, crossings.end(), [&](const EdgeCrossing& c) {
@@ -101,8 +100,12 @@ void EdgeStretches::divide(const Interval<double>& edge, int winding, bool takeT
       }
     }
     winding += it->rise;
+    // Where solids meet, what counts is how it goes on beyond all of them.
+    const auto next = it + 1;
+    if (!takeTurns && next != crossings.end() && next->position == it->position) continue;
     if (isFluid == (winding <= 0)) continue;
-    if (isFluid) {
+    isFluid = winding <= 0;
+    if (!isFluid) {
       stretch.to = it->position;
       stretch.end = it->triangle;
       stretches_.push_back(stretch);

@@ -1,6 +1,6 @@
 #include <Cutwater/CutCells/Detail/Faces/FaceFrame.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceOutlines.hpp>
-#include <Cutwater/CutCells/Detail/Faces/OutlineLoops.hpp>
+#include <Cutwater/CutCells/Detail/Faces/JoinedLoops.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -8,6 +8,8 @@
 namespace cutwater {
 
 namespace {
+
+using Loop = std::vector<Vec3<double>>;
 
 /// Walks around the open parts of one cut face. Seen against the face's axis, fluid is on the left:
 /// up the first and the last side, see edgeOfFace(), and down those between.
@@ -35,9 +37,9 @@ class OutlineWalk {
   }
 
   /// The loops of each of the face's parts, from the first part on.
-  [[nodiscard]] std::vector<std::vector<OutlineLoop>> loops() {
+  [[nodiscard]] std::vector<std::vector<Loop>> loops() {
     const auto [firstPart, lastPart] = faces_.of(face_);
-    std::vector<std::vector<OutlineLoop>> result(lastPart - firstPart);
+    std::vector<std::vector<Loop>> result(lastPart - firstPart);
     // Stretches first: a loop that has one is its part's rim.
     for (std::size_t n = isSeen_.size(); n-- > 0;) {
       if (isSeen_[n] != 0) continue;
@@ -62,8 +64,8 @@ class OutlineWalk {
     return faces_.ofStretch(face_, side, node - firstNode_[asIndex(side)]);
   }
 
-  [[nodiscard]] OutlineLoop loopFrom(std::size_t node) {
-    OutlineLoop loop;
+  [[nodiscard]] Loop loopFrom(std::size_t node) {
+    Loop loop;
     while (node < isSeen_.size() && isSeen_[node] == 0) {
       isSeen_[node] = 1;
       // An end is the next one's start, but for rounding: both, so that all who share it agree.
@@ -141,7 +143,7 @@ void addOutlines(const TileSurface& surface, const EdgeStretches& stretches,
   const FaceAxes axes(surface.numbers().axisOfFace(face));
   for (auto& loops : OutlineWalk(surface, stretches, faces, planes, face).loops()) {
     // None is left of a part whose rim is a point.
-    out.add(loops.empty() ? OutlineLoop{} : joinedLoops(std::move(loops), axes));
+    out.add(joinedLoops(axes, std::move(loops)));
   }
 }
 

@@ -1,6 +1,5 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FacePieces.hpp>
-#include <Cutwater/CutCells/Detail/Faces/FaceRegions.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceSum.hpp>
 
 #include <algorithm>
@@ -271,8 +270,10 @@ FacePieces::FacePieces(const TileSurface& surface, const EdgeStretches& stretche
     numberOf_[traces[first].face] = static_cast<std::uint32_t>(cutFaces_.size() - 1);
     if (surface.meetAny(traces.subspan(first, last - first))) {
       cutFaces_.back().firstPiece = static_cast<std::uint32_t>(pieces_.size());
-      const FaceRegions regions(surface, stretches, planes, traces[first].face);
-      pieces_.insert(pieces_.end(), regions.parts().begin(), regions.parts().end());
+      cutFaces_.back().regions = static_cast<std::uint32_t>(regions_.size());
+      regions_.emplace_back(surface, stretches, planes, traces[first].face);
+      const auto parts = regions_.back().parts();
+      pieces_.insert(pieces_.end(), parts.begin(), parts.end());
     } else {
       builder.build(cutFaces_.back());
     }
@@ -290,6 +291,25 @@ std::pair<std::uint32_t, std::uint32_t> FacePieces::of(std::uint32_t face) const
   const auto last = cut + 1 < cutFaces_.size() ? cutFaces_[cut + 1].firstPiece
                                                : static_cast<std::uint32_t>(pieces_.size());
   return {cutFaces_[cut].firstPiece, last};
+}
+
+std::vector<FaceRegions::Region> FacePieces::regionsOn(std::uint32_t face) const {
+  const auto copied = [](const FaceRegions& from) {
+    return std::vector<FaceRegions::Region>(from.regions().begin(), from.regions().end());
+  };
+  if (isCut(face) && meetsOn(face)) {
+    auto regions = copied(meetingRegions(face));
+    for (auto& region : regions) {
+      if (region.part != kNone) region.part += of(face).first;
+    }
+    return regions;
+  }
+  auto regions = copied(FaceRegions(surface_, stretches_, planes_, face));
+  for (auto& region : regions) {
+    if (region.part == kNone) continue;
+    region.part = isCut(face) ? at(face, middleOf(region.polygon)) : kNone;
+  }
+  return regions;
 }
 
 std::uint32_t FacePieces::at(std::uint32_t face, const Vec3<double>& point) const {

@@ -2,16 +2,9 @@
 
 #include <Cutwater/CutCells/Detail/Faces/EdgeStretches.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceAxes.hpp>
+#include <Cutwater/CutCells/Detail/Faces/FaceRegions.hpp>
 
 namespace cutwater {
-
-/// A connected open part of a face between two cells.
-struct FacePiece {
-  std::uint32_t face = 0;
-  double area = 0;
-  Vec3<double> centroid;   ///< on the face; of the whole face if the area is 0
-  bool isNothing = false;  ///< its rim is a point
-};
 
 /// The open parts of all faces that the surface meets, in the order of faces.
 ///
@@ -39,9 +32,15 @@ class FacePieces {
   /// Whether traces on a cut face are those of triangles that meet others: the parts are those of
   /// FaceRegions, and are known by their number alone.
   [[nodiscard]] bool meetsOn(std::uint32_t face) const {
-    const auto [first, last] = tracesOf(face);
-    return surface_.meetAny(surface_.traces().subspan(first, last - first));
+    return cutFaces_[cutFace(face)].regions != kNone;
   }
+  /// Of a face on which triangles meet.
+  [[nodiscard]] const FaceRegions& meetingRegions(std::uint32_t face) const {
+    return regions_[cutFaces_[cutFace(face)].regions];
+  }
+  /// The convex regions of any face, each with the number of its open part: kNone where there is
+  /// none, and on faces that are not cut.
+  [[nodiscard]] std::vector<FaceRegions::Region> regionsOn(std::uint32_t face) const;
   /// The parts of a cut face.
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> of(std::uint32_t face) const;
   /// The traces on a cut face: the first, and the one behind the last.
@@ -58,6 +57,7 @@ class FacePieces {
     std::uint32_t firstTrace = 0;
     std::uint32_t lastTrace = 0;
     std::uint32_t firstPiece = 0;
+    std::uint32_t regions = kNone;                ///< in regions_, if triangles meet
     std::array<std::uint32_t, 5> firstStretch{};  ///< in ofStretch_, per side; then the end
   };
   class Builder;
@@ -70,6 +70,7 @@ class FacePieces {
   std::vector<CutFace> cutFaces_;
   std::vector<std::uint32_t> numberOf_;  // by face: the cut face
   std::vector<FacePiece> pieces_;
+  std::vector<FaceRegions> regions_;
   std::vector<std::uint32_t> ofTrace_;
   std::vector<std::uint32_t> ofStretch_;
 };

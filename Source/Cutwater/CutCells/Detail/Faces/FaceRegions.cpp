@@ -25,8 +25,8 @@ Box<double> slabOf(const GridPlanes& planes, const FaceAxes& axes, const TilePla
   return box;
 }
 
-std::vector<Sheet> sheetsOf(std::span<const FaceTrace> traces, const FaceAxes& axes,
-                            const Box<double>& slab) {
+std::vector<Sheet> sheetsOf(const TileSurface& surface, std::span<const FaceTrace> traces,
+                            const FaceAxes& axes, const Box<double>& slab) {
   std::vector<Sheet> sheets;
   for (const auto& trace : traces) {
     const auto way = trace.to - trace.from;
@@ -39,6 +39,7 @@ std::vector<Sheet> sheetsOf(std::span<const FaceTrace> traces, const FaceAxes& a
     sheet.plane.normal[axes.first] = -way[axes.second] / size;
     sheet.plane.normal[axes.second] = way[axes.first] / size;
     sheet.plane.offset = dot(sheet.plane.normal, trace.from);
+    sheet.patch = surface.patchOf(trace.triangle);
     sheets.push_back(std::move(sheet));
   }
   return sheets;
@@ -52,7 +53,7 @@ FaceRegions::FaceRegions(const TileSurface& surface, const EdgeStretches& stretc
   const FaceAxes axes(axis_);
   const auto slab = slabOf(planes, axes, surface.numbers().placeOfFace(face));
   const auto found = sortedUnder(surface.traces(), face, &FaceTrace::face);
-  const SheetTree tree(slab, sheetsOf(found, axes, slab));
+  const SheetTree tree(slab, sheetsOf(surface, found, axes, slab));
   const double plane = planes.at(axis_, surface.numbers().placeOfFace(face)[asIndex(axis_)]);
   const auto size = slab.size();
   const double least = kSliver * size[axes.first] * size[axes.second];
@@ -85,14 +86,72 @@ FaceRegions::FaceRegions(const TileSurface& surface, const EdgeStretches& stretc
     }
     regions_[i].part = part;
   }
+  if (!found.empty()) somePatch_ = surface.patchOf(found.front().triangle);
+  addWalls(tree, regionOf, plane);
+  noteRimTraces(tree);
   measure(face, least);
+}
+
+void FaceRegions::addWalls(const SheetTree& tree, std::span<const std::uint32_t> regionOf,
+                           double plane) {
+  const FaceAxes axes(axis_);
+  for (const auto& portal : tree.portals()) {
+    const auto below = regionOf[portal.below];
+    const auto above = regionOf[portal.above];
+    if (below == kNone || above == kNone) continue;
+    if (regions_[below].isFluid == regions_[above].isFluid) continue;
+    const bool facesUp = regions_[above].isFluid;
+    const auto normal = (facesUp ? 1.0 : -1.0) * twiceArea(portal.polygon);
+    Vec3<double> way;
+    way[axes.first] = normal[axes.second];
+    way[axes.second] = -normal[axes.first];
+    const auto add = [&](std::uint32_t patch, const SheetTree::Polygon& polygon) {
+      const auto along = [&](const Vec3<double>& p) { return dot(p, way); };
+      Wall wall{.part = regions_[facesUp ? above : below].part,
+                .patch = patch,
+                .from = *std::ranges::min_element(polygon, {}, along),
+                .to = *std::ranges::max_element(polygon, {}, along)};
+      wall.from[axis_] = wall.to[axis_] = plane;
+      walls_.push_back(wall);
+    };
+    const auto sheets = tree.sheetsAt(portal);
+    if (sheets.empty()) {  // only if rounding has hidden them
+      add(somePatch_, portal.polygon);
+    } else {
+      sharedOut(portal.polygon, normal, sheets, add);
+    }
+  }
+}
+
+void FaceRegions::noteRimTraces(const SheetTree& tree) {
+  const FaceAxes axes(axis_);
+  for (int side = 0; side < 4; ++side) {
+    const int along = side < 2 ? axes.first : axes.second;
+    const int across = side < 2 ? axes.second : axes.first;
+    for (const auto& sheet : tree.sheetsIn(static_cast<std::size_t>(2 * across + side % 2))) {
+      RimTrace trace{.side = side, .patch = sheet.patch, .ends = {}};
+      const auto at = [&](const Vec3<double>& p) { return p[along]; };
+      trace.ends.lower = at(*std::ranges::min_element(sheet.points, {}, at));
+      trace.ends.upper = at(*std::ranges::max_element(sheet.points, {}, at));
+      rimTraces_.push_back(trace);
+    }
+  }
+}
+
+std::uint32_t FaceRegions::patchAt(int side, double place) const {
+  for (const auto& trace : rimTraces_) {
+    if (trace.side == side && trace.ends.contains(place)) return trace.patch;
+  }
+  return somePatch_;
 }
 
 void FaceRegions::measure(std::uint32_t face, double least) {
   std::vector<Vec3<double>> moments(parts_.size());
+  std::vector<Vec3<double>> middles(parts_.size());
   for (const auto& region : regions_) {
     if (region.part == kNone) continue;
     auto& part = parts_[region.part];
+    middles[region.part] = middleOf(region.polygon);
     for (std::size_t k = 2; k < region.polygon.size(); ++k) {
       const auto& [a, b, c] = std::tie(region.polygon[0], region.polygon[k - 1], region.polygon[k]);
       const double area = 0.5 * cross(b - a, c - a)[axis_];
@@ -103,7 +162,7 @@ void FaceRegions::measure(std::uint32_t face, double least) {
   for (std::uint32_t n = 0; n < parts_.size(); ++n) {
     parts_[n].face = face;
     parts_[n].isNothing = !(parts_[n].area > least);
-    if (!parts_[n].isNothing) parts_[n].centroid = moments[n] / parts_[n].area;
+    parts_[n].centroid = parts_[n].isNothing ? middles[n] : moments[n] / parts_[n].area;
   }
 }
 

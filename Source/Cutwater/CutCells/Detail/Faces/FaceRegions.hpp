@@ -1,10 +1,17 @@
 #pragma once
 
 #include <Cutwater/CutCells/Detail/Faces/EdgeStretches.hpp>
-#include <Cutwater/CutCells/Detail/Faces/FacePieces.hpp>
 #include <Cutwater/CutCells/Detail/Faces/SheetTree.hpp>
 
 namespace cutwater {
+
+/// A connected open part of a face between two cells.
+struct FacePiece {
+  std::uint32_t face = 0;
+  double area = 0;
+  Vec3<double> centroid;   ///< on the face; of the whole face if the area is 0
+  bool isNothing = false;  ///< its rim is a point
+};
 
 /// A face between two cells, divided along the traces on it into convex regions: for faces on which
 /// the surface meets itself, and for the cells beside them. In floating point; the same for both
@@ -12,9 +19,18 @@ namespace cutwater {
 class FaceRegions {
  public:
   struct Region {
-    SheetTree::Polygon polygon;
+    SheetTree::Polygon polygon;  ///< counterclockwise as seen against the face's axis
     bool isFluid = false;
     std::uint32_t part = kNone;  ///< the open part that it belongs to
+  };
+
+  /// A straight part of what bounds an open part. Seen against the face's axis, fluid is on its
+  /// left.
+  struct Wall {
+    std::uint32_t part = 0;
+    std::uint32_t patch = 0;  ///< kNone for what closes the gap between copies of vertices
+    Vec3<double> from;
+    Vec3<double> to;
   };
 
   FaceRegions(const TileSurface& surface, const EdgeStretches& stretches, const GridPlanes& planes,
@@ -23,13 +39,30 @@ class FaceRegions {
   [[nodiscard]] std::span<const Region> regions() const { return regions_; }
   /// The connected open parts; what has no area, but for rounding, is nothing.
   [[nodiscard]] std::span<const FacePiece> parts() const { return parts_; }
+  /// Within the face.
+  [[nodiscard]] std::span<const Wall> walls() const { return walls_; }
+  /// The patch of a trace that lies in one of the face's edges, see edgeOfFace(), at a place along
+  /// it; of another one if there is none.
+  [[nodiscard]] std::uint32_t patchAt(int side, double place) const;
 
  private:
+  /// A trace in an edge.
+  struct RimTrace {
+    int side = 0;
+    std::uint32_t patch = 0;
+    Interval<double> ends;
+  };
+
+  void addWalls(const SheetTree& tree, std::span<const std::uint32_t> regionOf, double plane);
+  void noteRimTraces(const SheetTree& tree);
   void measure(std::uint32_t face, double least);
 
   int axis_ = 0;
+  std::uint32_t somePatch_ = kNone;
   std::vector<Region> regions_;
   std::vector<FacePiece> parts_;
+  std::vector<Wall> walls_;
+  std::vector<RimTrace> rimTraces_;
 };
 
 /// The sheet of a fragment, in its triangle's plane; false if that has no area.

@@ -1,9 +1,26 @@
 #include <Cutwater/CutCells/Detail/Leaves/CoarseFace.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace cutwater {
+
+namespace {
+
+/// By how much a point lies outside of a convex polygon that is counterclockwise about an axis, at
+/// most, across one of its edges; negative within.
+double distanceOutside(std::span<const Vec3<double>> polygon, int axis, const Vec3<double>& p) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const auto way = polygon[(k + 1) % polygon.size()] - polygon[k];
+    const double size = length(way);
+    if (size > 0) most = std::max(most, -cross(way, p - polygon[k])[axis] / size);
+  }
+  return most;
+}
+
+}  // namespace
 
 CoarseFace::CoarseFace(const LeafGrid& grid, const LeafSources& sources,
                        std::span<const FluidClass> classes, std::uint32_t coarse, int axis,
@@ -41,6 +58,10 @@ void CoarseFace::findParts(std::span<const FluidClass> classes) {
 }
 
 void CoarseFace::findBehind(Part& part) const {
+  if (sources_.tileOf(coarse_).cut.meets[sources_.source(coarse_).row] != 0) {
+    part.behind = behindPoint(pointIn(part));
+    return;
+  }
   part.behind = kUnknown;
   if (part.arc == kNone) return;
   const auto& fine = sources_.tileOf(sources_.of(part.leaf)).rims.triangles;
@@ -57,6 +78,39 @@ void CoarseFace::findBehind(Part& part) const {
     part.behind = wall->piece;
     if (part.behind != kNone) return;
   }
+}
+
+Vec3<double> CoarseFace::pointIn(const Part& part) const {
+  if (part.arc == kNone) {
+    const auto& [index, level, kind] = grid_.leaves()[part.leaf];
+    Vec3<double> middle;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto cell = along(index, axis);
+      const double low = grid_.planeInFrame(level, axis, cell);
+      const double high = grid_.planeInFrame(level, axis, cell + 1);
+      middle[axis] = axis != axis_ ? 0.5 * (low + high) : isHigh_ ? low : high;
+    }
+    return middle;
+  }
+  const auto& tile = sources_.tileOf(sources_.of(part.leaf));
+  const auto& points = tile.rims.innerPoints;
+  const auto found = std::ranges::lower_bound(points, part.arc, {}, &LeafRims::InnerPoint::arc);
+  if (found != points.end() && found->arc == part.arc) return found->point;
+  return tile.cut.content.arcs[part.arc].centroid;  // of all of a face
+}
+
+/// The piece behind the region in which the point lies, or which is nearest to it.
+std::uint32_t CoarseFace::behindPoint(const Vec3<double>& point) const {
+  const auto& regions = sources_.tileOf(coarse_).rims.openRegions;
+  const auto face = sources_.faceOf(coarse_, axis_, isHigh_);
+  std::uint32_t piece = kNone;
+  double least = std::numeric_limits<double>::infinity();
+  auto region = std::ranges::lower_bound(regions, face, {}, &LeafRims::OpenRegion::face);
+  for (; region != regions.end() && region->face == face; ++region) {
+    const double outside = distanceOutside(region->polygon, axis_, point);
+    if (outside < least) least = outside, piece = region->piece;
+  }
+  return piece;
 }
 
 void CoarseFace::joinThroughEdges() {

@@ -13,6 +13,9 @@ namespace cutwater {
 /// without rims in the surface are joined to others through the edges between the finer faces;
 /// where none of them has such a rim, all of the leaf's face is open. So no coordinates of
 /// different levels are compared but where nothing is near.
+///
+/// In a leaf where triangles meet, it is the piece behind a point within the open part: by the
+/// convex regions of the leaf's own face.
 class CoarseFace {
  public:
   /// An open part of the face of a finer leaf.
@@ -37,6 +40,8 @@ class CoarseFace {
 
   void findParts(std::span<const FluidClass> classes);
   void findBehind(Part& part) const;
+  [[nodiscard]] Vec3<double> pointIn(const Part& part) const;
+  [[nodiscard]] std::uint32_t behindPoint(const Vec3<double>& point) const;
   void joinThroughEdges();
   void joinThroughEdge(std::uint32_t finer, int side);
   void settle();

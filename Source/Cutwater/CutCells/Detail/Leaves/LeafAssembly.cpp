@@ -5,6 +5,7 @@
 #include <Cutwater/CutCells/Detail/Leaves/WholeLeaves.hpp>
 #include <Cutwater/CutCells/Detail/Moments/Monomials.hpp>
 #include <Cutwater/CutCells/Detail/Rows/OpenRows.hpp>
+#include <Cutwater/CutCells/Detail/Rows/PieceClosing.hpp>
 #include <Cutwater/CutCells/Detail/Rows/PieceRows.hpp>
 
 #include <algorithm>
@@ -82,6 +83,7 @@ class LeavesAssembly {
     if (withPolygons_) {
       addWallPolygons();
       insertHangingCorners(grid_, out_);
+      closePieces(out_);
     }
     return std::move(out_);
   }
@@ -100,6 +102,7 @@ class LeavesAssembly {
       cut.box.push_back(grid_.boxOf(leaf));
       cut.firstPiece.push_back(pieceCount());
       cut.fluidCorners.push_back(from.fluidCorners[row]);
+      cut.meets.push_back(from.meets[row]);
       for (auto p = from.firstPiece[row]; p < from.firstPiece[row + 1]; ++p) {
         addPieceRows(from.content, p, frame_, outRow, out_.pieces, out_.wallParts);
         if (out_.moments.degree >= 0) addPieceMoments(from.moments, p, out_.moments);

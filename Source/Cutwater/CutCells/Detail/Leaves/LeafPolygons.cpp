@@ -45,7 +45,7 @@ LeafPolygons::Polygon LeafPolygons::outlineOf(std::uint32_t source, std::uint32_
   if (it.isOpenPatch()) {
     const bool isBelow = it.below != kNone;
     CutCells::Polygons parts;
-    addWall(source, isBelow ? it.below : it.above, TilePolygons::kOfArc + arc, parts);
+    addWall(source, isBelow ? it.below : it.above, WallPolygons::kOfArc + arc, parts);
     return openOutline(parts, FaceAxes(tile.cut.numbers.axisOfFace(it.face)), isBelow);
   }
   const auto within = tile.cut.numbers.placeOfFace(it.face);

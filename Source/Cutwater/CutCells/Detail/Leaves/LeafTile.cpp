@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <tuple>
 
@@ -16,7 +17,8 @@ class RimNotes {
   RimNotes(const LeafGrid& grid, const TileParts& parts, LeafTile& tile)
       : grid_(grid), parts_(parts), tile_(tile) {}
 
-  void run(bool withPolygons) {
+  void run(bool meetsItself, bool withPolygons) {
+    meetsItself_ = meetsItself;
     withPolygons_ = withPolygons;
     for (std::uint32_t row = 0; row < tile_.leaves.size(); ++row) {
       bool hasFiner = false;
@@ -26,6 +28,7 @@ class RimNotes {
           hasFiner = hasFiner || what == LeafGrid::Across::Finer;
           if (what == LeafGrid::Across::Finer) {
             facesToFiner_.emplace_back(tile_.faceOf(row, axis, isHigh), isHigh);
+            if (tile_.cut.meets[row] != 0) addOpenRegions(row, axis, isHigh);
           }
           if (what == LeafGrid::Across::Coarser) addFace(tile_.faceOf(row, axis, isHigh));
         }
@@ -33,6 +36,8 @@ class RimNotes {
       if (hasFiner) addWalls(row);
     }
     if (withPolygons_ && !facesToFiner_.empty()) addWallEdges();
+    std::ranges::sort(tile_.rims.innerPoints, {}, &LeafRims::InnerPoint::arc);
+    std::ranges::stable_sort(tile_.rims.openRegions, {}, &LeafRims::OpenRegion::face);
     std::ranges::sort(tile_.rims.cutFaces);
     std::ranges::sort(tile_.rims.traces, {}, &LeafRims::Trace::key);
     std::ranges::sort(tile_.rims.wallEdges, {}, &LeafRims::WallEdge::key);
@@ -45,6 +50,8 @@ class RimNotes {
  private:
   void addFace(std::uint32_t face) {
     if (!parts_.faces.isCut(face)) return;
+    if (meetsItself_) addInnerPoints(face);
+    if (parts_.faces.meetsOn(face)) return;
     auto& rims = tile_.rims;
     rims.cutFaces.push_back(face);
     const auto [first, last] = parts_.faces.tracesOf(face);
@@ -71,6 +78,30 @@ class RimNotes {
     }
   }
 
+  /// Of each open part, in the largest of its regions.
+  void addInnerPoints(std::uint32_t face) {
+    const int axis = parts_.surface.numbers().axisOfFace(face);
+    std::map<std::uint32_t, std::pair<double, Vec3<double>>> largest;
+    for (const auto& [polygon, isFluid, part] : parts_.faces.regionsOn(face)) {
+      if (part == kNone) continue;
+      const double area = twiceArea(polygon)[axis];
+      const auto found = largest.try_emplace(part, -1.0, Vec3<double>{}).first;
+      if (area > found->second.first) found->second = {area, middleOf(polygon)};
+    }
+    for (const auto& [arc, best] : largest) tile_.rims.innerPoints.push_back({arc, best.second});
+  }
+  void addOpenRegions(std::uint32_t row, int axis, bool isHigh) {
+    const auto face = tile_.faceOf(row, axis, isHigh);
+    const auto& arcs = tile_.cut.content.arcs;
+    const auto whole = tile_.arcsOf(face);  // if it is not cut
+    for (auto& [polygon, isFluid, part] : parts_.faces.regionsOn(face)) {
+      if (!isFluid) continue;
+      if (part == kNone && whole.empty()) continue;
+      const auto& arc = arcs[part == kNone ? whole.front().second : part];
+      tile_.rims.openRegions.push_back({face, isHigh ? arc.below : arc.above, std::move(polygon)});
+    }
+  }
+
   void addWalls(std::uint32_t row) {
     const auto fragments = parts_.surface.fragments();
     const auto cell = tile_.cut.cells[row];
@@ -86,6 +117,7 @@ class RimNotes {
     const TracesOfFragments traces(parts_.surface);
     const auto& fragmentOf = tile_.cut.polygons.fragmentOf;
     for (std::uint32_t wall = 0; wall < fragmentOf.size(); ++wall) {
+      if (fragmentOf[wall] == kNone) continue;  // the whole piece is closed at last
       for (const auto number : traces.of(fragmentOf[wall])) {
         const auto& trace = parts_.surface.traces()[number];
         const bool isHigh = trace.below == fragmentOf[wall];
@@ -119,6 +151,7 @@ class RimNotes {
   const LeafGrid& grid_;
   const TileParts& parts_;
   LeafTile& tile_;
+  bool meetsItself_ = false;
   bool withPolygons_ = false;
   std::vector<std::pair<std::uint32_t, bool>> facesToFiner_;  // and whether they are high ones
 };
@@ -209,7 +242,7 @@ LeafTile cutLeaves(const CutSurface& surface, const LeafGrid& grid, const LeafBl
   std::ranges::sort(tile.arcs);
   std::ranges::sort(tile.points);
   std::ranges::sort(tile.openArcs);
-  RimNotes(grid, parts, tile).run(options.polygons);
+  RimNotes(grid, parts, tile).run(surface.meetsItself(), options.polygons);
   tile.cut.content.ofFragments = {};
   tile.cut.content.openArcOf = {};
   return tile;

@@ -28,6 +28,18 @@ struct LeafRims {
     std::uint32_t triangle = 0;
     std::uint32_t piece = 0;
   };
+  /// If the surface meets itself: a point within an open part of such a face, in the frame.
+  struct InnerPoint {
+    std::uint32_t arc = 0;
+    Vec3<double> point;
+  };
+  /// A convex open region of a face to finer leaves, of a leaf in which triangles meet, and the
+  /// piece behind it, or kNone. In the frame.
+  struct OpenRegion {
+    std::uint32_t face = 0;
+    std::uint32_t piece = 0;
+    SheetTree::Polygon polygon;
+  };
   /// With polygons: the trace of a triangle on a face to a coarser leaf, in the frame.
   struct Trace {
     std::uint32_t face = 0;
@@ -50,6 +62,8 @@ struct LeafRims {
   std::vector<RimTriangle> triangles;   ///< sorted
   std::vector<RimStretch> stretches;    ///< sorted by face and side
   std::vector<WallTriangle> walls;      ///< sorted by row and triangle
+  std::vector<InnerPoint> innerPoints;  ///< sorted by arc
+  std::vector<OpenRegion> openRegions;  ///< sorted by face
   std::vector<std::uint32_t> cutFaces;  ///< ascending: those that the surface meets
   std::vector<Trace> traces;            ///< sorted by face and triangle
   std::vector<WallEdge> wallEdges;      ///< sorted by wall and edge

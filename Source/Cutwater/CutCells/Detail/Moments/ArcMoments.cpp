@@ -1,4 +1,3 @@
-#include <Cutwater/CutCells/Detail/Faces/FaceFrame.hpp>
 #include <Cutwater/CutCells/Detail/Moments/ArcMoments.hpp>
 
 #include <utility>
@@ -22,13 +21,34 @@ ArcMoments::ArcMoments(const FacePieces& faces, const CellPieces& content, const
   for (auto arc = parts.size(); arc < arcs_.size() && !arcs_[arc].isOpenPatch(); ++arc) {
     addWholeFace(arc);
   }
-  addOpenPatches(content.openArcOf);
+  addOpenPatches(content);
 }
 
 void ArcMoments::addCutFace(std::uint32_t face) {
-  const auto& surface = faces_.surface();
-  const FaceFrame frame(surface.numbers(), faces_.planes(), face);
+  const FaceFrame frame(faces_.surface().numbers(), faces_.planes(), face);
   const int across = frame.axes().across;
+  if (faces_.meetsOn(face)) {
+    addRegions(face, across);
+  } else {
+    addRims(frame);
+  }
+  const auto [firstPart, lastPart] = faces_.of(face);
+  for (auto part = firstPart; part < lastPart; ++part) finishRim(part, across);
+}
+
+void ArcMoments::addRegions(std::uint32_t face, int across) {
+  for (const auto& [polygon, isFluid, part] : faces_.regionsOn(face)) {
+    if (part == kNone) continue;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      addRimPart(part, {polygon[k], polygon[(k + 1) % polygon.size()]}, across);
+    }
+  }
+}
+
+void ArcMoments::addRims(const FaceFrame& frame) {
+  const auto& surface = faces_.surface();
+  const int across = frame.axes().across;
+  const auto face = surface.numbers().face(across, frame.place());
   const auto [firstTrace, lastTrace] = faces_.tracesOf(face);
   for (auto i = firstTrace; i < lastTrace; ++i) {
     const auto& trace = surface.traces()[i];
@@ -41,26 +61,31 @@ void ArcMoments::addCutFace(std::uint32_t face) {
       addRimPart(faces_.ofStretch(face, side, s), frame.endsOf(side, stretches[s]), across);
     }
   }
-  const auto [firstPart, lastPart] = faces_.of(face);
-  for (auto part = firstPart; part < lastPart; ++part) finishRim(part, across);
 }
 
-/// Each fragment's edges: what lies within the arc cancels.
-void ArcMoments::addOpenPatches(std::span<const std::uint32_t> arcOf) {
+void ArcMoments::addOpenPatches(const CellPieces& content) {
   const auto& surface = faces_.surface();
-  for (std::size_t i = 0; i < arcOf.size(); ++i) {
-    const auto arc = arcOf[i];
-    if (arc >= arcs_.size()) continue;
-    const auto points = surface.points(surface.fragments()[i]);
-    const bool isBelow = arcs_[arc].below != kNone;  // its normal points down then
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      std::array ends{points[k], points[(k + 1) % points.size()]};
-      if (isBelow) std::swap(ends[0], ends[1]);
-      addRimPart(arc, ends, surface.numbers().axisOfFace(arcs_[arc].face));
-    }
+  for (std::size_t i = 0; i < content.openArcOf.size(); ++i) {
+    const auto arc = content.openArcOf[i];
+    if (arc < arcs_.size()) addOpenPolygon(arc, surface.points(surface.fragments()[i]));
+  }
+  const auto& [of, polygons] = content.meetingWalls;
+  for (std::size_t n = 0; n < of.size(); ++n) {
+    const auto patch = of[n].second;
+    if (WallPolygons::isOfArc(patch)) addOpenPolygon(patch - WallPolygons::kOfArc, polygons.of(n));
   }
   for (std::uint32_t arc = 0; arc < arcs_.size(); ++arc) {
     if (arcs_[arc].isOpenPatch()) finishRim(arc, surface.numbers().axisOfFace(arcs_[arc].face));
+  }
+}
+
+/// Its edges, the polygon's normal pointing into the fluid: what lies within the arc cancels.
+void ArcMoments::addOpenPolygon(std::uint32_t arc, std::span<const Vec3<double>> points) {
+  const bool isBelow = arcs_[arc].below != kNone;  // its normal points down then
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    std::array ends{points[k], points[(k + 1) % points.size()]};
+    if (isBelow) std::swap(ends[0], ends[1]);
+    addRimPart(arc, ends, faces_.surface().numbers().axisOfFace(arcs_[arc].face));
   }
 }
 

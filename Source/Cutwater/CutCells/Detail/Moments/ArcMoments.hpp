@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/CutCells/Detail/Faces/FaceFrame.hpp>
 #include <Cutwater/CutCells/Detail/Moments/Monomials.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/CellPieces.hpp>
 #include <Cutwater/CutCells/Detail/Surface/CutSurface.hpp>
@@ -15,7 +16,8 @@ namespace cutwater {
 /// The moments of the open parts of a tile's faces, in the coordinates of the tile, about centroids
 /// as they are stated in the world.
 ///
-/// Each straight part of a rim adds those of the triangle that it makes with a point of the part.
+/// Each straight part of a rim adds those of the triangle that it makes with a point of the part;
+/// where triangles meet, those of its convex regions do.
 class ArcMoments {
  public:
   /// Of the open parts of cut faces, of whole faces, which follow these, and of open patches. Views
@@ -32,9 +34,12 @@ class ArcMoments {
 
  private:
   void addCutFace(std::uint32_t face);
+  void addRegions(std::uint32_t face, int across);
+  void addRims(const FaceFrame& frame);
   void addRimPart(std::uint32_t arc, const std::array<Vec3<double>, 2>& ends, int across);
   void addWholeFace(std::size_t arc);
-  void addOpenPatches(std::span<const std::uint32_t> arcOf);
+  void addOpenPatches(const CellPieces& content);
+  void addOpenPolygon(std::uint32_t arc, std::span<const Vec3<double>> points);
   void finishRim(std::uint32_t arc, int across);
 
   const FacePieces& faces_;

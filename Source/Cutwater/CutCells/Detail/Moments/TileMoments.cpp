@@ -48,6 +48,12 @@ class PieceMoments {
 
   void add(const ArcMoments& arcs) {
     for (std::uint32_t i = 0; i < content_.ofFragments.size(); ++i) addFragment(i);
+    const auto& [of, polygons] = content_.meetingWalls;
+    for (std::size_t n = 0; n < of.size(); ++n) {
+      const auto [piece, patch] = of[n];
+      refer(piece, polygons.of(n)[0]);
+      if (patch != kNone) addPolygon(piece, polygons.of(n), !WallPolygons::isOfArc(patch));
+    }
     applyFactors();
     addOpenSides(arcs);
     for (std::uint32_t piece = 0; piece < content_.pieces.size(); ++piece) moveToCentroids(piece);

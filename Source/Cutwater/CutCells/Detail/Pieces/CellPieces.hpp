@@ -1,7 +1,10 @@
 #pragma once
 
+#include <Cutwater/CutCells/CutCells.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FacePieces.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/PieceSums.hpp>
+
+#include <utility>
 
 namespace cutwater {
 
@@ -26,6 +29,21 @@ struct OpenMisfit {
   std::uint32_t triangle = 0;
   std::uint32_t cell = 0;
   Vec3<double> point;
+  bool meets = false;  ///< with polygons and in a plane: it is where triangles meet
+};
+
+/// Convex polygons of walls and of open patches, with normals into the fluid: of each one its piece
+/// and its patch.
+struct WallPolygons {
+  /// In place of a patch: what makes up the arc of an open patch, plus the arc.
+  static constexpr std::uint32_t kOfArc = 0x80000000;
+
+  [[nodiscard]] static bool isOfArc(std::uint32_t patch) {
+    return patch >= kOfArc && patch != kNone;
+  }
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> of;
+  CutCells::Polygons polygons;
 };
 
 /// The pieces of the cells that a surface meets, in the order of cells, and what connects them, in
@@ -47,6 +65,8 @@ struct CellPieces {
   [[nodiscard]] bool isWall(std::size_t fragment) const {
     return openArcOf.empty() || openArcOf[fragment] == kNone;
   }
+  /// In cells where triangles meet, whose fragments have no piece; in the order of these cells.
+  WallPolygons meetingWalls;
 };
 
 /// Joins what bounds each piece of the cells that are wanted, and measures it.

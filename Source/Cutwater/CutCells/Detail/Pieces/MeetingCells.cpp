@@ -86,7 +86,10 @@ class MeetingCell {
     std::uint32_t patch = 0;
     Polygon polygon;
     std::size_t openFace = kNoFace;  ///< in which it is a part of an open patch
+    std::uint32_t openArc = kNone;   ///< whose arc this is
   };
+  using OpenKey = std::tuple<std::uint32_t, std::size_t, std::uint32_t>;
+  static OpenKey openKeyOf(const Wall& wall) { return {wall.node, wall.openFace, wall.patch}; }
   static constexpr std::size_t kNoFace = 6;
 
   [[nodiscard]] std::uint32_t faceNumber(std::size_t face) const {
@@ -137,9 +140,8 @@ class MeetingCell {
   /// Joins what is open on a face with what is behind it, and adds walls in the face's plane.
   void addFace(std::size_t n) {
     const auto face = faceNumber(n);
-    const FaceRegions found(surface_, faces_.stretches(), faces_.planes(), face);
     const auto inwards = SheetTree::inwards(n);
-    for (const auto& region : found.regions()) {
+    for (const auto& region : faces_.regionsOn(face)) {
       const auto arc = region.isFluid ? nodeOfRegion(n, face, region) : kNone;
       tree_.divide(region.polygon, inwards, [&](std::uint32_t leaf, const Polygon& part) {
         if (region.isFluid && isFluid_[leaf] != 0) {
@@ -154,10 +156,7 @@ class MeetingCell {
   }
   [[nodiscard]] std::uint32_t nodeOfRegion(std::size_t n, std::uint32_t face,
                                            const FaceRegions::Region& region) const {
-    if (!faces_.isCut(face)) return nodeOfArc(n, arcOfFullFace_[face]);
-    const auto first = faces_.of(face).first;
-    return nodeOfArc(
-        n, faces_.meetsOn(face) ? first + region.part : faces_.at(face, middleOf(region.polygon)));
+    return nodeOfArc(n, faces_.isCut(face) ? region.part : arcOfFullFace_[face]);
   }
 
   void measure() {
@@ -201,22 +200,31 @@ class MeetingCell {
       out_.pieces[piece].areaVector[static_cast<int>(open_[i].face / 2)] +=
           isHigh ? -arc.area : arc.area;
     }
-    addOpenPatches([&](std::uint32_t node) { return numbers[sumOf[sets_.find(node)]]; });
-  }
-  /// One arc for all that a patch has of a piece in a face. `pieceOf`: of a node.
-  template <typename PieceOf>
-  void addOpenPatches(const PieceOf& pieceOf) {
-    std::map<std::tuple<std::uint32_t, std::size_t, std::uint32_t>, Moments> sums;
+    const auto pieceOf = [&](const Wall& wall) { return numbers[sumOf[sets_.find(wall.node)]]; };
+    std::erase_if(walls_, [&](const Wall& wall) { return pieceOf(wall) == kNone; });
+    for (auto& wall : walls_) wall.node = pieceOf(wall);
+    addOpenPatches();
     for (const auto& wall : walls_) {
-      const auto piece = pieceOf(wall.node);
-      if (wall.openFace == kNoFace || piece == kNone) continue;
+      if (wall.openFace != kNoFace && wall.openArc == kNone) continue;  // too small to count
+      const bool isOpen = wall.openFace != kNoFace;
+      out_.meetingWalls.of.emplace_back(wall.node,
+                                        isOpen ? WallPolygons::kOfArc + wall.openArc : wall.patch);
+      out_.meetingWalls.polygons.add(wall.polygon);
+    }
+  }
+  /// One arc for all that a patch has of a piece in a face. Nodes of walls are pieces now.
+  void addOpenPatches() {
+    std::map<OpenKey, Moments> sums;
+    for (const auto& wall : walls_) {
+      if (wall.openFace == kNoFace) continue;
       const auto& polygon = wall.polygon;
-      auto& sum = sums.try_emplace({piece, wall.openFace, wall.patch}, polygon[0]).first->second;
+      auto& sum = sums.try_emplace(openKeyOf(wall), polygon[0]).first->second;
       for (std::size_t k = 2; k < polygon.size(); ++k) {
         const auto twice = cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
         sum.add(0.5 * length(twice), (polygon[0] + polygon[k - 1] + polygon[k]) / 3.0);
       }
     }
+    std::map<OpenKey, std::uint32_t> arcs;
     for (const auto& [key, sum] : sums) {
       const auto& [piece, face, patch] = key;
       if (!(sum.size() > least_)) continue;
@@ -227,7 +235,12 @@ class MeetingCell {
       arc.centroid[axis] = faces_.planes().at(axis, place_[face / 2] + static_cast<int>(face % 2));
       (isHigh ? arc.below : arc.above) = piece;
       out_.pieces[piece].areaVector[axis] += isHigh ? -arc.area : arc.area;
+      arcs[key] = static_cast<std::uint32_t>(out_.arcs.size());
       out_.arcs.push_back(arc);
+    }
+    for (auto& wall : walls_) {
+      const auto found = arcs.find(openKeyOf(wall));
+      if (wall.openFace != kNoFace && found != arcs.end()) wall.openArc = found->second;
     }
   }
   /// Films have no volume but for rounding, and so any centroid. The wall's vector is what closes

@@ -1,5 +1,6 @@
 #include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
 #include <Cutwater/CutCells/Detail/Rows/OpenRows.hpp>
+#include <Cutwater/CutCells/Detail/Rows/PieceClosing.hpp>
 #include <Cutwater/CutCells/Detail/Rows/PieceRows.hpp>
 
 #include <algorithm>
@@ -65,7 +66,10 @@ class Assembly {
     addPieces();
     addArcs();
     addBodyRuns();
-    if (withPolygons_) out_.firstWallPolygon.push_back(out_.wallPolygons.count());
+    if (withPolygons_) {
+      out_.firstWallPolygon.push_back(out_.wallPolygons.count());
+      closePieces(out_);
+    }
     return std::move(out_);
   }
 
@@ -292,7 +296,7 @@ class Assembly {
     const auto& arc = arcOf(source);
     const bool isBelow = arc.below != kNone;
     CutCells::Polygons parts;
-    addPolygonsOf(source.tile, isBelow ? arc.below : arc.above, TilePolygons::kOfArc + source.arc,
+    addPolygonsOf(source.tile, isBelow ? arc.below : arc.above, WallPolygons::kOfArc + source.arc,
                   parts);
     out_.arcPolygons.add(openOutline(parts, FaceAxes(static_cast<int>(source.face % 3)), isBelow));
   }

@@ -74,8 +74,9 @@ class MergedRows {
     const auto number = static_cast<std::uint32_t>(out_.pieces.cell.size());
     const bool isPiece = node.source != CutCells::kNoRow;
     rows().firstPiece.push_back(number);
-    rows().fluidCorners.push_back(isPiece ? rowsOf(in_).fluidCorners[in_.pieces.cell[node.source]]
-                                          : std::uint8_t{0xff});
+    const auto row = isPiece ? in_.pieces.cell[node.source] : 0;
+    rows().fluidCorners.push_back(isPiece ? rowsOf(in_).fluidCorners[row] : std::uint8_t{0xff});
+    rows().meets.push_back(isPiece ? rowsOf(in_).meets[row] : std::uint8_t{0});
     auto wall = Moments(node.centroid);
     if (isPiece) {
       wall.add(in_.pieces.wallArea[node.source], in_.pieces.wallCentroid[node.source]);

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/CutCells/Detail/Faces/OutlineLoops.hpp>
+#include <Cutwater/CutCells/Detail/Faces/EdgeLoops.hpp>
+#include <Cutwater/CutCells/Detail/Faces/JoinedLoops.hpp>
 #include <Cutwater/CutCells/Detail/Rows/OpenRows.hpp>
 
 #include <algorithm>
@@ -10,19 +11,18 @@ namespace cutwater {
 
 std::vector<Vec3<double>> openOutline(const CutCells::Polygons& parts, const FaceAxes& axes,
                                       bool isBelow) {
-  std::vector<OutlineLoop> polygons;
-  for (std::size_t n = 0; n < parts.count(); ++n) {
-    const auto part = parts.of(n);
-    polygons.emplace_back(part.begin(), part.end());
-    if (isBelow) std::ranges::reverse(polygons.back());
-  }
-  return unitedOutline(polygons, axes);
+  EdgeLoops rims;
+  for (std::size_t n = 0; n < parts.count(); ++n) rims.add(parts.of(n), isBelow);
+  return joinedLoops(axes, rims.loopsAcross(axes.across));
 }
 
 namespace {
 
+constexpr const char* kMeets = "is in a cell in which triangles meet";
+
 /// What is wrong with a triangle of an open patch.
 std::string faultOf(const CutSurface& surface, const OpenMisfit& misfit) {
+  if (misfit.meets) return kMeets;
   return hasAxis(surface.openKinds()[misfit.triangle]) ? "lies in no plane of the grid"
                                                        : "is across no axis";
 }
@@ -37,10 +37,11 @@ void refuseMisfits(const CutSurface& surface, std::span<const OpenMisfit> misfit
   const auto& first = *std::ranges::min_element(misfits, {}, inOrder);
   const auto& name = surface.patchNames()[surface.patches()[first.triangle]];
   const auto p = surface.frame().toWorld(first.point);
-  throw Error(ErrorKind::Topology, "cut cells: the open patch \"" + name + "\" " +
-                                       faultOf(surface, first) + " at (" + detail::toText(p.x) +
-                                       ", " + detail::toText(p.y) + ", " + detail::toText(p.z) +
-                                       "); it must lie in planes of the grid");
+  throw Error(ErrorKind::Topology,
+              "cut cells: the open patch \"" + name + "\" " + faultOf(surface, first) + " at (" +
+                  detail::toText(p.x) + ", " + detail::toText(p.y) + ", " + detail::toText(p.z) +
+                  (first.meets ? "); there, polygons and planes have no open patches"
+                               : "); it must lie in planes of the grid"));
 }
 
 }  // namespace cutwater

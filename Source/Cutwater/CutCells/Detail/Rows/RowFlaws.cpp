@@ -71,12 +71,16 @@ bool arePatches(const Cut& cut, const std::vector<std::uint32_t>& numbers) {
   return std::ranges::all_of(numbers, [=](auto patch) { return patch < count; });
 }
 
+/// What OpenArcs::patchOf() relies on, and so all that asks what lies beside an arc.
+bool areInOrder(const CutCells::OpenArcs& open) {
+  return std::ranges::adjacent_find(open.arc, std::greater_equal()) == open.arc.end();
+}
+
 /// Whether those of open patches lead out of one of the first pieces.
 template <typename Cut>
 bool areOpenArcs(const Cut& cut, std::size_t pieceCount) {
   const auto& [arcs, patches] = cut.openArcs;
   if (!areAsLong(arcs.size(), patches) || !arePatches(cut, patches)) return false;
-  if (std::ranges::adjacent_find(arcs, std::greater_equal()) != arcs.end()) return false;
   if (!arcs.empty() && arcs.back() >= cut.arcs.area.size()) return false;
   return std::ranges::all_of(arcs, [&](std::uint32_t arc) {
     const auto [outer, inner] =
@@ -138,8 +142,10 @@ class CellRows {
     if (!areCells()) return "its cells are not those of a grid, in order";
     if (!areBodyRuns()) return "its runs of cells without fluid are none";
     if (!hasItsPieces() || !arePieces(cells_)) return "its pieces do not belong to its cells";
+    const char* const openFlaw = "its open patches are not those of arcs";
+    if (!areInOrder(cells_.openArcs)) return openFlaw;
     if (!areArcs()) return "its arcs do not lie between its pieces";
-    if (!areOpenArcs(cells_, cells_.pieceCount)) return "its open patches are not those of arcs";
+    if (!areOpenArcs(cells_, cells_.pieceCount)) return openFlaw;
     if (!areWallParts(cells_)) return "its walls do not belong to its pieces";
     if (!areMoments(cells_)) return "its moments do not belong to its pieces and arcs";
     if (!arePolygons(cells_)) return "its polygons do not belong to its arcs and walls";
@@ -202,10 +208,10 @@ class LeafRows {
     if (!areClasses()) return "its classes are not those of leaves";
     if (!areLeaves()) return "its leaves are not those that are cut, in order";
     if (!arePieces(leaves_)) return "its pieces do not belong to its leaves";
+    const char* const openFlaw = "its open patches are not those of arcs";
+    if (!areInOrder(leaves_.openArcs)) return openFlaw;
     if (!areArcs()) return "its arcs do not lie between its pieces";
-    if (!areOpenArcs(leaves_, leaves_.pieces.cell.size())) {
-      return "its open patches are not those of arcs";
-    }
+    if (!areOpenArcs(leaves_, leaves_.pieces.cell.size())) return openFlaw;
     if (!areWallParts(leaves_)) return "its walls do not belong to its pieces";
     if (!areMoments(leaves_)) return "its moments do not belong to its pieces and arcs";
     if (!arePolygons(leaves_)) return "its polygons do not belong to its arcs and walls";
@@ -226,9 +232,9 @@ class LeafRows {
            isVolume(leaves_.wholeBody, FluidClass::Body);
   }
   [[nodiscard]] bool areLeaves() const {
-    const auto& [leaf, box, firstPiece, fluidCorners] = leaves_.cut;
+    const auto& [leaf, box, firstPiece, fluidCorners, meets] = leaves_.cut;
     const auto& classes = leaves_.classes;
-    if (!areAsLong(leaf.size(), box, fluidCorners)) return false;
+    if (!areAsLong(leaf.size(), box, fluidCorners, meets)) return false;
     if (!areStarts(firstPiece, leaf.size(), leaves_.pieces.cell.size())) return false;
     if (std::ranges::adjacent_find(leaf, std::greater_equal()) != leaf.end()) return false;
     if (std::ranges::count(classes, FluidClass::Cut) != std::ssize(leaf)) return false;

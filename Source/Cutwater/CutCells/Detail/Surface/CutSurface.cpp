@@ -144,10 +144,7 @@ CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> t
   }
   if (!moved_.overlapping().empty()) kinds_.resize(moved_.triangleCount(), SheetKind::Wall);
   for (const auto i : moved_.overlapping()) kinds_[i] = SheetKind::Meeting;
-}
-
-bool CutSurface::meetsItself() const {
-  return std::ranges::find(kinds_, SheetKind::Meeting) != kinds_.end();
+  meetsItself_ = std::ranges::find(kinds_, SheetKind::Meeting) != kinds_.end();
 }
 
 std::vector<std::uint32_t> CutSurface::trianglesIn(const Box<double>& box) const {

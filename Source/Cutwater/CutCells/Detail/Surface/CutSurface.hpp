@@ -43,7 +43,7 @@ class CutSurface {
   /// Of the triangles of the mesh; empty: no patch is open.
   [[nodiscard]] std::span<const OpenKind> openKinds() const { return openKinds_; }
   /// Whether parts of it meet.
-  [[nodiscard]] bool meetsItself() const;
+  [[nodiscard]] bool meetsItself() const { return meetsItself_; }
   /// The winding number far away.
   [[nodiscard]] int windingOutside() const { return windingOutside_; }
 
@@ -61,6 +61,7 @@ class CutSurface {
   std::vector<Box<double>> boxes_;
   detail::BinaryBvh tree_;  // over the boxes
   std::vector<SheetKind> kinds_;
+  bool meetsItself_ = false;
 };
 
 }  // namespace cutwater

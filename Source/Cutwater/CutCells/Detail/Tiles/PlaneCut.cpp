@@ -2,6 +2,7 @@
 #include <Cutwater/CutCells/Detail/Moments/Moments.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/OpenArcs.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/PlaneCut.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/RectanglePieces.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -69,17 +70,64 @@ class PlaneCutter {
     out_.cells.push_back(cell);
     out_.firstPiece.push_back(pieceCount());
     out_.fluidCorners.push_back(fluidCorners(place));
-    const double fluid = addPieces(place, least);
-    const auto [first, last] = faces_.tracesOf(face);
+    const bool meets = faces_.meetsOn(face);
+    double fluid = 0;
     bool isTouched = true;
-    for (auto trace = first; trace < last; ++trace) {
-      isTouched = isTouched && lengthOf(trace) <= least;
-      addWall(trace);
+    if (meets) {
+      refuseOpen(cell, face);
+      isTouched = addMeetingPieces(place) <= kSliver * (size.x + size.y);
+      for (auto p = out_.firstPiece.back(); p < pieceCount(); ++p) {
+        fluid += out_.content.pieces[p].volume / thickness_;
+      }
+    } else {
+      fluid = addPieces(place, least);
+      const auto [first, last] = faces_.tracesOf(face);
+      for (auto trace = first; trace < last; ++trace) {
+        isTouched = isTouched && lengthOf(trace) <= least;
+        addWall(trace);
+      }
     }
     if (isTouched) out_.isBody[cell] = fluid < 0.5 * size.x * size.y;
     out_.isTouched.push_back(isTouched ? 1 : 0);
-    out_.meets.push_back(0);
+    out_.meets.push_back(meets ? 1 : 0);
     finishWalls(out_.firstPiece.back());
+    closesByArcs_.resize(pieceCount(), meets ? 1 : 0);
+    if (!meets) return;
+    for (auto p = out_.firstPiece.back(); p < pieceCount(); ++p) {
+      out_.content.pieces[p].areaVector = {};  // see close()
+    }
+  }
+  void addPiece(const TilePlace& place, const FacePiece& piece) {
+    out_.content.pieces.push_back({.cell = out_.numbers.cell(place),
+                                   .volume = piece.area * thickness_,
+                                   .centroid = piece.centroid,
+                                   .areaVector = {},
+                                   .wallCentroid = {}});
+  }
+  /// Which parts of sides are open is not found where triangles meet.
+  void refuseOpen(std::uint32_t cell, std::uint32_t face) {
+    const auto [first, last] = faces_.tracesOf(face);
+    for (auto trace = first; trace < last; ++trace) {
+      const auto& t = surface_.traces()[trace];
+      if (surface_.openKindOf(t.triangle) == OpenKind::Wall || t.from == t.to) continue;
+      out_.content.misfits.push_back({t.triangle, cell, t.from, true});
+    }
+  }
+  /// Returns how long their walls are.
+  double addMeetingPieces(const TilePlace& place) {
+    RectanglePieces found(faces_, faceOf(place));
+    const auto first = pieceCount();
+    for (const auto& piece : found.pieces) addPiece(place, piece);
+    double sum = 0;
+    for (const auto& wall : found.walls) {
+      sum += length(wall.to - wall.from);
+      addWall(first + wall.part, wall.patch, wall.from, wall.to);
+    }
+    for (auto& side : found.ofStretches) {
+      for (auto& piece : side) piece += piece == kNone ? 0 : first;
+    }
+    rowsOfStretches_[faceOf(place)] = std::move(found.ofStretches);
+    return sum;
   }
   /// Returns their area.
   double addPieces(const TilePlace& place, double least) {
@@ -90,11 +138,7 @@ class PlaneCutter {
       const auto& piece = faces_.pieces()[n];
       if (piece.isNothing || rims[n - first] <= least) continue;
       rowOf_[n] = pieceCount();
-      out_.content.pieces.push_back({.cell = out_.numbers.cell(place),
-                                     .volume = piece.area * thickness_,
-                                     .centroid = piece.centroid,
-                                     .areaVector = {},
-                                     .wallCentroid = {}});
+      addPiece(place, piece);
       sum += piece.area;
     }
     return sum;
@@ -135,16 +179,20 @@ class PlaneCutter {
     const auto open = faces_.ofTrace(trace);
     const auto piece = open == kNone ? kNone : rowOf_[open];
     const auto& t = surface_.traces()[trace];
-    const auto patch = surface_.patchOf(t.triangle);
-    if (piece == kNone || patch == kNone || takeOpen(trace, piece)) return;
+    if (piece == kNone || takeOpen(trace, piece)) return;
+    addWall(piece, surface_.patchOf(t.triangle), t.from, t.to);
+  }
+  void addWall(std::uint32_t piece, std::uint32_t patch, const Vec3<double>& from,
+               const Vec3<double>& to) {
+    if (patch == kNone) return;
     auto& wall = walls_[{piece, patch}];
     wall.piece = piece;
     wall.patch = patch;
-    const auto way = t.to - t.from;
+    const auto way = to - from;
     const double area = length(way) * thickness_;
     wall.area += area;
     wall.areaVector += thickness_ * Vec3<double>{way.y, -way.x, 0};
-    wall.centroid += area * 0.5 * (t.from + t.to);
+    wall.centroid += area * 0.5 * (from + to);
   }
   /// Whether a trace is one of an open patch, in a side of the piece's cell.
   bool takeOpen(std::uint32_t trace, std::uint32_t piece) {
@@ -204,8 +252,15 @@ class PlaneCutter {
       arc.centroid[axis] = planes_.at(axis, place[asIndex(axis)]);
       arc.centroid[1 - axis] = stretches[s].middle();
       arc.centroid.z = planes_.at(2, 1);
+      close(arc.below, axis, -arc.area);
+      close(arc.above, axis, arc.area);
       out_.content.arcs.push_back(arc);
     }
+  }
+  /// Where triangles meet, the wall's vector is what closes the open parts.
+  void close(std::uint32_t number, int axis, double area) {
+    if (number == kNone || closesByArcs_[number] == 0) return;
+    out_.content.pieces[number].areaVector[axis] += area;
   }
   /// Finds the piece of a cell beside an arc; returns whether the cell is in the tile and cut.
   bool setPiece(const TilePlace& cell, int side, std::size_t stretch, std::uint32_t& piece,
@@ -214,7 +269,9 @@ class PlaneCutter {
     if (cell[0] < 0 || cell[1] < 0 || cell[0] >= cells[0] || cell[1] >= cells[1]) return false;
     const auto face = faceOf(cell);
     if (!faces_.isCut(face)) return false;
-    piece = rowOf_[faces_.ofStretch(face, side, stretch)];
+    piece = faces_.meetsOn(face)
+                ? rowsOfStretches_.at(face)[static_cast<std::size_t>(side)][stretch]
+                : rowOf_[faces_.ofStretch(face, side, stretch)];
     arc.isDropped = arc.isDropped || piece == kNone;
     return true;
   }
@@ -254,6 +311,9 @@ class PlaneCutter {
   const GridPlanes& planes_;
   double thickness_;
   std::vector<std::uint32_t> rowOf_;  // the piece of each open part, or kNone
+  /// On faces where triangles meet: the piece of each stretch of each side, or kNone.
+  std::map<std::uint32_t, std::array<std::vector<std::uint32_t>, 4>> rowsOfStretches_;
+  std::vector<char> closesByArcs_;  // of pieces: where triangles meet
   /// By piece and patch; centroids are integrals.
   std::map<std::pair<std::uint32_t, std::uint32_t>, PieceWall> walls_;
   std::vector<std::pair<std::uint32_t, PieceArc>> openTraces_;

@@ -1,6 +1,8 @@
 #include <Cutwater/CutCells/Detail/Faces/FaceOutlines.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceRegions.hpp>
+#include <Cutwater/CutCells/Detail/Faces/RegionOutlines.hpp>
 #include <Cutwater/CutCells/Detail/Moments/TileMoments.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/ConformedWalls.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/TileCut.hpp>
 
 #include <algorithm>
@@ -102,6 +104,8 @@ void addArcPolygons(const TileParts& parts, TileCut& out) {
     const auto face = arc.face;
     if (arc.isOpenPatch()) {
       outlines.add({});
+    } else if (parts.faces.isCut(face) && parts.faces.meetsOn(face)) {
+      addRegionOutlines(parts.faces, face, outlines);
     } else if (parts.faces.isCut(face)) {
       addOutlines(parts.surface, parts.stretches, parts.faces, parts.planes, face, outlines);
     } else {
@@ -110,24 +114,44 @@ void addArcPolygons(const TileParts& parts, TileCut& out) {
   }
 }
 
+/// A piece may have no wall there, which would close it edge by edge: see PieceClosing.
+void refuseMeetingPatches(const TileParts& parts, CellPieces& content) {
+  const auto& [of, polygons] = content.meetingWalls;
+  for (std::size_t n = 0; n < of.size(); ++n) {
+    if (!WallPolygons::isOfArc(of[n].second)) continue;
+    const auto cell = content.pieces[of[n].first].cell;
+    for (const auto& fragment : sortedUnder(parts.surface.fragments(), cell, &TileFragment::cell)) {
+      if (parts.surface.openKindOf(fragment.triangle) == OpenKind::Wall) continue;
+      content.misfits.push_back({fragment.triangle, cell, parts.surface.points(fragment)[0], true});
+    }
+  }
+}
+
 void addWallPolygons(const TileSurface& surface, TileCut& out) {
-  std::vector<std::array<std::uint32_t, 3>> walls;  // piece, patch, fragment
+  const auto meeting = conformedWalls(surface, out.content, out.polygons.arcs);
+  // Piece, patch, fragment or kNone, number of those that meet.
+  std::vector<std::array<std::uint32_t, 4>> walls;
   const auto fragments = surface.fragments();
   for (std::uint32_t i = 0; i < fragments.size(); ++i) {
     const auto piece = out.content.ofFragments[i];
     const auto patch = surface.patchOf(fragments[i].triangle);
     if (piece == kNone || patch == kNone) continue;
     if (out.content.isWall(i)) {
-      walls.push_back({piece, patch, i});
+      walls.push_back({piece, patch, i, 0});
     } else if (out.content.openArcOf[i] != CellPieces::kNoArea) {
-      walls.push_back({piece, TilePolygons::kOfArc + out.content.openArcOf[i], i});
+      walls.push_back({piece, WallPolygons::kOfArc + out.content.openArcOf[i], i, 0});
     }
   }
+  for (std::uint32_t i = 0; i < meeting.of.size(); ++i) {
+    const auto [piece, patch] = meeting.of[i];
+    if (patch != kNone) walls.push_back({piece, patch, kNone, i});
+  }
   std::ranges::sort(walls);
-  for (const auto& [piece, patch, fragment] : walls) {
+  for (const auto& [piece, patch, fragment, number] : walls) {
     out.polygons.wallOf.emplace_back(piece, patch);
     out.polygons.fragmentOf.push_back(fragment);
-    out.polygons.walls.add(surface.points(fragments[fragment]));
+    out.polygons.walls.add(fragment == kNone ? meeting.polygons.of(number)
+                                             : surface.points(fragments[fragment]));
   }
 }
 
@@ -159,12 +183,14 @@ TileCut cutTile(const TileParts& parts, const CutOptions& options) {
   }
   noteCells(parts, result);
   if (options.polygons) {
+    refuseMeetingPatches(parts, result.content);
     addArcPolygons(parts, result);
     addWallPolygons(surface, result);
   }
   if (options.moments >= 0) {
     result.moments = findMoments(faces, result.content, frame, options.moments);
   }
+  result.content.meetingWalls = {};
   return result;
 }
 

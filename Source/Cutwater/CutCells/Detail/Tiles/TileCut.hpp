@@ -12,11 +12,9 @@ namespace cutwater {
 struct TilePolygons {
   CutCells::Polygons arcs;   ///< by arc; empty for those of open patches
   CutCells::Polygons walls;  ///< in the order of pieces and patches
-  /// In place of a patch: what makes up the arc of an open patch, plus the arc.
-  static constexpr std::uint32_t kOfArc = 0x80000000;
-  /// Of each of them, the piece and the patch.
+  /// Of each of them, the piece and the patch, see WallPolygons.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wallOf;
-  std::vector<std::uint32_t> fragmentOf;  ///< and the fragment of the tile's surface
+  std::vector<std::uint32_t> fragmentOf;  ///< and the fragment, or kNone where triangles meet
 };
 
 /// The cut cells of one tile, with its own numbers of cells, pieces and faces.

@@ -56,6 +56,7 @@ class OwnLeaves {
     for (auto& leaf : to.leaf) leaf -= first_;
     take(from.box, firstRow_, lastRow_, to.box);
     take(from.fluidCorners, firstRow_, lastRow_, to.fluidCorners);
+    take(from.meets, firstRow_, lastRow_, to.meets);
     if (from.firstPiece.empty()) return;
     take(from.firstPiece, firstRow_, lastRow_ + 1, to.firstPiece);
     for (auto& piece : to.firstPiece) piece -= firstPiece_;
