@@ -100,8 +100,7 @@ struct MergedLeaves {
 /// across a face, the arcs to them are closed one by one, each in the face of the finer leaf. A
 /// leaf that was all fluid is cut once a part of one of its faces is closed. An octree of one level
 /// gives what its grid gives, to the bit. What is beyond the leaves is kBeyond, and nothing of it
-/// is covered.
-/// @param mesh  the octree whose leaves were cut.
+/// is covered. `mesh`: the octree whose leaves were cut.
 /// @throws Error(Argument) unless options are within their ranges, and if the octree has another
 /// number of leaves.
 template <std::floating_point T>
