@@ -122,6 +122,7 @@ class PlaneSearch {
 
  private:
   static constexpr std::size_t kMostInSample = 96;
+  static constexpr double kHalved = 0.65;
   static constexpr double kWellSplit = 0.6;
   static constexpr double kWorthwhile = 0.85;
 
@@ -148,8 +149,13 @@ class PlaneSearch {
   void tryHubs() {
     const auto [first, second] = hubs();
     if (first == kNone) return;
+    const bool hasAxis = second != kNone && pairs_.position(first) != pairs_.position(second);
+    if (hasAxis && pairs_.isFlat(first) && pairs_.isFlat(second)) {
+      tryAxis(first, second);
+      if (leastWork_ <= kHalved) return;  // two fans that close a surface
+    }
     tryHub(first);
-    if (second == kNone || pairs_.position(first) == pairs_.position(second)) return;
+    if (!hasAxis) return;
     tryHub(second);
     tryAxis(first, second);
   }

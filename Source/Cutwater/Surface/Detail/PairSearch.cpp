@@ -26,6 +26,22 @@ std::array<Box<double>, LeafBoxes::kWidth> boxesOf(const PairTest& pairs,
   return boxes;
 }
 
+/// Whether no pair of a crowd meets, because all share a vertex at which none does.
+bool isFlatStar(const PairTest& pairs, const Crowd& crowd) {
+  const auto isEverywhere = [&](std::uint32_t vertex) {
+    const auto isAt = [&](std::uint32_t t) {
+      return std::ranges::find(pairs.corners(t), vertex) != pairs.corners(t).end();
+    };
+    return pairs.isFlat(vertex) && std::ranges::all_of(crowd.members, isAt) &&
+           std::ranges::all_of(crowd.guests, isAt);
+  };
+  return std::ranges::any_of(pairs.corners(crowd.members.front()), isEverywhere);
+}
+
+bool isDecided(const PairTest& pairs, const Crowd& crowd) {
+  return crowd.isDecided() || isFlatStar(pairs, crowd);
+}
+
 std::uint32_t lowestOf(const Crowd& crowd) {
   const auto lowestGuest = crowd.guests.empty() ? kNone : crowd.guests.front();
   return std::min(crowd.members.front(), lowestGuest);
@@ -141,7 +157,7 @@ void PairSearch::gatherCrowds() {
     crowds_.erase(crowds_.begin() + static_cast<std::ptrdiff_t>(i));
     std::ranges::move(*parts, std::back_inserter(crowds_));
   }
-  std::erase_if(crowds_, [](const Crowd& crowd) { return crowd.isDecided(); });
+  std::erase_if(crowds_, [&](const Crowd& crowd) { return isDecided(pairs_, crowd); });
 }
 
 bool PairSearch::run(std::size_t task, const PairVisitor& visitor) const {
@@ -198,7 +214,7 @@ bool PairSearch::decideCrowd(const Crowd& crowd, const PairVisitor& visitor) con
   while (!pending.empty()) {
     const Crowd next = std::move(pending.back());
     pending.pop_back();
-    if (next.isDecided() || !hasChanged(next)) continue;
+    if (isDecided(pairs_, next) || !hasChanged(next)) continue;
     if (!visitor.wants(lowestOf(next))) continue;
     auto parts = next.size() <= kSmallCrowd ? std::nullopt : split(pairs_, next);
     if (parts) {

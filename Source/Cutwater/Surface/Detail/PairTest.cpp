@@ -11,7 +11,30 @@ namespace cutwater {
 namespace {
 
 constexpr std::uint8_t kHasArea = 1U << 6U;  // in Views::bits
-constexpr std::size_t kMostInStar = 24;      // the time for a star is the square of its size
+
+/// What a triangle fills at a vertex, as seen along an axis: from one of its other corners
+/// counterclockwise to the other.
+struct Angle {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+};
+
+/// Whether each angle ends where the next one begins, and the last one where the first does. Sorts
+/// them.
+bool areOneRing(std::span<Angle> angles) {
+  std::sort(angles.begin(), angles.end(),
+            [](const Angle& a, const Angle& b) { return a.from < b.from; });
+  std::size_t at = 0;
+  for (std::size_t step = 1; step <= angles.size(); ++step) {
+    const auto next =
+        std::lower_bound(angles.begin(), angles.end(), angles[at].to,
+                         [](const Angle& a, std::uint32_t corner) { return a.from < corner; });
+    if (next == angles.end() || next->from != angles[at].to) return false;
+    at = static_cast<std::size_t>(next - angles.begin());
+    if ((at == 0) != (step == angles.size())) return false;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -96,34 +119,26 @@ PairTest::Views PairTest::viewsOf(const Corners& triangle) const {
 }
 
 bool PairTest::liesFlat(std::uint32_t vertex, std::span<const std::uint32_t> star) const {
-  if (star.size() < 3 || star.size() > kMostInStar) return false;
+  if (star.size() < 3) return false;
   unsigned common = kHasArea - 1U;
   for (const auto t : star) common &= views_[t].bits;
   if (common == 0) return false;
   const int view = std::countr_zero(common);
-  // Seen along that axis, each triangle fills an angle at the vertex, less than half a turn, from
-  // its corner `from` to its corner `to`, counterclockwise.
-  std::array<std::uint32_t, kMostInStar> from{};
-  std::array<std::uint32_t, kMostInStar> to{};
-  unsigned turns = 0;  // angles that contain the direction of the view's first axis
+  // Seen along that axis, each triangle fills an angle of less than half a turn at the vertex. If
+  // they make one ring, every direction is in as many of them as the view's first axis is: in one.
+  constexpr std::size_t kUsual = 16;  // without allocating
+  std::array<Angle, kUsual> few;
+  std::vector<Angle> many(star.size() > kUsual ? star.size() : 0);
+  const auto angles = many.empty() ? std::span(few).first(star.size()) : std::span(many);
+  unsigned turns = 0;  // angles that contain that axis
   for (std::size_t k = 0; k < star.size(); ++k) {
     const auto& t = triangles_[star[k]];
     const std::size_t own = t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2;
-    from[k] = t[(own + 1) % 3];
-    to[k] = t[(own + 2) % 3];
+    angles[k] = {t[(own + 1) % 3], t[(own + 2) % 3]};
+    if (view >= 3) std::swap(angles[k].from, angles[k].to);
     turns += views_[star[k]].passes[static_cast<std::size_t>(view % 3)] >> own & 1U;
   }
-  if (turns != 1) return false;
-  if (view >= 3) std::swap(from, to);
-  // One ring in which each triangle ends where the next one begins: every direction is in as many
-  // angles as that axis is, in one.
-  std::size_t at = 0;
-  for (std::size_t step = 1; step <= star.size(); ++step) {
-    const auto end = from.begin() + static_cast<std::ptrdiff_t>(star.size());
-    at = static_cast<std::size_t>(std::find(from.begin(), end, to[at]) - from.begin());
-    if (at == star.size() || (at == 0) != (step == star.size())) return false;
-  }
-  return true;
+  return turns == 1 && areOneRing(angles);
 }
 
 }  // namespace cutwater

@@ -39,6 +39,8 @@ class PairTest {
     return changed_.empty() || changed_[t] != 0;
   }
   [[nodiscard]] bool areAllChanged() const { return changed_.empty(); }
+  /// Whether it is known that no two triangles at the vertex meet elsewhere.
+  [[nodiscard]] bool isFlat(std::uint32_t vertex) const { return isFlat_[vertex] != 0; }
   /// Whether the pair is to be tested, and meets. Both triangles must have area.
   [[nodiscard]] bool meet(std::uint32_t a, std::uint32_t b) const;
 
