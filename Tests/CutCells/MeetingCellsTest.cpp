@@ -1,5 +1,7 @@
 // Surfaces whose shells overlap, repeat or pass through themselves.
 
+#include <chrono>
+#include <limits>
 #include <map>
 #include <random>
 
@@ -135,6 +137,27 @@ TEST(MeetingCellsTest, CoarserCellsAreThoseOfTheUnion) {
   double lost = 0;
   for (const auto& piece : single.lost) lost += piece.volume;
   EXPECT_NEAR(check(single.cells).bodyVolume, check(fine).bodyVolume + lost, 1e-14);
+}
+
+/// The least of some times that one cell around two balls takes.
+double secondsOfOneCell(int level, int times) {
+  const CellCutter cutter(
+      solidOf(joined({ball(0.3, {0.35, 0.4, 0.51}, level), ball(0.27, {0.6, 0.62, 0.48}, level)})));
+  const GridPatch<double> cell{Level<double>({0, 0, 0}, {1, 1, 1}), IndexBox::ofSize(1, 1, 1)};
+  double least = std::numeric_limits<double>::infinity();
+  for (int n = 0; n < times; ++n) {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(check(cutter.cut(cell)).meetingCells, 1U);
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    least = std::min(least, time.count());
+  }
+  return least;
+}
+
+/// 16 times the triangles take about 16 times as long; if all of them were looked at from each part
+/// of the cell, 100 times.
+TEST(MeetingCellsTest, CrowdedCellsTakeATimeInProportion) {
+  EXPECT_LT(secondsOfOneCell(4, 3), 40 * secondsOfOneCell(2, 8));
 }
 
 }  // namespace

@@ -61,12 +61,13 @@ FaceRegions::FaceRegions(const TileSurface& surface, const EdgeStretches& stretc
   const auto low = static_cast<std::size_t>(2 * axis_);
   std::vector<std::uint32_t> regionOf(tree.leafCount(), kNone);
   const auto points = tree.pointsIn();
+  const WindingOnFace windings(surface, stretches, face);
   // The slab's high face is counterclockwise as seen against the axis.
   tree.divide(tree.face(low + 1), SheetTree::inwards(low + 1),
               [&](std::uint32_t leaf, SheetTree::Polygon polygon) {
                 for (auto& p : polygon) p[axis_] = plane;
                 regionOf[leaf] = static_cast<std::uint32_t>(regions_.size());
-                const int winding = windingOnFace(surface, stretches, face, points[leaf]);
+                const int winding = windings.at(points[leaf]);
                 regions_.push_back({std::move(polygon), winding <= 0, kNone});
               });
   detail::DisjointSets sets(regions_.size());

@@ -1,7 +1,8 @@
-#include <Cutwater/CutCells/Detail/Faces/FaceAxes.hpp>
 #include <Cutwater/CutCells/Detail/Faces/LocalWinding.hpp>
 
 #include <algorithm>
+#include <array>
+#include <tuple>
 
 namespace cutwater {
 
@@ -42,34 +43,80 @@ int riseUp(std::span<const Vec3<double>> points, const Vec3<double>& p) {
   return normal.z > 0 ? -1 : 1;
 }
 
-}  // namespace
+/// Boxes in a leaf of the trees.
+constexpr std::uint32_t kLeafWidth = 8;
+/// By how much crossings of a polygon's edges may be computed beyond its ends.
+constexpr double kBeyondEnds = 0x1p-40;
 
-int windingOnFace(const TileSurface& surface, const EdgeStretches& stretches, std::uint32_t face,
-                  const Vec3<double>& p) {
-  const auto& numbers = surface.numbers();
-  const FaceAxes axes(numbers.axisOfFace(face));
-  const auto place = numbers.placeOfFace(face);
-  int winding = stretches.winding(place);
-  for (const auto& crossing : surface.crossingsOf(numbers.edge(axes.first, place))) {
-    if (crossing.position <= p[axes.first]) winding += crossing.rise;
-  }
-  for (const auto traces : {surface.traces(), surface.buriedTraces()}) {
-    for (const auto& trace : sortedUnder(traces, face, &FaceTrace::face)) {
-      winding += riseAcross(trace, axes, p);
+/// Calls visit(i) for the boxes that may contain something at the point or below it along z.
+template <typename Visit>
+void forBoxesAt(const detail::BinaryBvh& tree, const Vec3<double>& p, Visit&& visit) {
+  if (tree.nodes.empty()) return;
+  std::array<std::uint32_t, detail::mostLevels(kLeafWidth) + 2> pending{};
+  std::size_t count = 1;
+  while (count > 0) {
+    const auto& node = tree.nodes[pending[--count]];
+    const auto& [lower, upper] = std::tie(node.box.lower, node.box.upper);
+    const bool isBeside = p.x < lower.x || p.x > upper.x || p.y < lower.y || p.y > upper.y;
+    if (isBeside || p.z < lower.z) continue;
+    if (node.isLeaf()) {
+      for (auto i = node.begin; i < node.end; ++i) visit(tree.order[i]);
+    } else {
+      pending[count++] = node.left;
+      pending[count++] = node.left + 1;
     }
   }
+}
+
+}  // namespace
+
+WindingOnFace::WindingOnFace(const TileSurface& surface, const EdgeStretches& stretches,
+                             std::uint32_t face)
+    : axes_(surface.numbers().axisOfFace(face)) {
+  const auto place = surface.numbers().placeOfFace(face);
+  atCorner_ = stretches.winding(place);
+  crossings_ = surface.crossingsOf(surface.numbers().edge(axes_.first, place));
+  std::vector<Box<double>> boxes;
+  for (const auto traces : {surface.traces(), surface.buriedTraces()}) {
+    for (const auto& trace : sortedUnder(traces, face, &FaceTrace::face)) {
+      const double from = trace.from[axes_.first];
+      const double to = trace.to[axes_.first];
+      traces_.push_back(&trace);
+      boxes.push_back({{std::min(from, to), 0, 0}, {std::max(from, to), 0, 0}});
+    }
+  }
+  if (!boxes.empty()) tree_ = detail::buildBinaryBvh(boxes, kLeafWidth, 1);
+}
+
+int WindingOnFace::at(const Vec3<double>& p) const {
+  int winding = atCorner_;
+  for (const auto& crossing : crossings_) {
+    if (crossing.position <= p[axes_.first]) winding += crossing.rise;
+  }
+  forBoxesAt(tree_, {p[axes_.first], 0, 0},
+             [&](std::uint32_t i) { winding += riseAcross(*traces_[i], axes_, p); });
   return winding;
 }
 
-int windingInCell(const TileSurface& surface, const EdgeStretches& stretches, std::uint32_t cell,
-                  const Vec3<double>& p) {
-  const auto& numbers = surface.numbers();
-  int winding = windingOnFace(surface, stretches, numbers.face(2, numbers.placeOfCell(cell)), p);
+WindingInCell::WindingInCell(const TileSurface& surface, const EdgeStretches& stretches,
+                             std::uint32_t cell)
+    : onFace_(surface, stretches, surface.numbers().face(2, surface.numbers().placeOfCell(cell))) {
+  std::vector<Box<double>> boxes;
   for (const auto fragments : {surface.fragments(), surface.buriedFragments()}) {
     for (const auto& fragment : sortedUnder(fragments, cell, &TileFragment::cell)) {
-      winding += riseUp(surface.points(fragment), p);
+      polygons_.push_back(surface.points(fragment));
+      auto& box = boxes.emplace_back();
+      for (const auto& p : polygons_.back()) box.extend(p);
+      box.lower.x -= kBeyondEnds;
+      box.upper.x += kBeyondEnds;
     }
   }
+  if (!boxes.empty()) tree_ = detail::buildBinaryBvh(boxes, kLeafWidth, 1);
+}
+
+int WindingInCell::at(const Vec3<double>& p) const {
+  int winding = onFace_.at(p);
+  forBoxesAt(tree_, p, [&](std::uint32_t i) { winding += riseUp(polygons_[i], p); });
   return winding;
 }
 

@@ -56,10 +56,8 @@ class MeetingCell {
     const auto size = faces.planes().sizeOf(place_);
     least_ = kSliver * std::min({size.x * size.y, size.y * size.z, size.z * size.x});
     somePatch_ = surface_.patchOf(fragments.front().triangle);
-    for (std::uint32_t leaf = 0; leaf < tree_.leafCount(); ++leaf) {
-      const int winding = windingInCell(surface_, faces.stretches(), cell_, points_[leaf]);
-      isFluid_.push_back(winding <= 0 ? 1 : 0);
-    }
+    const WindingInCell windings(surface_, faces.stretches(), cell_);
+    for (const auto& point : points_) isFluid_.push_back(windings.at(point) <= 0 ? 1 : 0);
   }
 
   void run() {
