@@ -186,7 +186,9 @@ cw_status cw_cells_rows(const cw_cells* cells, cw_cut_cells* rows) {
             .countAround = countOf(all.cells.index) - own,
             .index = numbersOf<std::int32_t>(all.cells.index),
             .firstPiece = numbersOf<std::int32_t>(all.cells.firstPiece),
-            .fluidCorners = all.cells.fluidCorners.data()};
+            .fluidCorners = all.cells.fluidCorners.data(),
+            .meets = all.cells.meets.data(),
+            .wallFaces = all.cells.wallFaces.data()};
   });
 }
 
@@ -200,7 +202,8 @@ cw_status cw_cells_pieces(const cw_cells* cells, cw_pieces* rows) {
             .centroid = numbersOf<double>(all.pieces.centroid),
             .wallArea = all.pieces.wallArea.data(),
             .wallVector = numbersOf<double>(all.pieces.wallVector),
-            .wallCentroid = numbersOf<double>(all.pieces.wallCentroid)};
+            .wallCentroid = numbersOf<double>(all.pieces.wallCentroid),
+            .wallFaces = all.pieces.wallFaces.data()};
   });
 }
 

@@ -197,6 +197,9 @@ typedef struct cw_cut_cells {
   const int32_t* index;         ///< i, j, k
   const int32_t* firstPiece;    ///< for each cell the row of its first piece; then their number
   const uint8_t* fluidCorners;  ///< bit n: the corner at (bit 0, bit 1, bit 2) of n is in the fluid
+  const uint8_t* meets;         ///< 1 where the surface meets itself in the cell, see meets
+  /// Bit 2 axis + side (0: low, 1: high): a part of the wall lies in that face, exactly.
+  const uint8_t* wallFaces;
 } cw_cut_cells;
 cw_status cw_cells_rows(const cw_cells* cells, cw_cut_cells* rows);
 
@@ -210,6 +213,7 @@ typedef struct cw_pieces {
   const double* wallArea;
   const double* wallVector;    ///< the integral of the wall's normal out of the fluid
   const double* wallCentroid;  ///< the piece's where there is no wall
+  const uint8_t* wallFaces;    ///< of this piece's wall, as of cells
 } cw_pieces;
 cw_status cw_cells_pieces(const cw_cells* cells, cw_pieces* rows);
 

@@ -46,12 +46,12 @@ module cutwater
   ! Rows of cut cells: their arrays become Fortran's by c_f_pointer().
   type, bind(c) :: cw_cut_cells
     integer(c_int64_t) :: count = 0, count_around = 0
-    type(c_ptr) :: index, first_piece, fluid_corners
+    type(c_ptr) :: index, first_piece, fluid_corners, meets, wall_faces
   end type
 
   type, bind(c) :: cw_pieces
     integer(c_int64_t) :: count = 0, count_around = 0
-    type(c_ptr) :: cell, volume, centroid, wall_area, wall_vector, wall_centroid
+    type(c_ptr) :: cell, volume, centroid, wall_area, wall_vector, wall_centroid, wall_faces
   end type
 
   type, bind(c) :: cw_arcs

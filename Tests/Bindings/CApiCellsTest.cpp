@@ -71,6 +71,8 @@ void expectCellsAndPieces(const cw_cells* cells, const CutCells& expected) {
   expectArray(rows.index, own.index);
   expectArray(rows.firstPiece, own.firstPiece);
   expectArray(rows.fluidCorners, own.fluidCorners);
+  expectArray(rows.meets, own.meets);
+  expectArray(rows.wallFaces, own.wallFaces);
   cw_pieces pieces;
   ASSERT_EQ(cw_cells_pieces(cells, &pieces), CW_OK);
   ASSERT_EQ(pieces.count, static_cast<std::int64_t>(expected.pieceCount));
@@ -81,6 +83,7 @@ void expectCellsAndPieces(const cw_cells* cells, const CutCells& expected) {
   expectArray(pieces.wallArea, expected.pieces.wallArea);
   expectArray(pieces.wallVector, expected.pieces.wallVector);
   expectArray(pieces.wallCentroid, expected.pieces.wallCentroid);
+  expectArray(pieces.wallFaces, expected.pieces.wallFaces);
 }
 
 void expectArcsAndWalls(const cw_cells* cells, const CutCells& expected) {
