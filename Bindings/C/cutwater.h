@@ -177,6 +177,7 @@ typedef struct cw_cutter cw_cutter;
 /// Frees a handle; NULL is ignored.
 void cw_free_cutter(cw_cutter* cutter);
 
+/// How to make one; see CutterOptions.
 typedef struct cw_cutter_options {
   int32_t fluidInside;  ///< not 0: the fluid is inside the solid
   int32_t capHoles;     ///< not 0: holes of an open surface are closed, by a patch named "cap"
