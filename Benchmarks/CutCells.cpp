@@ -35,15 +35,16 @@ std::size_t bytesOf(const std::vector<Value>& values) {
 
 /// Of all rows but polygons and moments.
 std::size_t bytesOf(const CutCells& cells) {
-  const auto& [index, firstPiece, corners, meets] = cells.cells;
-  const auto& [cell, volume, centroid, wallArea, wallVector, wallCentroid] = cells.pieces;
+  const auto& [index, firstPiece, corners, meets, ofCells] = cells.cells;
+  const auto& [cell, volume, centroid, wallArea, wallVector, wallCentroid, ofPieces] = cells.pieces;
   const auto& [below, above, area, arcCentroid, arcCell, axis] = cells.arcs;
   const auto& [piece, patch, partArea, vector, partCentroid] = cells.wallParts;
   return bytesOf(index) + bytesOf(firstPiece) + bytesOf(corners) + bytesOf(meets) + bytesOf(cell) +
          bytesOf(volume) + bytesOf(centroid) + bytesOf(wallArea) + bytesOf(wallVector) +
-         bytesOf(wallCentroid) + bytesOf(below) + bytesOf(above) + bytesOf(area) +
-         bytesOf(arcCentroid) + bytesOf(arcCell) + bytesOf(axis) + bytesOf(piece) + bytesOf(patch) +
-         bytesOf(partArea) + bytesOf(vector) + bytesOf(partCentroid) + bytesOf(cells.bodyRuns);
+         bytesOf(wallCentroid) + bytesOf(ofCells) + bytesOf(ofPieces) + bytesOf(below) +
+         bytesOf(above) + bytesOf(area) + bytesOf(arcCentroid) + bytesOf(arcCell) + bytesOf(axis) +
+         bytesOf(piece) + bytesOf(patch) + bytesOf(partArea) + bytesOf(vector) +
+         bytesOf(partCentroid) + bytesOf(cells.bodyRuns);
 }
 
 void printRow(const CellCutter& cutter, const Box<double>& surface, int n) {

@@ -32,6 +32,13 @@ struct cw_solid {
   mutable std::array<std::optional<cutwater::CellCutter>, 2> cutters;
 };
 
+/// What is behind a cw_cutter.
+struct cw_cutter {
+  explicit cw_cutter(cutwater::CellCutter made) : cutter(std::move(made)) {}
+
+  cutwater::CellCutter cutter;
+};
+
 namespace cutwater::binding {
 
 inline const cw_solid& handleOf(const cw_solid* handle) {

@@ -36,6 +36,21 @@ FluidSide sideOf(int fluidInside) {
   return fluidInside != 0 ? FluidSide::Inside : FluidSide::Outside;
 }
 
+const CellCutter& cutterOf(const cw_cutter* handle) {
+  require(handle != nullptr, "the cutter is NULL");
+  return handle->cutter;
+}
+
+CutterOptions optionsOf(const cw_cutter_options& given) {
+  CutterOptions options{.capHoles = given.capHoles != 0};
+  for (const auto* name : arrayOf("openPatches", given.openPatches, given.openPatchCount)) {
+    require(name != nullptr, "the name of an open patch is NULL",
+            Named{"number", options.openPatches.size()});
+    options.openPatches.emplace_back(name);
+  }
+  return options;
+}
+
 CutOptions optionsOf(int polygons, int threads) {
   return {.polygons = polygons != 0, .threads = threads};
 }
@@ -55,6 +70,14 @@ std::vector<double> planesAcross(const cw_planes& planes, int axis) {
   requireIndices(axis, planes.first[axis],
                  std::int64_t{planes.first[axis]} + std::ssize(across) - 2);
   return {across.begin(), across.end()};
+}
+
+GridPatch<double> cellsOf(const cw_grid* grid) {
+  require(grid != nullptr, "the grid is NULL");
+  for (int axis = 0; axis < 3; ++axis) requireIndices(axis, grid->lo[axis], grid->hi[axis]);
+  auto unstrided = *grid;
+  std::ranges::fill(unstrided.strides, 0);
+  return gridPatchOf(unstrided);
 }
 
 CellPlanes cellPlanesOf(const cw_planes& planes) {
@@ -100,16 +123,42 @@ void cw_free_cells(cw_cells* cells) {
   delete cells;
 }
 
+void cw_free_cutter(cw_cutter* cutter) {
+  delete cutter;
+}
+
+cw_status cw_make_cutter(const cw_solid* solid, const cw_cutter_options* options,
+                         cw_cutter** result) {
+  return create("cw_make_cutter", result, [&] {
+    const auto& handle = handleOf(solid);
+    const auto given = options != nullptr ? *options : cw_cutter_options{};
+    return CellCutter(handle.solid, sideOf(given.fluidInside), optionsOf(given));
+  });
+}
+
 cw_status cw_cut_grid(const cw_solid* solid, const cw_grid* grid, int fluidInside, int polygons,
                       int threads, cw_cells** result) {
   return create("cw_cut_grid", result, [&] {
     const auto& handle = handleOf(solid);
-    require(grid != nullptr, "the grid is NULL");
-    for (int axis = 0; axis < 3; ++axis) requireIndices(axis, grid->lo[axis], grid->hi[axis]);
-    auto unstrided = *grid;
-    std::ranges::fill(unstrided.strides, 0);
-    const auto gridPatch = gridPatchOf(unstrided);
+    const auto gridPatch = cellsOf(grid);
     return handle.cutter(sideOf(fluidInside)).cut(gridPatch, optionsOf(polygons, threads));
+  });
+}
+
+cw_status cw_cutter_grid(const cw_cutter* cutter, const cw_grid* grid, int polygons, int threads,
+                         cw_cells** result) {
+  return create("cw_cutter_grid", result, [&] {
+    const auto& cut = cutterOf(cutter);
+    return cut.cut(cellsOf(grid), optionsOf(polygons, threads));
+  });
+}
+
+cw_status cw_cutter_planes(const cw_cutter* cutter, const cw_planes* planes, int polygons,
+                           int threads, cw_cells** result) {
+  return create("cw_cutter_planes", result, [&] {
+    const auto& cut = cutterOf(cutter);
+    require(planes != nullptr, "the planes are NULL");
+    return cut.cut(cellPlanesOf(*planes), optionsOf(polygons, threads));
   });
 }
 
@@ -186,7 +235,9 @@ cw_status cw_cells_rows(const cw_cells* cells, cw_cut_cells* rows) {
             .countAround = countOf(all.cells.index) - own,
             .index = numbersOf<std::int32_t>(all.cells.index),
             .firstPiece = numbersOf<std::int32_t>(all.cells.firstPiece),
-            .fluidCorners = all.cells.fluidCorners.data()};
+            .fluidCorners = all.cells.fluidCorners.data(),
+            .meets = all.cells.meets.data(),
+            .wallFaces = all.cells.wallFaces.data()};
   });
 }
 
@@ -200,7 +251,8 @@ cw_status cw_cells_pieces(const cw_cells* cells, cw_pieces* rows) {
             .centroid = numbersOf<double>(all.pieces.centroid),
             .wallArea = all.pieces.wallArea.data(),
             .wallVector = numbersOf<double>(all.pieces.wallVector),
-            .wallCentroid = numbersOf<double>(all.pieces.wallCentroid)};
+            .wallCentroid = numbersOf<double>(all.pieces.wallCentroid),
+            .wallFaces = all.pieces.wallFaces.data()};
   });
 }
 
@@ -213,6 +265,27 @@ cw_status cw_cells_arcs(const cw_cells* cells, cw_arcs* rows) {
             .centroid = numbersOf<double>(all.arcs.centroid),
             .cell = numbersOf<std::int32_t>(all.arcs.cell),
             .axis = all.arcs.axis.data()};
+  });
+}
+
+cw_status cw_cells_open_arcs(const cw_cells* cells, cw_open_arcs* rows) {
+  return tell("cw_cells_open_arcs", cells, rows, [](const CutCells& all) -> cw_open_arcs {
+    return {.count = countOf(all.openArcs.arc),
+            .arc = numbersOf<std::int32_t>(all.openArcs.arc),
+            .patch = numbersOf<std::int32_t>(all.openArcs.patch)};
+  });
+}
+
+cw_status cw_cells_patch_count(const cw_cells* cells, int32_t* count) {
+  return tell("cw_cells_patch_count", cells, count,
+              [](const CutCells& all) { return static_cast<std::int32_t>(all.patchNames.size()); });
+}
+
+cw_status cw_cells_patch_name(const cw_cells* cells, int32_t patch, const char** name) {
+  return tell("cw_cells_patch_name", cells, name, [&](const CutCells& all) {
+    require(patch >= 0 && patch < std::ssize(all.patchNames), "there is no such patch",
+            Named{"patch", patch});
+    return all.patchNames[static_cast<std::size_t>(patch)].c_str();
   });
 }
 

@@ -171,6 +171,32 @@ cw_status cw_cut_grid(const cw_solid* solid, const cw_grid* grid, int fluidInsid
 cw_status cw_cut_planes(const cw_solid* solid, const cw_planes* planes, int fluidInside,
                         int polygons, int threads, cw_cells** result);
 
+/// What cuts cells by a solid, with options; cw_cut_grid() and cw_cut_planes() have none. Make one
+/// for many boxes. It stays valid when the solid is freed.
+typedef struct cw_cutter cw_cutter;
+/// Frees a handle; NULL is ignored.
+void cw_free_cutter(cw_cutter* cutter);
+
+/// How to make one; see CutterOptions.
+typedef struct cw_cutter_options {
+  int32_t fluidInside;  ///< not 0: the fluid is inside the solid
+  int32_t capHoles;     ///< not 0: holes of an open surface are closed, by a patch named "cap"
+  /// Names of patches that are no walls but open, such as inlets; in planes of the grid. NULL if
+  /// there are none.
+  const char* const* openPatches;
+  int64_t openPatchCount;
+} cw_cutter_options;
+
+/// `options` may be NULL: then all are 0.
+cw_status cw_make_cutter(const cw_solid* solid, const cw_cutter_options* options,
+                         cw_cutter** result);
+/// As cw_cut_grid().
+cw_status cw_cutter_grid(const cw_cutter* cutter, const cw_grid* grid, int polygons, int threads,
+                         cw_cells** result);
+/// As cw_cut_planes().
+cw_status cw_cutter_planes(const cw_cutter* cutter, const cw_planes* planes, int polygons,
+                           int threads, cw_cells** result);
+
 /// As many cells along each axis joined to one: see coarsened(). The ratios divide the index of the
 /// lowest cell and the number of cells.
 cw_status cw_coarsened(const cw_cells* cells, const int32_t ratios[3], cw_cells** result);
@@ -197,6 +223,9 @@ typedef struct cw_cut_cells {
   const int32_t* index;         ///< i, j, k
   const int32_t* firstPiece;    ///< for each cell the row of its first piece; then their number
   const uint8_t* fluidCorners;  ///< bit n: the corner at (bit 0, bit 1, bit 2) of n is in the fluid
+  const uint8_t* meets;         ///< 1 where the surface meets itself in the cell, see meets
+  /// Bit 2 axis + side (0: low, 1: high): a part of the wall lies in that face, exactly.
+  const uint8_t* wallFaces;
 } cw_cut_cells;
 cw_status cw_cells_rows(const cw_cells* cells, cw_cut_cells* rows);
 
@@ -210,6 +239,7 @@ typedef struct cw_pieces {
   const double* wallArea;
   const double* wallVector;    ///< the integral of the wall's normal out of the fluid
   const double* wallCentroid;  ///< the piece's where there is no wall
+  const uint8_t* wallFaces;    ///< of this piece's wall, as of cells
 } cw_pieces;
 cw_status cw_cells_pieces(const cw_cells* cells, cw_pieces* rows);
 
@@ -231,16 +261,30 @@ typedef struct cw_arcs {
 } cw_arcs;
 cw_status cw_cells_arcs(const cw_cells* cells, cw_arcs* rows);
 
+/// The arcs that are parts of open patches, in ascending order; on one side, they have CW_BEYOND.
+typedef struct cw_open_arcs {
+  int64_t count;
+  const int32_t* arc;    ///< its row
+  const int32_t* patch;  ///< see cw_cells_patch_name()
+} cw_open_arcs;
+cw_status cw_cells_open_arcs(const cw_cells* cells, cw_open_arcs* rows);
+
 /// What each patch of the surface has of a piece's wall.
 typedef struct cw_wall_parts {
   int64_t count;
   const int32_t* piece;
-  const int32_t* patch;  ///< see cw_patch_name(); of cw_merged(), one more: what it covered
+  const int32_t* patch;  ///< see cw_cells_patch_name()
   const double* area;
   const double* vector;  ///< as of pieces
   const double* centroid;
 } cw_wall_parts;
 cw_status cw_cells_wall_parts(const cw_cells* cells, cw_wall_parts* rows);
+
+/// The number of patches that these rows name: those of the solid, then "cap" if holes were closed,
+/// then "covered" of cw_merged().
+cw_status cw_cells_patch_count(const cw_cells* cells, int32_t* count);
+/// The name of one of them, valid as long as the handle.
+cw_status cw_cells_patch_name(const cw_cells* cells, int32_t patch, const char** name);
 
 /// Polygons: polygon n has the points from first[n] up to that before first[n + 1].
 typedef struct cw_polygons {

@@ -43,20 +43,32 @@ module cutwater
     integer(c_int32_t) :: first(3) = 0
   end type
 
+  ! The names of open patches are an array of c_loc() of texts that end in c_null_char.
+  type, bind(c) :: cw_cutter_options
+    integer(c_int32_t) :: fluid_inside = 0, cap_holes = 0
+    type(c_ptr) :: open_patches = c_null_ptr
+    integer(c_int64_t) :: open_patch_count = 0
+  end type
+
   ! Rows of cut cells: their arrays become Fortran's by c_f_pointer().
   type, bind(c) :: cw_cut_cells
     integer(c_int64_t) :: count = 0, count_around = 0
-    type(c_ptr) :: index, first_piece, fluid_corners
+    type(c_ptr) :: index, first_piece, fluid_corners, meets, wall_faces
   end type
 
   type, bind(c) :: cw_pieces
     integer(c_int64_t) :: count = 0, count_around = 0
-    type(c_ptr) :: cell, volume, centroid, wall_area, wall_vector, wall_centroid
+    type(c_ptr) :: cell, volume, centroid, wall_area, wall_vector, wall_centroid, wall_faces
   end type
 
   type, bind(c) :: cw_arcs
     integer(c_int64_t) :: count = 0
     type(c_ptr) :: below, above, area, centroid, cell, axis
+  end type
+
+  type, bind(c) :: cw_open_arcs
+    integer(c_int64_t) :: count = 0
+    type(c_ptr) :: arc, patch
   end type
 
   type, bind(c) :: cw_wall_parts
@@ -225,6 +237,36 @@ module cutwater
       type(c_ptr), intent(out) :: cells
     end function
 
+    subroutine cw_free_cutter(cutter) bind(c)
+      import :: c_ptr
+      type(c_ptr), value :: cutter
+    end subroutine
+
+    integer(c_int) function cw_make_cutter(solid, options, cutter) bind(c)
+      import :: c_ptr, c_int, cw_cutter_options
+      type(c_ptr), value :: solid
+      type(cw_cutter_options), intent(in) :: options
+      type(c_ptr), intent(out) :: cutter
+    end function
+
+    integer(c_int) function cw_cutter_grid(cutter, grid, polygons, threads, cells) bind(c)
+      import :: c_ptr, c_int, cw_grid
+      type(c_ptr), value :: cutter
+      type(cw_grid), intent(in) :: grid
+      integer(c_int), value :: polygons
+      integer(c_int), value :: threads
+      type(c_ptr), intent(out) :: cells
+    end function
+
+    integer(c_int) function cw_cutter_planes(cutter, planes, polygons, threads, cells) bind(c)
+      import :: c_ptr, c_int, cw_planes
+      type(c_ptr), value :: cutter
+      type(cw_planes), intent(in) :: planes
+      integer(c_int), value :: polygons
+      integer(c_int), value :: threads
+      type(c_ptr), intent(out) :: cells
+    end function
+
     integer(c_int) function cw_coarsened(cells, ratios, coarse) bind(c)
       import :: c_ptr, c_int, c_int32_t
       type(c_ptr), value :: cells
@@ -274,6 +316,25 @@ module cutwater
       import :: c_ptr, c_int, cw_arcs
       type(c_ptr), value :: cells
       type(cw_arcs), intent(out) :: rows
+    end function
+
+    integer(c_int) function cw_cells_open_arcs(cells, rows) bind(c)
+      import :: c_ptr, c_int, cw_open_arcs
+      type(c_ptr), value :: cells
+      type(cw_open_arcs), intent(out) :: rows
+    end function
+
+    integer(c_int) function cw_cells_patch_count(cells, count) bind(c)
+      import :: c_ptr, c_int, c_int32_t
+      type(c_ptr), value :: cells
+      integer(c_int32_t), intent(out) :: count
+    end function
+
+    integer(c_int) function cw_cells_patch_name(cells, patch, name) bind(c)
+      import :: c_ptr, c_int, c_int32_t
+      type(c_ptr), value :: cells
+      integer(c_int32_t), value :: patch
+      type(c_ptr), intent(out) :: name
     end function
 
     integer(c_int) function cw_cells_wall_parts(cells, rows) bind(c)

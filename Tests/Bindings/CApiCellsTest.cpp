@@ -71,6 +71,8 @@ void expectCellsAndPieces(const cw_cells* cells, const CutCells& expected) {
   expectArray(rows.index, own.index);
   expectArray(rows.firstPiece, own.firstPiece);
   expectArray(rows.fluidCorners, own.fluidCorners);
+  expectArray(rows.meets, own.meets);
+  expectArray(rows.wallFaces, own.wallFaces);
   cw_pieces pieces;
   ASSERT_EQ(cw_cells_pieces(cells, &pieces), CW_OK);
   ASSERT_EQ(pieces.count, static_cast<std::int64_t>(expected.pieceCount));
@@ -81,6 +83,7 @@ void expectCellsAndPieces(const cw_cells* cells, const CutCells& expected) {
   expectArray(pieces.wallArea, expected.pieces.wallArea);
   expectArray(pieces.wallVector, expected.pieces.wallVector);
   expectArray(pieces.wallCentroid, expected.pieces.wallCentroid);
+  expectArray(pieces.wallFaces, expected.pieces.wallFaces);
 }
 
 void expectArcsAndWalls(const cw_cells* cells, const CutCells& expected) {
@@ -167,6 +170,68 @@ TEST(CApiCellsTest, CellsAreMadeOfCellsAndComeBackFromFiles) {
   ASSERT_EQ(cw_save_cells(cells.get(), path.c_str()), CW_OK) << cw_last_error();
   const auto loaded = cellsOf([&](auto* r) { return cw_load_cells(path.c_str(), r); });
   expectRows(loaded.get(), expected);
+}
+
+/// A box with named ends along x; without the last triangle, it has a hole.
+PolygonSoup duct(bool isOpen) {
+  auto soup = MeshSDF<double>(tessellation::box({-0.75, -0.6, -0.55}, {0.75, 0.6, 0.55}, 3)).soup();
+  soup.patchNames = {"walls", "inlet", "outlet"};
+  PolygonSoup result;
+  result.points = soup.points;
+  result.patchNames = soup.patchNames;
+  for (std::size_t i = isOpen ? 1 : 0; i < soup.polygonCount(); ++i) {
+    const auto p = soup.polygon(i);
+    const auto isAt = [&](double x) {
+      return std::ranges::all_of(p, [&](auto c) { return soup.points[c].x == x; });
+    };
+    const std::uint32_t patch = isAt(-0.75) ? 1 : isAt(0.75) ? 2 : 0;
+    result.addPolygon(p, patch);
+  }
+  return result;
+}
+
+TEST(CApiCellsTest, CuttersHaveOpenPatchesAndCaps) {
+  constexpr cw_grid grid{{-1, -1, -1}, {0.25, 0.25, 0.25}, {0, 0, 0}, {7, 7, 7}, {0, 0, 0}, 0};
+  const GridPatch<double> patch{Level<double>({-1, -1, -1}, {0.25, 0.25, 0.25}),
+                                IndexBox::ofSize(8, 8, 8)};
+  const std::array<const char*, 2> names{"outlet", "inlet"};
+  for (const bool isOpen : {false, true}) {
+    const auto soup = duct(isOpen);
+    const std::vector<std::int32_t> corners(soup.corners.begin(), soup.corners.end());
+    const std::vector<std::int32_t> patches(soup.patches.begin(), soup.patches.end());
+    const std::array<const char*, 3> all{"walls", "inlet", "outlet"};
+    const cw_mesh arrays{&soup.points[0].x,   std::ssize(soup.points), corners.data(),
+                         std::ssize(patches), patches.data(),          3,
+                         all.data()};
+    const auto solid = made([&](cw_solid** out) { return cw_from_mesh(&arrays, 0, out); });
+    const cw_cutter_options options{1, isOpen ? 1 : 0, names.data(), 2};
+    cw_cutter* made = nullptr;
+    ASSERT_EQ(cw_make_cutter(solid.get(), &options, &made), CW_OK) << cw_last_error();
+    const CutterHandle cutter(made, &cw_free_cutter);
+    const CellCutter expected(Solid<double>(MeshSDF<double>(soup)), FluidSide::Inside,
+                              {.capHoles = isOpen, .openPatches = {"outlet", "inlet"}});
+    const auto rows = expected.cut(patch, {.polygons = true});
+    ASSERT_GT(rows.openArcs.arc.size(), 30U);
+    const auto cells =
+        cellsOf([&](auto* r) { return cw_cutter_grid(cutter.get(), &grid, 1, 0, r); });
+    expectRows(cells.get(), rows);
+    cw_open_arcs open;
+    ASSERT_EQ(cw_cells_open_arcs(cells.get(), &open), CW_OK);
+    ASSERT_EQ(open.count, std::ssize(rows.openArcs.arc));
+    expectArray(open.arc, rows.openArcs.arc);
+    expectArray(open.patch, rows.openArcs.patch);
+    std::int32_t count = 0;
+    ASSERT_EQ(cw_cells_patch_count(cells.get(), &count), CW_OK);
+    ASSERT_EQ(count, isOpen ? 4 : 3);
+    const char* name = nullptr;
+    ASSERT_EQ(cw_cells_patch_name(cells.get(), count - 1, &name), CW_OK);
+    EXPECT_STREQ(name, isOpen ? "cap" : "outlet");
+    const std::vector<double> planes{-0.75, 0, 0.75};
+    const cw_planes between{{planes.data(), planes.data(), planes.data()}, {3, 3, 3}, {0, 0, 0}};
+    const auto large =
+        cellsOf([&](auto* r) { return cw_cutter_planes(cutter.get(), &between, 0, 0, r); });
+    expectRows(large.get(), expected.cut(cellsBetween({planes, planes, planes})));
+  }
 }
 
 TEST(CApiCellsTest, FractionsAreThoseOfAllCells) {

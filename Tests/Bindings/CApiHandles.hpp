@@ -9,6 +9,7 @@ namespace cutwater::test {
 
 using SolidHandle = std::unique_ptr<cw_solid, decltype(&cw_free)>;
 using CellsHandle = std::unique_ptr<cw_cells, decltype(&cw_free_cells)>;
+using CutterHandle = std::unique_ptr<cw_cutter, decltype(&cw_free_cutter)>;
 
 /// What make(&handle) gives; expects that it succeeds.
 template <typename Make>

@@ -103,6 +103,63 @@ static void cellsFromCells(void) {
   cw_free_cells(single);
 }
 
+static void cutters(void) {
+  const double x[2] = {-0.5, 1.5};
+  const char* const names[1] = {"ends"};
+  const char* const unknown[1] = {"doors"};
+  const char* const missing[1] = {NULL};
+  const cw_mesh arrays = cubeArrays();
+  const char* name = NULL;
+  cw_planes planes = {{x, x, NULL}, {2, 2, 2}, {0, 0, 0}};
+  const double z[2] = {0, 1};
+  cw_cutter_options options = {1, 0, names, 1};
+  cw_solid* cube = NULL;
+  cw_cutter *cutter = NULL, *none = NULL;
+  cw_cells* cells = NULL;
+  cw_open_arcs open;
+  cw_arcs arcs;
+  cw_pieces pieces;
+  int32_t count = 0;
+  planes.across[2] = z;
+  CHECK(cw_from_mesh(&arrays, 1, &cube) == CW_OK);
+  CHECK(cw_make_cutter(cube, &options, &cutter) == CW_OK);
+  /* In the cube, which is open at both ends: its sides alone are walls. */
+  CHECK(cw_cutter_planes(cutter, &planes, 0, 0, &cells) == CW_OK);
+  CHECK(cw_cells_pieces(cells, &pieces) == CW_OK && pieces.count == 1);
+  CHECK(fabs(pieces.volume[0] - 1) < 1e-15 && fabs(pieces.wallArea[0] - 4) < 1e-14);
+  CHECK(pieces.wallFaces[0] == 0);
+  CHECK(cw_cells_open_arcs(cells, &open) == CW_OK && open.count == 2);
+  CHECK(open.patch[0] == 0 && open.patch[1] == 0);
+  CHECK(cw_cells_arcs(cells, &arcs) == CW_OK && arcs.count == 2);
+  CHECK(arcs.below[open.arc[0]] == CW_BEYOND && arcs.above[open.arc[1]] == CW_BEYOND);
+  CHECK(fabs(arcs.area[0] - 1) < 1e-15);
+  CHECK(cw_cells_patch_count(cells, &count) == CW_OK && count == 2);
+  CHECK(cw_cells_patch_name(cells, 1, &name) == CW_OK && strcmp(name, "sides") == 0);
+  REFUSED(cw_cells_patch_name(cells, 2, &name), CW_ERROR_ARGUMENT, "patch = 2");
+  REFUSED(cw_cells_patch_name(cells, -1, &name), CW_ERROR_ARGUMENT, "patch = -1");
+  cw_free_cells(cells);
+  planes.across[2] = x;
+  REFUSED(cw_cutter_planes(cutter, &planes, 0, 0, &cells), CW_ERROR_TOPOLOGY, "\"ends\"");
+  REFUSED(cw_cutter_planes(cutter, NULL, 0, 0, &cells), CW_ERROR_ARGUMENT, "the planes are NULL");
+  REFUSED(cw_cutter_grid(cutter, NULL, 0, 0, &cells), CW_ERROR_ARGUMENT, "the grid is NULL");
+  REFUSED(cw_cutter_planes(NULL, &planes, 0, 0, &cells), CW_ERROR_ARGUMENT, "the cutter is NULL");
+  cw_free_cutter(cutter);
+  cw_free_cutter(NULL);
+  CHECK(cw_make_cutter(cube, NULL, &cutter) == CW_OK); /* fluid outside, all are walls */
+  CHECK(cw_cutter_planes(cutter, &planes, 0, 0, &cells) == CW_OK);
+  CHECK(cw_cells_pieces(cells, &pieces) == CW_OK && fabs(pieces.volume[0] - 7) < 1e-14);
+  cw_free_cells(cells);
+  cw_free_cutter(cutter);
+  options.openPatches = unknown;
+  REFUSED(cw_make_cutter(cube, &options, &none), CW_ERROR_ARGUMENT, "\"doors\"");
+  options.openPatches = missing;
+  REFUSED(cw_make_cutter(cube, &options, &none), CW_ERROR_ARGUMENT, "number = 0");
+  options.openPatches = NULL;
+  REFUSED(cw_make_cutter(cube, &options, &none), CW_ERROR_ARGUMENT, "openPatches is NULL");
+  REFUSED(cw_make_cutter(NULL, NULL, &none), CW_ERROR_ARGUMENT, "the solid is NULL");
+  cw_free(cube);
+}
+
 static void refusesCells(void) {
   const double x[3] = {0, 1, 2};
   const double back[2] = {1, 0};
@@ -171,6 +228,7 @@ int main(void) {
   cellsFromCells();
   CHECK(cw_last_error()[0] == '\0');
   refusesCells();
+  cutters();
   printf("%d failures\n", failures);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

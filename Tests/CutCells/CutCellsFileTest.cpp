@@ -50,6 +50,7 @@ void expectSame(const CutCells& a, const CutCells& b) {
   EXPECT_EQ(a.cells.firstPiece, b.cells.firstPiece);
   EXPECT_EQ(a.cells.fluidCorners, b.cells.fluidCorners);
   EXPECT_EQ(a.cells.meets, b.cells.meets);
+  EXPECT_EQ(a.cells.wallFaces, b.cells.wallFaces);
   EXPECT_EQ(a.arcs.cell, b.arcs.cell);
   EXPECT_EQ(a.cellCount, b.cellCount);
   EXPECT_EQ(a.pieceCount, b.pieceCount);
@@ -115,8 +116,8 @@ TEST(CutCellsFileTest, AFileHoldsTheBytes) {
 TEST(CutCellsFileTest, HasTheBytesOfItsVersion) {
   // If the layout has changed, raise the version in the file's head, and write down the new value.
   const auto bytes = toBytes(cutOne(true));
-  EXPECT_EQ(std::to_integer<int>(bytes[8]), 3);
-  EXPECT_EQ(xxHash64(bytes), 0xa8e852eb0fb3acfdU);
+  EXPECT_EQ(std::to_integer<int>(bytes[8]), 4);
+  EXPECT_EQ(xxHash64(bytes), 0x422e542c40d9313eU);
 }
 
 TEST(CutCellsFileTest, EveryBitCounts) {
@@ -162,6 +163,7 @@ TEST(CutCellsFileTest, PlanesAndCellsAreThoseOfAGrid) {
   EXPECT_EQ(flawWith([](CutCells& c) { --c.cellCount; }), cells);
   EXPECT_EQ(flawWith([](CutCells& c) { c.cells.fluidCorners.pop_back(); }), cells);
   EXPECT_EQ(flawWith([](CutCells& c) { c.cells.meets.pop_back(); }), cells);
+  EXPECT_EQ(flawWith([](CutCells& c) { c.cells.wallFaces.pop_back(); }), cells);
   EXPECT_EQ(flawWith([](CutCells& c) { c.cells.firstPiece.back() += 1; }), cells);
   EXPECT_EQ(flawWith([](CutCells& c) { c.cells.firstPiece[1] = 1000; }), cells);
   EXPECT_EQ(flawWith([](CutCells& c) { c.bodyRuns.back()[1] = 37; }), runs);
@@ -175,6 +177,10 @@ TEST(CutCellsFileTest, RowsSayNothingThatOthersDeny) {
   const std::string polygons = "its polygons do not belong to its arcs and walls";
   EXPECT_EQ(flawWith([](CutCells& c) { ++c.pieceCount; }), pieces);
   EXPECT_EQ(flawWith([](CutCells& c) { c.pieces.cell[1] = 0; }), pieces);
+  EXPECT_EQ(flawWith([](CutCells& c) { c.pieces.wallFaces.pop_back(); }), pieces);
+  EXPECT_EQ(flawWith([](CutCells& c) { c.pieces.wallFaces[1] ^= 4; }), pieces);
+  EXPECT_EQ(flawWith([](CutCells& c) { c.cells.wallFaces[0] = c.pieces.wallFaces[0] = 64; }),
+            pieces);
   EXPECT_EQ(flawWith([](CutCells& c) { c.pieces.wallArea.pop_back(); }), pieces);
   EXPECT_EQ(flawWith([](CutCells& c) { c.pieces.centroid[2].y = NAN; }), pieces);
   EXPECT_EQ(flawWith([](CutCells& c) { c.arcs.axis[3] = 3; }), arcs);
@@ -214,7 +220,7 @@ TEST(CutCellsFileTest, SaysWhatAFileIsThatIsNone) {
             "the file of cut cells is damaged: it ends within its head");
   put(bytes, 8, std::uint32_t{7});
   EXPECT_EQ(refusalOfFile(asFile()),
-            "the file of cut cells has version 7, this library reads version 3: cut the cells "
+            "the file of cut cells has version 7, this library reads version 4: cut the cells "
             "anew");
   put(bytes, 12, std::uint32_t{0x04030201});
   EXPECT_EQ(refusalOfFile(asFile()),

@@ -38,6 +38,7 @@ void expectSameRows(const Cut& a, const Cut& b) {
   EXPECT_EQ(a.pieces.wallArea, b.pieces.wallArea);
   EXPECT_EQ(a.pieces.wallVector, b.pieces.wallVector);
   EXPECT_EQ(a.pieces.wallCentroid, b.pieces.wallCentroid);
+  EXPECT_EQ(a.pieces.wallFaces, b.pieces.wallFaces);
   EXPECT_EQ(a.arcs.below, b.arcs.below);
   EXPECT_EQ(a.arcs.above, b.arcs.above);
   EXPECT_EQ(a.arcs.area, b.arcs.area);

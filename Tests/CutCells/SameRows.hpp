@@ -24,6 +24,7 @@ inline void expectRowsOfGrid(const CutLeaves& leaves, const OctreeCells<double>&
     ASSERT_NE(same, CutCells::kNoRow);
     EXPECT_EQ(leaves.cut.fluidCorners[row], cells.cells.fluidCorners[same]);
     EXPECT_EQ(leaves.cut.meets[row], cells.cells.meets[same]);
+    EXPECT_EQ(leaves.cut.wallFaces[row], cells.cells.wallFaces[same]);
     auto q = cells.cells.firstPiece[same];
     for (auto p = leaves.cut.firstPiece[row]; p < leaves.cut.firstPiece[row + 1]; ++p, ++q) {
       EXPECT_EQ(leaves.pieces.volume[p], cells.pieces.volume[q]);
@@ -31,6 +32,7 @@ inline void expectRowsOfGrid(const CutLeaves& leaves, const OctreeCells<double>&
       EXPECT_EQ(leaves.pieces.wallArea[p], cells.pieces.wallArea[q]);
       EXPECT_EQ(leaves.pieces.wallVector[p], cells.pieces.wallVector[q]);
       EXPECT_EQ(leaves.pieces.wallCentroid[p], cells.pieces.wallCentroid[q]);
+      EXPECT_EQ(leaves.pieces.wallFaces[p], cells.pieces.wallFaces[q]);
       EXPECT_EQ(leaves.volumeFraction(p), cells.volumeFraction(q));
       partners[p] = q;
     }

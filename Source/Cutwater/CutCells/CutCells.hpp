@@ -62,6 +62,9 @@ struct CutCells {
     /// 1 where pieces are found in floating point, because the surface meets itself and a triangle
     /// that meets others is in the cell: see CellCutter. Else 0.
     std::vector<std::uint8_t> meets;
+    /// Bit 2 axis + side (0: low, 1: high): a part of the cell's wall lies in that face, exactly in
+    /// the plane of the grid. Of its pieces together: see Pieces::wallFaces.
+    std::vector<std::uint8_t> wallFaces;
 
     /// Whether all corners are on one side: codes that know the signs of corners alone lose what is
     /// in the cell.
@@ -79,6 +82,8 @@ struct CutCells {
     std::vector<double> wallArea;
     std::vector<Vec3<double>> wallVector;    ///< the integral of the wall's normal out of the fluid
     std::vector<Vec3<double>> wallCentroid;  ///< the piece's where there is no wall
+    /// In which faces of its cell parts of its wall lie, by the same bits as Cells::wallFaces.
+    std::vector<std::uint8_t> wallFaces;
   };
   /// Open parts of a face between two cells.
   struct Arcs {
@@ -262,6 +267,7 @@ struct CutCellsReport {
   std::size_t multiPieceCells = 0;
   std::size_t thinCells = 0;     ///< see CutCells::Cells::isThin()
   std::size_t meetingCells = 0;  ///< see CutCells::Cells::meets
+  std::size_t planeCells = 0;    ///< with walls in planes of the grid: CutCells::Cells::wallFaces
   /// The largest length of the sum of a piece's apertures and wall, over the area of its cell's
   /// largest face: 0 but for rounding.
   double worstClosure = 0;

@@ -42,6 +42,10 @@ void checkClosure(const Cut& cut, CutCellsReport& report) {
   }
 }
 
+std::size_t countNonzero(std::span<const std::uint8_t> flags) {
+  return flags.size() - static_cast<std::size_t>(std::ranges::count(flags, 0));
+}
+
 template <typename Cut>
 void checkRanges(const Cut& cut, CutCellsReport& report) {
   const auto& pieces = cut.pieces;
@@ -115,6 +119,9 @@ CutCellsReport checkedRows(const Cut& cut) {
   report.worstMoments = worstMoments(cut);
   checkClosure(cut, report);
   checkRanges(cut, report);
+  const auto& rows = rowsOf(cut);
+  report.meetingCells = countNonzero(std::span(rows.meets).first(cutCount(cut)));
+  report.planeCells = countNonzero(std::span(rows.wallFaces).first(cutCount(cut)));
   return report;
 }
 
@@ -125,8 +132,6 @@ CutCellsReport check(const CutLeaves& leaves) {
   const auto sums = sumsOf(leaves);
   report.fluidVolume = static_cast<double>(sums.fluid + DoubleDouble(leaves.wholeFluid));
   report.bodyVolume = static_cast<double>(sums.volume - sums.fluid) + leaves.wholeBody;
-  const auto& meets = leaves.cut.meets;
-  report.meetingCells = meets.size() - static_cast<std::size_t>(std::ranges::count(meets, 0));
   report.wallArea = static_cast<double>(sums.wall);
   return report;
 }
@@ -139,8 +144,6 @@ CutCellsReport check(const CutCells& cells) {
   for (const auto& axis : planes) all *= axis[axis.size() - 2] - axis[1];
   report.bodyVolume = wholeBodyVolume(cells) + static_cast<double>(sums.volume - sums.fluid);
   report.fluidVolume = all - report.bodyVolume;
-  const auto own = std::span(cells.cells.meets).first(cells.cellCount);
-  report.meetingCells = own.size() - static_cast<std::size_t>(std::ranges::count(own, 0));
   report.wallArea = static_cast<double>(sums.wall);
   return report;
 }

@@ -37,6 +37,7 @@ class Coarsening {
     addCorners();
     numberPieces();
     addMeetings();
+    addWallFaces();
     addPieces();
     if (fine_.moments.degree >= 0) addMoments();
     addWallParts();
@@ -88,6 +89,17 @@ class Coarsening {
     first.resize(out_.cellCount + 1, static_cast<std::uint32_t>(roots.size()));
     for (std::uint32_t node = 0; node < nodes_.count(); ++node) {
       pieceOf_.push_back(numbers[sets.find(node)]);
+    }
+  }
+
+  /// Those of fine cells whose planes are the coarse cell's.
+  void addWallFaces() {
+    out_.pieces.wallFaces.assign(out_.pieceCount, 0);
+    out_.cells.wallFaces.assign(out_.cellCount, 0);
+    for (std::uint32_t piece = 0; piece < fine_.pieceCount; ++piece) {
+      const unsigned kept = fine_.pieces.wallFaces[piece] & nodes_.outerFaces(piece);
+      out_.pieces.wallFaces[pieceOf_[piece]] |= static_cast<std::uint8_t>(kept);
+      out_.cells.wallFaces[nodes_.rowOf(piece)] |= static_cast<std::uint8_t>(kept);
     }
   }
 

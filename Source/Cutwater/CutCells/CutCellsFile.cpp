@@ -9,7 +9,7 @@ namespace cutwater {
 namespace {
 
 constexpr RowFileKind kCellsFile{
-    .magic = {'\x89', 'C', 'u', 't', 'C', 'e', 'l', '\x1a'}, .version = 3, .rows = "cells"};
+    .magic = {'\x89', 'C', 'u', 't', 'C', 'e', 'l', '\x1a'}, .version = 4, .rows = "cells"};
 
 /// Visits all that is in cut cells. What is added to them and not named here does not compile.
 template <typename Cells, typename Visit>
@@ -22,8 +22,8 @@ void visitCells(Cells& all, Visit&& visit) {
   visit(first.j);
   visit(first.k);
   const auto visitEach = [&](auto&... arrays) { (visit(arrays), ...); };
-  auto& [index, firstPiece, fluidCorners, meets] = cells;
-  visitEach(index, firstPiece, fluidCorners, meets);
+  auto& [index, firstPiece, fluidCorners, meets, wallFaces] = cells;
+  visitEach(index, firstPiece, fluidCorners, meets, wallFaces);
   visitPieces(pieces, visit);
   auto& [below, above, area, centroid, cell, axis] = arcs;
   visitEach(below, above, area, centroid, cell, axis);

@@ -36,6 +36,7 @@ struct CutLeaves {
     std::vector<std::uint32_t> firstPiece;  ///< one more than leaves: the last is the number of all
     std::vector<std::uint8_t> fluidCorners;  ///< as in CutCells::Cells
     std::vector<std::uint8_t> meets;         ///< the same
+    std::vector<std::uint8_t> wallFaces;     ///< the same
 
     /// See CutCells::Cells::isThin().
     [[nodiscard]] bool isThin(std::size_t row) const { return CutCells::isThin(fluidCorners[row]); }

@@ -103,6 +103,8 @@ class LeavesAssembly {
       cut.firstPiece.push_back(pieceCount());
       cut.fluidCorners.push_back(from.fluidCorners[row]);
       cut.meets.push_back(from.meets[row]);
+      cut.wallFaces.push_back(
+          wallFacesOf(from.content, from.firstPiece[row], from.firstPiece[row + 1]));
       for (auto p = from.firstPiece[row]; p < from.firstPiece[row + 1]; ++p) {
         addPieceRows(from.content, p, frame_, outRow, out_.pieces, out_.wallParts);
         if (out_.moments.degree >= 0) addPieceMoments(from.moments, p, out_.moments);

@@ -15,6 +15,7 @@ struct CellPiece {
   Vec3<double> areaVector;  ///< of the wall, out of the fluid
   double area = 0;          ///< of the wall
   Vec3<double> wallCentroid;
+  std::uint8_t wallFaces = 0;  ///< as in CutCells::Pieces
 };
 
 /// What a patch of the surface has of a piece's wall.

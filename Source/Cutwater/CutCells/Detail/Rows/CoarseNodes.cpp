@@ -94,6 +94,19 @@ Index3 CoarseNodes::fineCell(std::uint32_t row, std::size_t number) const {
   return indexOf(place);
 }
 
+unsigned CoarseNodes::outerFaces(std::uint32_t node) const {
+  auto number = nodes_[node].number;
+  unsigned faces = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto ratio = static_cast<std::size_t>(ratios_[axis]);
+    const auto along = number % ratio;
+    number /= ratio;
+    if (along == 0) faces |= 1U << 2 * axis;
+    if (along + 1 == ratio) faces |= 2U << 2 * axis;
+  }
+  return faces;
+}
+
 void CoarseNodes::addNodes() {
   perCell_ = static_cast<std::size_t>(ratios_[0] * ratios_[1] * ratios_[2]);
   nodes_.resize(fine_.pieceCount);

@@ -39,6 +39,9 @@ class CoarseNodes {
   [[nodiscard]] Index3 cellOf(std::uint32_t node) const {
     return fineCell(nodes_[node].row, nodes_[node].number);
   }
+  /// Which faces of a node's fine cell lie in those of its coarse cell: bits as
+  /// CutCells::Cells::wallFaces.
+  [[nodiscard]] unsigned outerFaces(std::uint32_t node) const;
   /// The lowest fine cell of a coarse one.
   [[nodiscard]] Index3 firstOf(const Index3& coarse) const;
 

@@ -144,6 +144,8 @@ class Assembly {
       out_.cells.firstPiece.push_back(pieceCount());
       out_.cells.fluidCorners.push_back(cut.fluidCorners[source.cell]);
       out_.cells.meets.push_back(cut.meets[source.cell]);
+      out_.cells.wallFaces.push_back(
+          wallFacesOf(cut.content, cut.firstPiece[source.cell], cut.firstPiece[source.cell + 1]));
       for (auto p = cut.firstPiece[source.cell]; p < cut.firstPiece[source.cell + 1]; ++p) {
         rowsOf_[source.tile][p] = pieceCount();
         addPiece(source.tile, p, row);

@@ -77,6 +77,9 @@ class MergedRows {
     const auto row = isPiece ? in_.pieces.cell[node.source] : 0;
     rows().fluidCorners.push_back(isPiece ? rowsOf(in_).fluidCorners[row] : std::uint8_t{0xff});
     rows().meets.push_back(isPiece ? rowsOf(in_).meets[row] : std::uint8_t{0});
+    const auto faces = wallFacesOf(node);
+    rows().wallFaces.push_back(faces);
+    out_.pieces.wallFaces.push_back(faces);
     auto wall = Moments(node.centroid);
     if (isPiece) {
       wall.add(in_.pieces.wallArea[node.source], in_.pieces.wallCentroid[node.source]);
@@ -93,6 +96,16 @@ class MergedRows {
     out_.pieces.wallArea.push_back(wall.size());
     out_.pieces.wallVector.push_back(node.wallVector);
     out_.pieces.wallCentroid.push_back(wall.size() > 0 ? wall.centroid() : node.centroid);
+  }
+  /// Those of the piece, and those that hold closed parts.
+  [[nodiscard]] std::uint8_t wallFacesOf(const MergeGraph::Node& node) const {
+    unsigned faces = node.source != CutCells::kNoRow ? in_.pieces.wallFaces[node.source] : 0;
+    for (const auto number : node.arcs) {
+      const auto& arc = graph_.arcs()[number];
+      const bool isHigh = arc.placeBelow() == node.place;
+      if (arc.isClosed) faces |= (isHigh ? 2U : 1U) << 2U * arc.axis;
+    }
+    return static_cast<std::uint8_t>(faces);
   }
   void addWallParts(std::uint32_t source, std::uint32_t piece) {
     const auto& in = in_.wallParts;

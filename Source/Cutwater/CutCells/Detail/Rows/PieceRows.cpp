@@ -36,6 +36,13 @@ void addPieceRows(const CellPieces& content, std::uint32_t piece, const CutFrame
   pieces.wallArea.push_back(of.area / perArea);
   pieces.wallVector.push_back(of.areaVector / perArea);
   pieces.wallCentroid.push_back(frame.toWorld(of.wallCentroid));
+  pieces.wallFaces.push_back(of.wallFaces);
+}
+
+std::uint8_t wallFacesOf(const CellPieces& content, std::uint32_t first, std::uint32_t last) {
+  std::uint8_t faces = 0;
+  for (auto p = first; p < last; ++p) faces |= content.pieces[p].wallFaces;
+  return faces;
 }
 
 void addPieceMoments(const CutCells::Moments& from, std::uint32_t piece, CutCells::Moments& to) {

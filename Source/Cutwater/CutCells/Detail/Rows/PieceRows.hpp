@@ -15,6 +15,11 @@ namespace cutwater {
 void addPieceRows(const CellPieces& content, std::uint32_t piece, const CutFrame& frame,
                   std::uint32_t row, CutCells::Pieces& pieces, CutCells::WallParts& wallParts);
 
+/// In which faces of a cell the walls of the tile's pieces [first, last) lie, as
+/// CutCells::Cells::wallFaces.
+[[nodiscard]] std::uint8_t wallFacesOf(const CellPieces& content, std::uint32_t first,
+                                       std::uint32_t last);
+
 /// Appends the moments of a piece or an arc of a tile.
 void addPieceMoments(const CutCells::Moments& from, std::uint32_t piece, CutCells::Moments& to);
 void addArcMoments(const CutCells::Moments& from, std::uint32_t arc, CutCells::Moments& to);

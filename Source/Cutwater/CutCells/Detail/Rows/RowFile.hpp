@@ -124,13 +124,14 @@ class RowReader {
 /// What cells and leaves have alike. What is added to it and not named here does not compile.
 template <typename Pieces, typename Visit>
 void visitPieces(Pieces& pieces, Visit&& visit) {
-  auto& [cell, volume, centroid, wallArea, wallVector, wallCentroid] = pieces;
+  auto& [cell, volume, centroid, wallArea, wallVector, wallCentroid, wallFaces] = pieces;
   visit(cell);
   visit(volume);
   visit(centroid);
   visit(wallArea);
   visit(wallVector);
   visit(wallCentroid);
+  visit(wallFaces);
 }
 template <typename OpenArcs, typename Visit>
 void visitOpenArcs(OpenArcs& openArcs, Visit&& visit) {

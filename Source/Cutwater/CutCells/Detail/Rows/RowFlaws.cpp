@@ -53,13 +53,18 @@ bool isGrid(const CellPlanes& grid) {
 /// Whether pieces are those of their cells, in order.
 template <typename Cut>
 bool arePieces(const Cut& cut) {
-  const auto& [cell, volume, centroid, wallArea, wallVector, wallCentroid] = cut.pieces;
+  const auto& [cell, volume, centroid, wallArea, wallVector, wallCentroid, wallFaces] = cut.pieces;
   const auto& first = rowsOf(cut).firstPiece;
-  if (!areAsLong(cell.size(), volume, centroid, wallArea, wallVector, wallCentroid)) return false;
+  if (!areAsLong(cell.size(), volume, centroid, wallArea, wallVector, wallCentroid, wallFaces)) {
+    return false;
+  }
   for (std::size_t row = 0; row + 1 < first.size(); ++row) {
+    std::uint8_t faces = 0;
     for (auto p = first[row]; p < first[row + 1]; ++p) {
       if (cell[p] != row) return false;
+      faces |= wallFaces[p];
     }
+    if (rowsOf(cut).wallFaces[row] != faces || faces >= 1U << 6U) return false;
   }
   return areFinite(volume) && areFinite(centroid) && areFinite(wallArea) && areFinite(wallVector) &&
          areFinite(wallCentroid);
@@ -155,10 +160,9 @@ class CellRows {
  private:
   /// Those of the box, and then those around it.
   [[nodiscard]] bool areCells() const {
-    const auto& [index, firstPiece, fluidCorners, meets] = cells_.cells;
-    if (cells_.cellCount > index.size() || !areAsLong(index.size(), fluidCorners, meets)) {
-      return false;
-    }
+    const auto& [index, firstPiece, fluidCorners, meets, wallFaces] = cells_.cells;
+    if (cells_.cellCount > index.size()) return false;
+    if (!areAsLong(index.size(), fluidCorners, meets, wallFaces)) return false;
     if (!areStarts(firstPiece, index.size(), cells_.pieces.cell.size())) return false;
     for (std::size_t row = 0; row < index.size(); ++row) {
       const bool isOwn = row < cells_.cellCount;
@@ -232,9 +236,9 @@ class LeafRows {
            isVolume(leaves_.wholeBody, FluidClass::Body);
   }
   [[nodiscard]] bool areLeaves() const {
-    const auto& [leaf, box, firstPiece, fluidCorners, meets] = leaves_.cut;
+    const auto& [leaf, box, firstPiece, fluidCorners, meets, wallFaces] = leaves_.cut;
     const auto& classes = leaves_.classes;
-    if (!areAsLong(leaf.size(), box, fluidCorners, meets)) return false;
+    if (!areAsLong(leaf.size(), box, fluidCorners, meets, wallFaces)) return false;
     if (!areStarts(firstPiece, leaf.size(), leaves_.pieces.cell.size())) return false;
     if (std::ranges::adjacent_find(leaf, std::greater_equal()) != leaf.end()) return false;
     if (std::ranges::count(classes, FluidClass::Cut) != std::ssize(leaf)) return false;

@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/Detail/Moments/Moments.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/OpenArcs.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/WallFaces.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/PlaneCut.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/RectanglePieces.hpp>
 
@@ -118,10 +119,13 @@ class PlaneCutter {
     RectanglePieces found(faces_, faceOf(place));
     const auto first = pieceCount();
     for (const auto& piece : found.pieces) addPiece(place, piece);
+    const auto sides = sidesWithTraces(place);
     double sum = 0;
     for (const auto& wall : found.walls) {
       sum += length(wall.to - wall.from);
       addWall(first + wall.part, wall.patch, wall.from, wall.to);
+      out_.content.pieces[first + wall.part].wallFaces |=
+          static_cast<std::uint8_t>(sideOf(wall, place) & sides);
     }
     for (auto& side : found.ofStretches) {
       for (auto& piece : side) piece += piece == kNone ? 0 : first;
@@ -180,7 +184,34 @@ class PlaneCutter {
     const auto piece = open == kNone ? kNone : rowOf_[open];
     const auto& t = surface_.traces()[trace];
     if (piece == kNone || takeOpen(trace, piece)) return;
+    auto& found = out_.content.pieces[piece];
+    found.wallFaces |= sideOf(trace, found.cell);
     addWall(piece, surface_.patchOf(t.triangle), t.from, t.to);
+  }
+  /// The side of a rectangle in which a trace lies, as a bit; 0 if it does in none.
+  [[nodiscard]] std::uint8_t sideOf(std::uint32_t trace, std::uint32_t cell) const {
+    const auto triangle = surface_.traces()[trace].triangle;
+    if (surface_.patchOf(triangle) == kNone) return 0;
+    return wallSideOf(surface_, planes_, out_.numbers.placeOfCell(cell), triangle,
+                      planes_.at(2, 1));
+  }
+  [[nodiscard]] std::uint8_t sidesWithTraces(const TilePlace& place) const {
+    std::uint8_t sides = 0;
+    const auto [first, last] = faces_.tracesOf(faceOf(place));
+    for (auto trace = first; trace < last; ++trace) {
+      sides |= sideOf(trace, out_.numbers.cell(place));
+    }
+    return sides;
+  }
+  /// The same for a wall where triangles meet, by its ends.
+  [[nodiscard]] std::uint8_t sideOf(const FaceRegions::Wall& wall, const TilePlace& place) const {
+    for (const int axis : {0, 1}) {
+      for (const bool isHigh : {false, true}) {
+        const double plane = planes_.at(axis, place[asIndex(axis)] + (isHigh ? 1 : 0));
+        if (wall.from[axis] == plane && wall.to[axis] == plane) return bitOfFace(axis, isHigh);
+      }
+    }
+    return 0;
   }
   void addWall(std::uint32_t piece, std::uint32_t patch, const Vec3<double>& from,
                const Vec3<double>& to) {

@@ -3,6 +3,7 @@
 #include <Cutwater/CutCells/Detail/Faces/RegionOutlines.hpp>
 #include <Cutwater/CutCells/Detail/Moments/TileMoments.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/ConformedWalls.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/WallFaces.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/TileCut.hpp>
 
 #include <algorithm>
@@ -178,6 +179,7 @@ TileCut cutTile(const TileParts& parts, const CutOptions& options) {
                  .isBody = {},
                  .polygons = {},
                  .moments = {}};
+  noteWallFaces(surface, planes, result.content);
   for (std::uint32_t cell = 0; cell < result.numbers.cellCount(); ++cell) {
     result.isBody[cell] = !stretches.isFluid(result.numbers.placeOfCell(cell));
   }

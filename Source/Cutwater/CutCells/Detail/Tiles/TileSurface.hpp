@@ -89,6 +89,11 @@ class TileSurface {
   [[nodiscard]] double placeOf(std::uint32_t triangle, int axis) const {
     return surface_.triangle(triangle)[0].position[axis];
   }
+  /// In the frame, before they are moved.
+  [[nodiscard]] std::array<Vec3<double>, 3> cornersOf(std::uint32_t triangle) const {
+    const auto [a, b, c] = surface_.triangle(triangle);
+    return {a.position, b.position, c.position};
+  }
   /// Whether triangles that meet others are among these fragments or traces.
   template <typename Parts>
   [[nodiscard]] bool meetAny(const Parts& parts) const {

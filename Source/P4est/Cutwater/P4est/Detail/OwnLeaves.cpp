@@ -57,6 +57,7 @@ class OwnLeaves {
     take(from.box, firstRow_, lastRow_, to.box);
     take(from.fluidCorners, firstRow_, lastRow_, to.fluidCorners);
     take(from.meets, firstRow_, lastRow_, to.meets);
+    take(from.wallFaces, firstRow_, lastRow_, to.wallFaces);
     if (from.firstPiece.empty()) return;
     take(from.firstPiece, firstRow_, lastRow_ + 1, to.firstPiece);
     for (auto& piece : to.firstPiece) piece -= firstPiece_;
@@ -71,6 +72,7 @@ class OwnLeaves {
     take(from.wallArea, firstPiece_, lastPiece_, to.wallArea);
     take(from.wallVector, firstPiece_, lastPiece_, to.wallVector);
     take(from.wallCentroid, firstPiece_, lastPiece_, to.wallCentroid);
+    take(from.wallFaces, firstPiece_, lastPiece_, to.wallFaces);
     const auto per = part_.moments.perPiece();
     auto& moments = out_.leaves.moments;
     take(part_.moments.volume, per * firstPiece_, per * lastPiece_, moments.volume);
