@@ -7,6 +7,7 @@
 #include "CutCells/BoxUnions.hpp"
 #include "CutCells/RandomLeaves.hpp"
 #include "CutCells/ShellCells.hpp"
+#include "CutCells/Tetrahedra.hpp"
 #include "Support/CutPolygons.hpp"
 #include "Support/PolygonMoments.hpp"
 #include "Support/Scale.hpp"
@@ -50,6 +51,21 @@ TEST(MeetingPolygonsTest, CloseEveryPieceOfUnionsOfBoxes) {
     const auto boxes = randomBoxesInPlanes(random, 2 + round % 3, 8);
     if (touchInLines(boxes)) continue;  // these do not meet, and may leave cells open
     expectPolygonsInGrids(soupOf(boxes), {1, 2, 8});
+  }
+}
+
+/// Where their planes are nearly parallel, corners on their common line are not the same in all
+/// polygons, and areas of what lies between these are far more than rounding.
+TEST(MeetingPolygonsTest, CloseEveryPieceOfTetrahedra) {
+  constexpr double kRounding = 100;
+  std::mt19937 random(53);
+  std::uniform_real_distribution<double> number(0, 1);
+  for (int round = 0; round < scaled(600) && !HasFailure(); ++round) {
+    const auto soup = tetrahedraOf(2 + round % 2, [&] {
+      return Vec3<double>{number(random), number(random), number(random)};
+    });
+    const auto side = round / 10 % 2 == 0 ? FluidSide::Outside : FluidSide::Inside;
+    expectPolygonsOf(cellsOfShells(soup, 1 + round / 2 % 5, side, {.polygons = true}), kRounding);
   }
 }
 

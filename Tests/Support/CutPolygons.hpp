@@ -107,13 +107,13 @@ void expectPolygons(const Cut& cut, std::size_t pieceCount, const PlaneOf& plane
   }
 }
 
-inline void expectPolygonsOf(const CutCells& cells) {
+inline void expectPolygonsOf(const CutCells& cells, double rounding = 1) {
   const double unit = cells.cellVolume(cells.grid.first);
   expectPolygons(
       cells, cells.pieceCount,
       [&](std::size_t a) { return planeBelow(cells, cells.arcs.cell[a], cells.arcs.axis[a]); },
       [&](std::size_t a) { return cells.faceArea(cells.arcs.cell[a], cells.arcs.axis[a]); },
-      [&](std::uint32_t) { return unit; });
+      [&](std::uint32_t) { return unit; }, rounding);
 }
 
 inline void expectPolygonsOf(const CutLeaves& leaves, double rounding = 1) {

@@ -7,6 +7,11 @@
 
 namespace cutwater {
 
+double coarse(double x) {
+  constexpr double kRounder = 0x1.8p-288;  // adding it leaves bits of 2^-340 and above
+  return std::abs(x) >= 0x1p-287 ? x : (x + kRounder) - kRounder;
+}
+
 namespace {
 
 int sign(double value) {
@@ -95,14 +100,7 @@ Expansion<4 * A> operator*(const Expansion<A>& a, const Expansion<2>& b) {
   return first + a * b[1];
 }
 
-/// Drops bits below 2^-340, so that products of three do not underflow. The filters may use it, and
-/// expansions where it drops nothing.
-double coarse(double x) {
-  constexpr double kRounder = 0x1.8p-288;  // adding it leaves bits of 2^-340 and above
-  return std::abs(x) >= 0x1p-287 ? x : (x + kRounder) - kRounder;
-}
-
-/// a - b, exactly.
+/// a - b. The filters may use it, and expansions where coarse() drops nothing.
 DoubleDouble difference(double a, double b) {
   return DoubleDouble::difference(coarse(a), coarse(b));
 }

@@ -45,7 +45,10 @@ namespace cutwater {
 [[nodiscard]] bool isOnTriangle(const Vec3<double>& point,
                                 const std::array<Vec3<double>, 3>& triangle);
 
-/// a - b, exactly: what the determinants below are made of.
+/// Without bits below 2^-340, so that products of three do not underflow.
+[[nodiscard]] double coarse(double x);
+
+/// a - b, exactly if both are coarse: what the determinants below are made of.
 [[nodiscard]] DoubleDouble exactDifference(double a, double b);
 
 /// The sign of the determinant of three rows. Entries are results of exactDifference(), or doubles.

@@ -13,10 +13,16 @@ namespace cutwater {
 class EdgeLoops {
  public:
   using Loop = std::vector<Vec3<double>>;
+  using Edge = std::array<Vec3<double>, 2>;  ///< from the one to the other
 
   /// Adds the edges of a polygon, in its order or against it.
   void add(std::span<const Vec3<double>> polygon, bool isReversed = false);
 
+  /// What is left, sorted by where it begins.
+  [[nodiscard]] std::span<const Edge> rest() {
+    cancel();
+    return edges_;
+  }
   /// The loops, each of which goes through a point once. Where several edges leave a point `b`, to
   /// which `a` leads, the one to the `c` with the least turn(a, b, c) is taken.
   using Turn =
@@ -27,8 +33,6 @@ class EdgeLoops {
   [[nodiscard]] std::vector<Loop> loopsAcross(int axis);
 
  private:
-  using Edge = std::array<Vec3<double>, 2>;  // from the one to the other
-
   void cancel();
 
   std::vector<Edge> edges_;

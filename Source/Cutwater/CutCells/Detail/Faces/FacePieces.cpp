@@ -3,6 +3,7 @@
 #include <Cutwater/CutCells/Detail/Faces/FaceSum.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cutwater {
 
@@ -147,7 +148,13 @@ class FacePieces::Builder {
     std::vector<std::uint32_t> holes;
     for (std::uint32_t i = 0; i < traces_.size(); ++i) {
       isNothing_[i] = lowest[i] != kNone && lengths[i] <= kNothing * perimeter() ? 1 : 0;
-      if (lowest[i] != kNone && areas[i] < 0 && isNothing_[i] == 0) holes.push_back(i);
+    }
+    for (std::uint32_t i = 0; i < traces_.size(); ++i) {
+      if (lowest[i] == kNone || isNothing_[i] != 0) continue;
+      // Of a film, rounding decides on the sign of its area.
+      const bool isFilm = std::abs(areas[i]) <= kNothing * perimeter() * lengths[i];
+      const bool isHole = isFilm ? isFluidBelow(traces_[lowest[i]].from, i) : areas[i] < 0;
+      if (isHole) holes.push_back(i);
     }
     std::ranges::sort(holes, {}, [&](std::uint32_t i) { return height(lowest[i]); });
     for (const auto hole : holes) sets_.unite(hole, below(traces_[lowest[hole]].from, hole));
@@ -174,12 +181,24 @@ class FacePieces::Builder {
     return q[axes_.first] * way[axes_.second] - q[axes_.second] * way[axes_.first];
   }
 
-  /// What a ray from the point meets first, down the second axis; not traces of the set `except`.
-  [[nodiscard]] std::uint32_t below(const Vec3<double>& p, std::uint32_t except) {
-    const auto found = traceBelow(traces_, axes_, p, [&](std::uint32_t i) {
+  /// The trace that a ray from the point meets first, down the second axis; not those of the set
+  /// `except`.
+  [[nodiscard]] std::uint32_t otherBelow(const Vec3<double>& p, std::uint32_t except) {
+    return traceBelow(traces_, axes_, p, [&](std::uint32_t i) {
       const auto root = sets_.find(i);
       return root != sets_.find(except) && isNothing_[root] == 0;
     });
+  }
+  [[nodiscard]] bool isFluidBelow(const Vec3<double>& p, std::uint32_t except) {
+    const auto found = otherBelow(p, except);
+    if (found != kNone) return traces_[found].to[axes_.first] > traces_[found].from[axes_.first];
+    return std::ranges::any_of(stretches_[0], [&](const EdgeStretch& stretch) {
+      return stretch.from <= p[axes_.first] && p[axes_.first] <= stretch.to;
+    });
+  }
+  /// What the ray meets first.
+  [[nodiscard]] std::uint32_t below(const Vec3<double>& p, std::uint32_t except) {
+    const auto found = otherBelow(p, except);
     if (found != kNone) return found;
     // Nothing there only if rounding hides it.
     if (stretches_[0].empty()) return except;

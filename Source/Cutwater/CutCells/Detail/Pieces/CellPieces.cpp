@@ -127,12 +127,13 @@ class CellBuilder {
     return faces_.ofStretch(face, (alongSecond ? 2 : 0) + other, stretch);
   }
 
-  /// Shells around body that touch no face: their fluid is that around them.
+  /// Shells around body that touch no face, but for points: their fluid is that around them.
   void joinShells() {
     touchesFace_.assign(fragments_.size(), 0);
     for (std::uint32_t i = 0; i < open_.size(); ++i) {
       const auto root = sets_.find(static_cast<std::uint32_t>(fragments_.size()) + i);
-      if (root < fragments_.size()) touchesFace_[root] = 1;
+      const bool isPoint = out_.arcs[open_[i].arc].isNothing;
+      if (root < fragments_.size() && !isPoint) touchesFace_[root] = 1;
     }
     const auto isShell = [&](std::uint32_t i) { return touchesFace_[sets_.find(i)] == 0; };
     std::uint32_t any = 0;
@@ -221,7 +222,7 @@ class CellBuilder {
       if (sum.isNothing(size)) continue;
       numberOfSum_.back() = static_cast<std::uint32_t>(out_.pieces.size());
       sum.appendWalls(numberOfSum_.back(), out_.walls);
-      out_.pieces.push_back(sum.piece(fragments_.front().cell));
+      out_.pieces.push_back(withinCell(sum.piece(fragments_.front().cell), planes_.boxOf(place_)));
     }
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
       out_.ofFragments.push_back(numberOfSum_[sumOf_[sets_.find(i)]]);

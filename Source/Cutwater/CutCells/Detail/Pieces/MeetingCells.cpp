@@ -16,15 +16,6 @@ namespace {
 
 using Polygon = SheetTree::Polygon;
 
-Box<double> boxOf(const GridPlanes& planes, const TilePlace& place) {
-  Box<double> box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = planes.at(axis, place[asIndex(axis)]);
-    box.upper[axis] = planes.at(axis, place[asIndex(axis)] + 1);
-  }
-  return box;
-}
-
 /// Added to the patches of sheets that are open and lie in a face of the cell.
 constexpr std::uint32_t kOpenSheet = 0x80000000;
 
@@ -50,7 +41,7 @@ class MeetingCell {
         arcOfFullFace_(arcOfFullFace),
         cell_(fragments.front().cell),
         place_(surface_.numbers().placeOfCell(cell_)),
-        tree_(boxOf(faces.planes(), place_), sheetsOf(surface_, faces.planes(), fragments)),
+        tree_(faces.planes().boxOf(place_), sheetsOf(surface_, faces.planes(), fragments)),
         points_(tree_.pointsIn()),
         out_(out) {
     const auto size = faces.planes().sizeOf(place_);
@@ -186,7 +177,9 @@ class MeetingCell {
       if (sum.isNothing(faces_.planes().sizeOf(place_), kSliver)) continue;
       numbers.back() = static_cast<std::uint32_t>(out_.pieces.size());
       sum.appendWalls(numbers.back(), out_.walls);
-      out_.pieces.push_back(withinCell(sum.piece(cell_)));
+      out_.pieces.push_back(withinCell(sum.piece(cell_), faces_.planes().boxOf(place_)));
+      // What closes the open parts: slivers that were lost do not matter to it.
+      out_.pieces.back().areaVector = {};
     }
     for (std::uint32_t i = 0; i < open_.size(); ++i) {
       auto& arc = out_.arcs[open_[i].arc];
@@ -240,16 +233,6 @@ class MeetingCell {
       const auto found = arcs.find(openKeyOf(wall));
       if (wall.openFace != kNoFace && found != arcs.end()) wall.openArc = found->second;
     }
-  }
-  /// Films have no volume but for rounding, and so any centroid. The wall's vector is what closes
-  /// the open parts: slivers that were lost do not matter to it.
-  [[nodiscard]] CellPiece withinCell(CellPiece piece) const {
-    const auto box = boxOf(faces_.planes(), place_);
-    piece.volume = std::max(piece.volume, 0.0);
-    piece.areaVector = {};
-    piece.centroid = max(box.lower, min(box.upper, piece.centroid));
-    piece.wallCentroid = max(box.lower, min(box.upper, piece.wallCentroid));
-    return piece;
   }
   void addOpenPart(PieceSums& sum, const OpenPart& part) const {
     const auto& arc = out_.arcs[part.arc];

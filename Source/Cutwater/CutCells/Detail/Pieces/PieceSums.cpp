@@ -72,4 +72,20 @@ void PieceSums::appendWalls(std::uint32_t piece, std::vector<PieceWall>& walls) 
   }
 }
 
+namespace {
+
+/// In shares of a cell: volumes that are rounding.
+constexpr double kFilm = 1e-12;
+
+}  // namespace
+
+CellPiece withinCell(CellPiece piece, const Box<double>& cell) {
+  const auto size = cell.size();
+  const bool isRounding = piece.volume > -kFilm * size.x * size.y * size.z;
+  if (piece.volume < 0 && isRounding) piece.volume = 0;
+  piece.centroid = max(cell.lower, min(cell.upper, piece.centroid));
+  piece.wallCentroid = max(cell.lower, min(cell.upper, piece.wallCentroid));
+  return piece;
+}
+
 }  // namespace cutwater

@@ -27,6 +27,10 @@ struct PieceWall {
   Vec3<double> centroid;
 };
 
+/// A piece with its volume and its centroids within its cell. Films have no volume but for
+/// rounding, and so any centroid.
+[[nodiscard]] CellPiece withinCell(CellPiece piece, const Box<double>& cell);
+
 /// Sums up the moments of a piece by the divergence theorem: each triangle of its wall, and each
 /// open part of a face, adds its distance from a point of the piece times the integral of the
 /// monomial over it.

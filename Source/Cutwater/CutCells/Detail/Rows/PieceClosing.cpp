@@ -1,4 +1,4 @@
-#include <Cutwater/CutCells/Detail/Faces/EdgeLoops.hpp>
+#include <Cutwater/CutCells/Detail/Faces/ThinLoops.hpp>
 #include <Cutwater/CutCells/Detail/Rows/CutRows.hpp>
 #include <Cutwater/CutCells/Detail/Rows/PieceClosing.hpp>
 
@@ -57,11 +57,8 @@ class Closing {
       boundary.add(cut_.arcPolygons.of(arc), cut_.arcs.below[arc] != piece);
     }
     for (const auto& polygon : walls) boundary.add(polygon, true);
-    const auto shortest = [](const Vec3<double>&, const Vec3<double>& b, const Vec3<double>& c) {
-      return lengthSquared(c - b);
-    };
     // What is left of the boundary, as seen from outside, is the rim of a polygon into the fluid.
-    for (auto& loop : boundary.loops(shortest)) walls.push_back(std::move(loop));
+    for (auto& loop : thinLoops(std::move(boundary))) walls.push_back(std::move(loop));
   }
 
   Cut& cut_;

@@ -6,16 +6,20 @@
 #include <Cutwater/CutCells/Detail/Surface/SheetKinds.hpp>
 #include <Cutwater/Sdf/FluidSide.hpp>
 #include <Cutwater/Surface/PolygonSoup.hpp>
+#include <Cutwater/Triangles/ExactPredicates.hpp>
 
 namespace cutwater {
 
 /// Coordinates in which cells are cut: those of the world minus an origin, times a power of two.
-/// Both are exact for all vertices and for the planes between them.
+/// Both are exact for all vertices and for the planes between them; but what is below 2^-340 is
+/// rounded away, in the same way everywhere, so that predicates of products of it are exact.
 struct CutFrame {
   Vec3<double> origin;
   double scale = 1;
 
-  [[nodiscard]] double toFrame(int axis, double x) const { return (x - origin[axis]) * scale; }
+  [[nodiscard]] double toFrame(int axis, double x) const {
+    return coarse((x - origin[axis]) * scale);
+  }
   [[nodiscard]] Vec3<double> toWorld(const Vec3<double>& p) const { return p / scale + origin; }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Core/Vec3.hpp>
+#include <Cutwater/Core/Box.hpp>
 
 #include <array>
 #include <cstddef>
@@ -49,6 +49,14 @@ struct GridPlanes {
       const double gap = x - at(axis, plane);
       return gap > error || (gap >= -error && isAbove(plane));
     });
+  }
+  [[nodiscard]] Box<double> boxOf(const std::array<std::int32_t, 3>& cell) const {
+    Box<double> box;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.lower[axis] = at(axis, cell[asIndex(axis)]);
+      box.upper[axis] = at(axis, cell[asIndex(axis)] + 1);
+    }
+    return box;
   }
   /// The lengths of a cell's sides.
   [[nodiscard]] Vec3<double> sizeOf(const std::array<std::int32_t, 3>& cell) const {
