@@ -21,6 +21,9 @@ struct CellPlanes {
   /// between the planes n and n + 1.
   std::array<std::vector<double>, 3> planes;
   Index3 first;  ///< the box's cell of lowest indices
+  /// The number of cells in a period along each axis: those that are so many apart are one. 0:
+  /// there is none. See CutterOptions::period.
+  std::array<std::int32_t, 3> period = {};
 
   /// The box without the cells around it.
   [[nodiscard]] IndexBox indices() const;
