@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <random>
 #include <set>
 
@@ -188,6 +189,106 @@ TEST(PeriodicVoxelsTest, WrappedVoxelsAreTheMiddleOfMany) {
   }
   EXPECT_GT(severalPieces, 50U);
   EXPECT_GT(severalRegions, 2U);
+}
+
+/// Arcs at both ends of the period are the same, between the same pieces. Returns on how many
+/// faces.
+std::size_t expectSameEnds(const CutCells& cells) {
+  const auto [lo, hi] = cells.grid.indices();
+  std::map<std::array<int, 3>, std::array<std::vector<std::array<double, 3>>, 2>> faces;
+  const auto ordinal = [&](std::uint32_t side) {
+    if (side >= cells.pieces.cell.size()) return -1.0 * (side - CutCells::kBeyond + 1);
+    return double(side - cells.cells.firstPiece[cells.pieces.cell[side]]);
+  };
+  for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
+    const int axis = cells.arcs.axis[a];
+    const auto& cell = cells.arcs.cell[a];
+    const std::array at{cell.i, cell.j, cell.k};
+    const std::array first{lo.i, lo.j, lo.k};
+    const std::array last{hi.i, hi.j, hi.k};
+    const auto n = static_cast<std::size_t>(axis);
+    if (at[n] != first[n] && at[n] != last[n] + 1) continue;
+    EXPECT_NE(cells.arcs.below[a], CutCells::kBeyond);
+    EXPECT_NE(cells.arcs.above[a], CutCells::kBeyond);
+    // Those beside whole cells are at one end alone.
+    if (std::max(cells.arcs.below[a], cells.arcs.above[a]) >= cells.pieces.cell.size()) continue;
+    const std::array key{axis, at[(n + 1) % 3], at[(n + 2) % 3]};
+    faces[key][at[n] == first[n] ? 0 : 1].push_back(
+        {cells.arcs.area[a], ordinal(cells.arcs.below[a]), ordinal(cells.arcs.above[a])});
+  }
+  for (auto& [key, ends] : faces) EXPECT_EQ(ends[0], ends[1]);
+  return faces.size();
+}
+
+TEST(PeriodicVoxelsTest, CoarserCellsAreThoseThatCuttingGives) {
+  std::mt19937 random(22);
+  std::size_t faces = 0;
+  for (int round = 0; round < scaled(6) && !HasFailure(); ++round) {
+    const VoxelTorus torus(random, 6, 15 + 3 * static_cast<unsigned>(round % 8));
+    const Solid<double> one(torus.mesh({0, 0, 0}, {6, 6, 6}, 0.125));
+    const CellCutter cutter(one, FluidSide::Outside, {.period = {0.75, 0.75, 0.75}});
+    const auto cellsOf = [&](int n, double lower) {
+      const auto across = planes(n, lower, 0.75);
+      return cutter.cut(
+          cutter.cellsOfPeriod({across, across, across}, {}, IndexBox::ofSize(n, n, n)),
+          {.moments = 2});
+    };
+    for (const double lower : {0.0, 0.0317}) {
+      const auto coarse = coarsened(cellsOf(8, lower), {2, 2, 2});
+      const auto expected = cellsOf(4, lower);
+      EXPECT_EQ(coarse.grid.period, expected.grid.period);
+      expectIdentities(coarse, 1e-13);
+      faces += expectSameEnds(coarse);
+      static_cast<void>(toBytes(coarse));
+      for (int c = 0; c < 64; ++c) {
+        const Index3 cell{c % 4, c / 4 % 4, c / 16};
+        ASSERT_NO_FATAL_FAILURE(expectNear(volumesIn(coarse, cell), volumesIn(expected, cell)));
+        for (int axis = 0; axis < 3; ++axis) {
+          ASSERT_NO_FATAL_FAILURE(
+              expectNear(openBelow(coarse, cell, axis), openBelow(expected, cell, axis)));
+        }
+      }
+      ASSERT_EQ(coarse.cellCount, expected.cellCount);
+      ASSERT_EQ(coarse.pieceCount, expected.pieceCount);
+      ASSERT_EQ(coarse.arcs.area.size(), expected.arcs.area.size());
+      ASSERT_EQ(CutRegions(coarse).regions().size(), CutRegions(expected).regions().size());
+      EXPECT_EQ(CutRegions(coarse).regions()[0].goesOn, false);
+      const auto all = coarsened(coarse, {4, 4, 4});
+      expectIdentities(all, 1e-13);
+      EXPECT_EQ(CutRegions(all).regions().size(), CutRegions(expected).regions().size());
+    }
+  }
+  EXPECT_GT(faces, 50U);
+}
+
+TEST(PeriodicVoxelsTest, MergedCellsCloseThroughTheEnds) {
+  std::mt19937 random(23);
+  std::size_t covered = 0;
+  std::size_t faces = 0;
+  for (int round = 0; round < scaled(6) && !HasFailure(); ++round) {
+    const VoxelTorus torus(random, 6, 15 + 3 * static_cast<unsigned>(round % 8));
+    const Solid<double> one(torus.mesh({0, 0, 0}, {6, 6, 6}, 0.125));
+    const CellCutter cutter(one, FluidSide::Outside, {.period = {0.75, 0.75, 0.75}});
+    for (const int n : {2, 4, 5}) {
+      const auto across = planes(n, 0.0317, 0.75);
+      const auto cells =
+          cutter.cut(cutter.cellsOfPeriod({across, across, across}, {}, IndexBox::ofSize(n, n, n)),
+                     {.moments = 1});
+      const auto [single, lost] = merged(cells, {.smallest = 0.2});
+      covered += lost.size();
+      expectIdentities(single, 1e-13);
+      EXPECT_LT(check(single).worstMoments, 1e-13);
+      EXPECT_EQ(check(single).multiPieceCells, 0U);
+      faces += expectSameEnds(single);
+      static_cast<void>(toBytes(single));
+      double sum = check(cells).fluidVolume - check(single).fluidVolume;
+      for (const auto& piece : lost) sum -= piece.volume;
+      EXPECT_NEAR(sum, 0, 1e-13);
+      for (const auto& region : CutRegions(single).regions()) EXPECT_FALSE(region.goesOn);
+    }
+  }
+  EXPECT_GT(covered, 50U);
+  EXPECT_GT(faces, 50U);
 }
 
 }  // namespace

@@ -35,11 +35,12 @@ class CutRegions::Builder {
     findRuns(cells);
     reset(pieces, owner_.runs_.size());
     joinRuns();
-    joinAcrossPeriods(cells.grid);
+    const auto spanned = spannedAxes(cells.grid);
+    joinAcrossPeriods(spanned);
     const auto nodeOf = [&](std::uint32_t side, const Index3& cell) {
-      const auto piece = pieceInPeriod(cells, side);
+      const auto piece = pieceInPeriod(cells, spanned, side);
       if (piece < pieces) return piece;
-      const auto own = inPeriod(cells.grid, cell);
+      const auto own = inPeriod(cells.grid, spanned, cell);
       return side == CutCells::kWholeCell && box.contains(own) ? pieces + runOf(own) : kNone;
     };
     const auto& arcs = cells.arcs;
@@ -143,7 +144,7 @@ class CutRegions::Builder {
   }
   /// What lies at the rim of the box, with what lies beyond: the opposite rim, if the box spans a
   /// period.
-  void joinAcrossPeriods(const CellPlanes& grid) {
+  void joinAcrossPeriods(const SpannedAxes& spanned) {
     const auto& runs = owner_.runs_;
     const auto [nx, ny] = lines();
     const std::uint64_t nz = owner_.box_.length(2);
@@ -155,7 +156,7 @@ class CutRegions::Builder {
         const bool isLow = first / steps[a] % lengths[a] == 0;
         const bool isHigh = (last - 1) / steps[a] % lengths[a] + 1 == lengths[a];
         const auto across = steps[a] * (lengths[a] - 1);
-        if (!spansPeriod(grid, static_cast<int>(a))) {
+        if (!spanned[a]) {
           if (isLow || isHigh) goesOn_[pieces_ + n] = 1;
         } else if (isLow) {
           joinWithin(n, first + across, (a == 0 ? first + 1 : last) + across);

@@ -5,35 +5,24 @@
 
 namespace cutwater {
 
-/// Whether the box has all cells of a period along an axis, so that those beyond it are its own.
-[[nodiscard]] inline bool spansPeriod(const CellPlanes& grid, int axis) {
-  const auto period = grid.period[static_cast<std::size_t>(axis)];
-  return period > 0 &&
-         std::int64_t{period} == static_cast<std::int64_t>(grid.indices().length(axis));
-}
+/// Whether a box has all cells of a period along each axis, so that those beyond it are its own.
+using SpannedAxes = std::array<bool, 3>;
+[[nodiscard]] SpannedAxes spannedAxes(const CellPlanes& grid);
 
-/// The same cell in the box, along axes where the box spans a period.
-[[nodiscard]] inline Index3 inPeriod(const CellPlanes& grid, Index3 cell) {
-  const auto [lo, hi] = grid.indices();
-  const auto wrap = [&](std::int32_t& at, std::int32_t lower, std::int32_t upper, int axis) {
-    if (at >= lower && at <= upper) return;
-    if (spansPeriod(grid, axis)) at = at < lower ? upper : lower;
-  };
-  wrap(cell.i, lo.i, hi.i, 0);
-  wrap(cell.j, lo.j, hi.j, 1);
-  wrap(cell.k, lo.k, hi.k, 2);
-  return cell;
-}
+/// A cell of the box for one beyond it, along axes that the box spans.
+[[nodiscard]] Index3 inPeriod(const CellPlanes& grid, const SpannedAxes& spanned, Index3 cell);
 
 /// The piece of the box that one beyond it is, or what stands in its place: kBeyond if there is
 /// none.
-[[nodiscard]] inline std::uint32_t pieceInPeriod(const CutCells& cells, std::uint32_t piece) {
-  if (piece < cells.pieceCount || piece >= cells.pieces.cell.size()) return piece;
-  const auto row = cells.pieces.cell[piece];
-  const auto own = cells.rowOf(inPeriod(cells.grid, cells.cells.index[row]));
-  if (own == CutCells::kNoRow) return CutCells::kBeyond;
-  const auto same = cells.cells.firstPiece[own] + (piece - cells.cells.firstPiece[row]);
-  return same < cells.cells.firstPiece[own + 1] ? same : CutCells::kBeyond;
-}
+[[nodiscard]] std::uint32_t pieceInPeriod(const CutCells& cells, const SpannedAxes& spanned,
+                                          std::uint32_t piece);
+
+/// The rows with each arc between both ends of a period once, at the low end, where it lies between
+/// two pieces of the box; what is below it is at the high end. Without polygons.
+[[nodiscard]] CutCells withJoinedEnds(const CutCells& cells, const SpannedAxes& spanned);
+
+/// The inverse, for rows of the box alone: arcs at both ends lead to rows beyond the box, which are
+/// copies of its own.
+void separateEnds(CutCells& cells, const SpannedAxes& spanned);
 
 }  // namespace cutwater
