@@ -42,7 +42,8 @@ const CellCutter& cutterOf(const cw_cutter* handle) {
 }
 
 CutterOptions optionsOf(const cw_cutter_options& given) {
-  CutterOptions options{.capHoles = given.capHoles != 0};
+  CutterOptions options{.capHoles = given.capHoles != 0,
+                        .period = {given.period[0], given.period[1], given.period[2]}};
   for (const auto* name : arrayOf("openPatches", given.openPatches, given.openPatchCount)) {
     require(name != nullptr, "the name of an open patch is NULL",
             Named{"number", options.openPatches.size()});
@@ -158,7 +159,14 @@ cw_status cw_cutter_planes(const cw_cutter* cutter, const cw_planes* planes, int
   return create("cw_cutter_planes", result, [&] {
     const auto& cut = cutterOf(cutter);
     require(planes != nullptr, "the planes are NULL");
-    return cut.cut(cellPlanesOf(*planes), optionsOf(polygons, threads));
+    const auto grid = cellPlanesOf(*planes);
+    if (cut.period() == Vec3<double>{}) return cut.cut(grid, optionsOf(polygons, threads));
+    std::array<std::vector<double>, 3> own;
+    for (std::size_t a = 0; a < 3; ++a) {
+      own[a].assign(grid.planes[a].begin() + 1, grid.planes[a].end() - 1);
+    }
+    return cut.cut(cut.cellsOfPeriod(own, grid.first, grid.indices()),
+                   optionsOf(polygons, threads));
   });
 }
 

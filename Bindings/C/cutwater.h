@@ -185,6 +185,8 @@ typedef struct cw_cutter_options {
   /// there are none.
   const char* const* openPatches;
   int64_t openPatchCount;
+  /// The period of the body along each axis; 0: none. Grids have cells of a period then.
+  double period[3];
 } cw_cutter_options;
 
 /// `options` may be NULL: then all are 0.
@@ -193,7 +195,7 @@ cw_status cw_make_cutter(const cw_solid* solid, const cw_cutter_options* options
 /// As cw_cut_grid().
 cw_status cw_cutter_grid(const cw_cutter* cutter, const cw_grid* grid, int polygons, int threads,
                          cw_cells** result);
-/// As cw_cut_planes().
+/// As cw_cut_planes(); along axes with a period, the planes are those of one.
 cw_status cw_cutter_planes(const cw_cutter* cutter, const cw_planes* planes, int polygons,
                            int threads, cw_cells** result);
 

@@ -48,6 +48,7 @@ module cutwater
     integer(c_int32_t) :: fluid_inside = 0, cap_holes = 0
     type(c_ptr) :: open_patches = c_null_ptr
     integer(c_int64_t) :: open_patch_count = 0
+    real(c_double) :: period(3) = 0
   end type
 
   ! Rows of cut cells: their arrays become Fortran's by c_f_pointer().

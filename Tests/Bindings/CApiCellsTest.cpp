@@ -204,7 +204,7 @@ TEST(CApiCellsTest, CuttersHaveOpenPatchesAndCaps) {
                          std::ssize(patches), patches.data(),          3,
                          all.data()};
     const auto solid = made([&](cw_solid** out) { return cw_from_mesh(&arrays, 0, out); });
-    const cw_cutter_options options{1, isOpen ? 1 : 0, names.data(), 2};
+    const cw_cutter_options options{1, isOpen ? 1 : 0, names.data(), 2, {0, 0, 0}};
     cw_cutter* made = nullptr;
     ASSERT_EQ(cw_make_cutter(solid.get(), &options, &made), CW_OK) << cw_last_error();
     const CutterHandle cutter(made, &cw_free_cutter);
@@ -232,6 +232,26 @@ TEST(CApiCellsTest, CuttersHaveOpenPatchesAndCaps) {
         cellsOf([&](auto* r) { return cw_cutter_planes(cutter.get(), &between, 0, 0, r); });
     expectRows(large.get(), expected.cut(cellsBetween({planes, planes, planes})));
   }
+}
+
+TEST(CApiCellsTest, CuttersMayHaveAPeriod) {
+  constexpr cw_grid grid{{-1, -1, -1}, {0.25, 0.25, 0.25}, {-2, 0, 0}, {5, 7, 7}, {0, 0, 0}, 0};
+  const auto solid = solidOfC();
+  const cw_cutter_options options{0, 0, nullptr, 0, {2, 0, 2}};
+  cw_cutter* made = nullptr;
+  ASSERT_EQ(cw_make_cutter(solid.get(), &options, &made), CW_OK) << cw_last_error();
+  const CutterHandle cutter(made, &cw_free_cutter);
+  const CellCutter expected(solidOfLibrary(), FluidSide::Outside, {.period = {2, 0, 2}});
+  const auto cells = cellsOf([&](auto* r) { return cw_cutter_grid(cutter.get(), &grid, 0, 0, r); });
+  const Level<double> level({-1, -1, -1}, {0.25, 0.25, 0.25});
+  expectRows(cells.get(), expected.cut(GridPatch<double>{level, {{-2, 0, 0}, {5, 7, 7}}}));
+  const std::vector<double> x{-1, -0.3, 0.05, 0.1, 1};
+  const std::vector<double> y{-0.5, -0.1, 0.4};
+  const cw_planes planes{{x.data(), y.data(), x.data()}, {5, 3, 5}, {-3, 7, 0}};
+  const auto grown =
+      cellsOf([&](auto* r) { return cw_cutter_planes(cutter.get(), &planes, 0, 0, r); });
+  expectRows(grown.get(),
+             expected.cut(expected.cellsOfPeriod({x, y, x}, {-3, 7, 0}, {{-3, 7, 0}, {0, 8, 3}})));
 }
 
 TEST(CApiCellsTest, FractionsAreThoseOfAllCells) {

@@ -112,7 +112,7 @@ static void cutters(void) {
   const char* name = NULL;
   cw_planes planes = {{x, x, NULL}, {2, 2, 2}, {0, 0, 0}};
   const double z[2] = {0, 1};
-  cw_cutter_options options = {1, 0, names, 1};
+  cw_cutter_options options = {1, 0, names, 1, {0, 0, 0}};
   cw_solid* cube = NULL;
   cw_cutter *cutter = NULL, *none = NULL;
   cw_cells* cells = NULL;

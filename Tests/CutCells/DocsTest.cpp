@@ -218,6 +218,24 @@ TEST(DocsTest, PolyhedraOfLeaves) {
   EXPECT_GT(std::filesystem::file_size(path), 64 * withPolygons.pieces.cell.size());
 }
 
+TEST(DocsTest, PeriodicAxes) {
+  const Solid<double> bed(MeshSDF<double>(tessellation::icosphere(0.4, 2)));
+  const Level<double> level({0, 0, 0}, {0.125, 0.125, 0.125});
+  double through = 0;
+  const auto useFace = [&](const Index3& cell, double aperture) {
+    if (cell.i == 0) through += aperture;
+  };
+  // [DOCS
+  const CellCutter cutter(bed, FluidSide::Outside, {.period = {1, 1, 0}});
+  const CutCells cells = cutter.cut(GridPatch<double>{level, IndexBox::ofSize(8, 8, 8)});
+  for (std::uint32_t a = 0; a < cells.arcs.area.size(); ++a) {
+    const auto [i, j, k] = cells.arcs.cell[a];  // above the face
+    useFace({i % cells.grid.period[0], j % cells.grid.period[1], k}, cells.aperture(a));
+  }
+  // DOCS]
+  EXPECT_GT(through, 8);
+}
+
 TEST(DocsTest, FilesOfCutCells) {
   const TemporaryFolder folder;
   const auto path = folder / "ball.cells";

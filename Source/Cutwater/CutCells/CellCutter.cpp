@@ -78,7 +78,11 @@ std::shared_ptr<const CutSurface> surfaceOf(const Solid<T>& solid, FluidSide sid
   auto triangles = placedTriangles(solid, mesh);
   if (!mesh.signReport().isClosed()) addCaps(triangles);
   const auto open = patchesCalled(options.openPatches, triangles.patchNames);
-  return std::make_shared<const CutSurface>(triangles, side, mesh.signReport().isSound(), open);
+  const auto box = triangles.boundingBox();
+  const auto period = periodOf(box, options.period);
+  const bool isSound = mesh.signReport().isSound() && !imagesMayTouch(box, period);
+  if (period.isOnAny()) triangles = withImages(triangles, period);
+  return std::make_shared<const CutSurface>(triangles, side, isSound, open, period);
 }
 
 void checkPlanes(const CellPlanes& grid) {
@@ -92,16 +96,43 @@ void checkPlanes(const CellPlanes& grid) {
   }
 }
 
-std::array<std::vector<double>, 3> inFrame(const CutFrame& frame, const CellPlanes& grid) {
-  auto result = grid.planes;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (auto& plane : result[axis]) plane = frame.toFrame(static_cast<int>(axis), plane);
+void refusePeriod(const CutPeriod& period, const char* message) {
+  require(!period.isOnAny(), message, Named{"period", period.length});
+}
+
+/// The planes between cells [first, last] and around them, of a grid with these planes.
+std::vector<double> planesFrom(const std::vector<double>& planes, std::int64_t first,
+                               std::int64_t last, int axis) {
+  const auto all = cellsBetween({planes, planes, planes}).planes[0];
+  require(first >= 0 && last + 2 <= std::ssize(planes),
+          "cut cells: need a box between the planes along axes without a period",
+          Named{"axis", axis}, Named{"first", first}, Named{"last", last});
+  return {all.begin() + first, all.begin() + last + 4};
+}
+
+/// The same, of planes that repeat.
+std::vector<double> repeatedFrom(const CutPeriod& period, const std::vector<double>& planes,
+                                 std::int64_t first, std::int64_t last, int axis) {
+  const auto cells = std::ssize(planes) - 1;
+  const double length = period.length[axis];
+  const double rounding = 1e-9 * length;
+  require(cells >= 2 && std::abs(planes.back() - planes.front() - length) <= rounding,
+          "cut cells: need two cells or more that together are as long as the period",
+          Named{"axis", axis}, Named{"cells", cells}, Named{"period", length});
+  std::vector<double> result;
+  for (auto n = first - 1; n <= last + 2; ++n) {
+    const auto periods = n / cells - (n % cells < 0 ? 1 : 0);
+    const auto within = static_cast<std::size_t>(n - periods * cells);
+    result.push_back(period.rounded(planes[within]) + static_cast<double>(periods) * length);
+    require(period.has(result.back()), "cut cells: need a box that is less far away",
+            Named{"axis", axis}, Named{"plane", result.back()});
   }
   return result;
 }
 
 /// Cuts the tiles that have triangles, by cutOne(tile); null for the others.
-std::vector<std::unique_ptr<const TileCut>> cutAll(const CutTiles& tiles, const CutOptions& options,
+std::vector<std::unique_ptr<const TileCut>> cutAll(const CutBlocks& tiles,
+                                                   const CutOptions& options,
                                                    FunctionRef<TileCut(std::size_t)> cutOne) {
   std::vector<std::uint32_t> touched;
   for (std::uint32_t tile = 0; tile < tiles.count(); ++tile) {
@@ -126,9 +157,7 @@ CellCutter::CellCutter(const Solid<T>& solid, FluidSide side, const CutterOption
 CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);
   checkOptions(options);
-  const auto positions = inFrame(surface_->frame(), grid);
-  const GridPlanes planes{{positions[0], positions[1], positions[2]}};
-  const CutTiles tiles(*surface_, planes);
+  const CutBlocks tiles(*surface_, stretchesOf(*surface_, grid));
   const auto cuts = cutAll(tiles, options, [&](std::size_t tile) {
     return cutTile(*surface_, tiles.input(tile), options);
   });
@@ -141,12 +170,14 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
   CellPlanes layer = grid;
   layer.planes[2] = {z - 1.5, z - 0.5, z + 0.5, z + 1.5};
   checkPlanes(layer);
+  refusePeriod(surface_->period(), "cut cells: there are no periods in a plane");
   const auto& frame = surface_->frame();
-  const auto positions = inFrame(frame, layer);
+  auto stretches = stretchesOf(*surface_, layer);
+  auto& heights = stretches[2].front().positions;
+  const double thickness = heights[2] - heights[1];
   const auto around = planesAround(frame.toFrame(2, z));
-  const GridPlanes planes{{positions[0], positions[1], around}};
-  const CutTiles tiles(*surface_, planes);
-  const double thickness = positions[2][2] - positions[2][1];
+  heights.assign(around.begin(), around.end());
+  const CutBlocks tiles(*surface_, std::move(stretches));
   const auto cuts = cutAll(tiles, options, [&](std::size_t tile) {
     return cutTileInPlane(*surface_, tiles, tile, thickness);
   });
@@ -156,10 +187,59 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
 template <std::floating_point T>
 CutLeaves CellCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options) const {
   checkOptions(options);
+  refusePeriod(surface_->period(), "cut cells: there are no periods in an octree");
   const LeafGrid grid(mesh, surface_->frame());
   std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);
   const auto tiles = cutLeafTiles(*surface_, grid, options, classes);
   return assembledLeaves(*surface_, grid, tiles, std::move(classes), options);
+}
+
+CellPlanes CellCutter::cellsOfPeriod(const std::array<std::vector<double>, 3>& planes,
+                                     const Index3& first, const IndexBox& box) const {
+  const auto& period = surface_->period();
+  CellPlanes result{.planes = {}, .first = box.lo};
+  const std::array from{std::int64_t{box.lo.i} - first.i, std::int64_t{box.lo.j} - first.j,
+                        std::int64_t{box.lo.k} - first.k};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int axis = static_cast<int>(a);
+    const auto last = from[a] + static_cast<std::int64_t>(box.length(axis)) - 1;
+    require(planes[a].size() >= 2, "cut cells: need two planes across each axis",
+            Named{"axis", axis});
+    result.planes[a] = period.isOn(axis) ? repeatedFrom(period, planes[a], from[a], last, axis)
+                                         : planesFrom(planes[a], from[a], last, axis);
+    if (period.isOn(axis)) {
+      result.period[a] = static_cast<std::int32_t>(planes[a].size() - 1);
+    }
+  }
+  return result;
+}
+
+Vec3<double> CellCutter::period() const {
+  return surface_->period().length;
+}
+
+template <std::floating_point T>
+CellPlanes CellCutter::gridOf(const GridPatch<T>& gridPatch) const {
+  auto result = planesOf(gridPatch);
+  const auto& period = surface_->period();
+  const std::array first{result.first.i, result.first.j, result.first.k};
+  for (std::size_t a = 0; a < 3; ++a) {
+    const int axis = static_cast<int>(a);
+    if (!period.isOn(axis)) continue;
+    const auto spacing = double{gridPatch.level.spacing()[axis]};
+    constexpr double kMost = 0x1p26;
+    const auto cells = std::llround(std::min(period.length[axis] / spacing, kMost));
+    std::vector<double> planes;
+    for (std::int32_t n = 0; n <= cells; ++n) {
+      Index3 index;
+      (axis == 0 ? index.i : axis == 1 ? index.j : index.k) = n;
+      planes.push_back(double{gridPatch.level.cell(index).lower[axis]});
+    }
+    const auto last = first[a] + static_cast<std::int64_t>(gridPatch.indices.length(axis)) - 1;
+    result.planes[a] = repeatedFrom(period, planes, first[a], last, axis);
+    result.period[a] = static_cast<std::int32_t>(cells);
+  }
+  return result;
 }
 
 template <std::floating_point T>
@@ -183,6 +263,8 @@ template CellCutter::CellCutter(const Solid<float>&, FluidSide, const CutterOpti
 template CellCutter::CellCutter(const Solid<double>&, FluidSide, const CutterOptions&);
 template CutLeaves CellCutter::cut(const OctreeCells<float>&, const CutOptions&) const;
 template CutLeaves CellCutter::cut(const OctreeCells<double>&, const CutOptions&) const;
+template CellPlanes CellCutter::gridOf(const GridPatch<float>&) const;
+template CellPlanes CellCutter::gridOf(const GridPatch<double>&) const;
 template CellPlanes planesOf(const GridPatch<float>&);
 template CellPlanes planesOf(const GridPatch<double>&);
 

@@ -37,6 +37,11 @@ struct CutterOptions {
   /// symmetry. They must lie in planes of the grid: what they have of a face is an arc that leads
   /// to CutCells::kBeyond, and the fluid goes on there. See Docs/cut-cells.md.
   std::vector<std::string> openPatches = {};
+  /// The period of the body along each axis, 0: none. The body is the solid with all its images
+  /// whole periods away; where a solid goes on through its images, ends that are alike cancel each
+  /// other. Vertices and the period are rounded to multiples of a power of two, about 1e-15 of the
+  /// largest coordinate or period. See Docs/cut-cells.md.
+  Vec3<double> period = {};
 };
 
 /// Cuts the cells of grids by a closed surface: the body is where its winding number is positive,
@@ -70,21 +75,34 @@ class CellCutter {
 
   /// The cells of a box.
   /// @throws Error(Argument) unless planes ascend and are finite, and options are within their
-  /// ranges; Error(Topology) where an open patch lies in a cell of the box, but in none of its
-  /// faces, which is decided exactly, and with polygons where it lies in one in which triangles
-  /// meet.
+  /// ranges, and unless they are those of cellsOfPeriod() if there is a period; Error(Topology)
+  /// where an open patch lies in a cell of the box, but in none of its faces, which is decided
+  /// exactly, and with polygons where it lies in one in which triangles meet.
   [[nodiscard]] CutCells cut(const CellPlanes& grid, const CutOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>
   [[nodiscard]] CutCells cut(const GridPatch<T>& gridPatch, const CutOptions& options = {}) const {
-    return cut(planesOf(gridPatch), options);
+    return cut(gridOf(gridPatch), options);
   }
+
+  /// The cells of a box, which may lie anywhere, of a grid that repeats along the axes that have a
+  /// period: `planes` are those between the cells of one period, `first` is the index of the lowest
+  /// cell. Cells a whole number of periods apart have planes that are exactly so far apart. Along
+  /// other axes, the box must lie between the planes.
+  /// @throws Error(Argument) unless there are two cells at least in a period, as long as it is but
+  /// for rounding; as cellsBetween(); and if the box lies more than a few periods away, or four
+  /// times as far from the origin as the body and the period reach.
+  [[nodiscard]] CellPlanes cellsOfPeriod(const std::array<std::vector<double>, 3>& planes,
+                                         const Index3& first, const IndexBox& box) const;
+  /// The period along each axis, as it was rounded; 0: there is none.
+  [[nodiscard]] Vec3<double> period() const;
+
   /// The leaves of an octree, or of a part of one: arcs to leaves that it has not lead to kBeyond.
   /// What is said of a leaf depends on it, on the leaves across its faces and on their levels
   /// alone; its polygons have corners of the leaves across its edges as well. An octree of one
   /// level gives the pieces and arcs of the grid patch, to the bit.
   /// @throws Error(Argument) if leaves are so small that their planes do not ascend, and unless
-  /// options are within their ranges; Error(Topology) as of cells.
+  /// options are within their ranges; if there is a period; Error(Topology) as of cells.
   template <std::floating_point T>
   [[nodiscard]] CutLeaves cut(const OctreeCells<T>& mesh, const CutOptions& options = {}) const;
 
@@ -96,11 +114,14 @@ class CellCutter {
   /// axially symmetric flow about the y axis, 2 pi times x of a centroid is the weight of a volume
   /// or an area.
   /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; if polygons or moments are asked
-  /// for. Error(Topology) as cut() with polygons.
+  /// for, or there is a period. Error(Topology) as cut() with polygons.
   [[nodiscard]] CutCells cutInPlane(const CellPlanes& grid, double z,
                                     const CutOptions& options = {}) const;
 
  private:
+  template <std::floating_point T>
+  [[nodiscard]] CellPlanes gridOf(const GridPatch<T>& gridPatch) const;
+
   std::shared_ptr<const CutSurface> surface_;
 };
 
@@ -112,6 +133,8 @@ extern template CellCutter::CellCutter(const Solid<float>&, FluidSide, const Cut
 extern template CellCutter::CellCutter(const Solid<double>&, FluidSide, const CutterOptions&);
 extern template CutLeaves CellCutter::cut(const OctreeCells<float>&, const CutOptions&) const;
 extern template CutLeaves CellCutter::cut(const OctreeCells<double>&, const CutOptions&) const;
+extern template CellPlanes CellCutter::gridOf(const GridPatch<float>&) const;
+extern template CellPlanes CellCutter::gridOf(const GridPatch<double>&) const;
 extern template CellPlanes planesOf(const GridPatch<float>&);
 extern template CellPlanes planesOf(const GridPatch<double>&);
 

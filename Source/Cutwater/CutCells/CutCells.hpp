@@ -21,6 +21,9 @@ struct CellPlanes {
   /// between the planes n and n + 1.
   std::array<std::vector<double>, 3> planes;
   Index3 first;  ///< the box's cell of lowest indices
+  /// The number of cells in a period along each axis: those that are so many apart are one. 0:
+  /// there is none. See CutterOptions::period.
+  std::array<std::int32_t, 3> period = {};
 
   /// The box without the cells around it.
   [[nodiscard]] IndexBox indices() const;
@@ -222,8 +225,9 @@ struct CutCells {
 /// Cells that each join as many along each axis: what cutting the coarse cells gives, up to
 /// rounding and the order of a cell's pieces, without the surface. Pieces that meet in an open face
 /// within a coarse cell are one; arcs between the same two pieces are one. What lies beyond the box
-/// is kBeyond. There are no polygons, and corners in the surface may be on the other side. Moments
-/// are sums of those of the cells. Repeat it for further levels, down to one cell.
+/// is kBeyond, but for what is across the ends of a period that it spans. There are no polygons,
+/// and corners in the surface may be on the other side. Moments are sums of those of the cells.
+/// Repeat it for further levels, down to one cell.
 /// @throws Error(Argument) unless the ratios are at least 1 and divide the box's first index and
 /// its number of cells along each axis, and if an open patch lies within a coarse cell.
 [[nodiscard]] CutCells coarsened(const CutCells& cells, const std::array<int, 3>& ratios);
@@ -253,7 +257,8 @@ struct MergedCells {
 /// patches alone, are not. Nothing is joined: fluid that a plate keeps apart stays apart.
 ///
 /// A cell that was all fluid is cut once one of its faces is closed. There are no polygons. What
-/// lies beyond the box is kBeyond, and nothing of it is covered: for boxes that must agree, cut
+/// lies beyond the box is kBeyond, and nothing of it is covered, but for what is across the ends of
+/// a period that it spans: for boxes that must agree, cut
 /// boxes that are larger by a few cells, and take what is within.
 /// @throws Error(Argument) unless options are within their ranges.
 [[nodiscard]] MergedCells merged(const CutCells& cells, const MergeOptions& options = {});

@@ -25,8 +25,8 @@ struct ArcSum {
 /// Joins nodes that meet within a coarse cell to its pieces, and adds up what they say.
 class Coarsening {
  public:
-  Coarsening(const CutCells& fine, const std::array<int, 3>& ratios)
-      : fine_(fine), ratios_(ratios), nodes_(fine, ratios) {
+  Coarsening(const CutCells& fine, const std::array<int, 3>& ratios, const SpannedAxes& spanned)
+      : fine_(fine), ratios_(ratios), nodes_(fine, ratios, spanned) {
     out_.grid = nodes_.grid();
     out_.cells.index = nodes_.cells();
     out_.cellCount = out_.cells.index.size();
@@ -246,7 +246,12 @@ class Coarsening {
 }  // namespace
 
 CutCells coarsened(const CutCells& cells, const std::array<int, 3>& ratios) {
-  return Coarsening(cells, ratios).run();
+  const auto spanned = spannedAxes(cells.grid);
+  if (spanned == SpannedAxes{}) return Coarsening(cells, ratios, spanned).run();
+  const auto joined = withJoinedEnds(cells, spanned);
+  auto coarse = Coarsening(joined, ratios, spanned).run();
+  separateEnds(coarse, spanned);
+  return coarse;
 }
 
 }  // namespace cutwater

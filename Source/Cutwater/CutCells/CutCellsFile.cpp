@@ -16,11 +16,12 @@ template <typename Cells, typename Visit>
 void visitCells(Cells& all, Visit&& visit) {
   auto& [grid, cells, pieces, arcs, openArcs, wallParts, patchNames, cellCount, pieceCount, moments,
          arcPolygons, wallPolygons, firstWallPolygon, bodyRuns] = all;
-  auto& [planes, first] = grid;
+  auto& [planes, first, period] = grid;
   for (auto& across : planes) visit(across);
   visit(first.i);
   visit(first.j);
   visit(first.k);
+  for (auto& along : period) visit(along);
   const auto visitEach = [&](auto&... arrays) { (visit(arrays), ...); };
   auto& [index, firstPiece, fluidCorners, meets, wallFaces] = cells;
   visitEach(index, firstPiece, fluidCorners, meets, wallFaces);

@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
 #include <Cutwater/CutCells/Detail/Rows/MergedRows.hpp>
+#include <Cutwater/CutCells/Detail/Rows/PeriodicRows.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -14,7 +15,8 @@ class MergeBox final : public MergeGraph::Mesh {
  public:
   using Place = MergeGraph::Place;
 
-  explicit MergeBox(const CutCells& cells) : cells_(cells), box_(cells.grid.indices()) {}
+  MergeBox(const CutCells& cells, const SpannedAxes& spanned)
+      : cells_(cells), box_(cells.grid.indices()), spanned_(spanned) {}
 
   [[nodiscard]] Place placeOf(const Index3& cell) const {
     const auto from = [](std::int32_t lower, std::int32_t at) {
@@ -38,25 +40,29 @@ class MergeBox final : public MergeGraph::Mesh {
     const auto cell = cellAt(place);
     for (std::uint8_t axis = 0; axis < 3; ++axis) {
       for (const bool isHigh : {false, true}) {
-        const auto other = beside(cell, axis, isHigh);
+        const auto other = inPeriod(cells_.grid, spanned_, beside(cell, axis, isHigh));
         const bool isIn = box_.contains(other);
         if (isIn && cells_.classOf(other) != FluidClass::Fluid) continue;
         auto& face = faces.emplace_back(faceBelow(isHigh ? other : cell, axis));
         if (!isIn) (isHigh ? face.above : face.below) = CutCells::kBeyond;
-        const auto box = cells_.boxOf(cell);
         face.area = cells_.faceArea(cell, axis);
-        face.centroid = box.center();
-        face.centroid[axis] = isHigh ? box.upper[axis] : box.lower[axis];
+        face.centroid = cells_.boxOf(cell).center();
+        face.centroid[axis] = cells_.boxOf(isHigh ? other : cell).lower[axis];
       }
     }
     return faces;
   }
   /// The face below a cell.
   [[nodiscard]] MergeGraph::Arc faceBelow(const Index3& cell, std::uint8_t axis) const {
+    const auto below = beside(cell, axis, false);
+    const auto other = inPeriod(cells_.grid, spanned_, below);
+    const double way =
+        other == below ? 0 : cells_.boxOf(other).upper[axis] - cells_.boxOf(cell).lower[axis];
     return {.owner = placeOf(cell),
-            .other = placeOf(beside(cell, axis, false)),
+            .other = placeOf(other),
             .centroid = {},
-            .axis = axis};
+            .axis = axis,
+            .belowBy = way};
   }
 
  private:
@@ -69,14 +75,16 @@ class MergeBox final : public MergeGraph::Mesh {
 
   const CutCells& cells_;
   IndexBox box_;
+  SpannedAxes spanned_;
 };
 
 class CellMerging {
  public:
-  explicit CellMerging(const CutCells& cells)
+  CellMerging(const CutCells& cells, const SpannedAxes& spanned)
       : in_(cells),
         box_(cells.grid.indices()),
-        mesh_(cells),
+        spanned_(spanned),
+        mesh_(cells, spanned),
         graph_(mesh_, cells.pieceCount, cells.arcs.area.size()) {
     for (std::uint32_t piece = 0; piece < in_.pieceCount; ++piece) {
       graph_.add(MergeGraph::Node{.place = mesh_.placeOf(in_.cells.index[in_.pieces.cell[piece]]),
@@ -124,7 +132,8 @@ class CellMerging {
   /// Pieces beyond the box are not known.
   [[nodiscard]] std::uint32_t knownSide(std::uint32_t side, const Index3& cell) const {
     if (side < in_.pieceCount) return side;
-    return side == CutCells::kWholeCell && box_.contains(cell) ? side : CutCells::kBeyond;
+    const bool isIn = box_.contains(inPeriod(in_.grid, spanned_, cell));
+    return side == CutCells::kWholeCell && isIn ? side : CutCells::kBeyond;
   }
   void addLost() {
     for (const auto& node : graph_.nodes()) {
@@ -161,6 +170,7 @@ class CellMerging {
 
   const CutCells& in_;
   IndexBox box_;
+  SpannedAxes spanned_;
   MergeBox mesh_;
   MergeGraph graph_;
   MergedCells out_;
@@ -171,7 +181,13 @@ class CellMerging {
 MergedCells merged(const CutCells& cells, const MergeOptions& options) {
   require(options.smallest >= 0 && options.smallest <= 1,
           "merged: need a smallest fraction from 0 to 1", Named{"smallest", options.smallest});
-  return CellMerging(cells).run(options.smallest);
+  auto spanned = spannedAxes(cells.grid);
+  for (std::size_t a = 0; a < 3; ++a) spanned[a] = spanned[a] && cells.grid.period[a] > 1;
+  if (spanned == SpannedAxes{}) return CellMerging(cells, spanned).run(options.smallest);
+  const auto joined = withJoinedEnds(cells, spanned);
+  auto result = CellMerging(joined, spanned).run(options.smallest);
+  separateEnds(result.cells, spanned);
+  return result;
 }
 
 }  // namespace cutwater

@@ -2,6 +2,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CutRegions.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafGrid.hpp>
+#include <Cutwater/CutCells/Detail/Rows/PeriodicRows.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -34,9 +35,13 @@ class CutRegions::Builder {
     findRuns(cells);
     reset(pieces, owner_.runs_.size());
     joinRuns();
+    const auto spanned = spannedAxes(cells.grid);
+    joinAcrossPeriods(spanned);
     const auto nodeOf = [&](std::uint32_t side, const Index3& cell) {
-      if (side < pieces) return side;
-      return side == CutCells::kWholeCell && box.contains(cell) ? pieces + runOf(cell) : kNone;
+      const auto piece = pieceInPeriod(cells, spanned, side);
+      if (piece < pieces) return piece;
+      const auto own = inPeriod(cells.grid, spanned, cell);
+      return side == CutCells::kWholeCell && box.contains(own) ? pieces + runOf(own) : kNone;
     };
     const auto& arcs = cells.arcs;
     for (std::size_t a = 0; a < arcs.area.size(); ++a) {
@@ -120,12 +125,10 @@ class CutRegions::Builder {
     add(at, box.count());
   }
 
-  /// Neighbouring lines along x, and those at the rim with what lies beyond.
+  /// Neighbouring lines along x.
   void joinRuns() {
-    const auto& box = owner_.box_;
     const auto& runs = owner_.runs_;
     const auto [nx, ny] = lines();
-    const std::uint64_t nz = box.length(2);
     // For each run, those before it by a line or a layer are found by going through both lists.
     for (const auto distance : {nx, nx * ny}) {
       std::size_t before = 0;
@@ -138,12 +141,35 @@ class CutRegions::Builder {
         for (auto m = before; runs[m].first < last; ++m) joinRun(n, m);
       }
     }
+  }
+  /// What lies at the rim of the box, with what lies beyond: the opposite rim, if the box spans a
+  /// period.
+  void joinAcrossPeriods(const SpannedAxes& spanned) {
+    const auto& runs = owner_.runs_;
+    const auto [nx, ny] = lines();
+    const std::uint64_t nz = owner_.box_.length(2);
+    const std::array steps{std::uint64_t{1}, nx, nx * ny};
+    const std::array lengths{nx, ny, nz};
     for (std::uint32_t n = 0; n < runs.size(); ++n) {
-      const auto j = runs[n].first / nx % ny;
-      const auto k = runs[n].first / (nx * ny);
-      const bool isAtRim = runs[n].first % nx == 0 || runs[n].last % nx == 0 || j == 0 ||
-                           j + 1 == ny || k == 0 || k + 1 == nz;
-      if (isAtRim) goesOn_[pieces_ + n] = 1;
+      const auto& [first, last, region] = runs[n];
+      for (std::size_t a = 0; a < 3; ++a) {
+        const bool isLow = first / steps[a] % lengths[a] == 0;
+        const bool isHigh = (last - 1) / steps[a] % lengths[a] + 1 == lengths[a];
+        const auto across = steps[a] * (lengths[a] - 1);
+        if (!spanned[a]) {
+          if (isLow || isHigh) goesOn_[pieces_ + n] = 1;
+        } else if (isLow) {
+          joinWithin(n, first + across, (a == 0 ? first + 1 : last) + across);
+        }
+      }
+    }
+  }
+  /// A run with those that have any of these cells.
+  void joinWithin(std::uint32_t n, std::uint64_t first, std::uint64_t last) {
+    const auto& runs = owner_.runs_;
+    auto run = std::ranges::upper_bound(runs, first, {}, &Run::last);
+    for (; run != runs.end() && run->first < last; ++run) {
+      joinRun(n, static_cast<std::size_t>(run - runs.begin()));
     }
   }
   /// The cells of a line along x, and the lines of a layer; of an empty box, in which no run is, 1.

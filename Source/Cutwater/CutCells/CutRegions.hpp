@@ -17,7 +17,7 @@ struct CutRegion {
   std::size_t pieces = 0;      ///< of cut cells
   std::size_t wholeCells = 0;  ///< that are all fluid
   /// Whether it is open to what lies beyond the box, where a mesh has no leaf, or beyond an open
-  /// patch. If not, it is a cavity.
+  /// patch. If not, it is a cavity; or, in a box that spans a whole period, all there is in it.
   bool goesOn = false;
 };
 

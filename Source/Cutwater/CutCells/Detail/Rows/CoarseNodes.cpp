@@ -25,8 +25,12 @@ Index3 stepped(const Index3& cell, std::size_t axis, int step) {
 
 }  // namespace
 
-CoarseNodes::CoarseNodes(const CutCells& fine, const std::array<int, 3>& ratios)
-    : fine_(fine), box_(fine.grid.indices()), ratios_{ratios[0], ratios[1], ratios[2]} {
+CoarseNodes::CoarseNodes(const CutCells& fine, const std::array<int, 3>& ratios,
+                         const SpannedAxes& spanned)
+    : fine_(fine),
+      box_(fine.grid.indices()),
+      spanned_(spanned),
+      ratios_{ratios[0], ratios[1], ratios[2]} {
   makeGrid();
   findRows();
   addNodes();
@@ -56,6 +60,17 @@ void CoarseNodes::makeGrid() {
     }
   }
   coarse_.grid = cellsBetween(kept, indexOf(coarse(first)));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto period = fine_.grid.period[axis];
+    const auto ratio = static_cast<std::int32_t>(ratios_[axis]);
+    coarse_.grid.period[axis] = period % ratio == 0 ? period / ratio : 0;
+    if (!spanned_[axis]) continue;
+    auto& coarsePlanes =
+        coarse_.grid.planes[axis];  // the cells around the box are those of its ends
+    const auto& own = kept[axis];
+    coarsePlanes.front() = own.front() - (own.back() - own[own.size() - 2]);
+    coarsePlanes.back() = own.back() + (own[1] - own[0]);
+  }
 }
 
 /// Coarse cells are cut if one of theirs is: a wall in a plane of the grid is that of a fine cell.
@@ -148,7 +163,8 @@ CoarseNodes::Face CoarseNodes::faceBelow(const Index3& cell, int axis) const {
 void CoarseNodes::forFaces(FunctionRef<void(const Face&)> visit) const {
   const auto& arcs = fine_.arcs;
   for (std::uint32_t a = 0; a < arcs.area.size(); ++a) {
-    const auto nodeOf = [&](const Index3& cell, std::uint32_t piece) {
+    const auto nodeOf = [&](const Index3& beside, std::uint32_t piece) {
+      const auto cell = inPeriod(fine_.grid, spanned_, beside);
       if (!box_.contains(cell)) return CutCells::kBeyond;
       return piece == CutCells::kWholeCell ? wholeNode(cell) : piece;
     };
@@ -175,7 +191,8 @@ void CoarseNodes::forFacesOfWhole(std::uint32_t node, FunctionRef<void(const Fac
   const auto cell = cellOf(node);
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool isAbove : {false, true}) {
-      const auto next = stepped(cell, static_cast<std::size_t>(axis), isAbove ? 1 : -1);
+      const auto next = inPeriod(fine_.grid, spanned_,
+                                 stepped(cell, static_cast<std::size_t>(axis), isAbove ? 1 : -1));
       auto other = CutCells::kBeyond;
       if (box_.contains(next)) {
         if (fine_.rowOf(next) != CutCells::kNoRow) continue;
@@ -186,9 +203,8 @@ void CoarseNodes::forFacesOfWhole(std::uint32_t node, FunctionRef<void(const Fac
       face.below = isAbove ? node : other;
       face.above = isAbove ? other : node;
       face.area = fine_.faceArea(cell, axis);
-      const auto box = fine_.boxOf(cell);
-      face.centroid = box.center();
-      face.centroid[axis] = isAbove ? box.upper[axis] : box.lower[axis];
+      face.centroid = fine_.boxOf(cell).center();
+      face.centroid[axis] = fine_.boxOf(isAbove ? next : cell).lower[axis];
       visit(face);
     }
   }

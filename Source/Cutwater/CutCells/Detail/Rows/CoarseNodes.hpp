@@ -2,6 +2,7 @@
 
 #include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/Detail/Rows/PeriodicRows.hpp>
 
 namespace cutwater {
 
@@ -27,7 +28,8 @@ class CoarseNodes {
   };
 
   /// @throws Error(Argument) as coarsened() says.
-  CoarseNodes(const CutCells& fine, const std::array<int, 3>& ratios);
+  /// Along axes that the box spans, the ends of the period must be joined, see withJoinedEnds().
+  CoarseNodes(const CutCells& fine, const std::array<int, 3>& ratios, const SpannedAxes& spanned);
 
   /// The planes of the coarse cells, and those that are cut, in order.
   [[nodiscard]] const CellPlanes& grid() const { return coarse_.grid; }
@@ -66,6 +68,7 @@ class CoarseNodes {
 
   const CutCells& fine_;
   IndexBox box_;
+  SpannedAxes spanned_;
   Place ratios_{};
   std::size_t perCell_ = 0;  // fine cells in a coarse one
   CutCells coarse_;          // its grid and cells alone

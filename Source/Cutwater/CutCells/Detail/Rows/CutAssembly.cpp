@@ -48,7 +48,7 @@ struct ArcSource {
 
 class Assembly {
  public:
-  Assembly(CellPlanes grid, const CutSurface& surface, const CutTiles& tiles,
+  Assembly(CellPlanes grid, const CutSurface& surface, const CutBlocks& tiles,
            std::span<const std::unique_ptr<const TileCut>> tileCuts, const CutOptions& options)
       : surface_(surface), tiles_(tiles), cuts_(tileCuts), withPolygons_(options.polygons) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -101,6 +101,12 @@ class Assembly {
   [[nodiscard]] Index3 indexOf(const TilePlace& place) const {
     const auto& first = out_.grid.first;
     return {first.i + place[0] - 1, first.j + place[1] - 1, first.k + place[2] - 1};
+  }
+
+  [[nodiscard]] CutFrame frameOf(std::uint32_t tile) const {
+    auto frame = surface_.frame();
+    frame.shift = tiles_.shiftOf(tile);
+    return frame;
   }
 
   void gatherCells() {
@@ -166,7 +172,7 @@ class Assembly {
         if (i == 0) addClosingFaces(tile, number);
       }
     }
-    addPieceRows(content, number, surface_.frame(), row, out_.pieces, out_.wallParts);
+    addPieceRows(content, number, frameOf(tile), row, out_.pieces, out_.wallParts);
     if (out_.moments.degree >= 0) addPieceMoments(cuts_[tile]->moments, number, out_.moments);
   }
 
@@ -210,8 +216,9 @@ class Assembly {
       return std::pair(planes.at(axis, number), out_.grid.planes[a][ofBox]);
     };
     const TilePlace cells{planes.cells(0), planes.cells(1), planes.cells(2)};
+    const auto frame = frameOf(tile);
     for (const auto& point : polygon) {
-      to.points.push_back(inWorld(point, surface_.frame(), within, cells, planeOf));
+      to.points.push_back(inWorld(point, frame, within, cells, planeOf));
     }
     to.first.push_back(to.points.size());
   }
@@ -278,7 +285,7 @@ class Assembly {
     return piece == kNone ? CutCells::kWholeCell : rowsOf_[source.tile][piece];
   }
   void addArc(const ArcSource& source, std::uint32_t below, std::uint32_t above) {
-    const auto& frame = surface_.frame();
+    const auto frame = frameOf(source.tile);
     const auto& arc = arcOf(source);
     if (arc.isOpenPatch()) addOpenRow(out_.arcs.area.size(), arc.patch, out_.openArcs);
     out_.arcs.below.push_back(below);
@@ -308,17 +315,15 @@ class Assembly {
     for (int k = 1; k <= cells_[2]; ++k) {
       for (int j = 1; j <= cells_[1]; ++j) {
         for (int i = 1; i <= cells_[0];) {
-          const int width = CutTiles::kWidth;
-          const auto tile = tiles_.tileAt({i / width, j / width, k / width});
-          const int end = std::min((i / width + 1) * width, cells_[0] + 1);
+          auto [tile, within, tileEnd] = tiles_.at({i, j, k});
+          const int end = std::min(tileEnd, cells_[0] + 1);
           if (!cuts_[tile]) {
             addRun(next, end - i, tiles_.winding(tile) > 0);
             i = end;
             continue;
           }
-          for (; i < end; ++i) {
-            const auto cell = cuts_[tile]->numbers.cell({i % width, j % width, k % width});
-            addRun(next, 1, cuts_[tile]->isBody[cell]);
+          for (; i < end; ++i, ++within[0]) {
+            addRun(next, 1, cuts_[tile]->isBody[cuts_[tile]->numbers.cell(within)]);
           }
         }
       }
@@ -336,7 +341,7 @@ class Assembly {
   }
 
   const CutSurface& surface_;
-  const CutTiles& tiles_;
+  const CutBlocks& tiles_;
   std::span<const std::unique_ptr<const TileCut>> cuts_;
   bool withPolygons_;
   TilePlace cells_{};  // of the box
@@ -349,7 +354,7 @@ class Assembly {
 
 }  // namespace
 
-CutCells assembledCells(CellPlanes grid, const CutSurface& surface, const CutTiles& tiles,
+CutCells assembledCells(CellPlanes grid, const CutSurface& surface, const CutBlocks& tiles,
                         std::span<const std::unique_ptr<const TileCut>> tileCuts,
                         const CutOptions& options) {
   return Assembly(std::move(grid), surface, tiles, tileCuts, options).run();

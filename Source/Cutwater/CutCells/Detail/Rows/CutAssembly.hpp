@@ -12,7 +12,7 @@ namespace cutwater {
 /// `grid` is in the coordinates of the world. `tileCuts` has one for each tile with triangles, else
 /// null, and polygons and moments as the options want them.
 [[nodiscard]] CutCells assembledCells(CellPlanes grid, const CutSurface& surface,
-                                      const CutTiles& tiles,
+                                      const CutBlocks& tiles,
                                       std::span<const std::unique_ptr<const TileCut>> tileCuts,
                                       const CutOptions& options);
 

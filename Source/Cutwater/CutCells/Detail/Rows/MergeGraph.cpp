@@ -114,7 +114,9 @@ void MergeGraph::closeArc(std::uint32_t arc) {
     auto& node = nodes_[side];
     Vec3<double> vector;
     vector[it.axis] = isBelow ? it.area : -it.area;
-    node.closed.add(it.area, it.centroid);
+    auto centroid = it.centroid;
+    if (isBelow) centroid[it.axis] += it.belowBy;
+    node.closed.add(it.area, centroid);
     node.closedVector += vector;
     node.wallVector += vector;
     changed_.push_back(side);

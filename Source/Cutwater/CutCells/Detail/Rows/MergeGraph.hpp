@@ -39,7 +39,8 @@ class MergeGraph {
     double area = 0;
     Vec3<double> centroid;
     std::uint8_t axis = 0;
-    bool isHigh = false;                      ///< of the owner's faces across the axis
+    bool isHigh = false;  ///< of the owner's faces across the axis
+    double belowBy = 0;   ///< how much higher the cell below is: it is at the other end of a period
     std::uint32_t source = CutCells::kNoRow;  ///< the arc; kNoRow for all of the owner's face
     bool isClosed = false;
 

@@ -133,10 +133,11 @@ class MergedRows {
       } else {
         moments.addBox(piece, graph_.boxOf(node.place));
       }
-      const auto& about = out_.pieces.wallCentroid[piece];
       for (const auto number : node.arcs) {
         const auto& arc = graph_.arcs()[number];
         if (!arc.isClosed) continue;
+        auto about = out_.pieces.wallCentroid[piece];
+        if (arc.below == kept_[piece]) about[arc.axis] -= arc.belowBy;
         const auto box = graph_.boxOf(arc.owner);
         const double plane = arc.isHigh ? box.upper[arc.axis] : box.lower[arc.axis];
         moments.addClosedFace(piece, momentsOf(arc, about), arc.axis, plane - about[arc.axis],

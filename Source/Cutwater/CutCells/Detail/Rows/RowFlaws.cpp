@@ -40,6 +40,7 @@ bool isGrid(const CellPlanes& grid) {
   const std::array first{grid.first.i, grid.first.j, grid.first.k};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto& planes = grid.planes[axis];
+    if (grid.period[axis] < 0) return false;
     if (planes.size() < 4 || !areFinite(planes)) return false;
     if (std::ranges::adjacent_find(planes, std::greater_equal()) != planes.end()) return false;
     // Cells around the box have indices, too.

@@ -107,15 +107,17 @@ std::vector<std::uint32_t> patchesOf(const PolygonSoup& soup,
 }  // namespace
 
 CutSurface::CutSurface(const PolygonSoup& triangles, FluidSide side, bool isSound,
-                       std::span<const std::uint32_t> openPatches)
+                       std::span<const std::uint32_t> openPatches, const CutPeriod& period)
     : CutSurface(triangles,
                  isSound ? properTriangles(triangles)
                          : withoutOpposites(triangles, properTriangles(triangles)),
-                 side, isSound, openPatches) {}
+                 side, isSound, openPatches, period) {}
 
 CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles,
-                       FluidSide side, bool isSound, std::span<const std::uint32_t> openPatches)
+                       FluidSide side, bool isSound, std::span<const std::uint32_t> openPatches,
+                       const CutPeriod& period)
     : frame_(frameOf(soup.boundingBox())),
+      period_(period),
       windingOutside_(side == FluidSide::Inside ? 1 : 0),
       patches_(patchesOf(soup, triangles)),
       patchNames_(soup.patchNames),

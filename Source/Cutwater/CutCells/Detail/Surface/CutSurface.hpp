@@ -2,6 +2,7 @@
 
 #include <Cutwater/Bvh/Detail/BinaryBvh.hpp>
 #include <Cutwater/Core/Box.hpp>
+#include <Cutwater/CutCells/Detail/Surface/CutPeriod.hpp>
 #include <Cutwater/CutCells/Detail/Surface/OpenPatches.hpp>
 #include <Cutwater/CutCells/Detail/Surface/SheetKinds.hpp>
 #include <Cutwater/Sdf/FluidSide.hpp>
@@ -16,11 +17,14 @@ namespace cutwater {
 struct CutFrame {
   Vec3<double> origin;
   double scale = 1;
+  Vec3<double> shift = {};  ///< of what was cut elsewhere, whole periods away, into the world
 
   [[nodiscard]] double toFrame(int axis, double x) const {
     return coarse((x - origin[axis]) * scale);
   }
-  [[nodiscard]] Vec3<double> toWorld(const Vec3<double>& p) const { return p / scale + origin; }
+  [[nodiscard]] Vec3<double> toWorld(const Vec3<double>& p) const {
+    return p / scale + origin + shift;
+  }
 };
 
 /// A closed surface as cells are cut by it: in its frame, with the fluid outside, and moved.
@@ -28,12 +32,14 @@ class CutSurface {
  public:
   /// Equal points of the soup are one. `isSound`: it is known not to meet itself, and no shell lies
   /// within another's solid. `openPatches`: their numbers.
+  /// `period`: of a surface with its images.
   /// @throws Error(Topology) if the triangles of the soup are not closed, or cancel each
   /// other.
   CutSurface(const PolygonSoup& triangles, FluidSide side, bool isSound,
-             std::span<const std::uint32_t> openPatches = {});
+             std::span<const std::uint32_t> openPatches = {}, const CutPeriod& period = {});
 
   [[nodiscard]] const CutFrame& frame() const { return frame_; }
+  [[nodiscard]] const CutPeriod& period() const { return period_; }
   [[nodiscard]] const MovedSurface& moved() const { return moved_; }
   [[nodiscard]] std::span<const std::uint32_t> patches() const { return patches_; }
   [[nodiscard]] const std::vector<std::string>& patchNames() const { return patchNames_; }
@@ -54,9 +60,10 @@ class CutSurface {
  private:
   /// Of some triangles of a soup.
   CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles, FluidSide side,
-             bool isSound, std::span<const std::uint32_t> openPatches);
+             bool isSound, std::span<const std::uint32_t> openPatches, const CutPeriod& period);
 
   CutFrame frame_;
+  CutPeriod period_;
   int windingOutside_;
   std::vector<std::uint32_t> patches_;
   std::vector<std::string> patchNames_;

@@ -72,7 +72,7 @@ TilePlace CutTiles::firstCell(std::size_t tile) const {
 
 GridPlanes CutTiles::planesOf(std::size_t tile) const {
   const auto first = firstCell(tile);
-  GridPlanes result;
+  auto result = planes_;
   for (int axis = 0; axis < 3; ++axis) {
     const int cells = std::min(kWidth, planes_.cells(axis) - first[asIndex(axis)]);
     result.positions[asIndex(axis)] = planes_.positions[asIndex(axis)].subspan(

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace cutwater {
@@ -31,7 +32,12 @@ template <typename IsBelow>
 /// + 1. Cell -1 is below the first plane, and the last number stands for what is above the last
 /// plane.
 struct GridPlanes {
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
   std::array<std::span<const double>, 3> positions;
+  /// Planes from here on are those a period below: what lies in them is computed there.
+  Vec3<double> seam{kNever, kNever, kNever};
+  Vec3<double> period = {};
 
   /// The number of cells between planes.
   [[nodiscard]] int cells(int axis) const {
@@ -39,6 +45,11 @@ struct GridPlanes {
   }
   [[nodiscard]] double at(int axis, int plane) const {
     return positions[asIndex(axis)][static_cast<std::size_t>(plane)];
+  }
+
+  /// How far below a plane what lies in it is computed.
+  [[nodiscard]] double shiftAt(int axis, int plane) const {
+    return at(axis, plane) >= seam[axis] ? period[axis] : 0;
   }
 
   /// The cell along the axis that holds a point whose coordinate is known up to `error`.

@@ -359,7 +359,7 @@ std::array<double, 3> planesAround(double z) {
   return {z - gap, z, z + gap};
 }
 
-TileCut cutTileInPlane(const CutSurface& surface, const CutTiles& tiles, std::size_t tile,
+TileCut cutTileInPlane(const CutSurface& surface, const CutBlocks& tiles, std::size_t tile,
                        double thickness) {
   const TileParts parts(surface, tiles.input(tile));
   return PlaneCutter(parts.surface, parts.stretches, parts.faces, parts.planes, thickness).run();

@@ -11,7 +11,7 @@ namespace cutwater {
 /// Cuts the rectangles of a tile that is two layers of cells, in the plane between them: the faces
 /// between the layers. The cells of the upper layer stand for them, as if they were of this
 /// thickness, with walls and open parts across x and y.
-[[nodiscard]] TileCut cutTileInPlane(const CutSurface& surface, const CutTiles& tiles,
+[[nodiscard]] TileCut cutTileInPlane(const CutSurface& surface, const CutBlocks& tiles,
                                      std::size_t tile, double thickness);
 
 }  // namespace cutwater

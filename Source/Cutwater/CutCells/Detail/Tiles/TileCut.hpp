@@ -2,7 +2,7 @@
 
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/CellPieces.hpp>
-#include <Cutwater/CutCells/Detail/Tiles/CutTiles.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/CutBlocks.hpp>
 
 #include <utility>
 

@@ -120,13 +120,17 @@ Vec3<double> TriangleSplitter::onLine(const FragmentEdge& first, const FragmentE
   const bool isFirst = normal_[first.axis] >= normal_[second.axis];
   const auto& [axis, number] = isFirst ? first : second;
   const auto& other = isFirst ? second : first;
-  const auto [from, to] = trace(axis, number);
-  const double wanted = planes_.at(other.axis, other.number);
+  Vec3<double> shift;  // to where the point is computed
+  for (const auto& plane : {first, second}) {
+    shift[plane.axis] = planes_.shiftAt(plane.axis, plane.number);
+  }
+  const auto [from, to] = trace(axis, number, shift);
+  const double wanted = planes_.at(other.axis, other.number) - shift[other.axis];
   const double length = to[other.axis] - from[other.axis];
   const double share = length == 0 ? 0.5 : (wanted - from[other.axis]) / length;
   auto point = from + std::clamp(share, 0.0, 1.0) * (to - from);
   point[axis] = planes_.at(axis, number);
-  point[other.axis] = wanted;
+  point[other.axis] = planes_.at(other.axis, other.number);
 
   const int third = 3 - first.axis - second.axis;
   if (third > second.axis) {
@@ -151,25 +155,27 @@ int TriangleSplitter::rowOnLine(const Vec3<double>& point, int axis, double slop
   });
 }
 
-/// The points in which two edges cross a plane.
-std::pair<Vec3<double>, Vec3<double>> TriangleSplitter::trace(int axis, int number) const {
-  const AxisPlane plane{axis, planes_.at(axis, number)};
+/// The points in which two edges cross a plane; all of it is moved down by a shift.
+std::pair<Vec3<double>, Vec3<double>> TriangleSplitter::trace(int axis, int number,
+                                                              const Vec3<double>& shift) const {
+  const AxisPlane plane{axis, planes_.at(axis, number) - shift[axis]};
   std::array<Vec3<double>, 2> ends;
   std::size_t count = 0;
   for (int edge = 0; edge < 3 && count < 2; ++edge) {
     const bool isHigh = cornerRows_[asIndex(edge)][asIndex(axis)] >= number;
     const bool goesHigh = cornerRows_[asIndex((edge + 1) % 3)][asIndex(axis)] >= number;
-    if (isHigh != goesHigh) ends[count++] = crossing(edge, plane);
+    if (isHigh != goesHigh) ends[count++] = crossing(edge, plane, shift);
   }
   return {ends[0], ends[1]};
 }
 /// From the end with the lower number, so that both triangles at the edge compute the same.
-Vec3<double> TriangleSplitter::crossing(int edge, const AxisPlane& plane) const {
+Vec3<double> TriangleSplitter::crossing(int edge, const AxisPlane& plane,
+                                        const Vec3<double>& shift) const {
   int from = edge;
   int to = (edge + 1) % 3;
   if (vertices_[asIndex(from)] > vertices_[asIndex(to)]) std::swap(from, to);
-  const auto& p = triangle_[asIndex(from)].position;
-  const auto& q = triangle_[asIndex(to)].position;
+  const auto p = triangle_[asIndex(from)].position - shift;
+  const auto q = triangle_[asIndex(to)].position - shift;
   const double rise = q[plane.axis] - p[plane.axis];
   const double share = rise == 0 ? 0.5 : (plane.position - p[plane.axis]) / rise;
   auto point = max(min(p, q), min(max(p, q), p + share * (q - p)));

@@ -70,8 +70,10 @@ class TriangleSplitter {
                                     bool goesUp, PointCells& rows) const;
   [[nodiscard]] int rowOnLine(const Vec3<double>& point, int axis, double slope,
                               bool facesUp) const;
-  [[nodiscard]] std::pair<Vec3<double>, Vec3<double>> trace(int axis, int number) const;
-  [[nodiscard]] Vec3<double> crossing(int edge, const AxisPlane& plane) const;
+  [[nodiscard]] std::pair<Vec3<double>, Vec3<double>> trace(int axis, int number,
+                                                            const Vec3<double>& shift) const;
+  [[nodiscard]] Vec3<double> crossing(int edge, const AxisPlane& plane,
+                                      const Vec3<double>& shift = {}) const;
   [[nodiscard]] Vec3<double> withinCell(Vec3<double> point, const PointCells& rows, int axis,
                                         int second) const;
 

@@ -1,0 +1,156 @@
+// CutterOptions::period.
+
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/CutRegions.hpp>
+
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "CutCells/PeriodicCells.hpp"
+#include "CutCells/ShellCells.hpp"
+#include "Support/Refusal.hpp"
+#include "Support/Soups.hpp"
+
+namespace cutwater::test {
+namespace {
+
+TEST(PeriodicCellsTest, BoxesOfATurnedTorusRepeatToTheBit) {
+  Solid<double> solid(MeshSDF<double>(tessellation::torus(0.4, 0.2, 30, 16)));
+  solid.rotate(33.0, Vec3<double>{1, 2, 3});
+  for (const auto& period :
+       {Vec3<double>{1, 0, 0}, Vec3<double>{0, 1.1, 0.9}, Vec3<double>{1.3, 1.2, 1.25}}) {
+    for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+      const CellCutter cutter(solid, side, {.period = period});
+      expectRepeats(cutter, 9, -0.3, {.polygons = true});
+      expectRepeats(cutter, 7, 0.05, {.moments = 2});
+    }
+  }
+}
+
+TEST(PeriodicCellsTest, BallsThatCrossTheBoundaryKeepTheirVolume) {
+  // Also at the corners of the period, and across images of themselves.
+  for (const auto& center : {Vec3<double>{0.01, 0.5, 0.97}, Vec3<double>{0, 0, 0}}) {
+    for (const double radius : {0.3, 0.55}) {
+      const auto solid = solidOf(ball(radius, center));
+      const CellCutter cutter(solid, FluidSide::Outside, {.period = {1, 1, 1}});
+      const auto cells = cutter.cut(GridPatch<double>{Level<double>({0, 0, 0}, {0.1, 0.1, 0.1}),
+                                                      IndexBox::ofSize(10, 10, 10)});
+      const auto report = check(cells);
+      expectIdentities(cells, 1e-13);
+      EXPECT_EQ(report.meetingCells > 0, radius > 0.5);
+      const CellCutter alone(solid);
+      const auto box = alone.cut(GridPatch<double>{Level<double>({-1, -1, -1}, {0.25, 0.25, 0.25}),
+                                                   IndexBox::ofSize(12, 12, 12)});
+      if (radius < 0.5) {
+        EXPECT_NEAR(report.bodyVolume, check(box).bodyVolume, 1e-13);
+        EXPECT_NEAR(report.wallArea, check(box).wallArea, 1e-12);
+      } else {
+        EXPECT_LT(report.bodyVolume, check(box).bodyVolume - 0.001);
+      }
+      expectRepeats(cutter, 6, 0, {.polygons = true});
+    }
+  }
+}
+
+/// One that goes on through the ends of the period, whose ends cancel each other.
+TEST(PeriodicCellsTest, TheFluxThroughATubeIsTheSameAtBothEnds) {
+  for (const double turn : {0.0, 0.4}) {
+    std::vector<std::pair<double, double>> outline;
+    for (int n = 0; n < 24; ++n) {
+      const double angle = turn + n * 3.14159265358979323846 / 12;
+      outline.emplace_back(0.5 + 0.4 * std::cos(angle), 0.5 + 0.3 * std::sin(angle));
+    }
+    const auto solid = solidOf(prism(outline, 1.5));
+    const CellCutter cutter(solid, FluidSide::Inside, {.period = {0, 0, 1.5}});
+    const auto cells = cutter.cut(
+        GridPatch<double>{Level<double>({0, 0, 0}, {0.125, 0.125, 0.1}), {{0, 0, 0}, {7, 7, 14}}});
+    expectIdentities(cells, 1e-13);
+    EXPECT_EQ(check(cells).meetingCells, 0U);
+    std::array<double, 2> flux{};
+    for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
+      if (cells.arcs.axis[a] != 2) continue;
+      if (cells.arcs.cell[a].k == 0) flux[0] += cells.arcs.area[a];
+      if (cells.arcs.cell[a].k == 15) flux[1] += cells.arcs.area[a];
+      EXPECT_LT(cells.arcs.below[a], CutCells::kBeyond);
+    }
+    EXPECT_GT(flux[0], 0.1);
+    EXPECT_EQ(flux[0], flux[1]);
+    const auto& names = cells.patchNames;
+    EXPECT_EQ(names.size(), 1U);
+    // All walls are sides: none is across the tube.
+    for (const auto& v : cells.pieces.wallVector) EXPECT_NEAR(v.z, 0, 1e-15);
+    const CutRegions fluid(cells);
+    ASSERT_EQ(fluid.regions().size(), 1U);
+    EXPECT_FALSE(fluid.regions()[0].goesOn);
+    EXPECT_NEAR(fluid.regions()[0].volume, check(cells).fluidVolume, 1e-13);
+    expectRepeats(cutter, 8, 0, {.polygons = true});
+  }
+}
+
+TEST(PeriodicCellsTest, FilesKnowThePeriod) {
+  const CellCutter cutter(solidOf(ball(0.3, {0, 0, 0}, 2)), FluidSide::Outside,
+                          {.period = {1, 0, 0}});
+  const auto cells = cutter.cut(
+      GridPatch<double>{Level<double>({0, -1, -1}, {0.25, 0.25, 0.25}), {{2, 0, 0}, {5, 7, 7}}});
+  EXPECT_EQ(cells.grid.period, (std::array<std::int32_t, 3>{4, 0, 0}));
+  const auto loaded = cutCellsFrom(toBytes(cells));
+  EXPECT_EQ(loaded.grid.period, cells.grid.period);
+  EXPECT_EQ(toBytes(loaded), toBytes(cells));
+}
+
+TEST(PeriodicCellsTest, RefusesWhatDoesNotRepeat) {
+  const auto solid = solidOf(ball(0.3, {0.5, 0.5, 0.5}, 1));
+  const auto with = [&](const Vec3<double>& period) {
+    return CellCutter(solid, FluidSide::Outside, {.period = period});
+  };
+  EXPECT_NE(refusal([&] { return with({-1, 0, 0}); }).find("period = -1"), std::string::npos);
+  EXPECT_NE(refusal([&] { return with({0, INFINITY, 0}); }).find("axis = 1"), std::string::npos);
+  EXPECT_NE(refusal([&] { return with({0, 0, 1e-4}); }).find("so short"), std::string::npos);
+  const auto cutter = with({1, 0, 0});
+  const auto cells = [&](double h, const IndexBox& box) {
+    return GridPatch<double>{Level<double>({0, 0, 0}, {h, h, h}), box};
+  };
+  const auto says = [&](const auto& act, const std::string& what) {
+    const auto message = refusal(act);
+    EXPECT_NE(message.find(what), std::string::npos) << message;
+  };
+  says([&] { return cutter.cut(cells(0.15, IndexBox::ofSize(3, 3, 3))); }, "as long as the period");
+  says([&] { return cutter.cut(cells(1, IndexBox::ofSize(1, 3, 3))); }, "two cells or more");
+  says([&] { return cutter.cut(cells(0.25, {{4000, 0, 0}, {4001, 1, 1}})); }, "less far away");
+  says(
+      [&] {
+        return cutter.cut(cellsBetween({{{0, 0.5, 1}, {0, 1}, {0, 1}}}));
+      },
+      "cells of a period");
+  says(
+      [&] {
+        return with({}).cut(
+            cutter.cellsOfPeriod({{{0, 0.5, 1}, {0, 1}, {0, 1}}}, {}, IndexBox::ofSize(2, 1, 1)));
+      },
+      "cells of a period");
+  says(
+      [&] {
+        return cutter.cellsOfPeriod({{{0, 0.5, 1}, {0, 1}, {0, 1}}}, {}, IndexBox::ofSize(2, 2, 1));
+      },
+      "between the planes");
+  says(
+      [&] {
+        return cutter.cut(cutter.cellsOfPeriod({{{0.8, 1.55, 1.8}, {0, 1}, {0, 1}}}, {},
+                                               IndexBox::ofSize(2, 1, 1)));
+      },
+      "half a period");
+  auto wrong = cutter.cellsOfPeriod({{{0, 0.5, 1}, {0, 1}, {0, 1}}}, {}, IndexBox::ofSize(2, 1, 1));
+  wrong.planes[0][1] = 0.01;
+  says([&] { return cutter.cut(wrong); }, "cellsOfPeriod");
+  says([&] { return cutter.cutInPlane(planesOf(cells(0.25, IndexBox::ofSize(4, 4, 1))), 0.5); },
+       "period");
+  const OctreeCells<double> mesh(OctreeDomain<double>({0, 0, 0}, 1, {1, 1, 1}), 0,
+                                 {{.index = {}, .level = 0}});
+  says([&] { return cutter.cut(mesh); }, "no periods in an octree");
+}
+
+}  // namespace
+}  // namespace cutwater::test
