@@ -258,8 +258,8 @@ struct MergedCells {
 ///
 /// A cell that was all fluid is cut once one of its faces is closed. There are no polygons. What
 /// lies beyond the box is kBeyond, and nothing of it is covered, but for what is across the ends of
-/// a period that it spans: for boxes that must agree, cut
-/// boxes that are larger by a few cells, and take what is within.
+/// a period that it spans: for boxes that must agree, cut boxes that are larger by a few cells, and
+/// take what is within.
 /// @throws Error(Argument) unless options are within their ranges.
 [[nodiscard]] MergedCells merged(const CutCells& cells, const MergeOptions& options = {});
 
