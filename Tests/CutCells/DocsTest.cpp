@@ -218,6 +218,19 @@ TEST(DocsTest, PolyhedraOfLeaves) {
   EXPECT_GT(std::filesystem::file_size(path), 64 * withPolygons.pieces.cell.size());
 }
 
+TEST(DocsTest, SinglePrecision) {
+  const CellCutter cutter{Solid<double>(MeshSDF<double>(tessellation::icosphere(0.4, 2)))};
+  const auto cells = cutter.cut(cellsBetween({{{-1, 0, 1}, {-1, 0, 1}, {-1, 0, 1}}}));
+  const auto useVolumes = [&](const auto& volumes, const auto& centroids, const auto& areas) {
+    EXPECT_EQ(volumes.size(), centroids.size());
+    EXPECT_EQ(areas[0], static_cast<float>(cells.arcs.area[0]));
+  };
+  // [DOCS
+  const CutNumbers<float> numbers = inPrecision<float>(cells);
+  useVolumes(numbers.pieces.volume, numbers.pieces.centroid, numbers.arcs.area);
+  // DOCS]
+}
+
 TEST(DocsTest, PeriodicAxes) {
   const Solid<double> bed(MeshSDF<double>(tessellation::icosphere(0.4, 2)));
   const Level<double> level({0, 0, 0}, {0.125, 0.125, 0.125});

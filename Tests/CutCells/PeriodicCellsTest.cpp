@@ -10,8 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "CutCells/PeriodicCells.hpp"
+#include "CutCells/RowFiles.hpp"
 #include "CutCells/ShellCells.hpp"
 #include "Support/Refusal.hpp"
+#include "Support/Scale.hpp"
 #include "Support/Soups.hpp"
 
 namespace cutwater::test {
@@ -99,6 +101,14 @@ TEST(PeriodicCellsTest, FilesKnowThePeriod) {
   const auto loaded = cutCellsFrom(toBytes(cells));
   EXPECT_EQ(loaded.grid.period, cells.grid.period);
   EXPECT_EQ(toBytes(loaded), toBytes(cells));
+  EXPECT_EQ(CutRegions(loaded).regions().size(), 1U);
+  // Whatever is in them, as long as it is taken: all that can be asked is safe.
+  expectForgeriesAreSafe(toBytes(cells), scaled(1000), cutCellsFrom, [](const CutCells& forged) {
+    static_cast<void>(check(forged));
+    static_cast<void>(CutRegions(forged));
+    static_cast<void>(coarsened(forged, {1, 1, 1}));
+    static_cast<void>(merged(forged, {.smallest = 0.5}));
+  });
 }
 
 TEST(PeriodicCellsTest, RefusesWhatDoesNotRepeat) {

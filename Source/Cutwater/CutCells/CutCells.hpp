@@ -5,6 +5,7 @@
 #include <Cutwater/Sdf/FluidSide.hpp>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -231,6 +232,45 @@ struct CutCells {
 /// @throws Error(Argument) unless the ratios are at least 1 and divide the box's first index and
 /// its number of cells along each axis, and if an open patch lies within a coarse cell.
 [[nodiscard]] CutCells coarsened(const CutCells& cells, const std::array<int, 3>& ratios);
+
+/// The numbers of cut cells in another precision, for hosts that compute in it. Rows are those of
+/// the cells, whose indices hold for them. Places are offsets from the center of the cell, and for
+/// arcs of the face, so that they keep their digits far away from the origin.
+template <std::floating_point T>
+struct CutNumbers {
+  /// As CutCells::Pieces.
+  struct Pieces {
+    std::vector<T> volume;
+    std::vector<Vec3<T>> centroid;  ///< from the cell's center
+    std::vector<T> wallArea;
+    std::vector<Vec3<T>> wallVector;
+    std::vector<Vec3<T>> wallCentroid;  ///< from the cell's center
+  };
+  /// As CutCells::Arcs.
+  struct Arcs {
+    std::vector<T> area;
+    std::vector<Vec3<T>> centroid;  ///< from the face's center
+  };
+  /// As CutCells::WallParts.
+  struct WallParts {
+    std::vector<T> area;
+    std::vector<Vec3<T>> vector;
+    std::vector<Vec3<T>> centroid;  ///< from the cell's center
+  };
+
+  Pieces pieces;        ///< volumes and walls
+  Arcs arcs;            ///< what connects pieces
+  WallParts wallParts;  ///< walls by patch
+};
+
+/// The numbers of cells, rounded. The vector of a piece's wall is what closes its rounded open
+/// parts, so a piece closes within the rounding of that vector; and those of the parts of its wall
+/// add up to it, within the same. Pieces beyond the box, of which not all open parts are known, are
+/// rounded alone.
+template <std::floating_point T>
+[[nodiscard]] CutNumbers<T> inPrecision(const CutCells& cells);
+extern template CutNumbers<float> inPrecision(const CutCells&);
+extern template CutNumbers<double> inPrecision(const CutCells&);
 
 /// Options of merged().
 struct MergeOptions {

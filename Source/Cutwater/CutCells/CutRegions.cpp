@@ -38,10 +38,10 @@ class CutRegions::Builder {
     const auto spanned = spannedAxes(cells.grid);
     joinAcrossPeriods(spanned);
     const auto nodeOf = [&](std::uint32_t side, const Index3& cell) {
-      const auto piece = pieceInPeriod(cells, spanned, side);
-      if (piece < pieces) return piece;
       const auto own = inPeriod(cells.grid, spanned, cell);
-      return side == CutCells::kWholeCell && box.contains(own) ? pieces + runOf(own) : kNone;
+      const auto node = sideInPeriod(cells, spanned, cell, side);
+      if (node < pieces) return node;
+      return node == CutCells::kWholeCell && box.contains(own) ? pieces + runOf(own) : kNone;
     };
     const auto& arcs = cells.arcs;
     for (std::size_t a = 0; a < arcs.area.size(); ++a) {

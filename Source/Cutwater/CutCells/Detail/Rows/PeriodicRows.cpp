@@ -171,13 +171,17 @@ Index3 inPeriod(const CellPlanes& grid, const SpannedAxes& spanned, Index3 cell)
   return cell;
 }
 
-std::uint32_t pieceInPeriod(const CutCells& cells, const SpannedAxes& spanned,
-                            std::uint32_t piece) {
-  if (piece < cells.pieceCount || piece >= cells.pieces.cell.size()) return piece;
-  const auto row = cells.pieces.cell[piece];
-  const auto own = cells.rowOf(inPeriod(cells.grid, spanned, cells.cells.index[row]));
+std::uint32_t sideInPeriod(const CutCells& cells, const SpannedAxes& spanned, const Index3& cell,
+                           std::uint32_t side) {
+  const auto there = inPeriod(cells.grid, spanned, cell);
+  if (there == cell || side < cells.pieceCount || side == CutCells::kBeyond) return side;
+  if (side == CutCells::kWholeCell) {
+    return cells.classOf(there) == FluidClass::Fluid ? side : CutCells::kBeyond;
+  }
+  const auto own = cells.rowOf(there);
   if (own == CutCells::kNoRow) return CutCells::kBeyond;
-  const auto same = cells.cells.firstPiece[own] + (piece - cells.cells.firstPiece[row]);
+  const auto first = cells.cells.firstPiece[cells.pieces.cell[side]];
+  const auto same = cells.cells.firstPiece[own] + (side - first);
   return same < cells.cells.firstPiece[own + 1] ? same : CutCells::kBeyond;
 }
 
@@ -193,10 +197,11 @@ CutCells withJoinedEnds(const CutCells& cells, const SpannedAxes& spanned) {
     if (spanned[a] && coordinate(it.cell, a) > coordinate(hi, a)) {
       // Arcs between two pieces, and those below a piece, are at the low end as well.
       if (it.above < cells.pieces.cell.size()) continue;
+      it.above = sideInPeriod(cells, spanned, it.cell, it.above);
       coordinate(it.cell, a) = coordinate(lo, a);
       it.plane = endsOf(cells.grid, a)[0];
     }
-    it.below = pieceInPeriod(cells, spanned, it.below);
+    it.below = sideInPeriod(cells, spanned, cells.arcs.cellBelow(arc), it.below);
     joined.push_back(it);
   }
   replaceArcs(result, std::move(joined));

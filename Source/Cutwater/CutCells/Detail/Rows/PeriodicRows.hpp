@@ -12,10 +12,10 @@ using SpannedAxes = std::array<bool, 3>;
 /// A cell of the box for one beyond it, along axes that the box spans.
 [[nodiscard]] Index3 inPeriod(const CellPlanes& grid, const SpannedAxes& spanned, Index3 cell);
 
-/// The piece of the box that one beyond it is, or what stands in its place: kBeyond if there is
-/// none.
-[[nodiscard]] std::uint32_t pieceInPeriod(const CutCells& cells, const SpannedAxes& spanned,
-                                          std::uint32_t piece);
+/// What is beside an arc in a cell, as the box has it: of a piece beyond the box that of the box;
+/// kBeyond if the box knows nothing such.
+[[nodiscard]] std::uint32_t sideInPeriod(const CutCells& cells, const SpannedAxes& spanned,
+                                         const Index3& cell, std::uint32_t side);
 
 /// The rows with each arc between both ends of a period once, at the low end, where it lies between
 /// two pieces of the box; what is below it is at the high end. Without polygons.
