@@ -12,19 +12,19 @@
 
 namespace cutwater::test {
 
-inline std::vector<double> planes(int cells, double lower, double width) {
+inline std::vector<double> planesOfPeriod(int cells, double lower, double width) {
   std::vector<double> result;
   for (int n = 0; n <= cells; ++n) result.push_back(lower + n * (width / cells));
   return result;
 }
 
 /// The pieces of a cell, and what is open in its faces, but for where it is.
-struct CellContent {
+struct RepeatedCell {
   std::vector<double> numbers;
   std::vector<Vec3<double>> points;
 };
-inline CellContent contentOf(const CutCells& cells, const Index3& cell) {
-  CellContent result;
+inline RepeatedCell repeatedCell(const CutCells& cells, const Index3& cell) {
+  RepeatedCell result;
   result.numbers.push_back(static_cast<double>(cells.classOf(cell)));
   const auto row = cells.rowOf(cell);
   if (row == CutCells::kNoRow) return result;
@@ -61,7 +61,7 @@ inline CellContent contentOf(const CutCells& cells, const Index3& cell) {
 }
 
 /// Compares a cell with one a number of periods below it: the same bits, but for the shift.
-inline void expectSameBut(const CellContent& one, const CellContent& other,
+inline void expectSameBut(const RepeatedCell& one, const RepeatedCell& other,
                           const Vec3<double>& shift) {
   ASSERT_EQ(one.numbers, other.numbers);
   ASSERT_EQ(one.points.size(), other.points.size());
@@ -77,7 +77,7 @@ inline void expectRepeats(const CellCutter& cutter, int n, double lower,
   std::array<std::vector<double>, 3> across;
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
-    across[a] = planes(n, lower, period[axis] > 0 ? period[axis] : 1);
+    across[a] = planesOfPeriod(n, lower, period[axis] > 0 ? period[axis] : 1);
   }
   const auto whole =
       cutter.cut(cutter.cellsOfPeriod(across, {}, IndexBox::ofSize(n, n, n)), options);
@@ -99,7 +99,7 @@ inline void expectRepeats(const CellCutter& cutter, int n, double lower,
           const Vec3<double> shift{periods(i) * period.x, periods(j) * period.y,
                                    periods(k) * period.z};
           ASSERT_NO_FATAL_FAILURE(
-              expectSameBut(contentOf(part, {i, j, k}), contentOf(whole, same), shift))
+              expectSameBut(repeatedCell(part, {i, j, k}), repeatedCell(whole, same), shift))
               << i << " " << j << " " << k;
         }
       }

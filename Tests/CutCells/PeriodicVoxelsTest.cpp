@@ -18,7 +18,7 @@
 namespace cutwater::test {
 namespace {
 
-using Place = std::array<int, 3>;
+using VoxelPlace = std::array<int, 3>;
 
 /// A set of voxels that repeats after n along each axis, of which no two touch along an edge or in
 /// a vertex only, and the same of what is not in it.
@@ -38,13 +38,14 @@ class VoxelTorus {
 
   [[nodiscard]] int size() const { return n_; }
   [[nodiscard]] std::size_t count() const { return voxels_.size(); }
-  [[nodiscard]] bool has(const Place& p) const { return voxels_.contains(within(p)); }
-  [[nodiscard]] Place within(const Place& p) const {
+  [[nodiscard]] bool has(const VoxelPlace& p) const { return voxels_.contains(within(p)); }
+  [[nodiscard]] VoxelPlace within(const VoxelPlace& p) const {
     return {(p[0] % n_ + n_) % n_, (p[1] % n_ + n_) % n_, (p[2] % n_ + n_) % n_};
   }
 
   /// Those from `lower` up to, but without, `upper`, as a mesh.
-  [[nodiscard]] MeshSDF<double> mesh(const Place& lower, const Place& upper, double width) const {
+  [[nodiscard]] MeshSDF<double> mesh(const VoxelPlace& lower, const VoxelPlace& upper,
+                                     double width) const {
     VoxelSolid solid(width);
     for (int x = lower[0]; x < upper[0]; ++x) {
       for (int y = lower[1]; y < upper[1]; ++y) {
@@ -58,10 +59,11 @@ class VoxelTorus {
 
  private:
   /// Fills a voxel at a node unless both kinds are joined by faces there.
-  bool closeAt(const Place& node) {
+  bool closeAt(const VoxelPlace& node) {
     const auto voxel = [&](unsigned c) {
-      return Place{node[0] - static_cast<int>(c & 1U), node[1] - static_cast<int>(c >> 1U & 1U),
-                   node[2] - static_cast<int>(c >> 2U)};
+      return VoxelPlace{node[0] - static_cast<int>(c & 1U),
+                        node[1] - static_cast<int>(c >> 1U & 1U),
+                        node[2] - static_cast<int>(c >> 2U)};
     };
     unsigned body = 0;
     for (unsigned c = 0; c < 8; ++c) body |= (has(voxel(c)) ? 1U : 0U) << c;
@@ -85,7 +87,7 @@ class VoxelTorus {
   }
 
   int n_;
-  std::set<Place> voxels_;
+  std::set<VoxelPlace> voxels_;
 };
 
 /// Counts, and the volumes of pieces, in ascending order.
@@ -110,18 +112,18 @@ std::vector<double> openBelow(const CutCells& cells, const Index3& cell, int axi
   std::ranges::sort(result);
   return result;
 }
-void expectNear(const std::vector<double>& one, const std::vector<double>& other) {
+void expectSameShares(const std::vector<double>& one, const std::vector<double>& other) {
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t n = 0; n < one.size(); ++n) ASSERT_NEAR(one[n], other[n], 1e-12);
 }
 
 /// The parts of the torus that are free of voxels, by their number of voxels.
 std::vector<int> freeParts(const VoxelTorus& torus) {
-  std::set<Place> seen;
+  std::set<VoxelPlace> seen;
   std::vector<int> sizes;
   const int n = torus.size();
   for (int v = 0; v < n * n * n; ++v) {
-    std::vector<Place> pending{{v % n, v / n % n, v / n / n}};
+    std::vector<VoxelPlace> pending{{v % n, v / n % n, v / n / n}};
     int size = 0;
     while (!pending.empty()) {
       const auto p = torus.within(pending.back());
@@ -162,18 +164,19 @@ TEST(PeriodicVoxelsTest, WrappedVoxelsAreTheMiddleOfMany) {
     const CellCutter reference(many);
     for (const int n : {4, 5}) {
       const double lower = n == 4 ? 0 : 0.0317;  // in planes of walls, or beside them
-      const auto across = planes(n, lower, period);
+      const auto across = planesOfPeriod(n, lower, period);
       const auto cells =
           cutter.cut(cutter.cellsOfPeriod({across, across, across}, {}, IndexBox::ofSize(n, n, n)));
       const auto expected = reference.cut(cellsBetween({across, across, across}));
       expectIdentities(cells, 1e-13);
       for (int c = 0; c < n * n * n; ++c) {
         const Index3 cell{c % n, c / n % n, c / n / n};
-        ASSERT_NO_FATAL_FAILURE(expectNear(volumesIn(cells, cell), volumesIn(expected, cell)));
+        ASSERT_NO_FATAL_FAILURE(
+            expectSameShares(volumesIn(cells, cell), volumesIn(expected, cell)));
         severalPieces += volumesIn(cells, cell).size() > 1 ? 1 : 0;
         for (int axis = 0; axis < 3; ++axis) {
           ASSERT_NO_FATAL_FAILURE(
-              expectNear(openBelow(cells, cell, axis), openBelow(expected, cell, axis)));
+              expectSameShares(openBelow(cells, cell, axis), openBelow(expected, cell, axis)));
         }
       }
       const CutRegions fluid(cells);
@@ -228,7 +231,7 @@ TEST(PeriodicVoxelsTest, CoarserCellsAreThoseThatCuttingGives) {
     const Solid<double> one(torus.mesh({0, 0, 0}, {6, 6, 6}, 0.125));
     const CellCutter cutter(one, FluidSide::Outside, {.period = {0.75, 0.75, 0.75}});
     const auto cellsOf = [&](int n, double lower) {
-      const auto across = planes(n, lower, 0.75);
+      const auto across = planesOfPeriod(n, lower, 0.75);
       return cutter.cut(
           cutter.cellsOfPeriod({across, across, across}, {}, IndexBox::ofSize(n, n, n)),
           {.moments = 2});
@@ -242,10 +245,11 @@ TEST(PeriodicVoxelsTest, CoarserCellsAreThoseThatCuttingGives) {
       static_cast<void>(toBytes(coarse));
       for (int c = 0; c < 64; ++c) {
         const Index3 cell{c % 4, c / 4 % 4, c / 16};
-        ASSERT_NO_FATAL_FAILURE(expectNear(volumesIn(coarse, cell), volumesIn(expected, cell)));
+        ASSERT_NO_FATAL_FAILURE(
+            expectSameShares(volumesIn(coarse, cell), volumesIn(expected, cell)));
         for (int axis = 0; axis < 3; ++axis) {
           ASSERT_NO_FATAL_FAILURE(
-              expectNear(openBelow(coarse, cell, axis), openBelow(expected, cell, axis)));
+              expectSameShares(openBelow(coarse, cell, axis), openBelow(expected, cell, axis)));
         }
       }
       ASSERT_EQ(coarse.cellCount, expected.cellCount);
@@ -270,7 +274,7 @@ TEST(PeriodicVoxelsTest, MergedCellsCloseThroughTheEnds) {
     const Solid<double> one(torus.mesh({0, 0, 0}, {6, 6, 6}, 0.125));
     const CellCutter cutter(one, FluidSide::Outside, {.period = {0.75, 0.75, 0.75}});
     for (const int n : {2, 4, 5}) {
-      const auto across = planes(n, 0.0317, 0.75);
+      const auto across = planesOfPeriod(n, 0.0317, 0.75);
       const auto cells =
           cutter.cut(cutter.cellsOfPeriod({across, across, across}, {}, IndexBox::ofSize(n, n, n)),
                      {.moments = 1});

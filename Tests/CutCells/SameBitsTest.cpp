@@ -69,16 +69,16 @@ TEST(SameBitsTest, ThreadsDoNotMatter) {
 
 using Numbers = std::vector<double>;
 
-void add(const Vec3<double>& v, Numbers& to) {
+void addVector(const Vec3<double>& v, Numbers& to) {
   to.insert(to.end(), {v.x, v.y, v.z});
 }
 template <typename Values>
-void addAll(const Values& values, Numbers& to) {
+void addValues(const Values& values, Numbers& to) {
   for (const auto& value : values) {
     if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>) {
       to.push_back(value);
     } else {
-      add(value, to);
+      addVector(value, to);
     }
   }
 }
@@ -89,61 +89,61 @@ double ordinal(const CutCells& cells, std::uint32_t side) {
   return side - cells.cells.firstPiece[cells.pieces.cell[side]];
 }
 
-void addPiece(const CutCells& cells, std::uint32_t p, Numbers& to) {
+void addNumbersOfPiece(const CutCells& cells, std::uint32_t p, Numbers& to) {
   const auto& pieces = cells.pieces;
   to.push_back(pieces.volume[p]);
   to.push_back(pieces.wallArea[p]);
   to.push_back(pieces.wallFaces[p]);
   for (const auto& v : {pieces.centroid[p], pieces.wallVector[p], pieces.wallCentroid[p]}) {
-    add(v, to);
+    addVector(v, to);
   }
   if (cells.moments.degree >= 0) {
-    addAll(cells.moments.ofVolume(p), to);
-    addAll(cells.moments.ofWall(p), to);
-    addAll(cells.moments.ofWallVector(p), to);
+    addValues(cells.moments.ofVolume(p), to);
+    addValues(cells.moments.ofWall(p), to);
+    addValues(cells.moments.ofWallVector(p), to);
   }
   const auto& parts = cells.wallParts;
   for (std::size_t n = 0; n < parts.piece.size(); ++n) {
     if (parts.piece[n] != p) continue;
     to.push_back(parts.patch[n]);
     to.push_back(parts.area[n]);
-    add(parts.vector[n], to);
-    add(parts.centroid[n], to);
+    addVector(parts.vector[n], to);
+    addVector(parts.centroid[n], to);
     if (cells.firstWallPolygon.empty()) continue;
     for (auto i = cells.firstWallPolygon[n]; i < cells.firstWallPolygon[n + 1]; ++i) {
-      addAll(cells.wallPolygons.of(i), to);
+      addValues(cells.wallPolygons.of(i), to);
     }
   }
 }
 
-void addArc(const CutCells& cells, std::size_t a, Numbers& to) {
+void addNumbersOfArc(const CutCells& cells, std::size_t a, Numbers& to) {
   to.push_back(cells.arcs.axis[a]);
   to.push_back(cells.arcs.area[a]);
   to.push_back(ordinal(cells, cells.arcs.below[a]));
   to.push_back(ordinal(cells, cells.arcs.above[a]));
-  add(cells.arcs.centroid[a], to);
-  if (cells.moments.degree >= 0) addAll(cells.moments.ofArc(a), to);
-  if (!cells.firstWallPolygon.empty()) addAll(cells.arcPolygons.of(a), to);
+  addVector(cells.arcs.centroid[a], to);
+  if (cells.moments.degree >= 0) addValues(cells.moments.ofArc(a), to);
+  if (!cells.firstWallPolygon.empty()) addValues(cells.arcPolygons.of(a), to);
 }
 
-using Place = std::array<int, 3>;
-Place placeOf(const Index3& cell) {
+using CellKey = std::array<int, 3>;
+CellKey keyOfCell(const Index3& cell) {
   return {cell.i, cell.j, cell.k};
 }
 
 /// All that is said of each cell of the box that is cut, and of its faces.
-std::map<Place, Numbers> contentOf(const CutCells& cells) {
-  std::map<Place, Numbers> result;
+std::map<CellKey, Numbers> cellContents(const CutCells& cells) {
+  std::map<CellKey, Numbers> result;
   for (std::uint32_t row = 0; row < cells.cellCount; ++row) {
-    auto& numbers = result[placeOf(cells.cells.index[row])];
+    auto& numbers = result[keyOfCell(cells.cells.index[row])];
     numbers = {double(cells.cells.fluidCorners[row]), double(cells.cells.meets[row])};
     for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
-      addPiece(cells, p, numbers);
+      addNumbersOfPiece(cells, p, numbers);
     }
   }
   for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
     for (const auto& cell : {cells.arcs.cellBelow(a), cells.arcs.cell[a]}) {
-      if (cells.rowOf(cell) != CutCells::kNoRow) addArc(cells, a, result[placeOf(cell)]);
+      if (cells.rowOf(cell) != CutCells::kNoRow) addNumbersOfArc(cells, a, result[keyOfCell(cell)]);
     }
   }
   return result;
@@ -154,11 +154,11 @@ TEST(SameBitsTest, BoxesDoNotMatter) {
   for (const auto& solid : solids()) {
     const CellCutter cutter(solid);
     for (const auto& options : kOptions) {
-      const auto whole = contentOf(cutter.cut(boxOfCells({0, 0, 0}, {23, 23, 23}), options));
+      const auto whole = cellContents(cutter.cut(boxOfCells({0, 0, 0}, {23, 23, 23}), options));
       std::size_t compared = 0;
       for (const Index3 lo : {Index3{3, 0, 5}, Index3{10, 7, 1}, Index3{6, 11, 9}}) {
         const Index3 hi{lo.i + 12, lo.j + 9, lo.k + 6};
-        const auto part = contentOf(cutter.cut(boxOfCells(lo, hi), options));
+        const auto part = cellContents(cutter.cut(boxOfCells(lo, hi), options));
         compared += part.size();
         for (const auto& [cell, numbers] : part) {
           const auto found = whole.find(cell);

@@ -43,7 +43,7 @@ bool leavesOut(const Triangle& triangle, std::size_t edge, int axis,
 }
 
 /// The places of a triangle along an axis.
-Interval<double> extent(const Triangle& triangle, int axis) {
+Interval<double> rangeAlong(const Triangle& triangle, int axis) {
   const auto [lower, upper] =
       std::minmax({triangle[0][axis], triangle[1][axis], triangle[2][axis]});
   return {lower, upper};
@@ -67,7 +67,7 @@ bool hasPartIn(const Triangle& triangle, const GridPlanes& planes, const TilePla
     corners[n][d] = planes.at(d, cell[asIndex(d)] + static_cast<int>(n / 2));
   }
   for (const int along : {c, d}) {
-    const auto [lower, upper] = extent(triangle, along);
+    const auto [lower, upper] = rangeAlong(triangle, along);
     if (upper <= corners[0][along] || lower >= corners[3][along]) return false;
   }
   for (std::size_t edge = 0; edge < 3; ++edge) {

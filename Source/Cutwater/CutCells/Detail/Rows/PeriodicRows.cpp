@@ -62,7 +62,7 @@ void replaceArcs(CutCells& cells, std::vector<ChangedArc> changed) {
   cells.moments.arc = std::move(moments);
 }
 
-ChangedArc arcOf(const CutCells& cells, std::uint32_t arc) {
+ChangedArc unchangedArc(const CutCells& cells, std::uint32_t arc) {
   const auto& arcs = cells.arcs;
   return {arc,
           arcs.cell[arc],
@@ -192,7 +192,7 @@ CutCells withJoinedEnds(const CutCells& cells, const SpannedAxes& spanned) {
   auto [lo, hi] = cells.grid.indices();
   std::vector<ChangedArc> joined;
   for (std::uint32_t arc = 0; arc < cells.arcs.area.size(); ++arc) {
-    auto it = arcOf(cells, arc);
+    auto it = unchangedArc(cells, arc);
     const std::size_t a = it.axis;
     if (spanned[a] && coordinate(it.cell, a) > coordinate(hi, a)) {
       // Arcs between two pieces, and those below a piece, are at the low end as well.
@@ -215,7 +215,7 @@ void separateEnds(CutCells& cells, const SpannedAxes& spanned) {
   std::vector<ChangedArc> separate;
   std::vector<std::pair<std::size_t, bool>> wanted;  // arcs whose side leads beyond, and which
   for (std::uint32_t arc = 0; arc < cells.arcs.area.size(); ++arc) {
-    const auto it = arcOf(cells, arc);
+    const auto it = unchangedArc(cells, arc);
     const std::size_t a = it.axis;
     auto place = it.cell;
     if (!spanned[a] || coordinate(place, a) != coordinate(lo, a)) {

@@ -14,9 +14,9 @@ namespace {
 
 /// Of the largest coordinate in units: planes may be four times as far away. With fewer, triangles
 /// in one plane would not stay in it within SheetTree::kNear.
-constexpr int kBits = 50;
+constexpr int kUnitBits = 50;
 /// In periods: images that are so near are taken to touch.
-constexpr double kTouching = 1e-9;
+constexpr double kTouchingImages = 1e-9;
 
 std::int64_t inUnits(const CutPeriod& period, double x) {
   return static_cast<std::int64_t>(x / period.unit);
@@ -27,9 +27,9 @@ std::array<int, 2> imagesAlong(const Box<double>& body, const CutPeriod& period,
   if (!period.isOn(axis)) return {0, 0};
   const double length = period.length[axis];
   const double start = period.start[axis];
-  auto first = static_cast<int>(std::ceil((start - body.upper[axis]) / length - kTouching));
-  auto last = static_cast<int>(
-      std::floor((start + CutPeriod::kReach * length - body.lower[axis]) / length + kTouching));
+  auto first = static_cast<int>(std::ceil((start - body.upper[axis]) / length - kTouchingImages));
+  auto last = static_cast<int>(std::floor(
+      (start + CutPeriod::kReach * length - body.lower[axis]) / length + kTouchingImages));
   // Those that touch these: vertices that they share are to be moved by the triangles of both.
   if (body.upper[axis] - body.lower[axis] >= length) --first, ++last;
   return {first, last};
@@ -92,7 +92,7 @@ CutPeriod periodOf(const Box<double>& body, const Vec3<double>& length) {
     largest = std::max(largest, length[axis]);
   }
   if (!period.isOnAny()) return period;
-  period.unit = std::ldexp(1.0, std::ilogb(largest) + 1 - kBits);
+  period.unit = std::ldexp(1.0, std::ilogb(largest) + 1 - kUnitBits);
   for (int axis = 0; axis < 3; ++axis) {
     if (length[axis] == 0) continue;
     period.length[axis] = period.rounded(length[axis]);
