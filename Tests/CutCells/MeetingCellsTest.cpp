@@ -9,6 +9,7 @@
 
 #include "CutCells/BoxUnions.hpp"
 #include "CutCells/ShellCells.hpp"
+#include "CutCells/Tetrahedra.hpp"
 #include "Support/Scale.hpp"
 
 namespace cutwater::test {
@@ -137,6 +138,68 @@ TEST(MeetingCellsTest, CoarserCellsAreThoseOfTheUnion) {
   double lost = 0;
   for (const auto& piece : single.lost) lost += piece.volume;
   EXPECT_NEAR(check(single.cells).bodyVolume, check(fine).bodyVolume + lost, 1e-14);
+}
+
+double fluidIn(const CutCells& cells, const Index3& cell) {
+  const auto row = cells.rowOf(cell);
+  if (row == CutCells::kNoRow) {
+    return cells.classOf(cell) == FluidClass::Fluid ? cells.cellVolume(cell) : 0;
+  }
+  double sum = 0;
+  for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
+    sum += cells.pieces.volume[p];
+  }
+  return sum;
+}
+
+/// No piece without volume has an open part of a face.
+void expectNoFilms(const CutCells& cells) {
+  for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
+    if (cells.arcs.area[a] < 1e-9) continue;
+    for (const auto piece : {cells.arcs.below[a], cells.arcs.above[a]}) {
+      if (piece >= cells.pieceCount) continue;
+      EXPECT_GT(cells.pieces.volume[piece], 1e-12);
+    }
+  }
+}
+
+/// Corners are nodes of the grid or halfway between these, so edges and triangles lie in its planes
+/// and lines, and touch there. All tetrahedra have a corner in common.
+TEST(MeetingCellsTest, BothSidesOfTetrahedraFillAllCells) {
+  std::mt19937 random(5);
+  std::size_t meeting = 0;
+  for (int round = 0; round < scaled(100) && !HasFailure(); ++round) {
+    const auto corner = [&] { return 0.5 + 0.5 * static_cast<double>(random() % 7); };
+    const auto point = [&] { return Vec3<double>{corner(), corner(), corner()}; };
+    const auto common = point();
+    PolygonSoup soup;
+    for (int left = 1 + round % 3; left > 0;) {
+      const auto one = tetrahedronOf({common, point(), point(), point()});
+      if (volumeOf(one) == 0) continue;
+      soup = joined({soup, one});
+      --left;
+    }
+    const double width = std::array{0.5, 1.0, 2.0}[static_cast<std::size_t>(round) / 3 % 3];
+    std::vector<double> planes;
+    for (double x = 0; x <= 4.5; x += width) planes.push_back(x);
+    const auto grid = cellsBetween({planes, planes, planes});
+    const auto solid = solidOf(soup);
+    const auto outside = CellCutter(solid).cut(grid, {.moments = 1});
+    const auto inside = CellCutter(solid, FluidSide::Inside).cut(grid, {.moments = 1});
+    for (const auto& cells : {outside, inside}) {
+      expectClosed(cells);
+      expectNoFilms(cells);
+      EXPECT_LT(check(cells).worstMoments, 1e-12);
+    }
+    meeting += check(outside).meetingCells;
+    const auto box = grid.indices();
+    for (std::uint32_t n = 0; n < box.count(); ++n) {
+      const auto side = static_cast<std::uint32_t>(planes.size() - 1);
+      const auto cell = box.at(n % side, n / side % side, n / side / side);
+      ASSERT_NEAR(fluidIn(outside, cell) + fluidIn(inside, cell), outside.cellVolume(cell), 1e-13);
+    }
+  }
+  EXPECT_GT(meeting, 500U);
 }
 
 /// The least of some times that one cell around two balls takes.

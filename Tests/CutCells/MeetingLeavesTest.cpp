@@ -12,6 +12,7 @@
 #include "CutCells/RandomLeaves.hpp"
 #include "CutCells/SameRows.hpp"
 #include "CutCells/ShellCells.hpp"
+#include "CutCells/Tetrahedra.hpp"
 #include "Support/Scale.hpp"
 
 namespace cutwater::test {
@@ -80,6 +81,29 @@ TEST(MeetingLeavesTest, UnionsOfBoxesInPlanesOfLeaves) {
     expectUnion(boxes, randomMesh(random, 3 + n % 2, 0, 1, 75), sum);
   }
   EXPECT_GT(sum.meeting, 500U);
+}
+
+/// Edges and triangles lie in planes and lines of leaves of some levels: behind the faces of finer
+/// leaves, films without volume are all that a triangle has.
+TEST(MeetingLeavesTest, TetrahedraInPlanesOfLeaves) {
+  std::mt19937 random(35);
+  const auto corner = [&] { return (1 + static_cast<double>(random() % 7)) / 8; };
+  for (int n = 0; n < scaled(300) && !HasFailure();) {
+    const auto soup = tetrahedraOf(1, [&] { return Vec3<double>{corner(), corner(), corner()}; });
+    if (volumeOf(soup) == 0) continue;
+    const auto mesh = randomMesh(random, 3 + n % 2, 0, 1, 75);
+    for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+      // Films may part an arc on one level and not on another.
+      const CellCutter cutter(solidOf(soup), side);
+      const auto leaves = cutter.cut(mesh);
+      const auto fine = cutter.cut(finestOf(mesh));
+      expectIdentities(leaves, 1e-12);
+      EXPECT_NEAR(check(leaves).bodyVolume, check(fine).bodyVolume, 1e-13);
+      EXPECT_NEAR(check(leaves).wallArea, check(fine).wallArea, 1e-12);
+      EXPECT_EQ(CutRegions(leaves, mesh).regions().size(), CutRegions(fine).regions().size());
+    }
+    ++n;
+  }
 }
 
 TEST(MeetingLeavesTest, BallsThatOverlap) {

@@ -32,10 +32,16 @@ std::uint32_t traceBelow(std::span<const FaceTrace> traces, const FaceAxes& axes
   return found;
 }
 
-/// The stretch in which a ray ends that meets no trace before the edge.
+/// Whether the fluid is above a trace, along the second axis: on its left.
+bool facesUp(const FaceTrace& trace, const FaceAxes& axes) {
+  return trace.to[axes.first] > trace.from[axes.first];
+}
+
+/// The stretch in which a ray ends that meets no trace before the edge; like traces, without its
+/// upper end.
 std::size_t stretchAt(std::span<const EdgeStretch> stretches, double position) {
   std::size_t s = 0;
-  while (s + 1 < stretches.size() && position > stretches[s].to) ++s;
+  while (s + 1 < stretches.size() && position >= stretches[s].to) ++s;
   return s;
 }
 
@@ -183,22 +189,24 @@ class FacePieces::Builder {
 
   /// The trace that a ray from the point meets first, down the second axis; not those of the set
   /// `except`.
-  [[nodiscard]] std::uint32_t otherBelow(const Vec3<double>& p, std::uint32_t except) {
+  [[nodiscard]] std::uint32_t otherBelow(const Vec3<double>& p, std::uint32_t except,
+                                         bool isInFluid = false) {
     return traceBelow(traces_, axes_, p, [&](std::uint32_t i) {
       const auto root = sets_.find(i);
+      if (isInFluid && !facesUp(traces_[i], axes_)) return false;
       return root != sets_.find(except) && isNothing_[root] == 0;
     });
   }
   [[nodiscard]] bool isFluidBelow(const Vec3<double>& p, std::uint32_t except) {
     const auto found = otherBelow(p, except);
-    if (found != kNone) return traces_[found].to[axes_.first] > traces_[found].from[axes_.first];
+    if (found != kNone) return facesUp(traces_[found], axes_);
     return std::ranges::any_of(stretches_[0], [&](const EdgeStretch& stretch) {
-      return stretch.from <= p[axes_.first] && p[axes_.first] <= stretch.to;
+      return stretch.from <= p[axes_.first] && p[axes_.first] < stretch.to;
     });
   }
-  /// What the ray meets first.
+  /// What the ray meets first, from a point around which the fluid is: of a film, the upper side.
   [[nodiscard]] std::uint32_t below(const Vec3<double>& p, std::uint32_t except) {
-    const auto found = otherBelow(p, except);
+    const auto found = otherBelow(p, except, true);
     if (found != kNone) return found;
     // Nothing there only if rounding hides it.
     if (stretches_[0].empty()) return except;
@@ -326,7 +334,7 @@ std::vector<FaceRegions::Region> FacePieces::regionsOn(std::uint32_t face) const
   auto regions = copied(FaceRegions(surface_, stretches_, planes_, face));
   for (auto& region : regions) {
     if (region.part == kNone) continue;
-    region.part = isCut(face) ? at(face, middleOf(region.polygon)) : kNone;
+    region.part = isCut(face) ? at(face, region.point) : kNone;
   }
   return regions;
 }
@@ -336,7 +344,7 @@ std::uint32_t FacePieces::at(std::uint32_t face, const Vec3<double>& point) cons
   const FaceAxes axes(surface_.numbers().axisOfFace(face));
   const auto traces = surface_.traces().subspan(cut.firstTrace, cut.lastTrace - cut.firstTrace);
   const auto found = traceBelow(traces, axes, point, [&](std::uint32_t i) {
-    return !pieces_[ofTrace_[cut.firstTrace + i]].isNothing;
+    return facesUp(traces[i], axes) && !pieces_[ofTrace_[cut.firstTrace + i]].isNothing;
   });
   if (found != kNone) return ofTrace_[cut.firstTrace + found];
   const auto edge = edgeOfFace(axes.across, surface_.numbers().placeOfFace(face), 0);

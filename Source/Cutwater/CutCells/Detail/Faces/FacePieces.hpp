@@ -48,7 +48,7 @@ class FacePieces {
     const auto& cut = cutFaces_[cutFace(face)];
     return {cut.firstTrace, cut.lastTrace};
   }
-  /// The part that a point of a cut face lies in, as far as rounding tells.
+  /// The part in which a point of a cut face lies that is in the fluid, as far as rounding tells.
   [[nodiscard]] std::uint32_t at(std::uint32_t face, const Vec3<double>& point) const;
 
  private:

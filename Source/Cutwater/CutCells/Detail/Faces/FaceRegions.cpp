@@ -68,7 +68,9 @@ FaceRegions::FaceRegions(const TileSurface& surface, const EdgeStretches& stretc
                 for (auto& p : polygon) p[axis_] = plane;
                 regionOf[leaf] = static_cast<std::uint32_t>(regions_.size());
                 const int winding = windings.at(points[leaf]);
-                regions_.push_back({std::move(polygon), winding <= 0, kNone});
+                auto point = points[leaf];
+                point[axis_] = plane;
+                regions_.push_back({std::move(polygon), point, winding <= 0, kNone});
               });
   detail::DisjointSets sets(regions_.size());
   for (const auto& portal : tree.portals()) {

@@ -20,6 +20,7 @@ class FaceRegions {
  public:
   struct Region {
     SheetTree::Polygon polygon;  ///< counterclockwise as seen against the face's axis
+    Vec3<double> point;          ///< within it; not in a place that symmetry would make special
     bool isFluid = false;
     std::uint32_t part = kNone;  ///< the open part that it belongs to
   };

@@ -78,6 +78,19 @@ void CoarseFace::findBehind(Part& part) const {
     part.behind = wall->piece;
     if (part.behind != kNone) return;
   }
+  // Behind what has an area there is a piece, even if all of its rim belongs to films.
+  const auto& arc = sources_.tileOf(sources_.of(part.leaf)).cut.content.arcs[part.arc];
+  if (arc.area > PieceSums::nothing(size())) part.behind = kUnknown;
+}
+
+Vec3<double> CoarseFace::size() const {
+  const auto& [index, level, kind] = grid_.leaves()[sources_.source(coarse_).leaf];
+  Vec3<double> size;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto cell = along(index, axis);
+    size[axis] = grid_.planeInFrame(level, axis, cell + 1) - grid_.planeInFrame(level, axis, cell);
+  }
+  return size;
 }
 
 Vec3<double> CoarseFace::pointIn(const Part& part) const {

@@ -82,11 +82,11 @@ class RimNotes {
   void addInnerPoints(std::uint32_t face) {
     const int axis = parts_.surface.numbers().axisOfFace(face);
     std::map<std::uint32_t, std::pair<double, Vec3<double>>> largest;
-    for (const auto& [polygon, isFluid, part] : parts_.faces.regionsOn(face)) {
-      if (part == kNone) continue;
-      const double area = twiceArea(polygon)[axis];
-      const auto found = largest.try_emplace(part, -1.0, Vec3<double>{}).first;
-      if (area > found->second.first) found->second = {area, middleOf(polygon)};
+    for (const auto& region : parts_.faces.regionsOn(face)) {
+      if (region.part == kNone) continue;
+      const double area = twiceArea(region.polygon)[axis];
+      const auto found = largest.try_emplace(region.part, -1.0, Vec3<double>{}).first;
+      if (area > found->second.first) found->second = {area, region.point};
     }
     for (const auto& [arc, best] : largest) tile_.rims.innerPoints.push_back({arc, best.second});
   }
@@ -94,11 +94,12 @@ class RimNotes {
     const auto face = tile_.faceOf(row, axis, isHigh);
     const auto& arcs = tile_.cut.content.arcs;
     const auto whole = tile_.arcsOf(face);  // if it is not cut
-    for (auto& [polygon, isFluid, part] : parts_.faces.regionsOn(face)) {
-      if (!isFluid) continue;
-      if (part == kNone && whole.empty()) continue;
-      const auto& arc = arcs[part == kNone ? whole.front().second : part];
-      tile_.rims.openRegions.push_back({face, isHigh ? arc.below : arc.above, std::move(polygon)});
+    for (auto& region : parts_.faces.regionsOn(face)) {
+      if (!region.isFluid) continue;
+      if (region.part == kNone && whole.empty()) continue;
+      const auto& arc = arcs[region.part == kNone ? whole.front().second : region.part];
+      tile_.rims.openRegions.push_back(
+          {face, isHigh ? arc.below : arc.above, std::move(region.polygon)});
     }
   }
 

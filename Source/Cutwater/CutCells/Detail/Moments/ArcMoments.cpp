@@ -37,7 +37,7 @@ void ArcMoments::addCutFace(std::uint32_t face) {
 }
 
 void ArcMoments::addRegions(std::uint32_t face, int across) {
-  for (const auto& [polygon, isFluid, part] : faces_.regionsOn(face)) {
+  for (const auto& [polygon, point, isFluid, part] : faces_.regionsOn(face)) {
     if (part == kNone) continue;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
       addRimPart(part, {polygon[k], polygon[(k + 1) % polygon.size()]}, across);

@@ -182,7 +182,7 @@ class CellBuilder {
         if ((a.y <= p.y) == (b.y <= p.y)) continue;
         if (p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) isInside = !isInside;
       }
-      if (!isInside) continue;
+      if (!isInside || !(normal.z > 0)) continue;  // the fluid is above what it meets
       const double z = points[0].z -
                        (normal.x * (p.x - points[0].x) + normal.y * (p.y - points[0].y)) / normal.z;
       if (z <= p.z && z > best) found = i, best = z;

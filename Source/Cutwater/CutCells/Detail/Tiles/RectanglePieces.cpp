@@ -52,7 +52,7 @@ class Finder {
   }
 
   void findRims() {
-    for (const auto& [polygon, isFluid, part] : regions_.regions()) {
+    for (const auto& [polygon, point, isFluid, part] : regions_.regions()) {
       if (part == kNone) continue;
       for (std::size_t k = 0; k < polygon.size(); ++k) {
         const auto& p = polygon[k];
