@@ -234,9 +234,12 @@ std::vector<Row> piecesOf(const CutCells& cells, std::uint32_t row) {
   return rows;
 }
 
+/// By face: the cell above it and the axis across it.
+using ArcRows = std::map<std::pair<Place, std::size_t>, std::vector<Row>>;
+
 /// Of the faces within the box that have any.
-std::map<std::pair<Place, std::size_t>, std::vector<Row>> arcsOf(const CutCells& cells) {
-  std::map<std::pair<Place, std::size_t>, std::vector<Row>> result;
+ArcRows arcsOf(const CutCells& cells) {
+  ArcRows result;
   for (std::size_t n = 0; n < cells.arcs.area.size(); ++n) {
     const auto& above = cells.arcs.cell[n];
     const auto below = cells.arcs.cellBelow(n);
@@ -275,6 +278,27 @@ struct Counts {
   std::size_t meeting = 0;
 };
 
+/// Of the faces below a cell.
+void expectFloodedFaces(const CutCells& cells, const ArcRows& arcs, const Flood& flood,
+                        const Index3& at, bool isTight) {
+  const auto hasRow = [&](const Index3& cell) { return cells.rowOf(cell) != CutCells::kNoRow; };
+  const Place place{at.i, at.j, at.k};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    auto below = at;
+    --(axis == 0 ? below.i : axis == 1 ? below.j : below.k);
+    if (!cells.grid.indices().contains(below) || (!hasRow(at) && !hasRow(below))) continue;
+    const auto there = arcs.find({place, axis});
+    const auto found = there != arcs.end() ? there->second : std::vector<Row>{};
+    const auto flooded = flood.arcs(place, axis);
+    const std::string what = testing::PrintToString(place) + " axis " + std::to_string(axis);
+    if (isTight) {
+      EXPECT_EQ(found, flooded) << what;
+    } else {
+      EXPECT_EQ(addedUp(found), addedUp(flooded)) << what;
+    }
+  }
+}
+
 void expectFlooded(const VoxelSolid& solid, const std::array<std::vector<int>, 3>& planes,
                    bool isTight, Counts& counts) {
   std::array<std::vector<double>, 3> positions;
@@ -285,7 +309,6 @@ void expectFlooded(const VoxelSolid& solid, const std::array<std::vector<int>, 3
   const Flood flood(solid, planes);
   const auto arcs = arcsOf(cells);
   const auto box = cells.grid.indices();
-  const auto hasRow = [&](const Index3& at) { return cells.rowOf(at) != CutCells::kNoRow; };
   for (std::size_t n = 0; n < box.count(); ++n) {
     const auto length = [&](int axis) { return static_cast<std::size_t>(box.length(axis)); };
     const auto at = box.at(static_cast<std::uint32_t>(n % length(0)),
@@ -294,8 +317,7 @@ void expectFlooded(const VoxelSolid& solid, const std::array<std::vector<int>, 3
     const Place place{at.i, at.j, at.k};
     const auto expected = flood.pieces(place);
     ++counts.all;
-    if (hasRow(at)) {
-      const auto row = cells.rowOf(at);
+    if (const auto row = cells.rowOf(at); row != CutCells::kNoRow) {
       EXPECT_EQ(piecesOf(cells, row), expected) << n;
       counts.several += expected.size() > 1 ? 1 : 0;
       counts.meeting += cells.cells.meets[row];
@@ -306,19 +328,7 @@ void expectFlooded(const VoxelSolid& solid, const std::array<std::vector<int>, 3
       EXPECT_EQ(expected[0][0], whole(cells.cellVolume(at)));
       EXPECT_EQ(expected[0][4], 0) << n;
     }
-    for (int axis = 0; axis < 3; ++axis) {
-      auto below = at;
-      --(axis == 0 ? below.i : axis == 1 ? below.j : below.k);
-      if (!box.contains(below) || (!hasRow(at) && !hasRow(below))) continue;
-      const auto there = arcs.find({place, static_cast<std::size_t>(axis)});
-      const auto found = there != arcs.end() ? there->second : std::vector<Row>{};
-      const auto flooded = flood.arcs(place, static_cast<std::size_t>(axis));
-      if (isTight) {
-        EXPECT_EQ(found, flooded) << n << " axis " << axis;
-      } else {
-        EXPECT_EQ(addedUp(found), addedUp(flooded)) << n << " axis " << axis;
-      }
-    }
+    expectFloodedFaces(cells, arcs, flood, at, isTight);
   }
 }
 

@@ -58,7 +58,7 @@ FaceRegions::FaceRegions(const TileSurface& surface, const EdgeStretches& stretc
   const auto size = slab.size();
   const double least = kSliver * size[axes.first] * size[axes.second];
 
-  const auto low = static_cast<std::size_t>(2 * axis_);
+  const auto low = 2 * asIndex(axis_);
   std::vector<std::uint32_t> regionOf(tree.leafCount(), kNone);
   const auto points = tree.pointsIn();
   const WindingOnFace windings(surface, stretches, face);
@@ -131,7 +131,7 @@ void FaceRegions::noteRimTraces(const SheetTree& tree) {
   for (int side = 0; side < 4; ++side) {
     const int along = side < 2 ? axes.first : axes.second;
     const int across = side < 2 ? axes.second : axes.first;
-    for (const auto& sheet : tree.sheetsIn(static_cast<std::size_t>(2 * across + side % 2))) {
+    for (const auto& sheet : tree.sheetsIn(2 * asIndex(across) + asIndex(side % 2))) {
       RimTrace trace{.side = side, .patch = sheet.patch, .ends = {}};
       const auto at = [&](const Vec3<double>& p) { return p[along]; };
       trace.ends.lower = at(*std::ranges::min_element(sheet.points, {}, at));

@@ -51,6 +51,9 @@ class MergeGraph {
   /// What the graph asks of its mesh.
   class Mesh {
    public:
+    Mesh() = default;
+    Mesh(const Mesh&) = delete;
+    Mesh& operator=(const Mesh&) = delete;
     virtual ~Mesh() = default;
     /// Of a cell, or of one around the mesh that owns an arc.
     [[nodiscard]] virtual Box<double> boxOf(Place place) const = 0;
