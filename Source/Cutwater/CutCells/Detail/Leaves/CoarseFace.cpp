@@ -196,7 +196,9 @@ std::uint32_t CoarseFace::wholeFacePiece() const {
   const auto& tile = sources_.tileOf(coarse_);
   const auto arcs = tile.arcsOf(sources_.faceOf(coarse_, axis_, isHigh_));
   if (arcs.empty()) return kNone;
-  const auto& arc = tile.cut.content.arcs[arcs.front().second];
+  const auto areaOf = [&](const auto& of) { return tile.cut.content.arcs[of.second].area; };
+  const auto largest = std::ranges::max_element(arcs, {}, areaOf);  // others are those of films
+  const auto& arc = tile.cut.content.arcs[largest->second];
   return isHigh_ ? arc.below : arc.above;
 }
 
