@@ -15,8 +15,9 @@ using MortonCode = std::uint64_t;
 /// The number of bits that coordinates with a code may have.
 inline constexpr int kMortonBits = 21;
 
-/// The bits of x, each followed by two zeros.
+/// The lowest bits of x, kMortonBits of them, each followed by two zeros.
 constexpr std::uint64_t spread(std::uint64_t x) {
+  x &= (std::uint64_t{1} << unsigned{kMortonBits}) - 1;
   x = (x | x << 32U) & 0x001f00000000ffffU;
   x = (x | x << 16U) & 0x001f0000ff0000ffU;
   x = (x | x << 8U) & 0x100f00f00f00f00fU;
