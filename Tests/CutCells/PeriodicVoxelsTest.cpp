@@ -288,7 +288,8 @@ TEST(PeriodicVoxelsTest, MergedCellsCloseThroughTheEnds) {
       double sum = check(cells).fluidVolume - check(single).fluidVolume;
       for (const auto& piece : lost) sum -= piece.volume;
       EXPECT_NEAR(sum, 0, 1e-13);
-      for (const auto& region : CutRegions(single).regions()) EXPECT_FALSE(region.goesOn);
+      const CutRegions fluid(single);
+      for (const auto& region : fluid.regions()) EXPECT_FALSE(region.goesOn);
     }
   }
   EXPECT_GT(covered, 50U);
