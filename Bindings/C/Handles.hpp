@@ -18,8 +18,8 @@ struct cw_solid {
 
   /// What cuts cells, made by the first call for each side.
   [[nodiscard]] const cutwater::CellCutter& cutter(cutwater::FluidSide side) const {
-    const std::lock_guard lock(mutex);
-    auto& kept = cutters.at(side == cutwater::FluidSide::Inside ? 1 : 0);
+    const std::lock_guard lock(mutex_);
+    auto& kept = cutters_.at(side == cutwater::FluidSide::Inside ? 1 : 0);
     if (!kept) kept.emplace(solid, side);
     return *kept;
   }
@@ -28,8 +28,8 @@ struct cw_solid {
   std::vector<std::string> patchNames;
 
  private:
-  mutable std::mutex mutex;
-  mutable std::array<std::optional<cutwater::CellCutter>, 2> cutters;
+  mutable std::mutex mutex_;
+  mutable std::array<std::optional<cutwater::CellCutter>, 2> cutters_;
 };
 
 /// What is behind a cw_cutter.

@@ -62,9 +62,9 @@ static void polygonsOfCells(void) {
   const cw_mesh arrays = cubeArrays();
   cw_solid* cube = NULL;
   cw_cells *cells = NULL, *without = NULL;
-  cw_arcs arcs;
-  cw_wall_parts walls;
-  cw_polygons outlines, parts;
+  cw_arcs arcs = {0};
+  cw_wall_parts walls = {0};
+  cw_polygons outlines = {0}, parts = {0};
   const int64_t* first = NULL;
   CHECK(cw_from_mesh(&arrays, 1, &cube) == CW_OK);
   cells = cellsOfTheCube(cube, 1);
@@ -86,9 +86,9 @@ static void cellsFromCells(void) {
   const cw_mesh arrays = cubeArrays();
   cw_solid* cube = NULL;
   cw_cells *cells = NULL, *coarse = NULL, *single = NULL;
-  cw_cut_cells rows;
-  cw_pieces pieces;
-  cw_wall_parts walls;
+  cw_cut_cells rows = {0};
+  cw_pieces pieces = {0};
+  cw_wall_parts walls = {0};
   CHECK(cw_from_mesh(&arrays, 1, &cube) == CW_OK);
   cells = cellsOfTheCube(cube, 0);
   CHECK(cw_coarsened(cells, ratios, &coarse) == CW_OK);

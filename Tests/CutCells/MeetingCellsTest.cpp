@@ -181,7 +181,7 @@ TEST(MeetingCellsTest, BothSidesOfTetrahedraFillAllCells) {
     }
     const double width = std::array{0.5, 1.0, 2.0}[static_cast<std::size_t>(round) / 3 % 3];
     std::vector<double> planes;
-    for (double x = 0; x <= 4.5; x += width) planes.push_back(x);
+    for (int n = 0; n * width <= 4.5; ++n) planes.push_back(n * width);
     const auto grid = cellsBetween({planes, planes, planes});
     const auto solid = solidOf(soup);
     const auto outside = CellCutter(solid).cut(grid, {.moments = 1});

@@ -163,10 +163,11 @@ Index3 inPeriod(const CellPlanes& grid, const SpannedAxes& spanned, Index3 cell)
   for (std::size_t a = 0; a < 3; ++a) {
     auto& at = coordinate(cell, a);
     if (!spanned[a]) continue;
-    if (at < coordinate(lo, a))
+    if (at < coordinate(lo, a)) {
       at = coordinate(hi, a);
-    else if (at > coordinate(hi, a))
+    } else if (at > coordinate(hi, a)) {
       at = coordinate(lo, a);
+    }
   }
   return cell;
 }
