@@ -10,6 +10,7 @@
 #include "CutCells/BoxUnions.hpp"
 #include "CutCells/ShellCells.hpp"
 #include "CutCells/Tetrahedra.hpp"
+#include "Support/CutIdentities.hpp"
 #include "Support/Scale.hpp"
 
 namespace cutwater::test {
@@ -138,18 +139,6 @@ TEST(MeetingCellsTest, CoarserCellsAreThoseOfTheUnion) {
   double lost = 0;
   for (const auto& piece : single.lost) lost += piece.volume;
   EXPECT_NEAR(check(single.cells).bodyVolume, check(fine).bodyVolume + lost, 1e-14);
-}
-
-double fluidIn(const CutCells& cells, const Index3& cell) {
-  const auto row = cells.rowOf(cell);
-  if (row == CutCells::kNoRow) {
-    return cells.classOf(cell) == FluidClass::Fluid ? cells.cellVolume(cell) : 0;
-  }
-  double sum = 0;
-  for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
-    sum += cells.pieces.volume[p];
-  }
-  return sum;
 }
 
 /// No piece without volume has an open part of a face.

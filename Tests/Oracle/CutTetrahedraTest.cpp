@@ -35,6 +35,11 @@ bool liesAt(const Polygon& polygon, const Number& z) {
   return std::all_of(polygon.begin(), polygon.end(), [&](const Point& p) { return p[2] == z; });
 }
 
+/// The part of a convex polygon between planes n and n + 1 across an axis.
+Polygon between(const Polygon& polygon, std::size_t axis, int n) {
+  return clipped(clipped(polygon, axis, Number(n), 1), axis, Number(n + 1), -1);
+}
+
 /// What tetrahedra have in a cell of width 1.
 struct Share {
   Number volume{0};
@@ -44,17 +49,17 @@ struct Share {
 /// Adds the volume between a triangle and z = 0 to the cells there.
 void addVolumes(const Polygon& triangle, std::map<Cell, Share>& shares) {
   for (int i = 0; i < kCells; ++i) {
-    const auto slab = beside(beside(triangle, 0, Number(i), true), 0, Number(i + 1), false);
+    const auto slab = between(triangle, 0, i);
     if (slab.size() < 3) continue;
     for (int j = 0; j < kCells; ++j) {
-      const auto column = beside(beside(slab, 1, Number(j), true), 1, Number(j + 1), false);
+      const auto column = between(slab, 1, j);
       if (twiceArea(column, 2) == 0) continue;
       for (int k = 0; k < kCells; ++k) {
-        const auto within = beside(beside(column, 2, Number(k), true), 2, Number(k + 1), false);
+        const auto within = between(column, 2, k);
         auto& volume = shares[{i, j, k}].volume;
         volume += volumeBelow(within, Number(k));
         if (liesAt(column, Number(k + 1))) continue;  // it is within
-        volume += twiceArea(beside(column, 2, Number(k + 1), true), 2) / 2;
+        volume += twiceArea(clipped(column, 2, Number(k + 1), 1), 2) / 2;
       }
     }
   }
@@ -74,7 +79,7 @@ void addWalls(const Polygon& triangle, bool isInside, std::map<Cell, Share>& sha
   const bool isFlat = std::abs(normal[along]) == area;
   const auto part = [&](const Polygon& polygon, std::size_t axis, int n) {
     if (!isFlat || axis != along) {
-      return beside(beside(polygon, axis, Number(n), true), axis, Number(n + 1), false);
+      return between(polygon, axis, n);
     }
     const bool isAbove = (all > 0) != isInside;
     return polygon[0][axis] == Number(isAbove ? n : n + 1) ? polygon : Polygon{};
@@ -100,7 +105,7 @@ double partOfFace(const std::vector<Tetrahedron>& bodies, std::size_t axis, cons
     auto& polygon = parts.emplace_back(sortedAround(body.section(axis, cell[axis]), axis));
     for (std::size_t a = 0; a < 3 && polygon.size() >= 3; ++a) {
       if (a == axis) continue;
-      polygon = beside(beside(polygon, a, Number(cell[a]), true), a, Number(cell[a] + 1), false);
+      polygon = between(polygon, a, cell[a]);
     }
   }
   Number twice = twiceArea(parts[0], axis);

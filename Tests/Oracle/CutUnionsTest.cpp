@@ -107,18 +107,6 @@ CutCells cutUnion(const PolygonSoup& soup, int n, FluidSide side) {
                              IndexBox::ofSize(n, n, n)});
 }
 
-double fluidIn(const CutCells& cells, const Index3& cell) {
-  const auto row = cells.rowOf(cell);
-  if (row == CutCells::kNoRow) {
-    return cells.classOf(cell) == FluidClass::Fluid ? cells.cellVolume(cell) : 0;
-  }
-  double sum = 0;
-  for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
-    sum += cells.pieces.volume[p];
-  }
-  return sum;
-}
-
 /// By inclusion and exclusion, in each cell.
 TEST(CutUnionsTest, TetrahedraInRationals) {
   std::mt19937 random(21);

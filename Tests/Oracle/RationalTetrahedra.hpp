@@ -10,6 +10,8 @@
 
 #include <CGAL/Gmpq.h>
 
+#include "Support/Clipping.hpp"
+
 namespace cutwater::test::rational {
 
 using Number = CGAL::Gmpq;
@@ -19,26 +21,6 @@ using Cell = std::array<int, 3>;
 
 constexpr int kCells = 6;       // along each axis, from 0
 constexpr double kWidth = 0.5;  // coordinates of corners are multiples of it
-
-/// The part of a convex polygon where a coordinate is at least `at`, or at most; if it lies across
-/// the axis there, all of it.
-inline Polygon beside(const Polygon& polygon, std::size_t axis, const Number& at, bool above) {
-  Polygon result;
-  const auto height = [&](const Point& p) { return above ? p[axis] - at : at - p[axis]; };
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const auto& p = polygon[i];
-    const auto& q = polygon[(i + 1) % polygon.size()];
-    const Number here = height(p);
-    const Number next = height(q);
-    if (here >= 0) result.push_back(p);
-    if ((here > 0 && next < 0) || (here < 0 && next > 0)) {
-      Point crossing;
-      for (std::size_t a = 0; a < 3; ++a) crossing[a] = p[a] + here / (here - next) * (q[a] - p[a]);
-      result.push_back(crossing);
-    }
-  }
-  return result;
-}
 
 /// Twice the area of a polygon as seen along an axis, counterclockwise.
 inline Number twiceArea(const Polygon& polygon, std::size_t axis) {

@@ -15,4 +15,17 @@ void expectIdentities(const Cut& cut, double closure) {
   EXPECT_LT(report.worstClosure, closure);
 }
 
+/// The volume of the fluid in a cell of the box.
+inline double fluidIn(const CutCells& cells, const Index3& cell) {
+  const auto row = cells.rowOf(cell);
+  if (row == CutCells::kNoRow) {
+    return cells.classOf(cell) == FluidClass::Fluid ? cells.cellVolume(cell) : 0;
+  }
+  double sum = 0;
+  for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
+    sum += cells.pieces.volume[p];
+  }
+  return sum;
+}
+
 }  // namespace cutwater::test

@@ -119,7 +119,7 @@ std::vector<std::uint32_t> LeafGrid::finerAcross(std::uint32_t leaf, int axis, b
 }
 
 /// The leaves in a cell that is divided and touch one of its faces.
-void LeafGrid::addTouching(Index3 cell, int level, int axis, bool isHigh,
+void LeafGrid::addTouching(const Index3& cell, int level, int axis, bool isHigh,
                            std::vector<std::uint32_t>& found) const {
   if (level >= deepest_) return;
   for (int child = 0; child < 8; ++child) {

@@ -62,7 +62,7 @@ class LeafGrid {
     return static_cast<std::size_t>(cell) << (deepest_ - level);
   }
   [[nodiscard]] double width(std::uint32_t leaf, int axis) const;
-  void addTouching(Index3 cell, int level, int axis, bool isHigh,
+  void addTouching(const Index3& cell, int level, int axis, bool isHigh,
                    std::vector<std::uint32_t>& found) const;
 
   int deepest_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Cutwater/CutCells/Detail/Moments/MomentRows.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/WallFaces.hpp>
 #include <Cutwater/CutCells/Detail/Rows/CutRows.hpp>
 #include <Cutwater/CutCells/Detail/Rows/MergeGraph.hpp>
 #include <Cutwater/CutCells/Detail/Rows/OpenRows.hpp>
@@ -103,7 +104,7 @@ class MergedRows {
     for (const auto number : node.arcs) {
       const auto& arc = graph_.arcs()[number];
       const bool isHigh = arc.placeBelow() == node.place;
-      if (arc.isClosed) faces |= (isHigh ? 2U : 1U) << 2U * arc.axis;
+      if (arc.isClosed) faces |= bitOfFace(arc.axis, isHigh);
     }
     return static_cast<std::uint8_t>(faces);
   }
