@@ -1,4 +1,5 @@
-/* Cut cells through the C API: answers that are known by hand, and everything that is refused. */
+/* Cut cells through the C API: answers that are known by hand, and everything that is refused.
+   Views are static where they start empty: zeros in C and in C++. */
 
 #include "capi.h"
 
@@ -62,9 +63,9 @@ static void polygonsOfCells(void) {
   const cw_mesh arrays = cubeArrays();
   cw_solid* cube = NULL;
   cw_cells *cells = NULL, *without = NULL;
-  cw_arcs arcs = {0};
-  cw_wall_parts walls = {0};
-  cw_polygons outlines = {0}, parts = {0};
+  static cw_arcs arcs;
+  static cw_wall_parts walls;
+  static cw_polygons outlines, parts;
   const int64_t* first = NULL;
   CHECK(cw_from_mesh(&arrays, 1, &cube) == CW_OK);
   cells = cellsOfTheCube(cube, 1);
@@ -86,9 +87,9 @@ static void cellsFromCells(void) {
   const cw_mesh arrays = cubeArrays();
   cw_solid* cube = NULL;
   cw_cells *cells = NULL, *coarse = NULL, *single = NULL;
-  cw_cut_cells rows = {0};
-  cw_pieces pieces = {0};
-  cw_wall_parts walls = {0};
+  static cw_cut_cells rows;
+  static cw_pieces pieces;
+  static cw_wall_parts walls;
   CHECK(cw_from_mesh(&arrays, 1, &cube) == CW_OK);
   cells = cellsOfTheCube(cube, 0);
   CHECK(cw_coarsened(cells, ratios, &coarse) == CW_OK);
