@@ -315,17 +315,27 @@ class Assembly {
     for (int k = 1; k <= cells_[2]; ++k) {
       for (int j = 1; j <= cells_[1]; ++j) {
         for (int i = 1; i <= cells_[0];) {
-          auto [tile, within, tileEnd] = tiles_.at({i, j, k});
-          const int end = std::min(tileEnd, cells_[0] + 1);
-          if (!cuts_[tile]) {
-            addRun(next, end - i, tiles_.winding(tile) > 0);
-            i = end;
-            continue;
-          }
-          for (; i < end; ++i, ++within[0]) {
-            addRun(next, 1, cuts_[tile]->isBody[cuts_[tile]->numbers.cell(within)]);
-          }
+          const auto row = tiles_.rowFrom({i, j, k});
+          const int end = std::min(row.end, cells_[0] + 1);
+          addBodyRuns(row, end - i, next);
+          i = end;
         }
+      }
+    }
+  }
+  /// Of `count` cells, from the first in a row of tiles on.
+  void addBodyRuns(const CutBlocks::Row& row, int count, std::uint64_t& next) {
+    auto [tile, within, end] = row;
+    for (; count > 0; ++tile, within[0] = 0) {
+      const int inTile = std::min(CutTiles::kWidth - within[0], count);
+      count -= inTile;
+      if (!cuts_[tile]) {
+        addRun(next, inTile, tiles_.winding(tile) > 0);
+        continue;
+      }
+      const auto& cut = *cuts_[tile];
+      for (int n = 0; n < inTile; ++n, ++within[0]) {
+        addRun(next, 1, cut.isBody[cut.numbers.cell(within)]);
       }
     }
   }

@@ -42,7 +42,7 @@ TilePlace CutBlocks::firstCell(std::size_t tile) const {
   return place;
 }
 
-CutBlocks::Found CutBlocks::at(const TilePlace& cell) const {
+CutBlocks::Row CutBlocks::rowFrom(const TilePlace& cell) const {
   std::size_t number = 0;
   for (std::size_t a = 3; a-- > 0;) {
     const auto& stretches = stretches_[a];
@@ -50,16 +50,16 @@ CutBlocks::Found CutBlocks::at(const TilePlace& cell) const {
     number = number * stretches.size() + static_cast<std::size_t>(after - stretches.begin()) - 1;
   }
   const auto& block = blocks_[number];
-  Found found;
+  Row row;
   TilePlace tile{};
   for (std::size_t a = 0; a < 3; ++a) {
     const int inBlock = cell[a] - block.first[a];
     tile[a] = inBlock / CutTiles::kWidth;
-    found.within[a] = inBlock % CutTiles::kWidth;
+    row.within[a] = inBlock % CutTiles::kWidth;
   }
-  found.tile = block.firstTile + block.tiles.tileAt(tile);
-  found.end = block.first[0] + std::min((tile[0] + 1) * CutTiles::kWidth, block.planes.cells(0));
-  return found;
+  row.tile = block.firstTile + block.tiles.tileAt(tile);
+  row.end = block.first[0] + block.planes.cells(0);
+  return row;
 }
 
 namespace {

@@ -35,21 +35,26 @@ class CutBlocks {
   [[nodiscard]] TileInput input(std::size_t tile) const {
     return of(tile).tiles.input(tile - of(tile).firstTile);
   }
-  [[nodiscard]] GridPlanes planesOf(std::size_t tile) const { return input(tile).planes; }
+  [[nodiscard]] GridPlanes planesOf(std::size_t tile) const {
+    return of(tile).tiles.planesOf(tile - of(tile).firstTile);
+  }
   /// The winding number of the node of lowest indices.
-  [[nodiscard]] int winding(std::size_t tile) const { return input(tile).winding; }
+  [[nodiscard]] int winding(std::size_t tile) const {
+    return of(tile).tiles.winding(tile - of(tile).firstTile);
+  }
   /// The cell of lowest indices, counted in the grid.
   [[nodiscard]] TilePlace firstCell(std::size_t tile) const;
   /// From where a tile is cut to where it is, in the world.
   [[nodiscard]] const Vec3<double>& shiftOf(std::size_t tile) const { return of(tile).shift; }
 
-  /// A cell in a tile.
-  struct Found {
-    std::size_t tile = 0;
-    TilePlace within;
-    int end = 0;  ///< the first cell along x behind the tile, counted in the grid
+  /// Tiles next to each other along the x axis, whose numbers ascend by one.
+  struct Row {
+    std::size_t tile = 0;  ///< the first of them
+    TilePlace within;      ///< a cell in it
+    int end = 0;           ///< the first cell along x behind the last of them, counted in the grid
   };
-  [[nodiscard]] Found at(const TilePlace& cell) const;
+  /// From the tile that holds a cell.
+  [[nodiscard]] Row rowFrom(const TilePlace& cell) const;
 
  private:
   struct Block {
