@@ -77,7 +77,7 @@ class CellCutter {
   /// @throws Error(Argument) unless planes ascend and are finite, and options are within their
   /// ranges, and unless they are those of cellsOfPeriod() if there is a period; Error(Topology)
   /// where an open patch lies in a cell of the box, but in none of its faces, which is decided
-  /// exactly, and with polygons where it lies in one in which triangles meet.
+  /// exactly.
   [[nodiscard]] CutCells cut(const CellPlanes& grid, const CutOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>

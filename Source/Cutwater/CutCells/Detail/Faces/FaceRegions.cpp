@@ -148,6 +148,27 @@ std::uint32_t FaceRegions::patchAt(int side, double place) const {
   return somePatch_;
 }
 
+void FaceRegions::shareRim(int side, const Interval<double>& part,
+                           FunctionRef<void(std::uint32_t, const Interval<double>&)> visit) const {
+  std::vector<double> ends{part.upper};
+  for (const auto& trace : rimTraces_) {
+    if (trace.side != side) continue;
+    for (const double end : {trace.ends.lower, trace.ends.upper}) {
+      if (part.lower < end && end < part.upper) ends.push_back(end);
+    }
+  }
+  std::ranges::sort(ends);
+  Interval<double> next{part.lower, part.lower};
+  for (std::size_t n = 0; n < ends.size(); ++n) {
+    const auto patchTo = [&](double end) { return patchAt(side, 0.5 * (next.upper + end)); };
+    const auto patch = patchTo(ends[n]);
+    next.upper = ends[n];
+    if (n + 1 < ends.size() && patchTo(ends[n + 1]) == patch) continue;  // one part
+    if (next.lower < next.upper) visit(patch, next);
+    next.lower = next.upper;
+  }
+}
+
 void FaceRegions::measure(std::uint32_t face, double least) {
   std::vector<Vec3<double>> moments(parts_.size());
   std::vector<Vec3<double>> middles(parts_.size());

@@ -42,9 +42,10 @@ class FaceRegions {
   [[nodiscard]] std::span<const FacePiece> parts() const { return parts_; }
   /// Within the face.
   [[nodiscard]] std::span<const Wall> walls() const { return walls_; }
-  /// The patch of a trace that lies in one of the face's edges, see edgeOfFace(), at a place along
-  /// it; of another one if there is none.
-  [[nodiscard]] std::uint32_t patchAt(int side, double place) const;
+  /// Shares a part of one of the face's edges, see edgeOfFace(), out among the patches of traces in
+  /// it, the first that has a place; calls visit(patch, part). What none has is another one's.
+  void shareRim(int side, const Interval<double>& part,
+                FunctionRef<void(std::uint32_t patch, const Interval<double>& part)> visit) const;
 
  private:
   /// A trace in an edge.
@@ -56,6 +57,7 @@ class FaceRegions {
 
   void addWalls(const SheetTree& tree, std::span<const std::uint32_t> regionOf, double plane);
   void noteRimTraces(const SheetTree& tree);
+  [[nodiscard]] std::uint32_t patchAt(int side, double place) const;
   void measure(std::uint32_t face, double least);
 
   int axis_ = 0;

@@ -29,7 +29,6 @@ struct OpenMisfit {
   std::uint32_t triangle = 0;
   std::uint32_t cell = 0;
   Vec3<double> point;
-  bool meets = false;  ///< with polygons and in a plane: it is where triangles meet
 };
 
 /// Convex polygons of walls and of open patches, with normals into the fluid: of each one its piece

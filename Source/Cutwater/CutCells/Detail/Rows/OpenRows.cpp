@@ -18,11 +18,8 @@ std::vector<Vec3<double>> openOutline(const CutCells::Polygons& parts, const Fac
 
 namespace {
 
-constexpr const char* kMeets = "is in a cell in which triangles meet";
-
 /// What is wrong with a triangle of an open patch.
 std::string faultOf(const CutSurface& surface, const OpenMisfit& misfit) {
-  if (misfit.meets) return kMeets;
   return hasAxis(surface.openKinds()[misfit.triangle]) ? "lies in no plane of the grid"
                                                        : "is across no axis";
 }
@@ -37,11 +34,10 @@ void refuseMisfits(const CutSurface& surface, std::span<const OpenMisfit> misfit
   const auto& first = *std::ranges::min_element(misfits, {}, inOrder);
   const auto& name = surface.patchNames()[surface.patches()[first.triangle]];
   const auto p = surface.frame().toWorld(first.point);
-  throw Error(ErrorKind::Topology,
-              "cut cells: the open patch \"" + name + "\" " + faultOf(surface, first) + " at (" +
-                  detail::toText(p.x) + ", " + detail::toText(p.y) + ", " + detail::toText(p.z) +
-                  (first.meets ? "); there, polygons and planes have no open patches"
-                               : "); it must lie in planes of the grid"));
+  throw Error(ErrorKind::Topology, "cut cells: the open patch \"" + name + "\" " +
+                                       faultOf(surface, first) + " at (" + detail::toText(p.x) +
+                                       ", " + detail::toText(p.y) + ", " + detail::toText(p.z) +
+                                       "); it must lie in planes of the grid");
 }
 
 }  // namespace cutwater

@@ -1,7 +1,6 @@
-#include <Cutwater/Core/Detail/DisjointSets.hpp>
-#include <Cutwater/CutCells/Detail/Moments/Moments.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/OpenArcs.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/WallFaces.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/OpenSides.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/PlaneCut.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/RectanglePieces.hpp>
 
@@ -50,6 +49,14 @@ class PlaneCutter {
   }
 
  private:
+  /// Of a rectangle.
+  struct Side {
+    int axis = -1;  ///< -1: none
+    bool isHigh = false;
+
+    [[nodiscard]] std::uint8_t bit() const { return axis < 0 ? 0 : bitOfFace(axis, isHigh); }
+  };
+
   [[nodiscard]] std::uint32_t pieceCount() const {
     return static_cast<std::uint32_t>(out_.content.pieces.size());
   }
@@ -75,8 +82,9 @@ class PlaneCutter {
     double fluid = 0;
     bool isTouched = true;
     if (meets) {
-      refuseOpen(cell, face);
-      isTouched = addMeetingPieces(place) <= kSliver * (size.x + size.y);
+      noteMisfits(cell, face);
+      const double sliver = kSliver * (size.x + size.y);
+      isTouched = addMeetingPieces(place, sliver) <= sliver;
       for (auto p = out_.firstPiece.back(); p < pieceCount(); ++p) {
         fluid += out_.content.pieces[p].volume / thickness_;
       }
@@ -105,27 +113,47 @@ class PlaneCutter {
                                    .areaVector = {},
                                    .wallCentroid = {}});
   }
-  /// Which parts of sides are open is not found where triangles meet.
-  void refuseOpen(std::uint32_t cell, std::uint32_t face) {
+  /// Where triangles meet: those of open patches that lie in no side.
+  void noteMisfits(std::uint32_t cell, std::uint32_t face) {
     const auto [first, last] = faces_.tracesOf(face);
     for (auto trace = first; trace < last; ++trace) {
       const auto& t = surface_.traces()[trace];
-      if (surface_.openKindOf(t.triangle) == OpenKind::Wall || t.from == t.to) continue;
-      out_.content.misfits.push_back({t.triangle, cell, t.from, true});
+      const auto [isOpen, axis, isHigh] =
+          openFaceOf(surface_, planes_, {.cell = cell, .triangle = t.triangle});
+      if (!isOpen || axis == 0 || axis == 1 || t.from == t.to) continue;
+      out_.content.misfits.push_back({t.triangle, cell, t.from});
     }
   }
-  /// Returns how long their walls are.
-  double addMeetingPieces(const TilePlace& place) {
+  /// Patches that are open and have traces on a face.
+  [[nodiscard]] std::vector<std::uint32_t> openPatchesOn(std::uint32_t face) const {
+    std::vector<std::uint32_t> patches;
+    const auto [first, last] = faces_.tracesOf(face);
+    for (auto trace = first; trace < last; ++trace) {
+      const auto triangle = surface_.traces()[trace].triangle;
+      if (surface_.openKindOf(triangle) == OpenKind::Wall) continue;
+      patches.push_back(surface_.patchOf(triangle));
+    }
+    return patches;
+  }
+  /// Returns how long their walls are. `least`: openings that are shorter are rounding.
+  double addMeetingPieces(const TilePlace& place, double least) {
     RectanglePieces found(faces_, faceOf(place));
     const auto first = pieceCount();
     for (const auto& piece : found.pieces) addPiece(place, piece);
     const auto sides = sidesWithTraces(place);
+    const auto open = openPatchesOn(faceOf(place));
     double sum = 0;
-    for (const auto& wall : found.walls) {
+    for (auto wall : found.walls) {
       sum += length(wall.to - wall.from);
-      addWall(first + wall.part, wall.patch, wall.from, wall.to);
-      out_.content.pieces[first + wall.part].wallFaces |=
-          static_cast<std::uint8_t>(sideOf(wall, place) & sides);
+      wall.part += first;
+      const auto side = sideOf(wall, place);
+      if ((side.bit() & sides) != 0 && std::ranges::count(open, wall.patch) > 0) {
+        if (length(wall.to - wall.from) <= least) continue;
+        open_.addMeeting(openArc(wall, side.axis, side.isHigh));
+        continue;
+      }
+      addWall(wall.part, wall.patch, wall.from, wall.to);
+      out_.content.pieces[wall.part].wallFaces |= static_cast<std::uint8_t>(side.bit() & sides);
     }
     for (auto& side : found.ofStretches) {
       for (auto& piece : side) piece += piece == kNone ? 0 : first;
@@ -204,14 +232,14 @@ class PlaneCutter {
     return sides;
   }
   /// The same for a wall where triangles meet, by its ends.
-  [[nodiscard]] std::uint8_t sideOf(const FaceRegions::Wall& wall, const TilePlace& place) const {
+  [[nodiscard]] Side sideOf(const FaceRegions::Wall& wall, const TilePlace& place) const {
     for (const int axis : {0, 1}) {
       for (const bool isHigh : {false, true}) {
         const double plane = planes_.at(axis, place[asIndex(axis)] + (isHigh ? 1 : 0));
-        if (wall.from[axis] == plane && wall.to[axis] == plane) return bitOfFace(axis, isHigh);
+        if (wall.from[axis] == plane && wall.to[axis] == plane) return {axis, isHigh};
       }
     }
-    return 0;
+    return {};
   }
   void addWall(std::uint32_t piece, std::uint32_t patch, const Vec3<double>& from,
                const Vec3<double>& to) {
@@ -236,15 +264,19 @@ class PlaneCutter {
       out_.content.misfits.push_back({t.triangle, cell, t.from});
       return false;
     }
-    auto place = out_.numbers.placeOfCell(cell);
+    open_.addTrace(t, openArc({piece, surface_.patchOf(t.triangle), t.from, t.to}, axis, isHigh));
+    return true;
+  }
+  /// `part`: of a piece's side.
+  [[nodiscard]] PieceArc openArc(const FaceRegions::Wall& part, int axis, bool isHigh) const {
+    auto place = out_.numbers.placeOfCell(out_.content.pieces[part.part].cell);
     place[asIndex(axis)] += isHigh ? 1 : 0;
     PieceArc arc{.face = out_.numbers.face(axis, place),
-                 .area = length(t.to - t.from) * thickness_,
-                 .centroid = 0.5 * (t.from + t.to),
-                 .patch = surface_.patchOf(t.triangle)};
-    (isHigh ? arc.below : arc.above) = piece;
-    openTraces_.emplace_back(trace, arc);
-    return true;
+                 .area = length(part.to - part.from) * thickness_,
+                 .centroid = 0.5 * (part.from + part.to),
+                 .patch = part.patch};
+    (isHigh ? arc.below : arc.above) = part.part;
+    return arc;
   }
   static PieceWall meanOf(PieceWall wall) {
     wall.centroid = wall.centroid / wall.area;
@@ -307,32 +339,12 @@ class PlaneCutter {
     return true;
   }
 
-  /// Those of open patches: traces that share an edge of the mesh are one.
   void addOpenArcs() {
-    const auto sideOf = [](const PieceArc& arc) {
-      return std::tuple(arc.below, arc.above, arc.face, arc.patch);
-    };
-    using Side = decltype(sideOf({}));
-    detail::DisjointSets sets(openTraces_.size());
-    std::map<std::pair<Side, std::uint32_t>, std::uint32_t> ofEdge;
-    for (std::uint32_t n = 0; n < openTraces_.size(); ++n) {
-      const auto& [trace, arc] = openTraces_[n];
-      for (const auto& end : {surface_.traces()[trace].start, surface_.traces()[trace].end}) {
-        if (end.gridEdge != kNone) continue;
-        const auto [other, isNew] = ofEdge.try_emplace({sideOf(arc), end.meshEdge}, n);
-        if (!isNew) sets.unite(n, other->second);
-      }
-    }
-    std::map<std::uint32_t, Moments> sums;  // by the first trace
-    for (std::uint32_t n = 0; n < openTraces_.size(); ++n) {
-      const auto& arc = openTraces_[n].second;
-      sums.try_emplace(sets.find(n), arc.centroid).first->second.add(arc.area, arc.centroid);
-    }
-    for (const auto& [first, sum] : sums) {
-      if (!(sum.size() > 0)) continue;
-      auto& arc = out_.content.arcs.emplace_back(openTraces_[first].second);
-      arc.area = sum.size();
-      arc.centroid = sum.centroid();
+    for (const auto& arc : open_.arcs()) {
+      const int axis = out_.numbers.axisOfFace(arc.face);
+      close(arc.below, axis, -arc.area);
+      close(arc.above, axis, arc.area);
+      out_.content.arcs.push_back(arc);
     }
   }
 
@@ -347,7 +359,7 @@ class PlaneCutter {
   std::vector<char> closesByArcs_;  // of pieces: where triangles meet
   /// By piece and patch; centroids are integrals.
   std::map<std::pair<std::uint32_t, std::uint32_t>, PieceWall> walls_;
-  std::vector<std::pair<std::uint32_t, PieceArc>> openTraces_;
+  OpenSides open_;
   TileCut out_;
 };
 

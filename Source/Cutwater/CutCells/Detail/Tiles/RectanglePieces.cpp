@@ -118,11 +118,13 @@ class Finder {
   }
   void addRimWall(const Rim& rim, double from, double to) {
     if (!(from < to)) return;
-    EdgeStretch stretch;
-    stretch.from = from;
-    stretch.to = to;
-    const auto ends = frame_.endsOf(rim.side, stretch);
-    addWall({rim.part, regions_.patchAt(rim.side, stretch.middle()), ends[0], ends[1]});
+    regions_.shareRim(rim.side, {from, to}, [&](std::uint32_t patch, const Interval<double>& part) {
+      EdgeStretch stretch;
+      stretch.from = part.lower;
+      stretch.to = part.upper;
+      const auto ends = frame_.endsOf(rim.side, stretch);
+      addWall({rim.part, patch, ends[0], ends[1]});
+    });
   }
 
   const FaceRegions& regions_;

@@ -115,19 +115,6 @@ void addArcPolygons(const TileParts& parts, TileCut& out) {
   }
 }
 
-/// A piece may have no wall there, which would close it edge by edge: see PieceClosing.
-void refuseMeetingPatches(const TileParts& parts, CellPieces& content) {
-  const auto& [of, polygons] = content.meetingWalls;
-  for (std::size_t n = 0; n < of.size(); ++n) {
-    if (!WallPolygons::isOfArc(of[n].second)) continue;
-    const auto cell = content.pieces[of[n].first].cell;
-    for (const auto& fragment : sortedUnder(parts.surface.fragments(), cell, &TileFragment::cell)) {
-      if (parts.surface.openKindOf(fragment.triangle) == OpenKind::Wall) continue;
-      content.misfits.push_back({fragment.triangle, cell, parts.surface.points(fragment)[0], true});
-    }
-  }
-}
-
 void addWallPolygons(const TileSurface& surface, TileCut& out) {
   const auto meeting = conformedWalls(surface, out.content, out.polygons.arcs);
   // Piece, patch, fragment or kNone, number of those that meet.
@@ -185,7 +172,6 @@ TileCut cutTile(const TileParts& parts, const CutOptions& options) {
   }
   noteCells(parts, result);
   if (options.polygons) {
-    refuseMeetingPatches(parts, result.content);
     addArcPolygons(parts, result);
     addWallPolygons(surface, result);
   }
