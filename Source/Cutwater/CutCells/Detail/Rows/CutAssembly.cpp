@@ -43,7 +43,16 @@ struct ArcSource {
   [[nodiscard]] bool isSame(const ArcSource& other) const {
     return face == other.face && number == other.number;
   }
-  [[nodiscard]] auto key() const { return std::tuple(face, number, tile); }
+  [[nodiscard]] bool operator<(const ArcSource& other) const {
+    if (face != other.face) return face < other.face;
+    return number != other.number ? number < other.number : tile < other.tile;
+  }
+};
+
+/// Tiles next to each other that are not cut, and are all body or all fluid; or a single one.
+struct TileRun {
+  std::uint32_t end = 0;  ///< the tile behind the last of them
+  bool isBody = false;
 };
 
 class Assembly {
@@ -246,7 +255,7 @@ class Assembly {
         }
       }
     }
-    std::ranges::sort(arcSources_, {}, &ArcSource::key);
+    std::sort(arcSources_.begin(), arcSources_.end());
     if (!withPolygons_) return;
     for (std::size_t i = 0; i < arcSources_.size(); i += viewsOf(i)) {
       if (!isDropped(i)) continue;
@@ -311,6 +320,7 @@ class Assembly {
   }
 
   void addBodyRuns() {
+    findRuns();
     std::uint64_t next = 0;
     for (int k = 1; k <= cells_[2]; ++k) {
       for (int j = 1; j <= cells_[1]; ++j) {
@@ -323,20 +333,34 @@ class Assembly {
       }
     }
   }
+  void findRuns() {
+    const auto count = static_cast<std::uint32_t>(cuts_.size());
+    tileRuns_.resize(count);
+    for (std::uint32_t tile = count; tile-- > 0;) {
+      auto& run = tileRuns_[tile];
+      run = {tile + 1, tiles_.winding(tile) > 0};
+      if (tile + 1 == count || cuts_[tile] || cuts_[tile + 1]) continue;
+      if (tileRuns_[tile + 1].isBody == run.isBody) run.end = tileRuns_[tile + 1].end;
+    }
+  }
   /// Of `count` cells, from the first in a row of tiles on.
   void addBodyRuns(const CutBlocks::Row& row, int count, std::uint64_t& next) {
     auto [tile, within, end] = row;
-    for (; count > 0; ++tile, within[0] = 0) {
-      const int inTile = std::min(CutTiles::kWidth - within[0], count);
-      count -= inTile;
-      if (!cuts_[tile]) {
-        addRun(next, inTile, tiles_.winding(tile) > 0);
-        continue;
+    while (count > 0) {
+      const auto& run = tileRuns_[tile];
+      const auto alike = static_cast<std::int64_t>(run.end - tile) * CutTiles::kWidth - within[0];
+      const auto cells = static_cast<int>(std::min<std::int64_t>(alike, count));
+      count -= cells;
+      if (cuts_[tile]) {
+        const auto& cut = *cuts_[tile];
+        for (int n = 0; n < cells; ++n, ++within[0]) {
+          addRun(next, 1, cut.isBody[cut.numbers.cell(within)]);
+        }
+      } else {
+        addRun(next, cells, run.isBody);
       }
-      const auto& cut = *cuts_[tile];
-      for (int n = 0; n < inTile; ++n, ++within[0]) {
-        addRun(next, 1, cut.isBody[cut.numbers.cell(within)]);
-      }
+      tile = run.end;
+      within[0] = 0;
     }
   }
   void addRun(std::uint64_t& next, int count, bool isBody) {
@@ -359,6 +383,7 @@ class Assembly {
   std::vector<ArcSource> arcSources_;
   std::vector<ClosingFace> closing_;
   std::vector<std::vector<std::uint32_t>> rowsOf_;  // of pieces, per tile
+  std::vector<TileRun> tileRuns_;                   // from each tile on
   CutCells out_;
 };
 

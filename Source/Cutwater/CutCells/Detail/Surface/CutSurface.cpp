@@ -2,6 +2,7 @@
 #include <Cutwater/CutCells/Detail/Surface/CutSurface.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace cutwater {
@@ -104,6 +105,23 @@ std::vector<std::uint32_t> patchesOf(const PolygonSoup& soup,
   return result;
 }
 
+/// Different numbers below `count`, in ascending order: many of them by a bit for each.
+void sortNumbers(std::vector<std::uint32_t>& numbers, std::size_t count) {
+  constexpr std::uint32_t kBits = 64;
+  if (numbers.size() < count / kBits) {
+    std::ranges::sort(numbers);
+    return;
+  }
+  std::vector<std::uint64_t> words(count / kBits + 1);
+  for (const auto n : numbers) words[n / kBits] |= std::uint64_t{1} << n % kBits;
+  numbers.clear();
+  for (std::uint32_t i = 0; i < words.size(); ++i) {
+    for (auto word = words[i]; word != 0; word &= word - 1) {
+      numbers.push_back(kBits * i + static_cast<std::uint32_t>(std::countr_zero(word)));
+    }
+  }
+}
+
 }  // namespace
 
 CutSurface::CutSurface(const PolygonSoup& triangles, FluidSide side, bool isSound,
@@ -165,7 +183,7 @@ std::vector<std::uint32_t> CutSurface::trianglesIn(const Box<double>& box) const
       if (boxes_[tree_.order[i]].overlaps(box)) result.push_back(tree_.order[i]);
     }
   }
-  std::ranges::sort(result);
+  sortNumbers(result, boxes_.size());
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include <Cutwater/Triangles/ExactPredicates.hpp>
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -24,12 +23,38 @@ int MovedTriangles::facing(std::uint32_t triangle, int axis) const {
 
 namespace {
 
-/// Pairs the sides at the edge between two vertices.
-void pairAtEdge(MovedTriangles& triangles, const std::pair<std::uint32_t, std::uint32_t>& edge,
-                std::span<const std::uint32_t> sides) {
-  const auto [p, q] = edge;
+/// A side, under the two vertices that it joins, the lower one in the upper half of the key.
+struct SideOfEdge {
+  std::uint64_t ends = 0;
+  std::uint32_t side = 0;
+
+  [[nodiscard]] std::uint32_t lower() const { return static_cast<std::uint32_t>(ends >> 32U); }
+  [[nodiscard]] std::uint32_t upper() const { return static_cast<std::uint32_t>(ends); }
+  [[nodiscard]] bool operator<(const SideOfEdge& other) const {
+    return ends != other.ends ? ends < other.ends : side < other.side;
+  }
+};
+
+std::vector<SideOfEdge> sidesByEdge(std::span<const MovedTriangles::Corners> triangles) {
+  std::vector<SideOfEdge> sides;
+  sides.reserve(3 * triangles.size());
+  for (const auto& corners : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [lower, upper] = std::minmax({corners[i], corners[(i + 1) % 3]});
+      sides.push_back(
+          {std::uint64_t{lower} << 32U | upper, static_cast<std::uint32_t>(sides.size())});
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+/// Pairs the sides at an edge.
+void pairAtEdge(MovedTriangles& triangles, std::span<const SideOfEdge> sides) {
+  const auto p = sides.front().lower();
+  const auto q = sides.front().upper();
   std::vector<SideAtEdge> around;
-  for (const auto side : sides) {
+  for (const auto& [ends, side] : sides) {
     around.push_back(
         {side, triangles.startOf(side) == p, triangles.wayBetween(p, triangles.oppositeOf(side))});
   }
@@ -41,27 +66,21 @@ void pairAtEdge(MovedTriangles& triangles, const std::pair<std::uint32_t, std::u
 }  // namespace
 
 void pairSides(MovedTriangles& triangles) {
-  std::vector<std::uint32_t> order(3 * triangles.corners.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const auto ends = [&](std::uint32_t side) {
-    return std::pair(std::minmax({triangles.startOf(side), triangles.endOf(side)}));
-  };
-  std::ranges::sort(order, {}, [&](std::uint32_t side) { return std::pair(ends(side), side); });
+  const auto all = sidesByEdge(triangles.corners);
   triangles.edges.resize(triangles.corners.size());
-  for (std::size_t first = 0; first < order.size();) {
-    const auto edge = ends(order[first]);
+  for (std::size_t first = 0; first < all.size();) {
     auto last = first + 1;
-    while (last < order.size() && ends(order[last]) == edge) ++last;
-    const auto sides = std::span(order).subspan(first, last - first);
+    while (last < all.size() && all[last].ends == all[first].ends) ++last;
+    const auto sides = std::span(all).subspan(first, last - first);
     const auto forward = std::ranges::count_if(
-        sides, [&](std::uint32_t side) { return triangles.startOf(side) == edge.first; });
+        sides, [&](const SideOfEdge& it) { return triangles.startOf(it.side) == it.lower(); });
     if (2 * static_cast<std::size_t>(forward) != sides.size()) {
       throw Error(ErrorKind::Topology, "cut cells: the surface is not closed");
     }
     if (sides.size() == 2) {
-      triangles.pair(sides[0], sides[1]);
+      triangles.pair(sides[0].side, sides[1].side);
     } else {
-      pairAtEdge(triangles, edge, sides);
+      pairAtEdge(triangles, sides);
     }
     first = last;
   }

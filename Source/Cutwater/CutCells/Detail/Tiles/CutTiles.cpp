@@ -91,19 +91,29 @@ void CutTiles::sortTriangles(const CutSurface& surface, std::span<const std::uin
     }
     for (int k = ranges[2].first; k <= ranges[2].last; ++k) {
       for (int j = ranges[1].first; j <= ranges[1].last; ++j) {
-        for (int i = ranges[0].first; i <= ranges[0].last; ++i) visit(tileAt({i, j, k}));
+        for (int i = ranges[0].first; i <= ranges[0].last; ++i) {
+          visit(static_cast<std::uint32_t>(tileAt({i, j, k})));
+        }
       }
     }
   };
   const auto tiles = static_cast<std::size_t>(sizes_[0]) * static_cast<std::size_t>(sizes_[1]) *
                      static_cast<std::size_t>(sizes_[2]);
   first_.assign(tiles + 1, 0);
-  for (const auto id : triangles) forTiles(id, [&](std::size_t tile) { ++first_[tile + 1]; });
+  std::vector<std::uint32_t> onlyTile;  // of each triangle; kNone if it has several, or none
+  onlyTile.reserve(triangles.size());
+  for (const auto id : triangles) {
+    auto found = kNone;
+    int count = 0;
+    forTiles(id, [&](std::uint32_t tile) { ++first_[tile + 1], ++count, found = tile; });
+    onlyTile.push_back(count == 1 ? found : kNone);
+  }
   for (std::size_t tile = 0; tile < tiles; ++tile) first_[tile + 1] += first_[tile];
   triangles_.resize(first_.back());
   auto next = first_;
-  for (const auto id : triangles) {
-    forTiles(id, [&](std::size_t tile) { triangles_[next[tile]++] = id; });
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto add = [&](std::uint32_t tile) { triangles_[next[tile]++] = triangles[i]; };
+    onlyTile[i] != kNone ? add(onlyTile[i]) : forTiles(triangles[i], add);
   }
 }
 
