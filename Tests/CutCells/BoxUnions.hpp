@@ -98,4 +98,21 @@ inline std::vector<Box<double>> randomBoxesInPlanes(std::mt19937& random, int co
   return boxes;
 }
 
+/// Boxes with corners in whole numbers from 1 to parts - 1, of which no two have more than lines or
+/// points in common, and some have these.
+inline std::vector<Box<double>> boxesInContact(std::mt19937& random, int count, int parts) {
+  while (true) {
+    auto boxes = randomBoxesInPlanes(random, count, parts);
+    for (auto& box : boxes) box = {double(parts) * box.lower, double(parts) * box.upper};
+    bool isApart = true;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const auto common = boxes[i].intersection(boxes[j]);
+        isApart = isApart && (common.empty() || touchInLines({boxes[i], boxes[j]}));
+      }
+    }
+    if (isApart && touchInLines(boxes)) return boxes;
+  }
+}
+
 }  // namespace cutwater::test

@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include "CutCells/BoxUnions.hpp"
 #include "CutCells/RandomVoxels.hpp"
 #include "Support/Scale.hpp"
 
@@ -60,7 +61,7 @@ std::vector<int> randomPlanes(std::mt19937& random, bool isAligned) {
 /// The fluid between all planes.
 class Flood {
  public:
-  Flood(const VoxelSolid& solid, const std::array<std::vector<int>, 3>& grid) {
+  Flood(const VoxelSolid& solid, const std::array<std::vector<int>, 3>& grid, FluidSide side) {
     for (std::size_t a = 0; a < 3; ++a) {
       planes_[a] = grid[a];
       for (int n = 0; n <= kCubes; ++n) planes_[a].push_back(n * kParts);
@@ -77,7 +78,7 @@ class Flood {
     forBoxes([&](const Place& p) {
       Place cube{};
       for (std::size_t a = 0; a < 3; ++a) cube[a] = planes_[a][index(p[a])] / kParts;
-      isFluid_[number(p)] = solid.has(cube) ? 0 : 1;
+      isFluid_[number(p)] = solid.has(cube) == (side == FluidSide::Inside) ? 1 : 0;
     });
     sets_.reset(isFluid_.size());
     forBoxes([&](const Place& p) {
@@ -299,14 +300,16 @@ void expectFloodedFaces(const CutCells& cells, const ArcRows& arcs, const Flood&
   }
 }
 
-void expectFlooded(const VoxelSolid& solid, const std::array<std::vector<int>, 3>& planes,
-                   bool isTight, Counts& counts) {
+/// `surface`: of the cubes.
+void expectFlooded(const Solid<double>& surface, const VoxelSolid& solid,
+                   const std::array<std::vector<int>, 3>& planes, bool isTight, Counts& counts,
+                   FluidSide side = FluidSide::Outside) {
   std::array<std::vector<double>, 3> positions;
   for (std::size_t a = 0; a < 3; ++a) {
     for (const int plane : planes[a]) positions[a].push_back(plane * (kCube / kParts));
   }
-  const auto cells = CellCutter(Solid<double>(meshOf(solid))).cut(cellsBetween(positions));
-  const Flood flood(solid, planes);
+  const auto cells = CellCutter(surface, side).cut(cellsBetween(positions));
+  const Flood flood(solid, planes, side);
   const auto arcs = arcsOf(cells);
   const auto box = cells.grid.indices();
   for (std::size_t n = 0; n < box.count(); ++n) {
@@ -339,7 +342,7 @@ void expectFlooded(bool isTight, bool isAligned, int rounds) {
     const auto solid = randomCubes(random, isTight);
     std::array<std::vector<int>, 3> planes;
     for (auto& ofAxis : planes) ofAxis = randomPlanes(random, isAligned);
-    expectFlooded(solid, planes, isTight, counts);
+    expectFlooded(Solid<double>(meshOf(solid)), solid, planes, isTight, counts);
   }
   const auto least = static_cast<std::size_t>(rounds);
   EXPECT_GT(counts.all, 30 * least);
@@ -358,6 +361,35 @@ TEST(FloodedCellsTest, OfCubesBetweenThem) {
 TEST(FloodedCellsTest, OfCubesThatTouchInEdgesAndVertices) {
   expectFlooded(false, true, scaled(10));
   expectFlooded(false, false, scaled(10));
+}
+
+TEST(FloodedCellsTest, OfBoxesInContact) {
+  std::mt19937 random(43);
+  Counts counts;
+  for (int n = 0; n < scaled(60) && !HasFailure(); ++n) {
+    const auto boxes = boxesInContact(random, 2 + n % 2, kCubes);
+    VoxelSolid solid(kCube);
+    PolygonSoup soup;
+    for (const auto& [lower, upper] : boxes) {
+      soup = joined({soup, tessellation::box(kCube * lower, kCube * upper)});
+      for (int z = 1; z < kCubes; ++z) {
+        for (int y = 1; y < kCubes; ++y) {
+          for (int x = 1; x < kCubes; ++x) {
+            const Vec3<double> middle{x + 0.5, y + 0.5, z + 0.5};
+            if (Box<double>{lower, upper}.contains(middle)) solid.add({x, y, z});
+          }
+        }
+      }
+    }
+    std::array<std::vector<int>, 3> planes;
+    for (auto& ofAxis : planes) ofAxis = randomPlanes(random, n % 3 != 0);
+    const Solid<double> surface{MeshSDF<double>(soup)};
+    for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+      SCOPED_TRACE(n);
+      expectFlooded(surface, solid, planes, false, counts, side);
+    }
+  }
+  EXPECT_GT(counts.meeting, 100U);
 }
 
 }  // namespace

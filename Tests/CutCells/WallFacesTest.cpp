@@ -111,7 +111,6 @@ TEST(WallFacesTest, OfBoxesThatMeetAreThoseOfTheirUnion) {
   std::size_t meeting = 0;
   for (int n = 0; n < scaled(60) && !HasFailure(); ++n) {
     const auto boxes = randomBoxesInPlanes(random, 3, 8);
-    if (touchInLines(boxes)) continue;
     const auto cells = cellsOfShells(soupOf(boxes), 4);
     meeting += check(cells).meetingCells;
     expectFacesOfVoxels(cells, 2, [&](int x, int y, int z) {

@@ -80,9 +80,12 @@ std::shared_ptr<const CutSurface> surfaceOf(const Solid<T>& solid, FluidSide sid
   const auto open = patchesCalled(options.openPatches, triangles.patchNames);
   const auto box = triangles.boundingBox();
   const auto period = periodOf(box, options.period);
-  const bool isSound = mesh.signReport().isSound() && !imagesMayTouch(box, period);
+  const auto& signs = mesh.signReport();
+  const auto meetings = !signs.isSound() || imagesMayTouch(box, period) ? MeetingsOf::All
+                        : signs.shells > 1                              ? MeetingsOf::Shells
+                                                                        : MeetingsOf::None;
   if (period.isOnAny()) triangles = withImages(triangles, period);
-  return std::make_shared<const CutSurface>(triangles, side, isSound, open, period);
+  return std::make_shared<const CutSurface>(triangles, side, meetings, open, period);
 }
 
 void checkPlanes(const CellPlanes& grid) {

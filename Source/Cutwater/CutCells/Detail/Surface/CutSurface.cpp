@@ -124,16 +124,17 @@ void sortNumbers(std::vector<std::uint32_t>& numbers, std::size_t count) {
 
 }  // namespace
 
-CutSurface::CutSurface(const PolygonSoup& triangles, FluidSide side, bool isSound,
+CutSurface::CutSurface(const PolygonSoup& triangles, FluidSide side, MeetingsOf meetings,
                        std::span<const std::uint32_t> openPatches, const CutPeriod& period)
     : CutSurface(triangles,
-                 isSound ? properTriangles(triangles)
-                         : withoutOpposites(triangles, properTriangles(triangles)),
-                 side, isSound, openPatches, period) {}
+                 meetings == MeetingsOf::All
+                     ? withoutOpposites(triangles, properTriangles(triangles))
+                     : properTriangles(triangles),
+                 side, meetings, openPatches, period) {}
 
 CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles,
-                       FluidSide side, bool isSound, std::span<const std::uint32_t> openPatches,
-                       const CutPeriod& period)
+                       FluidSide side, MeetingsOf meetings,
+                       std::span<const std::uint32_t> openPatches, const CutPeriod& period)
     : frame_(frameOf(soup.boundingBox())),
       period_(period),
       windingOutside_(side == FluidSide::Inside ? 1 : 0),
@@ -152,7 +153,7 @@ CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> t
   }
   constexpr std::uint32_t kLeafWidth = 16;
   tree_ = detail::buildBinaryBvh(boxes_, kLeafWidth, 0);
-  if (!isSound) {
+  if (meetings != MeetingsOf::None) {
     const auto positions = inFrame(frame_, soup.points);
     const auto corners = cornersOf(soup, triangles, side);
     kinds_ =
@@ -160,7 +161,8 @@ CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> t
                         .positions = positions,
                         .corners = corners,
                         .trianglesIn = [this](const Box<double>& box) { return trianglesIn(box); },
-                        .windingOutside = windingOutside_});
+                        .windingOutside = windingOutside_,
+                        .meetings = meetings});
   }
   if (!moved_.overlapping().empty()) kinds_.resize(moved_.triangleCount(), SheetKind::Wall);
   for (const auto i : moved_.overlapping()) kinds_[i] = SheetKind::Meeting;

@@ -30,12 +30,12 @@ struct CutFrame {
 /// A closed surface as cells are cut by it: in its frame, with the fluid outside, and moved.
 class CutSurface {
  public:
-  /// Equal points of the soup are one. `isSound`: it is known not to meet itself, and no shell lies
-  /// within another's solid. `openPatches`: their numbers.
+  /// Equal points of the soup are one. `meetings`: but for these it is known not to meet itself,
+  /// and no shell lies within another's solid. `openPatches`: their numbers.
   /// `period`: of a surface with its images.
   /// @throws Error(Topology) if the triangles of the soup are not closed, or cancel each
   /// other.
-  CutSurface(const PolygonSoup& triangles, FluidSide side, bool isSound,
+  CutSurface(const PolygonSoup& triangles, FluidSide side, MeetingsOf meetings,
              std::span<const std::uint32_t> openPatches = {}, const CutPeriod& period = {});
 
   [[nodiscard]] const CutFrame& frame() const { return frame_; }
@@ -60,7 +60,8 @@ class CutSurface {
  private:
   /// Of some triangles of a soup.
   CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles, FluidSide side,
-             bool isSound, std::span<const std::uint32_t> openPatches, const CutPeriod& period);
+             MeetingsOf meetings, std::span<const std::uint32_t> openPatches,
+             const CutPeriod& period);
 
   CutFrame frame_;
   CutPeriod period_;

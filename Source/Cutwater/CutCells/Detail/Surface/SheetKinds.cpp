@@ -4,6 +4,7 @@
 #include <Cutwater/Triangles/TriangleIntersection.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace cutwater {
@@ -16,9 +17,15 @@ class KindFinder {
       : in_(input), kinds_(input.surface.triangleCount(), SheetKind::Wall) {}
 
   std::vector<SheetKind> run() {
-    noteMeetings();
-    noteCrowdedEdges();
-    decideParts();
+    if (in_.meetings == MeetingsOf::Shells) {
+      findShells();
+      if (boxes_.size() > 1) noteMeetings();
+      if (std::ranges::count(kinds_, SheetKind::Meeting) == 0) return {};
+    } else {
+      noteMeetings();
+      noteCrowdedEdges();
+      decideParts();
+    }
     decideGaps();
     return std::move(kinds_);
   }
@@ -33,10 +40,44 @@ class KindFinder {
     if (!hasArea(places)) return false;
     Box<double> box;
     for (const auto& p : places) box.extend(p);
+    if (!shellOf_.empty() && !isInOthers(shellOf_[triangle], box)) return false;
     return std::ranges::any_of(in_.trianglesIn(box), [&](std::uint32_t other) {
-      return other != triangle && other < in_.corners.size() && hasArea(placesOf(other)) &&
+      return other < in_.corners.size() && mayMeet(triangle, other) && hasArea(placesOf(other)) &&
              intersect(in_.positions, in_.corners[triangle], in_.corners[other]);
     });
+  }
+  [[nodiscard]] bool mayMeet(std::uint32_t one, std::uint32_t other) const {
+    return shellOf_.empty() ? one != other : shellOf_[one] != shellOf_[other];
+  }
+
+  /// Triangles of the mesh that are connected across edges, and gaps between copies of vertices.
+  void findShells() {
+    const auto count = static_cast<std::uint32_t>(kinds_.size());
+    detail::DisjointSets sets(count);
+    forEdges([&](std::uint32_t one, std::uint32_t other) { sets.unite(one, other); });
+    shellOf_.assign(count, kNoTriangle);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      auto& shell = shellOf_[sets.find(i)];
+      if (shell == kNoTriangle) {
+        shell = static_cast<std::uint32_t>(boxes_.size());
+        boxes_.emplace_back();
+      }
+      shellOf_[i] = shell;
+      for (const auto& vertex : in_.surface.triangle(i)) boxes_[shell].extend(vertex.position);
+    }
+    order_.resize(boxes_.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::ranges::sort(order_, {}, [this](std::uint32_t shell) { return boxes_[shell].lower.x; });
+    for (const auto& box : boxes_) longest_ = std::max(longest_, box.size().x);
+  }
+  /// Whether a box is in that of another shell than its own, or touches it.
+  [[nodiscard]] bool isInOthers(std::uint32_t own, const Box<double>& box) const {
+    const auto lower = [this](std::uint32_t shell) { return boxes_[shell].lower.x; };
+    auto shell = std::ranges::lower_bound(order_, box.lower.x - longest_, {}, lower);
+    for (; shell != order_.end() && lower(*shell) <= box.upper.x; ++shell) {
+      if (*shell != own && boxes_[*shell].overlaps(box)) return true;
+    }
+    return false;
   }
   void noteMeetings() {
     parallelFor(in_.corners.size(), {}, [&](std::size_t begin, std::size_t end) {
@@ -156,6 +197,11 @@ class KindFinder {
 
   const SheetInput& in_;
   std::vector<SheetKind> kinds_;
+  // Of shells, if only these may touch:
+  std::vector<std::uint32_t> shellOf_;  // by triangle
+  std::vector<Box<double>> boxes_;
+  std::vector<std::uint32_t> order_;  // along x
+  double longest_ = 0;                // of their lengths along x
 };
 
 }  // namespace

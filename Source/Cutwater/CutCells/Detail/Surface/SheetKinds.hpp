@@ -19,6 +19,13 @@ enum class SheetKind : std::uint8_t {
   Meeting
 };
 
+/// Which triangles of a surface may meet others, outside of corners and edges that they share.
+enum class MeetingsOf : std::uint8_t {
+  None,
+  Shells,  ///< those of different shells may touch, in points of their edges
+  All
+};
+
 /// A surface, as findSheetKinds() needs it.
 struct SheetInput {
   const MovedSurface& surface;
@@ -28,10 +35,12 @@ struct SheetInput {
   /// The triangles of the moved surface whose boxes meet a box.
   FunctionRef<std::vector<std::uint32_t>(const Box<double>&)> trianglesIn;
   int windingOutside = 0;
+  MeetingsOf meetings = MeetingsOf::All;
 };
 
 /// The kinds of the triangles of a closed surface, by exact predicates: of each two triangles whose
-/// boxes meet, and the winding number at one triangle of each part that meets no others.
+/// boxes meet, and the winding number at one triangle of each part that meets no others. Empty if
+/// all are walls, where only those of different shells may touch.
 [[nodiscard]] std::vector<SheetKind> findSheetKinds(const SheetInput& input);
 
 }  // namespace cutwater
