@@ -137,6 +137,21 @@ class Cells(CommandTest):
                               "--spacing", "0.0078125", "--open", "inlet", "--open", "outlet")
         self.assertIn("wall 8;", said)
 
+    def test_a_layer_shows_no_wall_where_a_patch_is_open(self):
+        self.duct()
+        place = ["slice", "duct.obj", "--inside", "--box", "0,-1,-1,3,2,2", "--spacing", "0.25", "--at", "0.4"]
+        ends = ["--open", "inlet", "--open", "outlet"]
+        for name, options in (("closed", []), ("open", ends), ("again", ends + ["--threads", "3"])):
+            # A cell is cut by the walls and the openings that bound it.
+            self.assertIn("20 of 144 are cut", self.succeeds(*place, *options, "-o", f"{name}.png"))
+        closed, open_, again = ((self.folder / f"{name}.png").read_bytes() for name in ("closed", "open", "again"))
+        self.assertNotEqual(closed, open_)
+        self.assertEqual(open_, again)
+        self.assertIn('the open patch "outlet" lies in no plane of the grid at (2.5, ',
+                      self.fails(1, *place[:-3], "0.2", "--open", "outlet", "-o", "a.png"))
+        self.assertIn("are for a picture of cells", self.fails(1, "slice", "duct.obj", *ends, "-o", "a.png"))
+        self.assertFalse((self.folder / "a.png").exists())
+
     def test_refuses_open_patches(self):
         self.duct()
         place = ["cells", "duct.obj", "--inside", "--box", "0,-1,-1,3,2,2", "--open", "outlet"]

@@ -232,10 +232,7 @@ void addCells(Program& program) {
   addOctreeOptions(command, options->octree);
   addLimits(command, "--max-cells", options->limits);
   command.addFlag("--inside", "The fluid is inside the surface", options->isInside);
-  command.addRepeated("--open", "PATCH",
-                      "This patch is no wall but open, as inlets and outlets are; it must lie in "
-                      "planes of the grid; may be repeated",
-                      [=](const std::string& text) { options->openPatches.push_back(text); });
+  addOpenPatches(command, options->openPatches);
   command.addFlag("--whole-cells", "Write the cells that are all fluid as well",
                   options->wholeCells);
   command.setFooter(

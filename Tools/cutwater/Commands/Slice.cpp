@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "Commands/Commands.hpp"
 #include "Commands/Picture.hpp"
@@ -26,9 +28,13 @@ struct SliceSettings {
   PictureOptions picture;
   GridRequest grid;  // of cells, if a picture of them is wanted
   bool isInside = false;
+  std::vector<std::string> openPatches;
 
   [[nodiscard]] bool isOfCells() const {
     return !grid.cells.empty() || !grid.spacing.empty() || grid.total.has_value();
+  }
+  [[nodiscard]] bool saysWhichCells() const {
+    return isInside || !openPatches.empty() || grid.box || grid.margin;
   }
 };
 
@@ -128,7 +134,8 @@ void drawCells(const SliceSettings& options, const Solid<double>& solid) {
   const auto& [output, axis, at, slice] = options.picture;
   const auto grid = shownCells(options, solid);
   requirePixels(options, grid.indices);
-  const CellCutter cutter(solid, options.isInside ? FluidSide::Inside : FluidSide::Outside);
+  const CellCutter cutter(solid, options.isInside ? FluidSide::Inside : FluidSide::Outside,
+                          {.openPatches = options.openPatches});
   Stopwatch watch;
   const auto cells = [&] {
     ProgressBar bar("cutting", !options.surface.quiet);
@@ -155,10 +162,10 @@ void drawCells(const SliceSettings& options, const Solid<double>& solid) {
 }
 
 void run(const SliceSettings& options) {
-  if (!options.isOfCells() && (options.isInside || options.grid.box || options.grid.margin)) {
+  if (!options.isOfCells() && options.saysWhichCells()) {
     throw Error(ErrorKind::Argument,
-                "--inside, --box and --margin are for a picture of cells: with --cells, --spacing "
-                "or --total");
+                "--inside, --open, --box and --margin are for a picture of cells: with --cells, "
+                "--spacing or --total");
   }
   const auto solid = loadSolid(options.surface);
   if (options.isOfCells()) {
@@ -184,6 +191,7 @@ void addSlice(Program& program) {
   addPlaceOptions(command, options->grid);
   command.addFlag("--inside", "The fluid is inside the surface that cuts the cells",
                   options->isInside);
+  addOpenPatches(command, options->openPatches);
   command.setFooter(
       "Examples:\n"
       "  cutwater slice hull.stl -o hull.png\n"

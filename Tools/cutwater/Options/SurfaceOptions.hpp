@@ -4,6 +4,7 @@
 #include <Cutwater/Mesh/SignScheme.hpp>
 
 #include <string>
+#include <vector>
 
 #include "Options/Command.hpp"
 
@@ -28,6 +29,8 @@ enum class Reads : std::uint8_t { Surfaces, SurfacesAndScenes };
 void addSurfaceOptions(Command command, SurfaceOptions& options, Reads reads = Reads::Surfaces);
 /// Adds --signs and --require-watertight, for commands that call loadMesh() or loadSolid().
 void addSignOptions(Command command, SurfaceOptions& options);
+/// Adds --open, for commands that cut cells.
+void addOpenPatches(Command command, std::vector<std::string>& names);
 void addQuiet(Command command, bool& quiet);
 
 /// Whether the file is a scene: its name ends in .toml.
