@@ -13,6 +13,8 @@
 #include "CutCells/RandomLeaves.hpp"
 #include "CutCells/RandomVoxels.hpp"
 #include "CutCells/ShellCells.hpp"
+#include "Support/Clipping.hpp"
+#include "Support/CutPolygons.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Soups.hpp"
 
@@ -122,27 +124,16 @@ TEST(WallFacesTest, OfBoxesThatMeetAreThoseOfTheirUnion) {
 }
 
 /// The area that a triangle has in a cell of the plane, by clipping.
-double areaIn(std::vector<Vec3<double>> polygon, int i, int j) {
-  for (int side = 0; side < 4; ++side) {
-    const int axis = side / 2;
-    const double sign = side % 2 == 0 ? 1 : -1;
-    const double plane = (axis == 0 ? i : j) + side % 2;
-    std::vector<Vec3<double>> kept;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-      const auto& p = polygon[k];
-      const auto& q = polygon[(k + 1) % polygon.size()];
-      const double heightP = sign * (p[axis] - plane);
-      const double heightQ = sign * (q[axis] - plane);
-      if (heightP >= 0) kept.push_back(p);
-      if (heightP * heightQ < 0) kept.push_back(p + heightP / (heightP - heightQ) * (q - p));
-    }
-    polygon = kept;
+double areaIn(const std::vector<Vec3<double>>& triangle, int i, int j) {
+  std::vector<std::array<double, 3>> part;
+  for (const auto& p : triangle) part.push_back({p.x, p.y, p.z});
+  for (const std::size_t axis : {0, 1}) {
+    const double low = axis == 0 ? i : j;
+    part = clipped(clipped(part, axis, low, 1), axis, low + 1, -1);
   }
-  double area = 0;
-  for (std::size_t k = 2; k < polygon.size(); ++k) {
-    area += 0.5 * cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]).z;
-  }
-  return area;
+  std::vector<Vec3<double>> polygon;
+  for (const auto& [x, y, z] : part) polygon.push_back({x, y, z});
+  return areaVector(polygon).z;
 }
 
 std::vector<Vec3<double>> randomTriangle(std::mt19937& random) {

@@ -235,7 +235,7 @@ CellPlanes CellCutter::gridOf(const GridPatch<T>& gridPatch) const {
     std::vector<double> planes;
     for (std::int32_t n = 0; n <= cells; ++n) {
       Index3 index;
-      (axis == 0 ? index.i : axis == 1 ? index.j : index.k) = n;
+      along(index, axis) = n;
       planes.push_back(double{gridPatch.level.cell(index).lower[axis]});
     }
     const auto last = first[a] + static_cast<std::int64_t>(gridPatch.indices.length(axis)) - 1;
@@ -252,9 +252,9 @@ CellPlanes planesOf(const GridPatch<T>& gridPatch) {
   for (int axis = 0; axis < 3; ++axis) {
     auto& planes = result.planes[static_cast<std::size_t>(axis)];
     auto index = box.lo;
-    auto& along = axis == 0 ? index.i : axis == 1 ? index.j : index.k;
-    --along;
-    for (std::size_t n = 0; n < box.length(axis) + 2; ++n, ++along) {
+    auto& number = along(index, axis);
+    --number;
+    for (std::size_t n = 0; n < box.length(axis) + 2; ++n, ++number) {
       planes.push_back(double{level.cell(index).lower[axis]});
     }
     planes.push_back(double{level.cell(index).lower[axis]});

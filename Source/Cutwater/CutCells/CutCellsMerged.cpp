@@ -69,7 +69,7 @@ class MergeBox final : public MergeGraph::Mesh {
   /// The cells of the box along an axis, and one more on each side.
   [[nodiscard]] Place along(int axis) const { return box_.length(axis) + 2; }
   [[nodiscard]] static Index3 beside(Index3 cell, int axis, bool isHigh) {
-    (axis == 0 ? cell.i : axis == 1 ? cell.j : cell.k) += isHigh ? 1 : -1;
+    cutwater::along(cell, axis) += isHigh ? 1 : -1;
     return cell;
   }
 

@@ -80,29 +80,15 @@ void CoarseFace::findBehind(Part& part) const {
   }
   // Behind what has an area there is a piece, even if all of its rim belongs to films.
   const auto& arc = sources_.tileOf(sources_.of(part.leaf)).cut.content.arcs[part.arc];
-  if (arc.area > PieceSums::nothing(size())) part.behind = kUnknown;
-}
-
-Vec3<double> CoarseFace::size() const {
-  const auto& [index, level, kind] = grid_.leaves()[sources_.source(coarse_).leaf];
-  Vec3<double> size;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto cell = along(index, axis);
-    size[axis] = grid_.planeInFrame(level, axis, cell + 1) - grid_.planeInFrame(level, axis, cell);
-  }
-  return size;
+  const auto size = grid_.boxInFrame(sources_.source(coarse_).leaf).size();
+  if (arc.area > PieceSums::nothing(size)) part.behind = kUnknown;
 }
 
 Vec3<double> CoarseFace::pointIn(const Part& part) const {
   if (part.arc == kNone) {
-    const auto& [index, level, kind] = grid_.leaves()[part.leaf];
-    Vec3<double> middle;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto cell = along(index, axis);
-      const double low = grid_.planeInFrame(level, axis, cell);
-      const double high = grid_.planeInFrame(level, axis, cell + 1);
-      middle[axis] = axis != axis_ ? 0.5 * (low + high) : isHigh_ ? low : high;
-    }
+    const auto box = grid_.boxInFrame(part.leaf);
+    auto middle = box.center();
+    middle[axis_] = isHigh_ ? box.lower[axis_] : box.upper[axis_];
     return middle;
   }
   const auto& tile = sources_.tileOf(sources_.of(part.leaf));
@@ -143,8 +129,7 @@ void CoarseFace::joinThroughEdge(std::uint32_t finer, int side) {
   const auto other = std::ranges::lower_bound(finer_, grid_.at(next, level));
   const bool isThere = other != finer_.end() && *other == grid_.at(next, level);
   if (!isThere || grid_.leaves()[*other].level > level) return;
-  const double middle = 0.5 * (grid_.planeInFrame(level, run, along(index, run)) +
-                               grid_.planeInFrame(level, run, along(index, run) + 1));
+  const double middle = grid_.boxInFrame(finer_[finer]).center()[run];
   const auto part = partAt(finer, side, middle, true);
   if (part == kNone) return;
   const auto beside =

@@ -40,8 +40,6 @@ class CoarseFace {
 
   void findParts(std::span<const FluidClass> classes);
   void findBehind(Part& part) const;
-  /// Of the coarse leaf, in the frame.
-  [[nodiscard]] Vec3<double> size() const;
   [[nodiscard]] Vec3<double> pointIn(const Part& part) const;
   [[nodiscard]] std::uint32_t behindPoint(const Vec3<double>& point) const;
   void joinThroughEdges();

@@ -52,27 +52,25 @@ LeafGrid::LeafGrid(const OctreeCells<T>& mesh, const CutFrame& frame)
   }
 }
 
-Box<double> LeafGrid::boxOf(std::uint32_t leaf) const {
+Box<double> LeafGrid::boxBetween(const std::array<std::vector<double>, 3>& planes,
+                                 std::uint32_t leaf) const {
   const auto& [index, level, kind] = leaves_[leaf];
   Box<double> box;
   for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = plane(level, axis, along(index, axis));
-    box.upper[axis] = plane(level, axis, along(index, axis) + 1);
+    box.lower[axis] = planes[asIndex(axis)][numberOf(level, along(index, axis))];
+    box.upper[axis] = planes[asIndex(axis)][numberOf(level, along(index, axis) + 1)];
   }
   return box;
 }
 
-double LeafGrid::width(std::uint32_t leaf, int axis) const {
-  const auto& [index, level, kind] = leaves_[leaf];
-  return plane(level, axis, along(index, axis) + 1) - plane(level, axis, along(index, axis));
-}
-
 double LeafGrid::faceArea(std::uint32_t leaf, int axis) const {
-  return width(leaf, (axis + 1) % 3) * width(leaf, (axis + 2) % 3);
+  const auto size = boxOf(leaf).size();
+  return size[(axis + 1) % 3] * size[(axis + 2) % 3];
 }
 
 double LeafGrid::volume(std::uint32_t leaf) const {
-  return width(leaf, 0) * width(leaf, 1) * width(leaf, 2);
+  const auto size = boxOf(leaf).size();
+  return size.x * size.y * size.z;
 }
 
 std::pair<std::uint32_t, std::uint32_t> LeafGrid::within(const Index3& first, int level,

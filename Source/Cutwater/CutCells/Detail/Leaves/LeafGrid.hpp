@@ -36,7 +36,10 @@ class LeafGrid {
   [[nodiscard]] double planeInFrame(int level, int axis, std::int32_t cell) const {
     return framed_[asIndex(axis)][numberOf(level, cell)];
   }
-  [[nodiscard]] Box<double> boxOf(std::uint32_t leaf) const;
+  [[nodiscard]] Box<double> boxOf(std::uint32_t leaf) const { return boxBetween(planes_, leaf); }
+  [[nodiscard]] Box<double> boxInFrame(std::uint32_t leaf) const {
+    return boxBetween(framed_, leaf);
+  }
   /// The area of its faces across an axis, and its volume.
   [[nodiscard]] double faceArea(std::uint32_t leaf, int axis) const;
   [[nodiscard]] double volume(std::uint32_t leaf) const;
@@ -61,7 +64,8 @@ class LeafGrid {
   [[nodiscard]] std::size_t numberOf(int level, std::int32_t cell) const {
     return static_cast<std::size_t>(cell) << (deepest_ - level);
   }
-  [[nodiscard]] double width(std::uint32_t leaf, int axis) const;
+  [[nodiscard]] Box<double> boxBetween(const std::array<std::vector<double>, 3>& planes,
+                                       std::uint32_t leaf) const;
   void addTouching(const Index3& cell, int level, int axis, bool isHigh,
                    std::vector<std::uint32_t>& found) const;
 
@@ -73,14 +77,6 @@ class LeafGrid {
   std::array<std::vector<double>, 3> planes_;
   std::array<std::vector<double>, 3> framed_;
 };
-
-/// The component of an index along an axis.
-inline std::int32_t& along(Index3& index, int axis) {
-  return axis == 0 ? index.i : axis == 1 ? index.j : index.k;
-}
-inline std::int32_t along(const Index3& index, int axis) {
-  return axis == 0 ? index.i : axis == 1 ? index.j : index.k;
-}
 
 extern template LeafGrid::LeafGrid(const OctreeCells<float>&, const CutFrame&);
 extern template LeafGrid::LeafGrid(const OctreeCells<double>&, const CutFrame&);

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/WallFaces.hpp>
 #include <Cutwater/CutCells/Detail/Rows/CoarseNodes.hpp>
 
 #include <algorithm>
@@ -116,8 +117,8 @@ unsigned CoarseNodes::outerFaces(std::uint32_t node) const {
     const auto ratio = static_cast<std::size_t>(ratios_[axis]);
     const auto along = number % ratio;
     number /= ratio;
-    if (along == 0) faces |= 1U << 2 * axis;
-    if (along + 1 == ratio) faces |= 2U << 2 * axis;
+    if (along == 0) faces |= bitOfFace(static_cast<int>(axis), false);
+    if (along + 1 == ratio) faces |= bitOfFace(static_cast<int>(axis), true);
   }
   return faces;
 }

@@ -1,4 +1,5 @@
 #include <Cutwater/CutCells/Detail/Rows/PeriodicRows.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/GridPlanes.hpp>
 
 #include <algorithm>
 #include <map>
@@ -8,10 +9,6 @@
 namespace cutwater {
 
 namespace {
-
-std::int32_t& coordinate(Index3& cell, std::size_t axis) {
-  return axis == 0 ? cell.i : axis == 1 ? cell.j : cell.k;
-}
 
 auto orderOfCell(const Index3& cell) {
   return std::tuple(cell.k, cell.j, cell.i);
@@ -159,14 +156,14 @@ SpannedAxes spannedAxes(const CellPlanes& grid) {
 }
 
 Index3 inPeriod(const CellPlanes& grid, const SpannedAxes& spanned, Index3 cell) {
-  auto [lo, hi] = grid.indices();
+  const auto [lo, hi] = grid.indices();
   for (std::size_t a = 0; a < 3; ++a) {
-    auto& at = coordinate(cell, a);
+    auto& at = along(cell, a);
     if (!spanned[a]) continue;
-    if (at < coordinate(lo, a)) {
-      at = coordinate(hi, a);
-    } else if (at > coordinate(hi, a)) {
-      at = coordinate(lo, a);
+    if (at < along(lo, a)) {
+      at = along(hi, a);
+    } else if (at > along(hi, a)) {
+      at = along(lo, a);
     }
   }
   return cell;
@@ -190,16 +187,16 @@ CutCells withJoinedEnds(const CutCells& cells, const SpannedAxes& spanned) {
   auto result = cells;
   result.arcPolygons = result.wallPolygons = {};
   result.firstWallPolygon.clear();
-  auto [lo, hi] = cells.grid.indices();
+  const auto [lo, hi] = cells.grid.indices();
   std::vector<ChangedArc> joined;
   for (std::uint32_t arc = 0; arc < cells.arcs.area.size(); ++arc) {
     auto it = unchangedArc(cells, arc);
     const std::size_t a = it.axis;
-    if (spanned[a] && coordinate(it.cell, a) > coordinate(hi, a)) {
+    if (spanned[a] && along(it.cell, a) > along(hi, a)) {
       // Arcs between two pieces, and those below a piece, are at the low end as well.
       if (it.above < cells.pieces.cell.size()) continue;
       it.above = sideInPeriod(cells, spanned, it.cell, it.above);
-      coordinate(it.cell, a) = coordinate(lo, a);
+      along(it.cell, a) = along(lo, a);
       it.plane = endsOf(cells.grid, a)[0];
     }
     it.below = sideInPeriod(cells, spanned, cells.arcs.cellBelow(arc), it.below);
@@ -210,7 +207,7 @@ CutCells withJoinedEnds(const CutCells& cells, const SpannedAxes& spanned) {
 }
 
 void separateEnds(CutCells& cells, const SpannedAxes& spanned) {
-  auto [lo, hi] = cells.grid.indices();
+  const auto [lo, hi] = cells.grid.indices();
   RowsBeyond beyond(cells, spanned);
   const auto isPiece = [&](std::uint32_t side) { return side < cells.pieceCount; };
   std::vector<ChangedArc> separate;
@@ -219,7 +216,7 @@ void separateEnds(CutCells& cells, const SpannedAxes& spanned) {
     const auto it = unchangedArc(cells, arc);
     const std::size_t a = it.axis;
     auto place = it.cell;
-    if (!spanned[a] || coordinate(place, a) != coordinate(lo, a)) {
+    if (!spanned[a] || along(place, a) != along(lo, a)) {
       separate.push_back(it);
       continue;
     }
@@ -232,7 +229,7 @@ void separateEnds(CutCells& cells, const SpannedAxes& spanned) {
     }
     if (isPiece(it.below)) {
       auto high = it;
-      coordinate(high.cell, a) = coordinate(hi, a) + 1;
+      along(high.cell, a) = along(hi, a) + 1;
       high.plane = endsOf(cells.grid, a)[1];
       if (isPiece(it.above)) {
         beyond.want(high.cell);
@@ -245,7 +242,7 @@ void separateEnds(CutCells& cells, const SpannedAxes& spanned) {
   for (const auto& [number, isBelow] : wanted) {
     auto& it = separate[number];
     auto cell = it.cell;
-    if (isBelow) --coordinate(cell, it.axis);
+    if (isBelow) --along(cell, it.axis);
     auto& side = isBelow ? it.below : it.above;
     side = beyond.pieceIn(cell, side);
   }

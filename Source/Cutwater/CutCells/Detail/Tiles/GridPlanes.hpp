@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Cutwater/Core/Box.hpp>
+#include <Cutwater/Core/IndexBox.hpp>
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -13,6 +15,14 @@ namespace cutwater {
 /// An axis as the index of an array.
 constexpr std::size_t asIndex(int axis) {
   return static_cast<std::size_t>(axis);
+}
+
+/// The component of an index along an axis.
+inline std::int32_t& along(Index3& index, std::integral auto axis) {
+  return axis == 0 ? index.i : axis == 1 ? index.j : index.k;
+}
+inline std::int32_t along(const Index3& index, std::integral auto axis) {
+  return axis == 0 ? index.i : axis == 1 ? index.j : index.k;
 }
 
 /// The last of ascending planes for whose number `isBelow` is true; -1 if it is for none. It
