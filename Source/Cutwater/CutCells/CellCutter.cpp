@@ -2,10 +2,8 @@
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafAssembly.hpp>
 #include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
+#include <Cutwater/CutCells/Detail/Surface/SurfaceOfSolid.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/PlaneCut.hpp>
-#include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Surface/Detail/HoleCaps.hpp>
-#include <Cutwater/Triangles/OpenEdges.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,77 +13,10 @@ namespace cutwater {
 
 namespace {
 
-template <std::floating_point T>
-const MeshSDF<T>& checkedMesh(const Solid<T>& solid, const CutterOptions& options) {
-  const auto* const mesh = solid.template as<MeshSDF<T>>();
-  require(mesh != nullptr, "cut cells: need a mesh: make one of the solid, see isosurface()");
-  const auto& signs = mesh->signReport();
-  if (signs.unorientable > 0) {
-    throw Error(ErrorKind::Topology,
-                "cut cells: need a surface with two sides: " + signs.summary());
-  }
-  if (!signs.isClosed() && !options.capHoles) {
-    throw Error(ErrorKind::Topology,
-                "cut cells: need a surface that is closed, see CutterOptions::capHoles: " +
-                    signs.summary());
-  }
-  return *mesh;
-}
-
-/// The triangles with their vertices in the world, those in one place merged: where parts touch
-/// along an edge, it is one edge.
-template <std::floating_point T>
-PolygonSoup placedTriangles(const Solid<T>& solid, const MeshSDF<T>& mesh) {
-  auto soup = mesh.soup();
-  const auto placement = solid.placement();
-  if (!placement.isIdentity()) {
-    for (auto& p : soup.points) p = Vec3<double>(placement.toWorld(Vec3<T>(p)));
-  }
-  weldExactly(soup);
-  return soup;
-}
-
 void checkOptions(const CutOptions& options) {
   require(options.moments >= -1 && options.moments <= CutCells::Moments::kHighest,
           "cut cells: need a degree of moments from 0 to 4, or -1",
           Named{"moments", options.moments});
-}
-
-/// Closes the holes of triangles whose points are all different.
-void addCaps(PolygonSoup& soup) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
-    const auto p = soup.polygon(i);
-    triangles.push_back({p[0], p[1], p[2]});
-  }
-  const auto edges = findOpenEdges(triangles, soup.points.size());
-  const auto caps = capHoles<double>(soup.points, edges);
-  const auto first = static_cast<std::uint32_t>(soup.points.size());
-  const auto patch = static_cast<std::uint32_t>(soup.patchNames.size());
-  soup.patchNames.emplace_back("cap");
-  soup.points.insert(soup.points.end(), caps.positions.begin(), caps.positions.end());
-  for (const auto& [a, b, c] : caps.triangles) {
-    soup.addPolygon(std::array{first + a, first + b, first + c});
-    soup.patches.back() = patch;
-  }
-  weldExactly(soup);
-}
-
-template <std::floating_point T>
-std::shared_ptr<const CutSurface> surfaceOf(const Solid<T>& solid, FluidSide side,
-                                            const CutterOptions& options) {
-  const auto& mesh = checkedMesh(solid, options);
-  auto triangles = placedTriangles(solid, mesh);
-  if (!mesh.signReport().isClosed()) addCaps(triangles);
-  const auto open = patchesCalled(options.openPatches, triangles.patchNames);
-  const auto box = triangles.boundingBox();
-  const auto period = periodOf(box, options.period);
-  const auto& signs = mesh.signReport();
-  const auto meetings = !signs.isSound() || imagesMayTouch(box, period) ? MeetingsOf::All
-                        : signs.shells > 1                              ? MeetingsOf::Shells
-                                                                        : MeetingsOf::None;
-  if (period.isOnAny()) triangles = withImages(triangles, period);
-  return std::make_shared<const CutSurface>(triangles, side, meetings, open, period);
 }
 
 void checkPlanes(const CellPlanes& grid) {
@@ -174,6 +105,7 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
   layer.planes[2] = {z - 1.5, z - 0.5, z + 0.5, z + 1.5};
   checkPlanes(layer);
   refusePeriod(surface_->period(), "cut cells: there are no periods in a plane");
+  require(!surface_->hasBaffles(), "cut cells: there are no baffles in a plane");
   const auto& frame = surface_->frame();
   auto stretches = stretchesOf(*surface_, layer);
   auto& heights = stretches[2].front().positions;

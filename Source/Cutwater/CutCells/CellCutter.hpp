@@ -37,6 +37,11 @@ struct CutterOptions {
   /// symmetry. They must lie in planes of the grid: what they have of a face is an arc that leads
   /// to CutCells::kBeyond, and the fluid goes on there. See Docs/cut-cells.md.
   std::vector<std::string> openPatches = {};
+  /// The names of patches that are baffles: sheets without thickness, open or closed, with fluid
+  /// and a wall on both sides. They may end anywhere, and meet and cross each other and walls; in
+  /// the body they are nothing. What is left without them must be closed, if there is any. See
+  /// Docs/cut-cells.md.
+  std::vector<std::string> baffles = {};
   /// The period of the body along each axis, 0: none. The body is the solid with all its images
   /// whole periods away; where a solid goes on through its images, ends that are alike cancel each
   /// other. Vertices and the period are rounded to multiples of a power of two, about 1e-15 of the
@@ -65,10 +70,10 @@ class CellCutter {
   /// @param solid  a MeshSDF, placed anyhow: its vertices are rounded in the world.
   /// @param side  where the fluid is.
   /// @param options  see there.
-  /// @throws Error(Argument) for other solids, and for open patches that there are none of, or that
-  /// are named twice; Error(Topology) unless the surface is closed, or is
-  /// to be, and can be oriented, see MeshSDF::signReport(), and if all of its triangles cancel each
-  /// other.
+  /// @throws Error(Argument) for other solids, for open patches and baffles that there are none of,
+  /// that are named twice, or as both, and for baffles with a period; Error(Topology) unless the
+  /// surface, without baffles, is closed, or is to be, and can be oriented, see
+  /// MeshSDF::signReport(), and if all of its triangles cancel each other.
   template <std::floating_point T>
   explicit CellCutter(const Solid<T>& solid, FluidSide side = FluidSide::Outside,
                       const CutterOptions& options = {});

@@ -40,9 +40,45 @@ std::vector<Sheet> sheetsOf(const TileSurface& surface, std::span<const FaceTrac
     sheet.plane.normal[axes.second] = way[axes.first] / size;
     sheet.plane.offset = dot(sheet.plane.normal, trace.from);
     sheet.patch = surface.patchOf(trace.triangle);
+    sheet.isBaffle = surface.isBaffle(trace.triangle);
     sheets.push_back(std::move(sheet));
   }
+  std::ranges::stable_partition(sheets, [](const Sheet& sheet) { return !sheet.isBaffle; });
   return sheets;
+}
+
+/// The parts of baffles that lie in a face, from the cells on both sides.
+std::vector<std::span<const Vec3<double>>> bafflesIn(const TileSurface& surface, int axis,
+                                                     TilePlace place, double plane) {
+  std::vector<std::span<const Vec3<double>>> result;
+  const auto a = asIndex(axis);
+  for (const int side : {0, 1}) {
+    place[a] -= side;
+    if (place[a] < 0 || place[a] >= surface.numbers().cells()[a]) continue;
+    const auto cell = surface.numbers().cell(place);
+    for (const auto& fragment : sortedUnder(surface.fragments(), cell, &TileFragment::cell)) {
+      const auto points = surface.points(fragment);
+      const auto isIn = [&](const Vec3<double>& p) { return p[axis] == plane; };
+      if (surface.isBaffle(fragment.triangle) && std::ranges::all_of(points, isIn)) {
+        result.push_back(points);
+      }
+    }
+  }
+  return result;
+}
+
+bool contains(std::span<const Vec3<double>> polygon, const FaceAxes& axes, const Vec3<double>& p) {
+  const int c = axes.first;
+  const int d = axes.second;
+  bool isInside = false;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const auto& from = polygon[k];
+    const auto& to = polygon[(k + 1) % polygon.size()];
+    if ((from[c] <= p[c]) == (to[c] <= p[c])) continue;
+    const double height = from[d] + (p[c] - from[c]) / (to[c] - from[c]) * (to[d] - from[d]);
+    if (height <= p[d]) isInside = !isInside;
+  }
+  return isInside;
 }
 
 }  // namespace
@@ -62,68 +98,95 @@ FaceRegions::FaceRegions(const TileSurface& surface, const EdgeStretches& stretc
   std::vector<std::uint32_t> regionOf(tree.leafCount(), kNone);
   const auto points = tree.pointsIn();
   const WindingOnFace windings(surface, stretches, face);
+  const auto baffles = bafflesIn(surface, axis_, surface.numbers().placeOfFace(face), plane);
   // The slab's high face is counterclockwise as seen against the axis.
   tree.divide(tree.face(low + 1), SheetTree::inwards(low + 1),
               [&](std::uint32_t leaf, SheetTree::Polygon polygon) {
                 for (auto& p : polygon) p[axis_] = plane;
                 regionOf[leaf] = static_cast<std::uint32_t>(regions_.size());
-                const int winding = windings.at(points[leaf]);
                 auto point = points[leaf];
                 point[axis_] = plane;
-                regions_.push_back({std::move(polygon), point, winding <= 0, kNone});
+                const auto covers = [&](std::span<const Vec3<double>> baffle) {
+                  return contains(baffle, axes, point);
+                };
+                const bool isFluid =
+                    windings.at(points[leaf]) <= 0 && std::ranges::none_of(baffles, covers);
+                regions_.push_back({std::move(polygon), point, isFluid, kNone});
               });
-  detail::DisjointSets sets(regions_.size());
-  for (const auto& portal : tree.portals()) {
-    const auto below = regionOf[portal.below];
-    const auto above = regionOf[portal.above];
-    if (below == kNone || above == kNone) continue;
-    const bool isOpen = regions_[below].isFluid && regions_[above].isFluid;
-    if (isOpen && 0.5 * length(twiceArea(portal.polygon)) > least) sets.unite(below, above);
-  }
-  for (std::uint32_t i = 0; i < regions_.size(); ++i) {
-    if (!regions_[i].isFluid) continue;
-    auto& part = regions_[sets.find(i)].part;
-    if (part == kNone) {
-      part = static_cast<std::uint32_t>(parts_.size());
-      parts_.push_back({.face = face, .centroid = {}});
-    }
-    regions_[i].part = part;
-  }
+  joinRegions(tree, regionOf, least);
   if (!found.empty()) somePatch_ = surface.patchOf(found.front().triangle);
   addWalls(tree, regionOf, plane);
   noteRimTraces(tree);
   measure(face, least);
 }
 
-void FaceRegions::addWalls(const SheetTree& tree, std::span<const std::uint32_t> regionOf,
-                           double plane) {
-  const FaceAxes axes(axis_);
+void FaceRegions::joinRegions(const SheetTree& tree, std::span<const std::uint32_t> regionOf,
+                              double least) {
+  detail::DisjointSets sets(regions_.size());
   for (const auto& portal : tree.portals()) {
     const auto below = regionOf[portal.below];
     const auto above = regionOf[portal.above];
     if (below == kNone || above == kNone) continue;
-    if (regions_[below].isFluid == regions_[above].isFluid) continue;
-    const bool facesUp = regions_[above].isFluid;
-    const auto normal = (facesUp ? 1.0 : -1.0) * twiceArea(portal.polygon);
-    Vec3<double> way;
-    way[axes.first] = normal[axes.second];
-    way[axes.second] = -normal[axes.first];
-    const auto add = [&](std::uint32_t patch, const SheetTree::Polygon& polygon) {
-      const auto along = [&](const Vec3<double>& p) { return dot(p, way); };
-      Wall wall{.part = regions_[facesUp ? above : below].part,
-                .patch = patch,
-                .from = *std::ranges::min_element(polygon, {}, along),
-                .to = *std::ranges::max_element(polygon, {}, along)};
-      wall.from[axis_] = wall.to[axis_] = plane;
-      walls_.push_back(wall);
-    };
+    if (!regions_[below].isFluid || !regions_[above].isFluid) continue;
+    const auto open = withoutBaffles(portal.polygon, tree.sheetsAt(portal), [](auto, auto&) {});
+    for (const auto& polygon : open) {
+      if (0.5 * length(twiceArea(polygon)) > least) sets.unite(below, above);
+    }
+  }
+  for (std::uint32_t i = 0; i < regions_.size(); ++i) {
+    if (!regions_[i].isFluid) continue;
+    auto& part = regions_[sets.find(i)].part;
+    if (part == kNone) {
+      part = static_cast<std::uint32_t>(parts_.size());
+      parts_.push_back({.centroid = {}});
+    }
+    regions_[i].part = part;
+  }
+}
+
+void FaceRegions::addWalls(const SheetTree& tree, std::span<const std::uint32_t> regionOf,
+                           double plane) {
+  for (const auto& portal : tree.portals()) {
+    if (regionOf[portal.below] == kNone || regionOf[portal.above] == kNone) continue;
+    const auto& below = regions_[regionOf[portal.below]];
+    const auto& above = regions_[regionOf[portal.above]];
+    const auto up = twiceArea(portal.polygon);
     const auto sheets = tree.sheetsAt(portal);
+    if (below.isFluid && above.isFluid) {
+      (void)withoutBaffles(portal.polygon, sheets, [&](std::uint32_t patch, const auto& polygon) {
+        addWall(above.part, patch, polygon, up, plane);
+        addWall(below.part, patch, polygon, -up, plane);
+      });
+    }
+    if (below.isFluid == above.isFluid) continue;
+    const auto part = above.isFluid ? above.part : below.part;
+    const auto normal = above.isFluid ? up : -up;
+    const auto add = [&](std::uint32_t patch, const SheetTree::Polygon& polygon) {
+      addWall(part, patch, polygon, normal, plane);
+    };
     if (sheets.empty()) {  // only if rounding has hidden them
       add(somePatch_, portal.polygon);
     } else {
       sharedOut(portal.polygon, normal, sheets, add);
     }
   }
+}
+
+/// `normal`: into the fluid.
+void FaceRegions::addWall(std::uint32_t part, std::uint32_t patch,
+                          const SheetTree::Polygon& polygon, const Vec3<double>& normal,
+                          double plane) {
+  const FaceAxes axes(axis_);
+  Vec3<double> way;
+  way[axes.first] = normal[axes.second];
+  way[axes.second] = -normal[axes.first];
+  const auto along = [&](const Vec3<double>& p) { return dot(p, way); };
+  Wall wall{.part = part,
+            .patch = patch,
+            .from = *std::ranges::min_element(polygon, {}, along),
+            .to = *std::ranges::max_element(polygon, {}, along)};
+  wall.from[axis_] = wall.to[axis_] = plane;
+  walls_.push_back(wall);
 }
 
 void FaceRegions::noteRimTraces(const SheetTree& tree) {
@@ -199,6 +262,7 @@ bool makeSheet(const TileSurface& surface, const TileFragment& fragment, Sheet& 
   sheet.plane.normal = normal / size;
   sheet.plane.offset = dot(sheet.plane.normal, middleOf(points));
   sheet.patch = surface.patchOf(fragment.triangle);
+  sheet.isBaffle = surface.isBaffle(fragment.triangle);
   return true;
 }
 

@@ -14,14 +14,14 @@ struct FacePiece {
 };
 
 /// A face between two cells, divided along the traces on it into convex regions: for faces on which
-/// the surface meets itself, and for the cells beside them. In floating point; the same for both
-/// cells.
+/// the surface meets itself or has baffles, and for the cells beside them. In floating point; the
+/// same for both cells.
 class FaceRegions {
  public:
   struct Region {
     SheetTree::Polygon polygon;  ///< counterclockwise as seen against the face's axis
     Vec3<double> point;          ///< within it; not in a place that symmetry would make special
-    bool isFluid = false;
+    bool isFluid = false;        ///< and not within a baffle in the face
     std::uint32_t part = kNone;  ///< the open part that it belongs to
   };
 
@@ -55,7 +55,10 @@ class FaceRegions {
     Interval<double> ends;
   };
 
+  void joinRegions(const SheetTree& tree, std::span<const std::uint32_t> regionOf, double least);
   void addWalls(const SheetTree& tree, std::span<const std::uint32_t> regionOf, double plane);
+  void addWall(std::uint32_t part, std::uint32_t patch, const SheetTree::Polygon& polygon,
+               const Vec3<double>& normal, double plane);
   void noteRimTraces(const SheetTree& tree);
   [[nodiscard]] std::uint32_t patchAt(int side, double place) const;
   void measure(std::uint32_t face, double least);

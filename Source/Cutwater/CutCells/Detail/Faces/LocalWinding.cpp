@@ -79,6 +79,7 @@ WindingOnFace::WindingOnFace(const TileSurface& surface, const EdgeStretches& st
   std::vector<Box<double>> boxes;
   for (const auto traces : {surface.traces(), surface.buriedTraces()}) {
     for (const auto& trace : sortedUnder(traces, face, &FaceTrace::face)) {
+      if (surface.isBaffle(trace.triangle)) continue;
       const double from = trace.from[axes_.first];
       const double to = trace.to[axes_.first];
       traces_.push_back(&trace);
@@ -104,6 +105,7 @@ WindingInCell::WindingInCell(const TileSurface& surface, const EdgeStretches& st
   std::vector<Box<double>> boxes;
   for (const auto fragments : {surface.fragments(), surface.buriedFragments()}) {
     for (const auto& fragment : sortedUnder(fragments, cell, &TileFragment::cell)) {
+      if (surface.isBaffle(fragment.triangle)) continue;
       polygons_.push_back(surface.points(fragment));
       auto& box = boxes.emplace_back();
       for (const auto& p : polygons_.back()) box.extend(p);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace cutwater {
 
@@ -88,6 +89,8 @@ Counts countsBeside(std::span<const Sheet> sheets, const SheetPlane& plane) {
 }
 
 SheetPlane chosenPlane(std::span<const Sheet> sheets) {
+  const auto divider = std::ranges::find(sheets, true, &Sheet::isDivider);
+  if (divider != sheets.end()) return divider->plane;
   if (sheets.size() > kCrowd) {
     const auto plane = halvingPlane(sheets);
     const auto counts = countsBeside(sheets, plane);
@@ -102,6 +105,68 @@ SheetPlane chosenPlane(std::span<const Sheet> sheets) {
     if (sum < fewest) fewest = sum, best = sheets[i].plane;
   }
   return best;
+}
+
+/// Whether a sheet all of whose points lie in a plane with this normal is in its own plane there:
+/// else it is a line.
+bool hasAreaIn(const Sheet& sheet, const Vec3<double>& normal) {
+  return std::abs(dot(sheet.plane.normal, normal)) > 0.5;
+}
+
+/// An edge of a sheet, under its ends.
+struct SheetEdge {
+  std::array<Vec3<double>, 2> ends;
+  const Sheet* sheet = nullptr;
+
+  [[nodiscard]] auto key() const {
+    const auto& [p, q] = ends;
+    return std::tuple(p.x, p.y, p.z, q.x, q.y, q.z);
+  }
+};
+
+std::vector<SheetEdge> edgesOfBaffles(std::span<const Sheet> sheets) {
+  std::vector<SheetEdge> edges;
+  for (const auto& sheet : sheets) {
+    for (std::size_t i = 0; i < sheet.points.size() && sheet.isBaffle; ++i) {
+      SheetEdge edge{{sheet.points[i], sheet.points[(i + 1) % sheet.points.size()]}, &sheet};
+      auto& [p, q] = edge.ends;
+      if (std::tie(q.x, q.y, q.z) < std::tie(p.x, p.y, p.z)) std::swap(p, q);
+      edges.push_back(edge);
+    }
+  }
+  std::ranges::sort(edges, {}, &SheetEdge::key);
+  return edges;
+}
+
+/// Two baffles whose planes cross in a line that is known poorly.
+bool areNearlyParallel(const Sheet& one, const Sheet& other) {
+  constexpr double kSmallAngle = 1e-3;
+  return length(cross(one.plane.normal, other.plane.normal)) < kSmallAngle;
+}
+
+/// Across a sheet at one of its edges.
+Sheet dividerAt(const SheetEdge& edge) {
+  const auto& [p, q] = edge.ends;
+  const auto& normal = edge.sheet->plane.normal;
+  const auto across = cross(q - p, normal);
+  Sheet divider{.points = {}, .plane = {across / length(across), 0}, .isDivider = true};
+  divider.plane.offset = dot(divider.plane.normal, p);
+  const auto height = length(q - p) * normal;
+  divider.points = {p - height, q - height, q + height, p + height};
+  return divider;
+}
+
+void addDividers(std::vector<Sheet>& sheets) {
+  const auto edges = edgesOfBaffles(sheets);
+  std::vector<Sheet> dividers;
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const auto& one = *edges[i - 1].sheet;
+    const auto& other = *edges[i].sheet;
+    if (edges[i].key() != edges[i - 1].key() || one.points == other.points) continue;
+    const bool isEdge = length(edges[i].ends[1] - edges[i].ends[0]) > SheetTree::kNear;
+    if (isEdge && areNearlyParallel(one, other)) dividers.push_back(dividerAt(edges[i]));
+  }
+  sheets.insert(sheets.end(), dividers.begin(), dividers.end());
 }
 
 SheetPlane facePlane(const Box<double>& box, std::size_t face) {
@@ -138,8 +203,13 @@ SheetTree::SheetTree(const Box<double>& box, std::vector<Sheet> sheets) : box_(b
                                  [&](const auto& p) { return std::abs(plane.height(p)) <= kNear; });
     };
     while (face < 6 && !isIn(face)) ++face;
-    (face < 6 ? inFaces_[face] : within).push_back(std::move(sheet));
+    if (face == 6) {
+      within.push_back(std::move(sheet));
+    } else if (hasAreaIn(sheet, inwards(face))) {
+      inFaces_[face].push_back(std::move(sheet));
+    }
   }
+  addDividers(within);
   root_ = build(std::move(within));
   std::vector<SheetPlane> path;
   if ((root_ & kLeaf) == 0) findPortals(root_, path);
@@ -154,12 +224,16 @@ std::uint32_t SheetTree::build(std::vector<Sheet> sheets) {
   for (auto& sheet : sheets) {
     auto parts = parted(sheet.points, plane);
     if (parts[0].empty() && parts[1].empty()) {
-      nodes_[number].sheets.push_back(std::move(sheet));
+      if (!sheet.isDivider && hasAreaIn(sheet, plane.normal)) {
+        nodes_[number].sheets.push_back(std::move(sheet));
+      }
       continue;
     }
     for (const std::size_t side : {0, 1}) {
       if (parts[side].empty()) continue;
-      sides[side].push_back({std::move(parts[side]), sheet.plane, sheet.patch});
+      auto part = sheet;
+      part.points = std::move(parts[side]);
+      sides[side].push_back(std::move(part));
     }
   }
   sheets.clear();
@@ -305,15 +379,22 @@ Polygon partWithin(Polygon part, const Sheet& sheet, std::vector<Polygon>& outsi
   return part;
 }
 
-}  // namespace
+bool isGap(const Polygon& polygon) {
+  double perimeter = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    perimeter += length(polygon[(i + 1) % polygon.size()] - polygon[i]);
+  }
+  return length(twiceArea(polygon)) <= SheetTree::kGap * perimeter;
+}
 
-void sharedOut(const Polygon& polygon, const Vec3<double>& normal, std::span<const Sheet> sheets,
-               FunctionRef<void(std::uint32_t, const Polygon&)> visit) {
+/// Shares a polygon out among the sheets that `counts` accepts; returns the rest.
+template <typename Counts>
+std::vector<Polygon> shareOut(const Polygon& polygon, std::span<const Sheet> sheets,
+                              Counts&& counts,
+                              FunctionRef<void(std::uint32_t, const Polygon&)> visit) {
   std::vector<Polygon> rest{polygon};
-  std::uint32_t last = sheets.front().patch;
   for (const auto& sheet : sheets) {
-    if (dot(sheet.plane.normal, normal) <= 0) continue;
-    last = sheet.patch;
+    if (!counts(sheet)) continue;
     std::vector<Polygon> left;
     for (auto& part : rest) {
       const auto within = partWithin(std::move(part), sheet, left);
@@ -321,7 +402,29 @@ void sharedOut(const Polygon& polygon, const Vec3<double>& normal, std::span<con
     }
     rest = std::move(left);
   }
-  for (const auto& part : rest) visit(last, part);
+  return rest;
+}
+
+}  // namespace
+
+void sharedOut(const Polygon& polygon, const Vec3<double>& normal, std::span<const Sheet> sheets,
+               FunctionRef<void(std::uint32_t, const Polygon&)> visit) {
+  std::uint32_t last = sheets.front().patch;
+  const auto facesItsWay = [&](const Sheet& sheet) {
+    const bool facesIt = sheet.isBaffle || dot(sheet.plane.normal, normal) > 0;
+    if (facesIt) last = sheet.patch;
+    return facesIt;
+  };
+  for (const auto& part : shareOut(polygon, sheets, facesItsWay, visit)) visit(last, part);
+}
+
+std::vector<Polygon> withoutBaffles(const Polygon& polygon, std::span<const Sheet> sheets,
+                                    FunctionRef<void(std::uint32_t, const Polygon&)> visit) {
+  const auto isBaffle = [](const Sheet& sheet) { return sheet.isBaffle; };
+  if (std::ranges::none_of(sheets, isBaffle)) return {polygon};
+  auto rest = shareOut(polygon, sheets, isBaffle, visit);
+  std::erase_if(rest, isGap);
+  return rest;
 }
 
 }  // namespace cutwater

@@ -24,18 +24,24 @@ struct Sheet {
   std::vector<Vec3<double>> points;
   SheetPlane plane;  ///< its normal points into the fluid
   std::uint32_t patch = 0;
+  bool isBaffle = false;   ///< the fluid is on both sides
+  bool isDivider = false;  ///< it only divides, before others do
 };
 
 /// A box, divided by planes through the sheets in it into convex leaves that no sheet passes
 /// through (Fuchs, Kedem and Naylor, SIGGRAPH 1980). Where sheets crowd, it is halved first.
 ///
 /// All is in floating point: leaves thinner than kNear may be lost, and nothing else depends on it.
+/// But where baffles that share an edge are nearly parallel, their planes may cross far away from
+/// it, and leave a way through: there, the space is divided along the edge first.
 class SheetTree {
  public:
   using Polygon = std::vector<Vec3<double>>;
 
   /// Distances from planes below this are rounding. Coordinates are up to about 1.
   static constexpr double kNear = 0x1p-48;
+  /// Openings beside baffles.
+  static constexpr double kGap = 0x1p-40;
 
   /// A polygon in a plane of the tree, and the leaves below it and above it, where its normal
   /// points.
@@ -102,11 +108,18 @@ class SheetTree {
 /// The mean of its corners.
 [[nodiscard]] Vec3<double> middleOf(std::span<const Vec3<double>> polygon);
 
-/// Shares a polygon out among the patches of the sheets in its plane that face its way, the first
-/// that has a part of it; calls visit(patch, part). What none has is the last one's. There must be
-/// sheets.
+/// Shares a polygon out among the patches of the sheets in its plane that face its way, as baffles
+/// always do, the first that has a part of it; calls visit(patch, part). What none has is the last
+/// one's. There must be sheets.
 void sharedOut(const SheetTree::Polygon& polygon, const Vec3<double>& normal,
                std::span<const Sheet> sheets,
                FunctionRef<void(std::uint32_t patch, const SheetTree::Polygon& part)> visit);
+
+/// Takes from a polygon what baffles in its plane have of it, and calls visit(patch, part) for it;
+/// returns the rest. If there are any, what is narrower than kGap is none: rounding leaves it
+/// between baffles that share an edge.
+[[nodiscard]] std::vector<SheetTree::Polygon> withoutBaffles(
+    const SheetTree::Polygon& polygon, std::span<const Sheet> sheets,
+    FunctionRef<void(std::uint32_t patch, const SheetTree::Polygon& part)> visit);
 
 }  // namespace cutwater

@@ -26,7 +26,7 @@ int riseAlong(const CutSurface& surface, std::span<const std::uint32_t> triangle
   end[axis] = to;
   int rise = 0;
   for (const auto id : triangles) {
-    if (!overlap(surface.box(id), {from, end})) continue;
+    if (surface.moved().isBaffle(id) || !overlap(surface.box(id), {from, end})) continue;
     const auto triangle = surface.moved().triangle(id);
     rise += riseBelowNode(triangle, end, axis) - riseBelowNode(triangle, from, axis);
   }

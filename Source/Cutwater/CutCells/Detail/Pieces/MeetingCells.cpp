@@ -28,6 +28,7 @@ std::vector<Sheet> sheetsOf(const TileSurface& surface, const GridPlanes& planes
     if (openFaceOf(surface, planes, fragment).isFace()) sheet.patch |= kOpenSheet;
     sheets.push_back(std::move(sheet));
   }
+  std::ranges::stable_partition(sheets, [](const Sheet& sheet) { return !sheet.isBaffle; });
   return sheets;
 }
 
@@ -44,6 +45,9 @@ class MeetingCell {
         tree_(faces.planes().boxOf(place_), sheetsOf(surface_, faces.planes(), fragments)),
         points_(tree_.pointsIn()),
         out_(out) {
+    hasBaffles_ = std::ranges::any_of(fragments, [&](const TileFragment& fragment) {
+      return surface_.isBaffle(fragment.triangle);
+    });
     const auto size = faces.planes().sizeOf(place_);
     least_ = kSliver * std::min({size.x * size.y, size.y * size.z, size.z * size.x});
     somePatch_ = surface_.patchOf(fragments.front().triangle);
@@ -56,7 +60,7 @@ class MeetingCell {
     sets_.reset(tree_.leafCount() + open_.size());
     for (const auto& portal : tree_.portals()) {
       if (isFluid_[portal.below] != 0 && isFluid_[portal.above] != 0) {
-        unite(portal.below, portal.above, portal.polygon);
+        joinAcross(portal);
       } else if (isFluid_[portal.below] != isFluid_[portal.above]) {
         addWall(portal);
       }
@@ -107,34 +111,63 @@ class MeetingCell {
     if (0.5 * length(twiceArea(open)) > least_) sets_.unite(one, other);
   }
 
+  /// Joins fluid with fluid, but through a baffle, which is a wall on both sides.
+  void joinAcross(const SheetTree::Portal& portal) {
+    const auto up = twiceArea(portal.polygon);
+    const auto open = withoutBaffles(portal.polygon, tree_.sheetsAt(portal),
+                                     [&](std::uint32_t patch, const Polygon& part) {
+                                       addWallPart({portal.above, patch, part}, up);
+                                       addWallPart({portal.below, patch, part}, -up);
+                                     });
+    for (const auto& part : open) unite(portal.below, portal.above, part);
+  }
+
   void addWall(const SheetTree::Portal& portal) {
     const bool facesUp = isFluid_[portal.above] != 0;
     addWall(facesUp ? portal.above : portal.below, portal.polygon,
             (facesUp ? 1.0 : -1.0) * twiceArea(portal.polygon), tree_.sheetsAt(portal));
   }
   /// `normal`: into the fluid. `face`: in which all of it lies, with the fluid in the cell.
-  void addWall(std::uint32_t node, Polygon polygon, const Vec3<double>& normal,
+  void addWall(std::uint32_t node, const Polygon& polygon, const Vec3<double>& normal,
                std::span<const Sheet> sheets, std::size_t face = kNoFace) {
-    if (dot(twiceArea(polygon), normal) < 0) std::ranges::reverse(polygon);
     if (sheets.empty()) {  // only if rounding has hidden them
-      walls_.push_back({node, somePatch_, std::move(polygon)});
+      addWallPart({node, somePatch_, polygon}, normal);
       return;
     }
     sharedOut(polygon, normal, sheets, [&](std::uint32_t patch, const Polygon& part) {
       const bool isOpen = (patch & kOpenSheet) != 0;
-      walls_.push_back({node, patch & ~kOpenSheet, part, isOpen ? face : kNoFace});
+      addWallPart({node, patch & ~kOpenSheet, part, isOpen ? face : kNoFace}, normal);
     });
   }
+  void addWallPart(Wall wall, const Vec3<double>& normal) {
+    if (dot(twiceArea(wall.polygon), normal) < 0) std::ranges::reverse(wall.polygon);
+    walls_.push_back(std::move(wall));
+  }
 
+  /// Leaves and regions of a face end at baffles in the same lines, but for rounding, which is
+  /// large where a baffle is nearly parallel to the face: what is so little of both is no opening.
+  static constexpr double kLittle = 1e-6;
+  /// Twice those of leaves, if there are baffles.
+  [[nodiscard]] std::vector<double> areasOnFace(std::size_t n) const {
+    if (!hasBaffles_) return {};
+    std::vector<double> areas(tree_.leafCount());
+    tree_.divide(
+        tree_.face(n), SheetTree::inwards(n),
+        [&](std::uint32_t leaf, const Polygon& part) { areas[leaf] += length(twiceArea(part)); });
+    return areas;
+  }
   /// Joins what is open on a face with what is behind it, and adds walls in the face's plane.
   void addFace(std::size_t n) {
     const auto face = faceNumber(n);
     const auto inwards = SheetTree::inwards(n);
+    const auto areas = areasOnFace(n);
     for (const auto& region : faces_.regionsOn(face)) {
       const auto arc = region.isFluid ? nodeOfRegion(n, face, region) : kNone;
+      const double whole = length(twiceArea(region.polygon));
       tree_.divide(region.polygon, inwards, [&](std::uint32_t leaf, const Polygon& part) {
         if (region.isFluid && isFluid_[leaf] != 0) {
-          unite(arc, leaf, part);
+          const double least = areas.empty() ? 0 : kLittle * std::min(areas[leaf], whole);
+          if (length(twiceArea(part)) >= least) unite(arc, leaf, part);
         } else if (region.isFluid) {
           addWall(arc, part, -inwards, tree_.sheetsIn(n));
         } else if (isFluid_[leaf] != 0) {
@@ -254,6 +287,7 @@ class MeetingCell {
   CellPieces& out_;
   double least_ = 0;
   std::uint32_t somePatch_ = 0;
+  bool hasBaffles_ = false;
   std::vector<char> isFluid_;  // leaves
   std::vector<OpenPart> open_;
   std::array<std::uint32_t, 6> firstOpen_{};

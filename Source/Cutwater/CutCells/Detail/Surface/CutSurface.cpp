@@ -124,27 +124,37 @@ void sortNumbers(std::vector<std::uint32_t>& numbers, std::size_t count) {
 
 }  // namespace
 
-CutSurface::CutSurface(const PolygonSoup& triangles, FluidSide side, MeetingsOf meetings,
-                       std::span<const std::uint32_t> openPatches, const CutPeriod& period)
-    : CutSurface(triangles,
-                 meetings == MeetingsOf::All
-                     ? withoutOpposites(triangles, properTriangles(triangles))
-                     : properTriangles(triangles),
-                 side, meetings, openPatches, period) {}
+CutSurface::Selection CutSurface::selected(const PolygonSoup& soup, MeetingsOf meetings,
+                                           std::span<const std::uint32_t> baffles) {
+  Selection result;
+  for (const auto i : properTriangles(soup)) {
+    const bool isBaffle = std::ranges::find(baffles, soup.patches[i]) != baffles.end();
+    (isBaffle ? result.baffles : result.walls).push_back(i);
+  }
+  if (meetings == MeetingsOf::All) result.walls = withoutOpposites(soup, result.walls);
+  if (result.walls.empty() && result.baffles.empty()) {
+    throw Error(ErrorKind::Topology, "cut cells: the surface bounds nothing");
+  }
+  return result;
+}
 
-CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles,
-                       FluidSide side, MeetingsOf meetings,
-                       std::span<const std::uint32_t> openPatches, const CutPeriod& period)
+CutSurface::CutSurface(const PolygonSoup& triangles, FluidSide side, MeetingsOf meetings,
+                       std::span<const std::uint32_t> openPatches,
+                       std::span<const std::uint32_t> baffles, const CutPeriod& period)
+    : CutSurface(triangles, selected(triangles, meetings, baffles), side, meetings, openPatches,
+                 period) {}
+
+CutSurface::CutSurface(const PolygonSoup& soup, const Selection& selection, FluidSide side,
+                       MeetingsOf meetings, std::span<const std::uint32_t> openPatches,
+                       const CutPeriod& period)
     : frame_(frameOf(soup.boundingBox())),
       period_(period),
       windingOutside_(side == FluidSide::Inside ? 1 : 0),
-      patches_(patchesOf(soup, triangles)),
+      patches_(patchesOf(soup, selection.walls)),
       patchNames_(soup.patchNames),
-      moved_(inFrame(frame_, soup.points), cornersOf(soup, triangles, side)),
+      moved_(inFrame(frame_, soup.points), cornersOf(soup, selection.walls, side),
+             cornersOf(soup, selection.baffles, side)),
       openKinds_(findOpenKinds(moved_, patches_, openPatches)) {
-  if (triangles.empty()) {
-    throw Error(ErrorKind::Topology, "cut cells: the surface bounds nothing");
-  }
   boxes_.reserve(moved_.triangleCount());
   for (std::uint32_t id = 0; id < moved_.triangleCount(); ++id) {
     Box<double> box;
@@ -155,7 +165,7 @@ CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> t
   tree_ = detail::buildBinaryBvh(boxes_, kLeafWidth, 0);
   if (meetings != MeetingsOf::None) {
     const auto positions = inFrame(frame_, soup.points);
-    const auto corners = cornersOf(soup, triangles, side);
+    const auto corners = cornersOf(soup, selection.walls, side);
     kinds_ =
         findSheetKinds({.surface = moved_,
                         .positions = positions,
@@ -164,9 +174,19 @@ CutSurface::CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> t
                         .windingOutside = windingOutside_,
                         .meetings = meetings});
   }
-  if (!moved_.overlapping().empty()) kinds_.resize(moved_.triangleCount(), SheetKind::Wall);
+  if (!moved_.overlapping().empty()) kinds_.resize(moved_.closedCount(), SheetKind::Wall);
   for (const auto i : moved_.overlapping()) kinds_[i] = SheetKind::Meeting;
-  meetsItself_ = std::ranges::find(kinds_, SheetKind::Meeting) != kinds_.end();
+  if (!selection.baffles.empty()) addBaffles(soup, selection.baffles);
+  meetsItself_ = std::ranges::any_of(kinds_, [](SheetKind kind) {
+    return kind == SheetKind::Meeting || kind == SheetKind::Baffle;
+  });
+}
+
+void CutSurface::addBaffles(const PolygonSoup& soup, std::span<const std::uint32_t> baffles) {
+  kinds_.resize(moved_.closedCount(), SheetKind::Wall);
+  kinds_.resize(moved_.triangleCount(), SheetKind::Baffle);
+  patches_.resize(moved_.closedCount(), kNone);
+  for (const auto i : baffles) patches_.push_back(soup.patches[i]);
 }
 
 std::vector<std::uint32_t> CutSurface::trianglesIn(const Box<double>& box) const {

@@ -27,20 +27,23 @@ struct CutFrame {
   }
 };
 
-/// A closed surface as cells are cut by it: in its frame, with the fluid outside, and moved.
+/// A closed surface as cells are cut by it: in its frame, with the fluid outside, and moved; and
+/// baffles in the fluid.
 class CutSurface {
  public:
   /// Equal points of the soup are one. `meetings`: but for these it is known not to meet itself,
-  /// and no shell lies within another's solid. `openPatches`: their numbers.
-  /// `period`: of a surface with its images.
+  /// and no shell lies within another's solid. `openPatches`, `baffles`: the numbers of these
+  /// patches. `period`: of a surface with its images.
   /// @throws Error(Topology) if the triangles of the soup are not closed, or cancel each
   /// other.
   CutSurface(const PolygonSoup& triangles, FluidSide side, MeetingsOf meetings,
-             std::span<const std::uint32_t> openPatches = {}, const CutPeriod& period = {});
+             std::span<const std::uint32_t> openPatches = {},
+             std::span<const std::uint32_t> baffles = {}, const CutPeriod& period = {});
 
   [[nodiscard]] const CutFrame& frame() const { return frame_; }
   [[nodiscard]] const CutPeriod& period() const { return period_; }
   [[nodiscard]] const MovedSurface& moved() const { return moved_; }
+  /// Of each triangle of the moved surface its patch; kNone of one that closes a gap.
   [[nodiscard]] std::span<const std::uint32_t> patches() const { return patches_; }
   [[nodiscard]] const std::vector<std::string>& patchNames() const { return patchNames_; }
   /// Around each triangle of the moved surface, in the frame.
@@ -52,16 +55,24 @@ class CutSurface {
   [[nodiscard]] std::span<const SheetKind> kinds() const { return kinds_; }
   /// Of the triangles of the mesh; empty: no patch is open.
   [[nodiscard]] std::span<const OpenKind> openKinds() const { return openKinds_; }
-  /// Whether parts of it meet.
+  /// Whether parts of it meet, or there are baffles.
   [[nodiscard]] bool meetsItself() const { return meetsItself_; }
+  [[nodiscard]] bool hasBaffles() const { return moved_.closedCount() < moved_.triangleCount(); }
   /// The winding number far away.
   [[nodiscard]] int windingOutside() const { return windingOutside_; }
 
  private:
-  /// Of some triangles of a soup.
-  CutSurface(const PolygonSoup& soup, std::span<const std::uint32_t> triangles, FluidSide side,
+  /// Triangles of a soup, by number.
+  struct Selection {
+    std::vector<std::uint32_t> walls;
+    std::vector<std::uint32_t> baffles;
+  };
+  static Selection selected(const PolygonSoup& soup, MeetingsOf meetings,
+                            std::span<const std::uint32_t> baffles);
+  CutSurface(const PolygonSoup& soup, const Selection& selection, FluidSide side,
              MeetingsOf meetings, std::span<const std::uint32_t> openPatches,
              const CutPeriod& period);
+  void addBaffles(const PolygonSoup& soup, std::span<const std::uint32_t> baffles);
 
   CutFrame frame_;
   CutPeriod period_;

@@ -28,13 +28,32 @@ void addNormal(const MovedTriangles& triangles, const MovedTriangles::Corners& c
 }  // namespace
 
 MovedSurface::MovedSurface(std::span<const Vec3<double>> positions,
-                           std::span<const Corners> triangles) {
+                           std::span<const Corners> triangles, std::span<const Corners> baffles) {
   triangles_.corners.assign(triangles.begin(), triangles.end());
   triangles_.meshTriangles = triangles.size();
   triangles_.vertices.reserve(positions.size());
   for (const auto& p : positions) triangles_.vertices.push_back({.position = p});
   pairSides(triangles_);
   moveVertices();
+  closedCount_ = triangles_.corners.size();
+  addBaffles(positions, baffles);
+}
+
+void MovedSurface::addBaffles(std::span<const Vec3<double>> positions,
+                              std::span<const Corners> baffles) {
+  std::vector<std::uint32_t> numberOf(baffles.empty() ? 0 : positions.size(), kNone);
+  for (auto corners : baffles) {
+    for (auto& corner : corners) {
+      auto& number = numberOf[corner];
+      if (number == kNone) {
+        number = static_cast<std::uint32_t>(triangles_.vertices.size());
+        triangles_.vertices.push_back({.position = positions[corner]});
+      }
+      corner = number;
+    }
+    triangles_.corners.push_back(corners);
+    triangles_.edges.push_back({kNone, kNone, kNone});
+  }
 }
 
 void MovedSurface::moveVertices() {

@@ -18,16 +18,21 @@ namespace cutwater {
 /// of the vertex of its own. Triangles without area close the gaps between copies, and follow those
 /// of the mesh. Where parts of the surface touch in such a vertex, they overlap once they are
 /// moved.
+///
+/// Baffles are triangles besides, between fluid and fluid: they follow all others, need no
+/// neighbours, have no edges, and are moved up each axis.
 class MovedSurface {
  public:
   using Corners = MovedTriangles::Corners;
 
   /// @throws Error(Topology) if an edge has more triangles on one side than on the other. Triangles
   /// have three different corners.
-  MovedSurface(std::span<const Vec3<double>> positions, std::span<const Corners> triangles);
+  MovedSurface(std::span<const Vec3<double>> positions, std::span<const Corners> triangles,
+               std::span<const Corners> baffles = {});
 
-  /// Of all triangles, and of those of the mesh alone.
+  /// Of all triangles, of those that are closed, and of those of the mesh alone.
   [[nodiscard]] std::size_t triangleCount() const { return triangles_.corners.size(); }
+  [[nodiscard]] std::size_t closedCount() const { return closedCount_; }
   [[nodiscard]] std::size_t meshTriangleCount() const { return triangles_.meshTriangles; }
 
   /// A triangle's vertices, and the edges between each and the next one. Each edge has two
@@ -38,13 +43,16 @@ class MovedSurface {
     const auto& [a, b, c] = triangles_.corners[id];
     return {triangles_.vertices[a], triangles_.vertices[b], triangles_.vertices[c]};
   }
+  [[nodiscard]] bool isBaffle(std::uint32_t id) const { return id >= closedCount_; }
   /// Triangles of the mesh at vertices around which moved parts overlap, in ascending order.
   [[nodiscard]] std::span<const std::uint32_t> overlapping() const { return overlapping_; }
 
  private:
   void moveVertices();
+  void addBaffles(std::span<const Vec3<double>> positions, std::span<const Corners> baffles);
 
   MovedTriangles triangles_;
+  std::size_t closedCount_ = 0;
   std::vector<std::uint32_t> overlapping_;
 };
 

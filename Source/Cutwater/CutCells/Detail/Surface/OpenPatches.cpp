@@ -27,7 +27,8 @@ bool liesAcross(const std::array<MovedVertex, 3>& triangle, int axis) {
 }  // namespace
 
 std::vector<std::uint32_t> patchesCalled(std::span<const std::string> names,
-                                         std::span<const std::string> patchNames) {
+                                         std::span<const std::string> patchNames, PatchRole role) {
+  const bool isOpen = role == PatchRole::Open;
   std::vector<std::uint32_t> result;
   for (std::size_t n = 0; n < names.size(); ++n) {
     const auto before = result.size();
@@ -37,10 +38,12 @@ std::vector<std::uint32_t> patchesCalled(std::span<const std::string> names,
     if (result.size() == before) {
       throw Error(ErrorKind::Argument,
                   "cut cells: no patch is called \"" + names[n] +
-                      "\" that could be open; there are: " + listOf(patchNames));
+                      (isOpen ? "\" that could be open" : "\" that could be a baffle") +
+                      "; there are: " + listOf(patchNames));
     }
     if (std::ranges::count(names.first(n), names[n]) > 0) {
-      throw Error(ErrorKind::Argument, "cut cells: the open patch \"" + names[n] +
+      throw Error(ErrorKind::Argument, std::string("cut cells: the ") +
+                                           (isOpen ? "open patch \"" : "baffle \"") + names[n] +
                                            "\" is named twice; there are: " + listOf(patchNames));
     }
   }

@@ -22,10 +22,14 @@ enum class OpenKind : std::int8_t { AcrossX, AcrossY, AcrossZ, Inclined, Wall };
   return static_cast<int>(kind);
 }
 
+/// For what patches are named.
+enum class PatchRole : std::uint8_t { Open, Baffle };
+
 /// The numbers of patches with these names.
 /// @throws Error(Argument) if there is none of a name, or a name is given twice.
 [[nodiscard]] std::vector<std::uint32_t> patchesCalled(std::span<const std::string> names,
-                                                       std::span<const std::string> patchNames);
+                                                       std::span<const std::string> patchNames,
+                                                       PatchRole role);
 
 /// The kinds of the triangles of the mesh, by exact comparisons; empty if no patch is open. One
 /// without area lies in a plane of its patch, if it does in any; else it is a wall.

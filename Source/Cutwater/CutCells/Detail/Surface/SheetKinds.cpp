@@ -14,7 +14,7 @@ namespace {
 class KindFinder {
  public:
   explicit KindFinder(const SheetInput& input)
-      : in_(input), kinds_(input.surface.triangleCount(), SheetKind::Wall) {}
+      : in_(input), kinds_(input.surface.closedCount(), SheetKind::Wall) {}
 
   std::vector<SheetKind> run() {
     if (in_.meetings == MeetingsOf::Shells) {
@@ -186,7 +186,7 @@ class KindFinder {
     below.lower[axis] = -Box<double>::kInf;
     int winding = in_.windingOutside;
     for (const auto other : in_.trianglesIn(below)) {
-      if (other == triangle) continue;
+      if (other == triangle || in_.surface.isBaffle(other)) continue;
       winding += riseBelowNode(in_.surface.triangle(other), middle, axis);
     }
     // So it is below the triangle: behind one that faces up.

@@ -16,7 +16,8 @@ enum class SheetKind : std::uint8_t {
   Buried,  ///< all of it separates others: it is no wall
   /// It meets other triangles outside of corners and edges that they share, or lies at an edge of
   /// more than two triangles, or does the former once it is moved: any part of it may be either.
-  Meeting
+  Meeting,
+  Baffle  ///< a sheet without thickness: a wall on both sides, in the fluid
 };
 
 /// Which triangles of a surface may meet others, outside of corners and edges that they share.
@@ -38,9 +39,9 @@ struct SheetInput {
   MeetingsOf meetings = MeetingsOf::All;
 };
 
-/// The kinds of the triangles of a closed surface, by exact predicates: of each two triangles whose
-/// boxes meet, and the winding number at one triangle of each part that meets no others. Empty if
-/// all are walls, where only those of different shells may touch.
+/// The kinds of the triangles of a closed surface, without baffles, by exact predicates: of each
+/// two triangles whose boxes meet, and the winding number at one triangle of each part that meets
+/// no others. Empty if all are walls, where only those of different shells may touch.
 [[nodiscard]] std::vector<SheetKind> findSheetKinds(const SheetInput& input);
 
 }  // namespace cutwater

@@ -125,6 +125,7 @@ void CutTiles::findWindings(const CutSurface& surface, std::span<const std::uint
     return planes[static_cast<std::size_t>(tile) * kWidth];
   };
   for (const auto id : triangles) {
+    if (surface.moved().isBaffle(id)) break;  // they are the last ones
     const auto& box = surface.box(id);
     const auto alongX = tilesThatBegin(x, box.lower.x, box.upper.x);
     if (alongX.last < alongX.first) continue;

@@ -60,6 +60,10 @@ TileSurface::TileSurface(const MovedSurface& surface, std::span<const std::uint3
       openKinds_(openKinds) {
   TriangleSplitter splitter(planes);
   for (const auto id : triangles) {
+    if (isBaffle(id)) {
+      splitBaffle(id, planes, splitter);
+      continue;
+    }
     splitter.split(surface.triangle(id), surface.corners(id),
                    [&](const Fragment& fragment) { add(id, fragment); });
   }
@@ -74,6 +78,56 @@ Vec3<double> TileSurface::normalOf(std::uint32_t triangle) const {
 
 std::span<const EdgeCrossing> TileSurface::crossingsOf(std::uint32_t edge) const {
   return sortedUnder(std::span(crossings_), edge, &EdgeCrossing::edge);
+}
+
+/// Moved both ways along each axis across which it touches a plane.
+void TileSurface::splitBaffle(std::uint32_t triangle, const GridPlanes& planes,
+                              TriangleSplitter& splitter) {
+  auto vertices = surface_.triangle(triangle);
+  unsigned touching = 0;  // a bit for each axis
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& across = planes.positions[asIndex(axis)];
+    for (const auto& vertex : vertices) {
+      const bool touches = std::binary_search(across.begin(), across.end(), vertex.position[axis]);
+      touching |= (touches ? 1U : 0U) << static_cast<unsigned>(axis);
+    }
+  }
+  for (unsigned up = 0; up < 8; ++up) {
+    if ((up & ~touching) != 0) continue;
+    for (auto& vertex : vertices) {
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        vertex.shift[axis] = (up >> axis & 1U) != 0 ? 1 : -1;
+      }
+    }
+    splitter.split(vertices, surface_.corners(triangle), [&](const Fragment& fragment) {
+      add(triangle, fragment);
+      addOutline(triangle, fragment, planes);
+    });
+  }
+}
+
+/// If it lies in a face of its cell.
+void TileSurface::addOutline(std::uint32_t triangle, const Fragment& fragment,
+                             const GridPlanes& planes) {
+  const auto corners = cornersOf(triangle);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double at = corners[0][axis];
+    if (corners[1][axis] != at || corners[2][axis] != at) continue;
+    for (const int side : {0, 1}) {
+      auto place = fragment.cell;
+      place[asIndex(axis)] += side;
+      if (planes.at(axis, place[asIndex(axis)]) != at) continue;
+      const auto size = static_cast<std::size_t>(fragment.size);
+      for (std::size_t i = 0; i < size; ++i) {
+        traces_.push_back({.face = numbers_.face(axis, place),
+                           .triangle = triangle,
+                           .from = fragment.points[i],
+                           .to = fragment.points[(i + 1) % size],
+                           .start = {},
+                           .end = {}});
+      }
+    }
+  }
 }
 
 void TileSurface::add(std::uint32_t triangle, const Fragment& fragment) {
@@ -122,7 +176,7 @@ void TileSurface::addTrace(std::uint32_t triangle, const Fragment& fragment, std
     std::swap(trace.start, trace.end);
   }
   (isBuried ? buriedTraces_ : traces_).push_back(trace);
-  if (!before.isPlane()) return;
+  if (!before.isPlane() || isBaffle(triangle)) return;  // no winding number changes there
   const int axis = 3 - edge.axis - before.axis;
   crossings_.push_back({end(before).gridEdge, triangle, fragment.points[side][axis],
                         riseAt(fragment, before, edge)});
@@ -137,6 +191,9 @@ void TileSurface::sort() {
   fragments_ = permuted(fragments_, order);
 
   // Both sides of a face have the trace, one after the other.
+  const auto hasFragment = [](const FaceTrace& trace) {
+    return trace.below != kNone || trace.above != kNone;
+  };
   std::vector<FaceTrace> traces;
   traces.reserve(traces_.size() / 2 + 1);
   for (const auto i :
@@ -145,7 +202,8 @@ void TileSurface::sort() {
     if (trace.below != kNone) trace.below = numberOf[trace.below];
     if (trace.above != kNone) trace.above = numberOf[trace.above];
     if (!traces.empty() && traces.back().face == trace.face &&
-        traces.back().triangle == trace.triangle) {
+        traces.back().triangle == trace.triangle && hasFragment(trace) &&
+        hasFragment(traces.back())) {
       traces.back().below = std::min(traces.back().below, trace.below);
       traces.back().above = std::min(traces.back().above, trace.above);
     } else {

@@ -27,11 +27,14 @@ struct TraceEnd {
   bool operator==(const TraceEnd&) const = default;
 };
 
-/// The trace of a triangle on a face. Seen against the face's axis, fluid is on its left.
+/// The trace of a triangle on a face, or an edge of a baffle in it. Seen against the face's axis,
+/// fluid is on its left.
 struct FaceTrace {
   std::uint32_t face = 0;
   std::uint32_t triangle = 0;
-  std::uint32_t below = kNone;  ///< the fragments on both sides, where they are in the tile
+  /// The fragments on both sides, where they are in the tile. None of the outline of a baffle that
+  /// lies in the face.
+  std::uint32_t below = kNone;
   std::uint32_t above = kNone;
   Vec3<double> from;
   Vec3<double> to;
@@ -60,8 +63,12 @@ struct TileFragment {
 class TileSurface {
  public:
   /// Takes the triangles of these numbers, in ascending order; all that meet the box. `patches`: of
-  /// the triangles of the mesh; `kinds`: of all, or none if all are walls; `openKinds`: of those of
-  /// the mesh, or none if no patch is open. All but the numbers and the planes is viewed.
+  /// all triangles, or of those of the mesh; `kinds`: of all, or none if all are walls;
+  /// `openKinds`: of those of the mesh, or none if no patch is open. All but the numbers and the
+  /// planes is viewed.
+  ///
+  /// Baffles are cut as if they were moved up, and as if they were moved down: so where they end in
+  /// a plane, they reach it from both sides, and where they lie in one, both cells have them.
   TileSurface(const MovedSurface& surface, std::span<const std::uint32_t> patches,
               std::span<const std::uint32_t> triangles, const GridPlanes& planes,
               std::span<const SheetKind> kinds = {}, std::span<const OpenKind> openKinds = {});
@@ -94,11 +101,15 @@ class TileSurface {
     const auto [a, b, c] = surface_.triangle(triangle);
     return {a.position, b.position, c.position};
   }
-  /// Whether triangles that meet others are among these fragments or traces.
+  [[nodiscard]] bool isBaffle(std::uint32_t triangle) const {
+    return kindOf(triangle) == SheetKind::Baffle;
+  }
+  /// Whether triangles that meet others, or baffles, are among these fragments or traces.
   template <typename Parts>
   [[nodiscard]] bool meetAny(const Parts& parts) const {
     return !kinds_.empty() && std::ranges::any_of(parts, [&](const auto& part) {
-      return kindOf(part.triangle) == SheetKind::Meeting;
+      const auto kind = kindOf(part.triangle);
+      return kind == SheetKind::Meeting || kind == SheetKind::Baffle;
     });
   }
   /// A triangle's normal, into the fluid, twice as long as its area is large.
@@ -117,7 +128,9 @@ class TileSurface {
   }
 
  private:
+  void splitBaffle(std::uint32_t triangle, const GridPlanes& planes, TriangleSplitter& splitter);
   void add(std::uint32_t triangle, const Fragment& fragment);
+  void addOutline(std::uint32_t triangle, const Fragment& fragment, const GridPlanes& planes);
   void addTrace(std::uint32_t triangle, const Fragment& fragment, std::size_t side);
   void sort();
   void sortBuried();

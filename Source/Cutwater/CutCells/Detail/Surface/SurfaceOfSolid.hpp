@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/Detail/Surface/CutSurface.hpp>
+
+#include <memory>
+
+namespace cutwater {
+
+/// The surface of a solid by which a CellCutter cuts. Throws what that says.
+template <std::floating_point T>
+[[nodiscard]] std::shared_ptr<const CutSurface> surfaceOf(const Solid<T>& solid, FluidSide side,
+                                                          const CutterOptions& options);
+
+extern template std::shared_ptr<const CutSurface> surfaceOf(const Solid<float>&, FluidSide,
+                                                            const CutterOptions&);
+extern template std::shared_ptr<const CutSurface> surfaceOf(const Solid<double>&, FluidSide,
+                                                            const CutterOptions&);
+
+}  // namespace cutwater
