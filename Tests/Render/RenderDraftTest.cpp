@@ -77,7 +77,7 @@ TYPED_TEST(RenderDraftTest, LooksLikeTheFinalPicture) {
         for (int x = 2; x < kWidth - 2; ++x) {
           const auto one = meanAbout(final, x, y), other = meanAbout(draft, x, y);
           double difference = 0;
-          for (int k = 0; k < 3; ++k)
+          for (std::size_t k = 0; k < 3; ++k)
             difference = std::max(difference, std::abs(one[k] - other[k]));
           sum += difference;
           most = std::max(most, difference);
