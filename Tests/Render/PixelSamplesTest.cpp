@@ -38,7 +38,7 @@ constexpr auto kApart = [](std::uint32_t, std::uint32_t) { return false; };
 using Scene = SurfaceSample (*)(const PicturePoint&, double spacing);
 
 struct Traced {
-  explicit Traced(Scene scene, int threads = 1)
+  explicit Traced(Scene scene, int threads = 1, int side = 3)
       : eye(camera()),
         samples(eye, kArea,
                 {.trace =
@@ -48,7 +48,8 @@ struct Traced {
                        for (std::size_t i = 0; i < points.size(); ++i)
                          found[i] = scene(points[i], spread.spacing);
                      },
-                 .light = [](std::span<const PicturePoint>, std::span<SurfaceSample>) {}},
+                 .light = [](std::span<const PicturePoint>, std::span<SurfaceSample>) {},
+                 .side = side},
                 {.threads = threads, .progress = {}}) {}
 
   [[nodiscard]] Image image(double lineWidth = 0) const {
@@ -105,6 +106,26 @@ TEST(PixelSamplesTest, WhatPassesBetweenRaysIsNotLost) {
     EXPECT_EQ(dark(image, x, 19), 0) << x;
     EXPECT_EQ(dark(image, x, 21), 0) << x;
     EXPECT_EQ(dark(blind, x, 20), 0) << x;
+  }
+}
+
+TEST(PixelSamplesTest, FourSamplesOfAPixelDoWithLess) {
+  const Scene edge = [](const PicturePoint& p, double) {
+    return p.x + 0.3 * p.y < 40.1 ? flat(0) : SurfaceSample{};
+  };
+  const Traced four(edge, 1, 2);
+  const auto image = four.image();
+  for (int y = kArea.y0; y < kArea.y0 + kArea.height; ++y) {
+    double sum = 0;
+    for (int x = 0; x < 64; ++x) sum += dark(image, x, y);
+    ASSERT_NEAR(sum, 40.1 - 0.3 * (y + 0.5) - kArea.x0, 0.25) << y;
+  }
+  EXPECT_LT(four.rays - 50 * 40, 0.5 * static_cast<double>(Traced(edge).rays - 50 * 40));
+  // What passes between rays is not lost.
+  const auto line = Traced(hairline, 1, 2).image();
+  for (int x = kArea.x0; x < kArea.x0 + kArea.width; ++x) {
+    EXPECT_NEAR(dark(line, x, 20), 0.5, 0.01) << x;
+    EXPECT_EQ(dark(line, x, 19) + dark(line, x, 21), 0) << x;
   }
 }
 

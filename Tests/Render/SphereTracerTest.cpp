@@ -1,5 +1,6 @@
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Operations/Detail/Forwarding.hpp>
 #include <Cutwater/Render/Detail/SphereTracer.hpp>
 #include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
@@ -245,6 +246,70 @@ TYPED_TEST(SphereTracerTest, FacetsShowWhatStepsWouldFind) {
       EXPECT_GT(hits(met), 1000U);
     }
   }
+}
+
+TYPED_TEST(SphereTracerTest, DraftsShowPlatesWithoutThicknessHoweverSlanted) {
+  using T = TypeParam;
+  constexpr T kHalf = T(2e-6);
+  const Solid<T> plate = Cuboid<T>({T(-0.9), T(-0.9), -kHalf}, {T(0.9), T(0.9), kHalf});
+  // The same as the common part of two that are thick: values are mere bounds.
+  const Solid<T> common = Cuboid<T>({T(-0.9), T(-0.9), T(-1)}, {T(0.9), T(0.9), kHalf}) &
+                          Cuboid<T>({T(-0.9), T(-0.9), -kHalf}, {T(0.9), T(0.9), T(1)});
+  for (const double slope : {2.0, 1.0, 0.5, 0.3, 0.2, 0.1}) {
+    const Look look(View::from({1, -0.2, slope}));
+    const double pixel = look.camera.pixelSize(0);
+    for (const auto& solid : {plate, common}) {
+      const auto samples = look.at(solid, {}, {.isDraft = true});
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        const auto ray = look.ray(i);
+        const double along = -ray.origin.z / ray.direction.z;
+        const auto p = ray.at(along);
+        const double inside = 0.9 - std::max(std::abs(p.x), std::abs(p.y));
+        if (inside < pixel / slope) continue;
+        ASSERT_TRUE(samples[i].isHit()) << slope << ' ' << p.x << ' ' << p.y;
+        ASSERT_NEAR(samples[i].along, along, 0.1 * pixel / slope) << p.x << ' ' << p.y;
+      }
+    }
+  }
+}
+
+/// Counts the values that are asked for.
+template <std::floating_point T>
+class Counted final : public Forwarding<T, Counted<T>> {
+ public:
+  explicit Counted(Solid<T> solid) : Forwarding<T, Counted<T>>(std::move(solid)) {}
+
+  mutable std::size_t values = 0;
+
+ private:
+  friend Forwarding<T, Counted<T>>;
+
+  T value(T value) const {
+    ++values;
+    return value;
+  }
+  Guarantee<T> localGuarantee() const override { return this->operand().guarantee(); }
+  Box<T> localBoundingBox() const override { return this->operand().boundingBox(); }
+};
+
+TYPED_TEST(SphereTracerTest, DraftsTakeFewStepsAlongWhatIsCurved) {
+  using T = TypeParam;
+  const Counted<T> ball(Sphere<T>({0, 0, 0}, 1));
+  // Rays that pass the silhouette, on either side of it.
+  const Look look(View::named("+z"));
+  const detail::KeptRegion region(Look::cube(), {}, false);
+  const auto valuesOf = [&](bool isDraft) {
+    ball.values = 0;
+    const detail::SphereTracer<T> tracer(ball, region, look.camera, {.isDraft = isDraft});
+    for (const double gap : {-0.7, -0.3, -0.1, 0.05, 0.1, 0.2, 0.4}) {
+      std::vector<detail::SurfaceSample> sample(1);
+      const double x = 0.5 * Look::kSide + 1 / Look::kPixel + gap;
+      tracer.trace(std::array{detail::PicturePoint{x, 0.5 * Look::kSide}}, {}, sample);
+      EXPECT_EQ(sample.front().isHit(), gap < 0) << gap;
+    }
+    return ball.values;
+  };
+  EXPECT_LT(valuesOf(true), 0.6 * static_cast<double>(valuesOf(false)));
 }
 
 TYPED_TEST(SphereTracerTest, DraftsShowABallWhereItIs) {

@@ -32,9 +32,13 @@ constexpr double kUsualFieldOfView = 30;
 /// detect that.
 constexpr double kRoom = 0.01;
 constexpr double kOcclusion = 0.07;  // range, in diagonals of the shown part
-// Pixels between points where light is computed.
-constexpr int kDraftLight = 4;
-constexpr int kFinalLight = 2;
+/// What a picture's quality means for its samples; see PixelSamples::Rays.
+struct Sampling {
+  int lightSpacing;
+  int side;
+};
+constexpr Sampling kDraft{.lightSpacing = 4, .side = 2};
+constexpr Sampling kFinal{.lightSpacing = 2, .side = 3};
 constexpr int kMostLooks = 3;         // to find the visible part
 constexpr double kLargeEnough = 0.6;  // of the frame: a further look would not help
 constexpr double kLineWidth = 0.7;    // pixels
@@ -244,9 +248,10 @@ Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& option
   const auto light = [&](std::span<const PicturePoint> points, std::span<SurfaceSample> seen) {
     tracer.light(points, seen);
   };
+  const auto& [lightSpacing, side] = isDraft ? kDraft : kFinal;
   const PixelSamples samples(
       camera, layout.area(),
-      {.trace = trace, .light = light, .lightSpacing = isDraft ? kDraftLight : kFinalLight},
+      {.trace = trace, .light = light, .lightSpacing = lightSpacing, .side = side},
       {.threads = options.threads, .progress = options.progress});
 
   auto image = options.transparent ? Image::transparent(options.width, options.height)

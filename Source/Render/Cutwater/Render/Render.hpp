@@ -13,7 +13,9 @@ namespace cutwater {
 
 /// How much work goes into a picture.
 enum class PictureQuality : std::uint8_t {
-  Draft,  ///< less time, except for meshes: rays end sooner, and light is computed at fewer pixels
+  /// Half the time or less, except for meshes: rays take fewer steps, there are fewer of them at
+  /// edges, and light is computed at fewer pixels.
+  Draft,
   Final,
 };
 
@@ -59,12 +61,12 @@ struct RenderOptions {
 /// Where the surface consists of triangles and values are distances, a ray hits the first triangle
 /// that it meets. No other ray steps through a part, however thin, as far as the solid's guarantee
 /// excludes that; it hits what is within 1/40 of a pixel, or, in a draft, the tangent plane of what
-/// is within half a pixel. Silhouettes have nine rays per pixel; parts between these are found by
-/// their distance, if values are distances or bounds of them. Where only signs are known, or a ray
-/// runs along the surface for more than 256 steps, crossings() decides. Where values may be off by
-/// more than 1/4 of a pixel, parts thinner than that may be lost. All this holds for each operand
-/// of a union by itself, and the nearest is seen. Light is dimmed where other parts of the surface
-/// are near, as far as values show it.
+/// is within half a pixel. Silhouettes have nine rays per pixel, in a draft four; parts between
+/// these are found by their distance, if values are distances or bounds of them. Where only signs
+/// are known, or a ray runs along the surface for more than 256 steps, crossings() decides. Where
+/// values may be off by more than 1/4 of a pixel, parts thinner than that may be lost. All this
+/// holds for each operand of a union by itself, and the nearest is seen. Light is dimmed where
+/// other parts of the surface are near, as far as values show it.
 /// @throws Error if the picture is smaller than 320 x 240 or larger than 2^26 pixels, an angle, a
 /// direction or a box is impossible, the region or cuts across the axes leave nothing of the
 /// solid's box, the solid is unbounded and no region is given, or, in perspective, the viewer is

@@ -21,7 +21,10 @@ constexpr double kLineOpacity = 0.62;
 
 PixelSamples::PixelSamples(const Camera& camera, const PlotArea& area, const Rays& rays,
                            const ParallelOptions& options)
-    : camera_(camera), area_(area) {
+    : camera_(camera),
+      area_(area),
+      side_(rays.side),
+      square_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_)) {
   const auto count = static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height);
   samples_.resize(count);
   refined_.assign(count, kNone);
@@ -39,15 +42,11 @@ PixelSamples::PixelSamples(const Camera& camera, const PlotArea& area, const Ray
   refine(rays.trace, light, part(0.6, 1));
 }
 
-PicturePoint PixelSamples::finePoint(int x, int y) const {
-  return {area_.x0 + (x + 0.5) / kSide, area_.y0 + (y + 0.5) / kSide};
-}
-
 const SurfaceSample& PixelSamples::fineSample(int x, int y) const {
-  const auto pixel = index(x / kSide, y / kSide);
+  const auto pixel = index(x / side_, y / side_);
   if (refined_[pixel] == kNone) return samples_[pixel];
-  return fine_[std::size_t{refined_[pixel]} * kSquare +
-               static_cast<std::size_t>(y % kSide * kSide + x % kSide)];
+  return fine_[std::size_t{refined_[pixel]} * square_ +
+               static_cast<std::size_t>(y % side_ * side_ + x % side_)];
 }
 
 void PixelSamples::tracePixels(SampleTracer trace, const ParallelOptions& options) {
@@ -140,12 +139,12 @@ void PixelSamples::refine(SampleTracer trace, const SparseLight& light,
       pixels_.push_back(index(x, y));
     });
   }
-  fine_.resize(pixels_.size() * kSquare);
-  constexpr std::size_t kAtOnce = kMostRays / kSquare;
-  const auto packets = (pixels_.size() + kAtOnce - 1) / kAtOnce;
+  fine_.resize(pixels_.size() * square_);
+  const auto atOnce = kMostRays / square_;
+  const auto packets = (pixels_.size() + atOnce - 1) / atOnce;
   parallelFor(packets, options, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      traceFinely(trace, light, i * kAtOnce, std::min(kAtOnce, pixels_.size() - i * kAtOnce));
+      traceFinely(trace, light, i * atOnce, std::min(atOnce, pixels_.size() - i * atOnce));
     }
   });
   showWhatIsThin();
@@ -153,7 +152,7 @@ void PixelSamples::refine(SampleTracer trace, const SparseLight& light,
 
 std::pair<int, int> PixelSamples::fineCorner(std::size_t pixel) const {
   const auto width = static_cast<std::size_t>(area_.width);
-  return {kSide * static_cast<int>(pixel % width), kSide * static_cast<int>(pixel / width)};
+  return {side_ * static_cast<int>(pixel % width), side_ * static_cast<int>(pixel / width)};
 }
 
 void PixelSamples::traceFinely(SampleTracer trace, const SparseLight& light, std::size_t first,
@@ -161,10 +160,12 @@ void PixelSamples::traceFinely(SampleTracer trace, const SparseLight& light, std
   std::vector<PicturePoint> points;
   for (const auto pixel : std::span(pixels_).subspan(first, count)) {
     const auto [x, y] = fineCorner(pixel);
-    for (int i = 0; i < kSquare; ++i) points.push_back(finePoint(x + i % kSide, y + i / kSide));
+    for (int j = y; j < y + side_; ++j) {
+      for (int i = x; i < x + side_; ++i) points.push_back(finePoint(i, j));
+    }
   }
-  const auto samples = std::span(fine_).subspan(first * kSquare, points.size());
-  trace(points, {.spacing = 1.0 / kSide, .group = kSquare}, samples);
+  const auto samples = std::span(fine_).subspan(first * square_, points.size());
+  trace(points, {.spacing = 1.0 / side_, .group = square_}, samples);
   light.light(points, samples);
 }
 
@@ -176,20 +177,19 @@ bool PixelSamples::hidesBetween(int x, int y) const {
   const Vec3<double> beyond = -Vec3<double>(sample.normal);
   const int column = x + static_cast<int>(std::lround(dot(beyond, view.right())));
   const int row = y - static_cast<int>(std::lround(dot(beyond, view.up)));
-  return !contains(column / kSide, row / kSide) || column < 0 || row < 0 ||
+  return !contains(column / side_, row / side_) || column < 0 || row < 0 ||
          !fineSample(column, row).isHit();
 }
 
 void PixelSamples::showWhatIsThin() {
   std::vector<std::size_t> shown;  // collected first, as decisions depend on neighbours
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    const auto samples = std::span(fine_).subspan(i * kSquare, kSquare);
+    const auto samples = std::span(fine_).subspan(i * square_, square_);
     if (std::any_of(samples.begin(), samples.end(), [](auto& s) { return s.isHit(); })) continue;
     const auto [x, y] = fineCorner(pixels_[i]);
-    for (int k = 0; k < kSquare; ++k) {
-      if (hidesBetween(x + k % kSide, y + k / kSide)) {
-        shown.push_back(i * kSquare + static_cast<std::size_t>(k));
-      }
+    for (std::size_t k = 0; k < square_; ++k) {
+      const auto column = static_cast<int>(k) % side_, row = static_cast<int>(k) / side_;
+      if (hidesBetween(x + column, y + row)) shown.push_back(i * square_ + k);
     }
   }
   for (const auto i : shown) fine_[i].surface = fine_[i].passed;
@@ -211,8 +211,8 @@ bool PixelSamples::isOnLine(int x, int y, int reach, SurfaceMatcher areOne) cons
   for (int j = -reach; j <= reach; ++j) {
     for (int i = -reach; i <= reach; ++i) {
       if (i * i + j * j > reach * reach + 1 || (i == 0 && j == 0)) continue;
-      const int column = std::clamp(x + i, 0, kSide * area_.width - 1);
-      const int row = std::clamp(y + j, 0, kSide * area_.height - 1);
+      const int column = std::clamp(x + i, 0, side_ * area_.width - 1);
+      const int row = std::clamp(y + j, 0, side_ * area_.height - 1);
       const auto& there = fineSample(column, row);
       const auto kind = difference(here, finePoint(x, y), there, finePoint(column, row));
       if (kind == Difference::Step && here.along < there.along) return true;
@@ -235,9 +235,10 @@ void PixelSamples::drawPixel(Image& image, SampleShader shade, SurfaceMatcher ar
   }
   std::array<double, 3> sum{};
   int hits = 0;
-  for (int i = 0; i < kSquare; ++i) {
-    const int fineX = kSide * x + i % kSide;
-    const int fineY = kSide * y + i / kSide;
+  const auto square = static_cast<int>(square_);
+  for (int i = 0; i < square; ++i) {
+    const int fineX = side_ * x + i % side_;
+    const int fineY = side_ * y + i / side_;
     const auto& sample = fineSample(fineX, fineY);
     if (!sample.isHit()) continue;
     auto color = shade(sample, finePoint(fineX, fineY));
@@ -252,12 +253,12 @@ void PixelSamples::drawPixel(Image& image, SampleShader shade, SurfaceMatcher ar
   if (hits == 0) return;
   const auto mean = [&](double v) { return static_cast<std::uint8_t>(std::lround(v / hits)); };
   image.paint(column, row, {mean(sum[0]), mean(sum[1]), mean(sum[2])},
-              static_cast<double>(hits) / kSquare);
+              static_cast<double>(hits) / square);
 }
 
 void PixelSamples::draw(Image& image, SampleShader shade, SurfaceMatcher areOne, double lineWidth,
                         const ParallelOptions& options) const {
-  const int reach = static_cast<int>(std::lround(std::clamp(lineWidth, 0.0, 1.0) * kSide));
+  const int reach = static_cast<int>(std::lround(std::clamp(lineWidth, 0.0, 1.0) * side_));
   const ParallelOptions rows{.threads = options.threads, .grain = 8, .progress = {}};
   parallelFor(static_cast<std::size_t>(area_.height), rows,
               [&](std::size_t begin, std::size_t end) {
@@ -274,7 +275,7 @@ std::vector<std::size_t> PixelSamples::areasOfPatches(std::size_t count) const {
     if (sample.surface < count) areas[sample.surface] += area;
   };
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    if (refined_[i] == kNone) add(samples_[i], kSquare);
+    if (refined_[i] == kNone) add(samples_[i], square_);
   }
   for (const auto& sample : fine_) add(sample, 1);
   return areas;

@@ -19,21 +19,20 @@ using SurfaceMatcher = FunctionRef<bool(std::uint32_t, std::uint32_t)>;
 
 class SparseLight;
 
-/// Samples of what is visible through the pixels of an area: one per pixel, but kSide^2 where
-/// neighbours differ: at silhouettes, steps in depth, creases and borders of patches, and where the
-/// solid comes close to a ray that misses it.
+/// Samples of what is visible through the pixels of an area: one per pixel, but a square of them
+/// where neighbours differ: at silhouettes, steps in depth, creases and borders of patches, and
+/// where the solid comes close to a ray that misses it.
 ///
-/// If all kSide^2 samples of a pixel miss, one that narrowly misses a part counts as seeing it,
+/// If all samples of such a pixel miss, one that narrowly misses a part counts as seeing it,
 /// unless the next sample on the part's other side hits. So thin parts are not lost, and appear one
 /// or two sample spacings wide; silhouettes do not grow.
 class PixelSamples {
  public:
-  static constexpr int kSide = 3;
-
   struct Rays {
     SampleTracer trace;
     SampleLighter light;
     int lightSpacing = 1;  ///< see SparseLight
+    int side = 3;          ///< samples along both axes of a pixel whose neighbours differ
   };
 
   /// The area must lie in a picture. Samples do not depend on the number of threads.
@@ -45,14 +44,14 @@ class PixelSamples {
   void draw(Image& image, SampleShader shade, SurfaceMatcher areOne, double lineWidth,
             const ParallelOptions& options) const;
 
-  /// The area that each of `count` patches covers in the picture, in units of 1 / kSide^2 pixel.
+  /// The area that each of `count` patches covers in the picture, in samples of pixels whose
+  /// neighbours differ.
   [[nodiscard]] std::vector<std::size_t> areasOfPatches(std::size_t count) const;
 
   /// The sample in the middle of a pixel, counted from the area's corner.
   [[nodiscard]] const SurfaceSample& at(int x, int y) const { return samples_[index(x, y)]; }
 
  private:
-  static constexpr int kSquare = kSide * kSide;
   /// An edge is both a border and a crease.
   enum class Difference : std::uint8_t { None, Crease, Border, Edge, Step };
 
@@ -65,10 +64,12 @@ class PixelSamples {
   }
   [[nodiscard]] bool isRefined(int x, int y) const { return refined_[index(x, y)] != kNone; }
   [[nodiscard]] bool isNearRefined(int x, int y) const;
-  /// A point of the fine grid, which has kSide times as many columns and rows as the picture.
-  [[nodiscard]] PicturePoint finePoint(int x, int y) const;
   [[nodiscard]] PicturePoint middle(int x, int y) const {
-    return finePoint(kSide * x + kSide / 2, kSide * y + kSide / 2);
+    return {area_.x0 + x + 0.5, area_.y0 + y + 0.5};
+  }
+  /// A point of the fine grid, which has side_ times as many columns and rows as the picture.
+  [[nodiscard]] PicturePoint finePoint(int x, int y) const {
+    return {area_.x0 + (x + 0.5) / side_, area_.y0 + (y + 0.5) / side_};
   }
   [[nodiscard]] const SurfaceSample& fineSample(int x, int y) const;
   [[nodiscard]] Difference difference(const SurfaceSample& a, const PicturePoint& atA,
@@ -91,10 +92,12 @@ class PixelSamples {
 
   const Camera& camera_;
   PlotArea area_;
+  int side_;                            // of a pixel that is refined, in samples
+  std::size_t square_;                  // of that
   std::vector<SurfaceSample> samples_;  // at the pixels' centres, row by row
   std::vector<std::uint32_t> refined_;  // for each pixel: its number among refined ones
   std::vector<std::size_t> pixels_;     // the refined ones, in the order of their samples
-  std::vector<SurfaceSample> fine_;     // samples of these, kSquare each
+  std::vector<SurfaceSample> fine_;     // samples of these, square_ each
 };
 
 }  // namespace cutwater::detail

@@ -18,6 +18,9 @@ constexpr double kNearEnoughByBound = 1.0 / 320;
 /// In drafts a ray within half a pixel of the surface goes on to the tangent plane at once, unless
 /// that takes it further than a pixel.
 constexpr double kNearEnoughInDrafts = 0.5;
+/// So far they step at most if they cannot: as long as they are within half a pixel, anything that
+/// they pass is thinner than that.
+constexpr double kLongestInDrafts = 1;
 /// For sheets crossings() is of no use. Instead, the threshold for a ray along one grows every this
 /// many steps, which bounds their number.
 constexpr int kStepsOfPatience = 1024;
@@ -105,7 +108,11 @@ class SphereTracer<T>::Packet {
     double along;           // nothing visible up to here
     double nearest = kInf;  // least distance so far, in pixels
     double nearestAlong = 0;
-    bool wasNear = false;  // it did not go on to the tangent plane
+    // Of a ray within half a pixel of the surface that did not go on to its tangent plane:
+    bool isBeside = false;
+    double speed = 0;  // towards the surface, per length of the ray
+    double free = 0;   // at the place before, and the step from there; no step: not yet
+    double step = 0;
   };
 
   [[nodiscard]] Vec3<T> at(const Vec3<double>& p) const { return Vec3<T>(p); }
@@ -234,10 +241,7 @@ class SphereTracer<T>::Packet {
           line.nearest = free / pixel;
           line.nearestAlong = line.along;
         }
-        if (t_.options_.isDraft && !line.wasNear && free <= kNearEnoughInDrafts * pixel) {
-          near_.push_back(i);
-        }
-        line.along += free;
+        line.along += t_.options_.isDraft ? stepInDraft(line, free, pixel, i) : free;
         return true;
       });
       if (!near_.empty()) landNearby();
@@ -245,13 +249,32 @@ class SphereTracer<T>::Packet {
     if (t_.options_.sheets) active_.clear();
   }
 
+  /// How far a ray goes on in a draft. One that runs along the surface, nearer than half a pixel,
+  /// goes on to where it meets the surface if that is flat, or by a pixel if that is less.
+  double stepInDraft(Line& line, double free, double pixel, std::uint32_t i) {
+    if (free > kNearEnoughInDrafts * pixel) {
+      line.isBeside = false;
+      return free;
+    }
+    if (!line.isBeside) {
+      near_.push_back(i);
+      return free;
+    }
+    if (line.step > 0) line.speed = (line.free - free) / line.step;
+    const double longest = pixel * kLongestInDrafts;
+    line.free = free;
+    line.step = std::max(free, free < line.speed * longest ? free / line.speed : longest);
+    return line.step;
+  }
+
   /// Ends those rays near the surface that meet its tangent plane within a pixel.
   void landNearby() {
     sampleByNearest(near_, &Line::along, [&](Line& line, const SurfacePoint<T>& nearest) {
-      line.wasNear = true;
       const Vec3<double> away = line.ray.at(line.along) - Vec3<double>(nearest.point);
-      const double speed = -dot(Vec3<double>(nearest.normal), line.ray.direction);
-      if (!(length(away) <= speed * t_.camera_.pixelSize(line.along))) return SurfaceSample{};
+      line.speed = -dot(Vec3<double>(nearest.normal), line.ray.direction);
+      line.step = 0;
+      line.isBeside = !(length(away) <= line.speed * t_.camera_.pixelSize(line.along));
+      if (line.isBeside) return SurfaceSample{};
       return t_.sighting_.near(line.ray, line.range, line.along, nearest);
     });
     near_.clear();
