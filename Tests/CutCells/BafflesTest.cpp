@@ -17,7 +17,7 @@
 #include "Support/CutPolygons.hpp"
 #include "Support/Scale.hpp"
 
-namespace cutwater::test {
+namespace cutwater::test::flooded_baffles {
 namespace {
 
 constexpr int kSquares = 5;  // along each axis
@@ -299,4 +299,4 @@ TEST(BafflesTest, SquaresAndCubesAreThoseOfAFlood) {
 }
 
 }  // namespace
-}  // namespace cutwater::test
+}  // namespace cutwater::test::flooded_baffles

@@ -97,6 +97,32 @@ TEST(DocsTest, DuctsWithOpenEnds) {
   EXPECT_NEAR(open, 2 * 0.31 * 0.37 * 64, 1e-13);
 }
 
+TEST(DocsTest, BafflesInATank) {
+  auto soup = tessellation::box({0.1, 0.1, 0.1}, {0.9, 0.9, 0.9});
+  soup.patchNames = {"tank", "fin", "sail"};
+  for (const std::uint32_t patch : {1U, 2U}) {
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    for (const auto& [y, z] : {std::pair(0.2, 0.3), {0.5, 0.3}, {0.2, 0.6}}) {
+      soup.points.push_back({0.3 * patch, y, z});
+    }
+    soup.addPolygon(std::array{first, first + 1, first + 2}, patch);
+  }
+  const Solid<double> tank(MeshSDF<double>{soup});
+  const Level<double> level({0, 0, 0}, {0.125, 0.125, 0.125});
+  const auto indices = IndexBox::ofSize(8, 8, 8);
+  double walls = 0;
+  const auto useWalls = [&](const std::vector<double>& areas,
+                            const std::vector<std::uint32_t>& patches) {
+    for (std::size_t i = 0; i < areas.size(); ++i) walls += patches[i] > 0 ? areas[i] : 0;
+  };
+  // [DOCS
+  const CellCutter cutter(tank, FluidSide::Inside, {.baffles = {"fin", "sail"}});
+  const CutCells cells = cutter.cut(GridPatch<double>{level, indices});
+  useWalls(cells.wallParts.area, cells.wallParts.patch);
+  // DOCS]
+  EXPECT_NEAR(walls, 4 * 0.045, 1e-14);
+}
+
 TEST(DocsTest, SectionsInAPlane) {
   const CellCutter cutter{Solid<double>(MeshSDF<double>(tessellation::icosphere(0.4, 3)))};
   const std::vector<double> x{-0.5, -0.2, 0, 0.1, 0.5};

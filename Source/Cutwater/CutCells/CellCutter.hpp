@@ -56,7 +56,7 @@ struct CutterOptions {
 /// gaps are, and pieces close up to rounding. Where triangles meet others outside of corners and
 /// edges that they share, or share an edge with more than one, cells have CutCells::Cells::meets,
 /// and pieces are found in floating point; likewise at vertices in which parts of the surface touch
-/// that have walls across an axis, facing both ways.
+/// that have walls across an axis, facing both ways, and where there are baffles.
 ///
 /// A wall in a plane of the grid belongs to the cell whose fluid it bounds. What is said of a cell
 /// depends on the planes around it alone: not on the box, on other cells or on the number of

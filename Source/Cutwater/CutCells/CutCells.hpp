@@ -63,8 +63,8 @@ struct CutCells {
     /// Bit n: corner n of the cell, see Box::corner(), is in the fluid. One in the surface is on
     /// either side.
     std::vector<std::uint8_t> fluidCorners;
-    /// 1 where pieces are found in floating point, because the surface meets itself and a triangle
-    /// that meets others is in the cell: see CellCutter. Else 0.
+    /// 1 where pieces are found in floating point, because a triangle that meets others, or one of
+    /// a baffle, is in the cell: see CellCutter. Else 0.
     std::vector<std::uint8_t> meets;
     /// Bit 2 axis + side (0: low, 1: high): a part of the cell's wall lies in that face, exactly in
     /// the plane of the grid. Of its pieces together: see Pieces::wallFaces.

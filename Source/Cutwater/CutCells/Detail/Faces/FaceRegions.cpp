@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
+#include <Cutwater/CutCells/Detail/Faces/BaffleWays.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceAxes.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceRegions.hpp>
 #include <Cutwater/CutCells/Detail/Faces/LocalWinding.hpp>
@@ -113,7 +114,7 @@ FaceRegions::FaceRegions(const TileSurface& surface, const EdgeStretches& stretc
                     windings.at(points[leaf]) <= 0 && std::ranges::none_of(baffles, covers);
                 regions_.push_back({std::move(polygon), point, isFluid, kNone});
               });
-  joinRegions(tree, regionOf, least);
+  joinRegions(tree, regionOf, BaffleWays(surface, face), least);
   if (!found.empty()) somePatch_ = surface.patchOf(found.front().triangle);
   addWalls(tree, regionOf, plane);
   noteRimTraces(tree);
@@ -121,8 +122,14 @@ FaceRegions::FaceRegions(const TileSurface& surface, const EdgeStretches& stretc
 }
 
 void FaceRegions::joinRegions(const SheetTree& tree, std::span<const std::uint32_t> regionOf,
-                              double least) {
+                              const BaffleWays& ways, double least) {
   detail::DisjointSets sets(regions_.size());
+  const auto isWayOpen = [&](std::uint32_t one, std::uint32_t other,
+                             const SheetTree::Polygon& polygon) {
+    auto middle = middleOf(polygon);
+    middle[axis_] = regions_[one].point[axis_];
+    return ways.isOpen(regions_[one].point, middle, regions_[other].point);
+  };
   for (const auto& portal : tree.portals()) {
     const auto below = regionOf[portal.below];
     const auto above = regionOf[portal.above];
@@ -130,6 +137,7 @@ void FaceRegions::joinRegions(const SheetTree& tree, std::span<const std::uint32
     if (!regions_[below].isFluid || !regions_[above].isFluid) continue;
     const auto open = withoutBaffles(portal.polygon, tree.sheetsAt(portal), [](auto, auto&) {});
     for (const auto& polygon : open) {
+      if (ways.areAny() && (isGap(polygon) || !isWayOpen(below, above, polygon))) continue;
       if (0.5 * length(twiceArea(polygon)) > least) sets.unite(below, above);
     }
   }

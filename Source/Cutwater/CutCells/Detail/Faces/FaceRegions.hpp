@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/CutCells/Detail/Faces/BaffleWays.hpp>
 #include <Cutwater/CutCells/Detail/Faces/EdgeStretches.hpp>
 #include <Cutwater/CutCells/Detail/Faces/SheetTree.hpp>
 
@@ -55,7 +56,8 @@ class FaceRegions {
     Interval<double> ends;
   };
 
-  void joinRegions(const SheetTree& tree, std::span<const std::uint32_t> regionOf, double least);
+  void joinRegions(const SheetTree& tree, std::span<const std::uint32_t> regionOf,
+                   const BaffleWays& ways, double least);
   void addWalls(const SheetTree& tree, std::span<const std::uint32_t> regionOf, double plane);
   void addWall(std::uint32_t part, std::uint32_t patch, const SheetTree::Polygon& polygon,
                const Vec3<double>& normal, double plane);

@@ -1,8 +1,9 @@
+#include <Cutwater/CutCells/Detail/Faces/SheetDividers.hpp>
 #include <Cutwater/CutCells/Detail/Faces/SheetTree.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <iterator>
 
 namespace cutwater {
 
@@ -113,62 +114,6 @@ bool hasAreaIn(const Sheet& sheet, const Vec3<double>& normal) {
   return std::abs(dot(sheet.plane.normal, normal)) > 0.5;
 }
 
-/// An edge of a sheet, under its ends.
-struct SheetEdge {
-  std::array<Vec3<double>, 2> ends;
-  const Sheet* sheet = nullptr;
-
-  [[nodiscard]] auto key() const {
-    const auto& [p, q] = ends;
-    return std::tuple(p.x, p.y, p.z, q.x, q.y, q.z);
-  }
-};
-
-std::vector<SheetEdge> edgesOfBaffles(std::span<const Sheet> sheets) {
-  std::vector<SheetEdge> edges;
-  for (const auto& sheet : sheets) {
-    for (std::size_t i = 0; i < sheet.points.size() && sheet.isBaffle; ++i) {
-      SheetEdge edge{{sheet.points[i], sheet.points[(i + 1) % sheet.points.size()]}, &sheet};
-      auto& [p, q] = edge.ends;
-      if (std::tie(q.x, q.y, q.z) < std::tie(p.x, p.y, p.z)) std::swap(p, q);
-      edges.push_back(edge);
-    }
-  }
-  std::ranges::sort(edges, {}, &SheetEdge::key);
-  return edges;
-}
-
-/// Two baffles whose planes cross in a line that is known poorly.
-bool areNearlyParallel(const Sheet& one, const Sheet& other) {
-  constexpr double kSmallAngle = 1e-3;
-  return length(cross(one.plane.normal, other.plane.normal)) < kSmallAngle;
-}
-
-/// Across a sheet at one of its edges.
-Sheet dividerAt(const SheetEdge& edge) {
-  const auto& [p, q] = edge.ends;
-  const auto& normal = edge.sheet->plane.normal;
-  const auto across = cross(q - p, normal);
-  Sheet divider{.points = {}, .plane = {across / length(across), 0}, .isDivider = true};
-  divider.plane.offset = dot(divider.plane.normal, p);
-  const auto height = length(q - p) * normal;
-  divider.points = {p - height, q - height, q + height, p + height};
-  return divider;
-}
-
-void addDividers(std::vector<Sheet>& sheets) {
-  const auto edges = edgesOfBaffles(sheets);
-  std::vector<Sheet> dividers;
-  for (std::size_t i = 1; i < edges.size(); ++i) {
-    const auto& one = *edges[i - 1].sheet;
-    const auto& other = *edges[i].sheet;
-    if (edges[i].key() != edges[i - 1].key() || one.points == other.points) continue;
-    const bool isEdge = length(edges[i].ends[1] - edges[i].ends[0]) > SheetTree::kNear;
-    if (isEdge && areNearlyParallel(one, other)) dividers.push_back(dividerAt(edges[i]));
-  }
-  sheets.insert(sheets.end(), dividers.begin(), dividers.end());
-}
-
 SheetPlane facePlane(const Box<double>& box, std::size_t face) {
   const int axis = static_cast<int>(face / 2);
   SheetPlane plane;
@@ -193,6 +138,14 @@ Vec3<double> middleOf(std::span<const Vec3<double>> polygon) {
   return sum / static_cast<double>(polygon.size());
 }
 
+bool isGap(std::span<const Vec3<double>> polygon) {
+  double perimeter = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    perimeter += length(polygon[(i + 1) % polygon.size()] - polygon[i]);
+  }
+  return length(twiceArea(polygon)) <= SheetTree::kGap * perimeter;
+}
+
 SheetTree::SheetTree(const Box<double>& box, std::vector<Sheet> sheets) : box_(box) {
   std::vector<Sheet> within;
   for (auto& sheet : sheets) {
@@ -209,7 +162,7 @@ SheetTree::SheetTree(const Box<double>& box, std::vector<Sheet> sheets) : box_(b
       inFaces_[face].push_back(std::move(sheet));
     }
   }
-  addDividers(within);
+  std::ranges::move(dividersOf(within), std::back_inserter(within));
   root_ = build(std::move(within));
   std::vector<SheetPlane> path;
   if ((root_ & kLeaf) == 0) findPortals(root_, path);
@@ -379,14 +332,6 @@ Polygon partWithin(Polygon part, const Sheet& sheet, std::vector<Polygon>& outsi
   return part;
 }
 
-bool isGap(const Polygon& polygon) {
-  double perimeter = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    perimeter += length(polygon[(i + 1) % polygon.size()] - polygon[i]);
-  }
-  return length(twiceArea(polygon)) <= SheetTree::kGap * perimeter;
-}
-
 /// Shares a polygon out among the sheets that `counts` accepts; returns the rest.
 template <typename Counts>
 std::vector<Polygon> shareOut(const Polygon& polygon, std::span<const Sheet> sheets,
@@ -421,10 +366,7 @@ void sharedOut(const Polygon& polygon, const Vec3<double>& normal, std::span<con
 std::vector<Polygon> withoutBaffles(const Polygon& polygon, std::span<const Sheet> sheets,
                                     FunctionRef<void(std::uint32_t, const Polygon&)> visit) {
   const auto isBaffle = [](const Sheet& sheet) { return sheet.isBaffle; };
-  if (std::ranges::none_of(sheets, isBaffle)) return {polygon};
-  auto rest = shareOut(polygon, sheets, isBaffle, visit);
-  std::erase_if(rest, isGap);
-  return rest;
+  return shareOut(polygon, sheets, isBaffle, visit);
 }
 
 }  // namespace cutwater

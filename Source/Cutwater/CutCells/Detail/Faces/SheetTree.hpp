@@ -40,8 +40,9 @@ class SheetTree {
 
   /// Distances from planes below this are rounding. Coordinates are up to about 1.
   static constexpr double kNear = 0x1p-48;
-  /// Openings beside baffles.
-  static constexpr double kGap = 0x1p-40;
+  /// Openings beside baffles that are narrower are none: rounding leaves such gaps between those
+  /// that share an edge.
+  static constexpr double kGap = 0x1p-36;
 
   /// A polygon in a plane of the tree, and the leaves below it and above it, where its normal
   /// points.
@@ -105,6 +106,8 @@ class SheetTree {
 
 /// Twice the area of a polygon, times its normal.
 [[nodiscard]] Vec3<double> twiceArea(std::span<const Vec3<double>> polygon);
+/// Whether it is narrower than SheetTree::kGap.
+[[nodiscard]] bool isGap(std::span<const Vec3<double>> polygon);
 /// The mean of its corners.
 [[nodiscard]] Vec3<double> middleOf(std::span<const Vec3<double>> polygon);
 
@@ -116,8 +119,7 @@ void sharedOut(const SheetTree::Polygon& polygon, const Vec3<double>& normal,
                FunctionRef<void(std::uint32_t patch, const SheetTree::Polygon& part)> visit);
 
 /// Takes from a polygon what baffles in its plane have of it, and calls visit(patch, part) for it;
-/// returns the rest. If there are any, what is narrower than kGap is none: rounding leaves it
-/// between baffles that share an edge.
+/// returns the rest.
 [[nodiscard]] std::vector<SheetTree::Polygon> withoutBaffles(
     const SheetTree::Polygon& polygon, std::span<const Sheet> sheets,
     FunctionRef<void(std::uint32_t patch, const SheetTree::Polygon& part)> visit);

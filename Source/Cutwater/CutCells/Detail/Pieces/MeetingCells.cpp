@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
+#include <Cutwater/CutCells/Detail/Faces/BaffleWays.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceRegions.hpp>
 #include <Cutwater/CutCells/Detail/Faces/LocalWinding.hpp>
 #include <Cutwater/CutCells/Detail/Moments/Moments.hpp>
@@ -44,10 +45,8 @@ class MeetingCell {
         place_(surface_.numbers().placeOfCell(cell_)),
         tree_(faces.planes().boxOf(place_), sheetsOf(surface_, faces.planes(), fragments)),
         points_(tree_.pointsIn()),
+        ways_(surface_, fragments),
         out_(out) {
-    hasBaffles_ = std::ranges::any_of(fragments, [&](const TileFragment& fragment) {
-      return surface_.isBaffle(fragment.triangle);
-    });
     const auto size = faces.planes().sizeOf(place_);
     least_ = kSliver * std::min({size.x * size.y, size.y * size.z, size.z * size.x});
     somePatch_ = surface_.patchOf(fragments.front().triangle);
@@ -119,7 +118,14 @@ class MeetingCell {
                                        addWallPart({portal.above, patch, part}, up);
                                        addWallPart({portal.below, patch, part}, -up);
                                      });
-    for (const auto& part : open) unite(portal.below, portal.above, part);
+    for (const auto& part : open) {
+      if (!ways_.areAny()) {
+        unite(portal.below, portal.above, part);
+      } else if (!isGap(part) && sets_.find(portal.below) != sets_.find(portal.above) &&
+                 ways_.isOpen(points_[portal.below], middleOf(part), points_[portal.above])) {
+        unite(portal.below, portal.above, part);
+      }
+    }
   }
 
   void addWall(const SheetTree::Portal& portal) {
@@ -149,7 +155,7 @@ class MeetingCell {
   static constexpr double kLittle = 1e-6;
   /// Twice those of leaves, if there are baffles.
   [[nodiscard]] std::vector<double> areasOnFace(std::size_t n) const {
-    if (!hasBaffles_) return {};
+    if (!ways_.areAny()) return {};
     std::vector<double> areas(tree_.leafCount());
     tree_.divide(
         tree_.face(n), SheetTree::inwards(n),
@@ -161,13 +167,20 @@ class MeetingCell {
     const auto face = faceNumber(n);
     const auto inwards = SheetTree::inwards(n);
     const auto areas = areasOnFace(n);
+    const auto onFace = ways_.areAny() ? BaffleWays(surface_, face) : BaffleWays();
+    const auto isWayOpen = [&](std::uint32_t leaf, const Polygon& part, const Vec3<double>& point) {
+      if (areas.empty()) return true;
+      const auto middle = middleOf(part);
+      return ways_.isOpen(points_[leaf], middle) && onFace.isOpen(middle, point);
+    };
     for (const auto& region : faces_.regionsOn(face)) {
       const auto arc = region.isFluid ? nodeOfRegion(n, face, region) : kNone;
       const double whole = length(twiceArea(region.polygon));
       tree_.divide(region.polygon, inwards, [&](std::uint32_t leaf, const Polygon& part) {
         if (region.isFluid && isFluid_[leaf] != 0) {
           const double least = areas.empty() ? 0 : kLittle * std::min(areas[leaf], whole);
-          if (length(twiceArea(part)) >= least) unite(arc, leaf, part);
+          const bool isOpening = length(twiceArea(part)) >= least;
+          if (isOpening && isWayOpen(leaf, part, region.point)) unite(arc, leaf, part);
         } else if (region.isFluid) {
           addWall(arc, part, -inwards, tree_.sheetsIn(n));
         } else if (isFluid_[leaf] != 0) {
@@ -204,10 +217,13 @@ class MeetingCell {
     for (std::uint32_t i = 0; i < open_.size(); ++i) {
       addOpenPart(sumAt(tree_.leafCount() + i), open_[i]);
     }
+    const auto size = faces_.planes().sizeOf(place_);
     std::vector<std::uint32_t> numbers;
     for (auto& sum : sums) {
       numbers.push_back(kNone);
-      if (sum.isNothing(faces_.planes().sizeOf(place_), kSliver)) continue;
+      if (sum.isNothing(size, kSliver)) continue;
+      // Films between baffles, which rounding has cut off.
+      if (ways_.areAny() && sum.piece(cell_).volume < kSliver * size.x * size.y * size.z) continue;
       numbers.back() = static_cast<std::uint32_t>(out_.pieces.size());
       sum.appendWalls(numbers.back(), out_.walls);
       out_.pieces.push_back(withinCell(sum.piece(cell_), faces_.planes().boxOf(place_)));
@@ -284,10 +300,10 @@ class MeetingCell {
   TilePlace place_;
   SheetTree tree_;
   std::vector<Vec3<double>> points_;  // in leaves
+  BaffleWays ways_;
   CellPieces& out_;
   double least_ = 0;
   std::uint32_t somePatch_ = 0;
-  bool hasBaffles_ = false;
   std::vector<char> isFluid_;  // leaves
   std::vector<OpenPart> open_;
   std::array<std::uint32_t, 6> firstOpen_{};
