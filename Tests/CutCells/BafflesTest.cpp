@@ -10,6 +10,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,9 @@ using Place = std::array<int, 3>;
 struct Square {
   int axis = 0;
   Place place{};
-  auto operator<=>(const Square&) const = default;
+  bool operator<(const Square& other) const {
+    return std::tie(axis, place) < std::tie(other.axis, other.place);
+  }
 };
 
 struct Scene {
@@ -128,7 +131,8 @@ class Flood {
   Flood(const Scene& scene, const std::array<std::vector<int>, 3>& planes)
       : scene_(scene), planes_(planes), first_(planes[0].front()) {
     for (const auto& p : planes) size_ = std::max(size_, p.back() - first_);
-    sets_.reset(static_cast<std::size_t>(size_ * size_ * size_));
+    const auto size = static_cast<std::size_t>(size_);
+    sets_.reset(size * size * size);
   }
 
   Found run() {

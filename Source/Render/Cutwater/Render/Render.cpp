@@ -248,7 +248,11 @@ Image render(const SignedDistanceFunction<T>& solid, const RenderOptions& option
   const auto light = [&](std::span<const PicturePoint> points, std::span<SurfaceSample> seen) {
     tracer.light(points, seen);
   };
-  const auto& [lightSpacing, side] = isDraft ? kDraft : kFinal;
+  const auto& lightSpacing = (isDraft ? kDraft : kFinal).lightSpacing;
+  // Rays that meet flat pieces cost little.
+  const auto hasFacets = [](const auto& part) { return part.facets.has_value(); };
+  const bool isFlat = std::ranges::all_of(parts, hasFacets);
+  const int side = (isDraft && !isFlat ? kDraft : kFinal).side;
   const PixelSamples samples(
       camera, layout.area(),
       {.trace = trace, .light = light, .lightSpacing = lightSpacing, .side = side},

@@ -44,7 +44,8 @@ std::vector<Sheet> sheetsOf(const TileSurface& surface, std::span<const FaceTrac
     sheet.isBaffle = surface.isBaffle(trace.triangle);
     sheets.push_back(std::move(sheet));
   }
-  std::ranges::stable_partition(sheets, [](const Sheet& sheet) { return !sheet.isBaffle; });
+  std::stable_partition(sheets.begin(), sheets.end(),
+                        [](const Sheet& sheet) { return !sheet.isBaffle; });
   return sheets;
 }
 

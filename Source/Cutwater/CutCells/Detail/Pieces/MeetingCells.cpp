@@ -29,7 +29,8 @@ std::vector<Sheet> sheetsOf(const TileSurface& surface, const GridPlanes& planes
     if (openFaceOf(surface, planes, fragment).isFace()) sheet.patch |= kOpenSheet;
     sheets.push_back(std::move(sheet));
   }
-  std::ranges::stable_partition(sheets, [](const Sheet& sheet) { return !sheet.isBaffle; });
+  std::stable_partition(sheets.begin(), sheets.end(),
+                        [](const Sheet& sheet) { return !sheet.isBaffle; });
   return sheets;
 }
 
@@ -194,6 +195,11 @@ class MeetingCell {
     return nodeOfArc(n, faces_.isCut(face) ? region.part : arcOfFullFace_[face]);
   }
 
+  /// Between baffles: rounding has cut it off.
+  [[nodiscard]] bool isFilm(const PieceSums& sum) const {
+    const auto size = faces_.planes().sizeOf(place_);
+    return ways_.areAny() && sum.piece(cell_).volume < kSliver * size.x * size.y * size.z;
+  }
   void measure() {
     std::vector<std::uint32_t> sumOf(tree_.leafCount() + open_.size(), kNone);  // by root
     std::vector<PieceSums> sums;
@@ -221,9 +227,7 @@ class MeetingCell {
     std::vector<std::uint32_t> numbers;
     for (auto& sum : sums) {
       numbers.push_back(kNone);
-      if (sum.isNothing(size, kSliver)) continue;
-      // Films between baffles, which rounding has cut off.
-      if (ways_.areAny() && sum.piece(cell_).volume < kSliver * size.x * size.y * size.z) continue;
+      if (sum.isNothing(size, kSliver) || isFilm(sum)) continue;
       numbers.back() = static_cast<std::uint32_t>(out_.pieces.size());
       sum.appendWalls(numbers.back(), out_.walls);
       out_.pieces.push_back(withinCell(sum.piece(cell_), faces_.planes().boxOf(place_)));
