@@ -136,14 +136,7 @@ class Flood {
   }
 
   Found run() {
-    forBoxes([&](const Place& box) {
-      for (int axis = 0; axis < 3; ++axis) {
-        const auto below = boxBelow(box, axis);
-        if (isIn(below) && cellOf(below) == cellOf(box) && isOpen(box, axis)) {
-          sets_.unite(number(below), number(box));
-        }
-      }
-    });
+    joinBoxes();
     constexpr double kVolume = 1.0 / (kParts * kParts * kParts);
     constexpr double kArea = 1.0 / (kParts * kParts);
     std::map<Place, std::map<std::uint32_t, std::array<double, 2>>> cells;
@@ -180,6 +173,16 @@ class Flood {
   }
 
  private:
+  void joinBoxes() {
+    forBoxes([&](const Place& box) {
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto below = boxBelow(box, axis);
+        if (isIn(below) && cellOf(below) == cellOf(box) && isOpen(box, axis)) {
+          sets_.unite(number(below), number(box));
+        }
+      }
+    });
+  }
   template <typename Visit>
   void forBoxes(Visit&& visit) const {
     for (int k = planes_[2].front(); k < planes_[2].back(); ++k) {
