@@ -19,6 +19,7 @@
 #include "Support/CutPolygons.hpp"
 #include "Support/Refusal.hpp"
 #include "Support/Scale.hpp"
+#include "Support/Soups.hpp"
 
 namespace cutwater::test::baffles {
 namespace {
@@ -28,17 +29,13 @@ PolygonSoup called(const std::string& name, PolygonSoup soup) {
   std::ranges::fill(soup.patches, 0U);
   return soup;
 }
-PolygonSoup together(PolygonSoup soup, const PolygonSoup& added) {
-  const auto first = static_cast<std::uint32_t>(soup.points.size());
-  const auto patch = static_cast<std::uint32_t>(soup.patchNames.size());
-  soup.points.insert(soup.points.end(), added.points.begin(), added.points.end());
-  soup.patchNames.insert(soup.patchNames.end(), added.patchNames.begin(), added.patchNames.end());
-  for (std::size_t i = 0; i < added.polygonCount(); ++i) {
-    std::vector<std::uint32_t> corners;
-    for (const auto corner : added.polygon(i)) corners.push_back(first + corner);
-    soup.addPolygon(corners, patch + added.patches[i]);
-  }
-  return soup;
+/// As together(), but with patches of its own.
+PolygonSoup beside(const PolygonSoup& soup, PolygonSoup added) {
+  for (auto& patch : added.patches) patch += static_cast<std::uint32_t>(soup.patchNames.size());
+  auto result = together(soup, added);
+  result.patchNames.insert(result.patchNames.end(), added.patchNames.begin(),
+                           added.patchNames.end());
+  return result;
 }
 /// A parallelogram, called "fin".
 PolygonSoup sheet(const Vec3<double>& corner, const Vec3<double>& u, const Vec3<double>& v) {
@@ -122,7 +119,7 @@ TEST(BafflesAnyhowTest, ASheetWithARimLetsTheFluidAround) {
     PolygonSoup soup = sheet(a, 0.5 * (point() - a), 0.5 * (point() - a));
     for (int n = round % 3; n > 0; --n) {  // others that may cross it
       const auto b = point();
-      soup = together(soup, sheet(b, 0.5 * (point() - b), 0.5 * (point() - b)));
+      soup = beside(soup, sheet(b, 0.5 * (point() - b), 0.5 * (point() - b)));
     }
     double area = 0;
     for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
@@ -181,7 +178,7 @@ TEST(BafflesAnyhowTest, TwoPlanesMakeFourPieces) {
   const Vec3<double> u{1, -1, 0};
   const Vec3<double> v{1, 1, -2};
   auto soup = sheet(middle - 2.0 * axis - 2.0 * u, 4.0 * axis, 4.0 * u);
-  soup = together(soup, sheet(middle - 2.0 * axis - 2.0 * v, 4.0 * axis, 4.0 * v));
+  soup = beside(soup, sheet(middle - 2.0 * axis - 2.0 * v, 4.0 * axis, 4.0 * v));
   const auto one = cutterOf(soup).cut(unitCube(1));
   ASSERT_EQ(one.pieceCount, 4U);
   // By the symmetry of both planes, and the point reflection.
@@ -203,9 +200,9 @@ TEST(BafflesAnyhowTest, LeavesAreTheFinestCellsJoined) {
     for (auto& p : soup.points) p += shift;
     if (round % 2 == 0) {  // in planes of leaves
       soup = sheet({0.25, 0.125, 0.5}, {0.5, 0, 0}, {0, 0.5, 0});
-      soup = together(soup, sheet({0.5, 0.25, 0.25}, {0, 0.5, 0}, {0, 0, 0.5}));
+      soup = beside(soup, sheet({0.5, 0.25, 0.25}, {0, 0.5, 0}, {0, 0, 0.5}));
     }
-    soup = together(soup, sheet(point(), 0.4 * point(), -0.4 * point()));
+    soup = beside(soup, sheet(point(), 0.4 * point(), -0.4 * point()));
     const auto cutter = cutterOf(soup);
     const auto leaves = cutter.cut(mesh, {.polygons = true});
     expectIdentities(leaves, 1e-12);
@@ -227,7 +224,7 @@ TEST(BafflesAnyhowTest, ADuctKeepsItsOpenEnds) {
         duct.polygon(i), [&](std::uint32_t corner) { return duct.points[corner].z == 0; });
     duct.patches[i] = isLow ? 1 : 0;
   }
-  const auto soup = together(duct, sheet({0.1, 0.1, 0.55}, {0.8, 0, 0}, {0, 0.4, 0}));
+  const auto soup = beside(duct, sheet({0.1, 0.1, 0.55}, {0.8, 0, 0}, {0, 0.4, 0}));
   const CellCutter cutter(solidOf(soup), FluidSide::Inside,
                           {.openPatches = {"inlet"}, .baffles = {"fin"}});
   const auto cells = cutter.cut(unitCube(4), {.polygons = true});
@@ -245,7 +242,7 @@ TEST(BafflesAnyhowTest, ADuctKeepsItsOpenEnds) {
 TEST(BafflesAnyhowTest, WhatIsRefused) {
   const auto fin = sheet({0.2, 0.2, 0.5}, {0.5, 0, 0}, {0, 0.5, 0});
   auto ball = called("ball", tessellation::icosphere(0.1, 1));
-  const auto both = solidOf(together(fin, ball));
+  const auto both = solidOf(beside(fin, ball));
   const auto with = [&](const Solid<double>& solid, const CutterOptions& options) {
     return refusal([&] { return CellCutter(solid, FluidSide::Outside, options); });
   };
@@ -260,7 +257,7 @@ TEST(BafflesAnyhowTest, WhatIsRefused) {
             std::string::npos);
   EXPECT_EQ(with(both, {.baffles = {"fin"}}), "");
   ball.addPolygon(std::array{0U, 1U, 2U});
-  EXPECT_NE(with(solidOf(together(fin, ball)), {.baffles = {"fin"}}).find("at patches \"ball\""),
+  EXPECT_NE(with(solidOf(beside(fin, ball)), {.baffles = {"fin"}}).find("at patches \"ball\""),
             std::string::npos);
   const auto plane = refusal([&] {
     return CellCutter(both, FluidSide::Outside, {.baffles = {"fin"}})

@@ -60,7 +60,11 @@ class MeetingCell {
     sets_.reset(tree_.leafCount() + open_.size());
     for (const auto& portal : tree_.portals()) {
       if (isFluid_[portal.below] != 0 && isFluid_[portal.above] != 0) {
-        joinAcross(portal);
+        if (ways_.areAny()) {
+          joinAroundBaffles(portal);
+        } else {
+          unite(portal.below, portal.above, portal.polygon);
+        }
       } else if (isFluid_[portal.below] != isFluid_[portal.above]) {
         addWall(portal);
       }
@@ -112,7 +116,7 @@ class MeetingCell {
   }
 
   /// Joins fluid with fluid, but through a baffle, which is a wall on both sides.
-  void joinAcross(const SheetTree::Portal& portal) {
+  void joinAroundBaffles(const SheetTree::Portal& portal) {
     const auto up = twiceArea(portal.polygon);
     const auto open = withoutBaffles(portal.polygon, tree_.sheetsAt(portal),
                                      [&](std::uint32_t patch, const Polygon& part) {
@@ -120,10 +124,8 @@ class MeetingCell {
                                        addWallPart({portal.below, patch, part}, -up);
                                      });
     for (const auto& part : open) {
-      if (!ways_.areAny()) {
-        unite(portal.below, portal.above, part);
-      } else if (!isGap(part) && sets_.find(portal.below) != sets_.find(portal.above) &&
-                 ways_.isOpen(points_[portal.below], middleOf(part), points_[portal.above])) {
+      if (isGap(part) || sets_.find(portal.below) == sets_.find(portal.above)) continue;
+      if (ways_.isOpen(points_[portal.below], middleOf(part), points_[portal.above])) {
         unite(portal.below, portal.above, part);
       }
     }
