@@ -5,6 +5,7 @@
 #include <Cutwater/CutCells/Detail/Pieces/OpenArcs.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace cutwater {
@@ -16,6 +17,31 @@ struct OpenPart {
   std::uint32_t arc = 0;
   int axis = 0;
   bool isHigh = false;  ///< the face is above the cell
+};
+
+/// The first of a cell's fragments at each edge of the mesh: an open-addressing hash table.
+class FirstWithEdge {
+ public:
+  /// For so many fragments, which have up to three edges each.
+  void reset(std::size_t fragments) {
+    const auto count = std::bit_ceil(4 * fragments);
+    slots_.assign(count, {kNone, kNone});
+    shift_ = 32 - std::countr_zero(count);
+  }
+  /// Returns `fragment` if it is the first one.
+  std::uint32_t firstWith(std::uint32_t edge, std::uint32_t fragment) {
+    auto slot = (edge * 0x9e3779b1U) >> static_cast<unsigned>(shift_);  // Knuth, 6.4
+    while (slots_[slot].first != edge && slots_[slot].first != kNone) {
+      slot = (slot + 1) & static_cast<std::uint32_t>(slots_.size() - 1);
+    }
+    auto& [key, first] = slots_[slot];
+    if (key == kNone) key = edge, first = fragment;
+    return first;
+  }
+
+ private:
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> slots_;
+  int shift_ = 0;
 };
 
 /// Joins and measures the pieces of one cell after another.
@@ -37,6 +63,12 @@ class CellBuilder {
     fragments_ = fragments;
     firstFragment_ = firstFragment;
     place_ = surface_.numbers().placeOfCell(fragments.front().cell);
+    for (int axis = 0; axis < 3; ++axis) {
+      auto place = place_;
+      for (int side = 0; side < 2; ++side, ++place[asIndex(axis)]) {
+        face_[asIndex(2 * axis + side)] = surface_.numbers().face(axis, place);
+      }
+    }
     findOpenParts();
     sets_.reset(fragments_.size() + open_.size());
     joinFragments();
@@ -48,9 +80,7 @@ class CellBuilder {
 
  private:
   [[nodiscard]] std::uint32_t faceOf(int axis, int side) const {
-    auto place = place_;
-    place[asIndex(axis)] += side;
-    return surface_.numbers().face(axis, place);
+    return face_[asIndex(2 * axis + side)];
   }
   void findOpenParts() {
     open_.clear();
@@ -69,23 +99,17 @@ class CellBuilder {
     }
   }
   [[nodiscard]] std::uint32_t nodeOfArc(int axis, int side, std::uint32_t arc) const {
-    auto i = firstOpen_[asIndex(2 * axis + side)];
-    while (open_[i].arc != arc) ++i;
+    const auto first = firstOpen_[asIndex(2 * axis + side)];
+    const auto i = first + (arc - open_[first].arc);  // they have numbers one after the other
     return static_cast<std::uint32_t>(fragments_.size()) + i;
   }
 
   void joinFragments() {
     if (fragments_.size() == 1) return;
-    edges_.clear();
+    edges_.reset(fragments_.size());
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
       for (const auto edge : surface_.meshEdges(fragments_[i])) {
-        if (edge != kNone) edges_.emplace_back(edge, i);
-      }
-    }
-    std::ranges::sort(edges_);
-    for (std::size_t i = 1; i < edges_.size(); ++i) {
-      if (edges_[i].first == edges_[i - 1].first) {
-        sets_.unite(edges_[i].second, edges_[i - 1].second);
+        if (edge != kNone) sets_.unite(i, edges_.firstWith(edge, i));
       }
     }
   }
@@ -264,10 +288,11 @@ class CellBuilder {
   std::span<const TileFragment> fragments_;
   std::uint32_t firstFragment_ = 0;
   TilePlace place_{};
+  std::array<std::uint32_t, 6> face_{};  // 2 axis + side
   std::vector<OpenPart> open_;
   std::array<std::uint32_t, 6> firstOpen_{};
   detail::DisjointSets sets_;  // of fragments, then open parts
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges_;
+  FirstWithEdge edges_;
   std::vector<char> touchesFace_;
   std::vector<std::uint32_t> sumOf_;
   std::vector<PieceSums> sums_;

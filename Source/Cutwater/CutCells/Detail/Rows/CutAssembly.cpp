@@ -1,3 +1,4 @@
+#include <Cutwater/CutCells/Detail/Rows/ArcSources.hpp>
 #include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
 #include <Cutwater/CutCells/Detail/Rows/OpenRows.hpp>
 #include <Cutwater/CutCells/Detail/Rows/PieceClosing.hpp>
@@ -28,27 +29,6 @@ struct ClosingFace {
   [[nodiscard]] auto key() const { return std::tuple(tile, piece, arc); }
 };
 
-/// One tile's view of an arc.
-struct ArcSource {
-  /// Added to numbers of arcs of open patches, which one tile sees: that of the cell below the
-  /// face, or above it.
-  static constexpr std::uint32_t kLeadsUp = 0x40000000;
-  static constexpr std::uint32_t kLeadsDown = 0x80000000;
-
-  std::uint64_t face = 0;    ///< three times the number of the cell above, plus the axis
-  std::uint32_t number = 0;  ///< among the open parts of the face
-  std::uint32_t tile = 0;
-  std::uint32_t arc = 0;
-
-  [[nodiscard]] bool isSame(const ArcSource& other) const {
-    return face == other.face && number == other.number;
-  }
-  [[nodiscard]] bool operator<(const ArcSource& other) const {
-    if (face != other.face) return face < other.face;
-    return number != other.number ? number < other.number : tile < other.tile;
-  }
-};
-
 /// Tiles next to each other that are not cut, and are all body or all fluid; or a single one.
 struct TileRun {
   std::uint32_t end = 0;  ///< the tile behind the last of them
@@ -59,10 +39,14 @@ class Assembly {
  public:
   Assembly(CellPlanes grid, const CutSurface& surface, const CutBlocks& tiles,
            std::span<const std::unique_ptr<const TileCut>> tileCuts, const CutOptions& options)
-      : surface_(surface), tiles_(tiles), cuts_(tileCuts), withPolygons_(options.polygons) {
-    for (int axis = 0; axis < 3; ++axis) {
-      cells_[asIndex(axis)] = static_cast<int>(grid.planes[asIndex(axis)].size()) - 3;
-    }
+      : surface_(surface),
+        tiles_(tiles),
+        cuts_(tileCuts),
+        withPolygons_(options.polygons),
+        threads_(options.threads) {
+    TilePlace cells{};
+    for (std::size_t a = 0; a < 3; ++a) cells[a] = static_cast<int>(grid.planes[a].size()) - 3;
+    box_ = GrownBox(cells);
     out_.grid = std::move(grid);
     out_.patchNames = surface.patchNames();
     out_.moments.degree = options.moments;
@@ -85,28 +69,6 @@ class Assembly {
  private:
   static constexpr std::uint64_t kBeyondBit = std::uint64_t{1} << 63U;
 
-  [[nodiscard]] TilePlace placeOf(std::uint32_t tile, const TilePlace& within) const {
-    auto place = tiles_.firstCell(tile);
-    for (std::size_t a = 0; a < 3; ++a) place[a] += within[a];
-    return place;
-  }
-  /// Of a cell in the grown box, or just above it.
-  [[nodiscard]] std::uint64_t numberOf(const TilePlace& place) const {
-    const auto n = [](int i) { return static_cast<std::uint64_t>(i); };
-    return (n(place[2]) * (n(cells_[1]) + 3) + n(place[1])) * (n(cells_[0]) + 3) + n(place[0]);
-  }
-  [[nodiscard]] TilePlace placeOf(std::uint64_t number) const {
-    const auto alongX = static_cast<std::uint64_t>(cells_[0]) + 3;
-    const auto alongY = static_cast<std::uint64_t>(cells_[1]) + 3;
-    return {static_cast<int>(number % alongX), static_cast<int>(number / alongX % alongY),
-            static_cast<int>(number / alongX / alongY)};
-  }
-  [[nodiscard]] bool isBeyond(const TilePlace& place) const {
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (place[a] < 1 || place[a] > cells_[a]) return true;
-    }
-    return false;
-  }
   [[nodiscard]] Index3 indexOf(const TilePlace& place) const {
     const auto& first = out_.grid.first;
     return {first.i + place[0] - 1, first.j + place[1] - 1, first.k + place[2] - 1};
@@ -122,10 +84,12 @@ class Assembly {
     for (std::uint32_t tile = 0; tile < cuts_.size(); ++tile) {
       if (!cuts_[tile]) continue;
       const auto& cut = *cuts_[tile];
+      const auto first = tiles_.firstCell(tile);
       for (std::uint32_t row = 0; row < cut.cells.size(); ++row) {
         if (cut.isTouched[row] != 0) continue;
-        const auto place = placeOf(tile, cut.numbers.placeOfCell(cut.cells[row]));
-        sources_.push_back({numberOf(place) | (isBeyond(place) ? kBeyondBit : 0), tile, row});
+        const auto place = placeIn(first, cut.numbers.placeOfCell(cut.cells[row]));
+        sources_.push_back(
+            {box_.numberOf(place) | (box_.isBeyond(place) ? kBeyondBit : 0), tile, row});
       }
     }
     std::ranges::sort(sources_, {}, &CellSource::number);
@@ -139,8 +103,9 @@ class Assembly {
     for (std::uint32_t tile = 0; tile < cuts_.size(); ++tile) {
       if (!cuts_[tile]) continue;
       for (const auto& misfit : cuts_[tile]->content.misfits) {
-        const auto place = placeOf(tile, cuts_[tile]->numbers.placeOfCell(misfit.cell));
-        if (!isBeyond(place)) misfits.push_back(misfit);
+        const auto place =
+            placeIn(tiles_.firstCell(tile), cuts_[tile]->numbers.placeOfCell(misfit.cell));
+        if (!box_.isBeyond(place)) misfits.push_back(misfit);
       }
     }
     refuseMisfits(surface_, misfits);
@@ -148,14 +113,21 @@ class Assembly {
 
   void addPieces() {
     rowsOf_.resize(cuts_.size());
+    std::size_t pieces = 0;
+    std::size_t walls = 0;
     for (std::size_t tile = 0; tile < cuts_.size(); ++tile) {
-      if (cuts_[tile])
-        rowsOf_[tile].assign(cuts_[tile]->content.pieces.size(), CutCells::kWholeCell);
+      if (!cuts_[tile]) continue;
+      const auto& content = cuts_[tile]->content;
+      rowsOf_[tile].assign(content.pieces.size(), CutCells::kWholeCell);
+      pieces += content.pieces.size();
+      walls += content.walls.size();
     }
+    reserveRows(sources_.size(), out_.cells);
+    reserveRows(pieces, walls, out_.pieces, out_.wallParts);
     for (const auto& source : sources_) {
       const auto& cut = *cuts_[source.tile];
       const auto row = static_cast<std::uint32_t>(out_.cells.index.size());
-      out_.cells.index.push_back(indexOf(placeOf(source.number & ~kBeyondBit)));
+      out_.cells.index.push_back(indexOf(box_.placeOf(source.number & ~kBeyondBit)));
       out_.cells.firstPiece.push_back(pieceCount());
       out_.cells.fluidCorners.push_back(cut.fluidCorners[source.cell]);
       out_.cells.meets.push_back(cut.meets[source.cell]);
@@ -234,29 +206,15 @@ class Assembly {
 
   /// Finds what the tiles on both sides of a face know, and faces that count for nothing.
   void gatherArcs() {
+    arcSources_ = arcSourcesOf(tiles_, cuts_, box_, threads_);
+    if (!withPolygons_) return;
     for (std::uint32_t tile = 0; tile < cuts_.size(); ++tile) {
       if (!cuts_[tile]) continue;
-      const auto& cut = *cuts_[tile];
-      std::vector<std::uint32_t> seen(cut.numbers.faceCount());
-      for (std::uint32_t arc = 0; arc < cut.content.arcs.size(); ++arc) {
-        const auto face = cut.content.arcs[arc].face;
-        const auto axis = static_cast<std::uint64_t>(cut.numbers.axisOfFace(face));
-        ArcSource source{3 * numberOf(placeOf(tile, cut.numbers.placeOfFace(face))) + axis, 0, tile,
-                         arc};
-        if (cut.content.arcs[arc].isNothing) {
-          if (withPolygons_) noteClosing(source);
-        } else {
-          const auto& it = cut.content.arcs[arc];
-          source.number = seen[face]++;
-          if (it.isOpenPatch()) {
-            source.number += it.below != kNone ? ArcSource::kLeadsUp : ArcSource::kLeadsDown;
-          }
-          arcSources_.push_back(source);
-        }
+      const auto& arcs = cuts_[tile]->content.arcs;
+      for (std::uint32_t arc = 0; arc < arcs.size(); ++arc) {
+        if (arcs[arc].isNothing) noteClosing({.tile = tile, .arc = arc});
       }
     }
-    std::sort(arcSources_.begin(), arcSources_.end());
-    if (!withPolygons_) return;
     for (std::size_t i = 0; i < arcSources_.size(); i += viewsOf(i)) {
       if (!isDropped(i)) continue;
       for (std::size_t n = 0; n < viewsOf(i); ++n) noteClosing(arcSources_[i + n]);
@@ -277,6 +235,9 @@ class Assembly {
   }
 
   void addArcs() {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < arcSources_.size(); i += viewsOf(i)) ++count;
+    reserveRows(count, out_.arcs);
     for (std::size_t i = 0; i < arcSources_.size(); i += viewsOf(i)) {
       const auto below = rowBeside(arcSources_[i], false);
       const auto above = rowBeside(arcSources_[i + viewsOf(i) - 1], true);
@@ -301,7 +262,7 @@ class Assembly {
     out_.arcs.above.push_back(above);
     out_.arcs.area.push_back(arc.area / (frame.scale * frame.scale));
     out_.arcs.centroid.push_back(frame.toWorld(arc.centroid));
-    out_.arcs.cell.push_back(indexOf(placeOf(source.face / 3)));
+    out_.arcs.cell.push_back(indexOf(box_.placeOf(source.face / 3)));
     out_.arcs.axis.push_back(static_cast<std::uint8_t>(source.face % 3));
     const auto& cut = *cuts_[source.tile];
     if (out_.moments.degree >= 0) addArcMoments(cut.moments, source.arc, out_.moments);
@@ -322,11 +283,12 @@ class Assembly {
   void addBodyRuns() {
     findRuns();
     std::uint64_t next = 0;
-    for (int k = 1; k <= cells_[2]; ++k) {
-      for (int j = 1; j <= cells_[1]; ++j) {
-        for (int i = 1; i <= cells_[0];) {
+    const auto& cells = box_.cells();
+    for (int k = 1; k <= cells[2]; ++k) {
+      for (int j = 1; j <= cells[1]; ++j) {
+        for (int i = 1; i <= cells[0];) {
           const auto row = tiles_.rowFrom({i, j, k});
-          const int end = std::min(row.end, cells_[0] + 1);
+          const int end = std::min(row.end, cells[0] + 1);
           addBodyRuns(row, end - i, next);
           i = end;
         }
@@ -378,7 +340,8 @@ class Assembly {
   const CutBlocks& tiles_;
   std::span<const std::unique_ptr<const TileCut>> cuts_;
   bool withPolygons_;
-  TilePlace cells_{};  // of the box
+  int threads_;
+  GrownBox box_{{}};
   std::vector<CellSource> sources_;
   std::vector<ArcSource> arcSources_;
   std::vector<ClosingFace> closing_;

@@ -11,12 +11,34 @@ void append(std::span<const Value> values, std::vector<Value>& to) {
   to.insert(to.end(), values.begin(), values.end());
 }
 
+template <typename... Vectors>
+void reserve(std::size_t count, Vectors&... vectors) {
+  (vectors.reserve(count), ...);
+}
+
 }  // namespace
 
 std::span<const PieceWall> wallsOf(const CellPieces& content, std::uint32_t piece) {
   const auto& walls = content.walls;
   return {std::ranges::lower_bound(walls, piece, {}, &PieceWall::piece),
           std::ranges::upper_bound(walls, piece, {}, &PieceWall::piece)};
+}
+
+void reserveRows(std::size_t cells, CutCells::Cells& rows) {
+  reserve(cells, rows.index, rows.fluidCorners, rows.meets, rows.wallFaces);
+  rows.firstPiece.reserve(cells + 1);
+}
+
+void reserveRows(std::size_t pieces, std::size_t walls, CutCells::Pieces& rows,
+                 CutCells::WallParts& wallParts) {
+  reserve(pieces, rows.cell, rows.volume, rows.centroid, rows.wallArea, rows.wallVector,
+          rows.wallCentroid, rows.wallFaces);
+  reserve(walls, wallParts.piece, wallParts.patch, wallParts.area, wallParts.vector,
+          wallParts.centroid);
+}
+
+void reserveRows(std::size_t arcs, CutCells::Arcs& rows) {
+  reserve(arcs, rows.below, rows.above, rows.area, rows.centroid, rows.cell, rows.axis);
 }
 
 void addPieceRows(const CellPieces& content, std::uint32_t piece, const CutFrame& frame,

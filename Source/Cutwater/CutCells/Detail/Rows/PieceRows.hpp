@@ -11,6 +11,12 @@ namespace cutwater {
 /// The parts of a piece's wall, in the order of patches.
 [[nodiscard]] std::span<const PieceWall> wallsOf(const CellPieces& content, std::uint32_t piece);
 
+/// Makes room for so many rows.
+void reserveRows(std::size_t cells, CutCells::Cells& rows);
+void reserveRows(std::size_t pieces, std::size_t walls, CutCells::Pieces& rows,
+                 CutCells::WallParts& wallParts);
+void reserveRows(std::size_t arcs, CutCells::Arcs& rows);
+
 /// Appends a piece of a tile, in the coordinates of the world, to the rows of the cell `row`.
 void addPieceRows(const CellPieces& content, std::uint32_t piece, const CutFrame& frame,
                   std::uint32_t row, CutCells::Pieces& pieces, CutCells::WallParts& wallParts);

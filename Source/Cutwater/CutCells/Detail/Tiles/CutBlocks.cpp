@@ -31,7 +31,7 @@ CutBlocks::CutBlocks(const CutSurface& surface, Stretches stretches)
 }
 
 const CutBlocks::Block& CutBlocks::of(std::size_t tile) const {
-  if (blocks_.size() == 1) return blocks_.front();
+  if (tile < blocks_.front().tiles.count()) return blocks_.front();
   return *(std::ranges::upper_bound(blocks_, tile, {}, &Block::firstTile) - 1);
 }
 

@@ -25,6 +25,10 @@ Range tilesWithin(std::span<const double> planes, double lower, double upper) {
   // Cell i touches it if plane i is not above it and plane i + 1 not below.
   const auto cells = static_cast<int>(planes.size()) - 1;
   const int from = lastBelow(planes, lower);
+  const int end = (std::max(from, 0) / CutTiles::kWidth + 1) * CutTiles::kWidth;
+  if (from >= 0 && end <= cells && upper < planes[static_cast<std::size_t>(end)]) {
+    return {from / CutTiles::kWidth, from / CutTiles::kWidth};
+  }
   const int to = lastUpTo(planes, upper);
   if (to < 0 || from >= cells) return {};
   return {std::max(from, 0) / CutTiles::kWidth, std::min(to, cells - 1) / CutTiles::kWidth};

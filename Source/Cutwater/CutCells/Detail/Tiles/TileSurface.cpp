@@ -8,14 +8,14 @@ namespace cutwater {
 namespace {
 
 bool isUnderPlane(const Fragment& fragment, const FragmentEdge& plane) {
-  return fragment.cell[static_cast<std::size_t>(plane.axis)] < plane.number;
+  return fragment.cell[asIndex(plane.axis)] < plane.number;
 }
 
 /// The node of lowest indices at which the planes of two edges, and the cell, begin.
 TilePlace placeOnPlanes(const Fragment& fragment, const FragmentEdge& a, const FragmentEdge& b) {
   auto place = fragment.cell;
-  place[static_cast<std::size_t>(a.axis)] = a.number;
-  place[static_cast<std::size_t>(b.axis)] = b.number;
+  place[asIndex(a.axis)] = a.number;
+  place[asIndex(b.axis)] = b.number;
   return place;
 }
 
@@ -139,10 +139,16 @@ void TileSurface::add(std::uint32_t triangle, const Fragment& fragment) {
   for (std::size_t i = 0; i < size; ++i) {
     const auto& edge = fragment.edges[i];
     points_.push_back(fragment.points[i]);
-    meshEdges_.push_back(
-        edge.isPlane() ? kNone : surface_.edges(triangle)[static_cast<std::size_t>(edge.number)]);
+    meshEdges_.push_back(edge.isPlane() ? kNone : surface_.edges(triangle)[asIndex(edge.number)]);
     if (edge.isPlane()) addTrace(triangle, fragment, i);
   }
+}
+
+/// Whether the fragment's cell is the one that gives what lies in this plane: above it, if it has a
+/// cell there.
+bool TileSurface::isOwner(const Fragment& fragment, const FragmentEdge& plane) const {
+  const auto axis = asIndex(plane.axis);
+  return fragment.cell[axis] == std::min(plane.number, numbers_.cells()[axis] - 1);
 }
 
 /// That of the last fragment's side on a plane, and the crossing where it begins, if it does at
@@ -153,21 +159,31 @@ void TileSurface::addTrace(std::uint32_t triangle, const Fragment& fragment, std
       static_cast<std::uint32_t>((isBuried ? buriedFragments_ : fragments_).size() - 1);
   const auto size = static_cast<std::size_t>(fragment.size);
   const auto& edge = fragment.edges[side];
+  const auto face = numbers_.face(edge.axis, placeOnPlanes(fragment, edge, edge));
+  if (!isOwner(fragment, edge)) {
+    if (!isBuried) below_.push_back({face, triangle, number});
+    return;
+  }
   const auto end = [&](const FragmentEdge& other) {
     if (!other.isPlane()) {
-      return TraceEnd{.meshEdge = surface_.edges(triangle)[static_cast<std::size_t>(other.number)]};
+      return TraceEnd{.meshEdge = surface_.edges(triangle)[asIndex(other.number)]};
     }
     return TraceEnd{.gridEdge = numbers_.edge(3 - edge.axis - other.axis,
                                               placeOnPlanes(fragment, edge, other))};
   };
-  const auto& before = fragment.edges[(side + size - 1) % size];
-  const auto& after = fragment.edges[(side + 1) % size];
-  FaceTrace trace{.face = numbers_.face(edge.axis, placeOnPlanes(fragment, edge, edge)),
+  const auto& before = fragment.edges[side > 0 ? side - 1 : size - 1];
+  const auto next = side + 1 < size ? side + 1 : 0;
+  FaceTrace trace{.face = face,
                   .triangle = triangle,
                   .from = fragment.points[side],
-                  .to = fragment.points[(side + 1) % size],
+                  .to = fragment.points[next],
                   .start = end(before),
-                  .end = end(after)};
+                  .end = end(fragment.edges[next])};
+  if (before.isPlane() && isOwner(fragment, before) && !isBaffle(triangle)) {
+    const int axis = 3 - edge.axis - before.axis;
+    crossings_.push_back({trace.start.gridEdge, triangle, fragment.points[side][axis],
+                          riseAt(fragment, before, edge)});
+  }
   if (isUnderPlane(fragment, edge)) {
     trace.below = number;
   } else {
@@ -176,10 +192,6 @@ void TileSurface::addTrace(std::uint32_t triangle, const Fragment& fragment, std
     std::swap(trace.start, trace.end);
   }
   (isBuried ? buriedTraces_ : traces_).push_back(trace);
-  if (!before.isPlane() || isBaffle(triangle)) return;  // no winding number changes there
-  const int axis = 3 - edge.axis - before.axis;
-  crossings_.push_back({end(before).gridEdge, triangle, fragment.points[side][axis],
-                        riseAt(fragment, before, edge)});
 }
 
 void TileSurface::sort() {
@@ -189,13 +201,18 @@ void TileSurface::sort() {
   std::vector<std::uint32_t> numberOf(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) numberOf[order[i]] = i;
   fragments_ = permuted(fragments_, order);
+  sortTraces(numberOf);
+  crossings_ = permuted(crossings_, orderedBy(std::span(std::as_const(crossings_)),
+                                              numbers_.edgeCount(), &EdgeCrossing::edge));
+}
 
-  // Both sides of a face have the trace, one after the other.
+/// Numbers fragments anew.
+void TileSurface::sortTraces(std::span<const std::uint32_t> numberOf) {
   const auto hasFragment = [](const FaceTrace& trace) {
     return trace.below != kNone || trace.above != kNone;
   };
   std::vector<FaceTrace> traces;
-  traces.reserve(traces_.size() / 2 + 1);
+  traces.reserve(traces_.size());
   for (const auto i :
        orderedBy(std::span(std::as_const(traces_)), numbers_.faceCount(), &FaceTrace::face)) {
     auto trace = traces_[i];
@@ -203,7 +220,7 @@ void TileSurface::sort() {
     if (trace.above != kNone) trace.above = numberOf[trace.above];
     if (!traces.empty() && traces.back().face == trace.face &&
         traces.back().triangle == trace.triangle && hasFragment(trace) &&
-        hasFragment(traces.back())) {
+        hasFragment(traces.back())) {  // of a baffle, moved one way and the other
       traces.back().below = std::min(traces.back().below, trace.below);
       traces.back().above = std::min(traces.back().above, trace.above);
     } else {
@@ -212,16 +229,17 @@ void TileSurface::sort() {
   }
   traces_ = std::move(traces);
 
-  // Up to four cells have the crossing.
-  const auto isSame = [](const EdgeCrossing& a, const EdgeCrossing& b) {
-    return a.edge == b.edge && a.triangle == b.triangle;
-  };
-  crossings_ = permuted(crossings_, orderedBy(std::span(std::as_const(crossings_)),
-                                              numbers_.edgeCount(), &EdgeCrossing::edge));
-  crossings_.erase(std::unique(crossings_.begin(), crossings_.end(), isSame), crossings_.end());
+  auto trace = traces_.begin();
+  for (const auto i :
+       orderedBy(std::span(std::as_const(below_)), numbers_.faceCount(), &FragmentBelow::face)) {
+    const auto& [face, triangle, fragment] = below_[i];
+    while (trace->face != face || trace->triangle != triangle || !hasFragment(*trace)) ++trace;
+    trace->below = std::min(trace->below, numberOf[fragment]);
+  }
+  below_ = {};
 }
 
-/// As the others; who has a fragment or the trace does not matter.
+/// As the others; who has a fragment does not matter.
 void TileSurface::sortBuried() {
   std::ranges::stable_sort(buriedFragments_, {}, &TileFragment::cell);
   const auto key = [](const FaceTrace& trace) { return std::pair(trace.face, trace.triangle); };

@@ -132,8 +132,17 @@ class TileSurface {
   void add(std::uint32_t triangle, const Fragment& fragment);
   void addOutline(std::uint32_t triangle, const Fragment& fragment, const GridPlanes& planes);
   void addTrace(std::uint32_t triangle, const Fragment& fragment, std::size_t side);
+  [[nodiscard]] bool isOwner(const Fragment& fragment, const FragmentEdge& plane) const;
   void sort();
+  void sortTraces(std::span<const std::uint32_t> numberOf);
   void sortBuried();
+
+  /// The fragment below a face of which the cell above gives the trace.
+  struct FragmentBelow {
+    std::uint32_t face = 0;
+    std::uint32_t triangle = 0;
+    std::uint32_t fragment = 0;
+  };
 
   const MovedSurface& surface_;
   TileNumbers numbers_;
@@ -144,6 +153,7 @@ class TileSurface {
   std::vector<Vec3<double>> points_;
   std::vector<std::uint32_t> meshEdges_;
   std::vector<FaceTrace> traces_;
+  std::vector<FragmentBelow> below_;
   std::vector<EdgeCrossing> crossings_;
   std::vector<TileFragment> buriedFragments_;
   std::vector<FaceTrace> buriedTraces_;

@@ -13,34 +13,47 @@ constexpr double kU = 0x1p-53;
 
 }  // namespace
 
-void TriangleSplitter::Part::add(const Vec3<double>& point, const FragmentEdge& edge,
-                                 const PointCells& in) {
-  const auto i = static_cast<std::size_t>(polygon.size++);
-  polygon.points[i] = point;
-  polygon.edges[i] = edge;
-  rows[i] = in;
-}
-
 void TriangleSplitter::split(const std::array<MovedVertex, 3>& triangle,
                              const std::array<std::uint32_t, 3>& vertices,
                              FunctionRef<void(const Fragment&)> visit) {
   triangle_ = triangle;
   vertices_ = vertices;
+  whole_.polygon.size = 0;
+  bool isInOneCell = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto first = cornerRows_[0][asIndex(axis)];
+      auto& row = cornerRows_[i][asIndex(axis)];
+      const bool isBeside = i > 0 && isBetweenPlanes(axis, first, triangle[i].position[axis]);
+      row = isBeside ? first : rowOf(triangle[i], axis);
+      isInOneCell = isInOneCell && row == first;
+    }
+    whole_.add(triangle[i].position, {.axis = -1, .number = static_cast<int>(i)}, cornerRows_[i]);
+  }
+  if (isInOneCell) return visitWhole(visit);
   const auto& [a, b, c] = triangle;
   normal_ = abs(cross(b.position - a.position, c.position - a.position));
-  size_ = 0;
-  whole_.polygon.size = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto& p = triangle[i].position;
-    size_ = std::max(size_, 2 * maxComponent(abs(p)));
-    for (int axis = 0; axis < 3; ++axis) {
-      cornerRows_[i][asIndex(axis)] = planes_.cellAt(axis, p[axis], 0, [&](int plane) {
-        return isAbove(triangle[i], axis, planes_.at(axis, plane));
-      });
-    }
-    whole_.add(p, {.axis = -1, .number = static_cast<int>(i)}, cornerRows_[i]);
-  }
+  size_ = 2 * maxComponent(max(abs(a.position), max(abs(b.position), abs(c.position))));
   divide(whole_, 0, visit);
+}
+
+int TriangleSplitter::rowOf(const MovedVertex& corner, int axis) const {
+  return planes_.cellAt(axis, corner.position[axis], 0,
+                        [&](int plane) { return isAbove(corner, axis, planes_.at(axis, plane)); });
+}
+
+bool TriangleSplitter::isBetweenPlanes(int axis, int row, double x) const {
+  return row >= 0 && row < planes_.cells(axis) && planes_.at(axis, row) < x &&
+         x < planes_.at(axis, row + 1);
+}
+
+void TriangleSplitter::visitWhole(FunctionRef<void(const Fragment&)> visit) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int row = cornerRows_[0][asIndex(axis)];
+    if (row < 0 || row >= planes_.cells(axis)) return;
+    whole_.polygon.cell[asIndex(axis)] = row;
+  }
+  visit(whole_.polygon);
 }
 
 /// Divides along this axis and the later ones.

@@ -59,9 +59,18 @@ class TriangleSplitter {
     Fragment polygon;
     std::array<PointCells, Fragment::kMost> rows;
 
-    void add(const Vec3<double>& point, const FragmentEdge& edge, const PointCells& in);
+    void add(const Vec3<double>& point, const FragmentEdge& edge, const PointCells& in) {
+      const auto i = static_cast<std::size_t>(polygon.size++);
+      polygon.points[i] = point;
+      polygon.edges[i] = edge;
+      rows[i] = in;
+    }
   };
 
+  [[nodiscard]] int rowOf(const MovedVertex& corner, int axis) const;
+  /// Whether a coordinate is between the planes of a row, and in neither.
+  [[nodiscard]] bool isBetweenPlanes(int axis, int row, double x) const;
+  void visitWhole(FunctionRef<void(const Fragment&)> visit);
   void divide(Part& part, int axis, FunctionRef<void(const Fragment&)> visit);
   void take(Part& part, int axis, int row, FunctionRef<void(const Fragment&)> visit);
   void cut(const Part& whole, int axis, int plane, Part& below, Part& above) const;
