@@ -29,9 +29,10 @@ bool hidesBuried(const TileSurface& surface, std::vector<EdgeCrossing>& crossing
 
 }  // namespace
 
-EdgeStretches::EdgeStretches(const TileSurface& surface, const GridPlanes& planes, int winding)
-    : numbers_(surface.numbers()) {
-  setWindings(surface, winding);
+EdgeStretches::EdgeStretches(const TileSurface& surface, const GridPlanes& planes, int winding,
+                             std::span<const std::int32_t> windings)
+    : numbers_(surface.numbers()), windings_(windings.begin(), windings.end()) {
+  if (windings.empty()) setWindings(surface, winding);
   setStretches(surface, planes);
 }
 

@@ -21,8 +21,11 @@ struct EdgeStretch {
 /// those of the moved surface: all ways from one node to another give the same number.
 class EdgeStretches {
  public:
-  /// `winding` is that of the node of lowest indices.
-  EdgeStretches(const TileSurface& surface, const GridPlanes& planes, int winding);
+  /// `winding` is that of the node of lowest indices; `windings` are those of all nodes: needed
+  /// only if the surface lacks triangles that meet the box. Then stretches are right where it has
+  /// all that meet an edge.
+  EdgeStretches(const TileSurface& surface, const GridPlanes& planes, int winding,
+                std::span<const std::int32_t> windings = {});
 
   [[nodiscard]] bool isFluid(const TilePlace& node) const {
     return windings_[numbers_.node(node)] <= 0;

@@ -9,7 +9,6 @@
 #include <Cutwater/CutCells/Detail/Rows/PieceRows.hpp>
 
 #include <algorithm>
-#include <tuple>
 
 namespace cutwater {
 
@@ -39,7 +38,11 @@ struct LeafArc {
   ArcSide above;
   ArcOrigin origin;
 
-  [[nodiscard]] auto key() const { return std::tuple(finer, axis, isHigh, number); }
+  /// Of its place in the order.
+  [[nodiscard]] std::uint64_t key() const {
+    const auto face = 2 * static_cast<std::uint64_t>(axis) + (isHigh ? 1 : 0);
+    return (std::uint64_t{finer} << 32U) | (face << 29U) | number;
+  }
 };
 
 /// A face beside a piece that is no arc, because it is a point or leads to a piece that is one.
@@ -262,8 +265,14 @@ class LeavesAssembly {
   void addArcs() {
     for (auto& arc : arcs_) ownByAbove(arc);
     // The arcs of a face were gathered one after the other.
-    std::ranges::sort(arcs_, {}, &LeafArc::key);
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+    order.reserve(arcs_.size());
     for (const auto& arc : arcs_) {
+      order.emplace_back(arc.key(), static_cast<std::uint32_t>(order.size()));
+    }
+    std::ranges::sort(order);
+    for (const auto& [key, number] : order) {
+      const auto& arc = arcs_[number];
       out_.arcs.below.push_back(arc.below.piece);
       out_.arcs.above.push_back(arc.above.piece);
       out_.arcs.leafBelow.push_back(arc.below.leaf);

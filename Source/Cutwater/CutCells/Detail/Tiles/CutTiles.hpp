@@ -11,9 +11,11 @@ namespace cutwater {
 /// A box of up to kTileWidth^3 cells, and what is needed to cut them.
 struct TileInput {
   GridPlanes planes;
-  std::span<const std::uint32_t> triangles;  ///< ascending: all that meet the box
+  std::span<const std::uint32_t> triangles;  ///< ascending: all that meet wanted cells
   int winding = 0;                           ///< that of the node of lowest indices
-  const CellMask* wanted = nullptr;          ///< others are left out; null: none is
+  /// Those of all nodes; or none, if all triangles are there that meet the box.
+  std::span<const std::int32_t> windings = {};
+  const CellMask* wanted = nullptr;  ///< others are left out; null: none is
 };
 
 /// Boxes of up to kWidth^3 cells that together are a grid, and the triangles that meet each of

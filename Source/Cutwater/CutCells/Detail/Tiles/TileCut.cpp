@@ -151,7 +151,7 @@ TileParts::TileParts(const CutSurface& whole, const TileInput& input)
       planes(input.planes),
       surface(whole.moved(), whole.patches(), input.triangles, planes, whole.kinds(),
               whole.openKinds()),
-      stretches(surface, planes, input.winding),
+      stretches(surface, planes, input.winding, input.windings),
       faces(surface, stretches, planes, wanted) {}
 
 TileCut cutTile(const TileParts& parts, const CutOptions& options) {
