@@ -12,6 +12,7 @@
 
 #include "Commands/Commands.hpp"
 #include "Commands/Picture.hpp"
+#include "Options/CuttingOptions.hpp"
 #include "Options/LoadSurface.hpp"
 #include "Options/OutputFile.hpp"
 #include "Options/SampleGrid.hpp"
@@ -27,14 +28,13 @@ struct SliceSettings {
   SurfaceOptions surface;
   PictureOptions picture;
   GridRequest grid;  // of cells, if a picture of them is wanted
-  bool isInside = false;
-  std::vector<std::string> openPatches;
+  CuttingOptions cutting;
 
   [[nodiscard]] bool isOfCells() const {
     return !grid.cells.empty() || !grid.spacing.empty() || grid.total.has_value();
   }
   [[nodiscard]] bool saysWhichCells() const {
-    return isInside || !openPatches.empty() || grid.box || grid.margin;
+    return cutting.areGiven() || grid.box || grid.margin;
   }
 };
 
@@ -134,8 +134,7 @@ void drawCells(const SliceSettings& options, const Solid<double>& solid) {
   const auto& [output, axis, at, slice] = options.picture;
   const auto grid = shownCells(options, solid);
   requirePixels(options, grid.indices);
-  const CellCutter cutter(solid, options.isInside ? FluidSide::Inside : FluidSide::Outside,
-                          {.openPatches = options.openPatches});
+  const CellCutter cutter(solid, options.cutting.side(), options.cutting.cutter);
   Stopwatch watch;
   const auto cells = [&] {
     ProgressBar bar("cutting", !options.surface.quiet);
@@ -164,8 +163,8 @@ void drawCells(const SliceSettings& options, const Solid<double>& solid) {
 void run(const SliceSettings& options) {
   if (!options.isOfCells() && options.saysWhichCells()) {
     throw Error(ErrorKind::Argument,
-                "--inside, --open, --box and --margin are for a picture of cells: with --cells, "
-                "--spacing or --total");
+                "--inside, --open, --baffle, --cap-holes, --period, --box and --margin are for a "
+                "picture of cells: with --cells, --spacing or --total");
   }
   const auto solid = loadSolid(options.surface);
   if (options.isOfCells()) {
@@ -189,9 +188,7 @@ void addSlice(Program& program) {
   addPictureOptions(command, options->picture);
   addSizeOptions(command, options->grid, "no cells, but the signed distance");
   addPlaceOptions(command, options->grid);
-  command.addFlag("--inside", "The fluid is inside the surface that cuts the cells",
-                  options->isInside);
-  addOpenPatches(command, options->openPatches);
+  addCuttingOptions(command, options->cutting);
   command.setFooter(
       "Examples:\n"
       "  cutwater slice hull.stl -o hull.png\n"
@@ -199,7 +196,10 @@ void addSlice(Program& program) {
       "  cutwater slice part.stl --scale 0.001 --window -0.1,0,0.1,0.05 --size 2400x1200 -o "
       "detail.png\n"
       "  cutwater slice hull.stl --spacing 0.02 --window 5.6,0,6.1,0.3 -o cells.png");
-  command.setAction([=] { run(*options); });
+  command.setAction([=] {
+    passOn(options->cutting, options->grid, options->surface);
+    run(*options);
+  });
 }
 
 }  // namespace cutwater::tool

@@ -10,6 +10,9 @@ namespace cutwater::detail {
 
 namespace {
 
+/// Of the way to a wall: walls that are so near to each other are the sides of a sheet.
+constexpr double kSheet = 1e-9;
+
 PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) {
   return {a[0] - b[0], a[1] - b[1]};
 }
@@ -87,8 +90,11 @@ CellSide SectionedCell::at(const PlanePoint& p) const {
   double first = 1;
   for (const auto& segment : segments) {
     const auto share = passage(p, way, segment);
-    if (!share || *share < 0 || *share >= first) continue;
-    first = *share;
+    if (!share || *share < 0 || *share >= first + kSheet) continue;
+    // The sides of a baffle are at one place: the one that faces the point is met.
+    const bool isFacing = product(way, segment.normal) < 0;
+    if (*share > first - kSheet && !isFacing) continue;
+    first = std::min(first, *share);
     target = &segment;
   }
   return {product(way, target->normal) < 0, target->piece};
@@ -188,9 +194,11 @@ CellSide CellLayer::sideOf(const SectionedCell& cell) const {
       if (!(dot(normal, normal) > 0)) continue;
       if (!way) way = meanOf(polygon) - center;
       const auto share = passage(center, *way, polygon, normal);
-      if (!share || *share < 0 || *share >= nearest) continue;
-      nearest = *share;
-      found = {dot(*way, normal) < 0, parts[p]};
+      if (!share || *share < 0 || *share >= nearest + kSheet) continue;
+      const bool isFacing = dot(*way, normal) < 0;
+      if (*share > nearest - kSheet && !isFacing) continue;
+      nearest = std::min(nearest, *share);
+      found = {isFacing, parts[p]};
     }
   }
   return found;
