@@ -82,6 +82,34 @@ class Cells(CommandTest):
         plate = self.succeeds("slice", "plate.off", "--box", "-1,-1,-1.1,1,1,0.9", "--cells", "8", "-o", "plate.png")
         self.assertIn("8 of 64 are cut; 8 have several pieces, and in 8 all corners", plate)
 
+    def test_draws_leaves(self):
+        place = ["slice", "box.off", "--box", "-1.4,-1.4,-1.4,1.4,1.4,1.4", "--at", "0.1", "--title", "Box"]
+        self.succeeds(*place, "--spacing", "0.35", "-o", "grid.png")
+        said = self.succeeds(*place, "--roots", "4", "--level", "1", "--band", "9:1", "-o", "leaves.png")
+        self.assertIn("of the cells of an octree where y = 0.175", said)
+        self.assertIn("20 of 64 are cut; 0 have several pieces", said)
+        self.assertEqual((self.folder / "grid.png").read_bytes(), (self.folder / "leaves.png").read_bytes())
+        # 8 x 8 roots. Those at the four edges are 7 leaves each, of which 5 are cut, beside 16 roots at the walls.
+        mixed = self.succeeds(*place, "--roots", "8", "--level", "0", "--edges", "30:2", "--balance", "none",
+                              "-o", "mixed.png")
+        self.assertIn("36 of 88 are cut", mixed)
+        self.assertNotEqual((self.folder / "grid.png").read_bytes(), (self.folder / "mixed.png").read_bytes())
+        window = self.succeeds(*place, "--roots", "8", "--level", "0", "--window", "-1.4,-1.4,-1.1,1.4", "-o", "w.png")
+        self.assertIn("0 of 8 are cut", window)
+        self.tank()
+        self.succeeds("slice", "tank.obj", "--inside", "--baffle", "sail", "--level", "3", "-o", "tank.png")
+
+    def test_refuses_leaves(self):
+        leaves = ["slice", "box.off", "-o", "a.png", "--level"]
+        self.assertIn("--period is for grids", self.fails(1, *leaves, "2", "--period", "4,0,0"))
+        self.assertIn("no cells in the window where y = ", self.fails(1, *leaves, "2", "--at", "9"))
+        self.assertIn("no cells in the window where y = ", self.fails(1, *leaves, "2", "--window", "8,8,9,9"))
+        self.assertIn("pixels cannot show", self.fails(1, *leaves, "7", "--size", "400x300"))
+        self.assertIn("--max-cells allows 100", self.fails(1, *leaves, "4", "--max-cells", "100"))
+        self.fails(2, *leaves, "2", "--cells", "9")
+        self.fails(2, "slice", "box.off", "-o", "a.png", "--edges", "30:2")
+        self.assertFalse((self.folder / "a.png").exists())
+
     def test_refuses_layers(self):
         self.assertIn("no cells where y = 9", self.fails(1, "slice", "box.off", "--cells", "9", "--at", "9", "-o", "a.png"))
         self.assertIn("no cells in the window", self.fails(1, "slice", "box.off", "--cells", "9", "--window", "8,8,9,9",
@@ -181,7 +209,8 @@ class Cells(CommandTest):
 
     def test_a_layer_shows_baffles_as_walls_in_fluid(self):
         self.tank()
-        place = ["--box", "-1.25,-1.25,-1.25,1.25,1.25,1.25", "--spacing", "0.5", "--at", "0.1", "--axis", "z"]
+        place = ["--box", "-1.25,-1.25,-1.25,1.25,1.25,1.25", "--spacing", "0.5", "--at", "0.1", "--axis", "z",
+                 "--size", "600x500"]
         self.succeeds("slice", "tank.obj", "--inside", "--baffle", "sail", *place, "-o", "sail.png")
         self.box("box.off")
         self.succeeds("slice", "box.off", "--inside", *place, "--title", "tank.obj, z = 0", "-o", "none.png")
@@ -191,7 +220,7 @@ class Cells(CommandTest):
         dark = [at for at in changed if sum(sail.pixel(*at)) < 100]
         self.assertGreater(len(dark), 100)
         # One upright line, and the colours beside it in cells that it halves: none is body.
-        self.assertLess(max(x for x, _ in dark) - min(x for x, _ in dark), 6)
+        self.assertLess(max(x for x, _ in dark) - min(x for x, _ in dark), 4)
 
     def test_caps_holes(self):
         self.surface("open.off", [(2 * x - 1, 2 * y - 1, 2 * z - 1) for x, y, z in BOX_POINTS], OPEN_BOX_FACES)

@@ -198,10 +198,7 @@ void run(const CellsSettings& options, bool onOctree) {
   if (options.wholeCells && options.output.empty()) {
     throw Error(ErrorKind::Argument, "--whole-cells is for the file of -o");
   }
-  if (onOctree && options.cutting.hasPeriod()) {
-    throw Error(ErrorKind::Argument,
-                "--period is for grids: octrees, as of --level, do not repeat");
-  }
+  if (onOctree) refuseOnOctrees(options.cutting);
   const auto solid = loadSolid(options.surface);
   auto placedMesh = cuttingMesh(solid, options.surface);
   placedMesh.setPlacement(solid.placement());
@@ -219,17 +216,6 @@ void run(const CellsSettings& options, bool onOctree) {
   requireRoom(options, trial, placed, grid);
   namingMemory("out of memory with " + grouped(grid.indices.count()) + " cells; use fewer --cells",
                [&] { cutGrid(options, cutter, placed, grid); });
-}
-
-void addOctreeOptions(Command command, MeshOptions& options) {
-  const auto level = addRefinementOptions(command, options.refinement);
-  addRoots(command, options);
-  addBalance(command, options);
-  for (const char* of : {"--cells", "--spacing", "--total"}) command.option(of).excludes(level);
-  for (const char* of : {"--band", "--patch", "--curvature", "--edges", "--gaps", "--walls",
-                         "--roots", "--balance"}) {
-    command.option(of).needs(level);
-  }
 }
 
 }  // namespace

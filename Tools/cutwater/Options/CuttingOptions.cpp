@@ -39,6 +39,23 @@ void addCuttingOptions(Command command, CuttingOptions& options) {
               });
 }
 
+Option addOctreeOptions(Command command, MeshOptions& options) {
+  const auto level = addRefinementOptions(command, options.refinement);
+  addRoots(command, options);
+  addBalance(command, options);
+  for (const char* of : {"--cells", "--spacing", "--total"}) command.option(of).excludes(level);
+  for (const char* of : {"--band", "--patch", "--curvature", "--edges", "--gaps", "--walls",
+                         "--roots", "--balance"}) {
+    command.option(of).needs(level);
+  }
+  return level;
+}
+
+void refuseOnOctrees(const CuttingOptions& options) {
+  if (!options.hasPeriod()) return;
+  throw Error(ErrorKind::Argument, "--period is for grids: octrees, as of --level, do not repeat");
+}
+
 void passOn(const CuttingOptions& options, GridRequest& grid, SurfaceOptions& surface) {
   if (options.hasPeriod() && !options.cutter.baffles.empty()) {
     throw Error(ErrorKind::Argument,

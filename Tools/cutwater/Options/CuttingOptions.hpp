@@ -3,7 +3,7 @@
 #include <Cutwater/CutCells/CellCutter.hpp>
 
 #include "Options/Command.hpp"
-#include "Options/SampleGrid.hpp"
+#include "Options/MeshOptions.hpp"
 #include "Options/SurfaceOptions.hpp"
 
 namespace cutwater::tool {
@@ -21,6 +21,13 @@ struct CuttingOptions {
 
 /// Adds --inside, --open, --baffle, --cap-holes and --period. `options` must outlive the command.
 void addCuttingOptions(Command command, CuttingOptions& options);
+
+/// Adds those that describe an octree to a command with --cells, --spacing and --total; returns
+/// --level, which all others need. `options` must outlive the command.
+Option addOctreeOptions(Command command, MeshOptions& options);
+
+/// @throws Error(Argument) for what octrees do not know.
+void refuseOnOctrees(const CuttingOptions& options);
 
 /// Tells the grid and the surface what they must know of these options.
 /// @throws Error(Argument) for those that exclude each other.
