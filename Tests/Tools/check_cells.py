@@ -210,7 +210,7 @@ class Cells(CommandTest):
     def test_a_layer_shows_baffles_as_walls_in_fluid(self):
         self.tank()
         place = ["--box", "-1.25,-1.25,-1.25,1.25,1.25,1.25", "--spacing", "0.5", "--at", "0.1", "--axis", "z",
-                 "--size", "600x500"]
+                 "--size", "1200x900"]
         self.succeeds("slice", "tank.obj", "--inside", "--baffle", "sail", *place, "-o", "sail.png")
         self.box("box.off")
         self.succeeds("slice", "box.off", "--inside", *place, "--title", "tank.obj, z = 0", "-o", "none.png")
