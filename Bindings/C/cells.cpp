@@ -41,15 +41,24 @@ const CellCutter& cutterOf(const cw_cutter* handle) {
   return handle->cutter;
 }
 
-CutterOptions optionsOf(const cw_cutter_options& given) {
-  CutterOptions options{.capHoles = given.capHoles != 0,
-                        .period = {given.period[0], given.period[1], given.period[2]}};
-  for (const auto* name : arrayOf("openPatches", given.openPatches, given.openPatchCount)) {
-    require(name != nullptr, "the name of an open patch is NULL",
-            Named{"number", options.openPatches.size()});
-    options.openPatches.emplace_back(name);
+/// `array`: what the caller calls it. `missing`: what is wrong if one is NULL.
+std::vector<std::string> patchesOf(const char* array, const char* const* names, std::int64_t count,
+                                   const char* missing) {
+  std::vector<std::string> result;
+  for (const auto* name : arrayOf(array, names, count)) {
+    require(name != nullptr, missing, Named{"number", result.size()});
+    result.emplace_back(name);
   }
-  return options;
+  return result;
+}
+
+CutterOptions optionsOf(const cw_cutter_options& given) {
+  return {.capHoles = given.capHoles != 0,
+          .openPatches = patchesOf("openPatches", given.openPatches, given.openPatchCount,
+                                   "the name of an open patch is NULL"),
+          .baffles = patchesOf("baffles", given.baffles, given.baffleCount,
+                               "the name of a baffle is NULL"),
+          .period = {given.period[0], given.period[1], given.period[2]}};
 }
 
 CutOptions optionsOf(int polygons, int threads) {

@@ -187,6 +187,10 @@ typedef struct cw_cutter_options {
   int64_t openPatchCount;
   /// The period of the body along each axis; 0: none. Grids have cells of a period then.
   double period[3];
+  /// Names of patches that are baffles: sheets with fluid and a wall on both sides. NULL if there
+  /// are none.
+  const char* const* baffles;
+  int64_t baffleCount;
 } cw_cutter_options;
 
 /// `options` may be NULL: then all are 0.

@@ -49,6 +49,8 @@ module cutwater
     type(c_ptr) :: open_patches = c_null_ptr
     integer(c_int64_t) :: open_patch_count = 0
     real(c_double) :: period(3) = 0
+    type(c_ptr) :: baffles = c_null_ptr
+    integer(c_int64_t) :: baffle_count = 0
   end type
 
   ! Rows of cut cells: their arrays become Fortran's by c_f_pointer().

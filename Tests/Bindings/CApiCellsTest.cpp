@@ -204,7 +204,7 @@ TEST(CApiCellsTest, CuttersHaveOpenPatchesAndCaps) {
                          std::ssize(patches), patches.data(),          3,
                          all.data()};
     const auto solid = made([&](cw_solid** out) { return cw_from_mesh(&arrays, 0, out); });
-    const cw_cutter_options options{1, isOpen ? 1 : 0, names.data(), 2, {0, 0, 0}};
+    const cw_cutter_options options{1, isOpen ? 1 : 0, names.data(), 2, {0, 0, 0}, nullptr, 0};
     cw_cutter* made = nullptr;
     ASSERT_EQ(cw_make_cutter(solid.get(), &options, &made), CW_OK) << cw_last_error();
     const CutterHandle cutter(made, &cw_free_cutter);
@@ -234,10 +234,25 @@ TEST(CApiCellsTest, CuttersHaveOpenPatchesAndCaps) {
   }
 }
 
+TEST(CApiCellsTest, CuttersHaveBaffles) {
+  const auto solid = solidOfC();
+  const std::array<const char*, 1> names{"plate"};
+  const cw_cutter_options options{0, 0, nullptr, 0, {0, 0, 0}, names.data(), 1};
+  cw_cutter* made = nullptr;
+  ASSERT_EQ(cw_make_cutter(solid.get(), &options, &made), CW_OK) << cw_last_error();
+  const CutterHandle cutter(made, &cw_free_cutter);
+  const CellCutter expected(solidOfLibrary(), FluidSide::Outside, {.baffles = {"plate"}});
+  const auto rows = expected.cut(patchOfGrid(), {.polygons = true});
+  ASSERT_GT(std::ranges::count(rows.cells.meets, 1), 30);
+  const auto cells =
+      cellsOf([&](auto* r) { return cw_cutter_grid(cutter.get(), &kGrid, 1, 0, r); });
+  expectRows(cells.get(), rows);
+}
+
 TEST(CApiCellsTest, CuttersMayHaveAPeriod) {
   constexpr cw_grid grid{{-1, -1, -1}, {0.25, 0.25, 0.25}, {-2, 0, 0}, {5, 7, 7}, {0, 0, 0}, 0};
   const auto solid = solidOfC();
-  const cw_cutter_options options{0, 0, nullptr, 0, {2, 0, 2}};
+  const cw_cutter_options options{0, 0, nullptr, 0, {2, 0, 2}, nullptr, 0};
   cw_cutter* made = nullptr;
   ASSERT_EQ(cw_make_cutter(solid.get(), &options, &made), CW_OK) << cw_last_error();
   const CutterHandle cutter(made, &cw_free_cutter);

@@ -113,7 +113,7 @@ static void cutters(void) {
   const char* name = NULL;
   cw_planes planes = {{x, x, NULL}, {2, 2, 2}, {0, 0, 0}};
   const double z[2] = {0, 1};
-  cw_cutter_options options = {1, 0, names, 1, {0, 0, 0}};
+  cw_cutter_options options = {1, 0, names, 1, {0, 0, 0}, NULL, 0};
   cw_solid* cube = NULL;
   cw_cutter *cutter = NULL, *none = NULL;
   cw_cells* cells = NULL;
@@ -158,6 +158,78 @@ static void cutters(void) {
   options.openPatches = NULL;
   REFUSED(cw_make_cutter(cube, &options, &none), CW_ERROR_ARGUMENT, "openPatches is NULL");
   REFUSED(cw_make_cutter(NULL, NULL, &none), CW_ERROR_ARGUMENT, "the solid is NULL");
+  cw_free(cube);
+}
+
+/* The cube with a square in it, from (0.5, 0.25, 0.25) to (0.5, 0.75, 0.75). */
+static cw_solid* cubeWithSail(void) {
+  static const char* const all[3] = {"ends", "sides", "sail"};
+  static const double square[12] = {0.5, 0.25, 0.25, 0.5, 0.75, 0.25,
+                                    0.5, 0.75, 0.75, 0.5, 0.25, 0.75};
+  static const int32_t halves[6] = {8, 9, 10, 8, 10, 11};
+  double points[36];
+  int32_t triangles[42];
+  int32_t patches[14];
+  cw_mesh mesh = cubeArrays();
+  cw_solid* solid = NULL;
+  memcpy(points, kPoints, sizeof kPoints);
+  memcpy(points + 24, square, sizeof square);
+  memcpy(triangles, kTriangles, sizeof kTriangles);
+  memcpy(triangles + 36, halves, sizeof halves);
+  memcpy(patches, kPatches, sizeof kPatches);
+  patches[12] = patches[13] = 2;
+  mesh.points = points;
+  mesh.pointCount = 12;
+  mesh.triangles = triangles;
+  mesh.triangleCount = 14;
+  mesh.patches = patches;
+  mesh.patchCount = 3;
+  mesh.patchNames = all;
+  CHECK(cw_from_mesh(&mesh, 0, &solid) == CW_OK);
+  return solid;
+}
+
+static void baffles(void) {
+  static const double x[3] = {-0.5, 0.4, 1.5};
+  static cw_cutter_options options;
+  const char* const names[1] = {"sail"};
+  const char* const unknown[1] = {"flag"};
+  const char* const missing[1] = {NULL};
+  const cw_planes planes = {{x, x, x}, {3, 3, 3}, {0, 0, 0}};
+  cw_solid* cube = cubeWithSail();
+  cw_cutter *cutter = NULL, *none = NULL;
+  cw_cells* cells = NULL;
+  static cw_pieces pieces;
+  static cw_wall_parts walls;
+  int64_t i = 0;
+  double volume = 0, area = 0, sail = 0;
+  options.fluidInside = 1;
+  REFUSED(cw_make_cutter(cube, &options, &none), CW_ERROR_TOPOLOGY, "closed");
+  options.baffles = names;
+  options.baffleCount = 1;
+  CHECK(cw_make_cutter(cube, &options, &cutter) == CW_OK);
+  CHECK(cw_cutter_planes(cutter, &planes, 0, 0, &cells) == CW_OK);
+  CHECK(cw_cells_pieces(cells, &pieces) == CW_OK);
+  for (i = 0; i < pieces.count; ++i) volume += pieces.volume[i];
+  CHECK(cw_cells_wall_parts(cells, &walls) == CW_OK);
+  for (i = 0; i < walls.count; ++i) {
+    if (walls.piece[i] >= pieces.count) continue;
+    area += walls.area[i];
+    if (walls.patch[i] == 2) sail += walls.area[i];
+  }
+  /* All of the cube, and both sides of the square. */
+  CHECK(fabs(volume - 1) < 1e-14 && fabs(area - 6.5) < 1e-13 && fabs(sail - 0.5) < 1e-14);
+  cw_free_cells(cells);
+  cw_free_cutter(cutter);
+  options.baffles = unknown;
+  REFUSED(cw_make_cutter(cube, &options, &none), CW_ERROR_ARGUMENT, "\"flag\"");
+  options.baffles = missing;
+  REFUSED(cw_make_cutter(cube, &options, &none), CW_ERROR_ARGUMENT, "baffle is NULL (number = 0)");
+  options.baffles = NULL;
+  REFUSED(cw_make_cutter(cube, &options, &none), CW_ERROR_ARGUMENT, "baffles is NULL");
+  options.baffles = names;
+  options.period[0] = 2;
+  REFUSED(cw_make_cutter(cube, &options, &none), CW_ERROR_ARGUMENT, "no baffles with a period");
   cw_free(cube);
 }
 
@@ -230,6 +302,7 @@ int main(void) {
   CHECK(cw_last_error()[0] == '\0');
   refusesCells();
   cutters();
+  baffles();
   printf("%d failures\n", failures);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -85,6 +85,37 @@ TEST(CellLayerTest, PointsOnBothSidesOfAPlateBelongToItsTwoPieces) {
   }
 }
 
+TEST(CellLayerTest, BothSidesOfABaffleAreFluid) {
+  PolygonSoup sail;
+  sail.patchNames = {"sail"};
+  sail.points = {{-3, -3, 0.1}, {3, -3, 0.5}, {3, 3, 0.5}, {-3, 3, 0.1}};
+  sail.addPolygon(std::array{0U, 1U, 2U}, 0);
+  sail.addPolygon(std::array{0U, 2U, 3U}, 0);
+  const auto heightAt = [](double x) { return 0.3 + 0.2 * x / 3; };
+  const Level<double> level({-1.1, -1.1, -1.1}, {kWidth, kWidth, kWidth});
+  const auto cells =
+      CellCutter(Solid<double>(MeshSDF<double>(sail)), FluidSide::Outside, {.baffles = {"sail"}})
+          .cut(GridPatch<double>{level, IndexBox::ofSize(20, 20, 20)}, {.polygons = true});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const int axis : {0, 1}) {
+    const detail::CellLayer layer(cells, axis, 7);
+    ASSERT_GE(layer.cells().size(), 20U);
+    for (const auto& cell : layer.cells()) {
+      const auto [lower, upper] = layer.rectangle(cell.row);
+      for (int n = 0; n < 50; ++n) {
+        const detail::PlanePoint p{lower[0] + share(random) * (upper[0] - lower[0]),
+                                   lower[1] + share(random) * (upper[1] - lower[1])};
+        const auto found = cell.at(p);
+        ASSERT_TRUE(found.isFluid);
+        const auto& centroid = cells.pieces.centroid[found.piece];
+        const double height = heightAt(axis == 0 ? layer.middle() : p[0]);
+        ASSERT_EQ(centroid.z > heightAt(centroid.x), p[1] > height) << axis << ' ' << p[1];
+      }
+    }
+  }
+}
+
 TEST(CellLayerTest, SegmentsAreTheSectionOfTheSurface) {
   // A ball of facets: the section is a closed line as long as its circle, but for the sag.
   const auto cells = cut(Solid<double>(MeshSDF<double>(tessellation::icosphere(0.8, 4))));

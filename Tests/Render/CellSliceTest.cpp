@@ -2,7 +2,9 @@
 
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Render/Detail/CellLayer.hpp>
 #include <Cutwater/Render/Detail/ColorMap.hpp>
 #include <Cutwater/Render/Detail/SliceFrame.hpp>
 #include <Cutwater/Render/Slice.hpp>
@@ -14,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "Colors.hpp"
+#include "Support/Soups.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -138,6 +141,125 @@ TEST(CellSliceTest, AWindowShowsAPartToScale) {
                                  static_cast<int>(area.y0 + area.height * (2 - z)));
     EXPECT_EQ(found, all.at(x, z)) << x << ' ' << z;
   }
+}
+
+/// The leaves of an octree of 8 x 6 x 4 roots of width 1, around a box and a thin plate.
+struct ShownLeaves {
+  explicit ShownLeaves(const Refinement<double>& rules)
+      : mesh(solid, OctreeDomain<double>({0, 0, 0}, 1, {8, 6, 4}), rules),
+        leaves(CellCutter(solid).cut(mesh, {.polygons = true})) {}
+
+  static Solid<double> made() {
+    Solid<double> made{MeshSDF<double>(together(tessellation::box({2.3, 1.2, -1}, {5.6, 9, 1.6}),
+                                                tessellation::box({-1, -1, 2.7}, {9, 9, 2.7001})))};
+    made.rotate(3.0, Vec3<double>{1, 2, 3});
+    return made;
+  }
+
+  Solid<double> solid = made();
+  Octree<double> mesh;
+  CutLeaves leaves;
+};
+
+TEST(CellSliceTest, AnOctreeOfOneLevelLooksLikeItsGrid) {
+  const CellSliceOptions options{.width = 640, .height = 480, .title = "Cells", .unit = "m"};
+  for (const int level : {0, 1}) {
+    const ShownLeaves shown({.cut = level, .bands = {{100, level}}});
+    const auto grid = CellCutter(shown.solid)
+                          .cut(GridPatch<double>{shown.mesh.domain().level(level),
+                                                 shown.mesh.domain().indices(level)},
+                               {.polygons = true});
+    for (int axis = 0; axis < 3; ++axis) {
+      const double middle = shown.mesh.domain().level(level).position({2, 2, 2})[axis];
+      const auto expected = renderCells(grid, axis, 2, options);
+      const auto found = renderCells(shown.leaves, shown.mesh, axis, middle, options);
+      ASSERT_TRUE(std::ranges::equal(found.pixels(), expected.pixels())) << axis << ' ' << level;
+    }
+  }
+}
+
+TEST(CellSliceTest, LeavesHaveTheirSizes) {
+  // All fluid and body of the section, from its pixels and by sampling the solid.
+  const ShownLeaves shown({.cut = 2});
+  ASSERT_GT(std::ranges::count(shown.mesh.cells(), 0, &OctreeCell::level), 20);
+  const double at = 2.1;
+  const CellSliceOptions options{.width = 900, .height = 700};
+  const auto image = renderCells(shown.leaves, shown.mesh, 1, at, options);
+  const auto area = detail::fitted(detail::SliceLayout(900, 700).room(), {0, 8}, {0, 4});
+  const auto pixel = [&](double x, double z) {
+    return image.at(static_cast<int>(area.x0 + area.width * x / 8),
+                    static_cast<int>(area.y0 + area.height * (4 - z) / 4));
+  };
+  constexpr Rgb line{196, 201, 207};
+  std::size_t whole = 0;
+  std::size_t cut = 0;
+  for (std::uint32_t leaf = 0; leaf < shown.mesh.cells().size(); ++leaf) {
+    const auto box = shown.mesh.box(shown.mesh.cells()[leaf]);
+    if (!(box.lower.y <= at && at < box.upper.y)) continue;
+    const double width = box.size().x;
+    const auto center = box.center();
+    const auto row = shown.leaves.rowOf(leaf);
+    if (shown.leaves.classes[leaf] == FluidClass::Fluid) {
+      // One colour from end to end, with lines around it and no others.
+      for (double s = 0.15; s < 0.86; s += 0.1) {
+        EXPECT_GT(brightness(pixel(box.lower.x + s * width, center.z + 0.1 * width)), 740);
+      }
+      ++whole;
+    } else if (row != CutLeaves::kNoRow &&
+               shown.leaves.cut.firstPiece[row + 1] == shown.leaves.cut.firstPiece[row] + 1) {
+      const auto share = shown.leaves.volumeFraction(shown.leaves.cut.firstPiece[row]);
+      const Vec3<double> p{box.lower.x + 0.3 * width, at, box.lower.z + 0.3 * width};
+      if (shown.solid.signedDistance(p) < 0.02 * width + 0.02) continue;
+      EXPECT_LE(difference(pixel(p.x, p.z), detail::fluidFractionColor(share)), 4) << p;
+      ++cut;
+    }
+    if (box.lower.x > 0.1) {
+      const auto& found = pixel(box.lower.x, center.z + 0.25 * width);
+      const auto& left = pixel(box.lower.x - 1.0 * 8 / area.width, center.z + 0.25 * width);
+      EXPECT_LT(std::min(brightness(found), brightness(left)), brightness(line) + 90) << center;
+    }
+  }
+  EXPECT_GT(whole, 8U);
+  EXPECT_GE(cut, 20U);
+}
+
+TEST(CellSliceTest, LeavesFillThePlaneAndDivideItAsTheSolidDoes) {
+  const ShownLeaves shown({.cut = 2});
+  constexpr int kRight = 800;
+  constexpr int kUp = 400;
+  int body = 0;
+  for (const double at : {1.27, 1.48, 3.76, 3.9}) {  // not in the middle of leaves
+    const detail::CellLayer layer(shown.leaves, shown.mesh, 1, at);
+    int all = 0;
+    int wrong = 0;
+    layer.eachCell([&](const detail::ShownCell& cell) {
+      const auto& [lower, upper] = cell.rectangle;
+      for (int n = 0; n < kRight * kUp; ++n) {
+        const detail::PlanePoint p{0.01 * (n % kRight + 0.5), 0.01 * (n / kRight + 0.5)};
+        if (!(lower[0] <= p[0] && p[0] < upper[0] && lower[1] <= p[1] && p[1] < upper[1])) continue;
+        const bool isFluid =
+            cell.row == CutCells::kNoRow ? cell.isFluid : layer.section(cell.row).at(p).isFluid;
+        const bool isBody = shown.solid.signedDistance({p[0], at, p[1]}) < 0;
+        ++all;
+        body += isBody ? 1 : 0;
+        wrong += isFluid == isBody ? 1 : 0;
+      }
+    });
+    EXPECT_EQ(all, kRight * kUp) << at;
+    EXPECT_EQ(wrong, 0) << at;
+  }
+  EXPECT_GT(body, kRight * kUp / 4);
+}
+
+TEST(CellSliceTest, RefusesLeavesThatAreNotThere) {
+  const ShownLeaves shown({.cut = 1});
+  EXPECT_THROW(static_cast<void>(renderCells(shown.leaves, shown.mesh, 3, 1, {})), Error);
+  EXPECT_THROW(static_cast<void>(renderCells(shown.leaves, shown.mesh, 0, 9, {})), Error);
+  EXPECT_THROW(static_cast<void>(renderCells(shown.leaves, shown.mesh, 0, NAN, {})), Error);
+  const auto without = CellCutter(shown.solid).cut(shown.mesh);
+  EXPECT_THROW(static_cast<void>(renderCells(without, shown.mesh, 0, 1, {})), Error);
+  const ShownLeaves other({.cut = 0});
+  EXPECT_THROW(static_cast<void>(renderCells(shown.leaves, other.mesh, 0, 1, {})), Error);
 }
 
 TEST(CellSliceTest, RefusesWhatCannotBeShown) {

@@ -82,6 +82,34 @@ class Cells(CommandTest):
         plate = self.succeeds("slice", "plate.off", "--box", "-1,-1,-1.1,1,1,0.9", "--cells", "8", "-o", "plate.png")
         self.assertIn("8 of 64 are cut; 8 have several pieces, and in 8 all corners", plate)
 
+    def test_draws_leaves(self):
+        place = ["slice", "box.off", "--box", "-1.4,-1.4,-1.4,1.4,1.4,1.4", "--at", "0.1", "--title", "Box"]
+        self.succeeds(*place, "--spacing", "0.35", "-o", "grid.png")
+        said = self.succeeds(*place, "--roots", "4", "--level", "1", "--band", "9:1", "-o", "leaves.png")
+        self.assertIn("of the cells of an octree where y = 0.175", said)
+        self.assertIn("20 of 64 are cut; 0 have several pieces", said)
+        self.assertEqual((self.folder / "grid.png").read_bytes(), (self.folder / "leaves.png").read_bytes())
+        # 8 x 8 roots. Those at the four edges are 7 leaves each, of which 5 are cut, beside 16 roots at the walls.
+        mixed = self.succeeds(*place, "--roots", "8", "--level", "0", "--edges", "30:2", "--balance", "none",
+                              "-o", "mixed.png")
+        self.assertIn("36 of 88 are cut", mixed)
+        self.assertNotEqual((self.folder / "grid.png").read_bytes(), (self.folder / "mixed.png").read_bytes())
+        window = self.succeeds(*place, "--roots", "8", "--level", "0", "--window", "-1.4,-1.4,-1.1,1.4", "-o", "w.png")
+        self.assertIn("0 of 8 are cut", window)
+        self.tank()
+        self.succeeds("slice", "tank.obj", "--inside", "--baffle", "sail", "--level", "3", "-o", "tank.png")
+
+    def test_refuses_leaves(self):
+        leaves = ["slice", "box.off", "-o", "a.png", "--level"]
+        self.assertIn("--period is for grids", self.fails(1, *leaves, "2", "--period", "4,0,0"))
+        self.assertIn("no cells in the window where y = ", self.fails(1, *leaves, "2", "--at", "9"))
+        self.assertIn("no cells in the window where y = ", self.fails(1, *leaves, "2", "--window", "8,8,9,9"))
+        self.assertIn("pixels cannot show", self.fails(1, *leaves, "7", "--size", "400x300"))
+        self.assertIn("--max-cells allows 100", self.fails(1, *leaves, "4", "--max-cells", "100"))
+        self.fails(2, *leaves, "2", "--cells", "9")
+        self.fails(2, "slice", "box.off", "-o", "a.png", "--edges", "30:2")
+        self.assertFalse((self.folder / "a.png").exists())
+
     def test_refuses_layers(self):
         self.assertIn("no cells where y = 9", self.fails(1, "slice", "box.off", "--cells", "9", "--at", "9", "-o", "a.png"))
         self.assertIn("no cells in the window", self.fails(1, "slice", "box.off", "--cells", "9", "--window", "8,8,9,9",
@@ -151,6 +179,102 @@ class Cells(CommandTest):
                       self.fails(1, *place[:-3], "0.2", "--open", "outlet", "-o", "a.png"))
         self.assertIn("are for a picture of cells", self.fails(1, "slice", "duct.obj", *ends, "-o", "a.png"))
         self.assertFalse((self.folder / "a.png").exists())
+
+    def tank(self, faces=tuple(BOX_FACES)):
+        """Of side 2 about the origin, with a sail of 1 x 1 in the plane x = 0."""
+        points = [(2 * x - 1, 2 * y - 1, 2 * z - 1) for x, y, z in BOX_POINTS]
+        points += [(0, y, z) for y, z in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))]
+        lines = [f"v {x} {y} {z}" for x, y, z in points]
+        for patch, polygons in (("wall", faces), ("sail", [(8, 9, 10, 11)])):
+            lines += [f"g {patch}", *("f " + " ".join(str(n + 1) for n in face) for face in polygons)]
+        (self.folder / "tank.obj").write_text("\n".join(lines) + "\n")
+
+    def test_baffles_are_walls_on_both_sides(self):
+        self.tank()
+        sail = ["tank.obj", "--inside", "--baffle", "sail", "--rotate", "20,z"]
+        box = ["--box", "-1.5,-1.5,-1.3,1.5,1.5,1.3"]
+        for grid in (["--spacing", "0.26"], ["--spacing", "0.26", "-o", "tank.vtu"], ["--roots", "4", "--level", "1"]):
+            said, totals = self.totals(*sail, *box, *grid)
+            self.assertAlmostEqual(totals["fluidVolume"], 8, places=12)
+            self.assertAlmostEqual(totals["boundaryArea"], 24 + 2 * 1, places=12)
+            self.assertLess(totals["volumeError"], 1e-13)
+            self.assertIsNone(totals["areaError"])
+            self.assertLess(totals["worstClosure"], 1e-13)
+            self.assertTrue(said.startswith("cut "), said)  # no advice to close the sail
+            self.assertRegex(said, r"own by \S+ of the volume\n")
+        outside = self.totals(*sail[:1], *sail[2:], *box, "--spacing", "0.26")[1]
+        self.assertAlmostEqual(outside["boundaryArea"], 24, places=12)  # the sail is in the body
+        self.assertIn('no patch is called "fin"', self.fails(1, "cells", "tank.obj", "--baffle", "fin"))
+        self.assertIn('open at patches "sail"', self.fails(1, "cells", "tank.obj", "-q"))
+
+    def test_a_layer_shows_baffles_as_walls_in_fluid(self):
+        self.tank()
+        place = ["--box", "-1.25,-1.25,-1.25,1.25,1.25,1.25", "--spacing", "0.5", "--at", "0.1", "--axis", "z",
+                 "--size", "1200x900"]
+        self.succeeds("slice", "tank.obj", "--inside", "--baffle", "sail", *place, "-o", "sail.png")
+        self.box("box.off")
+        self.succeeds("slice", "box.off", "--inside", *place, "--title", "tank.obj, z = 0", "-o", "none.png")
+        sail, none = (Png(self.folder / f"{name}.png") for name in ("sail", "none"))
+        changed = [(x, y) for y in range(none.height) for x in range(none.width)
+                   if sail.pixel(x, y) != none.pixel(x, y)]
+        dark = [at for at in changed if sum(sail.pixel(*at)) < 100]
+        self.assertGreater(len(dark), 100)
+        # One upright line, and the colours beside it in cells that it halves: none is body.
+        self.assertLess(max(x for x, _ in dark) - min(x for x, _ in dark), 4)
+
+    def test_caps_holes(self):
+        self.surface("open.off", [(2 * x - 1, 2 * y - 1, 2 * z - 1) for x, y, z in BOX_POINTS], OPEN_BOX_FACES)
+        place = ["open.off", "--inside", "--cap-holes", "--box", "-1.5,-1.5,-1.5,1.5,1.5,1"]
+        said, totals = self.totals(*place, "--spacing", "0.5")
+        self.assertAlmostEqual(totals["fluidVolume"], 8, places=13)
+        self.assertAlmostEqual(totals["boundaryArea"], 24, places=13)
+        self.assertIsNone(totals["volumeError"])
+        self.assertTrue(said.startswith("cut "), said)
+        open_ = self.totals(*place, "--spacing", "0.5", "--open", "cap")[1]
+        self.assertAlmostEqual(open_["boundaryArea"], 20, places=13)
+        self.succeeds("slice", *place, "--spacing", "0.5", "--open", "cap", "-o", "a.png")
+
+    def test_a_grid_covers_one_period(self):
+        # A plate across the period, of which a part sticks out and comes in at the other end.
+        self.box("plate.off", "1,1,0.25")
+        period = ["plate.off", "--translate", "0.3,0.1,0.05", "--period", "1,1,0"]
+        for grid in (["--cells", "10"], ["--total", "3000"], ["--spacing", "0.125"], ["--cells", "7x5x9"],
+                     ["--box", "-0.7,3,-1,0.3,4,1", "--cells", "16"]):
+            margin = [] if "--box" in grid else ["--margin", "0.5"]
+            _, totals = self.totals(*period, *margin, *grid)
+            height = totals["fluidVolume"] + totals["bodyVolume"]  # over 1 x 1
+            self.assertAlmostEqual(totals["bodyVolume"], 0.25, places=13)
+            self.assertAlmostEqual(totals["boundaryArea"], 2, places=13)  # its ends are no walls
+            self.assertGreater(height, 1.2)
+            self.assertLess(totals["worstClosure"], 1e-13)
+            self.assertIsNone(totals["volumeError"])
+        # A box that two sides of the period cut: as if it were whole.
+        self.box("dice.off", "0.5,0.5,0.5")
+        dice_at = ["dice.off", "--translate", "0.9,0.2,0.1", "--period", "1,2,0"]
+        _, dice = self.totals(*dice_at, "--box", "0,-1,-0.5,1,1,0.5", "--spacing", "0.125",
+                              "-o", "dice.vtu")
+        self.assertAlmostEqual(dice["fluidVolume"], 2 - 0.125, places=13)
+        self.assertAlmostEqual(dice["boundaryArea"], 6 * 0.25, places=13)
+        self.assertEqual(dice["cells"], 8 * 16 * 8)
+        dice = VtkXml(self.folder / "dice.vtu")
+        self.assertAlmostEqual(sum(dice.arrays["wall_area"]), 6 * 0.25, places=13)
+        self.succeeds("slice", *dice_at, "--cells", "20", "-o", "dice.png")
+
+    def test_refuses_periods(self):
+        period = ["cells", "box.off", "--period", "4,0,0"]
+        self.assertIn("--period is for grids", self.fails(1, *period, "--level", "3"))
+        self.assertIn("--period and --baffle exclude each other", self.fails(1, *period, "--baffle", "box"))
+        self.assertIn("--box is 5 long along x, and --period 4: a grid covers one period",
+                      self.fails(1, *period, "--box", "-3,-2,-2,2,2,2"))
+        self.assertIn("no whole number of cells from two on, 0.3 long along x, makes the period of 4",
+                      self.fails(1, *period, "--spacing", "0.3"))
+        self.assertIn("two cells or more", self.fails(1, *period, "--cells", "1x5x5"))
+        for wrong in ("0,0,0", "1,-1,0", "1,2"):
+            self.assertIn("--period", self.fails(2, "cells", "box.off", "--period", wrong))
+        refusal = self.fails(1, *period, "--cells", "1000", "--max-cells", "1e5")
+        self.totals(*period[1:], "--cells", refusal.split("--cells ")[1].split()[0], "--max-cells", "1e5")
+        self.assertIn("are for a picture of cells",
+                      self.fails(1, "slice", "box.off", "--period", "4,0,0", "-o", "a.png"))
 
     def test_refuses_open_patches(self):
         self.duct()

@@ -11,6 +11,7 @@
 
 #include "Commands/Commands.hpp"
 #include "Options/CuttingCost.hpp"
+#include "Options/CuttingOptions.hpp"
 #include "Options/Limits.hpp"
 #include "Options/LoadSurface.hpp"
 #include "Options/MeshOptions.hpp"
@@ -33,12 +34,10 @@ struct CellsSettings {
   GridRequest grid;
   MeshOptions octree;  ///< but for place and limits
   Limits limits;
-  std::vector<std::string> openPatches;
-  bool isInside = false;
+  CuttingOptions cutting;
   bool wholeCells = false;
 
   [[nodiscard]] bool hasPolygons() const { return !output.empty(); }
-  [[nodiscard]] FluidSide side() const { return isInside ? FluidSide::Inside : FluidSide::Outside; }
 };
 
 /// Memory in bytes, as measured, beside what bytesToCut() says.
@@ -87,7 +86,9 @@ void requireRoom(const CellsSettings& options, const CellCutter& cutter,
   requireWithin(options.limits, expected, !options.surface.quiet, [&] {
     const double tooMany = expected.items / options.limits.items.value_or(expected.items);
     const double tooLarge = expected.bytes / options.limits.mostBytes();
-    return sizeThatFits(grid, std::sqrt(std::max({tooMany, tooLarge, 1.0})));
+    const double factor = std::sqrt(std::max({tooMany, tooLarge, 1.0}));
+    return options.cutting.hasPeriod() ? numberThatFits(grid, 1.02 * factor)
+                                       : sizeThatFits(grid, factor);
   });
 }
 
@@ -154,7 +155,8 @@ void cutGrid(const CellsSettings& options, const CellCutter& cutter, const Place
   const auto cells = cut(options, cutter, grid, true, seconds);
   const auto& box = grid.indices;
   const Box<double> filled{grid.level.cell(box.lo).lower, grid.level.cell(box.hi).upper};
-  CellTotals totals(check(cells), box.count(), cells.pieceCount, filled, placed, options.side());
+  CellTotals totals(check(cells), box.count(), cells.pieceCount, filled, placed,
+                    options.cutting.side());
   totals.seconds = seconds;
   if (!options.output.empty()) {
     writePointData(options.output, cutCellMesh(cells, options.wholeCells));
@@ -170,7 +172,7 @@ void cutOctree(const CellsSettings& options, const Octree<double>& mesh, const C
   double seconds = 0;
   const auto leaves = cut(options, cutter, mesh, true, seconds);
   CellTotals totals(check(leaves), mesh.cells().size(), leaves.pieces.cell.size(),
-                    mesh.domain().box(), placed, options.side());
+                    mesh.domain().box(), placed, options.cutting.side());
   totals.seconds = seconds;
   if (!options.output.empty()) {
     writePointData(options.output, cutCellMesh(leaves, mesh, options.wholeCells));
@@ -181,17 +183,29 @@ void cutOctree(const CellsSettings& options, const Octree<double>& mesh, const C
              extent(mesh.domain().level(mesh.deepest()).spacing()));
 }
 
+/// For coarser cells, by which time is estimated: these have not all planes of open patches, and do
+/// not fit a period.
+CellCutter trialCutter(const CuttingOptions& options, const CellCutter& cutter,
+                       const Solid<double>& solid) {
+  if (options.cutter.openPatches.empty() && !options.hasPeriod()) return cutter;
+  auto simple = options.cutter;
+  simple.openPatches.clear();
+  simple.period = {};
+  return CellCutter(solid, options.side(), simple);
+}
+
 void run(const CellsSettings& options, bool onOctree) {
   if (options.wholeCells && options.output.empty()) {
     throw Error(ErrorKind::Argument, "--whole-cells is for the file of -o");
   }
+  if (onOctree) refuseOnOctrees(options.cutting);
   const auto solid = loadSolid(options.surface);
   auto placedMesh = cuttingMesh(solid, options.surface);
   placedMesh.setPlacement(solid.placement());
-  const CellCutter cutter(solid, options.side(), {.openPatches = options.openPatches});
-  const PlacedSurface placed(placedMesh, options.openPatches);
-  // Coarser cells, by which time is estimated, have not all planes of open patches.
-  const auto trial = options.openPatches.empty() ? cutter : CellCutter(solid, options.side());
+  const auto& cutting = options.cutting.cutter;
+  const CellCutter cutter(solid, options.cutting.side(), cutting);
+  const PlacedSurface placed(placedMesh, cutting);
+  const auto trial = trialCutter(options.cutting, cutter, solid);
   if (onOctree) {
     namingMemory("out of memory; use a lower --level", [&] {
       cutOctree(options, octreeAround(options, solid, trial, placed), cutter, placed);
@@ -202,17 +216,6 @@ void run(const CellsSettings& options, bool onOctree) {
   requireRoom(options, trial, placed, grid);
   namingMemory("out of memory with " + grouped(grid.indices.count()) + " cells; use fewer --cells",
                [&] { cutGrid(options, cutter, placed, grid); });
-}
-
-void addOctreeOptions(Command command, MeshOptions& options) {
-  const auto level = addRefinementOptions(command, options.refinement);
-  addRoots(command, options);
-  addBalance(command, options);
-  for (const char* of : {"--cells", "--spacing", "--total"}) command.option(of).excludes(level);
-  for (const char* of : {"--band", "--patch", "--curvature", "--edges", "--gaps", "--walls",
-                         "--roots", "--balance"}) {
-    command.option(of).needs(level);
-  }
 }
 
 }  // namespace
@@ -231,8 +234,7 @@ void addCells(Program& program) {
   addPlaceOptions(command, options->grid);
   addOctreeOptions(command, options->octree);
   addLimits(command, "--max-cells", options->limits);
-  command.addFlag("--inside", "The fluid is inside the surface", options->isInside);
-  addOpenPatches(command, options->openPatches);
+  addCuttingOptions(command, options->cutting);
   command.addFlag("--whole-cells", "Write the cells that are all fluid as well",
                   options->wholeCells);
   command.setFooter(
@@ -244,8 +246,13 @@ void addCells(Program& program) {
       "  cutwater cells hull.stl --spacing 0.02 --box -1,-1,-1,7,1,0 --json totals.json\n"
       "  cutwater cells hull.stl --level 4 --edges 30:6 -o cells.vtu\n"
       "  cutwater cells manifold.stl --inside --whole-cells --cells 200 -o fluid.vtu\n"
-      "  cutwater cells pipe.obj --inside --open inlet --open outlet --spacing 0.01 -o pipe.vtu");
-  command.setAction([=] { run(*options, command.isGiven("--level")); });
+      "  cutwater cells pipe.obj --inside --open inlet --open outlet --spacing 0.01 -o pipe.vtu\n"
+      "  cutwater cells tank.obj --inside --baffle fin --cap-holes --cells 100 -o tank.vtu\n"
+      "  cutwater cells bed.stl --period 1,1,0 --cells 100 --json totals.json");
+  command.setAction([=] {
+    passOn(options->cutting, options->grid, options->surface);
+    run(*options, command.isGiven("--level"));
+  });
 }
 
 }  // namespace cutwater::tool

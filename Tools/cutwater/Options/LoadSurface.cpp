@@ -101,6 +101,10 @@ LoadedSurface load(const SurfaceOptions& options) {
 
 namespace {
 
+bool saysSigns(const SurfaceOptions& options) {
+  return !options.quiet && !options.mayBeOpen;
+}
+
 /// Builds the solid, and says what its signs are based on unless that is sound.
 template <std::floating_point T>
 MeshSDF<T> built(const SurfaceOptions& options) {
@@ -108,7 +112,7 @@ MeshSDF<T> built(const SurfaceOptions& options) {
   auto solid = namingMemory(options.file + ": out of memory while building the tree of " +
                                 grouped(soup.polygonCount(), "polygon"),
                             [&] { return MeshSDF<T>(soup, options.solid); });
-  if (options.quiet || solid.signReport().isSound()) return solid;
+  if (!saysSigns(options) || solid.signReport().isSound()) return solid;
   std::cout << "signs: " << solid.signReport().summary() << '\n'
             << adviceOnOpenings(soup, solid.signReport(), options) << std::flush;
   return solid;
@@ -119,7 +123,7 @@ MeshSDF<T> built(const SurfaceOptions& options) {
 template <std::floating_point T>
 MeshSDF<T> loadMesh(const SurfaceOptions& options) {
   if (auto solid = ready<T>(options)) {
-    if (!options.quiet && !solid->signReport().isSound()) {
+    if (saysSigns(options) && !solid->signReport().isSound()) {
       std::cout << "signs: " << solid->signReport().summary() << '\n';
     }
     return *std::move(solid);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "Options/Arguments.hpp"
 #include "Report/Format.hpp"
@@ -33,11 +34,43 @@ std::int32_t cellsAlong(double length, double spacing) {
   return static_cast<std::int32_t>(cells);
 }
 
+constexpr double kFits = 1e-9;  // of a length
+
+/// The box to cover: of one period, along axes that have one.
+Box<double> boxToCover(const Box<double>& surface, const GridRequest& request) {
+  const double margin = request.margin.value_or(kDefaultMargin * surface.diagonal());
+  auto box = request.box ? *request.box : surface.grown(margin);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double period = request.period[axis];
+    if (period == 0) continue;
+    if (!request.box) box.lower[axis] = surface.center()[axis] - 0.5 * period;
+    const double length = box.size()[axis];
+    if (request.box && !(std::abs(length - period) <= kFits * period)) {
+      throw Error(ErrorKind::Argument, "--box is " + number(length) + " long along " +
+                                           std::string(1, "xyz"[axis]) + ", and --period " +
+                                           number(period) + ": a grid covers one period");
+    }
+    box.upper[axis] = box.lower[axis] + period;
+  }
+  return box;
+}
+
+/// The number of cells of about this length in a period, two at least.
+/// @throws Error(Argument) if they were to have this length, and do not fit.
+std::int32_t cellsInPeriod(double period, double spacing, bool isGiven, int axis) {
+  const double cells = std::max(std::round(period / spacing), 2.0);
+  if (isGiven && !(std::abs(cells * spacing - period) <= kFits * period)) {
+    throw Error(ErrorKind::Argument, "no whole number of cells from two on, " + number(spacing) +
+                                         " long along " + std::string(1, "xyz"[axis]) +
+                                         ", makes the period of " + number(period));
+  }
+  return cellsAlong(cells, 1);
+}
+
 }  // namespace
 
 GridPatch<double> gridAround(const Box<double>& surface, const GridRequest& request) {
-  const double margin = request.margin.value_or(kDefaultMargin * surface.diagonal());
-  auto box = request.box ? *request.box : surface.grown(margin);
+  auto box = boxToCover(surface, request);
   const auto size = box.size();
   if (!(size.x > 0 && size.y > 0 && size.z > 0) || !isFinite(size)) {
     throw Error(ErrorKind::Argument,
@@ -55,8 +88,13 @@ GridPatch<double> gridAround(const Box<double>& surface, const GridRequest& requ
       spacing = {request.spacing[0], request.spacing[1], request.spacing[2]};
     }
     for (int i = 0; i < 3; ++i) {
-      const auto cells = cellsAlong(box.size()[i], spacing[i]);
-      count[static_cast<std::size_t>(i)] = cells;
+      auto& cells = count[static_cast<std::size_t>(i)];
+      if (const double period = request.period[i]; period > 0) {
+        cells = cellsInPeriod(period, spacing[i], !request.spacing.empty(), i);
+        spacing[i] = period / cells;
+        continue;
+      }
+      cells = cellsAlong(box.size()[i], spacing[i]);
       box.lower[i] = box.center()[i] - 0.5 * cells * spacing[i];
     }
   }
@@ -86,6 +124,15 @@ std::string sizeThatFits(const GridPatch<double>& grid, double factor) {
   const bool isCube = spacing.x == spacing.y && spacing.y == spacing.z;
   const auto rest = "," + number(spacing.y, 3) + "," + number(spacing.z, 3);
   return "--spacing " + number(spacing.x, 3) + (isCube ? "" : rest) + " fits";
+}
+
+std::string numberThatFits(const GridPatch<double>& grid, double factor) {
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double cells = std::floor(static_cast<double>(grid.indices.length(axis)) / factor);
+    text += (axis > 0 ? "x" : "") + std::to_string(static_cast<int>(std::max(cells, 2.0)));
+  }
+  return "--cells " + text + " fits";
 }
 
 std::vector<IndexBox> blocksOf(const IndexBox& grid) {

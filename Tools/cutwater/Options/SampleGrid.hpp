@@ -19,16 +19,23 @@ struct GridRequest {
   std::vector<double> spacing;
   std::optional<Box<double>> box;
   std::optional<double> margin;  ///< around the surface, if there is no box
+  Vec3<double> period = {};      ///< what the grid spans along each axis, whole cells; 0: see box
   bool nodes = false;            ///< values at nodes, not at cell centres
 };
 
 /// The grid that covers the box, or the surface and a margin of a tenth of its diagonal. Cells
-/// whose size is given keep it: the box grows to whole cells, about its centre.
-/// @throws Error(Argument) if the surface has no extent, Error(Limit) if the grid is too large.
+/// whose size is given keep it: the box grows to whole cells, about its centre. Along an axis with
+/// a period, the grid lies about the surface's centre unless there is a box, and other cells are
+/// stretched.
+/// @throws Error(Argument) if the surface has no extent, and for a box or cells that do not fit a
+/// period; Error(Limit) if the grid is too large.
 [[nodiscard]] GridPatch<double> gridAround(const Box<double>& surface, const GridRequest& request);
 
 /// The size of cells that are so many times as wide, as an option that fits: "--spacing 0.02 fits".
 [[nodiscard]] std::string sizeThatFits(const GridPatch<double>& grid, double factor);
+
+/// The same of a grid that spans periods: "--cells 20x10x20 fits".
+[[nodiscard]] std::string numberThatFits(const GridPatch<double>& grid, double factor);
 
 /// Small blocks of indices all over a grid, from which the time for all of it is estimated.
 [[nodiscard]] std::vector<IndexBox> blocksOf(const IndexBox& grid);

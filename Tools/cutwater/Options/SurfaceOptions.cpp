@@ -94,13 +94,6 @@ void addSignOptions(Command command, SurfaceOptions& options) {
                   options.solid.requireWatertight);
 }
 
-void addOpenPatches(Command command, std::vector<std::string>& names) {
-  command.addRepeated("--open", "PATCH",
-                      "This patch is no wall but open, as inlets and outlets are; it must lie in "
-                      "planes of the grid; may be repeated",
-                      [&names](const std::string& text) { names.push_back(text); });
-}
-
 bool isScene(const SurfaceOptions& options) {
   return extensionOf(options.file) == ".toml";
 }

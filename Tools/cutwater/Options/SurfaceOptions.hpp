@@ -18,6 +18,7 @@ struct SurfaceOptions {
   std::string motions;  ///< --scale, --translate and --rotate as they were given
   int threads = 0;
   bool quiet = false;
+  bool mayBeOpen = false;  ///< nothing is said of its signs then: a command sees to openings
   MeshSDFOptions solid;
 };
 
@@ -29,8 +30,6 @@ enum class Reads : std::uint8_t { Surfaces, SurfacesAndScenes };
 void addSurfaceOptions(Command command, SurfaceOptions& options, Reads reads = Reads::Surfaces);
 /// Adds --signs and --require-watertight, for commands that call loadMesh() or loadSolid().
 void addSignOptions(Command command, SurfaceOptions& options);
-/// Adds --open, for commands that cut cells.
-void addOpenPatches(Command command, std::vector<std::string>& names);
 void addQuiet(Command command, bool& quiet);
 
 /// Whether the file is a scene: its name ends in .toml.

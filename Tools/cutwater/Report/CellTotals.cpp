@@ -16,12 +16,12 @@ Json orNull(const std::optional<double>& value) {
 
 }  // namespace
 
-PlacedSurface::PlacedSurface(const MeshSDF<double>& mesh, std::span<const std::string> openPatches)
+PlacedSurface::PlacedSurface(const MeshSDF<double>& mesh, const CutterOptions& options)
     : box{}, measure{}, projected{} {
   auto soup = mesh.soup();
   for (auto& p : soup.points) p = mesh.placement().toWorld(p);
-  measure = cutwater::measure(soup);
-  for (const auto& p : soup.points) box.extend(p);
+  PolygonSoup walls;
+  walls.points = soup.points;
   triangles = soup.polygonCount();
   for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
     const auto c = soup.polygon(i);
@@ -29,8 +29,15 @@ PlacedSurface::PlacedSurface(const MeshSDF<double>& mesh, std::span<const std::s
     const auto vector = 0.5 * cross(soup.points[c[1]] - a, soup.points[c[2]] - a);
     projected += abs(vector);
     const auto& patch = soup.patchNames[soup.patches[i]];
-    if (std::ranges::count(openPatches, patch) > 0) openArea += length(vector);
+    if (std::ranges::count(options.openPatches, patch) > 0) openArea += length(vector);
+    if (std::ranges::count(options.baffles, patch) > 0) continue;
+    walls.addPolygon(c);
+    for (const auto corner : c) box.extend(soup.points[corner]);
   }
+  measure = cutwater::measure(walls);
+  const bool isCapped = options.capHoles && !mesh.signReport().isClosed();
+  boundsBody = !isCapped && options.period == Vec3<double>{} && walls.polygonCount() > 0;
+  isAllWall = options.baffles.empty();
 }
 
 double PlacedSurface::expectedCells(const Vec3<double>& size) const {
@@ -41,13 +48,20 @@ double PlacedSurface::expectedCells(const Vec3<double>& size) const {
 CellTotals::CellTotals(const CutCellsReport& report, std::size_t all, std::size_t allPieces,
                        const Box<double>& filled, const PlacedSurface& placed, FluidSide side)
     : found(report), cells(all), pieces(allPieces) {
+  if (!placed.boundsBody) {
+    whyUnknown = "its volume and its area are not those of the surface alone";
+    return;
+  }
   const auto beyond = max(filled.lower - placed.box.lower, placed.box.upper - filled.upper);
-  if (maxComponent(beyond) > 0) return;
+  if (maxComponent(beyond) > 0) {
+    whyUnknown = "part of the surface is outside the grid";
+    return;
+  }
   const double area = placed.measure.area - placed.openArea;
   const double volume = placed.measure.volume;
   const double within = side == FluidSide::Inside ? found.fluidVolume : found.bodyVolume;
   volumeError = std::abs(within - volume) / volume;
-  areaError = std::abs(found.wallArea - area) / placed.measure.area;
+  if (placed.isAllWall) areaError = std::abs(found.wallArea - area) / placed.measure.area;
 }
 
 std::string CellTotals::json(const std::string& input) const {
@@ -73,11 +87,11 @@ std::string CellTotals::text() const {
               grouped(found.thinCells) + " all corners are on one side\n";
   text += "fluid " + number(found.fluidVolume, 6) + ", body " + number(found.bodyVolume, 6) +
           ", wall " + number(found.wallArea, 6);
-  if (volumeError && areaError) {
-    text += "; off the surface's own by " + number(*volumeError, 2) + " of the volume and " +
-            number(*areaError, 2) + " of the area";
+  if (volumeError) {
+    text += "; off the surface's own by " + number(*volumeError, 2) + " of the volume";
+    if (areaError) text += " and " + number(*areaError, 2) + " of the area";
   } else {
-    text += "; part of the surface is outside the grid";
+    text += "; " + whyUnknown;
   }
   return text + "\npieces close to " + number(found.worstClosure, 2) + " of a face\n";
 }

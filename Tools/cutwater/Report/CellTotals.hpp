@@ -1,27 +1,26 @@
 #pragma once
 
-#include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/SurfaceMeasure.hpp>
 
 #include <optional>
-#include <span>
 #include <string>
 
 namespace cutwater::tool {
 
 /// A surface where it is placed, which all cells around it must give again.
 struct PlacedSurface {
-  /// `openPatches`: the names of those that are no walls.
-  explicit PlacedSurface(const MeshSDF<double>& mesh,
-                         std::span<const std::string> openPatches = {});
+  explicit PlacedSurface(const MeshSDF<double>& mesh, const CutterOptions& options = {});
 
   /// Cells of a size that it cuts: about as many as its sheets have faces of cells in their
   /// shadows.
   [[nodiscard]] double expectedCells(const Vec3<double>& size) const;
 
-  Box<double> box;
+  Box<double> box;  ///< without baffles, as its measure
   SurfaceMeasure measure;
+  bool boundsBody = true;  ///< whether its volume is the body's: no images, no caps
+  bool isAllWall = true;   ///< and its area the walls', but for open patches: no baffles
   double openArea = 0;     ///< of open patches
   Vec3<double> projected;  ///< the areas of its shadows along the axes, all sheets counted
   std::size_t triangles = 0;
@@ -40,8 +39,9 @@ struct CellTotals {
   CutCellsReport found;
   std::size_t cells;
   std::size_t pieces;
-  std::optional<double> volumeError;  ///< relative; nothing if part of the surface is elsewhere
+  std::optional<double> volumeError;  ///< relative; nothing if the surface does not tell it
   std::optional<double> areaError;
+  std::string whyUnknown;  ///< why it does not
   double seconds = 0;
 };
 

@@ -6,7 +6,9 @@
 #include <Cutwater/Render/Slice.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 // renderCells().
 
@@ -54,13 +56,33 @@ void drawKey(Image& image, const PlotArea& plot, const PictureStyle& style) {
            style.upwardsText(detail::kLabels));
 }
 
-/// The width that all of these have; 0 if they differ.
-double widthOf(std::span<const double> planes) {
-  const double mean = (planes.back() - planes.front()) / static_cast<double>(planes.size() - 1);
-  for (std::size_t n = 1; n < planes.size(); ++n) {
-    if (std::abs(planes[n] - planes[n - 1] - mean) > 1e-6 * mean) return 0;
+/// The least and the largest width and height of cells.
+std::array<Interval<double>, 2> sizesIn(const CellLayer& layer) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::array<Interval<double>, 2> sizes{{{kNone, 0}, {kNone, 0}}};
+  layer.eachCell([&](const detail::ShownCell& cell) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double size = cell.rectangle.upper[i] - cell.rectangle.lower[i];
+      sizes[i] = {std::min(sizes[i].lower, size), std::max(sizes[i].upper, size)};
+    }
+  });
+  return sizes;
+}
+
+/// "cells of 0.1 x 0.2 m, ", or of leaves "cells of 0.1 to 0.4 m, "; nothing for cells that grow.
+std::string sizeNote(const CellLayer& layer, const std::string& unit) {
+  const auto [right, up] = sizesIn(layer);
+  const auto isOne = [](const Interval<double>& sizes) {
+    return sizes.upper - sizes.lower <= 2e-6 * sizes.upper;
+  };
+  const auto of = [](const Interval<double>& sizes) { return 0.5 * (sizes.lower + sizes.upper); };
+  if (isOne(right) && isOne(up)) {
+    const bool isSquare = std::abs(of(right) - of(up)) < 1e-6 * of(right);
+    return "cells of " + (isSquare ? "" : lengthLabel(of(right), "") + " x ") +
+           lengthLabel(of(up), unit) + ", ";
   }
-  return mean;
+  if (!layer.rows().areLeaves()) return {};
+  return "cells of " + lengthLabel(up.lower, "") + " to " + lengthLabel(up.upper, unit) + ", ";
 }
 
 /// The size of the cells, and what the marks mean.
@@ -75,15 +97,8 @@ void drawNote(Image& image, const PlotArea& plot, const CellLayer& layer,
     drawText(image, x, y, text, ink);
     x += textLength(text, ink.capHeight);
   };
-  const double right = widthOf(layer.planes(0));
-  const double up = widthOf(layer.planes(1));
   const auto counts = picture.counts();
-  const bool isSquare = std::abs(right - up) < 1e-6 * right;
-  const auto size = right > 0 && up > 0
-                        ? "cells of " + (isSquare ? "" : lengthLabel(right, "") + " x ") +
-                              lengthLabel(up, options.unit) + ", "
-                        : "";
-  say(size + std::to_string(counts.cut) + " cut");
+  say(sizeNote(layer, options.unit) + std::to_string(counts.cut) + " cut");
   const double middle = y - 0.5 * ink.capHeight;
   if (counts.multiPiece > 0) {
     x += style.px(20);
@@ -103,25 +118,16 @@ void drawNote(Image& image, const PlotArea& plot, const CellLayer& layer,
   }
 }
 
-}  // namespace
-
-Image renderCells(const CutCells& cells, int axis, std::int32_t index,
-                  const CellSliceOptions& options) {
-  require(options.width >= 320 && options.height >= 240,
-          "renderCells: need at least 320 x 240 pixels", Named{"width", options.width},
-          Named{"height", options.height});
-  const CellLayer layer(cells, axis, index);
+/// `axis`: across the layer.
+Image pictureOf(const CellLayer& layer, int axis, const CellSliceOptions& options) {
   Image image(options.width, options.height);
   const detail::SliceLayout layout(options.width, options.height);
   const PictureStyle style(options.width, options.height);
-  const auto across = layer.planes(0);
-  const auto upwards = layer.planes(1);
-  const SliceWindow<double> all{{across.front(), upwards.front()}, {across.back(), upwards.back()}};
-  const auto window = options.window.value_or(all);
+  const auto window = options.window.value_or(layer.window());
   const auto right = detail::checkedRange(window, 0);
   const auto up = detail::checkedRange(window, 1);
   const CellPlot plot(detail::fitted(layout.room(), right, up), right, up);
-  const CellPicture picture(cells, layer, plot, style);
+  const CellPicture picture(layer, plot, style);
   picture.drawCells(image);
   picture.drawGrid(image);
   picture.drawWall(image);
@@ -136,5 +142,31 @@ Image renderCells(const CutCells& cells, int axis, std::int32_t index,
   drawNote(image, plot.area(), layer, picture, options, style);
   return image;
 }
+
+void checkSize(const CellSliceOptions& options) {
+  require(options.width >= 320 && options.height >= 240,
+          "renderCells: need at least 320 x 240 pixels", Named{"width", options.width},
+          Named{"height", options.height});
+}
+
+}  // namespace
+
+Image renderCells(const CutCells& cells, int axis, std::int32_t index,
+                  const CellSliceOptions& options) {
+  checkSize(options);
+  return pictureOf(CellLayer(cells, axis, index), axis, options);
+}
+
+template <std::floating_point T>
+Image renderCells(const CutLeaves& leaves, const OctreeCells<T>& mesh, int axis, double at,
+                  const CellSliceOptions& options) {
+  checkSize(options);
+  return pictureOf(CellLayer(leaves, mesh, axis, at), axis, options);
+}
+
+template Image renderCells(const CutLeaves&, const OctreeCells<float>&, int, double,
+                           const CellSliceOptions&);
+template Image renderCells(const CutLeaves&, const OctreeCells<double>&, int, double,
+                           const CellSliceOptions&);
 
 }  // namespace cutwater

@@ -11,6 +11,7 @@
 namespace cutwater {
 
 struct CutCells;
+struct CutLeaves;
 
 /// A plane with coordinates (a, b) on it: the points origin + a right + b up.
 template <std::floating_point T>
@@ -84,11 +85,25 @@ struct CellSliceOptions {
 [[nodiscard]] Image renderCells(const CutCells& cells, int axis, std::int32_t layer,
                                 const CellSliceOptions& options = {});
 
+/// The same of the leaves of an octree that a plane meets, at their sizes: that across an axis, at
+/// this place on it. Where it lies between leaves, those above it are shown. `mesh`: the octree, or
+/// the part of one, whose leaves were cut. With one level, and in the middle of a layer, it is the
+/// picture of the grid's.
+/// @throws Error(Argument) unless there are leaves in the plane, of this octree, which were cut
+/// with their polygons; and as renderSlice() does.
+template <std::floating_point T>
+[[nodiscard]] Image renderCells(const CutLeaves& leaves, const OctreeCells<T>& mesh, int axis,
+                                double at, const CellSliceOptions& options = {});
+
 extern template struct SlicePlane<float>;
 extern template struct SlicePlane<double>;
 extern template Image renderSlice(const SignedDistanceFunction<float>&, const SlicePlane<float>&,
                                   const SliceOptions<float>&);
 extern template Image renderSlice(const SignedDistanceFunction<double>&, const SlicePlane<double>&,
                                   const SliceOptions<double>&);
+extern template Image renderCells(const CutLeaves&, const OctreeCells<float>&, int, double,
+                                  const CellSliceOptions&);
+extern template Image renderCells(const CutLeaves&, const OctreeCells<double>&, int, double,
+                                  const CellSliceOptions&);
 
 }  // namespace cutwater

@@ -10,6 +10,9 @@ namespace cutwater::detail {
 
 namespace {
 
+/// Of the way to a wall: walls that are so near to each other are the sides of a sheet.
+constexpr double kSheet = 1e-9;
+
 PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) {
   return {a[0] - b[0], a[1] - b[1]};
 }
@@ -23,8 +26,20 @@ double crossProduct(const PlanePoint& a, const PlanePoint& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
+std::int32_t& along(Index3& index, int axis) {
+  return axis == 0 ? index.i : axis == 1 ? index.j : index.k;
+}
 std::int32_t along(const Index3& index, int axis) {
   return axis == 0 ? index.i : axis == 1 ? index.j : index.k;
+}
+
+void requireAxis(int axis) {
+  require(axis >= 0 && axis <= 2, "renderCells: need an axis 0, 1 or 2", Named{"axis", axis});
+}
+
+void requirePolygons(const CellRows& rows) {
+  require(rows.pieceCount() == 0 || !rows.firstWallPolygon().empty(),
+          "renderCells: need cells that were cut with their polygons");
 }
 
 Vec3<double> areaVector(std::span<const Vec3<double>> polygon) {
@@ -87,47 +102,87 @@ CellSide SectionedCell::at(const PlanePoint& p) const {
   double first = 1;
   for (const auto& segment : segments) {
     const auto share = passage(p, way, segment);
-    if (!share || *share < 0 || *share >= first) continue;
-    first = *share;
+    if (!share || *share < 0 || *share >= first + kSheet) continue;
+    // The sides of a baffle are at one place: the one that faces the point is met.
+    const bool isFacing = product(way, segment.normal) < 0;
+    if (*share > first - kSheet && !isFacing) continue;
+    first = std::min(first, *share);
     target = &segment;
   }
   return {product(way, target->normal) < 0, target->piece};
 }
 
 CellLayer::CellLayer(const CutCells& cells, int axis, std::int32_t index)
-    : all_(cells), axis_(axis), index_(index), right_(axis == 0 ? 1 : 0), up_(axis == 2 ? 1 : 2) {
-  require(axis >= 0 && axis <= 2, "renderCells: need an axis 0, 1 or 2", Named{"axis", axis});
+    : rows_(cells),
+      grid_(&cells),
+      axis_(axis),
+      index_(index),
+      right_(axis == 0 ? 1 : 0),
+      up_(axis == 2 ? 1 : 2) {
+  requireAxis(axis);
   const auto box = cells.grid.indices();
   require(index >= along(box.lo, axis) && index <= along(box.hi, axis),
           "renderCells: need a layer of the cells", Named{"layer", index},
           Named{"first", along(box.lo, axis)}, Named{"last", along(box.hi, axis)});
-  require(cells.pieceCount == 0 || !cells.firstWallPolygon.empty(),
-          "renderCells: need cells that were cut with their polygons");
+  requirePolygons(rows_);
   const auto& planes = cells.grid.planes[static_cast<std::size_t>(axis)];
   const auto n = static_cast<std::size_t>(std::int64_t{index} - along(box.lo, axis) + 1);
-  extent_ = {planes[n], planes[n + 1]};
   middle_ = 0.5 * (planes[n] + planes[n + 1]);
+  window_ = {inPlane(cells.boxOf(box.lo).lower), inPlane(cells.boxOf(box.hi).upper)};
   for (std::uint32_t row = 0; row < cells.cellCount; ++row) {
     if (along(cells.cells.index[row], axis) == index) addSection(row);
   }
 }
 
-std::span<const double> CellLayer::planes(std::size_t i) const {
-  const auto& all = all_.grid.planes[static_cast<std::size_t>(i == 0 ? right_ : up_)];
-  return std::span(all).subspan(1, all.size() - 2);
+template <std::floating_point T>
+CellLayer::CellLayer(const CutLeaves& leaves, const OctreeCells<T>& mesh, int axis, double at)
+    : rows_(leaves), axis_(axis), right_(axis == 0 ? 1 : 0), up_(axis == 2 ? 1 : 2), middle_(at) {
+  requireAxis(axis);
+  require(leaves.classes.size() == mesh.cells().size(),
+          "renderCells: need the octree whose leaves were cut",
+          Named{"leaves", leaves.classes.size()}, Named{"cells", mesh.cells().size()});
+  requirePolygons(rows_);
+  Box<double> around;
+  for (std::uint32_t leaf = 0; leaf < leaves.classes.size(); ++leaf) {
+    const auto bounds = mesh.box(mesh.cells()[leaf]);
+    const Box<double> box{Vec3<double>(bounds.lower), Vec3<double>(bounds.upper)};
+    if (!(box.lower[axis] <= at && at < box.upper[axis])) continue;
+    const auto row = leaves.rowOf(leaf);
+    leaves_.push_back(
+        {{inPlane(box.lower), inPlane(box.upper)}, row, leaves.classes[leaf] == FluidClass::Fluid});
+    around.extend(box.lower);
+    around.extend(box.upper);
+    if (row != CutLeaves::kNoRow) addSection(row);
+  }
+  require(!leaves_.empty(), "renderCells: need leaves in the plane", Named{"axis", axis},
+          Named{"at", at});
+  window_ = {inPlane(around.lower), inPlane(around.upper)};
 }
+template CellLayer::CellLayer(const CutLeaves&, const OctreeCells<float>&, int, double);
+template CellLayer::CellLayer(const CutLeaves&, const OctreeCells<double>&, int, double);
 
-Index3 CellLayer::cellAt(std::size_t right, std::size_t up) const {
-  const auto box = all_.grid.indices();
-  std::array<std::int32_t, 3> at{};
-  at[static_cast<std::size_t>(axis_)] = index_;
-  at[static_cast<std::size_t>(right_)] = along(box.lo, right_) + static_cast<std::int32_t>(right);
-  at[static_cast<std::size_t>(up_)] = along(box.lo, up_) + static_cast<std::int32_t>(up);
-  return {at[0], at[1], at[2]};
+void CellLayer::eachCell(FunctionRef<void(const ShownCell&)> use) const {
+  for (const auto& leaf : leaves_) use(leaf);
+  if (grid_ == nullptr) return;
+  const auto box = grid_->grid.indices();
+  auto lo = box.lo;
+  auto hi = box.hi;
+  along(lo, axis_) = along(hi, axis_) = index_;
+  for (auto k = lo.k; k <= hi.k; ++k) {
+    for (auto j = lo.j; j <= hi.j; ++j) {
+      for (auto i = lo.i; i <= hi.i; ++i) {
+        const Index3 cell{i, j, k};
+        const auto bounds = grid_->boxOf(cell);
+        use({{inPlane(bounds.lower), inPlane(bounds.upper)},
+             grid_->rowOf(cell),
+             grid_->classOf(cell) == FluidClass::Fluid});
+      }
+    }
+  }
 }
 
 SliceWindow<double> CellLayer::rectangle(std::uint32_t row) const {
-  const auto box = all_.boxOf(all_.cells.index[row]);
+  const auto box = rows_.boxOf(row);
   return {inPlane(box.lower), inPlane(box.upper)};
 }
 
@@ -137,13 +192,14 @@ const SectionedCell& CellLayer::section(std::uint32_t row) const {
 
 void CellLayer::addSection(std::uint32_t row) {
   SectionedCell cell{.row = row, .segments = {}, .side = {}};
-  const auto& parts = all_.wallParts.piece;
-  for (auto piece = all_.cells.firstPiece[row]; piece < all_.cells.firstPiece[row + 1]; ++piece) {
+  const auto parts = rows_.wallParts();
+  const auto firstPolygon = rows_.firstWallPolygon();
+  for (auto piece = rows_.firstPiece(row); piece < rows_.firstPiece(row + 1); ++piece) {
     const auto [first, last] = std::equal_range(parts.begin(), parts.end(), piece);
     const auto from = static_cast<std::size_t>(first - parts.begin());
     const auto to = static_cast<std::size_t>(last - parts.begin());
-    for (auto n = all_.firstWallPolygon[from]; n < all_.firstWallPolygon[to]; ++n) {
-      addSegment(all_.wallPolygons.of(n), piece, cell);
+    for (auto n = firstPolygon[from]; n < firstPolygon[to]; ++n) {
+      addSegment(rows_.wallPolygons().of(n), piece, cell);
     }
   }
   if (cell.segments.empty()) cell.side = sideOf(cell);
@@ -169,28 +225,33 @@ void CellLayer::addSegment(std::span<const Vec3<double>> polygon, std::uint32_t 
   to.segments.push_back({ends[0], ends[1], inPlane(normal), piece});
 }
 
-/// Of a cell whose wall does not meet the plane: from its middle towards the wall.
+/// Of a cell whose wall does not meet the plane: from the middle of its part of it towards the
+/// wall.
 CellSide CellLayer::sideOf(const SectionedCell& cell) const {
-  const auto first = all_.cells.firstPiece[cell.row];
-  const auto last = all_.cells.firstPiece[cell.row + 1];
-  const auto& parts = all_.wallParts.piece;
+  const auto first = rows_.firstPiece(cell.row);
+  const auto last = rows_.firstPiece(cell.row + std::size_t{1});
+  const auto parts = rows_.wallParts();
+  const auto firstPolygon = rows_.firstWallPolygon();
   const auto from = std::ranges::lower_bound(parts, first) - parts.begin();
   const auto to = std::ranges::lower_bound(parts, last) - parts.begin();
-  const auto center = all_.boxOf(all_.cells.index[cell.row]).center();
+  auto center = rows_.boxOf(cell.row).center();
+  center[axis_] = middle_;
   std::optional<Vec3<double>> way;
   CellSide found{.isFluid = first < last, .piece = first < last ? first : CutCells::kNoRow};
   double nearest = std::numeric_limits<double>::infinity();
   for (auto part = from; part < to; ++part) {
     const auto p = static_cast<std::size_t>(part);
-    for (auto n = all_.firstWallPolygon[p]; n < all_.firstWallPolygon[p + 1]; ++n) {
-      const auto polygon = all_.wallPolygons.of(n);
+    for (auto n = firstPolygon[p]; n < firstPolygon[p + 1]; ++n) {
+      const auto polygon = rows_.wallPolygons().of(n);
       const auto normal = areaVector(polygon);
       if (!(dot(normal, normal) > 0)) continue;
       if (!way) way = meanOf(polygon) - center;
       const auto share = passage(center, *way, polygon, normal);
-      if (!share || *share < 0 || *share >= nearest) continue;
-      nearest = *share;
-      found = {dot(*way, normal) < 0, parts[p]};
+      if (!share || *share < 0 || *share >= nearest + kSheet) continue;
+      const bool isFacing = dot(*way, normal) < 0;
+      if (*share > nearest - kSheet && !isFacing) continue;
+      nearest = std::min(nearest, *share);
+      found = {isFacing, parts[p]};
     }
   }
   return found;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/Core/FunctionRef.hpp>
+#include <Cutwater/Render/Detail/CellRows.hpp>
 #include <Cutwater/Render/Slice.hpp>
 
 #include <array>
@@ -35,21 +36,31 @@ struct SectionedCell {
   [[nodiscard]] CellSide at(const PlanePoint& p) const;
 };
 
-/// One layer of cut cells, and the plane through its middle.
+/// A cell that the plane passes through, cut or not.
+struct ShownCell {
+  SliceWindow<double> rectangle;
+  std::uint32_t row = CutCells::kNoRow;  ///< kNoRow if it is not cut
+  bool isFluid = false;                  ///< all of it; of cells that are not cut
+};
+
+/// One layer of cut cells and the plane through its middle, or the leaves that a plane meets.
 class CellLayer {
  public:
   /// @param index  that of its cells along the axis.
   /// @throws Error(Argument) unless the box has such cells, and their polygons are kept.
   CellLayer(const CutCells& cells, int axis, std::int32_t index);
+  /// @param at  the plane's coordinate; of leaves on both sides of it, those above are shown.
+  /// @throws Error(Argument) unless there are leaves, of this octree, and their polygons are kept.
+  template <std::floating_point T>
+  CellLayer(const CutLeaves& leaves, const OctreeCells<T>& mesh, int axis, double at);
 
-  /// The plane's coordinate, and the layer's two ends.
+  /// The plane's coordinate.
   [[nodiscard]] double middle() const { return middle_; }
-  [[nodiscard]] const Interval<double>& extent() const { return extent_; }
-  /// The planes across one of the plane's coordinates, from one end of the box to the other.
-  [[nodiscard]] std::span<const double> planes(std::size_t i) const;
-  /// The cell at these places between planes.
-  [[nodiscard]] Index3 cellAt(std::size_t right, std::size_t up) const;
-  /// Its rectangle.
+  [[nodiscard]] const CellRows& rows() const { return rows_; }
+  /// All cells that are shown, and the rectangle around them.
+  void eachCell(FunctionRef<void(const ShownCell&)> use) const;
+  [[nodiscard]] const SliceWindow<double>& window() const { return window_; }
+  /// The rectangle of a cell that is cut.
   [[nodiscard]] SliceWindow<double> rectangle(std::uint32_t row) const;
 
   /// Those that are cut, in the order of their rows.
@@ -63,14 +74,19 @@ class CellLayer {
   [[nodiscard]] CellSide sideOf(const SectionedCell& cell) const;
   [[nodiscard]] PlanePoint inPlane(const Vec3<double>& p) const { return {p[right_], p[up_]}; }
 
-  const CutCells& all_;
+  CellRows rows_;
+  const CutCells* grid_ = nullptr;  // of cells; null for leaves
+  std::vector<ShownCell> leaves_;
   int axis_;
-  std::int32_t index_;
+  std::int32_t index_ = 0;
   int right_;
   int up_;
   double middle_ = 0;
-  Interval<double> extent_;
+  SliceWindow<double> window_{};
   std::vector<SectionedCell> sections_;
 };
+
+extern template CellLayer::CellLayer(const CutLeaves&, const OctreeCells<float>&, int, double);
+extern template CellLayer::CellLayer(const CutLeaves&, const OctreeCells<double>&, int, double);
 
 }  // namespace cutwater::detail

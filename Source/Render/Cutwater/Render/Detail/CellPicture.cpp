@@ -2,8 +2,9 @@
 #include <Cutwater/Render/Detail/ColorMap.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <map>
 
 namespace cutwater::detail {
 
@@ -23,11 +24,32 @@ constexpr double kFrameWidth = 2.0;  // around cells with several pieces
 constexpr double kDot = 3.4;         // the radius of that in thin cells
 constexpr double kLeastBetweenLines = 4;
 
-/// Which cell along an axis has this place; nothing beyond the box.
-std::optional<std::size_t> placeOf(std::span<const double> planes, double at) {
-  const auto after = std::ranges::upper_bound(planes, at) - planes.begin();
-  if (after == 0 || after == std::ssize(planes)) return {};
-  return static_cast<std::size_t>(after - 1);
+/// Lines across one axis: what is drawn of each, by its place.
+using LineParts = std::map<double, std::vector<Interval<double>>>;
+
+/// Parts that meet or overlap are one, so that a line looks alike whatever it is made of.
+std::vector<Interval<double>> joined(std::vector<Interval<double>> parts) {
+  std::ranges::sort(parts, {}, &Interval<double>::lower);
+  std::vector<Interval<double>> result;
+  for (const auto& part : parts) {
+    if (result.empty() || part.lower > result.back().upper) {
+      result.push_back(part);
+    } else {
+      result.back().upper = std::max(result.back().upper, part.upper);
+    }
+  }
+  return result;
+}
+
+/// Which of these places, in ascending order, are from `lower` up to `upper`.
+struct PixelRange {
+  int first, end;
+};
+PixelRange pixelsIn(std::span<const double> places, double lower, double upper) {
+  const auto at = [&](double x) {
+    return static_cast<int>(std::ranges::lower_bound(places, x) - places.begin());
+  };
+  return {at(lower), at(upper)};
 }
 
 }  // namespace
@@ -40,40 +62,48 @@ Rgb bodyColor(int x, int y, double scale) {
 
 void CellPicture::drawCells(Image& image) const {
   const auto& area = plot_.area();
-  std::vector<std::optional<std::size_t>> columns;
-  for (int x = 0; x < area.width; ++x) columns.push_back(placeOf(layer_.planes(0), plot_.a(x)));
-  for (int y = 0; y < area.height; ++y) {
-    const auto up = placeOf(layer_.planes(1), plot_.b(y));
-    for (int x = 0; x < area.width;) {
-      const auto& right = columns[static_cast<std::size_t>(x)];
-      int end = x + 1;
-      while (end < area.width && columns[static_cast<std::size_t>(end)] == right) ++end;
-      if (up && right) drawRow(image, layer_.cellAt(*right, *up), x, end, y);
-      x = end;
+  std::vector<double> across;
+  std::vector<double> upwards;
+  for (int x = 0; x < area.width; ++x) across.push_back(plot_.a(x));
+  for (int y = area.height - 1; y >= 0; --y) upwards.push_back(plot_.b(y));
+  layer_.eachCell([&](const ShownCell& cell) {
+    const auto& [lower, upper] = cell.rectangle;
+    const auto right = pixelsIn(across, lower[0], upper[0]);
+    const auto up = pixelsIn(upwards, lower[1], upper[1]);
+    if (right.first == right.end) return;
+    for (int n = up.first; n < up.end; ++n) {
+      drawRow(image, cell, right.first, right.end, area.height - 1 - n);
     }
-  }
+  });
 }
 
 void CellPicture::drawGrid(Image& image) const {
-  std::vector<Stroke> lines;
-  const auto add = [&](const Stroke& line) {
-    if (const auto shown = clipped(line, plot_.area())) lines.push_back(*shown);
-  };
-  const auto across = layer_.planes(0);
-  const auto upwards = layer_.planes(1);
   const double least = kLeastBetweenLines * std::max(style_.scale(), 1.0);
-  const auto isWide = [&](std::span<const double> planes, std::size_t n, double perUnit) {
-    return n == 0 || n + 1 == planes.size() || (planes[n + 1] - planes[n]) * perUnit >= least;
-  };
   const double perUnit = plot_.x(1) - plot_.x(0);
   const double perUnitUp = plot_.y(0) - plot_.y(1);
-  for (std::size_t n = 0; n < across.size(); ++n) {
-    if (!isWide(across, n, perUnit)) continue;
-    add(plot_.stroke({across[n], upwards.front()}, {across[n], upwards.back()}));
-  }
-  for (std::size_t n = 0; n < upwards.size(); ++n) {
-    if (!isWide(upwards, n, perUnitUp)) continue;
-    add(plot_.stroke({across.front(), upwards[n]}, {across.back(), upwards[n]}));
+  std::array<LineParts, 2> parts;  // across the plane's coordinates
+  const auto add = [&](const SliceWindow<double>& box, double leastRight, double leastUp) {
+    const auto& [lower, upper] = box;
+    for (const auto& end : {lower, upper}) {
+      if ((upper[0] - lower[0]) * perUnit >= leastRight) {
+        parts[0][end[0]].push_back({lower[1], upper[1]});
+      }
+      if ((upper[1] - lower[1]) * perUnitUp >= leastUp) {
+        parts[1][end[1]].push_back({lower[0], upper[0]});
+      }
+    }
+  };
+  add(layer_.window(), 0, 0);
+  layer_.eachCell([&](const ShownCell& cell) { add(cell.rectangle, least, least); });
+  std::vector<Stroke> lines;
+  for (const std::size_t across : {0U, 1U}) {
+    for (const auto& [place, some] : parts.at(across)) {
+      for (const auto& [lower, upper] : joined(some)) {
+        const auto line = across == 0 ? plot_.stroke({place, lower}, {place, upper})
+                                      : plot_.stroke({lower, place}, {upper, place});
+        if (const auto shown = clipped(line, plot_.area())) lines.push_back(*shown);
+      }
+    }
   }
   image.drawStrokes(lines, std::max(style_.scale(), 1.0), kGridLine);
 }
@@ -103,7 +133,7 @@ void CellPicture::drawMarks(Image& image) const {
     }
     least = std::min({least, box.x1 - box.x0, box.y1 - box.y0});
     if (pieces(cell.row) > 1) frames.push_back(box);
-    if (cells_.cells.isThin(cell.row)) {
+    if (layer_.rows().isThin(cell.row)) {
       dots.push_back({0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)});
     }
   }
@@ -139,38 +169,36 @@ CellCounts CellPicture::counts() const {
   CellCounts counts{.cut = layer_.cells().size()};
   for (const auto& cell : layer_.cells()) {
     counts.multiPiece += pieces(cell.row) > 1 ? 1 : 0;
-    counts.thin += cells_.cells.isThin(cell.row) ? 1 : 0;
+    counts.thin += layer_.rows().isThin(cell.row) ? 1 : 0;
   }
   return counts;
 }
 
 std::uint32_t CellPicture::pieces(std::uint32_t row) const {
-  return cells_.cells.firstPiece[row + std::size_t{1}] - cells_.cells.firstPiece[row];
+  return layer_.rows().firstPiece(row + std::size_t{1}) - layer_.rows().firstPiece(row);
 }
 
 double CellPicture::shareOf(std::uint32_t row) const {
   double sum = 0;
   for (std::uint32_t n = 0; n < pieces(row); ++n) {
-    sum += cells_.volumeFraction(cells_.cells.firstPiece[row] + n);
+    sum += layer_.rows().volumeFraction(layer_.rows().firstPiece(row) + n);
   }
   return sum;
 }
 
-void CellPicture::drawRow(Image& image, const Index3& cell, int x0, int x1, int y) const {
+void CellPicture::drawRow(Image& image, const ShownCell& cell, int x0, int x1, int y) const {
   const auto& area = plot_.area();
-  const auto row = cells_.rowOf(cell);
-  const bool isFluid = row == CutCells::kNoRow && cells_.classOf(cell) == FluidClass::Fluid;
-  const auto* const section = row == CutCells::kNoRow ? nullptr : &layer_.section(row);
-  const double share = section == nullptr ? 0 : shareOf(row);
+  const auto* const section = cell.row == CutCells::kNoRow ? nullptr : &layer_.section(cell.row);
+  const double share = section == nullptr ? 0 : shareOf(cell.row);
   for (int x = x0; x < x1; ++x) {
     const auto body = bodyColor(x, y, style_.scale());
     auto& pixel = image.at(area.x0 + x, area.y0 + y);
     if (section == nullptr) {
-      pixel = isFluid ? kFluidColor : body;
+      pixel = cell.isFluid ? kFluidColor : body;
       continue;
     }
     const auto side = section->at({plot_.a(x), plot_.b(y)});
-    pixel = fluidFractionColor(side.isFluid ? cells_.volumeFraction(side.piece) : share);
+    pixel = fluidFractionColor(side.isFluid ? layer_.rows().volumeFraction(side.piece) : share);
     if (!side.isFluid) pixel = blended(pixel, body, kBodyTint);
   }
 }

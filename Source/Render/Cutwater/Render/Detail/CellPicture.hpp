@@ -52,12 +52,11 @@ struct CellCounts {
 /// Draws a layer of cells. Refers to what it is made of.
 class CellPicture {
  public:
-  CellPicture(const CutCells& cells, const CellLayer& layer, const CellPlot& plot,
-              const PictureStyle& style)
-      : cells_(cells), layer_(layer), plot_(plot), style_(style) {}
+  CellPicture(const CellLayer& layer, const CellPlot& plot, const PictureStyle& style)
+      : layer_(layer), plot_(plot), style_(style) {}
 
   void drawCells(Image& image) const;
-  /// Lines of the grid, unless they are too close to each other to tell cells apart.
+  /// The sides of cells, unless they are too close to each other to tell cells apart.
   void drawGrid(Image& image) const;
   void drawWall(Image& image) const;
   void drawMarks(Image& image) const;
@@ -75,9 +74,8 @@ class CellPicture {
   /// Of all fluid in the cell.
   [[nodiscard]] double shareOf(std::uint32_t row) const;
   /// The pixels [x0, x1) of a line that lie in a cell.
-  void drawRow(Image& image, const Index3& cell, int x0, int x1, int y) const;
+  void drawRow(Image& image, const ShownCell& cell, int x0, int x1, int y) const;
 
-  const CutCells& cells_;
   const CellLayer& layer_;
   const CellPlot& plot_;
   const PictureStyle& style_;
