@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/CutCells/Detail/Surface/CapAngles.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/GridPlanes.hpp>
 
 #include <algorithm>
 #include <tuple>
