@@ -74,6 +74,10 @@ TEST(DocsTest, TubesWithoutEnds) {
   EXPECT_NEAR(check(cells).fluidVolume, 0.5 * 12 * 0.5 * 0.09 * std::sin(std::numbers::pi / 6),
               1e-15);
   EXPECT_EQ(cells.patchNames.back(), "cap");
+  // [DOCS
+  const auto disputed = cutter.disputedCells(cells);  // sorted as rows, cut or not
+  // DOCS]
+  EXPECT_EQ(disputed.size(), 4U);  // those in the tube
 }
 
 TEST(DocsTest, DuctsWithOpenEnds) {

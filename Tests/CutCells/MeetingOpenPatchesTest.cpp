@@ -22,7 +22,6 @@ namespace cutwater::test {
 namespace {
 
 const Box<double> kDuct{{0.25, 0.3, 0.35}, {0.75, 0.61, 0.72}};
-const CutterOptions kEndsOpen{.openPatches = {"inlet", "outlet"}};
 
 /// The ends of the first box are open, where they are not within others.
 struct OpenUnion {

@@ -48,6 +48,9 @@ inline Solid<double> ductOf(const PolygonSoup& soup) {
       })));
 }
 
+/// With these open.
+inline const CutterOptions kEndsOpen{.openPatches = {"inlet", "outlet"}};
+
 /// Whether an arc is a part of an open patch.
 inline bool isOpenPatch(const CutCells& cells, std::size_t arc) {
   return cells.openArcs.patchOf(static_cast<std::uint32_t>(arc)) != CutCells::kNoRow;

@@ -27,8 +27,6 @@
 namespace cutwater::test {
 namespace {
 
-const CutterOptions kEndsOpen{.openPatches = {"inlet", "outlet"}};
-
 /// From x = 1/4 to 3/4; its sides are between planes.
 PolygonSoup duct(int n = 1) {
   return tessellation::box({0.25, 0.3, 0.35}, {0.75, 0.61, 0.72}, n);

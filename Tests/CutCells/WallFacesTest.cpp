@@ -2,6 +2,7 @@
 
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/CutCells/CutLeaves.hpp>
+#include <Cutwater/Grid/Octree.hpp>
 
 #include <cmath>
 #include <functional>
@@ -185,6 +186,50 @@ TEST(WallFacesTest, BasesOfPrismsAreInTheFacesThatHaveAnAreaOfThem) {
         ASSERT_EQ(flat.cells.wallFaces[row], cells.cells.wallFaces[same] & 0xfU);
       }
     }
+  }
+}
+
+/// Those across the faces of a box; not those at its edges and corners.
+TEST(WallFacesTest, CellsAroundABoxInPlanesAreTouchedOnly) {
+  const std::vector<double> planes{-0.3, 0.1, 0.4, 0.77, 1.3, 1.9};
+  const auto grid = cellsBetween({planes, planes, planes});
+  const auto soup = tessellation::box({0.1, 0.1, 0.1}, {0.77, 0.77, 0.77});
+  const CellCutter cutter(solidOf(soup));
+  const auto cells = cutter.cut(grid);
+  ASSERT_EQ(cells.cellCount, 24U);
+  for (std::uint32_t row = 0; row < cells.cellCount; ++row) {
+    const auto [i, j, k] = cells.cells.index[row];
+    int beside = 0;
+    for (const int n : {i, j, k}) beside += n == 0 || n == 3 ? 1 : 0;
+    EXPECT_EQ(beside, 1);
+    EXPECT_TRUE(cells.isTouchedOnly(row));
+  }
+  EXPECT_EQ(check(cells).touchedCells, 24U);
+  for (const Index3& edge : {Index3{0, 0, 1}, Index3{3, 3, 3}}) {
+    EXPECT_EQ(cells.rowOf(edge), CutCells::kNoRow);
+    EXPECT_EQ(cells.classOf(edge), FluidClass::Fluid);
+  }
+  // From within, each cell of the box is.
+  EXPECT_EQ(check(CellCutter(solidOf(soup), FluidSide::Inside).cut(grid)).touchedCells, 8U);
+  // Not with a body in the cell as well, nor with a wall between planes; but beside that.
+  const auto pin = tessellation::box({0.3, 0.8, 0.3}, {0.35, 0.9, 0.35});
+  EXPECT_EQ(check(CellCutter(solidOf(joined({soup, pin}))).cut(grid)).touchedCells, 23U);
+  const auto high = tessellation::box({0.1, 0.1, 0.1}, {0.77, 0.77, 0.8});
+  EXPECT_EQ(check(CellCutter(solidOf(high)).cut(grid)).touchedCells, 24U - 4U + 8U);
+  const auto ulp = tessellation::box({0.1, 0.1, 0.1}, {0.77, 0.77, std::nextafter(0.77, 1.0)});
+  const auto above = CellCutter(solidOf(ulp)).cut(grid);
+  ASSERT_NE(above.rowOf({1, 1, 3}), CutCells::kNoRow);
+  EXPECT_FALSE(above.isTouchedOnly(above.rowOf({1, 1, 3})));
+}
+
+TEST(WallFacesTest, LeavesAroundABoxInPlanesAreTouchedOnly) {
+  const auto soup = tessellation::box({0.25, 0.25, 0.25}, {0.75, 0.75, 0.75});
+  const Octree<double> mesh(solidOf(soup), OctreeDomain<double>({0, 0, 0}, 0.25, {4, 4, 4}),
+                            {.cut = 0});
+  const auto leaves = CellCutter(solidOf(soup)).cut(mesh);
+  EXPECT_EQ(check(leaves).touchedCells, 24U);
+  for (std::uint32_t row = 0; row < leaves.cut.leaf.size(); ++row) {
+    EXPECT_TRUE(leaves.isTouchedOnly(row));
   }
 }
 

@@ -2,6 +2,7 @@
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafAssembly.hpp>
 #include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
+#include <Cutwater/CutCells/Detail/Surface/CapAngles.hpp>
 #include <Cutwater/CutCells/Detail/Surface/SurfaceOfSolid.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/PlaneCut.hpp>
 
@@ -85,8 +86,13 @@ std::vector<std::unique_ptr<const TileCut>> cutAll(const CutBlocks& tiles,
 }  // namespace
 
 template <std::floating_point T>
-CellCutter::CellCutter(const Solid<T>& solid, FluidSide side, const CutterOptions& options)
-    : surface_(surfaceOf(solid, side, options)) {}
+CellCutter::CellCutter(const Solid<T>& solid, FluidSide side, const CutterOptions& options) {
+  HoleCaps caps;
+  surface_ = surfaceOf(solid, side, options, caps);
+  if (!caps.triangles.empty()) {
+    caps_ = std::make_shared<const CapAngles>(caps, surface_->frame());
+  }
+}
 
 CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);

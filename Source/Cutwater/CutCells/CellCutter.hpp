@@ -13,6 +13,7 @@
 
 namespace cutwater {
 
+class CapAngles;
 class CutSurface;
 
 /// Options of CellCutter::cut().
@@ -123,11 +124,26 @@ class CellCutter {
   [[nodiscard]] CutCells cutInPlane(const CellPlanes& grid, double z,
                                     const CutOptions& options = {}) const;
 
+  /// The cells in which caps and a MeshSDF of the open surface may disagree: those that have points
+  /// in the body where the winding number without caps, by which a MeshSDF decides, is below 1/2 -
+  /// 1/4096, or points outside of it where that is above 1/2 + 1/4096. Sorted as rows are, cut or
+  /// not; empty if there are no caps.
+  ///
+  /// Every cell that has such points is among them. Some others are, near such points, but none
+  /// because of caps in one plane alone, within single precision: see Docs/cut-cells.md. Time grows
+  /// with the cells near caps.
+  /// @param cells  what cut() gave for boxes of cells, or coarsened() of that.
+  /// @param options  see ParallelOptions.
+  /// @throws Error(Argument) if there is a period.
+  [[nodiscard]] std::vector<Index3> disputedCells(const CutCells& cells,
+                                                  const ParallelOptions& options = {}) const;
+
  private:
   template <std::floating_point T>
   [[nodiscard]] CellPlanes gridOf(const GridPatch<T>& gridPatch) const;
 
   std::shared_ptr<const CutSurface> surface_;
+  std::shared_ptr<const CapAngles> caps_;  // null: there are none
 };
 
 /// The planes between the cells of a grid patch; around its control volumes, if it has nodes.

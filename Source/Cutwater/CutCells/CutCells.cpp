@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
+#include <Cutwater/CutCells/Detail/Rows/CutRows.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,10 @@ FluidClass CutCells::classOf(const Index3& cell) const {
       std::ranges::upper_bound(bodyRuns, number, {}, [](const auto& run) { return run[0]; });
   const bool isBody = after != bodyRuns.begin() && number < (*(after - 1))[1];
   return isBody ? FluidClass::Body : FluidClass::Fluid;
+}
+
+bool CutCells::isTouchedOnly(std::uint32_t row) const {
+  return isOnlyTouched(*this, row);
 }
 
 Box<double> CutCells::boxOf(const Index3& cell) const {

@@ -199,6 +199,10 @@ struct CutCells {
   /// Where a cell of the box lies; never Unknown. A cell that the surface merely touches is not
   /// cut.
   [[nodiscard]] FluidClass classOf(const Index3& cell) const;
+  /// Whether the surface only touches the cell of a row: it is all fluid, in one piece, but for
+  /// rounding, and all of its wall lies in its faces. Cells that are touched in points and along
+  /// edges alone have no row. Never where triangles meet, as a baffle takes no volume.
+  [[nodiscard]] bool isTouchedOnly(std::uint32_t row) const;
   /// The row of a cell of the box; kNoRow if it is not cut.
   [[nodiscard]] std::uint32_t rowOf(const Index3& cell) const;
   /// The closed box of a cell of the box, or around it.
@@ -313,6 +317,7 @@ struct CutCellsReport {
   std::size_t thinCells = 0;     ///< see CutCells::Cells::isThin()
   std::size_t meetingCells = 0;  ///< see CutCells::Cells::meets
   std::size_t planeCells = 0;    ///< with walls in planes of the grid: CutCells::Cells::wallFaces
+  std::size_t touchedCells = 0;  ///< see CutCells::isTouchedOnly()
   /// The largest length of the sum of a piece's apertures and wall, over the area of its cell's
   /// largest face: 0 but for rounding.
   double worstClosure = 0;

@@ -62,6 +62,7 @@ void checkRanges(const Cut& cut, CutCellsReport& report) {
     }
     if (!(fluid <= size.x * size.y * size.z * (1 + kSlack))) ++report.outOfRange;
     if (rows.isThin(row)) ++report.thinCells;
+    if (isOnlyTouched(cut, row)) ++report.touchedCells;
     if (rows.firstPiece[row + 1] > rows.firstPiece[row] + 1) ++report.multiPieceCells;
   }
   const auto& arcs = cut.arcs;

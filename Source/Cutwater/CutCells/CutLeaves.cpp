@@ -1,4 +1,5 @@
 #include <Cutwater/CutCells/CutLeaves.hpp>
+#include <Cutwater/CutCells/Detail/Rows/CutRows.hpp>
 
 #include <algorithm>
 
@@ -9,6 +10,10 @@ std::uint32_t CutLeaves::rowOf(std::uint32_t leaf) const {
   return found != cut.leaf.end() && *found == leaf
              ? static_cast<std::uint32_t>(found - cut.leaf.begin())
              : kNoRow;
+}
+
+bool CutLeaves::isTouchedOnly(std::uint32_t row) const {
+  return isOnlyTouched(*this, row);
 }
 
 double CutLeaves::leafVolume(std::uint32_t row) const {

@@ -73,6 +73,8 @@ struct CutLeaves {
 
   /// The row of a leaf; kNoRow if it is not cut.
   [[nodiscard]] std::uint32_t rowOf(std::uint32_t leaf) const;
+  /// As CutCells::isTouchedOnly().
+  [[nodiscard]] bool isTouchedOnly(std::uint32_t row) const;
   /// The volume of a leaf that is cut, by its row.
   [[nodiscard]] double leafVolume(std::uint32_t row) const;
   /// The share that a piece has of its leaf, from 0 to 1.

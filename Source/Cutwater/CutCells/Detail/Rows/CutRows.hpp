@@ -1,10 +1,11 @@
-// What check() asks of cut cells and of cut leaves alike.
+// What is asked of cut cells and of cut leaves alike.
 #pragma once
 
 #include <Cutwater/CutCells/CutCells.hpp>
 #include <Cutwater/CutCells/CutLeaves.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cutwater {
 
@@ -40,6 +41,31 @@ template <typename Cut>
 double largestFace(const Cut& cut, std::size_t row) {
   const auto size = boxOfRow(cut, row).size();
   return std::max({size.y * size.z, size.z * size.x, size.x * size.y});
+}
+
+/// See CutCells::isTouchedOnly(). Walls in faces add up to the components of their vector, where no
+/// two of the faces are opposite ones.
+template <typename Cut>
+bool isOnlyTouched(const Cut& cut, std::size_t row) {
+  constexpr double kRounding = 1e-12;
+  const auto& rows = rowsOf(cut);
+  const auto piece = rows.firstPiece[row];
+  const unsigned faces = rows.wallFaces[row];
+  if (faces == 0 || rows.meets[row] != 0 || rows.firstPiece[row + 1] != piece + 1) return false;
+  const auto size = boxOfRow(cut, row).size();
+  const double whole = size.x * size.y * size.z;
+  if (cut.pieces.volume[piece] < (1 - kRounding) * whole) return false;
+  const double rounding = kRounding * largestFace(cut, row);
+  double most = rounding;  // that walls in the faces may have
+  double least = -rounding;
+  for (int axis = 0; axis < 3; ++axis) {
+    const unsigned ofAxis = faces >> static_cast<unsigned>(2 * axis) & 3U;
+    const double part = std::abs(cut.pieces.wallVector[piece][axis]);
+    if (ofAxis == 0 && part > rounding) return false;
+    least += part;
+    most += ofAxis == 3 ? 2 * whole / size[axis] : part;
+  }
+  return least <= cut.pieces.wallArea[piece] && cut.pieces.wallArea[piece] <= most;
 }
 
 /// Of the face that an arc lies in.

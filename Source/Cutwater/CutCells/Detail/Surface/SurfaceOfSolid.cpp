@@ -1,7 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/Detail/Surface/SurfaceOfSolid.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
-#include <Cutwater/Surface/Detail/HoleCaps.hpp>
 #include <Cutwater/Triangles/OpenEdges.hpp>
 
 #include <algorithm>
@@ -68,10 +67,10 @@ PolygonSoup placed(const Solid<T>& solid, PolygonSoup soup) {
   return soup;
 }
 
-/// Closes the holes of triangles whose points are all different.
-void addCaps(PolygonSoup& soup) {
+/// Closes the holes of triangles whose points are all different, by caps that it returns.
+HoleCaps addCaps(PolygonSoup& soup) {
   const auto edges = openEdgesOf(soup);
-  const auto caps = capHoles<double>(soup.points, edges);
+  auto caps = capHoles<double>(soup.points, edges);
   const auto first = static_cast<std::uint32_t>(soup.points.size());
   const auto patch = static_cast<std::uint32_t>(soup.patchNames.size());
   soup.patchNames.emplace_back("cap");
@@ -81,25 +80,27 @@ void addCaps(PolygonSoup& soup) {
     soup.patches.back() = patch;
   }
   weldExactly(soup);
+  return caps;
 }
 
 /// The triangles that bound a body, in the world.
 struct Walls {
   PolygonSoup triangles;
   MeetingsOf meetings = MeetingsOf::None;
+  HoleCaps caps = {};  ///< among the triangles
 };
 
 template <std::floating_point T>
 Walls wallsOf(const Solid<T>& solid, const MeshSDF<T>& mesh, const CutterOptions& options) {
   const auto& signs = mesh.signReport();
-  Walls walls{placed(solid, mesh.soup()), MeetingsOf::None};
+  Walls walls{.triangles = placed(solid, mesh.soup())};
   if (!signs.isSound()) {
     walls.meetings = MeetingsOf::All;
   } else if (signs.shells > 1) {
     walls.meetings = MeetingsOf::Shells;
   }
   checkSigns(signs, walls.triangles, options);
-  if (!signs.isClosed()) addCaps(walls.triangles);
+  if (!signs.isClosed()) walls.caps = addCaps(walls.triangles);
   return walls;
 }
 
@@ -147,9 +148,11 @@ Walls wallsAndBaffles(const Solid<T>& solid, const CutterOptions& options) {
 
 template <std::floating_point T>
 std::shared_ptr<const CutSurface> surfaceOf(const Solid<T>& solid, FluidSide side,
-                                            const CutterOptions& options) {
-  auto [triangles, meetings] = options.baffles.empty() ? wallsOf(solid, meshOf(solid), options)
-                                                       : wallsAndBaffles(solid, options);
+                                            const CutterOptions& options, HoleCaps& caps) {
+  auto walls = options.baffles.empty() ? wallsOf(solid, meshOf(solid), options)
+                                       : wallsAndBaffles(solid, options);
+  auto& [triangles, meetings, ownCaps] = walls;
+  caps = std::move(ownCaps);
   const auto open = patchesCalled(options.openPatches, triangles.patchNames, PatchRole::Open);
   const auto baffles = patchesCalled(options.baffles, triangles.patchNames, PatchRole::Baffle);
   for (const auto patch : open) {
@@ -167,8 +170,8 @@ std::shared_ptr<const CutSurface> surfaceOf(const Solid<T>& solid, FluidSide sid
 }
 
 template std::shared_ptr<const CutSurface> surfaceOf(const Solid<float>&, FluidSide,
-                                                     const CutterOptions&);
+                                                     const CutterOptions&, HoleCaps&);
 template std::shared_ptr<const CutSurface> surfaceOf(const Solid<double>&, FluidSide,
-                                                     const CutterOptions&);
+                                                     const CutterOptions&, HoleCaps&);
 
 }  // namespace cutwater
