@@ -192,9 +192,9 @@ static cw_solid* cubeWithSail(void) {
 static void baffles(void) {
   static const double x[3] = {-0.5, 0.4, 1.5};
   static cw_cutter_options options;
-  const char* const names[1] = {"sail"};
-  const char* const unknown[1] = {"flag"};
-  const char* const missing[1] = {NULL};
+  static const char* const names[1] = {"sail"};
+  static const char* const unknown[1] = {"flag"};
+  static const char* const missing[1] = {NULL};
   const cw_planes planes = {{x, x, x}, {3, 3, 3}, {0, 0, 0}};
   cw_solid* cube = cubeWithSail();
   cw_cutter *cutter = NULL, *none = NULL;

@@ -32,39 +32,54 @@ CutCells cut(const Solid<double>& solid, FluidSide side = FluidSide::Outside) {
       .cut(GridPatch<double>{level, IndexBox::ofSize(20, 20, 20)}, {.polygons = true});
 }
 
-TEST(CellLayerTest, SidesAreThoseOfTheSolid) {
-  const auto solid = ringPlateAndWire();
-  std::mt19937 random(2);
-  std::uniform_real_distribution<double> share(0, 1);
-  for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
-    const auto cells = cut(solid, side);
-    std::size_t withoutSegments = 0;
-    std::size_t body = 0;
-    std::size_t fluid = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      for (std::int32_t index = 0; index < 20; ++index) {
-        const detail::CellLayer layer(cells, axis, index);
-        for (const auto& cell : layer.cells()) {
-          withoutSegments += cell.segments.empty() ? 1 : 0;
-          const auto [lower, upper] = layer.rectangle(cell.row);
-          for (int n = 0; n < 10; ++n) {
-            const detail::PlanePoint p{lower[0] + share(random) * (upper[0] - lower[0]),
-                                       lower[1] + share(random) * (upper[1] - lower[1])};
-            const auto plane = SlicePlane<double>::across(axis, layer.middle());
-            const auto distance =
-                solid.signedDistance(plane.origin + p[0] * plane.right + p[1] * plane.up);
-            if (std::abs(distance) < 1e-9) continue;
-            const bool isFluid = (distance > 0) == (side == FluidSide::Outside);
-            const auto found = cell.at(p);
-            ASSERT_EQ(found.isFluid, isFluid) << axis << ' ' << index << ' ' << distance;
-            ++(isFluid ? fluid : body);
-          }
-        }
+/// Points of a layer's cells, against the sign of the solid.
+class LayerSides {
+ public:
+  LayerSides(const Solid<double>& solid, FluidSide side) : solid_(solid), side_(side) {}
+
+  void check(const detail::CellLayer& layer, int axis) {
+    for (const auto& cell : layer.cells()) {
+      withoutSegments += cell.segments.empty() ? 1 : 0;
+      const auto [lower, upper] = layer.rectangle(cell.row);
+      for (int n = 0; n < 10; ++n) {
+        const detail::PlanePoint p{lower[0] + share_(random_) * (upper[0] - lower[0]),
+                                   lower[1] + share_(random_) * (upper[1] - lower[1])};
+        const auto plane = SlicePlane<double>::across(axis, layer.middle());
+        const auto distance =
+            solid_.signedDistance(plane.origin + p[0] * plane.right + p[1] * plane.up);
+        if (std::abs(distance) < 1e-9) continue;
+        const bool isFluid = (distance > 0) == (side_ == FluidSide::Outside);
+        const auto found = cell.at(p);
+        ASSERT_EQ(found.isFluid, isFluid) << axis << ' ' << layer.middle() << ' ' << distance;
+        ++(isFluid ? fluid : body);
       }
     }
-    EXPECT_GT(withoutSegments, 50U);
-    EXPECT_GT(body, 1000U);
-    EXPECT_GT(fluid, 1000U);
+  }
+
+  std::size_t withoutSegments = 0;
+  std::size_t body = 0;
+  std::size_t fluid = 0;
+
+ private:
+  const Solid<double>& solid_;
+  FluidSide side_;
+  std::mt19937 random_{2};
+  std::uniform_real_distribution<double> share_{0, 1};
+};
+
+TEST(CellLayerTest, SidesAreThoseOfTheSolid) {
+  const auto solid = ringPlateAndWire();
+  for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+    const auto cells = cut(solid, side);
+    LayerSides sides(solid, side);
+    for (int axis = 0; axis < 3; ++axis) {
+      for (std::int32_t index = 0; index < 20; ++index) {
+        ASSERT_NO_FATAL_FAILURE(sides.check(detail::CellLayer(cells, axis, index), axis));
+      }
+    }
+    EXPECT_GT(sides.withoutSegments, 50U);
+    EXPECT_GT(sides.body, 1000U);
+    EXPECT_GT(sides.fluid, 1000U);
   }
 }
 
