@@ -47,7 +47,7 @@ namespace {
 class OwnLeaves {
  public:
   OwnLeaves(const LeafGrid& grid, const LeafBlock& block, int level)
-      : planes_(grid, level, block.first), numbers_(sizesOf(planes_.view())) {
+      : planes_(grid, level, block.first), numbers_(planes_.view().sizes()) {
     leafOf_.assign(numbers_.cellCount(), LeafGrid::kNoLeaf);
     for (auto leaf = block.firstLeaf; leaf < block.lastLeaf; ++leaf) {
       const auto& [index, itsLevel, kind] = grid.leaves()[leaf];
@@ -74,10 +74,6 @@ class OwnLeaves {
   }
 
  private:
-  static TilePlace sizesOf(const GridPlanes& planes) {
-    return {planes.cells(0), planes.cells(1), planes.cells(2)};
-  }
-
   BlockPlanes planes_;
   TileNumbers numbers_;
   CellMask wanted_;

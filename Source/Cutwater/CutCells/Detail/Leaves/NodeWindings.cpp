@@ -36,7 +36,7 @@ class WindingWays {
   WindingWays(const CutSurface& surface, const GridPlanes& planes)
       : surface_(surface),
         planes_(planes),
-        numbers_({planes.cells(0), planes.cells(1), planes.cells(2)}),
+        numbers_(planes.sizes()),
         windings_(numbers_.nodeCount()) {}
 
   void add(std::uint32_t triangle) {
@@ -114,7 +114,7 @@ std::vector<std::int32_t> nodeWindings(const CutSurface& surface, const GridPlan
 std::vector<std::uint32_t> trianglesAtCells(const CutSurface& surface, const GridPlanes& planes,
                                             std::span<const std::uint32_t> triangles,
                                             const CellMask& wanted) {
-  const TileNumbers numbers({planes.cells(0), planes.cells(1), planes.cells(2)});
+  const TileNumbers numbers(planes.sizes());
   const auto isAtCell = [&](std::uint32_t id) {
     const auto& box = surface.box(id);
     std::array<Range, 3> at;

@@ -196,7 +196,7 @@ class Assembly {
       const auto ofBox = asIndex(first[a] + number);
       return std::pair(planes.at(axis, number), out_.grid.planes[a][ofBox]);
     };
-    const TilePlace cells{planes.cells(0), planes.cells(1), planes.cells(2)};
+    const auto cells = planes.sizes();
     const auto frame = frameOf(tile);
     for (const auto& point : polygon) {
       to.points.push_back(inWorld(point, frame, within, cells, planeOf));

@@ -49,10 +49,12 @@ struct GridPlanes {
   Vec3<double> seam{kNever, kNever, kNever};
   Vec3<double> period = {};
 
-  /// The number of cells between planes.
+  /// The number of cells between planes along an axis.
   [[nodiscard]] int cells(int axis) const {
     return static_cast<int>(positions[asIndex(axis)].size()) - 1;
   }
+  /// Along all of them.
+  [[nodiscard]] std::array<std::int32_t, 3> sizes() const { return {cells(0), cells(1), cells(2)}; }
   [[nodiscard]] double at(int axis, int plane) const {
     return positions[asIndex(axis)][static_cast<std::size_t>(plane)];
   }

@@ -54,7 +54,7 @@ TileSurface::TileSurface(const MovedSurface& surface, std::span<const std::uint3
                          std::span<const std::uint32_t> triangles, const GridPlanes& planes,
                          std::span<const SheetKind> kinds, std::span<const OpenKind> openKinds)
     : surface_(surface),
-      numbers_({planes.cells(0), planes.cells(1), planes.cells(2)}),
+      numbers_(planes.sizes()),
       patches_(patches),
       kinds_(kinds),
       openKinds_(openKinds) {
