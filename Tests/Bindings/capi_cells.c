@@ -229,7 +229,8 @@ static void baffles(void) {
   REFUSED(cw_make_cutter(cube, &options, &none), CW_ERROR_ARGUMENT, "baffles is NULL");
   options.baffles = names;
   options.period[0] = 2;
-  REFUSED(cw_make_cutter(cube, &options, &none), CW_ERROR_ARGUMENT, "no baffles with a period");
+  CHECK(cw_make_cutter(cube, &options, &cutter) == CW_OK);
+  cw_free_cutter(cutter);
   cw_free(cube);
 }
 

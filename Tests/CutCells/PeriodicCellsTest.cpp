@@ -57,6 +57,48 @@ TEST(PeriodicCellsTest, BallsThatCrossTheBoundaryKeepTheirVolume) {
   }
 }
 
+/// A ball, and a parallelogram as a baffle.
+Solid<double> ballAndFin(const Vec3<double>& corner, const Vec3<double>& u, const Vec3<double>& v) {
+  auto soup = ball(0.2, {0.5, 0.55, 0.52});
+  soup.patchNames = {"ball", "fin"};
+  const auto first = static_cast<std::uint32_t>(soup.points.size());
+  for (const auto& p : {corner, corner + u, corner + u + v, corner + v}) soup.points.push_back(p);
+  soup.addPolygon(std::array{first, first + 1, first + 2}, 1);
+  soup.addPolygon(std::array{first, first + 2, first + 3}, 1);
+  return solidOf(soup);
+}
+
+TEST(PeriodicCellsTest, BafflesThatCrossTheBoundaryRepeatToTheBit) {
+  for (const auto& [corner, u, v] : {
+           std::array<Vec3<double>, 3>{{{0.8, 0.1, 0.2}, {0.3, 0.1, 0.05}, {0.1, 0.5, 0.4}}},
+           std::array<Vec3<double>, 3>{{{0.7, 0.25, 0.25}, {0.5, 0, 0}, {0, 0, 0.5}}},
+           std::array<Vec3<double>, 3>{{{1, 0.25, 0.25}, {0, 0.5, 0}, {0, 0, 0.5}}},  // in the end
+       }) {
+    for (const auto& period : {Vec3<double>{1, 0, 0}, Vec3<double>{1, 1, 1}}) {
+      const CellCutter cutter(ballAndFin(corner, u, v), FluidSide::Outside,
+                              {.baffles = {"fin"}, .period = period});
+      expectRepeats(cutter, 4, 0, {.polygons = true});
+      expectRepeats(cutter, 7, 0.05, {.moments = 2});
+      const auto cells = cutter.cut(GridPatch<double>{Level<double>({0, 0, 0}, {0.25, 0.25, 0.25}),
+                                                      IndexBox::ofSize(4, 4, 4)});
+      EXPECT_NEAR(check(cells).wallArea, areaOf(ball(0.2, {})) + 2 * length(cross(u, v)), 1e-13);
+    }
+  }
+}
+
+/// All across the period, so that its images are one sheet.
+TEST(PeriodicCellsTest, ABaffleAllAcrossDividesTheFluid) {
+  for (const double height : {0.25, 0.9, 1.0}) {
+    const CellCutter cutter(ballAndFin({0, 0, height}, {1, 0, 0}, {0, 1, 0}), FluidSide::Outside,
+                            {.baffles = {"fin"}, .period = {1, 1, 0}});
+    const auto cells = cutter.cut(
+        GridPatch<double>{Level<double>({0, 0, 0}, {0.25, 0.25, 0.25}), IndexBox::ofSize(4, 4, 6)});
+    expectIdentities(cells, 1e-13);
+    EXPECT_EQ(CutRegions(cells).regions().size(), 2U) << height;
+    expectRepeats(cutter, 4, 0, {.polygons = true});
+  }
+}
+
 /// One that goes on through the ends of the period, whose ends cancel each other.
 TEST(PeriodicCellsTest, TheFluxThroughATubeIsTheSameAtBothEnds) {
   for (const double turn : {0.0, 0.4}) {

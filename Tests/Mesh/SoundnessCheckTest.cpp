@@ -124,6 +124,18 @@ TYPED_TEST(SoundnessCheckTest, ExaminesBothSidesOfEdgesThatOthersTouch) {
   EXPECT_EQ(beside.guarantee().inside, Quality::Exact);
 }
 
+TYPED_TEST(SoundnessCheckTest, CountsEdgesThatTouchInPart) {
+  const auto touching = [](const Vec3<double>& by) {
+    const MeshSDF<TypeParam> both(together(bipyramid(1, 3), moved(bipyramid(1, 3), by)));
+    EXPECT_TRUE(both.signReport().isProven);
+    return both.signReport().touchingEdges;
+  };
+  EXPECT_EQ(touching({3, 0, 0}), 0U);
+  EXPECT_EQ(touching({1, 1, 0}), 0U);        // all along an edge, which both share
+  EXPECT_EQ(touching({1.25, 0.75, 0}), 4U);  // an edge of two triangles on each side
+  EXPECT_EQ(touching({2, 0, 0}), 0U);        // in a vertex
+}
+
 TYPED_TEST(SoundnessCheckTest, ProvesSurfacesWithChainsOfFacesWithoutArea) {
   // One face of a bipyramid is divided at points on its upper edge, the one above it is not: faces
   // without area lie between.
@@ -145,6 +157,7 @@ TYPED_TEST(SoundnessCheckTest, ProvesSurfacesWithChainsOfFacesWithoutArea) {
     const MeshSDF<T> solid(soup);
     ASSERT_TRUE(solid.signReport().isClosed());
     EXPECT_EQ(solid.signReport().selfIntersections, 0U);
+    EXPECT_EQ(solid.signReport().touchingEdges, 0U);
     EXPECT_TRUE(solid.signReport().isProven);
     EXPECT_EQ(solid.signReport().scheme, SignScheme::NearestFeature);
     EXPECT_EQ(solid.guarantee().inside, Quality::Exact);

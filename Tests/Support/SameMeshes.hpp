@@ -19,6 +19,7 @@ inline void expectSameReport(const SignReport& a, const SignReport& b) {
   EXPECT_EQ(a.unsound, b.unsound);
   EXPECT_EQ(a.ambiguous, b.ambiguous);
   EXPECT_EQ(a.selfIntersections, b.selfIntersections);
+  EXPECT_EQ(a.touchingEdges, b.touchingEdges);
   EXPECT_EQ(a.isProven, b.isProven);
 }
 

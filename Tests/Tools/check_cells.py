@@ -204,6 +204,10 @@ class Cells(CommandTest):
             self.assertRegex(said, r"own by \S+ of the volume\n")
         outside = self.totals(*sail[:1], *sail[2:], *box, "--spacing", "0.26")[1]
         self.assertAlmostEqual(outside["boundaryArea"], 24, places=12)  # the sail is in the body
+        period = ["--period", "2.5,2.5,0", "--translate", "1,0.2,0.1", "--margin", "0.2", "--cells", "9"]
+        repeated = self.totals(*sail[:-2], *period)[1]  # across its end, along x
+        self.assertAlmostEqual(repeated["fluidVolume"], 8, places=12)
+        self.assertAlmostEqual(repeated["boundaryArea"], 24 + 2 * 1, places=12)
         self.assertIn('no patch is called "fin"', self.fails(1, "cells", "tank.obj", "--baffle", "fin"))
         self.assertIn('open at patches "sail"', self.fails(1, "cells", "tank.obj", "-q"))
 
@@ -263,7 +267,6 @@ class Cells(CommandTest):
     def test_refuses_periods(self):
         period = ["cells", "box.off", "--period", "4,0,0"]
         self.assertIn("--period is for grids", self.fails(1, *period, "--level", "3"))
-        self.assertIn("--period and --baffle exclude each other", self.fails(1, *period, "--baffle", "box"))
         self.assertIn("--box is 5 long along x, and --period 4: a grid covers one period",
                       self.fails(1, *period, "--box", "-3,-2,-2,2,2,2"))
         self.assertIn("no whole number of cells from two on, 0.3 long along x, makes the period of 4",

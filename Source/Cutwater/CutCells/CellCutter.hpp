@@ -72,9 +72,9 @@ class CellCutter {
   /// @param side  where the fluid is.
   /// @param options  see there.
   /// @throws Error(Argument) for other solids, for open patches and baffles that there are none of,
-  /// that are named twice, or as both, and for baffles with a period; Error(Topology) unless the
-  /// surface, without baffles, is closed, or is to be, and can be oriented, see
-  /// MeshSDF::signReport(), and if all of its triangles cancel each other.
+  /// that are named twice, or as both; Error(Topology) unless the surface, without baffles, is
+  /// closed, or is to be, and can be oriented, see MeshSDF::signReport(), and if all of its
+  /// triangles cancel each other.
   template <std::floating_point T>
   explicit CellCutter(const Solid<T>& solid, FluidSide side = FluidSide::Outside,
                       const CutterOptions& options = {});

@@ -58,6 +58,10 @@ struct SignReport {
   /// were not looked for. Those that touch along edges or at corners, as at T-junctions, do not
   /// count, unlike in findSelfIntersections(): signs and distances are exact there.
   std::optional<std::size_t> selfIntersections = {};
+  /// Closed surfaces that were searched and do not meet themselves: the sides of triangles that
+  /// lie, in part or all, on edges of other triangles without being one with them. T-junctions that
+  /// triangles without area close do not count.
+  std::size_t touchingEdges = 0;
   /// Closed surfaces that were searched: no triangles pass through or lie on one another, and each
   /// part of the surface between edges where more than two triangles meet has the solid just behind
   /// it and free space just in front.

@@ -57,10 +57,6 @@ void refuseOnOctrees(const CuttingOptions& options) {
 }
 
 void passOn(const CuttingOptions& options, GridRequest& grid, SurfaceOptions& surface) {
-  if (options.hasPeriod() && !options.cutter.baffles.empty()) {
-    throw Error(ErrorKind::Argument,
-                "--period and --baffle exclude each other: cells of a period know no baffles");
-  }
   grid.period = options.cutter.period;
   surface.mayBeOpen = options.cutter.capHoles || !options.cutter.baffles.empty();
 }

@@ -162,6 +162,7 @@ Json toJson(const SignReport& signs) {
       {"unsoundProbes", signs.unsound},
       {"ambiguousProbes", signs.ambiguous},
       {"unbalancedEdges", signs.unbalancedEdges},
+      {"touchingEdges", signs.touchingEdges},
       {"shells", signs.shells},
       {"turnedFaces", signs.turnedFaces},
       {"turnedShells", signs.turnedShells},

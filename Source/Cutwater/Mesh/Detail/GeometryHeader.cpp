@@ -83,6 +83,7 @@ void visitSigns(Words& words, SignReport& signs) {
   words(selfIntersections);
   signs.selfIntersections.reset();
   if (wereCounted) signs.selfIntersections = selfIntersections;
+  words(signs.touchingEdges);
   words(signs.isProven);
 }
 

@@ -2,6 +2,7 @@
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
+#include <Cutwater/Triangles/TriangleIntersection.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -138,7 +139,7 @@ std::vector<std::uint32_t> largestOfParts(const TriangleSurface<T>& surface, std
   for (std::uint32_t t = 0; t < count && !isOnePart; ++t) {
     for (std::size_t edge = 0; edge < 3; ++edge) {
       const auto across = surface.neighbours[t][edge];
-      const bool isTouched = (touchedEdges[t] >> edge & 1U) != 0;
+      const bool isTouched = SurfaceContacts::isTouched(touchedEdges[t], edge);
       if (across != kNone && !isTouched) parts.unite(t, across);
     }
   }
@@ -152,6 +153,26 @@ std::vector<std::uint32_t> largestOfParts(const TriangleSurface<T>& surface, std
   }
   std::erase(largest, kNone);
   return largest;
+}
+
+/// See SignReport.
+template <std::floating_point T>
+std::size_t countTouchingEdges(const TriangleSurface<T>& surface,
+                               std::span<const std::uint8_t> touchedEdges) {
+  const auto isFace = [&](std::uint32_t t) {
+    const auto [a, b, c] = surface.corners(t);
+    return hasArea({Vec3<double>(a), Vec3<double>(b), Vec3<double>(c)});
+  };
+  std::size_t count = 0;
+  for (std::uint32_t t = 0; t < touchedEdges.size(); ++t) {
+    if (touchedEdges[t] == 0 || !isFace(t)) continue;
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+      if (!SurfaceContacts::isTouchedInPart(touchedEdges[t], edge)) continue;
+      const auto across = surface.neighbours[t][edge];
+      if (across == kNone || isFace(across)) ++count;
+    }
+  }
+  return count;
 }
 
 /// Examines one place on each part of a surface without overlaps: what is true there is true all
@@ -203,6 +224,7 @@ SignReport checkSigns(const TriangleSurface<T>& surface, const TriangleSurfaceAr
     const auto contacts = findContacts();
     report.selfIntersections = contacts.overlaps;
     if (contacts.overlaps == 0 && report.unorientable == 0) {
+      report.touchingEdges = countTouchingEdges(surface, contacts.touchedEdges);
       prove(surface, along, contacts.touchedEdges, report);
     }
   }

@@ -3,6 +3,7 @@
 #include <Cutwater/Surface/Detail/PairSearch.hpp>
 #include <Cutwater/Triangles/TriangleIntersection.hpp>
 
+#include <algorithm>
 #include <atomic>
 
 namespace cutwater {
@@ -47,8 +48,9 @@ class ContactCount {
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
         if (isSameEdge(a, i, b, j) || !areOnOneLine(a, i, b, j)) continue;
-        std::atomic_ref(touchedEdges_[a]) |= static_cast<std::uint8_t>(1U << i);
-        std::atomic_ref(touchedEdges_[b]) |= static_cast<std::uint8_t>(1U << j);
+        const unsigned bits = haveAPartInCommon(a, i, b, j) ? 9 : 1;
+        std::atomic_ref(touchedEdges_[a]) |= static_cast<std::uint8_t>(bits << i);
+        std::atomic_ref(touchedEdges_[b]) |= static_cast<std::uint8_t>(bits << j);
       }
     }
   }
@@ -67,6 +69,15 @@ class ContactCount {
     const auto& p = corner(a, i);
     const auto& q = corner(a, i + 1);
     return !hasArea({p, q, corner(b, j)}) && !hasArea({p, q, corner(b, j + 1)});
+  }
+  /// Of edges on one line: but not both ends.
+  [[nodiscard]] bool haveAPartInCommon(std::uint32_t a, std::size_t i, std::uint32_t b,
+                                       std::size_t j) const {
+    int axis = 0;
+    while (axis < 2 && corner(a, i)[axis] == corner(a, i + 1)[axis]) ++axis;
+    const auto [from, to] = std::minmax({corner(a, i)[axis], corner(a, i + 1)[axis]});
+    const auto [first, last] = std::minmax({corner(b, j)[axis], corner(b, j + 1)[axis]});
+    return std::max(from, first) < std::min(to, last) && (from != first || to != last);
   }
 
   const PairTest& pairs_;

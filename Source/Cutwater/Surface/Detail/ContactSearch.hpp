@@ -18,10 +18,18 @@ struct SurfaceContacts {
   /// Pairs of triangles that pass through or lie on one another: see meetWithin(). At most kMost;
   /// so many are also stated if more than kMost pairs touch.
   std::size_t overlaps = 0;
-  /// Per triangle, bit i: its edge from corner i to the next lies, at least in part, on an edge of
-  /// another triangle that is not the same edge, as at a T-junction. All bits for triangles without
-  /// area. Incomplete if there are overlaps.
+  /// Per triangle, bit i: its edge from corner i to the next lies on one line with an edge, not the
+  /// same, of another triangle that it touches, as at a T-junction; bit 3 + i: and has a part of
+  /// this one in common with it, but not both ends. Bits 0 to 2 for triangles without area.
+  /// Incomplete if there are overlaps.
   std::vector<std::uint8_t> touchedEdges;
+
+  [[nodiscard]] static bool isTouched(std::uint8_t edges, std::size_t edge) {
+    return (edges >> edge & 1U) != 0;
+  }
+  [[nodiscard]] static bool isTouchedInPart(std::uint8_t edges, std::size_t edge) {
+    return isTouched(edges, 3 + edge);
+  }
 };
 
 /// Decides every pair of triangles that might meet, exactly. Of the tree over the triangles, only

@@ -94,7 +94,7 @@ template <std::floating_point T>
 Walls wallsOf(const Solid<T>& solid, const MeshSDF<T>& mesh, const CutterOptions& options) {
   const auto& signs = mesh.signReport();
   Walls walls{.triangles = placed(solid, mesh.soup())};
-  if (!signs.isSound()) {
+  if (!signs.isSound() || signs.touchingEdges > 0) {
     walls.meetings = MeetingsOf::All;
   } else if (signs.shells > 1) {
     walls.meetings = MeetingsOf::Shells;
@@ -162,8 +162,6 @@ std::shared_ptr<const CutSurface> surfaceOf(const Solid<T>& solid, FluidSide sid
   }
   const auto box = triangles.boundingBox();
   const auto period = periodOf(box, options.period);
-  require(baffles.empty() || !period.isOnAny(), "cut cells: there are no baffles with a period",
-          Named{"period", options.period});
   if (imagesMayTouch(box, period)) meetings = MeetingsOf::All;
   if (period.isOnAny()) triangles = withImages(triangles, period);
   return std::make_shared<const CutSurface>(triangles, side, meetings, open, baffles, period);

@@ -1,0 +1,120 @@
+// One shell that touches itself along parts of edges, which its triangles do not share.
+
+#include <Cutwater/Grid/Octree.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
+
+#include <gtest/gtest.h>
+
+#include "CutCells/ShellCells.hpp"
+
+namespace cutwater::test {
+namespace {
+
+using Section = std::array<Vec3<double>, 4>;
+
+/// A square of this width across the z axis, from a corner on.
+Section level(double x, double y, double z, double width) {
+  return {{{x, y, z}, {x + width, y, z}, {x + width, y + width, z}, {x, y + width, z}}};
+}
+
+/// A bent bar whose ends stand side by side. Both have an edge at x = y = 1: one from z = 0 to 1,
+/// the other one from 0.5 to 1.5.
+PolygonSoup bentBar() {
+  // On the way down, the bar's inner edge is still that of third corners.
+  const auto down = [](double z, double width) {
+    const double far = 1 + width;
+    return Section{{{far, far, z}, {far, 1, z}, {1, 1, z}, {1, far, z}}};
+  };
+  const std::array sections{level(0, 0, 0, 1),
+                            level(0, 0, 1, 1),
+                            level(0, 0, 3, 0.5),
+                            Section{{{1.25, 1.25, 6}, {2, 0.5, 5}, {1.25, 1.25, 4}, {0.5, 2, 5}}},
+                            Section{{{2.5, 2.5, 3}, {2.5, 2, 3}, {2, 2, 3}, {2, 2.5, 3}}},
+                            down(1.5, 1),
+                            down(0.5, 1)};
+  PolygonSoup soup;
+  for (const auto& section : sections) {
+    soup.points.insert(soup.points.end(), section.begin(), section.end());
+  }
+  soup.addPolygon(std::array{3U, 2U, 1U, 0U});
+  for (std::uint32_t s = 0; s + 1 < sections.size(); ++s) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const auto next = 4 * s + (i + 1) % 4;
+      const auto here = 4 * s + i;
+      soup.addPolygon(std::array{here, next, next + 4});
+      soup.addPolygon(std::array{here, next + 4, here + 4});
+    }
+  }
+  const auto last = static_cast<std::uint32_t>(soup.points.size());
+  soup.addPolygon(std::array{last - 4, last - 3, last - 2, last - 1});
+  return triangulated(soup);
+}
+
+CutCells cellsOfBar(const std::array<std::vector<double>, 3>& planes, FluidSide side,
+                    const CutOptions& options = {}) {
+  return CellCutter(solidOf(bentBar()), side).cut(cellsBetween(planes), options);
+}
+
+TEST(TouchingShellTest, IsOneShellThatIsSoundAndTouchesItself) {
+  const MeshSDF<double> bar(bentBar());
+  const auto& signs = bar.signReport();
+  EXPECT_EQ(signs.shells, 1U);
+  EXPECT_TRUE(signs.isProven);
+  EXPECT_GT(signs.touchingEdges, 0U);
+}
+
+TEST(TouchingShellTest, FluidOnBothSidesIsApart) {
+  const auto cells = cellsOfBar({{{0.75, 1.25}, {0.75, 1.25}, {0.5, 0.75, 1}}}, FluidSide::Outside);
+  expectClosed(cells);
+  ASSERT_EQ(cells.cellCount, 2U);
+  ASSERT_EQ(cells.pieceCount, 4U);
+  for (std::size_t p = 0; p < 4; ++p) {
+    EXPECT_DOUBLE_EQ(cells.pieces.volume[p], 0.25 * 0.25 * 0.25) << p;
+  }
+  const auto inside = cellsOfBar({{{0.75, 1.25}, {0.75, 1.25}, {0.5, 0.75, 1}}}, FluidSide::Inside);
+  expectClosed(inside);
+  EXPECT_EQ(inside.pieceCount, 4U);
+}
+
+TEST(TouchingShellTest, FluidIsOnePieceWhereOnlyOneEndIs) {
+  const auto cells =
+      cellsOfBar({{{0.75, 1.25}, {0.75, 1.25}, {0.25, 0.75, 1.25}}}, FluidSide::Outside);
+  expectClosed(cells);
+  EXPECT_EQ(cells.pieceCount, 2U);  // each of them goes around an end
+}
+
+TEST(TouchingShellTest, IsClosedInPlanesAndBesideThem) {
+  for (const double shift : {0.0, 0.1, 0.125}) {
+    for (const int n : {2, 7, 8}) {
+      std::array<std::vector<double>, 3> planes;
+      for (int i = 0; i <= 2 * n; ++i) {
+        const double at = -1 + 4.0 * i / (2 * n);
+        planes[0].push_back(at + shift);
+        planes[1].push_back(at);
+      }
+      for (int i = 0; i <= 3 * n; ++i) planes[2].push_back(-1 + 8.0 * i / (3 * n));
+      for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+        const auto cells = cellsOfBar(planes, side, {.polygons = true, .moments = 1});
+        expectClosed(cells);
+        const auto report = check(cells);
+        const double inBar = side == FluidSide::Outside ? report.bodyVolume : report.fluidVolume;
+        EXPECT_NEAR(inBar, volumeOf(bentBar()), 1e-12) << n << ' ' << shift;
+      }
+    }
+  }
+}
+
+TEST(TouchingShellTest, LeavesAreClosed) {
+  const CellCutter cutter(solidOf(bentBar()));
+  const OctreeDomain<double> domain({-1, -1, -1}, 4, {1, 1, 2});
+  for (const int level : {2, 3, 4}) {
+    const auto leaves =
+        cutter.cut(Octree<double>(solidOf(bentBar()), domain, {.cut = level}), CutOptions{});
+    const auto report = check(leaves);
+    EXPECT_LT(report.worstClosure, 1e-13) << level;
+    EXPECT_NEAR(report.bodyVolume, volumeOf(bentBar()), 1e-12) << level;
+  }
+}
+
+}  // namespace
+}  // namespace cutwater::test
