@@ -20,10 +20,12 @@ class DisjointSets {
     std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
   }
 
-  void unite(std::uint32_t a, std::uint32_t b) {
+  /// Returns whether they were two sets.
+  bool unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
     parent_[std::max(a, b)] = std::min(a, b);
+    return a != b;
   }
   /// Valid once everything has been united: every set has exactly one root.
   [[nodiscard]] bool isRoot(std::uint32_t a) const { return parent_[a] == a; }

@@ -11,15 +11,6 @@ namespace {
 /// More than rounding moves the points of a surface whose coordinates are up to about 1.
 constexpr double kRounding = 0x1p-46;
 
-template <typename Visit>
-void forTilePlaces(const TilePlace& sizes, Visit&& visit) {
-  for (int k = 0; k < sizes[2]; ++k) {
-    for (int j = 0; j < sizes[1]; ++j) {
-      for (int i = 0; i < sizes[0]; ++i) visit(TilePlace{i, j, k});
-    }
-  }
-}
-
 /// Takes crossings away that are those of no walls; returns whether there were any.
 bool hidesBuried(const TileSurface& surface, std::vector<EdgeCrossing>& crossings) {
   return std::erase_if(crossings, [&](const EdgeCrossing& crossing) {

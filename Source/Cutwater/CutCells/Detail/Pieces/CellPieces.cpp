@@ -70,7 +70,8 @@ class CellBuilder {
       }
     }
     findOpenParts();
-    sets_.reset(fragments_.size() + open_.size());
+    parts_ = fragments_.size() + open_.size();
+    sets_.reset(parts_);
     joinFragments();
     joinFaces();
     joinEdges();
@@ -104,12 +105,15 @@ class CellBuilder {
     return static_cast<std::uint32_t>(fragments_.size()) + i;
   }
 
+  void join(std::uint32_t one, std::uint32_t other) {
+    if (sets_.unite(one, other)) --parts_;
+  }
   void joinFragments() {
     if (fragments_.size() == 1) return;
     edges_.reset(fragments_.size());
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
       for (const auto edge : surface_.meshEdges(fragments_[i])) {
-        if (edge != kNone) sets_.unite(i, edges_.firstWith(edge, i));
+        if (edge != kNone) join(i, edges_.firstWith(edge, i));
       }
     }
   }
@@ -119,7 +123,7 @@ class CellBuilder {
         const auto& t = surface_.traces()[trace];
         const int axis = surface_.numbers().axisOfFace(t.face);
         const int side = t.below == firstFragment_ + i ? 1 : 0;
-        sets_.unite(i, nodeOfArc(axis, side, faces_.ofTrace(trace)));
+        join(i, nodeOfArc(axis, side, faces_.ofTrace(trace)));
       }
     }
   }
@@ -129,6 +133,7 @@ class CellBuilder {
       const int c = (axis + 1) % 3;
       const int d = (axis + 2) % 3;
       for (int corner = 0; corner < 4; ++corner) {
+        if (parts_ == 1) return;
         const int sideC = corner % 2;
         const int sideD = corner / 2;
         auto place = place_;
@@ -139,7 +144,7 @@ class CellBuilder {
           // Of the face across c, the edge runs along the second axis; across d, along the first.
           const auto onC = arcAt(c, sideC, s, sideD, true);
           const auto onD = arcAt(d, sideD, s, sideC, false);
-          sets_.unite(nodeOfArc(c, sideC, onC), nodeOfArc(d, sideD, onD));
+          join(nodeOfArc(c, sideC, onC), nodeOfArc(d, sideD, onD));
         }
       }
     }
@@ -153,6 +158,11 @@ class CellBuilder {
 
   /// Shells around body that touch no face, but for points: their fluid is that around them.
   void joinShells() {
+    if (parts_ == 1 && std::ranges::any_of(open_, [this](const OpenPart& part) {
+          return !out_.arcs[part.arc].isNothing;
+        })) {
+      return;
+    }
     touchesFace_.assign(fragments_.size(), 0);
     for (std::uint32_t i = 0; i < open_.size(); ++i) {
       const auto root = sets_.find(static_cast<std::uint32_t>(fragments_.size()) + i);
@@ -264,7 +274,7 @@ class CellBuilder {
                                     : out_.arcs[open_[node - fragments_.size()].arc].centroid;
   }
   void addFragment(PieceSums& sum, const TileFragment& fragment) const {
-    if (openFaceOf(surface_, planes_, fragment).isFace()) {
+    if (surface_.hasOpenPatches() && openFaceOf(surface_, planes_, fragment).isFace()) {
       sum.addOpenPatch(surface_.points(fragment));
     } else {
       sum.addWall(surface_.points(fragment), surface_.patchOf(fragment.triangle));
@@ -292,6 +302,7 @@ class CellBuilder {
   std::vector<OpenPart> open_;
   std::array<std::uint32_t, 6> firstOpen_{};
   detail::DisjointSets sets_;  // of fragments, then open parts
+  std::size_t parts_ = 0;      // of these sets
   FirstWithEdge edges_;
   std::vector<char> touchesFace_;
   std::vector<std::uint32_t> sumOf_;

@@ -76,8 +76,17 @@ bool hasPartIn(const Triangle& triangle, const GridPlanes& planes, const TilePla
   return true;
 }
 
+/// Whether a polygon may lie across an axis, as those of triangles that do.
+bool isAcrossAny(std::span<const Vec3<double>> points) {
+  const auto& a = points[0];
+  const auto& b = points[1];
+  const auto& c = points[2];
+  return (a.x == b.x && b.x == c.x) || (a.y == b.y && b.y == c.y) || (a.z == b.z && b.z == c.z);
+}
+
 std::uint8_t faceWithPart(const TileSurface& surface, const GridPlanes& planes,
                           const TileFragment& fragment) {
+  if (!isAcrossAny(surface.points(fragment))) return 0;
   if (surface.patchOf(fragment.triangle) == kNone) return 0;
   const auto triangle = surface.cornersOf(fragment.triangle);
   const auto cell = surface.numbers().placeOfCell(fragment.cell);

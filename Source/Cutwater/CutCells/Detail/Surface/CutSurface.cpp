@@ -196,6 +196,11 @@ std::vector<std::uint32_t> CutSurface::trianglesIn(const Box<double>& box) const
     const auto& node = tree_.nodes[pending.back()];
     pending.pop_back();
     if (!node.box.overlaps(box)) continue;
+    if (box.contains(node.box.lower) && box.contains(node.box.upper)) {
+      const auto all = std::span(tree_.order).subspan(node.begin, node.count());
+      result.insert(result.end(), all.begin(), all.end());
+      continue;
+    }
     if (!node.isLeaf()) {
       pending.push_back(node.left);
       pending.push_back(node.left + 1);

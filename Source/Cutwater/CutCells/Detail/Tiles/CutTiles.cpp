@@ -37,10 +37,10 @@ Range tilesWithin(std::span<const double> planes, double lower, double upper) {
 /// The tiles along an axis whose lowest plane lies in the closed interval.
 Range tilesThatBegin(std::span<const double> planes, double lower, double upper) {
   const int width = CutTiles::kWidth;
-  const int from = lastBelow(planes, lower) + 1;
-  const int to = lastUpTo(planes, upper);
+  const int first = (lastBelow(planes, lower) + width) / width;
   const int lastTile = (static_cast<int>(planes.size()) - 2) / width;
-  return {(from + width - 1) / width, to < 0 ? -1 : std::min(to / width, lastTile)};
+  if (first > lastTile || planes[static_cast<std::size_t>(first * width)] > upper) return {};
+  return {first, std::min(lastUpTo(planes, upper) / width, lastTile)};
 }
 
 }  // namespace

@@ -167,9 +167,9 @@ TileCut cutTile(const TileParts& parts, const CutOptions& options) {
                  .polygons = {},
                  .moments = {}};
   noteWallFaces(surface, planes, result.content);
-  for (std::uint32_t cell = 0; cell < result.numbers.cellCount(); ++cell) {
-    result.isBody[cell] = !stretches.isFluid(result.numbers.placeOfCell(cell));
-  }
+  forTilePlaces(result.numbers.cells(), [&](const TilePlace& cell) {
+    result.isBody[result.numbers.cell(cell)] = !stretches.isFluid(cell);
+  });
   noteCells(parts, result);
   if (options.polygons) {
     addArcPolygons(parts, result);

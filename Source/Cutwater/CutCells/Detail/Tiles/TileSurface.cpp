@@ -58,6 +58,11 @@ TileSurface::TileSurface(const MovedSurface& surface, std::span<const std::uint3
       patches_(patches),
       kinds_(kinds),
       openKinds_(openKinds) {
+  fragments_.reserve(2 * triangles.size());
+  points_.reserve(8 * triangles.size());
+  meshEdges_.reserve(8 * triangles.size());
+  traces_.reserve(2 * triangles.size());
+  below_.reserve(2 * triangles.size());
   TriangleSplitter splitter(planes);
   for (const auto id : triangles) {
     if (isBaffle(id)) {
