@@ -253,8 +253,6 @@ TEST(BafflesAnyhowTest, WhatIsRefused) {
             std::string::npos);
   EXPECT_NE(with(both, {.openPatches = {"fin"}, .baffles = {"fin"}}).find("open and a baffle"),
             std::string::npos);
-  EXPECT_NE(with(both, {.baffles = {"fin"}, .period = {2, 0, 0}}).find("with a period"),
-            std::string::npos);
   EXPECT_EQ(with(both, {.baffles = {"fin"}}), "");
   ball.addPolygon(std::array{0U, 1U, 2U});
   EXPECT_NE(with(solidOf(beside(fin, ball)), {.baffles = {"fin"}}).find("at patches \"ball\""),
