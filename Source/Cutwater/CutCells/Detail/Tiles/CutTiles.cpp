@@ -39,7 +39,7 @@ Range tilesThatBegin(std::span<const double> planes, double lower, double upper)
   const int width = CutTiles::kWidth;
   const int first = (lastBelow(planes, lower) + width) / width;
   const int lastTile = (static_cast<int>(planes.size()) - 2) / width;
-  if (first > lastTile || planes[static_cast<std::size_t>(first * width)] > upper) return {};
+  if (first > lastTile || planes[asIndex(first) * asIndex(width)] > upper) return {};
   return {first, std::min(lastUpTo(planes, upper) / width, lastTile)};
 }
 

@@ -168,7 +168,7 @@ TileCut cutTile(const TileParts& parts, const CutOptions& options) {
                  .moments = {}};
   noteWallFaces(surface, planes, result.content);
   forTilePlaces(result.numbers.cells(), [&](const TilePlace& cell) {
-    result.isBody[result.numbers.cell(cell)] = !stretches.isFluid(cell);
+    result.isBody[result.numbers.cell(cell)] = !parts.stretches.isFluid(cell);
   });
   noteCells(parts, result);
   if (options.polygons) {
