@@ -77,6 +77,56 @@ void addVolumes(const CutCells& cells, Volumes& volumes) {
   for (auto& [cell, there] : volumes) std::ranges::sort(there);
 }
 
+/// Of each cell, along x and y: what is open below it.
+std::map<std::array<int, 3>, double> openAreas(const CutCells& cells) {
+  std::map<std::array<int, 3>, double> areas;
+  for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
+    const auto& cell = cells.arcs.cell[a];
+    if (cells.arcs.axis[a] < 2) areas[{cell.i, cell.j, cells.arcs.axis[a]}] += cells.arcs.area[a];
+  }
+  return areas;
+}
+
+TEST(BafflesAnyhowTest, InAPlaneTheyAreThoseOfALayer) {
+  // Upright sheets, which are the same at all heights, some of them along sides of cells.
+  std::mt19937 random(7);
+  const auto number = [&] { return std::uniform_real_distribution<>(0.05, 0.95)(random); };
+  const auto quarter = [&] { return static_cast<double>(random() % 5) / 4; };
+  for (int round = 0; round < scaled(40); ++round) {
+    auto soup = sheet({number(), number(), -1}, {number() - 0.5, number() - 0.5, 0}, {0, 0, 3});
+    for (auto more = random() % 4; more > 0; --more) {
+      const bool isAligned = random() % 2 == 0;
+      const auto next = isAligned ? sheet({quarter(), number(), -1}, {0, 0.4, 0}, {0, 0, 3})
+                                  : sheet({quarter(), quarter(), -1},
+                                          {number() - 0.5, number() - 0.5, 0}, {0, 0, 3});
+      soup = called("fin", together(soup, next));
+    }
+    const auto cutter = cutterOf(soup);
+    auto grid = planesOf(unitCube(12));
+    const auto flat = cutter.cutInPlane(grid, 0.5);
+    grid.planes[2] = {-1, 0, 1, 2};  // as high
+    const auto layer = cutter.cut(grid);
+    expectIdentities(flat, 1e-13);
+    Volumes found;
+    Volumes expected;
+    addVolumes(flat, found);
+    addVolumes(layer, expected);
+    for (const auto& [cell, volumes] : expected) {
+      if (volumes.size() < 2 && !found.contains(cell)) continue;  // a wall in its side at most
+      ASSERT_EQ(found[cell].size(), volumes.size()) << round;
+      for (std::size_t n = 0; n < volumes.size(); ++n) {
+        ASSERT_NEAR(found[cell][n], volumes[n], 1e-12) << round;
+      }
+    }
+    EXPECT_NEAR(check(flat).wallArea, check(layer).wallArea, 1e-11) << round;
+    const auto areas = openAreas(layer);
+    for (const auto& [face, area] : openAreas(flat)) {
+      const auto same = areas.find(face);
+      if (same != areas.end()) ASSERT_NEAR(area, same->second, 1e-12) << round;
+    }
+  }
+}
+
 TEST(BafflesAnyhowTest, AClosedSheetHasBothSidesOfTheBody) {
   auto soup = called("fin", tessellation::torus(0.3, 0.1, 40, 20));
   auto solid = Solid<double>(MeshSDF<double>(soup));
@@ -257,11 +307,10 @@ TEST(BafflesAnyhowTest, WhatIsRefused) {
   ball.addPolygon(std::array{0U, 1U, 2U});
   EXPECT_NE(with(solidOf(beside(fin, ball)), {.baffles = {"fin"}}).find("at patches \"ball\""),
             std::string::npos);
-  const auto plane = refusal([&] {
-    return CellCutter(both, FluidSide::Outside, {.baffles = {"fin"}})
-        .cutInPlane(planesOf(unitCube(4)), 0.3);
-  });
-  EXPECT_NE(plane.find("no baffles in a plane"), std::string::npos);
+  const auto lying = sheet({0.25, 0.25, 0.3}, {0.5, 0, 0}, {0, 0.5, 0});
+  const auto plane =
+      refusal([&] { return cutterOf(lying).cutInPlane(planesOf(unitCube(4)), 0.3); });
+  EXPECT_NE(plane.find("a baffle lies in the plane"), std::string::npos);
 }
 
 }  // namespace

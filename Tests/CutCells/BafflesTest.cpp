@@ -128,8 +128,13 @@ struct Found {
 /// Boxes of one part each.
 class Flood {
  public:
-  Flood(const Scene& scene, const std::array<std::vector<int>, 3>& planes)
-      : scene_(scene), planes_(planes), first_(planes[0].front()) {
+  /// `isFlat`: of one layer of boxes, as high as a cube, without what is below and above it.
+  Flood(const Scene& scene, const std::array<std::vector<int>, 3>& planes, bool isFlat = false)
+      : scene_(scene),
+        planes_(planes),
+        first_(planes[0].front()),
+        axes_(isFlat ? 2 : 3),
+        height_(isFlat ? 1 : 1.0 / kParts) {
     for (const auto& p : planes) size_ = std::max(size_, p.back() - first_);
     const auto size = static_cast<std::size_t>(size_);
     sets_.reset(size * size * size);
@@ -137,8 +142,7 @@ class Flood {
 
   Found run() {
     joinBoxes();
-    constexpr double kVolume = 1.0 / (kParts * kParts * kParts);
-    constexpr double kArea = 1.0 / (kParts * kParts);
+    constexpr double kWidth = 1.0 / kParts;
     std::map<Place, std::map<std::uint32_t, std::array<double, 2>>> cells;
     std::map<std::pair<Place, int>, std::map<std::array<std::uint32_t, 2>, double>> faces;
     const auto pieceAt = [&](const Place& box) -> std::array<double, 2>& {
@@ -146,18 +150,19 @@ class Flood {
     };
     forBoxes([&](const Place& box) {
       cells[cellOf(box)];
-      if (isFluid(box)) pieceAt(box)[0] += kVolume;
-      for (int axis = 0; axis < 3; ++axis) {
+      if (isFluid(box)) pieceAt(box)[0] += kWidth * kWidth * height_;
+      for (int axis = 0; axis < axes_; ++axis) {
+        const double area = kWidth * (axis < 2 ? height_ : kWidth);
         const auto below = boxBelow(box, axis);
         if (isOpen(box, axis)) {
           if (isIn(below) && cellOf(below) != cellOf(box)) {
             faces[{cellOf(box), axis}][{sets_.find(number(below)), sets_.find(number(box))}] +=
-                kArea;
+                area;
           }
           continue;
         }
-        if (isFluid(box)) pieceAt(box)[1] += kArea;
-        if (isIn(below) && isFluid(below)) pieceAt(below)[1] += kArea;
+        if (isFluid(box)) pieceAt(box)[1] += area;
+        if (isIn(below) && isFluid(below)) pieceAt(below)[1] += area;
       }
     });
     Found result;
@@ -231,6 +236,8 @@ class Flood {
   const Scene& scene_;
   const std::array<std::vector<int>, 3>& planes_;
   int first_;
+  int axes_;
+  double height_;
   int size_ = 0;
   detail::DisjointSets sets_;
 };
@@ -303,6 +310,30 @@ TEST(BafflesTest, SquaresAndCubesAreThoseOfAFlood) {
     }
   }
   EXPECT_GT(several, 300U);
+}
+
+TEST(BafflesTest, InPlanesAreThoseOfAFlood) {
+  std::mt19937 random(5);
+  std::size_t several = 0;
+  for (int round = 0; round < scaled(100); ++round) {
+    const auto scene = randomScene(random);
+    const bool isAligned = random() % 3 == 0;
+    std::array<std::vector<int>, 3> planes;
+    for (const std::size_t a : {0, 1}) planes[a] = randomPlanes(random, isAligned);
+    const int layer = -1 + static_cast<int>(random() % (kParts * kSquares));
+    planes[2] = {layer, layer + 1};
+    const Solid<double> solid(MeshSDF<double>(scene.soup()));
+    const CellCutter cutter(solid, FluidSide::Outside, {.baffles = {"fin"}});
+    const auto cells = cutter.cutInPlane(gridOf(planes), (layer + 0.5) / kParts);
+    expectFlooded(cells, Flood(scene, planes, true).run());
+    expectIdentities(cells, 1e-13);
+    several += check(cells).multiPieceCells;
+    if (HasFailure()) {
+      ADD_FAILURE() << round;
+      return;
+    }
+  }
+  EXPECT_GT(several, 60U);
 }
 
 }  // namespace

@@ -21,17 +21,14 @@ Section level(double x, double y, double z, double width) {
 /// the other one from 0.5 to 1.5.
 PolygonSoup bentBar() {
   // On the way down, the bar's inner edge is still that of third corners.
-  const auto down = [](double z, double width) {
-    const double far = 1 + width;
-    return Section{{{far, far, z}, {far, 1, z}, {1, 1, z}, {1, far, z}}};
-  };
+  const auto down = [](double z) { return Section{{{2, 2, z}, {2, 1, z}, {1, 1, z}, {1, 2, z}}}; };
   const std::array sections{level(0, 0, 0, 1),
                             level(0, 0, 1, 1),
                             level(0, 0, 3, 0.5),
                             Section{{{1.25, 1.25, 6}, {2, 0.5, 5}, {1.25, 1.25, 4}, {0.5, 2, 5}}},
                             Section{{{2.5, 2.5, 3}, {2.5, 2, 3}, {2, 2, 3}, {2, 2.5, 3}}},
-                            down(1.5, 1),
-                            down(0.5, 1)};
+                            down(1.5),
+                            down(0.5)};
   PolygonSoup soup;
   for (const auto& section : sections) {
     soup.points.insert(soup.points.end(), section.begin(), section.end());

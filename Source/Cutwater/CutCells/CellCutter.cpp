@@ -111,8 +111,9 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
   layer.planes[2] = {z - 1.5, z - 0.5, z + 0.5, z + 1.5};
   checkPlanes(layer);
   refusePeriod(surface_->period(), "cut cells: there are no periods in a plane");
-  require(!surface_->hasBaffles(), "cut cells: there are no baffles in a plane");
   const auto& frame = surface_->frame();
+  require(!surface_->hasBaffleAt(frame.toFrame(2, z)), "cut cells: a baffle lies in the plane",
+          Named{"z", z});
   auto stretches = stretchesOf(*surface_, layer);
   auto& heights = stretches[2].front().positions;
   const double thickness = heights[2] - heights[1];

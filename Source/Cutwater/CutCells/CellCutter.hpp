@@ -120,7 +120,8 @@ class CellCutter {
   /// axially symmetric flow about the y axis, 2 pi times x of a centroid is the weight of a volume
   /// or an area.
   /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; if polygons or moments are asked
-  /// for, or there is a period. Error(Topology) as cut() with polygons.
+  /// for, there is a period, or a triangle of a baffle lies in the plane. Error(Topology) as cut()
+  /// with polygons.
   [[nodiscard]] CutCells cutInPlane(const CellPlanes& grid, double z,
                                     const CutOptions& options = {}) const;
 

@@ -8,9 +8,6 @@ namespace cutwater {
 
 namespace {
 
-/// More than rounding moves the points of a surface whose coordinates are up to about 1.
-constexpr double kRounding = 0x1p-46;
-
 /// Takes crossings away that are those of no walls; returns whether there were any.
 bool hidesBuried(const TileSurface& surface, std::vector<EdgeCrossing>& crossings) {
   return std::erase_if(crossings, [&](const EdgeCrossing& crossing) {
@@ -84,7 +81,7 @@ void EdgeStretches::divide(const Interval<double>& edge, int winding, bool takeT
     if (takeTurns && isFluid == (winding + it->rise <= 0)) {
       // Fluid and body take turns: rounding has put these in the wrong order, or in none.
       const auto other = std::find_if(it + 1, crossings.end(), [&](const EdgeCrossing& c) {
-        return c.position - it->position <= kRounding && c.rise != it->rise;
+        return c.position - it->position <= EdgeStretch::kRounding && c.rise != it->rise;
       });
       if (other != crossings.end()) {
         std::rotate(it, other, other + 1);

@@ -7,6 +7,9 @@ namespace cutwater {
 
 /// A part of a grid's edge in the fluid, between two crossings or ends of the edge.
 struct EdgeStretch {
+  /// More than rounding moves the points of a surface whose coordinates are up to about 1.
+  static constexpr double kRounding = 0x1p-46;
+
   double from = 0;
   double to = 0;
   std::uint32_t start = kNone;  ///< the triangle crossed there; kNone: the end of the edge

@@ -189,6 +189,12 @@ void CutSurface::addBaffles(const PolygonSoup& soup, std::span<const std::uint32
   for (const auto i : baffles) patches_.push_back(soup.patches[i]);
 }
 
+bool CutSurface::hasBaffleAt(double z) const {
+  return std::any_of(boxes_.begin() + static_cast<std::ptrdiff_t>(moved_.closedCount()),
+                     boxes_.end(),
+                     [&](const Box<double>& box) { return box.lower.z == z && box.upper.z == z; });
+}
+
 std::vector<std::uint32_t> CutSurface::trianglesIn(const Box<double>& box) const {
   std::vector<std::uint32_t> result;
   std::vector<std::uint32_t> pending{0};

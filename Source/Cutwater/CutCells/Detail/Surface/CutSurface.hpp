@@ -57,7 +57,8 @@ class CutSurface {
   [[nodiscard]] std::span<const OpenKind> openKinds() const { return openKinds_; }
   /// Whether parts of it meet, or there are baffles.
   [[nodiscard]] bool meetsItself() const { return meetsItself_; }
-  [[nodiscard]] bool hasBaffles() const { return moved_.closedCount() < moved_.triangleCount(); }
+  /// Whether a triangle of a baffle lies at this height, in the frame.
+  [[nodiscard]] bool hasBaffleAt(double z) const;
   /// The winding number far away.
   [[nodiscard]] int windingOutside() const { return windingOutside_; }
 

@@ -27,6 +27,7 @@ class PlaneCutter {
         faces_(faces),
         planes_(planes),
         thickness_(thickness),
+        sides_(surface, stretches, planes),
         rowOf_(faces.pieces().size(), kNone) {}
 
   TileCut run() {
@@ -137,7 +138,7 @@ class PlaneCutter {
   }
   /// Returns how long their walls are. `least`: openings that are shorter are rounding.
   double addMeetingPieces(const TilePlace& place, double least) {
-    RectanglePieces found(faces_, faceOf(place));
+    RectanglePieces found(faces_, sides_, faceOf(place));
     const auto first = pieceCount();
     for (const auto& piece : found.pieces) addPiece(place, piece);
     const auto sides = sidesWithTraces(place);
@@ -305,7 +306,7 @@ class PlaneCutter {
     // Sides of rectangles, see FacePieces::ofStretch().
     const int highSide = axis == 0 ? 3 : 1;
     const int lowSide = axis == 0 ? 2 : 0;
-    const auto stretches = stretches_.of(1 - axis, place);
+    const auto stretches = sides_.of(1 - axis, place);
     for (std::size_t s = 0; s < stretches.size(); ++s) {
       PieceArc arc{.face = out_.numbers.face(axis, place), .centroid = {}};
       const bool isCutBelow = setPiece(below, highSide, s, arc.below, arc);
@@ -353,6 +354,7 @@ class PlaneCutter {
   const FacePieces& faces_;
   const GridPlanes& planes_;
   double thickness_;
+  SideStretches sides_;
   std::vector<std::uint32_t> rowOf_;  // the piece of each open part, or kNone
   /// On faces where triangles meet: the piece of each stretch of each side, or kNone.
   std::map<std::uint32_t, std::array<std::vector<std::uint32_t>, 4>> rowsOfStretches_;

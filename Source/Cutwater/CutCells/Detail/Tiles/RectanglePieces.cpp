@@ -18,13 +18,14 @@ struct Rim {
 
 class Finder {
  public:
-  Finder(const FacePieces& faces, std::uint32_t face, RectanglePieces& out)
+  Finder(const FacePieces& faces, const SideStretches& sides, std::uint32_t face,
+         RectanglePieces& out)
       : regions_(faces.meetingRegions(face)),
         frame_(faces.surface().numbers(), faces.planes(), face),
         out_(out) {
     for (int side = 0; side < 4; ++side) {
       const auto edge = edgeOfFace(frame_.axes().across, frame_.place(), side);
-      stretches_[asIndex(side)] = faces.stretches().of(edge.axis, edge.place);
+      stretches_[asIndex(side)] = sides.of(edge.axis, edge.place);
       firstNode_[asIndex(side) + 1] =
           firstNode_[asIndex(side)] + static_cast<std::uint32_t>(stretches_[asIndex(side)].size());
     }
@@ -107,7 +108,7 @@ class Finder {
     wall.part = pieceOf_[sets_.find(wall.part)];
     if (wall.part != kNone) out_.walls.push_back(wall);
   }
-  /// Where the edge is in the body: a wall lies in it.
+  /// Where the edge is in the body, or a baffle covers it: a wall lies in it.
   void addRimWalls(const Rim& rim) {
     double from = rim.ends.lower;
     for (const auto& stretch : stretches_[asIndex(rim.side)]) {
@@ -139,8 +140,9 @@ class Finder {
 
 }  // namespace
 
-RectanglePieces::RectanglePieces(const FacePieces& faces, std::uint32_t face) {
-  Finder(faces, face, *this).run();
+RectanglePieces::RectanglePieces(const FacePieces& faces, const SideStretches& sides,
+                                 std::uint32_t face) {
+  Finder(faces, sides, face, *this).run();
 }
 
 }  // namespace cutwater

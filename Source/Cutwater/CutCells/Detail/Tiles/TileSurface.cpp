@@ -184,10 +184,15 @@ void TileSurface::addTrace(std::uint32_t triangle, const Fragment& fragment, std
                   .to = fragment.points[next],
                   .start = end(before),
                   .end = end(fragment.edges[next])};
-  if (before.isPlane() && isOwner(fragment, before) && !isBaffle(triangle)) {
+  if (before.isPlane() && isOwner(fragment, before)) {
     const int axis = 3 - edge.axis - before.axis;
-    crossings_.push_back({trace.start.gridEdge, triangle, fragment.points[side][axis],
-                          riseAt(fragment, before, edge)});
+    EdgeCrossing crossing{trace.start.gridEdge, triangle, fragment.points[side][axis]};
+    if (isBaffle(triangle)) {
+      baffleCrossings_.push_back(crossing);
+    } else {
+      crossing.rise = riseAt(fragment, before, edge);
+      crossings_.push_back(crossing);
+    }
   }
   if (isUnderPlane(fragment, edge)) {
     trace.below = number;

@@ -80,8 +80,10 @@ class TileSurface {
   /// Those of triangles that are no walls, without their triangles' edges.
   [[nodiscard]] std::span<const TileFragment> buriedFragments() const { return buriedFragments_; }
   [[nodiscard]] std::span<const FaceTrace> buriedTraces() const { return buriedTraces_; }
-  /// Those of all triangles.
+  /// Those of all triangles but baffles.
   [[nodiscard]] std::span<const EdgeCrossing> crossings() const { return crossings_; }
+  /// Those of baffles, in no order, some of them repeatedly; they have no rise.
+  [[nodiscard]] std::span<const EdgeCrossing> baffleCrossings() const { return baffleCrossings_; }
   [[nodiscard]] std::span<const EdgeCrossing> crossingsOf(std::uint32_t edge) const;
 
   [[nodiscard]] SheetKind kindOf(std::uint32_t triangle) const {
@@ -155,6 +157,7 @@ class TileSurface {
   std::vector<FaceTrace> traces_;
   std::vector<FragmentBelow> below_;
   std::vector<EdgeCrossing> crossings_;
+  std::vector<EdgeCrossing> baffleCrossings_;
   std::vector<TileFragment> buriedFragments_;
   std::vector<FaceTrace> buriedTraces_;
 };
