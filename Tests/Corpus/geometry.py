@@ -74,8 +74,8 @@ def damaged(name, content):
     yield bad("longer", content + bytes(64), "longer than its header")
     yield bad("zeros", bytes(len(content)), "")
     yield bad("magic", b"\x89cutwat" + content[7:])
-    yield bad("version-1", changed(content, 8, "<I", 1), "version 1")
-    yield bad("version-3", changed(content, 8, "<I", 3), "version 3")
+    for version in (2, 4):
+        yield bad(f"version-{version}", changed(content, 8, "<I", version), f"version {version}")
     yield bad("byte-order", changed(content, 12, ">I", 0x01020304), "byte order")
     yield bad("text-mode", content.replace(b"\n", b"\r\n") + b"\r\n")
     for at in (24, 32, 48, header - 8, header, len(content) - 200):

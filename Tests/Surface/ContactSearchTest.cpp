@@ -94,7 +94,7 @@ TEST(ContactSearchTest, MarksEdgesThatOthersLieOn) {
                           {{0, 1, 4}, {0, 2, 1}, {3, 2, 0}, {1, 2, 3}}};
   const auto found = findContacts<double>(list.points, list.corners);
   EXPECT_EQ(found.overlaps, 0U);
-  EXPECT_EQ(found.touchedEdges, (std::vector<std::uint8_t>{1, 7, 2, 1}));
+  EXPECT_EQ(found.touchedEdges, (std::vector<std::uint8_t>{1 | 8, 7, 2 | 16, 1 | 8}));
   // Crossing an edge at a point marks nothing.
   const TriangleList crossed{{{0, 0, 0}, {2, 0, 0}, {1, -1, 0}, {1, 0, -1}, {1, 0, 1}, {1, 3, 0}},
                              {{0, 1, 2}, {3, 4, 5}}};
