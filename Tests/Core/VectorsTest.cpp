@@ -86,6 +86,23 @@ TYPED_TEST(VectorsTest, BoxesAreClosed) {
   EXPECT_EQ((Box<T>{{huge, 0, 0}, {huge, 0, 0}}).center().x, huge);
 }
 
+TYPED_TEST(VectorsTest, BoxesCoverThoseOfWhichTheyHaveBothEnds) {
+  using T = TypeParam;
+  const Box<T> box{{0, 0, 0}, {1, 2, 3}};
+  EXPECT_TRUE(box.covers(box));
+  EXPECT_TRUE(Box<T>::everywhere().covers(box));
+  EXPECT_TRUE(box.covers(Box<T>{{T(0.5), 0, 1}, {1, 1, 2}}));
+  for (int axis = 0; axis < 3; ++axis) {
+    auto larger = box;
+    larger.lower[axis] -= 1;
+    EXPECT_FALSE(box.covers(larger));
+    EXPECT_TRUE(larger.covers(box));
+    larger = box;
+    larger.upper[axis] += 1;
+    EXPECT_FALSE(box.covers(larger));
+  }
+}
+
 TYPED_TEST(VectorsTest, BoxesOverlapWhereTheyShareAPoint) {
   using T = TypeParam;
   const auto overlap = [](const Box<T>& a, const Box<T>& b) {

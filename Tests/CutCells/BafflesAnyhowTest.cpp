@@ -15,6 +15,7 @@
 
 #include "CutCells/JoinedCells.hpp"
 #include "CutCells/RandomLeaves.hpp"
+#include "CutCells/Sheets.hpp"
 #include "Support/CutIdentities.hpp"
 #include "Support/CutPolygons.hpp"
 #include "Support/Refusal.hpp"
@@ -24,28 +25,6 @@
 namespace cutwater::test::baffles {
 namespace {
 
-PolygonSoup called(const std::string& name, PolygonSoup soup) {
-  soup.patchNames = {name};
-  std::ranges::fill(soup.patches, 0U);
-  return soup;
-}
-/// As together(), but with patches of its own.
-PolygonSoup beside(const PolygonSoup& soup, PolygonSoup added) {
-  for (auto& patch : added.patches) patch += static_cast<std::uint32_t>(soup.patchNames.size());
-  auto result = together(soup, added);
-  result.patchNames.insert(result.patchNames.end(), added.patchNames.begin(),
-                           added.patchNames.end());
-  return result;
-}
-/// A parallelogram, called "fin".
-PolygonSoup sheet(const Vec3<double>& corner, const Vec3<double>& u, const Vec3<double>& v) {
-  PolygonSoup soup;
-  soup.patchNames = {"fin"};
-  soup.points = {corner, corner + u, corner + u + v, corner + v};
-  soup.addPolygon(std::array{0U, 1U, 2U});
-  soup.addPolygon(std::array{0U, 2U, 3U});
-  return soup;
-}
 Solid<double> solidOf(const PolygonSoup& soup) {
   return Solid<double>(MeshSDF<double>(soup));
 }
@@ -99,7 +78,7 @@ TEST(BafflesAnyhowTest, InAPlaneTheyAreThoseOfALayer) {
       const auto next = isAligned ? sheet({quarter(), number(), -1}, {0, 0.4, 0}, {0, 0, 3})
                                   : sheet({quarter(), quarter(), -1},
                                           {number() - 0.5, number() - 0.5, 0}, {0, 0, 3});
-      soup = called("fin", together(soup, next));
+      soup = beside(soup, next);
     }
     const auto cutter = cutterOf(soup);
     auto grid = planesOf(unitCube(12));

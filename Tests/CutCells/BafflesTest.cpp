@@ -289,50 +289,50 @@ void expectFlooded(const CutCells& cells, Found flooded) {
   }
 }
 
-TEST(BafflesTest, SquaresAndCubesAreThoseOfAFlood) {
-  std::mt19937 random(3);
-  std::size_t several = 0;
-  for (int round = 0; round < scaled(150); ++round) {
+/// Calls visit(random, scene, isAligned, cutter) for random scenes, until one fails.
+template <typename Visit>
+void forScenes(unsigned seed, int rounds, Visit&& visit) {
+  std::mt19937 random(seed);
+  for (int round = 0; round < rounds; ++round) {
     const auto scene = randomScene(random);
     const bool isAligned = random() % 3 == 0;
-    std::array<std::vector<int>, 3> planes;
-    for (auto& p : planes) p = randomPlanes(random, isAligned);
     const Solid<double> solid(MeshSDF<double>(scene.soup()));
-    const CellCutter cutter(solid, FluidSide::Outside, {.baffles = {"fin"}});
-    const auto cells = cutter.cut(gridOf(planes), {.polygons = true, .moments = 1});
-    expectFlooded(cells, Flood(scene, planes).run());
-    expectIdentities(cells, 1e-13);
-    expectPolygonsOf(cells);
-    several += check(cells).multiPieceCells;
-    if (HasFailure()) {
+    visit(random, scene, isAligned, CellCutter(solid, FluidSide::Outside, {.baffles = {"fin"}}));
+    if (testing::Test::HasFailure()) {
       ADD_FAILURE() << round;
       return;
     }
   }
+}
+
+TEST(BafflesTest, SquaresAndCubesAreThoseOfAFlood) {
+  std::size_t several = 0;
+  forScenes(3, scaled(150),
+            [&](auto& random, const Scene& scene, bool isAligned, const auto& cutter) {
+              std::array<std::vector<int>, 3> planes;
+              for (auto& p : planes) p = randomPlanes(random, isAligned);
+              const auto cells = cutter.cut(gridOf(planes), {.polygons = true, .moments = 1});
+              expectFlooded(cells, Flood(scene, planes).run());
+              expectIdentities(cells, 1e-13);
+              expectPolygonsOf(cells);
+              several += check(cells).multiPieceCells;
+            });
   EXPECT_GT(several, 300U);
 }
 
 TEST(BafflesTest, InPlanesAreThoseOfAFlood) {
-  std::mt19937 random(5);
   std::size_t several = 0;
-  for (int round = 0; round < scaled(100); ++round) {
-    const auto scene = randomScene(random);
-    const bool isAligned = random() % 3 == 0;
-    std::array<std::vector<int>, 3> planes;
-    for (const std::size_t a : {0, 1}) planes[a] = randomPlanes(random, isAligned);
-    const int layer = -1 + static_cast<int>(random() % (kParts * kSquares));
-    planes[2] = {layer, layer + 1};
-    const Solid<double> solid(MeshSDF<double>(scene.soup()));
-    const CellCutter cutter(solid, FluidSide::Outside, {.baffles = {"fin"}});
-    const auto cells = cutter.cutInPlane(gridOf(planes), (layer + 0.5) / kParts);
-    expectFlooded(cells, Flood(scene, planes, true).run());
-    expectIdentities(cells, 1e-13);
-    several += check(cells).multiPieceCells;
-    if (HasFailure()) {
-      ADD_FAILURE() << round;
-      return;
-    }
-  }
+  forScenes(5, scaled(100),
+            [&](auto& random, const Scene& scene, bool isAligned, const auto& cutter) {
+              std::array<std::vector<int>, 3> planes;
+              for (const std::size_t a : {0, 1}) planes[a] = randomPlanes(random, isAligned);
+              const int layer = -1 + static_cast<int>(random() % (kParts * kSquares));
+              planes[2] = {layer, layer + 1};
+              const auto cells = cutter.cutInPlane(gridOf(planes), (layer + 0.5) / kParts);
+              expectFlooded(cells, Flood(scene, planes, true).run());
+              expectIdentities(cells, 1e-13);
+              several += check(cells).multiPieceCells;
+            });
   EXPECT_GT(several, 60U);
 }
 

@@ -11,6 +11,7 @@
 
 #include "CutCells/PeriodicCells.hpp"
 #include "CutCells/RowFiles.hpp"
+#include "CutCells/Sheets.hpp"
 #include "CutCells/ShellCells.hpp"
 #include "Support/Refusal.hpp"
 #include "Support/Scale.hpp"
@@ -59,13 +60,7 @@ TEST(PeriodicCellsTest, BallsThatCrossTheBoundaryKeepTheirVolume) {
 
 /// A ball, and a parallelogram as a baffle.
 Solid<double> ballAndFin(const Vec3<double>& corner, const Vec3<double>& u, const Vec3<double>& v) {
-  auto soup = ball(0.2, {0.5, 0.55, 0.52});
-  soup.patchNames = {"ball", "fin"};
-  const auto first = static_cast<std::uint32_t>(soup.points.size());
-  for (const auto& p : {corner, corner + u, corner + u + v, corner + v}) soup.points.push_back(p);
-  soup.addPolygon(std::array{first, first + 1, first + 2}, 1);
-  soup.addPolygon(std::array{first, first + 2, first + 3}, 1);
-  return solidOf(soup);
+  return solidOf(beside(called("ball", ball(0.2, {0.5, 0.55, 0.52})), sheet(corner, u, v)));
 }
 
 TEST(PeriodicCellsTest, BafflesThatCrossTheBoundaryRepeatToTheBit) {

@@ -113,5 +113,16 @@ TEST(TouchingShellTest, LeavesAreClosed) {
   }
 }
 
+TEST(TouchingShellTest, LeavesAroundTheEdgeHaveFluidOnBothSides) {
+  // One leaf, and the ends fill half of it.
+  const OctreeDomain<double> domain({0.75, 0.75, 0.5}, 0.5, {1, 1, 1});
+  const Octree<double> one(solidOf(bentBar()), domain, {});
+  const auto leaves = CellCutter(solidOf(bentBar())).cut(one);
+  ASSERT_EQ(one.cells().size(), 1U);
+  EXPECT_LT(check(leaves).worstClosure, 1e-13);
+  ASSERT_EQ(leaves.pieces.volume.size(), 2U);
+  for (const double volume : leaves.pieces.volume) EXPECT_DOUBLE_EQ(volume, 0.25 * 0.25 * 0.5);
+}
+
 }  // namespace
 }  // namespace cutwater::test

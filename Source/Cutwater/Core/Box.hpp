@@ -33,6 +33,10 @@ struct Box {
     return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y && lower.z <= p.z &&
            p.z <= upper.z;
   }
+  /// Whether it contains both ends of another box.
+  CUTWATER_INLINE constexpr bool covers(const Box& other) const {
+    return contains(other.lower) && contains(other.upper);
+  }
   /// Corner 0..7: bit 0 chooses upper.x, bit 1 upper.y, bit 2 upper.z.
   CUTWATER_INLINE constexpr Vec3<T> corner(int i) const {
     return {(i & 1) != 0 ? upper.x : lower.x, (i & 2) != 0 ? upper.y : lower.y,

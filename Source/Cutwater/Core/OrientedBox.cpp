@@ -89,8 +89,7 @@ Box<T> OrientedBox<T>::bounds() const {
 template <std::floating_point T>
 bool OrientedBox<T>::isWithin(const Box<T>& domain) const {
   if (domain == Box<T>::everywhere()) return true;
-  const auto around = bounds();
-  return domain.contains(around.lower) && domain.contains(around.upper);
+  return domain.covers(bounds());
 }
 
 template struct OrientedBox<float>;

@@ -129,7 +129,7 @@ void FacetRules<T>::lookAround(T reach, std::span<const Box<T>> cells,
   const T width = maxComponent(cells[0].size());
   const auto regionOf = [&](const Box<T>& cell) { return cell.grown((reach + kMargin) * width); };
   const auto first = regionOf(cells[0]);
-  if (surroundings_.contains(first.lower) && surroundings_.contains(first.upper)) return;
+  if (surroundings_.covers(first)) return;
   surroundings_ = first;
   for (std::size_t i = 1; i < cells.size(); ++i) {
     if (!isOpen(tags[i])) continue;

@@ -277,8 +277,7 @@ BoxClass Combination<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint)
 template <std::floating_point T>
 bool Combination<T>::mayContain(std::size_t i, const Box<T>& box) const {
   if (decides_ == Decides::Greatest) return true;
-  const auto whole = operand(i).boundingBox();
-  return whole.contains(box.lower) && whole.contains(box.upper);
+  return operand(i).boundingBox().covers(box);
 }
 
 template class Combination<float>;

@@ -48,7 +48,7 @@ class ContactCount {
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t j = 0; j < 3; ++j) {
         if (isSameEdge(a, i, b, j) || !areOnOneLine(a, i, b, j)) continue;
-        const unsigned bits = haveAPartInCommon(a, i, b, j) ? 9 : 1;
+        const unsigned bits = haveAPartInCommon(a, i, b, j) ? 1U | 1U << 3U : 1U;
         std::atomic_ref(touchedEdges_[a]) |= static_cast<std::uint8_t>(bits << i);
         std::atomic_ref(touchedEdges_[b]) |= static_cast<std::uint8_t>(bits << j);
       }

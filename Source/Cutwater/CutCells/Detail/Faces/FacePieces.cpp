@@ -58,8 +58,7 @@ class FacePieces::Builder {
     place_ = owner_.surface_.numbers().placeOfFace(face.face);
     traces_ = owner_.surface_.traces().subspan(face.firstTrace, face.lastTrace - face.firstTrace);
     findStretches();
-    parts_ = nodes();
-    sets_.reset(parts_);
+    sets_.reset(nodes());
     joinTraces();
     joinStretches();
     joinCorners();
@@ -85,9 +84,6 @@ class FacePieces::Builder {
            face_->firstStretch[asIndex(side)] - face_->firstStretch[0];
   }
 
-  void join(std::uint32_t one, std::uint32_t other) {
-    if (sets_.unite(one, other)) --parts_;
-  }
   /// Traces of triangles that share an edge of the mesh.
   void joinTraces() {
     if (traces_.size() == 1) return;
@@ -99,7 +95,7 @@ class FacePieces::Builder {
     }
     std::ranges::sort(ends_);
     for (std::size_t i = 1; i < ends_.size(); ++i) {
-      if (ends_[i].first == ends_[i - 1].first) join(ends_[i].second, ends_[i - 1].second);
+      if (ends_[i].first == ends_[i - 1].first) sets_.unite(ends_[i].second, ends_[i - 1].second);
     }
   }
   /// Stretches with the traces at their ends.
@@ -112,14 +108,14 @@ class FacePieces::Builder {
         const auto stretches = stretches_[asIndex(side)];
         for (std::size_t s = 0; s < stretches.size(); ++s) {
           const bool isAtStart = stretches[s].start == traces_[i].triangle;
-          if (isAtStart || stretches[s].end == traces_[i].triangle) join(i, node(side, s));
+          if (isAtStart || stretches[s].end == traces_[i].triangle) sets_.unite(i, node(side, s));
         }
       }
     }
   }
   /// Stretches of two edges that meet in a corner in the fluid.
   void joinCorners() {
-    for (int corner = 0; corner < 4 && parts_ > 1; ++corner) {
+    for (int corner = 0; corner < 4 && sets_.count() > 1; ++corner) {
       auto place = place_;
       place[asIndex(axes_.first)] += corner % 2;
       place[asIndex(axes_.second)] += corner / 2;
@@ -129,14 +125,14 @@ class FacePieces::Builder {
       const auto last = [&](int side, bool isHigh) {
         return node(side, isHigh ? stretches_[asIndex(side)].size() - 1 : 0);
       };
-      join(last(along, corner % 2 == 1), last(across, corner / 2 == 1));
+      sets_.unite(last(along, corner % 2 == 1), last(across, corner / 2 == 1));
     }
   }
 
   /// Loops around body: their fluid is that around them.
   void joinHoles() {
     isNothing_.assign(traces_.size(), 0);
-    if (parts_ == 1 && nodes() > traces_.size()) return;
+    if (sets_.count() == 1 && nodes() > traces_.size()) return;
     touchesRim_.assign(traces_.size(), 0);
     for (std::uint32_t i = static_cast<std::uint32_t>(traces_.size()); i < nodes(); ++i) {
       const auto root = sets_.find(i);
@@ -275,7 +271,6 @@ class FacePieces::Builder {
   std::array<std::span<const EdgeStretch>, 4> stretches_;
   std::array<std::uint32_t, 4> gridEdges_{};
   detail::DisjointSets sets_;  // of traces, then stretches
-  std::size_t parts_ = 0;      // of these sets
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_;
   std::vector<char> touchesRim_;
   std::vector<char> isNothing_;  // by root of a loop

@@ -70,8 +70,7 @@ class CellBuilder {
       }
     }
     findOpenParts();
-    parts_ = fragments_.size() + open_.size();
-    sets_.reset(parts_);
+    sets_.reset(fragments_.size() + open_.size());
     joinFragments();
     joinFaces();
     joinEdges();
@@ -105,15 +104,12 @@ class CellBuilder {
     return static_cast<std::uint32_t>(fragments_.size()) + i;
   }
 
-  void join(std::uint32_t one, std::uint32_t other) {
-    if (sets_.unite(one, other)) --parts_;
-  }
   void joinFragments() {
     if (fragments_.size() == 1) return;
     edges_.reset(fragments_.size());
     for (std::uint32_t i = 0; i < fragments_.size(); ++i) {
       for (const auto edge : surface_.meshEdges(fragments_[i])) {
-        if (edge != kNone) join(i, edges_.firstWith(edge, i));
+        if (edge != kNone) sets_.unite(i, edges_.firstWith(edge, i));
       }
     }
   }
@@ -123,7 +119,7 @@ class CellBuilder {
         const auto& t = surface_.traces()[trace];
         const int axis = surface_.numbers().axisOfFace(t.face);
         const int side = t.below == firstFragment_ + i ? 1 : 0;
-        join(i, nodeOfArc(axis, side, faces_.ofTrace(trace)));
+        sets_.unite(i, nodeOfArc(axis, side, faces_.ofTrace(trace)));
       }
     }
   }
@@ -133,7 +129,7 @@ class CellBuilder {
       const int c = (axis + 1) % 3;
       const int d = (axis + 2) % 3;
       for (int corner = 0; corner < 4; ++corner) {
-        if (parts_ == 1) return;
+        if (sets_.count() == 1) return;
         const int sideC = corner % 2;
         const int sideD = corner / 2;
         auto place = place_;
@@ -144,7 +140,7 @@ class CellBuilder {
           // Of the face across c, the edge runs along the second axis; across d, along the first.
           const auto onC = arcAt(c, sideC, s, sideD, true);
           const auto onD = arcAt(d, sideD, s, sideC, false);
-          join(nodeOfArc(c, sideC, onC), nodeOfArc(d, sideD, onD));
+          sets_.unite(nodeOfArc(c, sideC, onC), nodeOfArc(d, sideD, onD));
         }
       }
     }
@@ -158,7 +154,7 @@ class CellBuilder {
 
   /// Shells around body that touch no face, but for points: their fluid is that around them.
   void joinShells() {
-    if (parts_ == 1 && std::ranges::any_of(open_, [this](const OpenPart& part) {
+    if (sets_.count() == 1 && std::ranges::any_of(open_, [this](const OpenPart& part) {
           return !out_.arcs[part.arc].isNothing;
         })) {
       return;
@@ -302,7 +298,6 @@ class CellBuilder {
   std::vector<OpenPart> open_;
   std::array<std::uint32_t, 6> firstOpen_{};
   detail::DisjointSets sets_;  // of fragments, then open parts
-  std::size_t parts_ = 0;      // of these sets
   FirstWithEdge edges_;
   std::vector<char> touchesFace_;
   std::vector<std::uint32_t> sumOf_;

@@ -21,8 +21,8 @@ struct CellFace {
 /// In whose plane a triangle lies.
 CellFace faceOf(const Triangle& triangle, const GridPlanes& planes, const TilePlace& cell) {
   for (int axis = 0; axis < 3; ++axis) {
+    if (!lieAcross(triangle, axis)) continue;
     const double at = triangle[0][axis];
-    if (triangle[1][axis] != at || triangle[2][axis] != at) continue;
     for (const bool isHigh : {false, true}) {
       if (planes.at(axis, cell[asIndex(axis)] + (isHigh ? 1 : 0)) == at) return {axis, isHigh};
     }
@@ -76,17 +76,11 @@ bool hasPartIn(const Triangle& triangle, const GridPlanes& planes, const TilePla
   return true;
 }
 
-/// Whether a polygon may lie across an axis, as those of triangles that do.
-bool isAcrossAny(std::span<const Vec3<double>> points) {
-  const auto& a = points[0];
-  const auto& b = points[1];
-  const auto& c = points[2];
-  return (a.x == b.x && b.x == c.x) || (a.y == b.y && b.y == c.y) || (a.z == b.z && b.z == c.z);
-}
-
 std::uint8_t faceWithPart(const TileSurface& surface, const GridPlanes& planes,
                           const TileFragment& fragment) {
-  if (!isAcrossAny(surface.points(fragment))) return 0;
+  // What a triangle in a plane has in a cell lies in it, too, and is nearer at hand.
+  const auto points = surface.points(fragment);
+  if (!lieAcross(points, 0) && !lieAcross(points, 1) && !lieAcross(points, 2)) return 0;
   if (surface.patchOf(fragment.triangle) == kNone) return 0;
   const auto triangle = surface.cornersOf(fragment.triangle);
   const auto cell = surface.numbers().placeOfCell(fragment.cell);

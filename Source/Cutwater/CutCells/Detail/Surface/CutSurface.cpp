@@ -202,7 +202,7 @@ std::vector<std::uint32_t> CutSurface::trianglesIn(const Box<double>& box) const
     const auto& node = tree_.nodes[pending.back()];
     pending.pop_back();
     if (!node.box.overlaps(box)) continue;
-    if (box.contains(node.box.lower) && box.contains(node.box.upper)) {
+    if (box.covers(node.box)) {
       const auto all = std::span(tree_.order).subspan(node.begin, node.count());
       result.insert(result.end(), all.begin(), all.end());
       continue;

@@ -2,8 +2,10 @@
 
 #include <Cutwater/Core/Vec3.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace cutwater {
 
@@ -27,6 +29,12 @@ struct MovedVertex {
 [[nodiscard]] inline bool isAbove(const MovedVertex& v, int axis, double plane) {
   return v.position[axis] > plane ||
          (v.position[axis] == plane && v.shift[static_cast<std::size_t>(axis)] > 0);
+}
+
+/// Whether points lie in one plane across the axis.
+[[nodiscard]] inline bool lieAcross(std::span<const Vec3<double>> points, int axis) {
+  return std::ranges::all_of(points,
+                             [&](const Vec3<double>& p) { return p[axis] == points[0][axis]; });
 }
 
 /// A plane across an axis.

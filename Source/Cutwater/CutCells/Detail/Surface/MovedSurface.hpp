@@ -43,6 +43,11 @@ class MovedSurface {
     const auto& [a, b, c] = triangles_.corners[id];
     return {triangles_.vertices[a], triangles_.vertices[b], triangles_.vertices[c]};
   }
+  /// Where its vertices are, before they are moved.
+  [[nodiscard]] std::array<Vec3<double>, 3> positionsOf(std::uint32_t id) const {
+    const auto [a, b, c] = triangle(id);
+    return {a.position, b.position, c.position};
+  }
   [[nodiscard]] bool isBaffle(std::uint32_t id) const { return id >= closedCount_; }
   /// Triangles of the mesh at vertices around which moved parts overlap, in ascending order.
   [[nodiscard]] std::span<const std::uint32_t> overlapping() const { return overlapping_; }

@@ -19,11 +19,6 @@ std::string listOf(std::span<const std::string> names) {
   return names.size() > kFew ? list + ", ..." : list;
 }
 
-bool liesAcross(const std::array<MovedVertex, 3>& triangle, int axis) {
-  const double at = triangle[0].position[axis];
-  return triangle[1].position[axis] == at && triangle[2].position[axis] == at;
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> patchesCalled(std::span<const std::string> names,
@@ -60,23 +55,23 @@ std::vector<OpenKind> findOpenKinds(const MovedSurface& surface,
   std::vector<std::uint32_t> empty;
   for (std::uint32_t id = 0; id < kinds.size(); ++id) {
     if (std::ranges::count(openPatches, patches[id]) == 0) continue;
-    const auto triangle = surface.triangle(id);
-    if (!hasArea({triangle[0].position, triangle[1].position, triangle[2].position})) {
+    const auto triangle = surface.positionsOf(id);
+    if (!hasArea(triangle)) {
       empty.push_back(id);
       continue;
     }
     kinds[id] = OpenKind::Inclined;
     for (int axis = 0; axis < 3; ++axis) {
-      if (!liesAcross(triangle, axis)) continue;
+      if (!lieAcross(triangle, axis)) continue;
       kinds[id] = static_cast<OpenKind>(axis);
       planesOf[patches[id]][static_cast<std::size_t>(axis)] = true;
     }
   }
   for (const auto id : empty) {
-    const auto triangle = surface.triangle(id);
+    const auto triangle = surface.positionsOf(id);
     for (int axis = 0; axis < 3; ++axis) {
       const bool isOfPatch = planesOf[patches[id]][static_cast<std::size_t>(axis)];
-      if (isOfPatch && liesAcross(triangle, axis)) kinds[id] = static_cast<OpenKind>(axis);
+      if (isOfPatch && lieAcross(triangle, axis)) kinds[id] = static_cast<OpenKind>(axis);
     }
   }
   return kinds;

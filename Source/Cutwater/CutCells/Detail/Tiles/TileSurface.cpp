@@ -58,6 +58,7 @@ TileSurface::TileSurface(const MovedSurface& surface, std::span<const std::uint3
       patches_(patches),
       kinds_(kinds),
       openKinds_(openKinds) {
+  // Twice what fine meshes have, as growing costs more.
   fragments_.reserve(2 * triangles.size());
   points_.reserve(8 * triangles.size());
   meshEdges_.reserve(8 * triangles.size());
@@ -116,8 +117,8 @@ void TileSurface::addOutline(std::uint32_t triangle, const Fragment& fragment,
                              const GridPlanes& planes) {
   const auto corners = cornersOf(triangle);
   for (int axis = 0; axis < 3; ++axis) {
+    if (!lieAcross(corners, axis)) continue;
     const double at = corners[0][axis];
-    if (corners[1][axis] != at || corners[2][axis] != at) continue;
     for (const int side : {0, 1}) {
       auto place = fragment.cell;
       place[asIndex(axis)] += side;

@@ -100,8 +100,7 @@ class TileSurface {
   }
   /// In the frame, before they are moved.
   [[nodiscard]] std::array<Vec3<double>, 3> cornersOf(std::uint32_t triangle) const {
-    const auto [a, b, c] = surface_.triangle(triangle);
-    return {a.position, b.position, c.position};
+    return surface_.positionsOf(triangle);
   }
   [[nodiscard]] bool isBaffle(std::uint32_t triangle) const {
     return kindOf(triangle) == SheetKind::Baffle;
