@@ -27,6 +27,7 @@ class CrossingWalk {
 
  private:
   static constexpr int kHalvings = 8;
+  static constexpr double kFinest = 0x1p-60;  // parameters nearer to each other are one
 
   // Each returns whether to continue.
 
@@ -182,15 +183,16 @@ class CrossingWalk {
   }
 
   [[nodiscard]] double bisected(double from, double to) const {
-    for (;;) {
+    while (to - from > kFinest) {
       const double middle = 0.5 * (from + to);
       // Tested in T's precision, so that the loop terminates.
       if (!(static_cast<T>(from) < static_cast<T>(middle) &&
             static_cast<T>(middle) < static_cast<T>(to))) {
-        return to;
+        break;
       }
       (isInside(middle) == solid_ ? from : to) = middle;
     }
+    return to;
   }
 
   const MeshField<T>& field_;
