@@ -1,6 +1,7 @@
-// CellCutter::disputedCells().
+// CellCutter::disputedCells(), of leaves and in planes as well.
 
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Surface/Detail/HoleCaps.hpp>
 #include <Cutwater/Surface/Triangulation.hpp>
 #include <Cutwater/Triangles/OpenEdges.hpp>
@@ -52,6 +53,21 @@ CellPlanes gridOf(int n, double lower, double upper) {
   return cellsBetween({planes, planes, planes});
 }
 
+/// So many points along each axis of a box.
+std::vector<Vec3<double>> pointsIn(const Box<double>& box, const Index3& counts) {
+  std::vector<Vec3<double>> points;
+  for (int n = 0; n < counts.i * counts.j * counts.k; ++n) {
+    const Vec3<double> at{(0.503 + n % counts.i) / counts.i,
+                          (0.501 + n / counts.i % counts.j) / counts.j,
+                          (0.499 + n / counts.i / counts.j) / counts.k};
+    auto& p = points.emplace_back();
+    for (int axis = 0; axis < 3; ++axis) {
+      p[axis] = box.lower[axis] + at[axis] * box.size()[axis];
+    }
+  }
+  return points;
+}
+
 /// What samples say of the cells that are listed.
 struct Shares {
   std::size_t listed = 0;
@@ -79,13 +95,7 @@ Shares expectAllListed(const PolygonSoup& open, const CellPlanes& grid, int samp
       const auto cell = box.at(n % nx, n / nx % ny, n / nx / ny);
       const auto own = cells.boxOf(cell);
       bool differs = false;
-      for (int s = 0; s < samples * samples * samples; ++s) {
-        const Vec3<double> at{0.503 + s % samples, 0.501 + s / samples % samples,
-                              0.499 + s / samples / samples};
-        Vec3<double> p;
-        for (int axis = 0; axis < 3; ++axis) {
-          p[axis] = own.lower[axis] + at[axis] / samples * own.size()[axis];
-        }
+      for (const auto& p : pointsIn(own, {samples, samples, samples})) {
         const bool isWithin = closed.signedDistance(p) < 0;
         differs = differs || isWithin != (solid.signedDistance(p) < 0);
         const auto found = cells.classOf(cell);
@@ -136,15 +146,93 @@ TEST(DisputedCellsTest, ABentCapMakesThoseBetweenItAndTheSheetOfOneHalf) {
   }
 }
 
+/// A short tube, both ends of which are open.
+PolygonSoup ring() {
+  return opened(tessellation::cylinder(0.4, 0.2, 24),
+                [](const Vec3<double>& p) { return p.z < 0.001 || p.z > 0.199; });
+}
+
 /// Each of them alone has half of the full solid angle at most, both have more between them.
 TEST(DisputedCellsTest, TwoCapsOfAShortTubeMakeThoseBetweenThem) {
-  const auto ring = opened(tessellation::cylinder(0.4, 0.2, 24),
-                           [](const Vec3<double>& p) { return p.z < 0.001 || p.z > 0.199; });
   for (const int n : {9, 14}) {
-    const auto [listed, differing, whole] = expectAllListed(ring, gridOf(n, -0.53, 0.51), 6);
+    const auto [listed, differing, whole] = expectAllListed(ring(), gridOf(n, -0.53, 0.51), 6);
     EXPECT_GT(whole, n == 14 ? 50U : 0U);
     EXPECT_LE(10 * listed, 12 * differing);
   }
+}
+
+/// Whether signs differ at one of these points.
+bool differAt(const std::vector<Vec3<double>>& points, const Solid<double>& one,
+              const Solid<double>& other) {
+  return std::ranges::any_of(points, [&](const Vec3<double>& p) {
+    return (one.signedDistance(p) < 0) != (other.signedDistance(p) < 0);
+  });
+}
+
+TEST(DisputedCellsTest, OfLeaves) {
+  const auto open = solidOf(ring());
+  const auto closed = solidOf(capped(ring()));
+  const OctreeDomain<double> domain({-0.53, -0.53, -0.53}, 1.04, {1, 1, 1});
+  for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+    const CellCutter cutter(open, side, {.capHoles = true});
+    const Octree<double> octree(open, domain, {.cut = 4, .bands = {{0.1, 3}}});
+    const auto leaves = cutter.cut(octree);
+    const auto listed = cutter.disputedLeaves(leaves, octree);
+    EXPECT_EQ(cutter.disputedLeaves(leaves, octree, {.threads = 1}), listed);
+    std::size_t differing = 0;
+    for (std::uint32_t n = 0; n < octree.cells().size(); ++n) {
+      const bool differs =
+          differAt(pointsIn(octree.box(octree.cells()[n]), {5, 5, 5}), open, closed);
+      differing += differs ? 1 : 0;
+      EXPECT_TRUE(!differs || std::ranges::binary_search(listed, n)) << n;
+    }
+    EXPECT_GT(differing, 200U);
+    EXPECT_LE(10 * listed.size(), 13 * differing);
+    EXPECT_TRUE(std::ranges::is_sorted(listed));
+    EXPECT_THROW(
+        static_cast<void>(cutter.disputedLeaves(leaves, Octree<double>(open, domain, {.cut = 2}))),
+        Error);
+  }
+}
+
+TEST(DisputedCellsTest, OfLeavesOfOneLevelTheyAreThoseOfTheGrid) {
+  const auto open = solidOf(ring());
+  const OctreeDomain<double> domain({-0.5, -0.5, -0.5}, 1, {1, 1, 1});
+  const Octree<double> octree(open, domain, {.cut = 3, .bands = {{2, 3}}});
+  ASSERT_EQ(octree.cells().size(), 512U);
+  const CellCutter cutter(open, FluidSide::Outside, {.capHoles = true});
+  std::vector<Index3> found;
+  for (const auto n : cutter.disputedLeaves(cutter.cut(octree), octree)) {
+    found.push_back(octree.cells()[n].index);
+  }
+  std::ranges::sort(found, {}, [](const Index3& c) { return std::tuple(c.k, c.j, c.i); });
+  EXPECT_FALSE(found.empty());
+  EXPECT_EQ(found, cutter.disputedCells(cutter.cut(gridOf(8, -0.5, 0.5))));
+}
+
+TEST(DisputedCellsTest, InPlanes) {
+  const auto open = solidOf(ring());
+  const auto closed = solidOf(capped(ring()));
+  std::size_t differing = 0;
+  std::size_t listings = 0;
+  for (const double z : {-0.05, 0.03, 0.1, 0.19}) {
+    for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+      const CellCutter cutter(open, side, {.capHoles = true});
+      const auto cells = cutter.cutInPlane(gridOf(11, -0.53, 0.51), z);
+      const auto listed = cutter.disputedCellsInPlane(cells, z);
+      listings += listed.size();
+      for (std::int32_t n = 0; n < 121; ++n) {
+        const Index3 cell{n % 11, n / 11, 0};
+        auto box = cells.boxOf(cell);
+        box.lower.z = box.upper.z = z;
+        const bool differs = differAt(pointsIn(box, {12, 12, 1}), open, closed);
+        differing += differs ? 1 : 0;
+        EXPECT_TRUE(!differs || std::ranges::find(listed, cell) != listed.end()) << z << ' ' << n;
+      }
+    }
+  }
+  EXPECT_GT(differing, 200U);
+  EXPECT_LE(10 * listings, 12 * differing);
 }
 
 /// A gutter, bent to a ring: its rims are circles in one plane, one within the other. And a bend,

@@ -138,6 +138,15 @@ class CellCutter {
   /// @throws Error(Argument) if there is a period.
   [[nodiscard]] std::vector<Index3> disputedCells(const CutCells& cells,
                                                   const ParallelOptions& options = {}) const;
+  /// Of the rectangles that cutInPlane() gave for this z, those that have such points.
+  [[nodiscard]] std::vector<Index3> disputedCellsInPlane(const CutCells& cells, double z,
+                                                         const ParallelOptions& options = {}) const;
+  /// Of the leaves that cut() gave for this octree: their indices, ascending.
+  /// @throws Error(Argument) if the octree has another number of leaves.
+  template <std::floating_point T>
+  [[nodiscard]] std::vector<std::uint32_t> disputedLeaves(
+      const CutLeaves& leaves, const OctreeCells<T>& mesh,
+      const ParallelOptions& options = {}) const;
 
  private:
   template <std::floating_point T>
@@ -155,6 +164,12 @@ extern template CellCutter::CellCutter(const Solid<float>&, FluidSide, const Cut
 extern template CellCutter::CellCutter(const Solid<double>&, FluidSide, const CutterOptions&);
 extern template CutLeaves CellCutter::cut(const OctreeCells<float>&, const CutOptions&) const;
 extern template CutLeaves CellCutter::cut(const OctreeCells<double>&, const CutOptions&) const;
+extern template std::vector<std::uint32_t> CellCutter::disputedLeaves(const CutLeaves&,
+                                                                      const OctreeCells<float>&,
+                                                                      const ParallelOptions&) const;
+extern template std::vector<std::uint32_t> CellCutter::disputedLeaves(const CutLeaves&,
+                                                                      const OctreeCells<double>&,
+                                                                      const ParallelOptions&) const;
 extern template CellPlanes CellCutter::gridOf(const GridPatch<float>&) const;
 extern template CellPlanes CellCutter::gridOf(const GridPatch<double>&) const;
 extern template CellPlanes planesOf(const GridPatch<float>&);

@@ -1,20 +1,61 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/Detail/Leaves/LeafGrid.hpp>
 #include <Cutwater/CutCells/Detail/Surface/CapAngles.hpp>
-#include <Cutwater/CutCells/Detail/Tiles/GridPlanes.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 namespace cutwater {
 
 namespace {
 
-/// Finds the cells in which caps and the winding number of the open surface may disagree.
+/// Finds out whether caps and the winding number of the open surface may disagree in a box, which
+/// is in the frame of the surface.
 class DisputeSearch {
  public:
-  DisputeSearch(const CutCells& cells, const CutSurface& surface, const CapAngles& angles)
-      : cells_(cells), surface_(surface), angles_(angles) {}
+  DisputeSearch(const CapAngles& angles, bool isFluidInside)
+      : angles_(angles), within_(isFluidInside ? FluidClass::Fluid : FluidClass::Body) {}
+
+  /// Whether they may anywhere.
+  [[nodiscard]] bool mayBeIn(const Box<double>& box) const {
+    return angles_.in(box, {}) != Disagreement::None;
+  }
+  /// Whether they may in a cell of this class.
+  [[nodiscard]] bool isIn(const Box<double>& cell, FluidClass found) const {
+    return isIn(cell,
+                {.inside = found == FluidClass::Cut || found == within_,
+                 .outside = found == FluidClass::Cut || found != within_},
+                kHalvings);
+  }
+
+ private:
+  /// How often a cell is halved before it is one because nothing else is known.
+  static constexpr int kHalvings = 9;
+
+  [[nodiscard]] bool isIn(const Box<double>& box, CapAngles::Sides sides, int halvings) const {
+    const auto found = angles_.in(box, sides);
+    if (found != Disagreement::Possible || halvings == 0) return found != Disagreement::None;
+    const auto size = box.size();
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    Box<double> lower = box;
+    Box<double> upper = box;
+    lower.upper[axis] = upper.lower[axis] = box.center()[axis];
+    return isIn(lower, sides, halvings - 1) || isIn(upper, sides, halvings - 1);
+  }
+
+  const CapAngles& angles_;
+  FluidClass within_;  // of a cell that is all in the body that the surface bounds
+};
+
+/// Finds the cells of a grid that are.
+class GridDisputes {
+ public:
+  /// `z`: what lies there counts of each cell, and nothing else.
+  GridDisputes(const CutCells& cells, const CutFrame& frame, const DisputeSearch& search,
+               std::optional<double> z = {})
+      : cells_(cells), frame_(frame), search_(search), z_(z) {}
 
   /// Blocks of a few cells that may have some.
   [[nodiscard]] std::vector<IndexBox> blocks() const {
@@ -26,18 +67,15 @@ class DisputeSearch {
   /// Appends the cells of a block that are.
   void addCells(const IndexBox& block, std::vector<Index3>& result) const {
     visit(block, 1, [&](const IndexBox& box) {
-      if (isDisputed(boxOf(box), sidesOf(box.lo), kHalvings)) result.push_back(box.lo);
+      if (search_.isIn(boxOf(box), cells_.classOf(box.lo))) result.push_back(box.lo);
     });
   }
 
  private:
-  /// How often a cell is halved before it is one because nothing else is known.
-  static constexpr int kHalvings = 9;
-
   /// Visits boxes of at most so many cells, but for those that certainly have none.
   template <typename Visit>
   void visit(const IndexBox& box, std::size_t most, const Visit& take) const {
-    if (box.empty() || angles_.in(boxOf(box), {}) == Disagreement::None) return;
+    if (box.empty() || !search_.mayBeIn(boxOf(box))) return;
     if (box.count() <= most) {
       take(box);
       return;
@@ -53,40 +91,34 @@ class DisputeSearch {
     visit(upper, most, take);
   }
 
-  /// In the frame of the surface.
   [[nodiscard]] Box<double> boxOf(const IndexBox& indices) const {
     Box<double> box{cells_.boxOf(indices.lo).lower, cells_.boxOf(indices.hi).upper};
+    if (z_) box.lower.z = box.upper.z = *z_;
     for (int axis = 0; axis < 3; ++axis) {
-      box.lower[axis] = surface_.frame().toFrame(axis, box.lower[axis]);
-      box.upper[axis] = surface_.frame().toFrame(axis, box.upper[axis]);
+      box.lower[axis] = frame_.toFrame(axis, box.lower[axis]);
+      box.upper[axis] = frame_.toFrame(axis, box.upper[axis]);
     }
     return box;
   }
 
-  [[nodiscard]] CapAngles::Sides sidesOf(const Index3& cell) const {
-    const auto found = cells_.classOf(cell);
-    const bool isFluidInside = surface_.windingOutside() == 1;
-    const auto within = isFluidInside ? FluidClass::Fluid : FluidClass::Body;
-    return {.inside = found == FluidClass::Cut || found == within,
-            .outside = found == FluidClass::Cut || found != within};
-  }
-
-  [[nodiscard]] bool isDisputed(const Box<double>& box, CapAngles::Sides sides,
-                                int halvings) const {
-    const auto found = angles_.in(box, sides);
-    if (found != Disagreement::Possible || halvings == 0) return found != Disagreement::None;
-    const auto size = box.size();
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    Box<double> lower = box;
-    Box<double> upper = box;
-    lower.upper[axis] = upper.lower[axis] = box.center()[axis];
-    return isDisputed(lower, sides, halvings - 1) || isDisputed(upper, sides, halvings - 1);
-  }
-
   const CutCells& cells_;
-  const CutSurface& surface_;
-  const CapAngles& angles_;
+  const CutFrame& frame_;
+  const DisputeSearch& search_;
+  std::optional<double> z_;
 };
+
+std::vector<Index3> disputedOf(const GridDisputes& grid, const ParallelOptions& options) {
+  const auto blocks = grid.blocks();
+  std::vector<std::vector<Index3>> found(blocks.size());
+  parallelFor(blocks.size(), options, [&](std::size_t begin, std::size_t end) {
+    for (auto n = begin; n < end; ++n) grid.addCells(blocks[n], found[n]);
+  });
+  std::vector<Index3> result;
+  for (const auto& part : found) result.insert(result.end(), part.begin(), part.end());
+  std::ranges::sort(result, {},
+                    [](const Index3& cell) { return std::tuple(cell.k, cell.j, cell.i); });
+  return result;
+}
 
 }  // namespace
 
@@ -96,17 +128,46 @@ std::vector<Index3> CellCutter::disputedCells(const CutCells& cells,
   require(!period.isOnAny(), "cut cells: the winding number of a surface has no period",
           Named{"period", period.length});
   if (caps_ == nullptr) return {};
-  const DisputeSearch search(cells, *surface_, *caps_);
-  const auto blocks = search.blocks();
-  std::vector<std::vector<Index3>> found(blocks.size());
-  parallelFor(blocks.size(), options, [&](std::size_t begin, std::size_t end) {
-    for (auto n = begin; n < end; ++n) search.addCells(blocks[n], found[n]);
+  const DisputeSearch search(*caps_, surface_->windingOutside() == 1);
+  return disputedOf(GridDisputes(cells, surface_->frame(), search), options);
+}
+
+std::vector<Index3> CellCutter::disputedCellsInPlane(const CutCells& cells, double z,
+                                                     const ParallelOptions& options) const {
+  if (caps_ == nullptr) return {};
+  const DisputeSearch search(*caps_, surface_->windingOutside() == 1);
+  return disputedOf(GridDisputes(cells, surface_->frame(), search, z), options);
+}
+
+template <std::floating_point T>
+std::vector<std::uint32_t> CellCutter::disputedLeaves(const CutLeaves& leaves,
+                                                      const OctreeCells<T>& mesh,
+                                                      const ParallelOptions& options) const {
+  const std::size_t count = mesh.cells().size();
+  require(leaves.classes.size() == count, "disputedLeaves: need the mesh of these leaves",
+          Named{"leaves", leaves.classes.size()}, Named{"cells", count});
+  if (caps_ == nullptr) return {};
+  const LeafGrid grid(mesh, surface_->frame());
+  const DisputeSearch search(*caps_, surface_->windingOutside() == 1);
+  std::vector<std::uint8_t> isDisputed(count);
+  parallelFor(count, options, [&](std::size_t begin, std::size_t end) {
+    for (auto n = begin; n < end; ++n) {
+      const auto leaf = static_cast<std::uint32_t>(n);
+      isDisputed[n] = search.isIn(grid.boxInFrame(leaf), leaves.classes[n]) ? 1 : 0;
+    }
   });
-  std::vector<Index3> result;
-  for (const auto& part : found) result.insert(result.end(), part.begin(), part.end());
-  std::ranges::sort(result, {},
-                    [](const Index3& cell) { return std::tuple(cell.k, cell.j, cell.i); });
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t n = 0; n < count; ++n) {
+    if (isDisputed[n] != 0) result.push_back(n);
+  }
   return result;
 }
+
+template std::vector<std::uint32_t> CellCutter::disputedLeaves(const CutLeaves&,
+                                                               const OctreeCells<float>&,
+                                                               const ParallelOptions&) const;
+template std::vector<std::uint32_t> CellCutter::disputedLeaves(const CutLeaves&,
+                                                               const OctreeCells<double>&,
+                                                               const ParallelOptions&) const;
 
 }  // namespace cutwater
