@@ -56,10 +56,11 @@ enum ArrayOf : std::size_t {
   WindingEdges,
   OpenEdges,
   InsideOut,
-  PatchNames
+  PatchNames,
+  Fronts
 };
 
-inline constexpr std::size_t kArrays = PatchNames + 1;
+inline constexpr std::size_t kArrays = Fronts + 1;
 
 /// What it says when `Number` stands there instead; the bytes are as before afterwards.
 template <typename T, typename Number>

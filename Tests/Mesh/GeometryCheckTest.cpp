@@ -92,6 +92,8 @@ TYPED_TEST(GeometryCheckTest, WindingsAreCheckedEvenWhereChecksumsAgree) {
   EXPECT_NE(refusalWith<T>(bytes, bytes.place(OpenEdges) + 4, vertices), "");
   EXPECT_NE(refusalWith<T>(bytes, bytes.place(WindingEdges) + 4, edges + 1), "");
   EXPECT_NE(refusalWith<T>(bytes, bytes.place(CapPositions), HUGE_VAL), "");
+  // Any byte stands for some winding number, or none.
+  EXPECT_EQ(refusalWith<T>(bytes, bytes.place(Fronts), std::uint8_t{0xFF}), "");
   // Finite, but what exact predicates make of it would not be.
   EXPECT_EQ(refusalWith<T>(bytes, ForgedBytes::word(3 * kArrays + 1), 1e200),  // the surface's size
             "the geometry file is damaged: its extent is larger than can be");

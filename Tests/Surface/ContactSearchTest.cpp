@@ -1,6 +1,7 @@
 #include <Cutwater/Surface/Detail/ContactSearch.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 #include <Cutwater/Surface/Triangulation.hpp>
+#include <Cutwater/Triangles/TriangleDistance.hpp>
 #include <Cutwater/Triangles/TriangleIntersection.hpp>
 
 #include <algorithm>
@@ -115,6 +116,87 @@ TEST(ContactSearchTest, TooManyThatTouchCountAsOverlaps) {
   EXPECT_EQ(findContacts<double>(list.points, list.corners).overlaps, most);
   list.corners.resize(400);
   EXPECT_EQ(findContacts<double>(list.points, list.corners).overlaps, 0U);
+}
+
+std::vector<std::uint8_t> closeTrianglesOf(const PolygonSoup& soup, double clearance) {
+  const auto list = listOf(soup);
+  const auto tree = buildTriangleTree<double>(list.points, list.corners);
+  return findCloseTriangles(list.points, list.corners, tree.tree(), clearance);
+}
+
+TEST(ContactSearchTest, TrianglesAreCloseToOthersWithinTheClearance) {
+  const auto shareOf = [](const PolygonSoup& soup, double clearance) {
+    const auto found = closeTrianglesOf(soup, clearance);
+    return static_cast<double>(std::ranges::count(found, 1)) / static_cast<double>(found.size());
+  };
+  const auto one = box({0, 0, 0}, {1, 1, 1});
+  EXPECT_EQ(shareOf(one, 1e-9), 0);  // neighbours are none
+  EXPECT_EQ(shareOf(together(one, one), 1e-9), 1);
+  EXPECT_EQ(shareOf(unwelded(one), 1e-9), 1);
+  for (const double gap : {1e-12, 1e-6, 0.01}) {
+    const auto beside = together(one, box({1 + gap, 0.25, 0.25}, {2, 0.75, 0.75}));
+    EXPECT_EQ(shareOf(beside, 0.9 * gap), 0) << gap;
+    // Two triangles of the one, and at least those of the facing side of the other.
+    EXPECT_GE(shareOf(beside, 1.1 * gap), 4.0 / 24) << gap;
+    EXPECT_LT(shareOf(beside, 1.1 * gap), 1) << gap;
+  }
+  // A corner beside the middle of a face.
+  const auto spike = makeSoup({{0.3, 0.4, 1.001}, {0, 0, 2}, {1, 0, 2}, {0, 1, 2}},
+                              {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}});
+  EXPECT_EQ(std::ranges::count(closeTrianglesOf(together(one, spike), 0.002), 1), 4);
+}
+
+TEST(ContactSearchTest, TrianglesThatNobodyLookedAtAreClose) {
+  EXPECT_GT(std::ranges::count(closeTrianglesOf(star(4000), 1e-9), 1), 3000);
+}
+
+/// The distance of triangles that do not meet: of corners from triangles, or of edges.
+double distanceOf(const Points3& a, const Points3& b) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto asTriangle = [](const Points3& t) {
+    return Triangle<double>{t[0], t[1], t[2], isSliver(t[0], t[1], t[2])};
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    least = std::min(least, triangleDistance(a[i], asTriangle(b)).distanceSquared);
+    least = std::min(least, triangleDistance(b[i], asTriangle(a)).distanceSquared);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto u = a[(i + 1) % 3] - a[i];
+      const auto v = b[(j + 1) % 3] - b[j];
+      const auto w = b[j] - a[i];
+      const double determinant = dot(u, u) * dot(v, v) - dot(u, v) * dot(u, v);
+      if (determinant < 1e-12) continue;
+      const double s = (dot(v, v) * dot(u, w) - dot(u, v) * dot(v, w)) / determinant;
+      const double t = (dot(u, v) * dot(u, w) - dot(u, u) * dot(v, w)) / determinant;
+      if (s >= 0 && s <= 1 && t >= 0 && t <= 1) {
+        least = std::min(least, lengthSquared(w + t * v - s * u));
+      }
+    }
+  }
+  return std::sqrt(least);
+}
+
+TEST(ContactSearchTest, TrianglesFartherApartAre) {
+  std::mt19937 engine(4);
+  std::array<int, 2> seen{};
+  for (int i = 0; i < scaled(20'000); ++i) {
+    std::array<Points3, 2> t;
+    for (auto& points : t) {
+      for (auto& p : points) p = {unitRandom(engine), unitRandom(engine), unitRandom(engine)};
+    }
+    const double lift = i % 3 == 0 ? 1 : 0.2;
+    for (auto& p : t[1]) p.z += lift;
+    const std::vector<Vec3<double>> points{t[0][0], t[0][1], t[0][2], t[1][0], t[1][1], t[1][2]};
+    const bool meet = intersect(points, {0, 1, 2}, {3, 4, 5});
+    const double distance = meet ? 0 : distanceOf(t[0], t[1]);
+    for (const double asked : {1e-12, 1e-3, 0.1, 0.5}) {
+      const bool isApart = areFartherApart(t[0], t[1], asked);
+      if (isApart) EXPECT_GT(distance, asked * (1 - 1e-12));
+      // Some plane of two that meet in corners alone is less far from both.
+      if (distance > 2 * asked + 1e-9) EXPECT_TRUE(isApart) << distance << ' ' << asked;
+      ++seen[isApart ? 1 : 0];
+    }
+  }
+  EXPECT_GT(*std::ranges::min_element(seen), scaled(5'000));
 }
 
 }  // namespace

@@ -238,6 +238,29 @@ TYPED_TEST(WindingNumberTest, MomentsEncloseTheirTriangles) {
   }
 }
 
+TYPED_TEST(WindingNumberTest, NoTriangleIsNearerThanTheBound) {
+  using T = TypeParam;
+  auto cases = soups();
+  cases.push_back(tessellation::box({-1, -1, -1}, {1, 1, -0.5}));  // of few triangles
+  for (const auto& soup : cases) {
+    const Winding<T> winding(soup);
+    RandomPoints<double> random(3, 5);
+    int useful = 0;
+    for (int i = 0; i < scaled(200); ++i) {
+      const auto p = random.next();
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t id = 0; id < winding.triangles().size(); ++id) {
+        const auto [a, b, c] = winding.triangle(id);
+        const Triangle<double> t{a, b, c, true};
+        nearest = std::min(nearest, std::sqrt(triangleDistance(p, t).distanceSquared));
+      }
+      EXPECT_LE(winding->distanceBound(p), nearest) << p;
+      useful += winding->distanceBound(p) > 0.3 * nearest ? 1 : 0;
+    }
+    EXPECT_GT(useful, 0);
+  }
+}
+
 TYPED_TEST(WindingNumberTest, AnswersPointsOutOfRange) {
   using T = TypeParam;
   const Winding<T> winding(soups()[1]);

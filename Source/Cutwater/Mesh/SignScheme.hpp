@@ -28,8 +28,9 @@ struct MeshSDFOptions {
   /// Refuse surfaces that do not bound a solid, as far as the check can detect.
   bool requireWatertight = false;
   /// Look for self-intersections of a closed surface everywhere, by exact predicates, so that none
-  /// is missed. If false, only probes may notice them. (Signs of open surfaces do not depend on
-  /// them; findSelfIntersections() tells.)
+  /// is missed. If false, only probes may notice them. Of an open surface, and of one that meets
+  /// itself, triangles that others come close to are looked for: signs are the same if not, but
+  /// those near the others take three to six times as long.
   bool findSelfIntersections = true;
   /// Places in the box of an open surface that the check examines; on a closed one, besides one per
   /// shell, where it has not been searched, or meets itself or is nested: then they tell how much

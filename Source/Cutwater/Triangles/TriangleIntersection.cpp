@@ -225,4 +225,33 @@ bool intersect(std::span<const Vec3<double>> positions, const std::array<std::ui
   return edgesMeet(ta, sidesOfA, tb, shared) || edgesMeet(tb, sidesOfB, ta, shared);
 }
 
+bool areFartherApart(const std::array<Vec3<double>, 3>& a, const std::array<Vec3<double>, 3>& b,
+                     double distance) {
+  // Of heights above a plane through the origin with a normal of length 1.
+  constexpr double kRounding = 0x1p-48;
+  const auto isBetween = [&](const Vec3<double>& normal) {
+    const auto heights = [&](const std::array<Vec3<double>, 3>& t) {
+      return std::array{dot(normal, t[0]), dot(normal, t[1]), dot(normal, t[2])};
+    };
+    const auto ofA = std::ranges::minmax(heights(a));
+    const auto ofB = std::ranges::minmax(heights(b));
+    const double room = std::max(ofB.min - ofA.max, ofA.min - ofB.max);
+    return room > (distance + kRounding) * length(normal) && room > 0x1p-200;
+  };
+  const std::array edgesOfA{a[1] - a[0], a[2] - a[1], a[0] - a[2]};
+  const std::array edgesOfB{b[1] - b[0], b[2] - b[1], b[0] - b[2]};
+  const auto normalOfA = cross(edgesOfA[0], edgesOfA[1]);
+  const auto normalOfB = cross(edgesOfB[0], edgesOfB[1]);
+  if (isBetween(normalOfA) || isBetween(normalOfB)) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (isBetween(cross(normalOfA, edgesOfA[i])) || isBetween(cross(normalOfB, edgesOfB[i]))) {
+      return true;
+    }
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (isBetween(cross(edgesOfA[i], edgesOfB[j]))) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace cutwater

@@ -25,6 +25,12 @@ namespace cutwater {
 [[nodiscard]] bool meetWithin(const std::array<Vec3<double>, 3>& a,
                               const std::array<Vec3<double>, 3>& b);
 
+/// Whether two triangles are certainly farther from each other than this: a plane between them, one
+/// of those that separate any two triangles that do not meet, has room for it. Coordinates are at
+/// most about 4; allows for rounding.
+[[nodiscard]] bool areFartherApart(const std::array<Vec3<double>, 3>& a,
+                                   const std::array<Vec3<double>, 3>& b, double distance);
+
 /// Returns false if the three points are collinear; exact.
 [[nodiscard]] bool hasArea(const std::array<Vec3<double>, 3>& triangle);
 

@@ -16,6 +16,8 @@ using detail::kInverse4Pi;
 constexpr double kFirstThreshold = 0.02;
 /// Moments in single precision are almost never this accurate: nearly all nodes are opened.
 constexpr double kNegligible = 0x1p-60;
+/// So few triangles are looked at one by one.
+constexpr std::size_t kFew = 16;
 /// Powers of two by which it falls, to kNegligible at last. Few points need more than the first
 /// two, and where the sum must be nearly exact, those between only cost time.
 constexpr std::array kSteps{0, -3, -9, -27, -54};
@@ -131,6 +133,34 @@ double WindingNumber<T>::farBound(const Vec3<double>& p) const {
 }
 
 template <std::floating_point T>
+double WindingNumber<T>::distanceBound(const Vec3<double>& p) const {
+  if (triangles_.size() > kFew) return distanceBoundOfParts(p);
+  double least = kLargest;
+  for (std::uint32_t id = 0; id < triangles_.size(); ++id) {
+    const auto [a, b, c] = triangle(id);
+    const auto gap = max(min(a, min(b, c)) - p, p - max(a, max(b, c)));
+    least = std::min(least, maxComponent(gap));
+  }
+  return least;
+}
+
+template <std::floating_point T>
+double WindingNumber<T>::distanceBoundOfParts(const Vec3<double>& p) const {
+  const WindingMoments& root = moments_.front();
+  const Vec3<float> q(tree_.frame().toFrame(p));
+  std::array<float, WindingTree::kArity> gaps;
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    const float x = root.center[0][k] - q.x;
+    const float y = root.center[1][k] - q.y;
+    const float z = root.center[2][k] - q.z;
+    gaps[k] = std::sqrt(x * x + y * y + z * z) - root.radius[k];
+  }
+  constexpr double kRounding = 0x1p-12;  // far above that of the point and of its distances
+  const double gap = double{*std::ranges::min_element(gaps)} - kRounding;
+  return (1 - kRounding) * gap / tree_.frame().scale;
+}
+
+template <std::floating_point T>
 auto WindingNumber<T>::estimate(const Vec3<double>& p, double tolerance) const -> Estimate {
   if (!isFinite(p)) return {p.x - p.x + (p.y - p.y) + (p.z - p.z), 0};
   if (const double far = farBound(p); far <= std::max(tolerance, kNegligible)) return {0, far};
@@ -159,11 +189,13 @@ std::optional<bool> WindingNumber<T>::decided(const Vec3<double>& p, double tole
 template <std::floating_point T>
 std::optional<bool> WindingNumber<T>::isBelow(const Vec3<double>& p, double level) const {
   if (!isFinite(p) || moments_.empty()) return 0 < level;
-  const auto certain = decided(p, 0, [&](const Estimate& number) -> std::optional<bool> {
-    if (std::abs(number.value - level) > number.error) return number.value < level;
-    return std::nullopt;
-  });
-  if (certain) return certain;
+  if (triangles_.size() > kFew) {
+    const auto certain = decided(p, 0, [&](const Estimate& number) -> std::optional<bool> {
+      if (std::abs(number.value - level) > number.error) return number.value < level;
+      return std::nullopt;
+    });
+    if (certain) return certain;
+  }
   // On an edge, or so near the level that rounding decides: sums in the order of ids.
   const auto [value, error] = sumOfAll(p);
   if (error > 0.25) return std::nullopt;

@@ -73,6 +73,10 @@ class WindingNumber {
     return isBelow(p, kThreshold) == false;
   }
 
+  /// A lower bound on the distance of a point within 16 from any triangle, cheap and crude: by
+  /// their boxes if they are few, else by spheres around the parts of the tree. May be negative.
+  [[nodiscard]] double distanceBound(const Vec3<double>& p) const;
+
   /// The sum over all triangles, in the order of their ids.
   [[nodiscard]] double exactSum(const Vec3<double>& p) const { return sumOfAll(p).value; }
 
@@ -103,6 +107,7 @@ class WindingNumber {
   }
   [[nodiscard]] std::span<const OpenEdge> edgesOf(std::size_t node) const;
   [[nodiscard]] double farBound(const Vec3<double>& p) const;
+  [[nodiscard]] double distanceBoundOfParts(const Vec3<double>& p) const;
   /// The first decision on estimates that become closer, down to `tolerance`; nothing if there is
   /// none.
   template <typename Decide>

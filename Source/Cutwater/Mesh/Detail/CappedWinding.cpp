@@ -30,6 +30,10 @@ int CappedWinding::capsPassed(const Segment<double>& segment, const Vec3<double>
   return sum;
 }
 
+int CappedWinding::capsAlong(const Segment<double>& segment) const {
+  return windingAlong(triangles_, segment, alongCaps());
+}
+
 /// The point itself at first, then points a few of its ulps away, in directions that no edge has.
 Vec3<double> CappedWinding::nudged(const Vec3<double>& p, int attempt) {
   const double step = attempt * 0x1p-50 * std::max(1.0, maxComponent(abs(p)));

@@ -44,6 +44,14 @@ class CappedWinding {
   /// The sum of the directions in which the segment passes through caps before the point, which is
   /// on it within rounding.
   [[nodiscard]] int capsPassed(const Segment<double>& segment, const Vec3<double>& p) const;
+  /// The sum of those in which all of the segment does.
+  [[nodiscard]] int capsAlong(const Segment<double>& segment) const;
+  /// Whether a point certainly has no cap within a distance; crude.
+  [[nodiscard]] bool isFarFromCaps(const Vec3<double>& p, double distance) const {
+    return caps_.distanceBound(p) > distance;
+  }
+  /// The caps; without triangles if the surface is closed.
+  [[nodiscard]] const TriangleSurface<double>& caps() const { return triangles_; }
 
   /// closedWinding() at and around a point, where the caller knows it.
   using Closed = FunctionRef<int(const Vec3<double>&)>;

@@ -35,8 +35,14 @@ class DcelIndex final : public SignedSurface<T> {
   }
   [[nodiscard]] BoxOverlap overlapWith(const OrientedBox<double>& box, std::uint32_t& place) const;
   void around(const OrientedBox<double>& box, double limit, TriangleVisitor visit) const;
+  [[nodiscard]] std::optional<int> windingBeside(const Vec3<T>& /*p*/,
+                                                 const Nearest& /*nearest*/) const {
+    return {};
+  }
   // Never asked: the surface is closed.
-  [[nodiscard]] bool isSurrounded(const Vec3<T>& /*p*/) const { return false; }
+  [[nodiscard]] bool isSurrounded(const Vec3<T>& /*p*/, const Nearest& /*nearest*/) const {
+    return false;
+  }
   [[nodiscard]] bool isDecided(const Box<double>& /*box*/) const { return true; }
   [[nodiscard]] const CappedWinding* winding() const { return nullptr; }
 

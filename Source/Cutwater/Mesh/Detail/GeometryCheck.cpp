@@ -180,7 +180,8 @@ void checkLayout(const MeshLayout<T>& layout) {
           (layout.hullsOfNode.count == 0 || layout.hullsOfNode.count == layout.nodes.count) &&
           winding.slots.count % WindingTree::kLeafWidth == 0 &&
           winding.moments.count == winding.nodes.count &&
-          winding.edges.count == winding.nodes.count,
+          winding.edges.count == winding.nodes.count &&
+          (layout.fronts.count == 0 || layout.fronts.count == triangles),
       "arrays that belong together are not of one length");
 }
 

@@ -43,16 +43,12 @@ MeshIndex<T>::MeshIndex(const TriangleSurfaceArrays<T>& arrays, const TriangleTr
                         std::span<const char> patchNames, const MeshSDFOptions& options,
                         const MeshIndex* before)
     : options_(options) {
-  fill(arrays, tree, patchNames);
-  auto signs =
-      checkSigns<T>(surface(), arrays, trianglesAlong(), options, [&] { return contacts(before); });
-  if (needsWinding(arrays, options)) probeAmbiguity(signs);
-  this->setSigns(signs, options.signs);
+  fill(arrays, tree, patchNames, before);
 }
 
 template <std::floating_point T>
 void MeshIndex<T>::fill(const TriangleSurfaceArrays<T>& arrays, const TriangleTreeArrays& tree,
-                        std::span<const char> patchNames) {
+                        std::span<const char> patchNames, const MeshIndex* before) {
   const auto packets = packTriangles(arrays.positions(), arrays.triangles(), tree.tree());
   const auto hulls = buildHulls(arrays.positions(), arrays.triangles(), tree.tree());
   const auto winding = needsWinding(arrays, options_)
@@ -72,7 +68,17 @@ void MeshIndex<T>::fill(const TriangleSurfaceArrays<T>& arrays, const TriangleTr
   layout.reach = winding.reach();
   layout.insideOut = writer.add(arrays.orientation().insideOut);
   layout.patchNames = writer.add(patchNames);
+  layout.fronts = writer.add(std::span<const std::uint8_t>());
   take(writer.finish(), layout);
+  auto signs = checkSigns<T>(surface(), arrays, trianglesAlong(), options_,
+                             [&] { return contacts(before); });
+  if (needsWinding(arrays, options_)) probeAmbiguity(signs);
+  this->setSigns(signs, options_.signs);
+  if (this->signs().scheme != SignScheme::WindingNumber || !options_.findSelfIntersections) return;
+  const auto fronts = frontWindings();
+  layout.fronts = writer.add(fronts);
+  take(writer.finish(), layout);
+  this->setSigns(signs, options_.signs);
 }
 
 template <std::floating_point T>
@@ -85,6 +91,7 @@ void MeshIndex<T>::take(Block block, const MeshLayout<T>& layout) {
                            block_.array<ChildHulls>(layout.hulls),
                            block_.array<std::uint32_t>(layout.hullsOfNode));
   winding_ = layout.winding.view(block_);
+  fronts_ = FrontWindings(block_.array<std::uint8_t>(layout.fronts));
 }
 
 template <std::floating_point T>
@@ -98,6 +105,49 @@ SurfaceContacts MeshIndex<T>::contacts(const MeshIndex* before) const {
   // Triangles that have not moved overlap as little as before. Where only these touch, either side
   // bounds the solid if the other does, as before: so their edges need no marks.
   return 2 * count > changed.size() ? find({}) : find(changed);
+}
+
+template <std::floating_point T>
+int MeshIndex<T>::windingAlong(const Segment<double>& segment) const {
+  return cutwater::windingAlong(surface(), segment, trianglesAlong()) + winding_.capsAlong(segment);
+}
+
+template <std::floating_point T>
+std::vector<std::uint8_t> MeshIndex<T>::frontWindings() const {
+  const auto winding = [this](const Vec3<double>& p) {
+    return winding_.closedWinding(surface(), trianglesAlong(), p);
+  };
+  return findFrontWindings<T>(
+      surface(), tree_, winding_.caps(),
+      {[this](const Vec3<T>& p) { return nearest(p); }, winding,
+       [this](const Segment<double>& segment) { return windingAlong(segment); }});
+}
+
+template <std::floating_point T>
+std::optional<int> MeshIndex<T>::windingBeside(const Vec3<T>& p, const Nearest& nearest) const {
+  const Vec3<double> q(p);
+  if (const auto beside = fronts_.beside(nearest)) {
+    const double distance = std::sqrt(double{nearest.distanceSquared}) + double{nearest.error};
+    if (winding_.isFarFromCaps(q, distance)) return beside;
+    const auto [a, b, c] = surface().corners(nearest.triangle);
+    const Triangle<double> triangle{a, b, c, isSliver(a, b, c)};
+    const auto weights = closestBarycentric(q, triangle, triangleDistance(q, triangle).part);
+    return *beside + winding_.capsAlong({q, weights.x * a + weights.y * b + weights.z * c});
+  }
+  const auto before = fronts_.before(nearest.triangle);
+  if (!before || nearest.distanceSquared <= nearest.error * nearest.error) return {};
+  return *before +
+         windingAlong({q, FrontWindings::pointBefore(surface().corners(nearest.triangle))});
+}
+
+template <std::floating_point T>
+bool MeshIndex<T>::isSurrounded(const Vec3<T>& p, const Nearest& nearest) const {
+  const Vec3<double> here(p);
+  const auto beside = windingBeside(p, nearest);
+  const auto winding = [&](const Vec3<double>& q) {
+    return beside && q == here ? *beside : winding_.closedWinding(surface(), trianglesAlong(), q);
+  };
+  return winding_.isInside(winding, here);
 }
 
 template <std::floating_point T>

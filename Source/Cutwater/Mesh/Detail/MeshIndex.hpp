@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Mesh/Detail/FrontWindings.hpp>
 #include <Cutwater/Mesh/Detail/MeshLayout.hpp>
 #include <Cutwater/Mesh/Detail/SignedSurface.hpp>
 #include <Cutwater/Surface/Detail/ContactSearch.hpp>
@@ -18,6 +19,8 @@ namespace cutwater {
 ///     TrianglePacket   from packTriangles()        the triangles of a leaf in single precision
 ///     ChildHulls       from HullArrays             tighter bounds for nodes of slivers
 ///     CappedWinding    from CappedWindingArrays    caps over the holes of a surface that is open
+///     FrontWindings    from findFrontWindings()    winding numbers beside triangles, unless it is
+///                                                  sound
 ///
 /// Those on the left are records in the block or views of it; what they come from owns the arrays
 /// until the block is written. KernelTriangles and TriangleSearch are plain pointers to surface and
@@ -78,11 +81,13 @@ class MeshIndex final : public SignedSurface<T> {
     tree_.nearest(box, limit, visit);
   }
 
+  /// The winding number of the surface, and of its caps if it is open, at `p`, which is not on the
+  /// surface; if it is known near the nearest triangle.
+  [[nodiscard]] std::optional<int> windingBeside(const Vec3<T>& p, const Nearest& nearest) const;
+
   // The winding number of a surface that is not closed: whether it exceeds 1/2 at the point, and
   // whether it certainly does so everywhere or nowhere in the box, apart from jumps at triangles.
-  [[nodiscard]] bool isSurrounded(const Vec3<T>& p) const {
-    return winding_.isInside(surface(), trianglesAlong(), Vec3<double>(p));
-  }
+  [[nodiscard]] bool isSurrounded(const Vec3<T>& p, const Nearest& nearest) const;
   [[nodiscard]] bool isDecided(const Box<double>& box) const {
     return winding_.isDecided(surface(), trianglesAlong(), box);
   }
@@ -90,11 +95,15 @@ class MeshIndex final : public SignedSurface<T> {
   [[nodiscard]] const CappedWinding* winding() const { return &winding_; }
 
  private:
-  /// Makes the rest of the arrays and copies all of them into one block.
+  /// Makes the rest of the arrays and copies all of them into one block, and checks the signs.
   void fill(const TriangleSurfaceArrays<T>& arrays, const TriangleTreeArrays& tree,
-            std::span<const char> patchNames);
+            std::span<const char> patchNames, const MeshIndex* before);
   void take(Block block, const MeshLayout<T>& layout);
   [[nodiscard]] SurfaceContacts contacts(const MeshIndex* before) const;
+  /// By how much the winding number of the surface and its caps at the start of a segment exceeds
+  /// that at its end.
+  [[nodiscard]] int windingAlong(const Segment<double>& segment) const;
+  [[nodiscard]] std::vector<std::uint8_t> frontWindings() const;
   /// Estimates winding numbers all over the box of a surface that is not closed.
   void probeAmbiguity(SignReport& signs) const;
 
@@ -104,6 +113,7 @@ class MeshIndex final : public SignedSurface<T> {
   TriangleTree tree_;
   TriangleSearch search_;
   CappedWinding winding_;  // of a surface that is not closed
+  FrontWindings fronts_;
 };
 
 extern template class MeshIndex<float>;

@@ -24,6 +24,7 @@ struct MeshLayout {
   double reach = 0;                       ///< see CappedWindingArrays::reach()
   Section insideOut;                      ///< see ShellOrientation
   Section patchNames;                     ///< characters; each name is ended by a zero
+  Section fronts;                         ///< see FrontWindings; empty if signs need none
 
   /// A view of the tree that lies in a block.
   [[nodiscard]] TriangleTree tree(const Block& block) const {
@@ -63,6 +64,7 @@ void visitArrays(MeshLayout<T>& layout, Visit visit) {
   visit(std::type_identity<OpenEdge>(), winding.openEdges);
   visit(kIndices, layout.insideOut);
   visit(std::type_identity<char>(), layout.patchNames);
+  visit(std::type_identity<std::uint8_t>(), layout.fronts);
 }
 
 }  // namespace cutwater

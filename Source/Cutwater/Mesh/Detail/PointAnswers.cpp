@@ -35,7 +35,8 @@ int PointAnswers<T, Index>::disputedSide(const Vec3<T>& p, const Nearest& neares
     if (const int agreed = nearest.agreedSide(); agreed != 0) return agreed;
     if (!signs().isClosed()) return surface().pseudonormalSide(p, nearest);
   }
-  if (!signs().isClosed()) return index_.isSurrounded(p) ? -1 : 1;
+  if (!signs().isClosed()) return index_.isSurrounded(p, nearest) ? -1 : 1;
+  if (const auto beside = index_.windingBeside(p, nearest)) return *beside >= 1 ? -1 : 1;
   const auto location = locate(surface(), Vec3<double>(p), index_.trianglesAlong());
   return location.onSurface ? 0 : location.isInside() ? -1 : 1;
 }

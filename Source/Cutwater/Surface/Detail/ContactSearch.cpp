@@ -123,6 +123,31 @@ SurfaceContacts findContacts(std::span<const Vec3<T>> positions,
   return findContacts(positions, triangles, tree.tree());
 }
 
+std::vector<std::uint8_t> findCloseTriangles(std::span<const Vec3<double>> positions,
+                                             std::span<const CornerIds> triangles,
+                                             const TriangleTree& tree, double clearance) {
+  const PairTest pairs(positions, triangles, 0, {}, clearance);
+  const PairSearch search(pairs, tree, 0);
+  std::vector<std::uint8_t> isClose(triangles.size());
+  std::atomic<std::size_t> count{0};
+  const std::atomic<std::uint32_t> lastWanted{kNone};
+  const auto take = [&](std::uint32_t first, std::uint32_t second) {
+    for (const auto t : {first, second}) {
+      std::atomic_ref<std::uint8_t>(isClose[t]).store(1, std::memory_order_relaxed);
+    }
+    return ++count < SurfaceContacts::kMost;
+  };
+  parallelFor(search.ranges(), {.progress = {}}, [&](std::size_t task, std::size_t) {
+    search.run(task, {lastWanted, take});
+  });
+  if (count >= SurfaceContacts::kMost) return std::vector<std::uint8_t>(triangles.size(), 1);
+  for (std::uint32_t i = 0; i < tree.slots().size(); ++i) {
+    const auto t = tree.slots()[i];
+    if (t != kNone && search.isCrowded(i / TriangleTree::kLeafWidth)) isClose[t] = 1;
+  }
+  return isClose;
+}
+
 // NOLINTBEGIN(bugprone-macro-parentheses): a type
 #define CUTWATER_INSTANTIATE(T)                                                               \
   template SurfaceContacts findContacts(std::span<const Vec3<T>>, std::span<const CornerIds>, \

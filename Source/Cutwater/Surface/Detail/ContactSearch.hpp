@@ -47,4 +47,13 @@ template <std::floating_point T>
 [[nodiscard]] SurfaceContacts findContacts(std::span<const Vec3<T>> positions,
                                            std::span<const std::array<std::uint32_t, 3>> triangles);
 
+/// Per triangle, not 0 if another one may come within `clearance` of it: one with which it shares
+/// no corner, or one with which it does and that meets it elsewhere. Also where nobody looked,
+/// because very many triangles lie together; all, if more than SurfaceContacts::kMost pairs do.
+/// Triangles without area count for nothing. As findContacts().
+[[nodiscard]] std::vector<std::uint8_t> findCloseTriangles(
+    std::span<const Vec3<double>> positions,
+    std::span<const std::array<std::uint32_t, 3>> triangles, const TriangleTree& tree,
+    double clearance);
+
 }  // namespace cutwater

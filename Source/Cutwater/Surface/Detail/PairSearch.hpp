@@ -35,6 +35,10 @@ class PairSearch {
   PairSearch(const PairTest& pairs, const TriangleTree& tree, int threads);
 
   [[nodiscard]] std::size_t tasks() const { return ranges() + crowds_.size(); }
+  /// Tasks from this one on are those of crowds. Those before find all pairs with a triangle that
+  /// is in no crowded leaf.
+  [[nodiscard]] std::size_t ranges() const { return surroundings_.size(); }
+  [[nodiscard]] bool isCrowded(std::uint32_t leaf) const { return isCrowded_[leaf] != 0; }
   /// Returns false if the visitor ended it.
   bool run(std::size_t task, const PairVisitor& visitor) const;
 
@@ -49,7 +53,6 @@ class PairSearch {
     std::array<std::uint32_t, kLeavesPerRange> ends{};  ///< per leaf of the range
   };
 
-  [[nodiscard]] std::size_t ranges() const { return surroundings_.size(); }
   [[nodiscard]] std::span<const std::uint32_t> slots(std::uint32_t leaf) const {
     return tree_.leaf(leaf);
   }

@@ -39,10 +39,11 @@ bool areOneRing(std::span<Angle> angles) {
 }  // namespace
 
 PairTest::PairTest(std::span<const Vec3<double>> positions, std::span<const Corners> triangles,
-                   int threads, Changed changed)
+                   int threads, Changed changed, double clearance)
     : positions_(positions),
       triangles_(triangles),
       changed_(changed),
+      clearance_(clearance),
       views_(triangles.size()),
       isFlat_(positions.size()) {
   const ParallelOptions inRanges{.threads = threads, .grain = 4096, .progress = {}};
@@ -62,17 +63,28 @@ PairTest::PairTest(std::span<const Vec3<double>> positions, std::span<const Corn
 
 Box<double> PairTest::box(std::uint32_t t) const {
   const auto& [a, b, c] = triangles_[t];
-  return Box<double>{}.extend(positions_[a]).extend(positions_[b]).extend(positions_[c]);
+  const auto own = Box<double>{}.extend(positions_[a]).extend(positions_[b]).extend(positions_[c]);
+  return clearance_ > 0 ? own.grown(clearance_) : own;
 }
 
 bool PairTest::meet(std::uint32_t a, std::uint32_t b) const {
   if (!isChanged(a) && !isChanged(b)) return false;
   const auto& first = triangles_[a];
-  const auto& [p, q, r] = triangles_[b];
+  const auto& second = triangles_[b];
+  const auto& [p, q, r] = second;
+  bool isJoined = false;
   for (const auto v : first) {
-    if ((v == p || v == q || v == r) && isFlat_[v] != 0) return false;
+    if (v != p && v != q && v != r) continue;
+    if (isFlat_[v] != 0) return false;
+    isJoined = true;
   }
-  return intersect(positions_, first, triangles_[b]);
+  if (clearance_ > 0 && !isJoined) {
+    const auto at = [&](const Corners& t) {
+      return std::array{positions_[t[0]], positions_[t[1]], positions_[t[2]]};
+    };
+    return !areFartherApart(at(first), at(second), clearance_);
+  }
+  return intersect(positions_, first, second);
 }
 
 PairTest::Stars PairTest::stars() const {

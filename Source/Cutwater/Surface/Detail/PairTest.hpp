@@ -23,15 +23,17 @@ class PairTest {
   /// Empty: all are.
   using Changed = std::span<const std::uint8_t>;
 
-  /// The arrays must outlive this object; for positions, see ExactPredicates.hpp.
+  /// The arrays must outlive this object; for positions, see ExactPredicates.hpp. `clearance`: two
+  /// triangles without a common corner are taken to meet unless they are farther apart for certain.
   PairTest(std::span<const Vec3<double>> positions, std::span<const Corners> triangles,
-           int threads = 0, Changed changed = {});
+           int threads = 0, Changed changed = {}, double clearance = 0);
 
   [[nodiscard]] std::size_t triangles() const { return triangles_.size(); }
   [[nodiscard]] const Corners& corners(std::uint32_t t) const { return triangles_[t]; }
   [[nodiscard]] const Vec3<double>& position(std::uint32_t vertex) const {
     return positions_[vertex];
   }
+  /// Boxes of triangles that meet do.
   [[nodiscard]] Box<double> box(std::uint32_t t) const;
   /// False for triangles of three collinear points.
   [[nodiscard]] bool hasArea(std::uint32_t t) const { return views_[t].bits != 0; }
@@ -67,6 +69,7 @@ class PairTest {
   std::span<const Vec3<double>> positions_;
   std::span<const Corners> triangles_;
   Changed changed_;
+  double clearance_;
   std::vector<Views> views_;          ///< per triangle
   std::vector<std::uint8_t> isFlat_;  ///< per vertex; where unknown, 0
 };
