@@ -74,7 +74,8 @@ def damaged(name, content):
     yield bad("longer", content + bytes(64), "longer than its header")
     yield bad("zeros", bytes(len(content)), "")
     yield bad("magic", b"\x89cutwat" + content[7:])
-    for version in (2, 4):
+    (own,) = struct.unpack_from("<I", content, 8)
+    for version in (own - 1, own + 1):
         yield bad(f"version-{version}", changed(content, 8, "<I", version), f"version {version}")
     yield bad("byte-order", changed(content, 12, ">I", 0x01020304), "byte order")
     yield bad("text-mode", content.replace(b"\n", b"\r\n") + b"\r\n")
