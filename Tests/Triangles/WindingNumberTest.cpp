@@ -1,3 +1,5 @@
+#include <Cutwater/Triangles/TriangleDistance.hpp>
+
 #include "Support/CpuTime.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Scale.hpp"
