@@ -5,14 +5,15 @@
 
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Surface/ReadSurface.hpp>
+#include <Cutwater/Surface/Triangulation.hpp>
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <random>
 #include <vector>
 
+#include "Points.hpp"
 #include "Seconds.hpp"
 
 namespace cutwater::benchmarks {
@@ -20,25 +21,6 @@ namespace cutwater::benchmarks {
 namespace {
 
 constexpr std::size_t kPoints = 100'000;
-
-/// Within 2 % of the diagonal of places that are spread evenly over the list of triangles; one in
-/// eight beside a corner.
-std::vector<Vec3<double>> pointsNear(const MeshSDF<double>& mesh) {
-  std::mt19937_64 engine(5);
-  const auto unit = [&] { return static_cast<double>(engine() >> 11U) * 0x1p-53; };
-  const double reach = 0.02 * mesh.surfaceBox().diagonal();
-  std::vector<Vec3<double>> points;
-  while (points.size() < kPoints) {
-    const auto [a, b, c] =
-        mesh.triangle(static_cast<std::uint32_t>(engine() % mesh.triangleCount()));
-    double s = points.size() % 8 == 0 ? 0 : unit();
-    double t = points.size() % 8 == 0 ? 0 : unit();
-    if (s + t > 1) s = 1 - s, t = 1 - t;
-    const Vec3<double> way{2 * unit() - 1, 2 * unit() - 1, 2 * unit() - 1};
-    points.push_back(a + s * (b - a) + t * (c - a) + reach * unit() * way);
-  }
-  return points;
-}
 
 struct Contestant {
   MeshSDF<double> mesh;
@@ -57,7 +39,7 @@ void run(const std::filesystem::path& path) {
   all.push_back(made({.signs = SignScheme::NearestFeature, .findSelfIntersections = false}));
   all.push_back(made({}));
   all.push_back(made({.signs = SignScheme::WindingNumber, .findSelfIntersections = false}));
-  const auto points = pointsNear(all[1].mesh);
+  const auto points = narrowPoints(triangulated(soup), kPoints);
   constexpr int kRounds = 5;
   for (int round = 0; round < kRounds; ++round) {
     for (auto& [mesh, values, seconds] : all) {
