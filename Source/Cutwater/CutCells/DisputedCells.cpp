@@ -54,7 +54,7 @@ class GridDisputes {
  public:
   /// `z`: what lies there counts of each cell, and nothing else.
   GridDisputes(const CutCells& cells, const CutFrame& frame, const DisputeSearch& search,
-               std::optional<double> z = {})
+               std::optional<double> z)
       : cells_(cells), frame_(frame), search_(search), z_(z) {}
 
   /// Blocks of a few cells that may have some.
@@ -107,7 +107,13 @@ class GridDisputes {
   std::optional<double> z_;
 };
 
-std::vector<Index3> disputedOf(const GridDisputes& grid, const ParallelOptions& options) {
+/// `caps`: null if there are none. `z`: see GridDisputes.
+std::vector<Index3> disputedOf(const CutCells& cells, const CutSurface& surface,
+                               const CapAngles* caps, std::optional<double> z,
+                               const ParallelOptions& options) {
+  if (caps == nullptr) return {};
+  const DisputeSearch search(*caps, surface.windingOutside() == 1);
+  const GridDisputes grid(cells, surface.frame(), search, z);
   const auto blocks = grid.blocks();
   std::vector<std::vector<Index3>> found(blocks.size());
   parallelFor(blocks.size(), options, [&](std::size_t begin, std::size_t end) {
@@ -127,16 +133,12 @@ std::vector<Index3> CellCutter::disputedCells(const CutCells& cells,
   const auto& period = surface_->period();
   require(!period.isOnAny(), "cut cells: the winding number of a surface has no period",
           Named{"period", period.length});
-  if (caps_ == nullptr) return {};
-  const DisputeSearch search(*caps_, surface_->windingOutside() == 1);
-  return disputedOf(GridDisputes(cells, surface_->frame(), search), options);
+  return disputedOf(cells, *surface_, caps_.get(), {}, options);
 }
 
 std::vector<Index3> CellCutter::disputedCellsInPlane(const CutCells& cells, double z,
                                                      const ParallelOptions& options) const {
-  if (caps_ == nullptr) return {};
-  const DisputeSearch search(*caps_, surface_->windingOutside() == 1);
-  return disputedOf(GridDisputes(cells, surface_->frame(), search, z), options);
+  return disputedOf(cells, *surface_, caps_.get(), z, options);
 }
 
 template <std::floating_point T>
