@@ -59,8 +59,9 @@ void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& gridPatch,
       .order = tileOrder(gridPatch, isFull ? kFullTileBits : kSkippedTileBits)};
   const int bits = task.order.bits();
   const detail::GridTiles tiles(gridPatch.indices, task.order.shape(bits));
-  // So many tiles at a time that most batches are full.
-  const auto grain = std::max<std::size_t>(1, (2 * detail::PointBatch<T>::kMost) >> bits);
+  // So many tiles at a time that most batches are full, or rows beyond the band are long.
+  const auto grain = isFull ? std::max<std::size_t>(1, (2 * detail::PointBatch<T>::kMost) >> bits)
+                            : std::min<std::size_t>(tiles.alongX(), 16);
   parallelFor(tiles.count(),
               {.threads = options.threads, .grain = grain, .progress = options.progress},
               [&](std::size_t begin, std::size_t end) { fillTiles(task, tiles, begin, end); });

@@ -47,6 +47,12 @@ void MeshFunction<T, Index>::localSignedDistances(std::span<const Vec3<T>> point
 }
 
 template <std::floating_point T, typename Index>
+bool MeshFunction<T, Index>::localSignedDistancesWithin(std::span<const Vec3<T>> points, T limit,
+                                                        std::span<T> distances) const {
+  return PointAnswers<T, Index>(*index_).signedDistancesWithin(points, limit, distances);
+}
+
+template <std::floating_point T, typename Index>
 Vec3<T> MeshFunction<T, Index>::localGradient(const Vec3<T>& point) const {
   return PointAnswers<T, Index>(*index_).gradient(point);
 }

@@ -43,6 +43,8 @@ class MeshFunction : public SignedDistanceFunction<T> {
   T localSignedDistance(const Vec3<T>& point) const final;
   T localSignedDistanceWithin(const Vec3<T>& point, const Interval<T>& wanted) const final;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const final;
+  bool localSignedDistancesWithin(std::span<const Vec3<T>> points, T limit,
+                                  std::span<T> distances) const final;
   Vec3<T> localGradient(const Vec3<T>& point) const final;
   SurfacePoint<T> localClosestPoint(const Vec3<T>& point) const final;
   void localClosestPoints(std::span<const Vec3<T>> points,

@@ -14,6 +14,13 @@ void SignedDistanceFunction<T>::localSignedDistances(std::span<const Vec3<T>> po
 }
 
 template <std::floating_point T>
+bool SignedDistanceFunction<T>::localSignedDistancesWithin(std::span<const Vec3<T>> /*points*/,
+                                                           T /*limit*/,
+                                                           std::span<T> /*distances*/) const {
+  return false;
+}
+
+template <std::floating_point T>
 Vec3<T> SignedDistanceFunction<T>::localGradient(const Vec3<T>& point) const {
   // Truncation grows with delta^2, rounding with 1/delta: cbrt(eps) of the size balances them.
   const T scale = length(point) + localGuarantee().size;
@@ -82,19 +89,21 @@ Box<T> SignedDistanceFunction<T>::localClearanceBox() const {
 }
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type
-#define CUTWATER_INSTANTIATE(T)                                                                  \
-  template void SignedDistanceFunction<T>::localSignedDistances(std::span<const Vec3<T>>,        \
-                                                                std::span<T>) const;             \
-  template Vec3<T> SignedDistanceFunction<T>::localGradient(const Vec3<T>&) const;               \
-  template SurfacePoint<T> SignedDistanceFunction<T>::localClosestPoint(const Vec3<T>&) const;   \
-  template void SignedDistanceFunction<T>::localClosestPoints(std::span<const Vec3<T>>,          \
-                                                              std::span<SurfacePoint<T>>) const; \
-  template CrossingCount SignedDistanceFunction<T>::localCrossings(const Segment<T>&,            \
-                                                                   CrossingVisitor<T>) const;    \
-  template void SignedDistanceFunction<T>::crossingsByValues(                                    \
-      std::span<const Segment<T>>, std::span<CrossingCount>, CrossingsVisitor<T>) const;         \
-  template bool SignedDistanceFunction<T>::localFacetsIn(const OrientedBox<T>&, FacetVisitor<T>) \
-      const;                                                                                     \
+#define CUTWATER_INSTANTIATE(T)                                                                    \
+  template void SignedDistanceFunction<T>::localSignedDistances(std::span<const Vec3<T>>,          \
+                                                                std::span<T>) const;               \
+  template bool SignedDistanceFunction<T>::localSignedDistancesWithin(std::span<const Vec3<T>>, T, \
+                                                                      std::span<T>) const;         \
+  template Vec3<T> SignedDistanceFunction<T>::localGradient(const Vec3<T>&) const;                 \
+  template SurfacePoint<T> SignedDistanceFunction<T>::localClosestPoint(const Vec3<T>&) const;     \
+  template void SignedDistanceFunction<T>::localClosestPoints(std::span<const Vec3<T>>,            \
+                                                              std::span<SurfacePoint<T>>) const;   \
+  template CrossingCount SignedDistanceFunction<T>::localCrossings(const Segment<T>&,              \
+                                                                   CrossingVisitor<T>) const;      \
+  template void SignedDistanceFunction<T>::crossingsByValues(                                      \
+      std::span<const Segment<T>>, std::span<CrossingCount>, CrossingsVisitor<T>) const;           \
+  template bool SignedDistanceFunction<T>::localFacetsIn(const OrientedBox<T>&, FacetVisitor<T>)   \
+      const;                                                                                       \
   template Box<T> SignedDistanceFunction<T>::localClearanceBox() const;
 // NOLINTEND(bugprone-macro-parentheses)
 CUTWATER_INSTANTIATE(float)

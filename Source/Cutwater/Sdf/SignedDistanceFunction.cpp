@@ -87,6 +87,23 @@ void SignedDistanceFunction<T>::signedDistances(std::span<const Vec3<T>> points,
 }
 
 template <std::floating_point T>
+bool SignedDistanceFunction<T>::signedDistancesWithin(std::span<const Vec3<T>> points, T limit,
+                                                      std::span<T> distances) const {
+  require(points.size() == distances.size(), "signedDistancesWithin: need one distance per point",
+          Named{"points", points.size()}, Named{"distances", distances.size()});
+  if (!localSignedDistancesWithin({}, limit, {})) return false;
+  forLocalPoints(
+      points, {.threads = 1},
+      [&](std::span<const Vec3<T>> local, std::size_t first) {
+        const auto values = distances.subspan(first, local.size());
+        static_cast<void>(localSignedDistancesWithin(local, limit, values));
+        for (auto& value : values) value += T(0);  // -0 becomes +0
+      },
+      [&](std::size_t i) { distances[i] = kNaN<T>; });
+  return true;
+}
+
+template <std::floating_point T>
 void SignedDistanceFunction<T>::forLocalPoints(
     std::span<const Vec3<T>> points, ParallelOptions options,
     FunctionRef<void(std::span<const Vec3<T>>, std::size_t)> answer,

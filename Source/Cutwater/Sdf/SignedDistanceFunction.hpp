@@ -38,6 +38,14 @@ class SignedDistanceFunction {
   void signedDistances(std::span<const Vec3<T>> points, std::span<T> distances,
                        const ParallelOptions& options = {}) const;
 
+  /// The same, on the calling thread, for values from -limit to limit only, `limit` >= 0; others
+  /// may be NaN. Returns false and computes nothing if this solid has no faster way to find these;
+  /// whether it has one does not depend on the points, of which there may be none. Neighbours in
+  /// the span should be close to each other in space.
+  /// @throws Error if the spans differ in size.
+  bool signedDistancesWithin(std::span<const Vec3<T>> points, T limit,
+                             std::span<T> distances) const;
+
   /// Outward unit normal by centred differences of half-width `delta`. Zero where these vanish,
   /// e.g. at the centre of a sphere, and for a delta that is not positive.
   [[nodiscard]] Vec3<T> normal(const Vec3<T>& point, T delta) const;
@@ -155,6 +163,9 @@ class SignedDistanceFunction {
 
   /// Values for a few hundred points at most; runs inside a parallel region.
   virtual void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const;
+  /// As signedDistancesWithin(), for a few hundred points at most. The default returns false.
+  virtual bool localSignedDistancesWithin(std::span<const Vec3<T>> points, T limit,
+                                          std::span<T> distances) const;
   [[nodiscard]] virtual Vec3<T> localGradient(const Vec3<T>& point) const;
   [[nodiscard]] virtual SurfacePoint<T> localClosestPoint(const Vec3<T>& point) const;
   /// Closest points for a few hundred points at most; runs inside a parallel region.

@@ -35,6 +35,12 @@ void Solid<T>::localSignedDistances(std::span<const Vec3<T>> points, std::span<T
 }
 
 template <std::floating_point T>
+bool Solid<T>::localSignedDistancesWithin(std::span<const Vec3<T>> points, T limit,
+                                          std::span<T> distances) const {
+  return root_->localSignedDistancesWithin(points, limit, distances);
+}
+
+template <std::floating_point T>
 Vec3<T> Solid<T>::localGradient(const Vec3<T>& p) const {
   return root_->localGradient(p);
 }

@@ -39,6 +39,8 @@ class Solid final : public SignedDistanceFunction<T> {
   T localSignedDistance(const Vec3<T>& p) const override;
   T localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
+  bool localSignedDistancesWithin(std::span<const Vec3<T>> points, T limit,
+                                  std::span<T> distances) const override;
   Vec3<T> localGradient(const Vec3<T>& p) const override;
   SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
   void localClosestPoints(std::span<const Vec3<T>> points,

@@ -18,6 +18,13 @@ template <std::floating_point T>
   return targets.distance.data != nullptr || takesSurfacePoints(targets);
 }
 
+/// The largest sizes of coordinates.
+template <std::floating_point T>
+[[nodiscard]] Vec3<T> farthestPosition(const GridPatch<T>& gridPatch) {
+  const auto& [level, indices] = gridPatch;
+  return max(abs(level.position(indices.lo)), abs(level.position(indices.hi)));
+}
+
 /// What one call of fill() asks for, shared by all of its tiles. All that it refers to outlives it.
 template <std::floating_point T>
 struct FillTask {
@@ -28,7 +35,19 @@ struct FillTask {
   TileOrder order;  ///< of the indices in each tile
   Guarantee<T> promise = solid.guarantee();
 
+  /// Whether it does, and there is surface near all points within the limit.
+  [[nodiscard]] bool hasExactWay() const {
+    return hasOwnWay && promise.outside == Quality::Exact && promise.inside == Quality::Exact;
+  }
   [[nodiscard]] bool hasBand() const { return limit < std::numeric_limits<T>::infinity(); }
+  /// Bounds the rounding of values at all positions.
+  T rounding = promise.error(length(farthestPosition(gridPatch)));
+  /// Whether the solid finds the points within the limit in its own way, and those beyond it can be
+  /// told from their neighbours, which are no farther than the limit.
+  bool hasOwnWay = hasBand() && promise.lipschitz == T(1) &&
+                   promise.domain == Box<T>::everywhere() &&
+                   maxComponent(gridPatch.level.spacing()) <= limit &&
+                   solid.signedDistancesWithin({}, limit, {});
 };
 
 }  // namespace cutwater::detail

@@ -25,6 +25,8 @@ class GridTiles {
   GridTiles(const IndexBox& indices, const Offset& shape);
 
   [[nodiscard]] std::size_t count() const { return counts_[0] * counts_[1] * counts_[2]; }
+  /// The number of tiles in a row along x.
+  [[nodiscard]] std::size_t alongX() const { return counts_[0]; }
   [[nodiscard]] OffsetBox tile(std::size_t number) const;
 
  private:

@@ -23,6 +23,18 @@ class PointBatch {
   }
   /// Evaluates the points added so far and stores their values.
   void flush();
+
+  /// A point whose value is known.
+  struct Known {
+    Vec3<T> point = {};
+    T value = 0;
+  };
+  /// The points to come are close to this one.
+  void begin(const Known& known) {
+    if (known.point == known_.point) return;
+    flush();
+    known_ = known;
+  }
   /// Stores the value of a point that is known to be beyond the limit.
   void storeBeyond(const Offset& offset, T sign) const {
     storeDistance(offset, std::copysign(task_.limit, sign));
@@ -31,6 +43,9 @@ class PointBatch {
 
  private:
   void storeDistances();
+  /// Signed distances; of those beyond the limit, any number beyond it.
+  void evaluate(std::span<T> values);
+  void evaluateOwnWay(std::span<T> values);
   void storeAll();
   /// Stores the surface points of those within the limit, which takes another query.
   void storeSurfacePoints(std::span<const T> distances);
@@ -61,6 +76,7 @@ class PointBatch {
   Scratch<Vec3<T>, kMost> points_;
   Scratch<Offset, kMost> offsets_;
   std::size_t count_ = 0;
+  Known known_;
 };
 
 extern template class PointBatch<float>;

@@ -6,7 +6,7 @@ namespace cutwater::detail {
 template <std::floating_point T>
 void TileClasses<T>::fill(const OffsetBox& tile) {
   divideTile<Part>(
-      task_.order, tile, [this](std::span<Part> parts) { settle(parts); },
+      task_.order, tile, [this](std::span<Part> parts, int /*bits*/) { settle(parts); },
       [&](const Part& part, int bits) {
         auto hint = part.hint;
         if (task_.promise.lipschitz) {

@@ -38,21 +38,29 @@ template <std::floating_point T>
 void TileFill<T>::fillBand() {
   divideTile<Part>(
       task_.order, tile_,
-      [this](std::span<Part> parts) {
-        boundParts(parts);
+      [this](std::span<Part> parts, int bits) {
+        settle(parts, bits);
         for (const auto& part : parts) {
-          if (part.isSettled) fillBeyond(part);
+          if (part.isSettled) noteBeyond({part.indices, part.sign < 0});
         }
       },
       [this](const Part& part, int bits) { addPoints(part, bits); });
 }
 
 template <std::floating_point T>
-void TileFill<T>::boundParts(std::span<Part> parts) const {
-  Scratch<Vec3<T>, TilePart::kMost> centers;
-  Scratch<T, TilePart::kMost> values;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto& [first, size] = parts[i].indices;
+void TileFill<T>::settle(std::span<Part> parts, int bits) {
+  findBoxes(parts);
+  const bool isTile = bits == task_.order.bits();
+  if (isTile && isBeyondByLast(parts.front())) return;
+  if (!isTile && bits <= TilePart::kLeafBits && task_.hasExactWay()) return classifyParts(parts);
+  boundParts(parts);
+  if (isTile && task_.promise.lipschitz) last_ = {parts.front().center, parts.front().sign};
+}
+
+template <std::floating_point T>
+void TileFill<T>::findBoxes(std::span<Part> parts) const {
+  for (auto& part : parts) {
+    const auto& [first, size] = part.indices;
     Offset lower{};
     Offset upper{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -60,10 +68,30 @@ void TileFill<T>::boundParts(std::span<Part> parts) const {
       upper[axis] = lower[axis] + size[axis] - 1;
     }
     // Coordinates grow with the index, even when rounded, so no position is outside.
-    parts[i].box = {position(lower), position(upper)};
-    parts[i].beyondSquared = -1;  // not the one of a larger part that it began as a copy of
-    centers[i] = parts[i].box.center();
+    part.box = {position(lower), position(upper)};
+    part.beyondSquared = -1;  // not the one of a larger part that it began as a copy of
   }
+}
+
+template <std::floating_point T>
+void TileFill<T>::classifyParts(std::span<Part> parts) const {
+  Scratch<Box<T>, TilePart::kMost> boxes;
+  Scratch<BoxClass, TilePart::kMost> classes;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    boxes[i] = parts[i].box.grown(task_.limit + 4 * task_.rounding);
+  }
+  task_.solid.classify(boxes.first(parts.size()), classes.first(parts.size()), {}, {.threads = 1});
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i].isSettled = !mayBeCut(classes[i]);
+    if (parts[i].isSettled) parts[i].sign = classes[i] == BoxClass::Inside ? T(-1) : T(1);
+  }
+}
+
+template <std::floating_point T>
+void TileFill<T>::boundParts(std::span<Part> parts) const {
+  Scratch<Vec3<T>, TilePart::kMost> centers;
+  Scratch<T, TilePart::kMost> values;
+  for (std::size_t i = 0; i < parts.size(); ++i) centers[i] = parts[i].box.center();
   if (task_.promise.lipschitz) {
     task_.solid.signedDistances(centers.first(parts.size()), values.first(parts.size()),
                                 {.threads = 1});
@@ -81,6 +109,15 @@ void TileFill<T>::boundParts(std::span<Part> parts) const {
 }
 
 template <std::floating_point T>
+bool TileFill<T>::isBeyondByLast(Part& part) const {
+  const auto half = max(abs(part.box.lower - last_.point), abs(part.box.upper - last_.point));
+  const auto around = OrientedBox<T>::of({last_.point - half, last_.point + half});
+  if (last_.value == 0 || !around.isWithin(task_.promise.domain)) return false;
+  boundByLipschitz(part, around, last_.value);
+  return part.isSettled;
+}
+
+template <std::floating_point T>
 void TileFill<T>::boundByLipschitz(Part& part, const OrientedBox<T>& box, T atCenter) const {
   const auto range = boundsAround(atCenter, box, task_.promise);
   const T missing = task_.limit - (atCenter < 0 ? -range.upper : range.lower);
@@ -95,16 +132,34 @@ void TileFill<T>::boundByLipschitz(Part& part, const OrientedBox<T>& box, T atCe
 }
 
 template <std::floating_point T>
-void TileFill<T>::fillBeyond(const Part& part) const {
-  fillBox(task_.targets.distance, part.indices, std::copysign(task_.limit, part.sign));
-  fillBox(task_.targets.patch, part.indices, std::uint32_t{kNone});
+void TileFill<T>::noteBeyond(const Beyond& part) {
+  auto& [first, size] = beyond_.indices;
+  const auto goesOn = [&](std::size_t axis) {
+    return first[axis] == part.indices.first[axis] && size[axis] == part.indices.size[axis];
+  };
+  const bool isNext = first[0] + size[0] == part.indices.first[0] && goesOn(1) && goesOn(2);
+  if (isNext && beyond_.isInside == part.isInside) {
+    size[0] += part.indices.size[0];
+  } else {
+    fillBeyond();
+    beyond_ = part;
+  }
+}
+
+template <std::floating_point T>
+void TileFill<T>::fillBeyond() {
+  const auto& [indices, isInside] = beyond_;
+  fillBox(task_.targets.distance, indices, isInside ? -task_.limit : task_.limit);
+  fillBox(task_.targets.patch, indices, std::uint32_t{kNone});
   constexpr T kNaN = std::numeric_limits<T>::quiet_NaN();
-  fillBox(task_.targets.closestPoint, part.indices, {kNaN, kNaN, kNaN});
-  fillBox(task_.targets.normal, part.indices, {kNaN, kNaN, kNaN});
+  fillBox(task_.targets.closestPoint, indices, {kNaN, kNaN, kNaN});
+  fillBox(task_.targets.normal, indices, {kNaN, kNaN, kNaN});
+  beyond_ = {};
 }
 
 template <std::floating_point T>
 void TileFill<T>::addPoints(const Part& part, int bits) {
+  if (task_.hasOwnWay) batch_.begin({part.center, part.sign});
   forIndices(task_.order, tile_, part, bits, [&](const Offset& inTile) {
     const auto point = position(inTile);
     const Offset offset{tile_.first[0] + inTile[0], tile_.first[1] + inTile[1],

@@ -26,10 +26,10 @@ struct TilePart {
 [[nodiscard]] OffsetBox indicesOf(const TileOrder& order, const OffsetBox& tile,
                                   std::uint32_t number, int bits);
 
-/// Divides a tile into ever smaller parts. Calls settle(parts) for all parts of one size, which
-/// sets `isSettled` of those that it could deal with as a whole, and rest(part, bits) for what is
-/// left of the smallest size. `Part` is derived from TilePart; parts of a part begin as copies of
-/// it.
+/// Divides a tile into ever smaller parts. Calls settle(parts, bits) for all parts of one size,
+/// 2^bits, which sets `isSettled` of those that it could deal with as a whole, and rest(part, bits)
+/// for what is left of the smallest size. `Part` is derived from TilePart; parts of a part begin as
+/// copies of it.
 template <typename Part, typename Settle, typename Rest>
 void divideTile(const TileOrder& order, const OffsetBox& tile, Settle&& settle, Rest&& rest) {
   std::array<Scratch<Part, TilePart::kMost>, 2> parts;
@@ -39,7 +39,7 @@ void divideTile(const TileOrder& order, const OffsetBox& tile, Settle&& settle, 
   int bits = order.bits();
   for (std::size_t from = 0; count > 0; from = 1 - from) {
     const auto all = parts[from].first(count);
-    settle(all);
+    settle(all, bits);
     const int smaller = std::max(bits - TilePart::kDivisionBits, TilePart::kLeafBits);
     count = 0;
     for (const auto& part : all) {

@@ -28,6 +28,10 @@ class DcelIndex final : public SignedSurface<T> {
     return nearest(p);
   }
   void nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const;
+  void nearestWithin(std::span<const Vec3<T>> points, std::span<Nearest> nearest,
+                     double /*reach*/) const {
+    this->nearest(points, nearest);
+  }
   [[nodiscard]] auto trianglesAlong() const {
     return [this](const Segment<double>& /*segment*/, TriangleVisitor visit) {
       for (std::uint32_t id = 0; id < surface().triangles.size(); ++id) visit({&id, 1});

@@ -174,6 +174,13 @@ void MeshIndex<T>::nearest(std::span<const Vec3<T>> points, std::span<Nearest> n
 }
 
 template <std::floating_point T>
+void MeshIndex<T>::nearestWithin(std::span<const Vec3<T>> points, std::span<Nearest> nearest,
+                                 double reach) const {
+  for (std::size_t i = 0; i < points.size(); ++i) nearest[i] = surface().nothing(points[i]);
+  search_.nearest(surface(), points, nearest, reach);
+}
+
+template <std::floating_point T>
 std::vector<std::string> MeshIndex<T>::patchNames() const {
   std::vector<std::string> names;
   for (auto rest = block_.array<char>(layout_.patchNames); !rest.empty();

@@ -62,6 +62,8 @@ class MeshIndex final : public SignedSurface<T> {
   }
   /// The same for each of the points.
   void nearest(std::span<const Vec3<T>> points, std::span<Nearest> nearest) const;
+  void nearestWithin(std::span<const Vec3<T>> points, std::span<Nearest> nearest,
+                     double reach) const;
 
   /// A TrianglesAlong.
   [[nodiscard]] auto trianglesAlong() const {

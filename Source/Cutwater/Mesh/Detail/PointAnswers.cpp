@@ -24,6 +24,18 @@ Vec3<T> PointAnswers<T, Index>::pulledIn(const Vec3<T>& point) {
 }
 
 template <std::floating_point T, typename Index>
+Vec3<T> PointAnswers<T, Index>::scale(std::span<const Vec3<T>> points, std::span<Vec3<T>> p) const {
+  Vec3<T> most;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    p[i] = surface().scale * points[i];
+    most = max(most, abs(p[i]));
+  }
+  if (maxComponent(most) <= kFarthest) return most;
+  for (std::size_t i = 0; i < points.size(); ++i) p[i] = scaled(points[i]);
+  return {kFarthest, kFarthest, kFarthest};
+}
+
+template <std::floating_point T, typename Index>
 int PointAnswers<T, Index>::disputedSide(const Vec3<T>& p, const Nearest& nearest) const {
   const bool byNearest = signs().scheme == SignScheme::NearestFeature;
   // The distance of a point beside the surface may round to 0.
@@ -87,7 +99,7 @@ void PointAnswers<T, Index>::forNearest(std::span<const Vec3<T>> points, Visit v
   Scratch<Nearest, kBatch> nearest;
   for (std::size_t begin = 0; begin < points.size(); begin += kBatch) {
     const auto count = std::min(kBatch, points.size() - begin);
-    for (std::size_t i = 0; i < count; ++i) p[i] = scaled(points[begin + i]);
+    static_cast<void>(scale(points.subspan(begin, count), p.first(count)));
     index_.nearest(p.first(count), nearest.first(count));
     for (std::size_t i = 0; i < count; ++i) visit(begin + i, p[i], nearest[i]);
   }
@@ -99,6 +111,27 @@ void PointAnswers<T, Index>::signedDistances(std::span<const Vec3<T>> points,
   forNearest(points, [&](std::size_t i, const Vec3<T>& p, const Nearest& nearest) {
     distances[i] = valueAt(points[i], p, nearest);
   });
+}
+
+template <std::floating_point T, typename Index>
+bool PointAnswers<T, Index>::signedDistancesWithin(std::span<const Vec3<T>> points, T limit,
+                                                   std::span<T> distances) const {
+  if (index_.signJumps()) return false;
+  Scratch<Vec3<T>, kBatch> p;
+  Scratch<Nearest, kBatch> nearest;
+  for (std::size_t begin = 0; begin < points.size(); begin += kBatch) {
+    const auto count = std::min(kBatch, points.size() - begin);
+    const Vec3<T> farthest = scale(points.subspan(begin, count), p.first(count));
+    const T reach = surface().scale * limit + 4 * surface().error(farthest);
+    index_.nearestWithin(p.first(count), nearest.first(count), double{reach});
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool isNear =
+          nearest[i].triangle != kNone && nearest[i].distanceSquared <= reach * reach;
+      distances[begin + i] = isNear ? valueAt(points[begin + i], p[i], nearest[i])
+                                    : std::numeric_limits<T>::quiet_NaN();
+    }
+  }
+  return true;
 }
 
 template <std::floating_point T, typename Index>

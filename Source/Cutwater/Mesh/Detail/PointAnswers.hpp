@@ -27,6 +27,8 @@ class PointAnswers {
   }
   [[nodiscard]] T signedDistanceWithin(const Vec3<T>& point, const Interval<T>& wanted) const;
   void signedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const;
+  bool signedDistancesWithin(std::span<const Vec3<T>> points, T limit,
+                             std::span<T> distances) const;
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& point) const;
   [[nodiscard]] SurfacePoint<T> closestPoint(const Vec3<T>& point) const {
     const Vec3<T> p = scaled(point);
@@ -55,6 +57,8 @@ class PointAnswers {
   static constexpr T kFarthest = T(0x1p60);
 
   [[nodiscard]] const TriangleSurface<T>& surface() const { return index_.surface(); }
+  /// scaled(), for many points. Returns bounds on the sizes of their coordinates.
+  [[nodiscard]] Vec3<T> scale(std::span<const Vec3<T>> points, std::span<Vec3<T>> p) const;
   /// Not inlined: in a loop, g++ would compute these divisions for every point.
   [[nodiscard, gnu::noinline]] static Vec3<T> pulledIn(const Vec3<T>& point);
   /// side(), for all points.

@@ -53,9 +53,11 @@ class BrickEvaluation {
     for (int n = 0; n < count_; ++n) evaluate(n);
     for (int i = 0; i < kBrick; ++i) tie_[i] = 0;
     for (int i = 0; i < used_; ++i) {
+      tie_[i] = -1;
+      if (!(nearest_[i] < kNone)) continue;
       Nearest& best = points_.best(first_ + i);
       best.distanceSquared = nearest_[i];
-      best.triangle = count_ > 0 ? ids_[static_cast<int>(winner_[i])] : cutwater::kNone;
+      best.triangle = ids_[static_cast<int>(winner_[i])];
       tie_[i] = best.tie = best.tieAt(nearest_[i]);
     }
     findSides();

@@ -53,9 +53,10 @@ class CandidateList {
     return 0x1p-24F * (size.x + size.y + size.z + radius_);
   }
 
-  /// Writes the indices of the candidates that may be nearest to a point in the box; returns how
-  /// many. At least one, unless the list is empty or a forged file contains NaN.
-  [[gnu::noinline]] int within(const ClusterBox& box, float slack, std::uint16_t* kept) const {
+  /// Writes the indices of the candidates that may be nearest to a point in the box, and within
+  /// `limit` of it; returns how many.
+  [[gnu::noinline]] int within(const ClusterBox& box, float slack, float limit,
+                               std::uint16_t* kept) const {
     alignas(64) float squared[kMost];
     alignas(64) float separation[kMost];
     alignas(64) float offset[3][kMost];
@@ -75,8 +76,9 @@ class CandidateList {
     if (count_ == 0) return 0;
     int best = 0;
     for (const float value = leastOf(nearest); squared[best] != value && best + 1 < count_;) ++best;
-    const ClusterBounds bounds(box.half, {offset[0][best], offset[1][best], offset[2][best]},
-                               kOffsetError * unit + slack);
+    ClusterBounds bounds(box.half, {offset[0][best], offset[1][best], offset[2][best]},
+                         kOffsetError * unit + slack);
+    bounds.limit(limit + kOffsetError * unit);
     int found = 0;
     for (int i = 0; i < count_; i += kFloats) {
       const Floats3 w{load(offset[0] + i), load(offset[1] + i), load(offset[2] + i)};

@@ -29,9 +29,7 @@ class ClusterBounds {
   /// of the points.
   CUTWATER_INLINE ClusterBounds(const Vec3<float>& half, const Vec3<float>& off, float margin)
       : half_(half) {
-    // Relative rounding here and in isBeyond(): below 16 u, u = 2^-24, of the lengths |off + e| and
-    // of |e|.
-    const float rounding = 0x1p-20F * (half.x + half.y + half.z);
+    const float rounding = roundingOf(half);
     for (int i = 0; i < 8; ++i) {
       const Vec3<float> v{off.x + (i % 2 == 0 ? -half.x : half.x),
                           off.y + (i / 2 % 2 == 0 ? -half.y : half.y),
@@ -39,6 +37,15 @@ class ClusterBounds {
       const float length = squareRoot(v.x * v.x + v.y * v.y + v.z * v.z);
       farther_[i] = length * (1 + 0x1p-20F) + rounding + margin;
     }
+  }
+  /// Without c: only limit() says what can be discarded.
+  CUTWATER_INLINE explicit ClusterBounds(const Vec3<float>& half) : half_(half) {
+    for (float& farther : farther_) farther = kFar;
+  }
+  /// Whatever is farther than that from each point can be discarded as well. The distance must
+  /// include all errors of the points.
+  CUTWATER_INLINE void limit(float distance) {
+    limit_ = distance * (1 + 0x1p-20F) + roundingOf(half_);
   }
 
   /// Bit mask of the lanes that can be discarded. `separation` is at most s, `length` is |w|;
@@ -56,6 +63,10 @@ class ClusterBounds {
       most = CUTWATER_SIMD::most(most, multiplyAdd(broadcast(farther_[corner + 4]), length,
                                                    broadcast(0.0F) - along.z - sums[i]));
     }
+    // In no direction e is |w| times the limit less w . e larger than this.
+    const Floats limit = multiplyAdd(broadcast(limit_), length,
+                                     magnitude(along.x) + magnitude(along.y) + magnitude(along.z));
+    most = least(most, limit);
     return bits(both(isPositive(separation * broadcast(1 - 0x1p-20F) - most),
                      isPositive(length - broadcast(kLeast))));
   }
@@ -66,8 +77,15 @@ class ClusterBounds {
   /// Squares of shorter vectors underflow, so that their length is not known.
   static constexpr float kLeast = 0x1p-50F;
 
+  /// Relative rounding here and in isBeyond(): below 16 u, u = 2^-24, of the lengths |off + e| and
+  /// of |e|; this is that of |e|.
+  CUTWATER_INLINE static float roundingOf(const Vec3<float>& half) {
+    return 0x1p-20F * (half.x + half.y + half.z);
+  }
+
   Vec3<float> half_;
   float farther_[8];  // |corner - c| plus the margin
+  float limit_ = kFar;
 };
 
 }  // namespace

@@ -50,7 +50,14 @@ class ClusterPoints {
       z_[i] = q.z;
     }
     reach_ = static_cast<float>(1.5 * maxComponent(upper - lower)) * (1 + 0x1p-20F);
+    limit_ = kFar;
     return true;
+  }
+  /// From now on, only triangles within this distance of a point matter to it, in the surface's
+  /// units.
+  CUTWATER_INLINE void limit(double distance) {
+    const double most = distance * tree_.frame.scale * (1 + 0x1p-20);
+    limit_ = most < kFar ? static_cast<float>(most) + slack_ : kFar;
   }
 
   /// The box around points [begin, end); `begin` must be a multiple of kBrick.
@@ -88,15 +95,28 @@ class ClusterPoints {
   CUTWATER_INLINE float reach() const { return reach_; }
   /// The largest of slackOf() for the points.
   CUTWATER_INLINE float slack() const { return slack_; }
+  /// No triangle farther than this from a point matters to it.
+  CUTWATER_INLINE float limit() const { return limit_; }
   /// The largest Nearest::error of the points, and so of any point among them.
   CUTWATER_INLINE T error() const { return error_; }
 
   /// Bounds for triangles and boxes with a nearest point for the box, if `near` is a point of the
   /// surface.
   CUTWATER_INLINE ClusterBounds boundsFor(const ClusterBox& box, const Vec3<double>& near) const {
-    // The points, the middle and its difference from `near` are rounded to float.
-    return {box.half, Vec3<float>(middle(box) - near),
-            slack_ + 0x1p-22F * (box.half.x + box.half.y + box.half.z + reach_)};
+    return boundsBy(box, Vec3<float>(middle(box) - near), 0);
+  }
+  /// The same if `off` is the box's middle less a point that is within `error` of the surface.
+  CUTWATER_INLINE ClusterBounds boundsBy(const ClusterBox& box, const Vec3<float>& off,
+                                         float error) const {
+    ClusterBounds bounds(box.half, off, slack_ + error + roundingIn(box));
+    bounds.limit(limit_ + roundingIn(box));
+    return bounds;
+  }
+  /// Bounds for triangles and boxes that matter to the box.
+  CUTWATER_INLINE ClusterBounds boundsFor(const ClusterBox& box) const {
+    ClusterBounds bounds(box.half);
+    bounds.limit(limit_ + roundingIn(box));
+    return bounds;
   }
   /// The point of a triangle that is nearest to `p`.
   CUTWATER_INLINE Vec3<double> closestTo(const Vec3<T>& p, std::uint32_t triangle) const {
@@ -108,6 +128,11 @@ class ClusterPoints {
   // Beyond this the rounding is too coarse, so points are searched one by one.
   static constexpr double kFarAway = 0x1p20;
 
+  /// The points, the box's middle and its difference from other points are rounded to float.
+  CUTWATER_INLINE float roundingIn(const ClusterBox& box) const {
+    return 0x1p-22F * (box.half.x + box.half.y + box.half.z + reach_);
+  }
+
   const TriangleSearch& tree_;
   const KernelTriangles<T>& arrays_;
   const Vec3<T>* points_ = nullptr;
@@ -117,6 +142,7 @@ class ClusterPoints {
   T error_ = 0;
   float slack_ = 0;
   float reach_ = 0;
+  float limit_ = kFar;
   alignas(64) float x_[kMost];
   alignas(64) float y_[kMost];
   alignas(64) float z_[kMost];

@@ -46,9 +46,29 @@ class ClusterSearch {
   }
   CUTWATER_INLINE int next() const { return next_; }
 
+  /// The same for triangles within `reach` of each point, in the surface's units; those farther
+  /// away are left out, or not. Returns false if the points are too far away, or the leaves too
+  /// many.
+  CUTWATER_INLINE bool runWithin(const Vec3<T>* points, Nearest* bests, int count, double reach) {
+    if (!points_.place(points, bests, count)) return false;
+    points_.limit(reach);
+    const ClusterBox box = points_.boxAround(0, count);
+    const ClusterBounds bounds = points_.boundsFor(box);
+    if (!collectLeaves(points_.middle(box), bounds)) return false;
+    if (leaves_.count() == 0) return true;
+    hasTriangles_ =
+        leaves_.count() <= kLeastLeaves && triangles_.collect(leaves_, points_.middle(box), bounds);
+    for (int begin = 0; begin < count; begin += Points::kGroup) {
+      const int end = begin + Points::kGroup < count ? begin + Points::kGroup : count;
+      runGroupWithin(begin, end, reach);
+    }
+    return true;
+  }
+
  private:
   static constexpr int kMostLeaves = 512;
   static constexpr int kFewLeaves = 64;
+  static constexpr int kLeastLeaves = 16;  // narrowed no further
   static constexpr int kMostWaiting = 256;
   static constexpr float kWidest = 0.125F;  // half the width; the surface is about 1 wide
 
@@ -56,10 +76,15 @@ class ClusterSearch {
   /// there are too many.
   [[gnu::noinline]] bool collect(const ClusterBox& box) {
     if (maxComponent(box.half) > kWidest) return false;
-    leaves_.clear();
     const Vec3<double> middle = points_.middle(box);
     near_ = closestTo(middle);
     const ClusterBounds bounds = points_.boundsFor(box, near_);
+    if (!collectLeaves(middle, bounds)) return false;
+    hasTriangles_ = leaves_.count() <= kFewLeaves && triangles_.collect(leaves_, middle, bounds);
+    return leaves_.count() > 0;
+  }
+  [[gnu::noinline]] bool collectLeaves(const Vec3<double>& middle, const ClusterBounds& bounds) {
+    leaves_.clear();
     std::uint32_t waiting[kMostWaiting];
     int count = 0;
     waiting[count++] = 0;
@@ -77,10 +102,42 @@ class ClusterSearch {
       }
     }
     leaves_.pad();
-    hasTriangles_ = leaves_.count() <= kFewLeaves && triangles_.collect(leaves_, middle, bounds);
-    return leaves_.count() > 0;
+    return true;
   }
-
+  /// For points [begin, end).
+  [[gnu::noinline]] void runGroupWithin(int begin, int end, double reach) {
+    const ClusterBox box = points_.boxAround(begin, end);
+    if (!hasTriangles_) {
+      selectLeaves(box, points_.boundsFor(box));
+      if (ofGroup_.count() == 0) return;
+      const ClusterBounds bounds = triangles_.boundsBy(ofGroup_.nearestTo(box.middle), box);
+      if (ofGroup_.count() > kLeastLeaves) selectLeaves(box, bounds);
+      if (ofGroup_.count() > kFewLeaves ||
+          !triangles_.collect(ofGroup_, points_.middle(box), bounds)) {
+        near_ = closestTo(points_.middle(box));
+        if (leafwise_.runGroup(ofGroup_, near_, begin, end)) return;
+        return runOneByOne(begin, end, reach);
+      }
+    }
+    if (triangles_.runGroup(begin, end)) return;
+    for (; begin < end; begin += Points::kBrick) {
+      const int last = begin + Points::kBrick < end ? begin + Points::kBrick : end;
+      if (!triangles_.runGroup(begin, last)) runOneByOne(begin, last, reach);
+    }
+  }
+  CUTWATER_INLINE void runOneByOne(int begin, int end, double reach) {
+    for (int i = begin; i < end; ++i) {
+      nearestOne(tree_, arrays_, points_.point(i), points_.best(i), reach);
+    }
+  }
+  /// Narrows the leaves for all points to those for a group.
+  CUTWATER_INLINE void selectLeaves(const ClusterBox& box, const ClusterBounds& bounds) {
+    std::uint16_t kept[kMostLeaves];
+    const int count = leaves_.within(box, bounds, kept);
+    ofGroup_.clear();
+    for (int i = 0; i < count; ++i) ofGroup_.add(leaves_, kept[i]);
+    ofGroup_.pad();
+  }
   /// The point of the surface that is nearest to `q`.
   CUTWATER_INLINE Vec3<double> closestTo(const Vec3<double>& q) const {
     const Vec3<T> p(tree_.frame.fromFrame(q));
@@ -128,6 +185,7 @@ class ClusterSearch {
   LeafCluster<T> leafwise_;
   int next_ = 0;
   LeafList<kMostLeaves> leaves_;
+  LeafList<kMostLeaves> ofGroup_;
   bool hasTriangles_ = false;
   Vec3<double> near_;  // on the surface
 };

@@ -66,6 +66,18 @@ class LeafList {
       store(keys + lane, fusedDot(w, w));
     }
   }
+  /// The leaf whose box is nearest to a point.
+  CUTWATER_INLINE std::uint32_t nearestTo(const Vec3<float>& p) const {
+    alignas(64) float keys[16];
+    float least = kFar;
+    int nearest = 0;
+    for (int first = 0; first < count_; first += 16) {
+      this->keys(first, p, keys);
+      const int lane = leastLane(keys, 0xffffU);
+      if (keys[lane] < least) least = keys[lane], nearest = first + lane;
+    }
+    return leaves_[nearest];
+  }
   /// Writes the indices of the leaves that may hold a nearest point of the box; returns how many.
   [[gnu::noinline]] int within(const ClusterBox& box, const ClusterBounds& bounds,
                                std::uint16_t* kept) const {

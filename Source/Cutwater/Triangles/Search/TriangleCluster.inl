@@ -20,8 +20,8 @@ class TriangleCluster {
                                   const Points& points)
       : tree_(tree), points_(points), evaluation_(arrays, points) {}
 
-  /// Collects the triangles of leaves that may be nearest to a point within the bounds. Returns
-  /// false if there are too many.
+  /// Collects the triangles of leaves that may be nearest to a point within the bounds, or none.
+  /// Returns false if there are too many.
   template <int kMost>
   CUTWATER_INLINE bool collect(const LeafList<kMost>& leaves, const Vec3<double>& middle,
                                const ClusterBounds& bounds) {
@@ -30,13 +30,35 @@ class TriangleCluster {
       if (!collectFrom(leaves.leaf(i), middle, bounds)) return false;
     }
     shared_.pad();
-    return shared_.count() > 0;
+    return true;
+  }
+  /// Bounds for the box by the nearest of a leaf's triangles.
+  [[gnu::noinline]] ClusterBounds boundsBy(std::uint32_t leaf, const ClusterBox& box) const {
+    const TrianglePacket& packet = tree_.packets[leaf];
+    const PacketPoint local = relativeTo(packet, points_.middle(box));
+    Vec3<float> off;
+    float nearest = kFar;
+    for (int lane = 0; lane < kWidth; lane += kFloats) {
+      const auto t = packedTriangle(rowsOf(packet), kWidth, lane);
+      const auto found = packedOffset(t, local.position, local.unit);
+      const float least = leastOf(found.squared);
+      if (!(least < nearest)) continue;
+      nearest = least;
+      const int best = __builtin_ctz(bits(isAtMost(found.squared, broadcast(least))));
+      alignas(64) float components[3][kFloats];
+      store(components[0], found.offset.x);
+      store(components[1], found.offset.y);
+      store(components[2], found.offset.z);
+      off = {components[0][best], components[1][best], components[2][best]};
+    }
+    return points_.boundsBy(box, off, kOffsetError * local.unit);
   }
   /// Processes points [begin, end). Returns false, having done nothing, if there are too many
   /// triangles.
   [[gnu::noinline]] bool runGroup(int begin, int end) {
     std::uint16_t kept[kMostShared];
-    const int count = shared_.within(points_.boxAround(begin, end), points_.slack(), kept);
+    const int count =
+        shared_.within(points_.boxAround(begin, end), points_.slack(), points_.limit(), kept);
     if (count > kMostOfGroup) return false;
     group_.clear();
     for (int i = 0; i < count; ++i) {
@@ -83,8 +105,8 @@ class TriangleCluster {
 
   [[gnu::noinline]] void runBrick(int begin, int used) {
     std::uint16_t kept[kMostOfGroup];
-    const int count =
-        group_.within(points_.boxAround(begin, begin + kBrick), points_.slack(), kept);
+    const int count = group_.within(points_.boxAround(begin, begin + kBrick), points_.slack(),
+                                    points_.limit(), kept);
     alignas(64) float squared[kMostOfGroup][kBrick];
     alignas(64) float limits[kBrick];
     for (int lane = 0; lane < kBrick; lane += kFloats) {
@@ -104,7 +126,10 @@ class TriangleCluster {
       const Floats error =
           where(isPositive(isNear), broadcast(kErrorNearby + 2), broadcast(kError + 2)) * unit;
       const Floats reach = lower + error + error + broadcast(points_.slack());
-      store(limits + lane, reach * reach * broadcast(1 + 0x1p-19F));
+      // None is wanted beyond the limit.
+      const auto isWanted = isAtMost(lower, error + broadcast(points_.limit()));
+      store(limits + lane,
+            where(isWanted, reach * reach * broadcast(1 + 0x1p-19F), broadcast(-1.0F)));
     }
     evaluation_.begin(begin, used);
     for (int i = 0; i < count; ++i) {

@@ -11,14 +11,20 @@ using NearestTriangle = void(const TriangleSearch&, const KernelTriangles<T>&, c
 template <std::floating_point T>
 using NearestTriangles = void(const TriangleSearch&, const KernelTriangles<T>&, const Vec3<T>*,
                               typename TriangleSurface<T>::Nearest*, std::size_t);
+template <std::floating_point T>
+using NearestTrianglesWithin = void(const TriangleSearch&, const KernelTriangles<T>&,
+                                    const Vec3<T>*, typename TriangleSurface<T>::Nearest*,
+                                    std::size_t, double);
 
 }  // namespace
 
-#define CUTWATER_DECLARE_FOR(T)                                                           \
-  void nearestTriangle(const TriangleSearch&, const KernelTriangles<T>&, const Vec3<T>&,  \
-                       TriangleSurface<T>::Nearest&, double);                             \
-  void nearestTriangles(const TriangleSearch&, const KernelTriangles<T>&, const Vec3<T>*, \
-                        TriangleSurface<T>::Nearest*, std::size_t);
+#define CUTWATER_DECLARE_FOR(T)                                                                 \
+  void nearestTriangle(const TriangleSearch&, const KernelTriangles<T>&, const Vec3<T>&,        \
+                       TriangleSurface<T>::Nearest&, double);                                   \
+  void nearestTriangles(const TriangleSearch&, const KernelTriangles<T>&, const Vec3<T>*,       \
+                        TriangleSurface<T>::Nearest*, std::size_t);                             \
+  void nearestTrianglesWithin(const TriangleSearch&, const KernelTriangles<T>&, const Vec3<T>*, \
+                              TriangleSurface<T>::Nearest*, std::size_t, double);
 #define CUTWATER_DECLARE(set)  \
   namespace set {              \
   CUTWATER_DECLARE_FOR(float)  \
@@ -70,6 +76,15 @@ void TriangleSearch::nearest(const TriangleSurface<T>& surface, std::span<const 
   function(*this, KernelTriangles<T>(surface), points.data(), bests.data(), points.size());
 }
 
+template <std::floating_point T>
+void TriangleSearch::nearest(const TriangleSurface<T>& surface, std::span<const Vec3<T>> points,
+                             std::span<typename TriangleSurface<T>::Nearest> bests,
+                             double reach) const {
+  static NearestTrianglesWithin<T>* const function =
+      CUTWATER_BEST_OF(NearestTrianglesWithin<T>, nearestTrianglesWithin);
+  function(*this, KernelTriangles<T>(surface), points.data(), bests.data(), points.size(), reach);
+}
+
 template void TriangleSearch::nearest(const TriangleSurface<float>&, const Vec3<float>&,
                                       TriangleSurface<float>::Nearest&, double) const;
 template void TriangleSearch::nearest(const TriangleSurface<float>&, std::span<const Vec3<float>>,
@@ -78,5 +93,9 @@ template void TriangleSearch::nearest(const TriangleSurface<double>&, const Vec3
                                       TriangleSurface<double>::Nearest&, double) const;
 template void TriangleSearch::nearest(const TriangleSurface<double>&, std::span<const Vec3<double>>,
                                       std::span<TriangleSurface<double>::Nearest>) const;
+template void TriangleSearch::nearest(const TriangleSurface<float>&, std::span<const Vec3<float>>,
+                                      std::span<TriangleSurface<float>::Nearest>, double) const;
+template void TriangleSearch::nearest(const TriangleSurface<double>&, std::span<const Vec3<double>>,
+                                      std::span<TriangleSurface<double>::Nearest>, double) const;
 
 }  // namespace cutwater

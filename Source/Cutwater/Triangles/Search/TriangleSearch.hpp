@@ -58,6 +58,11 @@ struct TriangleSearch {
   template <std::floating_point T>
   void nearest(const TriangleSurface<T>& surface, std::span<const Vec3<T>> points,
                std::span<typename TriangleSurface<T>::Nearest> bests) const;
+  /// The same where that is within `reach`; elsewhere any triangle or none. Fast if most points
+  /// have none.
+  template <std::floating_point T>
+  void nearest(const TriangleSurface<T>& surface, std::span<const Vec3<T>> points,
+               std::span<typename TriangleSurface<T>::Nearest> bests, double reach) const;
 };
 
 }  // namespace cutwater

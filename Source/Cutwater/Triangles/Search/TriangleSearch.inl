@@ -100,6 +100,22 @@ template <typename T>
 }
 
 template <typename T>
+[[gnu::noinline]] void nearestOfManyWithin(const TriangleSearch& tree,
+                                           const KernelTriangles<T>& surface, const Vec3<T>* points,
+                                           typename TriangleSurface<T>::Nearest* bests,
+                                           std::size_t count, double reach) {
+  constexpr std::size_t kMost = ClusterPoints<T>::kMost;
+  ClusterSearch<T> search(tree, surface);
+  for (std::size_t done = 0; done < count; done += kMost) {
+    const std::size_t some = count - done < kMost ? count - done : kMost;
+    if (search.runWithin(points + done, bests + done, static_cast<int>(some), reach)) continue;
+    for (std::size_t i = done; i < done + some; ++i) {
+      nearestOne(tree, surface, points[i], bests[i], reach);
+    }
+  }
+}
+
+template <typename T>
 CUTWATER_INLINE inline void nearestOfMany(const TriangleSearch& tree,
                                           const KernelTriangles<T>& surface, const Vec3<T>* points,
                                           typename TriangleSurface<T>::Nearest* bests,
@@ -113,15 +129,20 @@ CUTWATER_INLINE inline void nearestOfMany(const TriangleSearch& tree,
 
 }  // namespace
 
-#define CUTWATER_DEFINE(T)                                                                  \
-  void nearestTriangle(const TriangleSearch& tree, const KernelTriangles<T>& surface,       \
-                       const Vec3<T>& p, TriangleSurface<T>::Nearest& best, double reach) { \
-    nearestOne(tree, surface, p, best, reach);                                              \
-  }                                                                                         \
-  void nearestTriangles(const TriangleSearch& tree, const KernelTriangles<T>& surface,      \
-                        const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,          \
-                        std::size_t count) {                                                \
-    nearestOfMany(tree, surface, points, bests, count);                                     \
+#define CUTWATER_DEFINE(T)                                                                   \
+  void nearestTriangle(const TriangleSearch& tree, const KernelTriangles<T>& surface,        \
+                       const Vec3<T>& p, TriangleSurface<T>::Nearest& best, double reach) {  \
+    nearestOne(tree, surface, p, best, reach);                                               \
+  }                                                                                          \
+  void nearestTriangles(const TriangleSearch& tree, const KernelTriangles<T>& surface,       \
+                        const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,           \
+                        std::size_t count) {                                                 \
+    nearestOfMany(tree, surface, points, bests, count);                                      \
+  }                                                                                          \
+  void nearestTrianglesWithin(const TriangleSearch& tree, const KernelTriangles<T>& surface, \
+                              const Vec3<T>* points, TriangleSurface<T>::Nearest* bests,     \
+                              std::size_t count, double reach) {                             \
+    nearestOfManyWithin(tree, surface, points, bests, count, reach);                         \
   }
 CUTWATER_DEFINE(float)
 CUTWATER_DEFINE(double)
