@@ -24,6 +24,20 @@ detail::TileOrder tileOrder(const GridPatch<T>& gridPatch, int bits) {
           bits};
 }
 
+// How many tiles a thread takes at a time:
+
+/// So many that most batches are full.
+template <std::floating_point T>
+std::size_t fullBatches(int bits) {
+  return std::max<std::size_t>(1, (2 * detail::PointBatch<T>::kMost) >> bits);
+}
+/// So many that rows beyond the band are long, if there are enough for many threads.
+std::size_t longRows(const detail::GridTiles& tiles) {
+  constexpr std::size_t kEnough = 256;
+  constexpr std::size_t kLong = 16;
+  return tiles.count() < kEnough ? 1 : std::min(tiles.alongX(), kLong);
+}
+
 template <std::floating_point T>
 void fillTiles(const detail::FillTask<T>& task, const detail::GridTiles& tiles, std::size_t begin,
                std::size_t end) {
@@ -59,9 +73,7 @@ void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& gridPatch,
       .order = tileOrder(gridPatch, isFull ? kFullTileBits : kSkippedTileBits)};
   const int bits = task.order.bits();
   const detail::GridTiles tiles(gridPatch.indices, task.order.shape(bits));
-  // So many tiles at a time that most batches are full, or rows beyond the band are long.
-  const auto grain = isFull ? std::max<std::size_t>(1, (2 * detail::PointBatch<T>::kMost) >> bits)
-                            : std::min<std::size_t>(tiles.alongX(), 16);
+  const auto grain = isFull ? fullBatches<T>(bits) : longRows(tiles);
   parallelFor(tiles.count(),
               {.threads = options.threads, .grain = grain, .progress = options.progress},
               [&](std::size_t begin, std::size_t end) { fillTiles(task, tiles, begin, end); });
