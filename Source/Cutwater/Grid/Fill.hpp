@@ -40,9 +40,9 @@ struct FillTargets {
 /// With a band, the cost is about two evaluations for each index in it: boxes of indices are
 /// skipped where the solid's Lipschitz constant, or without one its bounds(), proves that they are
 /// beyond it, and a closed mesh finds the points in it by itself. A class is what classify() says
-/// about the cell, on any grid patch; it costs about as much as the distances in a band of one cell,
-/// and a box query for the cells whose centre does not tell, or for all if there is no Lipschitz
-/// constant.
+/// about the cell, on any grid patch; it costs about as much as the distances in a band of one
+/// cell, and a box query for the cells whose centre does not tell, or for all if there is no
+/// Lipschitz constant.
 /// @throws Error if the band is negative or not finite, or `threads` is negative.
 template <std::floating_point T>
 void fill(const SignedDistanceFunction<T>& solid, const GridPatch<T>& gridPatch,

@@ -43,6 +43,7 @@ class MeshFunction : public SignedDistanceFunction<T> {
   T localSignedDistance(const Vec3<T>& point) const final;
   T localSignedDistanceWithin(const Vec3<T>& point, const Interval<T>& wanted) const final;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const final;
+  bool localGainsFromNeighbours() const final { return true; }
   bool localSignedDistancesWithin(std::span<const Vec3<T>> points, T limit,
                                   std::span<T> distances) const final;
   Vec3<T> localGradient(const Vec3<T>& point) const final;

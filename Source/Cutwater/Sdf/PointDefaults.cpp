@@ -8,6 +8,15 @@
 namespace cutwater {
 
 template <std::floating_point T>
+bool SignedDistanceFunction<T>::localGainsFromNeighbours() const {
+  bool result = false;
+  forEachOperand([&](const SignedDistanceFunction& operand) {
+    result = result || operand.localGainsFromNeighbours();
+  });
+  return result;
+}
+
+template <std::floating_point T>
 void SignedDistanceFunction<T>::localSignedDistances(std::span<const Vec3<T>> points,
                                                      std::span<T> distances) const {
   for (std::size_t i = 0; i < points.size(); ++i) distances[i] = localSignedDistance(points[i]);
@@ -90,6 +99,7 @@ Box<T> SignedDistanceFunction<T>::localClearanceBox() const {
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type
 #define CUTWATER_INSTANTIATE(T)                                                                    \
+  template bool SignedDistanceFunction<T>::localGainsFromNeighbours() const;                       \
   template void SignedDistanceFunction<T>::localSignedDistances(std::span<const Vec3<T>>,          \
                                                                 std::span<T>) const;               \
   template bool SignedDistanceFunction<T>::localSignedDistancesWithin(std::span<const Vec3<T>>, T, \

@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Detail/Epsilon.hpp>
 #include <Cutwater/Core/Detail/ParallelBatches.hpp>
 #include <Cutwater/Core/Detail/Scratch.hpp>
+#include <Cutwater/Core/Detail/SpatialOrder.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
@@ -30,17 +31,8 @@ SurfacePoint<T> noSurfacePoint() {
   return none;
 }
 
-/// Puts the origin in place of points that are not finite; returns whether there are none.
-template <std::floating_point T>
-bool putOriginForNotFinite(std::span<const Vec3<T>> world, std::span<Vec3<T>> local) {
-  bool areFinite = true;
-  for (std::size_t i = 0; i < world.size(); ++i) {
-    if (isFinite(world[i])) continue;
-    local[i] = {};
-    areFinite = false;
-  }
-  return areFinite;
-}
+/// Fewer points are not worth ordering.
+constexpr std::size_t kWorthOrdering = std::size_t{1} << 17U;
 
 /// a - b if that needs no rounding (Knuth's TwoSum), otherwise NaN.
 template <std::floating_point T>
@@ -76,14 +68,11 @@ void SignedDistanceFunction<T>::signedDistances(std::span<const Vec3<T>> points,
                                                 const ParallelOptions& options) const {
   require(points.size() == distances.size(), "signedDistances: need one distance per point",
           Named{"points", points.size()}, Named{"distances", distances.size()});
-  forLocalPoints(
-      points, options,
-      [&](std::span<const Vec3<T>> local, std::size_t first) {
-        const auto values = distances.subspan(first, local.size());
-        localSignedDistances(local, values);
-        for (auto& value : values) value += T(0);  // -0 becomes +0
-      },
-      [&](std::size_t i) { distances[i] = kNaN<T>; });
+  forLocalPoints<T>(points, distances, options, kNaN<T>,
+                    [&](std::span<const Vec3<T>> local, std::span<T> values) {
+                      localSignedDistances(local, values);
+                      for (auto& value : values) value += T(0);  // -0 becomes +0
+                    });
 }
 
 template <std::floating_point T>
@@ -92,35 +81,51 @@ bool SignedDistanceFunction<T>::signedDistancesWithin(std::span<const Vec3<T>> p
   require(points.size() == distances.size(), "signedDistancesWithin: need one distance per point",
           Named{"points", points.size()}, Named{"distances", distances.size()});
   if (!localSignedDistancesWithin({}, limit, {})) return false;
-  forLocalPoints(
-      points, {.threads = 1},
-      [&](std::span<const Vec3<T>> local, std::size_t first) {
-        const auto values = distances.subspan(first, local.size());
-        static_cast<void>(localSignedDistancesWithin(local, limit, values));
-        for (auto& value : values) value += T(0);  // -0 becomes +0
-      },
-      [&](std::size_t i) { distances[i] = kNaN<T>; });
+  forLocalPoints<T>(points, distances, {.threads = 1}, kNaN<T>,
+                    [&](std::span<const Vec3<T>> local, std::span<T> values) {
+                      static_cast<void>(localSignedDistancesWithin(local, limit, values));
+                      for (auto& value : values) value += T(0);  // -0 becomes +0
+                    });
   return true;
 }
 
 template <std::floating_point T>
+template <typename Result>
 void SignedDistanceFunction<T>::forLocalPoints(
-    std::span<const Vec3<T>> points, ParallelOptions options,
-    FunctionRef<void(std::span<const Vec3<T>>, std::size_t)> answer,
-    FunctionRef<void(std::size_t)> refuse) const {
-  const auto visit = [&](std::size_t first, std::size_t count) {
+    std::span<const Vec3<T>> points, std::span<Result> results, const ParallelOptions& options,
+    const Result& refused,
+    FunctionRef<void(std::span<const Vec3<T>>, std::span<Result>)> answer) const {
+  // In the order of the batch, as far as it is one.
+  const auto answerBatch = [&](std::span<const Vec3<T>> world, std::span<Result> found) {
     Scratch<Vec3<T>, kPointBatch> scratch;
-    const auto world = points.subspan(first, count);
-    const auto local = scratch.first(count);
+    const auto local = scratch.first(world.size());
     placement_.toLocal(world, local);
-    const bool areFinite = putOriginForNotFinite<T>(world, local);
-    answer(local, first);
+    bool areFinite = true;
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      if (isFinite(world[i])) continue;
+      local[i] = {};
+      areFinite = false;
+    }
+    answer(local, found);
     if (areFinite) return;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!isFinite(world[i])) refuse(first + i);
+    for (std::size_t i = 0; i < world.size(); ++i) {
+      if (!isFinite(world[i])) found[i] = refused;
     }
   };
-  detail::parallelBatches(points.size(), kPointBatch, std::move(options), visit);
+  std::vector<std::uint32_t> order;
+  if (points.size() >= kWorthOrdering && localGainsFromNeighbours()) {
+    order = detail::spatialOrder(points, options.threads);
+  }
+  const auto visit = [&](std::size_t first, std::size_t count) {
+    if (order.empty())
+      return answerBatch(points.subspan(first, count), results.subspan(first, count));
+    Scratch<Vec3<T>, kPointBatch> world;
+    Scratch<Result, kPointBatch> found;
+    for (std::size_t i = 0; i < count; ++i) world[i] = points[order[first + i]];
+    answerBatch(world.first(count), found.first(count));
+    for (std::size_t i = 0; i < count; ++i) results[order[first + i]] = found[i];
+  };
+  detail::parallelBatches(points.size(), kPointBatch, options, visit);
 }
 
 template <std::floating_point T>
@@ -150,14 +155,12 @@ void SignedDistanceFunction<T>::closestPoints(std::span<const Vec3<T>> points,
                                               const ParallelOptions& options) const {
   require(points.size() == results.size(), "closestPoints: need one result per point",
           Named{"points", points.size()}, Named{"results", results.size()});
-  forLocalPoints(
-      points, options,
-      [&](std::span<const Vec3<T>> local, std::size_t first) {
-        const auto found = results.subspan(first, local.size());
+  forLocalPoints<SurfacePoint<T>>(
+      points, results, options, noSurfacePoint<T>(),
+      [&](std::span<const Vec3<T>> local, std::span<SurfacePoint<T>> found) {
         localClosestPoints(local, found);
         for (auto& result : found) result = toWorld(result);
-      },
-      [&](std::size_t i) { results[i] = noSurfacePoint<T>(); });
+      });
 }
 
 template <std::floating_point T>

@@ -39,6 +39,7 @@ class Solid final : public SignedDistanceFunction<T> {
   T localSignedDistance(const Vec3<T>& p) const override;
   T localSignedDistanceWithin(const Vec3<T>& p, const Interval<T>& wanted) const override;
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
+  bool localGainsFromNeighbours() const override { return root_->localGainsFromNeighbours(); }
   bool localSignedDistancesWithin(std::span<const Vec3<T>> points, T limit,
                                   std::span<T> distances) const override;
   Vec3<T> localGradient(const Vec3<T>& p) const override;
