@@ -34,12 +34,6 @@ struct FillTask {
   T limit;          ///< values beyond it become +-limit; may be infinite
   TileOrder order;  ///< of the indices in each tile
   Guarantee<T> promise = solid.guarantee();
-
-  /// Whether it does, and there is surface near all points within the limit.
-  [[nodiscard]] bool hasExactWay() const {
-    return hasOwnWay && promise.outside == Quality::Exact && promise.inside == Quality::Exact;
-  }
-  [[nodiscard]] bool hasBand() const { return limit < std::numeric_limits<T>::infinity(); }
   /// Bounds the rounding of values at all positions.
   T rounding = promise.error(length(farthestPosition(gridPatch)));
   /// Whether the solid finds the points within the limit in its own way, and those beyond it can be
@@ -48,6 +42,12 @@ struct FillTask {
                    promise.domain == Box<T>::everywhere() &&
                    maxComponent(gridPatch.level.spacing()) <= limit &&
                    solid.signedDistancesWithin({}, limit, {});
+
+  [[nodiscard]] bool hasBand() const { return limit < std::numeric_limits<T>::infinity(); }
+  /// Whether it has, and the surface is as far away as values say.
+  [[nodiscard]] bool hasExactWay() const {
+    return hasOwnWay && promise.outside == Quality::Exact && promise.inside == Quality::Exact;
+  }
 };
 
 }  // namespace cutwater::detail
