@@ -101,14 +101,17 @@ std::vector<double> volumesIn(const CutCells& cells, const Index3& cell) {
   std::ranges::sort(result);
   return result;
 }
-/// The open parts below a cell, in ascending order.
+/// What is open below a cell between two pieces, in ascending order: in coarser cells that is one
+/// arc, while cutting gives one for each connected part.
 std::vector<double> openBelow(const CutCells& cells, const Index3& cell, int axis) {
-  std::vector<double> result;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> between;
   for (std::uint32_t a = 0; a < cells.arcs.area.size(); ++a) {
     if (cells.arcs.cell[a] == cell && cells.arcs.axis[a] == axis) {
-      result.push_back(cells.aperture(a));
+      between[{cells.arcs.below[a], cells.arcs.above[a]}] += cells.aperture(a);
     }
   }
+  std::vector<double> result;
+  for (const auto& [pieces, aperture] : between) result.push_back(aperture);
   std::ranges::sort(result);
   return result;
 }
@@ -254,7 +257,7 @@ TEST(PeriodicVoxelsTest, CoarserCellsAreThoseThatCuttingGives) {
       }
       ASSERT_EQ(coarse.cellCount, expected.cellCount);
       ASSERT_EQ(coarse.pieceCount, expected.pieceCount);
-      ASSERT_EQ(coarse.arcs.area.size(), expected.arcs.area.size());
+      ASSERT_LE(coarse.arcs.area.size(), expected.arcs.area.size());
       ASSERT_EQ(CutRegions(coarse).regions().size(), CutRegions(expected).regions().size());
       EXPECT_EQ(CutRegions(coarse).regions()[0].goesOn, false);
       const auto all = coarsened(coarse, {4, 4, 4});

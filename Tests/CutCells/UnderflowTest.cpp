@@ -53,6 +53,14 @@ TEST(UnderflowTest, TinyCoordinatesAreCutAsZeros) {
   }
 }
 
+/// What they leave open of a face is nothing, and not less because of rounding.
+TEST(UnderflowTest, FilmsInFacesHaveNoNegativeArea) {
+  expectCut(tetrahedronOf({{{-2e-17, 3e-17, 0},
+                            {-2e-17, -0.5, -0.60048447523752868},
+                            {-2e-17, -1, -3e-17},
+                            {-0.25, 1e-17, 0}}}));
+}
+
 /// Moved, their edges reach across a plane: holes in a face without area, but for rounding.
 TEST(UnderflowTest, EdgesInPlanesLeaveTheFluidAroundThem) {
   expectCut(tetrahedronOf(

@@ -243,6 +243,7 @@ class FacePieces::Builder {
     for (std::size_t i = 0; i < sums_.size(); ++i) {
       auto& piece = owner_.pieces_[face_->firstPiece + i];
       piece.area = sums_[i].area();
+      if (piece.area < 0 && piece.area > -kNothing * perimeter() * perimeter()) piece.area = 0;
       piece.centroid = sums_[i].centroid();
     }
   }
