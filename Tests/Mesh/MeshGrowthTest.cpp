@@ -78,7 +78,7 @@ PolygonSoup copies(const PolygonSoup& one, std::uint32_t n, bool shared) {
   return soup;
 }
 
-PolygonSoup cube(double half) {
+PolygonSoup cubeOf(double half) {
   return triangulated(tessellation::box({-half, -half, -half}, {half, half, half}));
 }
 
@@ -131,7 +131,7 @@ TEST(MeshGrowthTest, TwentyThousandCopiesOfABox) {
   constexpr std::uint32_t kSmall = 5'000;
 #endif
   for (const bool shared : {false, true}) {
-    const auto make = [&](std::uint32_t n) { return copies(cube(1), n, shared); };
+    const auto make = [&](std::uint32_t n) { return copies(cubeOf(1), n, shared); };
     const auto mesh = expectBuild(make, kSmall, 60);
     EXPECT_TRUE(mesh.signReport().isClosed());
     EXPECT_EQ(mesh.signReport().unsound, mesh.signReport().probes);
@@ -167,7 +167,7 @@ TEST(MeshGrowthTest, BoxesNestedByPowersOfTwo) {
   for (const int n : {64, 200}) {
     PolygonSoup soup;
     soup.patchNames = {"boxes"};
-    for (int k = 0; k < n; ++k) soup = together(soup, cube(std::ldexp(1, -k)));
+    for (int k = 0; k < n; ++k) soup = together(soup, cubeOf(std::ldexp(1, -k)));
     const Mesh mesh(soup);
     EXPECT_EQ(mesh.signReport().shells, static_cast<std::size_t>(n));
     EXPECT_GT(mesh.signReport().unsound, 0U);
