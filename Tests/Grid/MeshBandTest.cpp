@@ -21,7 +21,8 @@ class MeshBandTest : public ::testing::Test {
   /// Compares with the values of all points, in bands down to fractions of a cell.
   static void expectTheValuesOfAll(const SignedDistanceFunction<T>& solid,
                                    const GridPatch<T>& gridPatch) {
-    const auto& [level, indices] = gridPatch;
+    const auto& level = gridPatch.level;
+    const auto& indices = gridPatch.indices;
     std::vector<T> expected;
     forEach(indices, [&](const Index3& index) {
       expected.push_back(solid.signedDistance(level.position(index)));

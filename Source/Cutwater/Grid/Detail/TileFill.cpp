@@ -133,13 +133,13 @@ void TileFill<T>::boundByLipschitz(Part& part, const OrientedBox<T>& box, T atCe
 
 template <std::floating_point T>
 void TileFill<T>::noteBeyond(const Beyond& part) {
-  auto& [first, size] = beyond_.indices;
+  auto& run = beyond_.indices;
   const auto goesOn = [&](std::size_t axis) {
-    return first[axis] == part.indices.first[axis] && size[axis] == part.indices.size[axis];
+    return run.first[axis] == part.indices.first[axis] && run.size[axis] == part.indices.size[axis];
   };
-  const bool isNext = first[0] + size[0] == part.indices.first[0] && goesOn(1) && goesOn(2);
+  const bool isNext = run.first[0] + run.size[0] == part.indices.first[0] && goesOn(1) && goesOn(2);
   if (isNext && beyond_.isInside == part.isInside) {
-    size[0] += part.indices.size[0];
+    run.size[0] += part.indices.size[0];
   } else {
     fillBeyond();
     beyond_ = part;
