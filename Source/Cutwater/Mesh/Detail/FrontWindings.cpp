@@ -41,15 +41,18 @@ std::vector<std::uint8_t> closeTriangles(const TriangleSurface<T>& surface,
     const auto cap = caps.corners(static_cast<std::uint32_t>(i));
     const auto normal = normalized(cross(cap[1] - cap[0], cap[2] - cap[0]));
     if (normal == Vec3<double>{}) return;  // it bounds nothing
-    tree.overlapping(
-        boxAround(cap, normal, 2 * kClearance), [&](std::span<const std::uint32_t> slots) {
-          for (const auto t : slots) {
-            if (t == kNone) break;
-            if (areFartherApart(cap, surface.corners(t), kClearance)) continue;
-            std::atomic_ref<std::uint8_t>(isClose[t]).store(1, std::memory_order_relaxed);
-          }
-          return true;
-        });
+    tree.overlapping(boxAround(cap, normal, 2 * kClearance),
+                     [&](std::span<const std::uint32_t> slots) {
+                       for (const auto t : slots) {
+                         if (t == kNone) break;
+                         // Many caps may lie on many triangles.
+                         const std::atomic_ref<std::uint8_t> mark(isClose[t]);
+                         if (mark.load(std::memory_order_relaxed) != 0) continue;
+                         if (areFartherApart(cap, surface.corners(t), kClearance)) continue;
+                         mark.store(1, std::memory_order_relaxed);
+                       }
+                       return true;
+                     });
   });
   return isClose;
 }
