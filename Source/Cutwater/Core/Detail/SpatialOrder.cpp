@@ -61,7 +61,7 @@ template <std::floating_point T>
 Box<T> boxAround(std::span<const Vec3<T>> points) {
   Box<T> box;
   for (const auto& p : points) {
-    if (isFinite(p)) box = {min(box.lower, p), max(box.upper, p)};
+    if (isFinite(p)) box.extend(p);
   }
   return box;
 }

@@ -138,6 +138,7 @@ class ClusterSearch {
     for (int i = 0; i < count; ++i) ofGroup_.add(leaves_, kept[i]);
     ofGroup_.pad();
   }
+
   /// The point of the surface that is nearest to `q`.
   CUTWATER_INLINE Vec3<double> closestTo(const Vec3<double>& q) const {
     const Vec3<T> p(tree_.frame.fromFrame(q));
