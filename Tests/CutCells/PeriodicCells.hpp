@@ -2,7 +2,11 @@
 
 #include <Cutwater/CutCells/CellCutter.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -104,6 +108,44 @@ inline void expectRepeats(const CellCutter& cutter, int n, double lower,
         }
       }
     }
+  }
+}
+
+/// Counts, and the volumes of pieces, in ascending order.
+inline std::vector<double> volumesIn(const CutCells& cells, const Index3& cell) {
+  const auto row = cells.rowOf(cell);
+  if (row == CutCells::kNoRow) return {cells.classOf(cell) == FluidClass::Fluid ? 1.0 : 0.0};
+  std::vector<double> result;
+  for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
+    result.push_back(cells.volumeFraction(p));
+  }
+  std::ranges::sort(result);
+  return result;
+}
+/// What is open below a cell between two pieces, in ascending order: in coarser cells that is one
+/// arc, while cutting gives one for each connected part.
+inline std::vector<double> openBelow(const CutCells& cells, const Index3& cell, int axis) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> between;
+  for (std::uint32_t a = 0; a < cells.arcs.area.size(); ++a) {
+    if (cells.arcs.cell[a] == cell && cells.arcs.axis[a] == axis) {
+      between[{cells.arcs.below[a], cells.arcs.above[a]}] += cells.aperture(a);
+    }
+  }
+  std::vector<double> result;
+  for (const auto& [pieces, aperture] : between) result.push_back(aperture);
+  std::ranges::sort(result);
+  return result;
+}
+inline void expectSameShares(const std::vector<double>& one, const std::vector<double>& other) {
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t n = 0; n < one.size(); ++n) ASSERT_NEAR(one[n], other[n], 1e-12);
+}
+/// A cell of two grids: the same pieces, and the same open parts below it.
+inline void expectSameCell(const CutCells& one, const CutCells& other, const Index3& cell) {
+  ASSERT_NO_FATAL_FAILURE(expectSameShares(volumesIn(one, cell), volumesIn(other, cell)));
+  for (int axis = 0; axis < 3; ++axis) {
+    ASSERT_NO_FATAL_FAILURE(
+        expectSameShares(openBelow(one, cell, axis), openBelow(other, cell, axis)));
   }
 }
 

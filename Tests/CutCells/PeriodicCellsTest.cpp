@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 #include "CutCells/RowFiles.hpp"
 #include "CutCells/Sheets.hpp"
 #include "CutCells/ShellCells.hpp"
+#include "CutCells/Tetrahedra.hpp"
 #include "Support/Refusal.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Soups.hpp"
@@ -56,6 +58,44 @@ TEST(PeriodicCellsTest, BallsThatCrossTheBoundaryKeepTheirVolume) {
       expectRepeats(cutter, 6, 0, {.polygons = true});
     }
   }
+}
+
+/// With corners in planes of the grid, up to one and a half periods apart: long edges lie in
+/// planes, too, and images touch or overlap.
+TEST(PeriodicCellsTest, TetrahedraOnNodesAreTheMiddleOfMany) {
+  std::mt19937 random(5);
+  constexpr int kCells = 4;
+  const auto across = planesOfPeriod(kCells, 0, 1);
+  std::size_t meeting = 0;
+  for (int round = 0; round < scaled(40) && !HasFailure(); ++round) {
+    const unsigned widest = round % 2 == 0 ? kCells : 6;
+    const auto coordinate = [&] { return 0.25 * static_cast<double>(random() % (widest + 1)); };
+    const auto one = tetrahedraOf(1, [&] {
+      const double x = coordinate();
+      const double y = coordinate();
+      return Vec3<double>{x, y, coordinate()};
+    });
+    const auto& p = one.points;
+    if (dot(p[3] - p[0], cross(p[1] - p[0], p[2] - p[0])) == 0) continue;
+    PolygonSoup many;
+    for (int image = 0; image < 216; ++image) {
+      const Vec3<double> shift(image % 6 - 3, image / 6 % 6 - 3, image / 36 - 3);
+      many = together(many, withPoints(one, [&](const Vec3<double>& at) { return at + shift; }));
+    }
+    const CellCutter cutter(solidOf(one), FluidSide::Outside, {.period = {1, 1, 1}});
+    const auto cells = cutter.cut(cutter.cellsOfPeriod({across, across, across}, {},
+                                                       IndexBox::ofSize(kCells, kCells, kCells)));
+    const auto expected = CellCutter(solidOf(many)).cut(cellsBetween({across, across, across}));
+    for (int c = 0; c < kCells * kCells * kCells; ++c) {
+      ASSERT_NO_FATAL_FAILURE(
+          expectSameCell(cells, expected, {c % kCells, c / kCells % kCells, c / kCells / kCells}))
+          << round;
+    }
+    meeting += check(cells).meetingCells > 0 ? 1 : 0;
+    expectRepeats(cutter, kCells, 0, {.polygons = true});
+    expectRepeats(cutter, 3, 0.25);
+  }
+  EXPECT_GT(meeting, 3U);
 }
 
 /// A ball, and a parallelogram as a baffle.

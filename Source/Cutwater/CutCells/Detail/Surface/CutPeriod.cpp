@@ -22,17 +22,58 @@ std::int64_t inUnits(const CutPeriod& period, double x) {
   return static_cast<std::int64_t>(x / period.unit);
 }
 
-/// The images along an axis: their first and last number.
-std::array<int, 2> imagesAlong(const Box<double>& body, const CutPeriod& period, int axis) {
-  if (!period.isOn(axis)) return {0, 0};
+Vec3<double> rounded(const Vec3<double>& p, const CutPeriod& period) {
+  return {period.rounded(p.x), period.rounded(p.y), period.rounded(p.z)};
+}
+
+/// A body along each axis, once it is rounded.
+struct BodySize {
+  Box<double> box;
+  Vec3<double> longest;  ///< of its triangles
+};
+BodySize sizeOf(const PolygonSoup& body, const CutPeriod& period) {
+  BodySize result;
+  for (std::size_t n = 0; n < body.polygonCount(); ++n) {
+    Box<double> triangle;
+    for (const auto corner : body.polygon(n)) triangle.extend(rounded(body.points[corner], period));
+    result.box.extend(triangle);
+    result.longest = max(result.longest, triangle.size());
+  }
+  return result;
+}
+
+/// The images that matter along an axis with a period are those whose numbers lie in this interval.
+struct ImageNumbers {
+  double first = 0;
+  double length = 0;
+};
+/// Those that a triangle may touch which reaches to where cells are cut: vertices that it shares
+/// with them are moved by the triangles of both.
+ImageNumbers imagesAlong(const BodySize& body, const CutPeriod& period, int axis) {
   const double length = period.length[axis];
-  const double start = period.start[axis];
-  auto first = static_cast<int>(std::ceil((start - body.upper[axis]) / length - kTouchingImages));
-  auto last = static_cast<int>(std::floor(
-      (start + CutPeriod::kReach * length - body.lower[axis]) / length + kTouchingImages));
-  // Those that touch these: vertices that they share are to be moved by the triangles of both.
-  if (body.upper[axis] - body.lower[axis] >= length) --first, ++last;
-  return {first, last};
+  const double longest = body.longest[axis];
+  const double first = period.start[axis] - longest - body.box.upper[axis];
+  const double size = body.box.size()[axis] + CutPeriod::kReach * length + 2 * longest;
+  return {first / length - kTouchingImages, size / length + 2 * kTouchingImages};
+}
+
+struct ImageRange {
+  int first = 0;
+  int last = 0;
+};
+ImageRange rangeAlong(const BodySize& body, const CutPeriod& period, int axis) {
+  if (!period.isOn(axis)) return {};
+  const auto [first, length] = imagesAlong(body, period, axis);
+  return {static_cast<int>(std::ceil(first)), static_cast<int>(std::floor(first + length))};
+}
+
+/// Where cells are to be cut so that the fewest images matter: the interval of their numbers then
+/// has a whole number in its middle if there is room for an odd one of them, else a half.
+double bestStart(const BodySize& body, const CutPeriod& period, int axis) {
+  const double count = std::floor(imagesAlong(body, period, axis).length);
+  const double middle = std::fmod(count, 2) == 0 ? 0.5 : 0;
+  return period.rounded(body.box.center()[axis] +
+                        (middle - 0.5 * CutPeriod::kReach) * period.length[axis]);
 }
 
 /// Numbers points in the order of their coordinates.
@@ -53,15 +94,6 @@ void sortPoints(PolygonSoup& soup) {
   for (auto& corner : soup.corners) corner = numbers[corner];
 }
 
-Box<double> roundedBox(const Box<double>& body, const CutPeriod& period) {
-  Box<double> box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = period.rounded(body.lower[axis]);
-    box.upper[axis] = period.rounded(body.upper[axis]);
-  }
-  return box;
-}
-
 }  // namespace
 
 double CutPeriod::rounded(double x) const {
@@ -78,35 +110,35 @@ std::int64_t CutPeriod::periodsTo(int axis, double plane) const {
   return way / each - (way % each < 0 ? 1 : 0);
 }
 
-CutPeriod periodOf(const Box<double>& body, const Vec3<double>& length) {
+CutPeriod periodOf(const PolygonSoup& body, const Vec3<double>& length) {
+  const auto box = body.boundingBox();
   CutPeriod period{.length = length, .start = {}};
-  double largest = maxComponent(max(abs(body.lower), abs(body.upper)));
+  double largest = maxComponent(max(abs(box.lower), abs(box.upper)));
   for (int axis = 0; axis < 3; ++axis) {
     require(length[axis] >= 0 && std::isfinite(length[axis]),
             "cut cells: need a period that is finite and not negative", Named{"axis", axis},
             Named{"period", length[axis]});
     constexpr double kMostImages = 1000;
-    require(length[axis] == 0 || body.upper[axis] - body.lower[axis] <= kMostImages * length[axis],
+    require(length[axis] == 0 || box.upper[axis] - box.lower[axis] <= kMostImages * length[axis],
             "cut cells: need a period that is not so short beside the body", Named{"axis", axis},
             Named{"period", length[axis]});
     largest = std::max(largest, length[axis]);
   }
   if (!period.isOnAny()) return period;
   period.unit = std::ldexp(1.0, std::ilogb(largest) + 1 - kUnitBits);
+  period.length = rounded(length, period);
+  const auto size = sizeOf(body, period);
   for (int axis = 0; axis < 3; ++axis) {
-    if (length[axis] == 0) continue;
-    period.length[axis] = period.rounded(length[axis]);
-    const double size = body.upper[axis] - body.lower[axis];
-    const double gap = std::max(period.length[axis] - size, 0.0);
-    period.start[axis] = period.rounded(body.lower[axis] - 0.5 * gap);
+    if (period.isOn(axis)) period.start[axis] = bestStart(size, period, axis);
   }
   return period;
 }
 
-bool imagesMayTouch(const Box<double>& body, const CutPeriod& period) {
-  const auto box = roundedBox(body, period);
+bool imagesMayTouch(const PolygonSoup& body, const CutPeriod& period) {
+  if (!period.isOnAny()) return false;
+  const auto size = sizeOf(body, period).box.size();
   for (int axis = 0; axis < 3; ++axis) {
-    if (period.isOn(axis) && box.upper[axis] - box.lower[axis] >= period.length[axis]) return true;
+    if (period.isOn(axis) && size[axis] >= period.length[axis]) return true;
   }
   return false;
 }
@@ -114,23 +146,15 @@ bool imagesMayTouch(const Box<double>& body, const CutPeriod& period) {
 PolygonSoup withImages(const PolygonSoup& body, const CutPeriod& period) {
   PolygonSoup result;
   result.patchNames = body.patchNames;
-  const auto box = roundedBox(body.boundingBox(), period);
-  std::array<std::array<int, 2>, 3> images;
-  for (int axis = 0; axis < 3; ++axis) {
-    images[static_cast<std::size_t>(axis)] = imagesAlong(box, period, axis);
-  }
-  for (int k = images[2][0]; k <= images[2][1]; ++k) {
-    for (int j = images[1][0]; j <= images[1][1]; ++j) {
-      for (int i = images[0][0]; i <= images[0][1]; ++i) {
+  const auto size = sizeOf(body, period);
+  const auto [x, y, z] = std::array{rangeAlong(size, period, 0), rangeAlong(size, period, 1),
+                                    rangeAlong(size, period, 2)};
+  for (int k = z.first; k <= z.last; ++k) {
+    for (int j = y.first; j <= y.last; ++j) {
+      for (int i = x.first; i <= x.last; ++i) {
         const auto first = static_cast<std::uint32_t>(result.points.size());
-        const std::array number{i, j, k};
-        for (auto p : body.points) {
-          for (int axis = 0; axis < 3; ++axis) {
-            p[axis] = period.rounded(p[axis]) +
-                      number[static_cast<std::size_t>(axis)] * period.length[axis];
-          }
-          result.points.push_back(p);
-        }
+        const Vec3<double> shift{i * period.length.x, j * period.length.y, k * period.length.z};
+        for (const auto& p : body.points) result.points.push_back(rounded(p, period) + shift);
         for (std::size_t n = 0; n < body.polygonCount(); ++n) {
           const auto c = body.polygon(n);
           result.addPolygon(std::array{first + c[0], first + c[1], first + c[2]}, body.patches[n]);

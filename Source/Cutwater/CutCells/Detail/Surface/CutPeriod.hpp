@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Core/Box.hpp>
+#include <Cutwater/Core/Vec3.hpp>
 #include <Cutwater/Surface/PolygonSoup.hpp>
 
 #include <cstdint>
@@ -31,10 +31,10 @@ struct CutPeriod {
   [[nodiscard]] std::int64_t periodsTo(int axis, double plane) const;
 };
 
-/// The period of a body in this box.
+/// The period of a body of triangles.
 /// @throws Error(Argument) unless lengths are finite and not negative, and none is so short beside
 /// the body that it repeats a thousand times within it.
-[[nodiscard]] CutPeriod periodOf(const Box<double>& body, const Vec3<double>& length);
+[[nodiscard]] CutPeriod periodOf(const PolygonSoup& body, const Vec3<double>& length);
 
 /// The body and those of its images that matter where cells are cut, with rounded vertices, those
 /// in one place merged. Vertices are in the order of their coordinates, and images in the order of
@@ -42,6 +42,6 @@ struct CutPeriod {
 [[nodiscard]] PolygonSoup withImages(const PolygonSoup& body, const CutPeriod& period);
 
 /// Whether images may touch each other.
-[[nodiscard]] bool imagesMayTouch(const Box<double>& body, const CutPeriod& period);
+[[nodiscard]] bool imagesMayTouch(const PolygonSoup& body, const CutPeriod& period);
 
 }  // namespace cutwater

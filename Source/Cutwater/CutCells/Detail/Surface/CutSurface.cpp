@@ -172,7 +172,8 @@ CutSurface::CutSurface(const PolygonSoup& soup, const Selection& selection, Flui
                         .corners = corners,
                         .trianglesIn = [this](const Box<double>& box) { return trianglesIn(box); },
                         .windingOutside = windingOutside_,
-                        .meetings = meetings});
+                        .meetings = meetings,
+                        .where = whereCut()});
   }
   if (!moved_.overlapping().empty()) kinds_.resize(moved_.closedCount(), SheetKind::Wall);
   for (const auto i : moved_.overlapping()) kinds_[i] = SheetKind::Meeting;
@@ -180,6 +181,17 @@ CutSurface::CutSurface(const PolygonSoup& soup, const Selection& selection, Flui
   meetsItself_ = std::ranges::any_of(kinds_, [](SheetKind kind) {
     return kind == SheetKind::Meeting || kind == SheetKind::Baffle;
   });
+}
+
+Box<double> CutSurface::whereCut() const {
+  auto box = Box<double>::everywhere();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!period_.isOn(axis)) continue;
+    const double start = period_.start[axis];
+    box.lower[axis] = frame_.toFrame(axis, start);
+    box.upper[axis] = frame_.toFrame(axis, start + CutPeriod::kReach * period_.length[axis]);
+  }
+  return box;
 }
 
 void CutSurface::addBaffles(const PolygonSoup& soup, std::span<const std::uint32_t> baffles) {

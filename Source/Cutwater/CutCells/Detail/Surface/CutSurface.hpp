@@ -73,6 +73,8 @@ class CutSurface {
   CutSurface(const PolygonSoup& soup, const Selection& selection, FluidSide side,
              MeetingsOf meetings, std::span<const std::uint32_t> openPatches,
              const CutPeriod& period);
+  /// In the frame; where there is a period, cells elsewhere are those whole periods away.
+  [[nodiscard]] Box<double> whereCut() const;
   void addBaffles(const PolygonSoup& soup, std::span<const std::uint32_t> baffles);
 
   CutFrame frame_;

@@ -35,11 +35,14 @@ class KindFinder {
     const auto& [a, b, c] = in_.corners[triangle];
     return {in_.positions[a], in_.positions[b], in_.positions[c]};
   }
-  [[nodiscard]] bool meetsAny(std::uint32_t triangle) const {
-    const auto places = placesOf(triangle);
-    if (!hasArea(places)) return false;
+  [[nodiscard]] Box<double> boxOf(std::uint32_t triangle) const {
     Box<double> box;
-    for (const auto& p : places) box.extend(p);
+    for (const auto& p : placesOf(triangle)) box.extend(p);
+    return box;
+  }
+  [[nodiscard]] bool meetsAny(std::uint32_t triangle) const {
+    const auto box = boxOf(triangle);
+    if (!box.overlaps(in_.where) || !hasArea(placesOf(triangle))) return false;
     if (!shellOf_.empty() && !isInOthers(shellOf_[triangle], box)) return false;
     return std::ranges::any_of(in_.trianglesIn(box), [&](std::uint32_t other) {
       return other < in_.corners.size() && mayMeet(triangle, other) && hasArea(placesOf(other)) &&
@@ -119,13 +122,13 @@ class KindFinder {
   /// Whether it is one that closes the gap between copies of vertices.
   [[nodiscard]] bool isGap(std::uint32_t triangle) const { return triangle >= in_.corners.size(); }
 
-  /// Triangles of the mesh that are connected across edges, without those that meet others, are of
-  /// one kind.
+  /// Triangles of the mesh that are connected across edges where kinds are wanted, without those
+  /// that meet others, are of one kind.
   void decideParts() {
     const auto count = static_cast<std::uint32_t>(in_.corners.size());
     detail::DisjointSets sets(count);
     const auto isPart = [&](std::uint32_t i) {
-      return !isGap(i) && kinds_[i] != SheetKind::Meeting;
+      return !isGap(i) && kinds_[i] != SheetKind::Meeting && boxOf(i).overlaps(in_.where);
     };
     forEdges([&](std::uint32_t one, std::uint32_t other) {
       if (isPart(one) && isPart(other)) sets.unite(one, other);

@@ -37,11 +37,14 @@ struct SheetInput {
   FunctionRef<std::vector<std::uint32_t>(const Box<double>&)> trianglesIn;
   int windingOutside = 0;
   MeetingsOf meetings = MeetingsOf::All;
+  /// Where kinds are wanted.
+  Box<double> where = Box<double>::everywhere();
 };
 
 /// The kinds of the triangles of a closed surface, without baffles, by exact predicates: of each
 /// two triangles whose boxes meet, and the winding number at one triangle of each part that meets
-/// no others. Empty if all are walls, where only those of different shells may touch.
+/// no others. Triangles elsewhere than where they are wanted may be of any kind. Empty if all are
+/// walls, where only those of different shells may touch.
 [[nodiscard]] std::vector<SheetKind> findSheetKinds(const SheetInput& input);
 
 }  // namespace cutwater

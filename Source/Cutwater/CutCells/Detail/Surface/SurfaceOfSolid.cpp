@@ -160,9 +160,8 @@ std::shared_ptr<const CutSurface> surfaceOf(const Solid<T>& solid, FluidSide sid
     throw Error(ErrorKind::Argument, "cut cells: the patch \"" + triangles.patchNames[patch] +
                                          "\" cannot be open and a baffle");
   }
-  const auto box = triangles.boundingBox();
-  const auto period = periodOf(box, options.period);
-  if (imagesMayTouch(box, period)) meetings = MeetingsOf::All;
+  const auto period = periodOf(triangles, options.period);
+  if (imagesMayTouch(triangles, period)) meetings = MeetingsOf::All;
   if (period.isOnAny()) triangles = withImages(triangles, period);
   return std::make_shared<const CutSurface>(triangles, side, meetings, open, baffles, period);
 }

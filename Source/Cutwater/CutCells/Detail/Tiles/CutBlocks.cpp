@@ -68,12 +68,13 @@ namespace {
 std::vector<CutBlocks::Stretch> stretchesAcross(const CutSurface& surface, int axis,
                                                 std::span<const double> planes) {
   const auto& period = surface.period();
-  const double highest = period.start[axis] + CutPeriod::kReach * period.length[axis];
+  // The lowest plane is a unit below start + length, or more.
+  const double widest = (CutPeriod::kReach - 1) * period.length[axis] + period.unit;
   std::vector<CutBlocks::Stretch> result;
   for (std::size_t n = 0; n + 1 < planes.size(); ++n) {
     const double shift =
         static_cast<double>(period.periodsTo(axis, planes[n])) * period.length[axis];
-    require(planes[n + 1] - shift <= highest,
+    require(planes[n + 1] - planes[n] <= widest,
             "cut cells: need cells that are no wider than half a period", Named{"axis", axis},
             Named{"plane", planes[n]});
     const auto place = [&](double plane) { return surface.frame().toFrame(axis, plane - shift); };
