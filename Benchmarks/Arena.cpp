@@ -53,6 +53,11 @@ void Arena::ask(const std::string& contestant, std::span<const Vec3<double>> poi
   });
 }
 
+bool Arena::isSimple() {
+  const auto& signs = ours().signReport();
+  return signs.isClosed() && signs.isSound();
+}
+
 void Arena::check(const std::string& workload, const std::string& contestant,
                   const std::string& truth, Comparison comparison) {
   comparison.diagonal = diagonal_;
@@ -63,6 +68,7 @@ void Arena::check(const std::string& workload, const std::string& contestant,
   } else if (!comparison.tolerance) {
     comparison.tolerance = [this](const Vec3<double>&) { return 1e-9 * diagonal_; };
   }
+  comparison.withSigns = comparison.withSigns && (contestant == kOurs || isSimple());
   Check check{.surface = name_, .workload = workload, .contestant = contestant, .truth = truth};
   compare(comparison, check);
   report_.checks.push_back(check);
@@ -74,12 +80,16 @@ void Arena::checkAgainst(const std::string& peer, const std::string& workload,
   ask(peer, comparison.points, truth, 0);
   comparison.truth = truth;
   comparison.tolerance = [this](const Vec3<double>&) { return 1e-9 * diagonal_; };
+  comparison.withSigns = isSimple();
   check(workload, kOurs, peer, comparison);
 }
 
 void Arena::count(const std::string& workload, std::span<const Vec3<double>> points,
                   std::span<double> distances) {
-  if (!counted_) counted_.emplace(soup_);
+  if (!counted_) {
+    counted_.emplace(soup_);
+    report_.surfaces[name_].leafNanoseconds = leafFetchNanoseconds(ours().memoryBytes());
+  }
   report_.efforts[{name_, workload}] = counted_->ask(points, distances);
 }
 

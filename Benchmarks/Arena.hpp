@@ -31,17 +31,24 @@ class Arena {
            std::span<double> distances, int threads);
 
   /// Holds answers against the truth, which has the name given: to what MeshSDF promises for ours,
-  /// to 1e-9 of the diagonal for others, unless the comparison says otherwise.
+  /// to 1e-9 of the diagonal for others, unless the comparison says otherwise. Peers' signs are by
+  /// the nearest triangle: they count only where the surface is simple.
   void check(const std::string& workload, const std::string& contestant, const std::string& truth,
              Comparison comparison);
-  /// Holds ours against a peer's.
+  /// Holds ours against a peer's; without their signs where the surface is not simple.
   void checkAgainst(const std::string& peer, const std::string& workload, Comparison comparison);
+
+  /// Notes what writing one value to all cells of the band's grid takes.
+  void noteWriting(double seconds) { report_.surfaces[name_].writingSeconds = seconds; }
 
   /// Notes what our search takes to find the points' distances, which have no signs.
   void count(const std::string& workload, std::span<const Vec3<double>> points,
              std::span<double> distances);
 
  private:
+  /// Whether it is closed and does not meet itself.
+  bool isSimple();
+
   std::string name_;
   const Settings& settings_;
   Report& report_;

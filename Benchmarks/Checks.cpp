@@ -15,7 +15,7 @@ void compare(const Comparison& comparison, Check& check) {
     ++check.answers;
     check.wrongValues += error <= tolerance ? 0U : 1U;
     // So close to the surface either sign is as good.
-    const bool tellsSide = std::abs(truth) > tolerance;
+    const bool tellsSide = comparison.withSigns && std::abs(truth) > tolerance;
     check.wrongSigns += tellsSide && std::signbit(answer) != std::signbit(truth) ? 1U : 0U;
     check.largestError = std::max(check.largestError, error / comparison.diagonal);
   }

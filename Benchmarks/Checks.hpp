@@ -15,6 +15,7 @@ struct Comparison {
   double diagonal = 1;
   /// Values beyond this are known by their sign alone; see FillOptions::band.
   double limit = std::numeric_limits<double>::infinity();
+  bool withSigns = true;
   /// What a value may be off by.
   std::function<double(const Vec3<double>&)> tolerance = {};
 };

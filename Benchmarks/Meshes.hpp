@@ -8,9 +8,10 @@
 
 namespace cutwater::benchmarks {
 
-/// The surfaces, from small to large: an elephant, a ship hull, and the hull refined to more than a
-/// million triangles. All are closed, and triangles only.
-[[nodiscard]] std::vector<std::string> surfaceNames();
+/// The surfaces of up to so many triangles, from small to large, and of triangles only: closed ones
+/// (an elephant, a bear, a ship's hull, and the hull refined), one that meets itself (a camel) and
+/// one that is open (the head of a lion).
+[[nodiscard]] std::vector<std::string> surfaceNames(std::size_t mostTriangles);
 
 /// @throws Error if the folder lacks its file.
 [[nodiscard]] PolygonSoup loadSurface(const std::string& name, const std::filesystem::path& data);

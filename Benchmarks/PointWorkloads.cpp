@@ -100,6 +100,31 @@ class BatchWorkload final : public PointWorkload {
   }
 };
 
+/// The points of another workload in groups of 16, each group eight times: all but the first time,
+/// the cache holds what they need. Their answers are those of that workload.
+class HotWorkload final : public PointWorkload {
+ public:
+  HotWorkload(Arena& arena, std::string name, const Points& points)
+      : PointWorkload(arena, std::move(name), repeated(points)) {}
+
+  void check(const std::string&) override {}
+
+ private:
+  static Points repeated(const Points& points) {
+    constexpr std::size_t kGroup = 16;
+    constexpr std::size_t kTimes = 8;
+    Points result;
+    for (std::size_t i = 0; i < points.size() / kTimes; ++i) {
+      if (i % kGroup != 0) continue;
+      for (std::size_t time = 0; time < kTimes; ++time) {
+        const auto end = std::min(points.size(), i + kGroup);
+        for (auto n = i; n < end; ++n) result.push_back(points[n]);
+      }
+    }
+    return result;
+  }
+};
+
 Points uniform(Arena& arena) {
   return uniformPoints(arena.soup(), arena.settings().points);
 }
@@ -114,6 +139,12 @@ std::unique_ptr<Workload> makeUniform(Arena& arena) {
 }
 std::unique_ptr<Workload> makeNarrow(Arena& arena) {
   return std::make_unique<PointWorkload>(arena, "narrow", narrow(arena));
+}
+std::unique_ptr<Workload> makeUniformHot(Arena& arena) {
+  return std::make_unique<HotWorkload>(arena, "uniform-hot", uniform(arena));
+}
+std::unique_ptr<Workload> makeNarrowHot(Arena& arena) {
+  return std::make_unique<HotWorkload>(arena, "narrow-hot", narrow(arena));
 }
 std::unique_ptr<Workload> makeUniformBatch(Arena& arena) {
   return std::make_unique<BatchWorkload>(arena, "uniform-batch", uniform(arena));

@@ -4,10 +4,10 @@
 
 namespace cutwater::benchmarks {
 
-void Report::add(const Race& race, double nanoseconds, double share) {
-  auto& time = times[race];
-  time.nanoseconds = std::min(time.nanoseconds, nanoseconds);
-  time.share = share;
+void Report::add(const Race& race, const Time& time) {
+  const double before = times[race].nanoseconds;
+  times[race] = time;
+  times[race].nanoseconds = std::min(before, time.nanoseconds);
 }
 
 const Time* Report::find(const Race& race) const {

@@ -23,7 +23,11 @@ struct Race {
 /// The best of all rounds.
 struct Time {
   double nanoseconds = std::numeric_limits<double>::infinity();  ///< per query
-  double share = 1;  ///< of the workload's points that were asked for
+  double share = 1;    ///< of the workload's points that were asked for
+  double queries = 0;  ///< of all of them
+
+  /// For all of them.
+  [[nodiscard]] double seconds() const { return 1e-9 * nanoseconds * queries; }
 };
 
 /// Answers held against others.
@@ -65,6 +69,8 @@ struct SurfaceFacts {
   std::size_t triangles = 0;
   std::size_t memoryBytes = 0;  ///< MeshSDF::memoryBytes()
   std::string signs;
+  double leafNanoseconds = 0;  ///< to fetch what a leaf holds, see leafFetchNanoseconds()
+  double writingSeconds = 0;   ///< to write one value to all cells of the band's grid
 };
 
 /// Everything that was found out; the tables are made of it.
@@ -75,7 +81,7 @@ struct Report {
   std::map<std::string, SurfaceFacts> surfaces;
   std::map<std::pair<std::string, std::string>, Effort> efforts;  ///< ours, by surface and workload
 
-  void add(const Race& race, double nanoseconds, double share);
+  void add(const Race& race, const Time& time);
   [[nodiscard]] const Time* find(const Race& race) const;
   /// Null for others than ours, and where nothing is counted.
   [[nodiscard]] const Effort* findEffort(const Race& race) const;

@@ -1,7 +1,11 @@
 #include "SearchEffort.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "Points.hpp"
+#include "Seconds.hpp"
 
 #define CUTWATER_SIMD counting
 #define CUTWATER_SIMD_PORTABLE
@@ -80,6 +84,26 @@ double CountedSearch::ask(const Vec3<double>& p, Effort& effort) const {
   effort.necessary.nodes += least.nodes;
   effort.necessary.leaves += least.leaves;
   return distance;
+}
+
+double leafFetchNanoseconds(std::size_t memoryBytes) {
+  const std::vector<TrianglePacket> packets(
+      std::max<std::size_t>(1, memoryBytes / sizeof(TrianglePacket)));
+  Random random(4);
+  std::vector<std::uint32_t> order(1'000'000);
+  for (auto& i : order) i = static_cast<std::uint32_t>(random.below(packets.size()));
+  constexpr std::size_t kLine = 64;
+  volatile std::uint32_t sink = 0;
+  const double seconds = bestSecondsOf([&] {
+    std::uint32_t all = 0;
+    for (const auto i : order) {
+      const auto* const bytes = reinterpret_cast<const unsigned char*>(&packets[i]);
+      for (std::size_t at = 0; at < sizeof(TrianglePacket); at += kLine) all ^= bytes[at];
+    }
+    sink = all;
+  });
+  static_cast<void>(sink);
+  return 1e9 * seconds / static_cast<double>(order.size());
 }
 
 Effort CountedSearch::ask(std::span<const Vec3<double>> points, std::span<double> distances) const {

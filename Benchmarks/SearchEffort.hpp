@@ -22,4 +22,9 @@ class CountedSearch {
   test::SearchableInBlock<double> mesh_;
 };
 
+/// The time that this machine takes to fetch what a leaf holds from anywhere in so much memory, one
+/// leaf after the other, where none waits for the one before. No search is faster that reads as
+/// much of it as ours has to, unless the cache holds it.
+[[nodiscard]] double leafFetchNanoseconds(std::size_t memoryBytes);
+
 }  // namespace cutwater::benchmarks

@@ -53,7 +53,7 @@ bool isPerSurface(const std::string& workload) {
   return workload == "build" || workload == "read";
 }
 
-/// The workload whose points a batch shares.
+/// The workload that peers answer whose points a batch shares.
 std::string pointByPoint(const std::string& workload) {
   return workload.substr(0, workload.find("-batch"));
 }
@@ -121,10 +121,34 @@ void printMemory(const Report& report, std::ostream& out) {
   }
 }
 
+/// Whole grids, in seconds, on one thread.
+void printBands(const Report& report, std::ostream& out) {
+  Row head{"surface", kOurs, "without writing"};
+  const auto names = rivals();
+  head.insert(head.end(), names.begin(), names.end());
+  std::vector<Row> rows{head};
+  for (const auto& [surface, facts] : report.surfaces) {
+    const auto* ours = report.find({surface, 1, "band", kOurs});
+    if (ours == nullptr) continue;
+    Row row{surface, formatted("%.3f", ours->seconds()),
+            formatted("%.3f", ours->seconds() - facts.writingSeconds)};
+    for (const auto& name : names) {
+      const auto* theirs = report.find({surface, 1, "band", name});
+      row.push_back(theirs ? formatted("%.3f", theirs->seconds()) : "");
+    }
+    rows.push_back(row);
+  }
+  if (rows.size() == 1) return;
+  out << "## Bands in all\n\nSeconds on one thread for a band of three cells in the whole grid. "
+         "Without writing: less the time to write one value to all of its cells. Peers that answer "
+         "points are given the cells of the band.\n\n";
+  printAligned(rows, out);
+}
+
 void printEfforts(const Report& report, std::ostream& out) {
   if (report.efforts.empty()) return;
   std::vector<Row> rows{{"surface", "workload", "nodes", "necessary", "times", "leaves",
-                         "necessary", "times", "evaluated"}};
+                         "necessary", "times", "evaluated", "ns", "bound of memory", "times"}};
   for (const auto& [key, effort] : report.efforts) {
     Row row{key.first, key.second};
     for (const auto part : {&Openings::nodes, &Openings::leaves}) {
@@ -133,11 +157,19 @@ void printEfforts(const Report& report, std::ostream& out) {
       row.insert(row.end(), {number(opened), number(necessary), number(opened / necessary)});
     }
     row.push_back(number(effort.perQuery(effort.evaluated)));
+    const double bound =
+        effort.perQuery(effort.necessary.leaves) * report.surfaces.at(key.first).leafNanoseconds;
+    const auto* time = report.find({key.first, 1, key.second, kOurs});
+    row.push_back(time ? number(time->nanoseconds) : "");
+    row.push_back(number(bound));
+    row.push_back(time ? number(time->nanoseconds / bound) : "");
     rows.push_back(row);
   }
   out << "## What a query opens\n\nNodes and leaves of the tree that a query of " << kOurs
       << " opens, one by one; those of them whose box is not farther than the nearest triangle, so "
-         "that no search can leave them out; and triangles evaluated in full.\n\n";
+         "that no search can leave them out; and triangles evaluated in full. Bound of memory: the "
+         "nanoseconds that this machine takes to fetch the necessary leaves from anywhere in as "
+         "much memory as the structure takes, when none waits for another.\n\n";
   printAligned(rows, out);
 }
 
@@ -199,6 +231,7 @@ void printTables(const Report& report, std::ostream& out) {
       printShares(report, surface, threads, out);
     }
   }
+  printBands(report, out);
   printEfforts(report, out);
   printMemory(report, out);
   printChecks(report, out);

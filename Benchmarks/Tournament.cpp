@@ -28,7 +28,7 @@ Tournament::Tournament(const Settings& settings, Report& report)
     : settings_(settings), report_(report), kinds_(workloads()) {}
 
 void Tournament::enlist() {
-  for (const auto& surface : surfaceNames()) {
+  for (const auto& surface : surfaceNames(settings_.triangles)) {
     for (const int threads : std::set<int>{1, availableThreads()}) {
       for (const auto& kind : kinds_) {
         for (int round = 0; round < settings_.rounds; ++round) {
@@ -55,7 +55,7 @@ void Tournament::run(benchmark::State& state, const Race& race, const WorkloadKi
   }
   const double nanoseconds = round.seconds / round.queries * 1e9;
   state.counters["ns_per_query"] = nanoseconds;
-  report_.add(race, nanoseconds, round.share);
+  report_.add(race, {nanoseconds, round.share, round.queries / round.share});
   if (checked_.emplace(race.surface, race.workload, race.contestant).second) {
     its.check(race.contestant);
   }

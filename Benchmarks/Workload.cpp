@@ -74,10 +74,16 @@ std::unique_ptr<Workload> makeRead(Arena& arena) {
 
 std::vector<WorkloadKind> workloads() {
   const auto all = oursAnd(false);
-  return {{"uniform", all, makeUniform}, {"uniform-batch", {kOurs}, makeUniformBatch},
-          {"narrow", all, makeNarrow},   {"narrow-batch", {kOurs}, makeNarrowBatch},
-          {"grid", all, makeGrid},       {"band", oursAnd(true), makeBand},
-          {"build", all, makeBuild},     {"read", {kOurs}, makeRead}};
+  return {{"uniform", all, makeUniform},
+          {"uniform-hot", all, makeUniformHot},
+          {"uniform-batch", {kOurs}, makeUniformBatch},
+          {"narrow", all, makeNarrow},
+          {"narrow-hot", all, makeNarrowHot},
+          {"narrow-batch", {kOurs}, makeNarrowBatch},
+          {"grid", all, makeGrid},
+          {"band", oursAnd(true), makeBand},
+          {"build", all, makeBuild},
+          {"read", {kOurs}, makeRead}};
 }
 
 }  // namespace cutwater::benchmarks

@@ -35,9 +35,11 @@ struct WorkloadKind {
 /// All of them, in the order of the table.
 [[nodiscard]] std::vector<WorkloadKind> workloads();
 
-// Points, one by one and as a batch.
+// Points, one by one, the same repeatedly, and as a batch.
 std::unique_ptr<Workload> makeUniform(Arena& arena);
 std::unique_ptr<Workload> makeNarrow(Arena& arena);
+std::unique_ptr<Workload> makeUniformHot(Arena& arena);
+std::unique_ptr<Workload> makeNarrowHot(Arena& arena);
 std::unique_ptr<Workload> makeUniformBatch(Arena& arena);
 std::unique_ptr<Workload> makeNarrowBatch(Arena& arena);
 // Grids.
