@@ -74,6 +74,7 @@ TYPED_TEST(DistancesWithinTest, AreThoseOfAllWhereTheyAreNoFarther) {
   const MeshSDF<T> overlapping(together(ball, moved(ball, {0.4, 0.1, 0.05})));
   EXPECT_FALSE(overlapping.signReport().isSound());
   this->expectTheValues(overlapping);
+  this->expectTheValues(MeshSDF<T>(bowl(24)));
   this->expectTheValues(DcelSDF<T>(DcelMesh<T>(tessellation::icosphere(1, 2))));
 }
 
@@ -97,9 +98,7 @@ TYPED_TEST(DistancesWithinTest, OfSolidsThatAreMoved) {
 TYPED_TEST(DistancesWithinTest, AreLeftToTheCallerWhereNothingIsFaster) {
   using T = TypeParam;
   const MeshSDF<T> closed(tessellation::icosphere(1, 1));
-  const MeshSDF<T> open(bowl(24));
   EXPECT_TRUE(this->hasAWay(closed));
-  EXPECT_FALSE(this->hasAWay(open));
   EXPECT_FALSE(this->hasAWay(Torus<T>(1, T(0.25))));
   EXPECT_FALSE(this->hasAWay(Solid<T>(closed) | Torus<T>(1, T(0.25))));
 }

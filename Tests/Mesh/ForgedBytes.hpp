@@ -57,10 +57,11 @@ enum ArrayOf : std::size_t {
   OpenEdges,
   InsideOut,
   PatchNames,
-  Fronts
+  Fronts,
+  SignCellBytes
 };
 
-inline constexpr std::size_t kArrays = Fronts + 1;
+inline constexpr std::size_t kArrays = SignCellBytes + 1;
 
 /// What it says when `Number` stands there instead; the bytes are as before afterwards.
 template <typename T, typename Number>

@@ -1,26 +1,15 @@
-#include <Cutwater/Mesh/Detail/MeshIndex.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 
 #include <functional>
 #include <random>
 
+#include "Mesh/WindingSurfaces.hpp"
 #include "Support/DamagedSoups.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Scale.hpp"
 
 namespace cutwater::test {
 namespace {
-
-PolygonSoup ball(const Vec3<double>& center = {}, double radius = 1, int level = 3) {
-  return moved(tessellation::icosphere(radius, level), center);
-}
-PolygonSoup block(const Vec3<double>& lower, const Vec3<double>& upper, int n = 4) {
-  return tessellation::box(lower, upper, n);
-}
-/// Without every so many polygons.
-PolygonSoup sieve(const PolygonSoup& soup, std::size_t every) {
-  return onlyFaces(soup, [&](std::size_t i) { return i % every != every / 2; });
-}
 
 struct Case {
   const char* name;
@@ -29,37 +18,39 @@ struct Case {
 
 /// Surfaces whose signs are decided by winding numbers.
 std::vector<Case> surfaces() {
-  const auto open = onlyFaces(ball(), [](std::size_t i) { return i % 640 > 4; });
+  const auto open = onlyFaces(ballOf(), [](std::size_t i) { return i % 640 > 4; });
   return {
-      {"balls that overlap", together(ball(), ball({0.7, 0.3, 0.2}))},
-      {"nested balls", together(ball(), ball({}, 0.5))},
-      {"a ball twice", together(ball(), ball())},
-      {"inside out within", together(together(ball(), ball({}, 0.7)), insideOut(ball({}, 0.4)))},
-      {"jittered a little", jittered(ball(), 0.1)},
-      {"jittered much", jittered(ball(), 0.3)},
+      {"balls that overlap", together(ballOf(), ballOf({0.7, 0.3, 0.2}))},
+      {"nested balls", together(ballOf(), ballOf({}, 0.5))},
+      {"a ball twice", together(ballOf(), ballOf())},
+      {"inside out within",
+       together(together(ballOf(), ballOf({}, 0.7)), insideOut(ballOf({}, 0.4)))},
+      {"jittered a little", jittered(ballOf(), 0.1)},
+      {"jittered much", jittered(ballOf(), 0.3)},
       {"blocks through each other",
-       together(block({0, 0, 0}, {1, 1, 1}), block({0.4, 0.3, 0.2}, {1.6, 0.8, 0.7}))},
+       together(blockOf({0, 0, 0}, {1, 1, 1}), blockOf({0.4, 0.3, 0.2}, {1.6, 0.8, 0.7}))},
       {"blocks with a part of a face in common",
-       weldedTogether(block({0, 0, 0}, {1, 1, 1}), block({1, 0.3, 0.25}, {2, 1.2, 1.5}))},
+       weldedTogether(blockOf({0, 0, 0}, {1, 1, 1}), blockOf({1, 0.3, 0.25}, {2, 1.2, 1.5}))},
       {"blocks with an edge in common, and one across",
-       together(weldedTogether(block({0, 0, 0}, {1, 1, 1}), block({1, 1, 0}, {2, 2, 1})),
-                block({-0.2, -0.2, 0.4}, {2.2, 2.2, 0.6}))},
+       together(weldedTogether(blockOf({0, 0, 0}, {1, 1, 1}), blockOf({1, 1, 0}, {2, 2, 1})),
+                blockOf({-0.2, -0.2, 0.4}, {2.2, 2.2, 0.6}))},
       {"blocks with a corner in common, and one across",
-       together(weldedTogether(block({0, 0, 0}, {1, 1, 1}), block({1, 1, 1}, {2, 2, 2})),
-                block({0.9, 0.9, 0.7}, {1.1, 1.1, 1.4}, 1))},
+       together(weldedTogether(blockOf({0, 0, 0}, {1, 1, 1}), blockOf({1, 1, 1}, {2, 2, 2})),
+                blockOf({0.9, 0.9, 0.7}, {1.1, 1.1, 1.4}, 1))},
       {"a wedge within a block, in one of its corners",
        weldedTogether(makeSoup({{1, 1, 1}, {0.4, 0.6, 0.6}, {0.6, 0.4, 0.6}, {0.6, 0.6, 0.4}},
                                {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}),
-                      block({0, 0, 0}, {1, 1, 1}, 1))},
-      {"sheets closer than rounding", together(together(ball(), ball({}, 1 + 1e-15)),
-                                               together(ball({}, 1 + 4e-14), ball({}, 1 - 3e-13)))},
+                      blockOf({0, 0, 0}, {1, 1, 1}, 1))},
+      {"sheets closer than rounding",
+       together(together(ballOf(), ballOf({}, 1 + 1e-15)),
+                together(ballOf({}, 1 + 4e-14), ballOf({}, 1 - 3e-13)))},
       {"a ball with holes", open},
-      {"a sieve", sieve(ball(), 10)},
+      {"a sieve", sieveOf(ballOf(), 10)},
       {"a bowl", bowl(24)},
-      {"a bowl with a ball through its cap", together(bowl(24), ball({0, 0.2, 0.05}, 0.5))},
-      {"a bowl with a ball below its cap", together(bowl(24), ball({0, 0.1, -0.5}, 0.45))},
+      {"a bowl with a ball through its cap", together(bowl(24), ballOf({0, 0.2, 0.05}, 0.5))},
+      {"a bowl with a ball below its cap", together(bowl(24), ballOf({0, 0.1, -0.5}, 0.45))},
       {"a bowl upside down in a ball, with holes",
-       together(sieve(ball({}, 1.5), 200), insideOut(bowl(16)))},
+       together(sieveOf(ballOf({}, 1.5), 200), insideOut(bowl(16)))},
       {"a twisted band", twistedBand(40, 0.3, 1)},
       {"loose triangles", test::randomTriangles(200, 1, 0.4)},
   };
@@ -108,14 +99,6 @@ TYPED_TEST(FrontWindingsTest, ValuesAreThoseWithoutThem) {
   }
 }
 
-/// What is behind a MeshSDF of this soup.
-template <typename T>
-MeshIndex<T> indexOf(const PolygonSoup& soup) {
-  const TriangleSurfaceArrays<T> arrays{DcelMesh<T>(soup)};
-  const auto tree = buildTriangleTree<T>(arrays.positions(), arrays.triangles());
-  return MeshIndex<T>(arrays, tree, std::vector<char>{'a', '\0'}, {});
-}
-
 /// Of points near triangles, the share at which the winding number is known without a way out.
 template <typename T>
 double shareKnown(const PolygonSoup& soup) {
@@ -139,8 +122,8 @@ TYPED_TEST(FrontWindingsTest, AreKnownAtMostPoints) {
   using T = TypeParam;
   for (const auto& [name, soup] : surfaces()) EXPECT_GT(shareKnown<T>(soup), 0.5) << name;
   // Points on corners and edges, and on the surface, are among them.
-  EXPECT_GT(shareKnown<T>(together(ball(), ball({0.7, 0.3, 0.2}))), 0.85);
-  EXPECT_GT(shareKnown<T>(together(ball(), ball({}, 0.5))), 0.85);
+  EXPECT_GT(shareKnown<T>(together(ballOf(), ballOf({0.7, 0.3, 0.2}))), 0.85);
+  EXPECT_GT(shareKnown<T>(together(ballOf(), ballOf({}, 0.5))), 0.85);
   EXPECT_GT(shareKnown<T>(bowl(48)), 0.75);
 }
 
@@ -155,18 +138,18 @@ double shareClear(const PolygonSoup& soup) {
 
 TYPED_TEST(FrontWindingsTest, TrianglesAreClearAwayFromContacts) {
   using T = TypeParam;
-  EXPECT_EQ(shareClear<T>(ball()), 0);  // sound: nothing is kept
-  EXPECT_EQ(shareClear<T>(together(ball(), ball({}, 0.5))), 1);
-  EXPECT_EQ(shareClear<T>(together(ball(), ball())), 0);
-  EXPECT_EQ(shareClear<T>(unwelded(ball())), 0);
-  EXPECT_EQ(shareClear<T>(together(ball(), ball({}, 1 + 1e-15))), 0);
-  const double overlapping = shareClear<T>(together(ball(), ball({0.7, 0.3, 0.2})));
+  EXPECT_EQ(shareClear<T>(ballOf()), 0);  // sound: nothing is kept
+  EXPECT_EQ(shareClear<T>(together(ballOf(), ballOf({}, 0.5))), 1);
+  EXPECT_EQ(shareClear<T>(together(ballOf(), ballOf())), 0);
+  EXPECT_EQ(shareClear<T>(unwelded(ballOf())), 0);
+  EXPECT_EQ(shareClear<T>(together(ballOf(), ballOf({}, 1 + 1e-15))), 0);
+  const double overlapping = shareClear<T>(together(ballOf(), ballOf({0.7, 0.3, 0.2})));
   EXPECT_GT(overlapping, 0.6);
   EXPECT_LT(overlapping, 0.9);
   // Blocks of 192 triangles. All triangles at the edge are not clear: four faces of 8 * 4 * 2, of
   // which those in the first two rows, with two corners more at each end.
-  const auto edge = weldedTogether(block({0, 0, 0}, {1, 1, 1}), block({1, 1, 0}, {2, 2, 1}));
-  const double atEdge = shareClear<T>(together(edge, block({-5, -5, -5}, {5, 5, 5})));
+  const auto edge = weldedTogether(blockOf({0, 0, 0}, {1, 1, 1}), blockOf({1, 1, 0}, {2, 2, 1}));
+  const double atEdge = shareClear<T>(together(edge, blockOf({-5, -5, -5}, {5, 5, 5})));
   EXPECT_GT(atEdge, 0.8);
   EXPECT_LT(atEdge, 1);
 }
@@ -175,7 +158,7 @@ TYPED_TEST(FrontWindingsTest, TrianglesAreClearAwayFromContacts) {
 TYPED_TEST(FrontWindingsTest, ManyShellsAreCounted) {
   using T = TypeParam;
   PolygonSoup shells;
-  for (int i = 0; i < 70; ++i) shells = together(shells, ball({}, 1 + i, 0));
+  for (int i = 0; i < 70; ++i) shells = together(shells, ballOf({}, 1 + i, 0));
   const MeshSDF<T> mesh(shells);
   EXPECT_LT(mesh.signedDistance({0, 0, T(0.1)}), 0);
   EXPECT_LT(mesh.signedDistance({0, 0, T(40)}), 0);

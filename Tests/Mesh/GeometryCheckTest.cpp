@@ -94,6 +94,12 @@ TYPED_TEST(GeometryCheckTest, WindingsAreCheckedEvenWhereChecksumsAgree) {
   EXPECT_NE(refusalWith<T>(bytes, bytes.place(CapPositions), HUGE_VAL), "");
   // Any byte stands for some winding number, or none.
   EXPECT_EQ(refusalWith<T>(bytes, bytes.place(Fronts), std::uint8_t{0xFF}), "");
+  EXPECT_EQ(refusalWith<T>(bytes, bytes.place(SignCellBytes), std::uint8_t{0xFF}), "");
+  const auto cells = bytes.count(SignCellBytes);
+  ASSERT_NE(cells % 64, 0U);  // one more ends in the same line of 64 bytes
+  EXPECT_EQ(
+      refusalWith<T>(bytes, ForgedBytes::word(3 * SignCellBytes + 1), std::uint64_t{cells + 1}),
+      "the geometry file is damaged: arrays that belong together are not of one length");
   // Finite, but what exact predicates make of it would not be.
   EXPECT_EQ(refusalWith<T>(bytes, ForgedBytes::word(3 * kArrays + 1), 1e200),  // the surface's size
             "the geometry file is damaged: its extent is larger than can be");

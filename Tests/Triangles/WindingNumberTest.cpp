@@ -263,6 +263,32 @@ TYPED_TEST(WindingNumberTest, NoTriangleIsNearerThanTheBound) {
   }
 }
 
+TYPED_TEST(WindingNumberTest, IsNowhereInABoxLargerThanTheBound) {
+  using T = TypeParam;
+  for (const auto& soup : soups()) {
+    const Winding<T> winding(soup);
+    RandomPoints<double> random(3, 6);
+    int useful = 0;
+    for (int i = 0; i < scaled(200); ++i) {
+      const auto size = std::pow(0.5, i % 8);
+      const auto lower = (1 + 3.0 * (i % 3)) * random.next();
+      const Box<double> box{lower, lower + Vec3<double>{size, 0.7 * size, 0.2 * size}};
+      const double bound = winding->bound(box);
+      useful += bound < 0.5 ? 1 : 0;
+      for (int corner = 0; corner < 8; ++corner) {
+        const auto p = corner == 0 ? box.center() : box.corner(corner);
+        EXPECT_LE(std::abs(winding->exactSum(p)), bound) << p;
+      }
+    }
+    EXPECT_GT(useful, 10);
+    for (const double far : {1e3, 1e9, 1e30, 1e300}) {
+      EXPECT_LT(winding->bound({{far, 0, 0}, {far, 1, 1}}), 1e-4) << far;
+    }
+    EXPECT_GT(winding->bound({{-1e30, -1e30, -1e30}, {1e30, 1e30, 1e30}}), 1e30);
+  }
+  EXPECT_EQ(Winding<T>({}, {})->bound({{0, 0, 0}, {1, 1, 1}}), 0);
+}
+
 TYPED_TEST(WindingNumberTest, AnswersPointsOutOfRange) {
   using T = TypeParam;
   const Winding<T> winding(soups()[1]);

@@ -123,6 +123,12 @@ Guarantee<T> MeshFunction<T, Index>::localGuarantee() const {
 }
 
 template <std::floating_point T, typename Index>
+std::optional<T> MeshFunction<T, Index>::localLipschitzIn(const OrientedBox<T>& box) const {
+  const bool isSteady = BoxAnswers<T, Index>(*index_).isSteady(box.bounds());
+  return isSteady ? std::optional(T(1)) : std::nullopt;
+}
+
+template <std::floating_point T, typename Index>
 Box<T> MeshFunction<T, Index>::localBoundingBox() const {
   return index_->solidBox();
 }

@@ -59,6 +59,7 @@ class MeshFunction : public SignedDistanceFunction<T> {
   void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
                     std::span<BoxHint> hints) const final;
   bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const final;
+  std::optional<T> localLipschitzIn(const OrientedBox<T>& box) const final;
   Guarantee<T> localGuarantee() const final;
   Box<T> localBoundingBox() const final;
   Box<T> localClearanceBox() const final;

@@ -57,6 +57,12 @@ T highestIn(const OrientedBox<T>& box, T concavity, const Guarantee<T>& guarante
 }  // namespace
 
 template <std::floating_point T>
+std::optional<T> SignedDistanceFunction<T>::localLipschitzIn(const OrientedBox<T>& box) const {
+  const auto promise = localGuarantee();
+  return box.isWithin(promise.domain) ? promise.lipschitz : std::nullopt;
+}
+
+template <std::floating_point T>
 Interval<T> SignedDistanceFunction<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
   const auto promise = localGuarantee();
   if (!promise.lipschitz || !box.isWithin(promise.domain)) return Interval<T>::everything();
@@ -193,6 +199,8 @@ BoxClass SignedDistanceFunction<T>::classOfParts(const OrientedBox<T>& box) cons
 }
 
 #define CUTWATER_INSTANTIATE(T)                                                                \
+  template std::optional<T> SignedDistanceFunction<T>::localLipschitzIn(const OrientedBox<T>&) \
+      const;                                                                                   \
   template Interval<T> SignedDistanceFunction<T>::localBounds(const OrientedBox<T>&, BoxHint*) \
       const;                                                                                   \
   template BoxClass SignedDistanceFunction<T>::localClassify(const OrientedBox<T>&, BoxHint*)  \

@@ -246,6 +246,12 @@ Guarantee<T> SignedDistanceFunction<T>::guarantee() const {
 }
 
 template <std::floating_point T>
+std::optional<T> SignedDistanceFunction<T>::lipschitzIn(const Box<T>& box) const {
+  if (box.empty() || !isFinite(box)) return {};
+  return localLipschitzIn(toLocal(box));
+}
+
+template <std::floating_point T>
 Box<T> SignedDistanceFunction<T>::boundingBox() const {
   return placement_.toWorld(localBoundingBox());
 }

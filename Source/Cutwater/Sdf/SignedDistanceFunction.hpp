@@ -107,6 +107,11 @@ class SignedDistanceFunction {
   /// What values mean, in world coordinates.
   [[nodiscard]] Guarantee<T> guarantee() const;
 
+  /// A number k such that values at points p and q of a box differ by at most k |p - q|, also where
+  /// guarantee() knows of none everywhere: a surface that is open has one away from its holes. None
+  /// if none is known.
+  [[nodiscard]] std::optional<T> lipschitzIn(const Box<T>& box) const;
+
   /// Encloses the solid {value <= 0}; may be infinite or empty.
   [[nodiscard]] Box<T> boundingBox() const;
 
@@ -206,6 +211,8 @@ class SignedDistanceFunction {
   /// are then enclosed by tangent planes, so an override asks that localGradient() is, within the
   /// rounding of error(), the gradient at a point within that distance, or zero.
   [[nodiscard]] virtual std::optional<T> localConcavity(const OrientedBox<T>&) const { return {}; }
+  /// See lipschitzIn(). By default, what localGuarantee() says.
+  [[nodiscard]] virtual std::optional<T> localLipschitzIn(const OrientedBox<T>& box) const;
   /// Guarantees nothing but the sign unless overridden.
   [[nodiscard]] virtual Guarantee<T> localGuarantee() const { return {}; }
   [[nodiscard]] virtual Box<T> localBoundingBox() const { return Box<T>::everywhere(); }

@@ -60,6 +60,9 @@ class Solid final : public SignedDistanceFunction<T> {
   std::optional<T> localConcavity(const OrientedBox<T>& box) const override {
     return root_->localConcavity(box);
   }
+  std::optional<T> localLipschitzIn(const OrientedBox<T>& box) const override {
+    return root_->localLipschitzIn(box);
+  }
   Guarantee<T> localGuarantee() const override { return guarantee_; }
   Box<T> localBoundingBox() const override { return boundingBox_; }
   Box<T> localClearanceBox() const override;

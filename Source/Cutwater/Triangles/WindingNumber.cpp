@@ -133,9 +133,29 @@ double WindingNumber<T>::farBound(const Vec3<double>& p) const {
 }
 
 template <std::floating_point T>
+WindingMoments::Lanes WindingNumber<T>::gapsToParts(const Vec3<double>& p) const {
+  const WindingMoments& root = moments_.front();
+  const Vec3<float> q(tree_.frame().toFrame(p));
+  constexpr float kRounding = 0x1p-12F;  // far above that of the point and of its distances
+  WindingMoments::Lanes gaps;
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    const float x = root.center[0][k] - q.x;
+    const float y = root.center[1][k] - q.y;
+    const float z = root.center[2][k] - q.z;
+    const float distance = std::sqrt(x * x + y * y + z * z);
+    gaps[k] = (1 - kRounding) * distance - root.radius[k] - kRounding;
+  }
+  return gaps;
+}
+
+template <std::floating_point T>
 double WindingNumber<T>::distanceBound(const Vec3<double>& p) const {
-  if (triangles_.size() > kFew) return distanceBoundOfParts(p);
   double least = kLargest;
+  if (triangles_.size() > kFew) {
+    const auto gaps = gapsToParts(p);
+    constexpr double kRounding = 0x1p-40;
+    return (1 - kRounding) * double{*std::ranges::min_element(gaps)} / tree_.frame().scale;
+  }
   for (std::uint32_t id = 0; id < triangles_.size(); ++id) {
     const auto [a, b, c] = triangle(id);
     const auto gap = max(min(a, min(b, c)) - p, p - max(a, max(b, c)));
@@ -145,19 +165,19 @@ double WindingNumber<T>::distanceBound(const Vec3<double>& p) const {
 }
 
 template <std::floating_point T>
-double WindingNumber<T>::distanceBoundOfParts(const Vec3<double>& p) const {
-  const WindingMoments& root = moments_.front();
-  const Vec3<float> q(tree_.frame().toFrame(p));
-  std::array<float, WindingTree::kArity> gaps;
+double WindingNumber<T>::bound(const Box<double>& box) const {
+  if (moments_.empty()) return 0;
+  constexpr float kOutward = 1 + 0x1p-12F;
+  const auto radius = static_cast<float>(0.5 * tree_.frame().scale * box.diagonal());
+  const auto gaps = gapsToParts(box.center());
+  const auto& areas = moments_.front().area;
+  float sum = 0;
   for (std::size_t k = 0; k < gaps.size(); ++k) {
-    const float x = root.center[0][k] - q.x;
-    const float y = root.center[1][k] - q.y;
-    const float z = root.center[2][k] - q.z;
-    gaps[k] = std::sqrt(x * x + y * y + z * z) - root.radius[k];
+    const float gap = gaps[k] - kOutward * radius;
+    const float most = gap > 0 ? areas[k] / (gap * gap) : kMostKey;
+    sum += areas[k] > 0 ? std::min(most, kMostKey) : 0;
   }
-  constexpr double kRounding = 0x1p-12;  // far above that of the point and of its distances
-  const double gap = double{*std::ranges::min_element(gaps)} - kRounding;
-  return (1 - kRounding) * gap / tree_.frame().scale;
+  return sum < kMostKey ? detail::kInverse4Pi * kOutward * double{sum} : kLargest;
 }
 
 template <std::floating_point T>

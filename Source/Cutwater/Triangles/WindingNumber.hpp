@@ -77,6 +77,10 @@ class WindingNumber {
   /// their boxes if they are few, else by spheres around the parts of the tree. May be negative.
   [[nodiscard]] double distanceBound(const Vec3<double>& p) const;
 
+  /// A bound on its size at all points of a box, cheap and crude: the area of each part of the tree
+  /// over 4 pi times its least squared distance. The largest double if the box may hold a triangle.
+  [[nodiscard]] double bound(const Box<double>& box) const;
+
   /// The sum over all triangles, in the order of their ids.
   [[nodiscard]] double exactSum(const Vec3<double>& p) const { return sumOfAll(p).value; }
 
@@ -107,7 +111,9 @@ class WindingNumber {
   }
   [[nodiscard]] std::span<const OpenEdge> edgesOf(std::size_t node) const;
   [[nodiscard]] double farBound(const Vec3<double>& p) const;
-  [[nodiscard]] double distanceBoundOfParts(const Vec3<double>& p) const;
+  /// Lower bounds on the distance of a point from the triangles below each lane of the root, in the
+  /// tree's frame; may be negative.
+  [[nodiscard]] WindingMoments::Lanes gapsToParts(const Vec3<double>& p) const;
   /// The first decision on estimates that become closer, down to `tolerance`; nothing if there is
   /// none.
   template <typename Decide>

@@ -36,17 +36,16 @@ struct FillTask {
   Guarantee<T> promise = solid.guarantee();
   /// Bounds the rounding of values at all positions.
   T rounding = promise.error(length(farthestPosition(gridPatch)));
-  /// Whether the solid finds the points within the limit in its own way, and those beyond it can be
-  /// told from their neighbours, which are no farther than the limit.
-  bool hasOwnWay = hasBand() && promise.lipschitz == T(1) &&
-                   promise.domain == Box<T>::everywhere() &&
-                   maxComponent(gridPatch.level.spacing()) <= limit &&
+  /// Whether the solid finds the points within the limit in its own way, and neighbours are no
+  /// farther than the limit: where values are 1-Lipschitz, they tell those beyond it.
+  bool hasOwnWay = hasBand() && maxComponent(gridPatch.level.spacing()) <= limit &&
                    solid.signedDistancesWithin({}, limit, {});
 
   [[nodiscard]] bool hasBand() const { return limit < std::numeric_limits<T>::infinity(); }
   /// Whether it has, and the surface is as far away as values say.
   [[nodiscard]] bool hasExactWay() const {
-    return hasOwnWay && promise.outside == Quality::Exact && promise.inside == Quality::Exact;
+    return hasOwnWay && promise.lipschitz && promise.outside == Quality::Exact &&
+           promise.inside == Quality::Exact;
   }
 };
 

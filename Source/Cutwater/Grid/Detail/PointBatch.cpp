@@ -24,7 +24,7 @@ void PointBatch<T>::storeDistances() {
 template <std::floating_point T>
 void PointBatch<T>::evaluate(std::span<T> values) {
   const std::span<const Vec3<T>> points = points_.first(count_);
-  if (task_.hasOwnWay) {
+  if (known_) {
     evaluateOwnWay(values);
   } else {
     task_.solid.signedDistances(points, values, {.threads = 1});
@@ -41,12 +41,12 @@ void PointBatch<T>::evaluateOwnWay(std::span<T> values) {
   const auto knows = [&](const Known& known, const Vec3<T>& point) {
     return length(point - known.point) + 4 * task_.rounding < std::abs(known.value) + task_.limit;
   };
-  Known last = known_;
+  Known last = *known_;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isnan(values[i])) {
-      const T sign = knows(last, points[i])     ? last.value
-                     : knows(known_, points[i]) ? known_.value
-                                                : task_.solid.signedDistance(points[i]);
+      const T sign = knows(last, points[i])      ? last.value
+                     : knows(*known_, points[i]) ? known_->value
+                                                 : task_.solid.signedDistance(points[i]);
       values[i] = std::copysign(kInf, sign);
       last = {points[i], std::copysign(task_.limit, sign)};
     } else {

@@ -3,6 +3,7 @@
 #include <Cutwater/Grid/Detail/FillTask.hpp>
 
 #include <cmath>
+#include <optional>
 
 namespace cutwater::detail {
 
@@ -29,9 +30,11 @@ class PointBatch {
     Vec3<T> point = {};
     T value = 0;
   };
-  /// The points to come are close to this one.
-  void begin(const Known& known) {
-    if (known.point == known_.point) return;
+  /// The points to come are close to this one, and 1-Lipschitz; if there is none, they may not be.
+  void begin(const std::optional<Known>& known) {
+    if (known.has_value() == known_.has_value() && (!known || known->point == known_->point)) {
+      return;
+    }
     flush();
     known_ = known;
   }
@@ -76,7 +79,7 @@ class PointBatch {
   Scratch<Vec3<T>, kMost> points_;
   Scratch<Offset, kMost> offsets_;
   std::size_t count_ = 0;
-  Known known_;
+  std::optional<Known> known_;
 };
 
 extern template class PointBatch<float>;

@@ -54,7 +54,7 @@ void TileFill<T>::settle(std::span<Part> parts, int bits) {
   if (isTile && isBeyondByLast(parts.front())) return;
   if (!isTile && bits <= TilePart::kLeafBits && task_.hasExactWay()) return classifyParts(parts);
   boundParts(parts);
-  if (isTile && task_.promise.lipschitz) last_ = {parts.front().center, parts.front().sign};
+  if (isTile && parts.front().lipschitz) last_ = {parts.front().center, parts.front().sign};
 }
 
 template <std::floating_point T>
@@ -88,22 +88,31 @@ void TileFill<T>::classifyParts(std::span<Part> parts) const {
 }
 
 template <std::floating_point T>
+std::optional<T> TileFill<T>::lipschitzIn(const Part& part) const {
+  const auto& promise = task_.promise;
+  if (part.lipschitz) return part.lipschitz;
+  const bool isAnywhere = OrientedBox<T>::of(part.box).isWithin(promise.domain);
+  return promise.lipschitz && isAnywhere ? promise.lipschitz : task_.solid.lipschitzIn(part.box);
+}
+
+template <std::floating_point T>
 void TileFill<T>::boundParts(std::span<Part> parts) const {
   Scratch<Vec3<T>, TilePart::kMost> centers;
   Scratch<T, TilePart::kMost> values;
-  for (std::size_t i = 0; i < parts.size(); ++i) centers[i] = parts[i].box.center();
-  if (task_.promise.lipschitz) {
-    task_.solid.signedDistances(centers.first(parts.size()), values.first(parts.size()),
-                                {.threads = 1});
+  std::size_t count = 0;
+  for (auto& part : parts) {
+    part.lipschitz = lipschitzIn(part);
+    if (part.lipschitz) centers[count++] = part.box.center();
   }
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto box = OrientedBox<T>::of(parts[i].box);
-    if (task_.promise.lipschitz && box.isWithin(task_.promise.domain)) {
-      boundByLipschitz(parts[i], box, values[i]);
+  task_.solid.signedDistances(centers.first(count), values.first(count), {.threads = 1});
+  count = 0;
+  for (auto& part : parts) {
+    if (part.lipschitz) {
+      boundByLipschitz(part, OrientedBox<T>::of(part.box), values[count++]);
     } else {
-      const auto range = task_.solid.bounds(parts[i].box);
-      parts[i].isSettled = range.lower > task_.limit || range.upper < -task_.limit;
-      parts[i].sign = range.lower;
+      const auto range = task_.solid.bounds(part.box);
+      part.isSettled = range.lower > task_.limit || range.upper < -task_.limit;
+      part.sign = range.lower;
     }
   }
 }
@@ -112,21 +121,26 @@ template <std::floating_point T>
 bool TileFill<T>::isBeyondByLast(Part& part) const {
   const auto half = max(abs(part.box.lower - last_.point), abs(part.box.upper - last_.point));
   const auto around = OrientedBox<T>::of({last_.point - half, last_.point + half});
-  if (last_.value == 0 || !around.isWithin(task_.promise.domain)) return false;
+  if (last_.value == 0 || !task_.promise.lipschitz || !around.isWithin(task_.promise.domain)) {
+    return false;
+  }
+  part.lipschitz = task_.promise.lipschitz;
   boundByLipschitz(part, around, last_.value);
   return part.isSettled;
 }
 
 template <std::floating_point T>
 void TileFill<T>::boundByLipschitz(Part& part, const OrientedBox<T>& box, T atCenter) const {
-  const auto range = boundsAround(atCenter, box, task_.promise);
+  auto promise = task_.promise;
+  promise.lipschitz = part.lipschitz;
+  const auto range = boundsAround(atCenter, box, promise);
   const T missing = task_.limit - (atCenter < 0 ? -range.upper : range.lower);
   part.isSettled = missing < 0;
   part.sign = atCenter;
   // The bound for all within r of the centre exceeds that for all within box.radius() by the
   // Lipschitz constant times the difference, or more.
   constexpr T kOutward = 1 + 8 * std::numeric_limits<T>::epsilon();
-  const T radius = box.radius() - kOutward * (missing / *task_.promise.lipschitz);
+  const T radius = box.radius() - kOutward * (missing / *part.lipschitz);
   part.center = box.center;
   if (radius > 0) part.beyondSquared = radius * radius / (kOutward * kOutward);
 }
@@ -159,7 +173,9 @@ void TileFill<T>::fillBeyond() {
 
 template <std::floating_point T>
 void TileFill<T>::addPoints(const Part& part, int bits) {
-  if (task_.hasOwnWay) batch_.begin({part.center, part.sign});
+  const bool hasOwnWay = task_.hasOwnWay && part.lipschitz == T(1);
+  batch_.begin(hasOwnWay ? std::optional(typename PointBatch<T>::Known{part.center, part.sign})
+                         : std::nullopt);
   forIndices(task_.order, tile_, part, bits, [&](const Offset& inTile) {
     const auto point = position(inTile);
     const Offset offset{tile_.first[0] + inTile[0], tile_.first[1] + inTile[1],

@@ -29,10 +29,11 @@ class TileFill {
   /// A part of the tile, and what is known about it. It is settled if all of it is beyond the
   /// limit.
   struct Part : TilePart {
-    Box<T> box = {};       // around its positions
-    T sign = 1;            // on which side it is beyond: the value at the centre
-    Vec3<T> center = {};   // all is beyond within a radius of it;
-    T beyondSquared = -1;  // that radius squared, if positive
+    Box<T> box = {};             // around its positions
+    T sign = 1;                  // on which side it is beyond: the value at the centre
+    Vec3<T> center = {};         // all is beyond within a radius of it;
+    T beyondSquared = -1;        // that radius squared, if positive
+    std::optional<T> lipschitz;  // of values in the part's box, where known
   };
 
   void placePositions();
@@ -46,11 +47,14 @@ class TileFill {
   void findBoxes(std::span<Part> parts) const;
   /// By their classes and a room as wide as the limit around them.
   void classifyParts(std::span<Part> parts) const;
-  /// By values at their centres.
+  /// Of values in a part's box, where known.
+  [[nodiscard]] std::optional<T> lipschitzIn(const Part& part) const;
+  /// By values at their centres where there is one.
   void boundParts(std::span<Part> parts) const;
   /// Whether the value at the centre of an earlier tile proves that all of a tile is beyond.
   [[nodiscard]] bool isBeyondByLast(Part& tile) const;
-  /// Determines it from the value at the centre of the part's box, or of a box around that.
+  /// Determines it from the value at the centre of the part's box, or of a box around that in which
+  /// its Lipschitz constant holds.
   void boundByLipschitz(Part& part, const OrientedBox<T>& box, T atCenter) const;
   /// Indices beyond the limit on one side.
   struct Beyond {

@@ -45,9 +45,9 @@ bool BoxAnswers<T, Index>::isJumpFree(const Box<double>& box) const {
 }
 
 template <std::floating_point T, typename Index>
-bool BoxAnswers<T, Index>::hasNoJump(const Box<T>& box) const {
-  const double scale{surface().scale};
-  return isJumpFree({scale * Vec3<double>(box.lower), scale * Vec3<double>(box.upper)});
+bool BoxAnswers<T, Index>::isSteady(const Box<T>& box) const {
+  if (!index_.signJumps()) return true;
+  return signs().scheme == SignScheme::WindingNumber && index_.isSteady(scaled(box));
 }
 
 template <std::floating_point T, typename Index>
@@ -87,7 +87,7 @@ Interval<T> BoxAnswers<T, Index>::bounds(const OrientedBox<T>& box) const {
           std::max(least, static_cast<T>(gapTo(*q, scale * double{distance}) / scale) - rounding);
     }
   }
-  if (least > 0 && hasNoJump(box.bounds())) {
+  if (least > 0 && isJumpFree(scaled(box.bounds()))) {
     return hit.distance < 0 ? Interval<T>{-most, -least} : Interval<T>{least, most};
   }
   if (index_.signJumps()) return {-most, most};

@@ -27,6 +27,8 @@ class BoxAnswers {
   /// Returns false, and visits nothing, where the box is so large or so far that the surface is a
   /// point.
   [[nodiscard]] bool facetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const;
+  /// Whether the sign certainly changes at triangles alone in the box.
+  [[nodiscard]] bool isSteady(const Box<T>& box) const;
 
  private:
   static constexpr std::size_t kBatch = PointAnswers<T, Index>::kBatch;
@@ -37,6 +39,10 @@ class BoxAnswers {
   /// Returns the box in scaled units; nothing if they do not resolve it, as it is too large or too
   /// far.
   [[nodiscard]] std::optional<OrientedBox<double>> scaled(const OrientedBox<T>& box) const;
+  [[nodiscard]] Box<double> scaled(const Box<T>& box) const {
+    const double scale{surface().scale};
+    return {scale * Vec3<double>(box.lower), scale * Vec3<double>(box.upper)};
+  }
   /// The class of a box; nothing if no triangle and no jump meets it: then its centre decides.
   [[nodiscard]] std::optional<BoxClass> classUnlessClear(const OrientedBox<T>& box, BoxHint* hint,
                                                          DefaultClass byDefault) const;
@@ -45,10 +51,8 @@ class BoxAnswers {
   /// A lower bound on the distance from the box to the triangles, which is known to be within
   /// `limit`.
   [[nodiscard]] double gapTo(const OrientedBox<double>& box, double limit) const;
-  /// Whether the sign certainly does not change in the box, except at triangles.
+  /// Whether the sign certainly does not change in a box that meets no triangle.
   [[nodiscard]] bool isJumpFree(const Box<double>& box) const;
-  /// The same for a box in the mesh's own units.
-  [[nodiscard]] bool hasNoJump(const Box<T>& box) const;
   [[nodiscard]] SurfaceFacet<T> facet(std::uint32_t id, const QueryBox& box) const;
 
   const Index& index_;

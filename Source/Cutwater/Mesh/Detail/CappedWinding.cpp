@@ -3,6 +3,7 @@
 #include <Cutwater/Surface/Detail/HoleCaps.hpp>
 #include <Cutwater/Triangles/ExactPredicates.hpp>
 #include <Cutwater/Triangles/PolygonGeometry.hpp>
+#include <Cutwater/Triangles/QueryBox.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,7 @@ Vec3<double> CappedWinding::nudged(const Vec3<double>& p, int attempt) {
 }
 
 bool CappedWinding::isInside(Closed closed, const Vec3<double>& p) const {
+  if (capsAreFarFrom({p, p})) return closed(p) >= 1;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const auto q = nudged(p, attempt);
     // winding - caps > threshold
@@ -62,12 +64,44 @@ WindingNumber<double>::Estimate CappedWinding::estimate(Closed closed, const Vec
 }
 
 bool CappedWinding::isDecided(Closed closed, const Vec3<double>& p, const Box<double>& box) const {
+  if (capsAreFarFrom(box)) return true;
   constexpr double kTolerance = 0x1p-20;
   const auto whole = Box<double>{box}.extend(p);
   const double change = length(max(p - whole.lower, whole.upper - p)) * gradientBound(whole);
   if (!(change < 1)) return false;
   // Only at the point itself: one beside it may be out of the box, and across a triangle.
   return caps_.isFarFrom(p, closed(p) - kThreshold, change, kTolerance).value_or(false);
+}
+
+bool CappedWinding::mayHoldCap(const Box<double>& box) const {
+  const auto around = OrientedBox<double>::of(box);
+  const QueryBox query(around);
+  bool found = false;
+  tree_.overlapping(around, [&](std::span<const std::uint32_t> slots) {
+    for (const auto id : slots) {
+      if (id == kNone) break;
+      found = found || !query.isApart(query.toBox(triangles_.corners(id)));
+    }
+    return !found;
+  });
+  return found;
+}
+
+std::optional<int> CappedWinding::leastInside(const Box<double>& box) const {
+  if (capsAreFarFrom(box)) return 1;
+  return mayHoldCap(box) ? std::nullopt : leastAtCenter(box);
+}
+
+std::optional<int> CappedWinding::leastAtCenter(const Box<double>& box) const {
+  constexpr double kTolerance = 0x1p-8;
+  const double change = 0.5 * box.diagonal() * caps_.gradientBound(box);
+  if (!(change < 0.5)) return {};
+  const auto [value, error] = caps_.estimate(box.center(), kTolerance);
+  // It is inside where it exceeds the threshold and what the caps contribute.
+  const double spread = error + (1 + 0x1p-20) * change;
+  const double most = std::floor(kThreshold + value + spread);
+  if (most != std::floor(kThreshold + value - spread)) return {};
+  return static_cast<int>(most) + 1;
 }
 
 template <std::floating_point T>

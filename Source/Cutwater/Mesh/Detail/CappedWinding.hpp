@@ -31,8 +31,8 @@ class CappedWinding {
                                                          const Vec3<double>& p,
                                                          double tolerance) const;
 
-  /// Whether isInside() certainly is the same everywhere in the box, apart from jumps at the
-  /// surface's triangles.
+  /// Whether isInside() certainly is the same everywhere in a box that meets no triangle of the
+  /// surface.
   template <std::floating_point T>
   [[nodiscard]] bool isDecided(const TriangleSurface<T>& surface, TrianglesAlong along,
                                const Box<double>& box) const;
@@ -50,8 +50,19 @@ class CappedWinding {
   [[nodiscard]] bool isFarFromCaps(const Vec3<double>& p, double distance) const {
     return caps_.distanceBound(p) > distance;
   }
+  /// Whether a cap may reach into a box; false is certain.
+  [[nodiscard]] bool mayHoldCap(const Box<double>& box) const;
   /// The caps; without triangles if the surface is closed.
   [[nodiscard]] const TriangleSurface<double>& caps() const { return triangles_; }
+
+  /// Whether isInside() certainly changes at the surface's triangles alone in the box, whatever
+  /// winding numbers there are.
+  [[nodiscard]] bool isSteady(const Box<double>& box) const {
+    return capsAreFarFrom(box) || leastAtCenter(box).has_value();
+  }
+  /// The least closedWinding() at which isInside() is true, if that is certainly the same
+  /// everywhere in the box. Then there are no caps in it.
+  [[nodiscard]] std::optional<int> leastInside(const Box<double>& box) const;
 
   /// closedWinding() at and around a point, where the caller knows it.
   using Closed = FunctionRef<int(const Vec3<double>&)>;
@@ -73,6 +84,13 @@ class CappedWinding {
 
   [[nodiscard]] WindingNumber<double>::Estimate estimate(Closed closed, const Vec3<double>& p,
                                                          double tolerance) const;
+  /// Whether a box holds no cap, and all contribute so little that the integer decides; crude.
+  [[nodiscard]] bool capsAreFarFrom(const Box<double>& box) const {
+    constexpr double kLittle = 0.499;  // less than 1 - kThreshold
+    return caps_.bound(box) < kLittle;
+  }
+  /// leastInside() at its centre, if it certainly changes at caps alone in the box.
+  [[nodiscard]] std::optional<int> leastAtCenter(const Box<double>& box) const;
   [[nodiscard]] auto alongCaps() const {
     return [this](const Segment<double>& segment, TriangleVisitor visit) {
       tree_.along(segment, visit);

@@ -48,6 +48,8 @@ class DcelIndex final : public SignedSurface<T> {
     return false;
   }
   [[nodiscard]] bool isDecided(const Box<double>& /*box*/) const { return true; }
+  [[nodiscard]] bool isSteady(const Box<double>& /*box*/) const { return true; }
+  [[nodiscard]] std::optional<int> leastInside(const Box<double>& /*box*/) const { return 1; }
   [[nodiscard]] const CappedWinding* winding() const { return nullptr; }
 
  private:

@@ -2,6 +2,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Mesh/Detail/GeometryCheck.hpp>
+#include <Cutwater/Mesh/Detail/SignCells.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -181,7 +182,9 @@ void checkLayout(const MeshLayout<T>& layout) {
           winding.slots.count % WindingTree::kLeafWidth == 0 &&
           winding.moments.count == winding.nodes.count &&
           winding.edges.count == winding.nodes.count &&
-          (layout.fronts.count == 0 || layout.fronts.count == triangles),
+          (layout.fronts.count == 0 || layout.fronts.count == triangles) &&
+          (layout.signCells.count == 0 ||
+           layout.signCells.count == SignCells(surface.box, triangles, {}).size()),
       "arrays that belong together are not of one length");
 }
 

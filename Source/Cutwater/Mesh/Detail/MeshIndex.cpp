@@ -68,7 +68,7 @@ void MeshIndex<T>::fill(const TriangleSurfaceArrays<T>& arrays, const TriangleTr
   layout.reach = winding.reach();
   layout.insideOut = writer.add(arrays.orientation().insideOut);
   layout.patchNames = writer.add(patchNames);
-  layout.fronts = writer.add(std::span<const std::uint8_t>());
+  layout.fronts = layout.signCells = writer.add(std::span<const std::uint8_t>());
   take(writer.finish(), layout);
   auto signs = checkSigns<T>(surface(), arrays, trianglesAlong(), options_,
                              [&] { return contacts(before); });
@@ -77,6 +77,8 @@ void MeshIndex<T>::fill(const TriangleSurfaceArrays<T>& arrays, const TriangleTr
   if (this->signs().scheme != SignScheme::WindingNumber || !options_.findSelfIntersections) return;
   const auto fronts = frontWindings();
   layout.fronts = writer.add(fronts);
+  const auto cells = signs.isClosed() ? std::vector<std::uint8_t>() : bytesOfSignCells();
+  layout.signCells = writer.add(cells);
   take(writer.finish(), layout);
   this->setSigns(signs, options_.signs);
 }
@@ -92,6 +94,8 @@ void MeshIndex<T>::take(Block block, const MeshLayout<T>& layout) {
                            block_.array<std::uint32_t>(layout.hullsOfNode));
   winding_ = layout.winding.view(block_);
   fronts_ = FrontWindings(block_.array<std::uint8_t>(layout.fronts));
+  signCells_ = SignCells(surface().box, surface().triangles.size(),
+                         block_.array<std::uint8_t>(layout.signCells));
 }
 
 template <std::floating_point T>
@@ -124,11 +128,28 @@ std::vector<std::uint8_t> MeshIndex<T>::frontWindings() const {
 }
 
 template <std::floating_point T>
+std::vector<std::uint8_t> MeshIndex<T>::bytesOfSignCells() const {
+  const auto mayHoldTriangle = [this](const Box<double>& box) {
+    std::uint32_t place = 0;
+    return overlapWith(OrientedBox<double>::of(box), place) != BoxOverlap::None;
+  };
+  return findSignCells(
+      signCells_,
+      {mayHoldTriangle, [this](const Box<double>& box) { return winding_.mayHoldCap(box); },
+       [this](const Box<double>& box) { return winding_.leastInside(box); },
+       [this](const Vec3<double>& p) {
+         return winding_.closedWinding(surface(), trianglesAlong(), p);
+       }});
+}
+
+template <std::floating_point T>
 std::optional<int> MeshIndex<T>::windingBeside(const Vec3<T>& p, const Nearest& nearest) const {
   const Vec3<double> q(p);
   if (const auto beside = fronts_.beside(nearest)) {
     const double distance = std::sqrt(double{nearest.distanceSquared}) + double{nearest.error};
-    if (winding_.isFarFromCaps(q, distance)) return beside;
+    if (signCells_.isFarFromCaps(q, distance) || winding_.isFarFromCaps(q, distance)) {
+      return beside;
+    }
     const auto [a, b, c] = surface().corners(nearest.triangle);
     const Triangle<double> triangle{a, b, c, isSliver(a, b, c)};
     const auto weights = closestBarycentric(q, triangle, triangleDistance(q, triangle).part);
@@ -143,10 +164,14 @@ std::optional<int> MeshIndex<T>::windingBeside(const Vec3<T>& p, const Nearest& 
 template <std::floating_point T>
 bool MeshIndex<T>::isSurrounded(const Vec3<T>& p, const Nearest& nearest) const {
   const Vec3<double> here(p);
-  const auto beside = windingBeside(p, nearest);
+  const auto cell = signCells_.at(here);
+  if (cell.side() != 0) return cell.side() < 0;
+  const bool mayBeWithin = surface().box.contains(here);
+  const auto beside = mayBeWithin ? windingBeside(p, nearest) : std::optional(0);
   const auto winding = [&](const Vec3<double>& q) {
     return beside && q == here ? *beside : winding_.closedWinding(surface(), trianglesAlong(), q);
   };
+  if (const auto least = cell.leastInside()) return winding(here) >= *least;
   return winding_.isInside(winding, here);
 }
 

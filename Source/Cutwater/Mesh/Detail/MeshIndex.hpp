@@ -2,6 +2,7 @@
 
 #include <Cutwater/Mesh/Detail/FrontWindings.hpp>
 #include <Cutwater/Mesh/Detail/MeshLayout.hpp>
+#include <Cutwater/Mesh/Detail/SignCells.hpp>
 #include <Cutwater/Mesh/Detail/SignedSurface.hpp>
 #include <Cutwater/Surface/Detail/ContactSearch.hpp>
 #include <Cutwater/Triangles/Search/BoxSearch.hpp>
@@ -21,6 +22,8 @@ namespace cutwater {
 ///     CappedWinding    from CappedWindingArrays    caps over the holes of a surface that is open
 ///     FrontWindings    from findFrontWindings()    winding numbers beside triangles, unless it is
 ///                                                  sound
+///     SignCells        from findSignCells()        signs in the cells of a coarse grid, if it is
+///                                                  open
 ///
 /// Those on the left are records in the block or views of it; what they come from owns the arrays
 /// until the block is written. KernelTriangles and TriangleSearch are plain pointers to surface and
@@ -87,12 +90,25 @@ class MeshIndex final : public SignedSurface<T> {
   /// surface; if it is known near the nearest triangle.
   [[nodiscard]] std::optional<int> windingBeside(const Vec3<T>& p, const Nearest& nearest) const;
 
-  // The winding number of a surface that is not closed: whether it exceeds 1/2 at the point, and
-  // whether it certainly does so everywhere or nowhere in the box, apart from jumps at triangles.
+  // The winding number of a surface that is not closed: whether it exceeds 1/2 at the point;
+  // whether it certainly does so everywhere or nowhere in a box that meets no triangle; and whether
+  // that certainly changes at triangles alone in a box that may meet some.
   [[nodiscard]] bool isSurrounded(const Vec3<T>& p, const Nearest& nearest) const;
   [[nodiscard]] bool isDecided(const Box<double>& box) const {
-    return winding_.isDecided(surface(), trianglesAlong(), box);
+    return signCells_.leastInside(box) || winding_.isDecided(surface(), trianglesAlong(), box);
   }
+  [[nodiscard]] bool isSteady(const Box<double>& box) const {
+    return signCells_.leastInside(box) || winding_.isSteady(box);
+  }
+  /// The least winding number, of the surface and its caps if it is open, of points that count as
+  /// inside: if it is certainly the same everywhere in the box, and there are no caps in it.
+  [[nodiscard]] std::optional<int> leastInside(const Box<double>& box) const {
+    if (this->signs().isClosed()) return 1;
+    const auto known = signCells_.leastInside(box);
+    return known ? known : winding_.leastInside(box);
+  }
+  /// What is known beforehand; of a surface that is not closed.
+  [[nodiscard]] const SignCells& signCells() const { return signCells_; }
   /// The winding number itself; null for an index that takes only closed surfaces.
   [[nodiscard]] const CappedWinding* winding() const { return &winding_; }
 
@@ -106,6 +122,7 @@ class MeshIndex final : public SignedSurface<T> {
   /// that at its end.
   [[nodiscard]] int windingAlong(const Segment<double>& segment) const;
   [[nodiscard]] std::vector<std::uint8_t> frontWindings() const;
+  [[nodiscard]] std::vector<std::uint8_t> bytesOfSignCells() const;
   /// Estimates winding numbers all over the box of a surface that is not closed.
   void probeAmbiguity(SignReport& signs) const;
 
@@ -116,6 +133,7 @@ class MeshIndex final : public SignedSurface<T> {
   TriangleSearch search_;
   CappedWinding winding_;  // of a surface that is not closed
   FrontWindings fronts_;
+  SignCells signCells_;
 };
 
 extern template class MeshIndex<float>;

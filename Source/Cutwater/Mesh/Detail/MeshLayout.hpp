@@ -25,6 +25,7 @@ struct MeshLayout {
   Section insideOut;                      ///< see ShellOrientation
   Section patchNames;                     ///< characters; each name is ended by a zero
   Section fronts;                         ///< see FrontWindings; empty if signs need none
+  Section signCells;                      ///< see SignCells; empty for a closed surface
 
   /// A view of the tree that lies in a block.
   [[nodiscard]] TriangleTree tree(const Block& block) const {
@@ -65,6 +66,7 @@ void visitArrays(MeshLayout<T>& layout, Visit visit) {
   visit(kIndices, layout.insideOut);
   visit(std::type_identity<char>(), layout.patchNames);
   visit(std::type_identity<std::uint8_t>(), layout.fronts);
+  visit(std::type_identity<std::uint8_t>(), layout.signCells);
 }
 
 }  // namespace cutwater

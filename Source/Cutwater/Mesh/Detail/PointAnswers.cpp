@@ -5,6 +5,7 @@
 #include <Cutwater/Triangles/ExactPredicates.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cutwater {
@@ -58,10 +59,74 @@ bool PointAnswers<T, Index>::isInside(const Vec3<T>& p) const {
   return side(p, index_.nearest(p)) < 0;
 }
 
+/// Where signs are those of winding numbers, and change at triangles alone in a box around some
+/// points, they are the same at two points that are closer to each other than to these: no triangle
+/// is between them.
 template <std::floating_point T, typename Index>
-T PointAnswers<T, Index>::valueAt(const Vec3<T>& point, const Vec3<T>& p,
-                                  const Nearest& nearest) const {
-  const int side = this->side(p, nearest);
+class PointAnswers<T, Index>::Sides {
+ public:
+  Sides(const PointAnswers& answers, std::span<const Vec3<T>> p)
+      : answers_(answers), p_(p), signs_(answers.signs().scheme == SignScheme::WindingNumber) {}
+
+  /// That of point i, which is after those asked for before.
+  int of(std::size_t i, const Nearest& nearest) {
+    if (signs_ && i >= end_) begin(i);
+    if (!least_) return answers_.side(p_[i], nearest);
+    const Vec3<double> q(p_[i]);
+    const double room = std::sqrt(double{nearest.distanceSquared}) - 2 * double{nearest.error};
+    constexpr double kOutward = 1 + 0x1p-48;
+    const bool isSame = room > 0 && room_ > 0 && kOutward * length(q - last_) < room + room_;
+    if (!isSame) side_ = sideAmong(p_[i], nearest);
+    last_ = q;
+    room_ = room;
+    return side_;
+  }
+
+ private:
+  /// Points are looked at in runs of the first length; of the second where these tell nothing.
+  static constexpr std::array<std::size_t, 2> kRuns{64, 8};
+
+  /// Looks at a run that point i is in.
+  void begin(std::size_t i) {
+    room_ = 0;
+    for (const auto length : kRuns) {
+      if (length == kRuns[0] && i / length == tried_) continue;
+      const auto first = i - i % length;
+      end_ = std::min(first + length, p_.size());
+      least_ = leastInside(p_.subspan(first, end_ - first));
+      if (least_) return;
+      if (length == kRuns[0]) tried_ = i / length;
+    }
+  }
+  [[nodiscard]] std::optional<int> leastInside(std::span<const Vec3<T>> points) const {
+    Box<double> box;
+    for (const auto& q : points) box.extend(Vec3<double>(q));
+    constexpr double kWide = 0.25;  // they tell little of each other
+    return box.diagonal() < kWide ? answers_.index_.leastInside(box) : std::nullopt;
+  }
+  [[nodiscard]] int sideAmong(const Vec3<T>& p, const Nearest& nearest) const {
+    if (nearest.distanceSquared > 0) {
+      if (const auto beside = answers_.index_.windingBeside(p, nearest)) {
+        return *beside >= *least_ ? -1 : 1;
+      }
+    }
+    return answers_.side(p, nearest);
+  }
+
+  const PointAnswers& answers_;
+  std::span<const Vec3<T>> p_;
+  bool signs_;                           // by winding numbers
+  std::size_t end_ = 0;                  // of the run
+  std::size_t tried_ = ~std::size_t{0};  // the last long run that told nothing
+  std::optional<int> least_;             // of winding numbers inside, in a box around the points
+  Vec3<double> last_;                    // the last point,
+  double room_ = 0;                      // how far it is from any triangle; 0: there is none
+  int side_ = 1;                         // and its side
+};
+
+template <std::floating_point T, typename Index>
+T PointAnswers<T, Index>::valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest,
+                                  int side) const {
   const bool isFar = maxComponent(abs(p)) >= kFarthest;
   if (isFar) return static_cast<T>(side) * std::hypot(point.x, point.y, point.z);
   const T magnitude = std::sqrt(nearest.distanceSquared);
@@ -101,22 +166,24 @@ void PointAnswers<T, Index>::forNearest(std::span<const Vec3<T>> points, Visit v
     const auto count = std::min(kBatch, points.size() - begin);
     static_cast<void>(scale(points.subspan(begin, count), p.first(count)));
     index_.nearest(p.first(count), nearest.first(count));
-    for (std::size_t i = 0; i < count; ++i) visit(begin + i, p[i], nearest[i]);
+    Sides sides(*this, p.first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      visit(begin + i, p[i], nearest[i],
+            valueAt(points[begin + i], p[i], nearest[i], sides.of(i, nearest[i])));
+    }
   }
 }
 
 template <std::floating_point T, typename Index>
 void PointAnswers<T, Index>::signedDistances(std::span<const Vec3<T>> points,
                                              std::span<T> distances) const {
-  forNearest(points, [&](std::size_t i, const Vec3<T>& p, const Nearest& nearest) {
-    distances[i] = valueAt(points[i], p, nearest);
-  });
+  forNearest(points,
+             [&](std::size_t i, const Vec3<T>&, const Nearest&, T value) { distances[i] = value; });
 }
 
 template <std::floating_point T, typename Index>
 bool PointAnswers<T, Index>::signedDistancesWithin(std::span<const Vec3<T>> points, T limit,
                                                    std::span<T> distances) const {
-  if (index_.signJumps()) return false;
   Scratch<Vec3<T>, kBatch> p;
   Scratch<Nearest, kBatch> nearest;
   for (std::size_t begin = 0; begin < points.size(); begin += kBatch) {
@@ -124,11 +191,13 @@ bool PointAnswers<T, Index>::signedDistancesWithin(std::span<const Vec3<T>> poin
     const Vec3<T> farthest = scale(points.subspan(begin, count), p.first(count));
     const T reach = surface().scale * limit + 4 * surface().error(farthest);
     index_.nearestWithin(p.first(count), nearest.first(count), double{reach});
+    Sides sides(*this, p.first(count));
     for (std::size_t i = 0; i < count; ++i) {
       const bool isNear =
           nearest[i].triangle != kNone && nearest[i].distanceSquared <= reach * reach;
-      distances[begin + i] = isNear ? valueAt(points[begin + i], p[i], nearest[i])
-                                    : std::numeric_limits<T>::quiet_NaN();
+      distances[begin + i] =
+          isNear ? valueAt(points[begin + i], p[i], nearest[i], sides.of(i, nearest[i]))
+                 : std::numeric_limits<T>::quiet_NaN();
     }
   }
   return true;
@@ -137,16 +206,16 @@ bool PointAnswers<T, Index>::signedDistancesWithin(std::span<const Vec3<T>> poin
 template <std::floating_point T, typename Index>
 void PointAnswers<T, Index>::closestPoints(std::span<const Vec3<T>> points,
                                            std::span<SurfacePoint<T>> results) const {
-  forNearest(points, [&](std::size_t i, const Vec3<T>& p, const Nearest& nearest) {
-    results[i] = closestPointAt(points[i], p, nearest);
+  forNearest(points, [&](std::size_t i, const Vec3<T>& p, const Nearest& nearest, T value) {
+    results[i] = closestPointAt(p, nearest, value);
   });
 }
 
 template <std::floating_point T, typename Index>
-SurfacePoint<T> PointAnswers<T, Index>::closestPointAt(const Vec3<T>& point, const Vec3<T>& p,
-                                                       const Nearest& nearest) const {
+SurfacePoint<T> PointAnswers<T, Index>::closestPointAt(const Vec3<T>& p, const Nearest& nearest,
+                                                       T value) const {
   auto result = surface().surfacePoint(p, nearest);
-  result.distance = valueAt(point, p, nearest);
+  result.distance = value;
   // Where shells overlap, the nearest triangle need not be part of the solid's surface; and a place
   // where the sign jumps may be nearer than any.
   result.exact = signs().isSound() && nearest.triangle != kNone;

@@ -32,7 +32,8 @@ class PointAnswers {
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& point) const;
   [[nodiscard]] SurfacePoint<T> closestPoint(const Vec3<T>& point) const {
     const Vec3<T> p = scaled(point);
-    return closestPointAt(point, p, index_.nearest(p));
+    const auto nearest = index_.nearest(p);
+    return closestPointAt(p, nearest, valueAt(point, p, nearest));
   }
   void closestPoints(std::span<const Vec3<T>> points, std::span<SurfacePoint<T>> results) const;
   [[nodiscard]] Guarantee<T> guarantee() const;
@@ -64,10 +65,17 @@ class PointAnswers {
   /// side(), for all points.
   [[nodiscard]] int disputedSide(const Vec3<T>& p, const Nearest& nearest) const;
   [[nodiscard]] const SignReport& signs() const { return index_.signs(); }
-  [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest) const;
-  [[nodiscard]] SurfacePoint<T> closestPointAt(const Vec3<T>& point, const Vec3<T>& p,
-                                               const Nearest& nearest) const;
-  /// Calls visit(i, p, nearest) for each of the points; searches them in batches.
+  /// The sides of points that follow each other.
+  class Sides;
+  [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest) const {
+    return valueAt(point, p, nearest, side(p, nearest));
+  }
+  [[nodiscard]] T valueAt(const Vec3<T>& point, const Vec3<T>& p, const Nearest& nearest,
+                          int side) const;
+  /// `value`: at the point.
+  [[nodiscard]] SurfacePoint<T> closestPointAt(const Vec3<T>& p, const Nearest& nearest,
+                                               T value) const;
+  /// Calls visit(i, p, nearest, value) for each of the points; searches them in batches.
   template <typename Visit>
   void forNearest(std::span<const Vec3<T>> points, Visit visit) const;
   /// Whether a ball about the point extends beyond the solid's box: if it contains no triangle of a

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Cutwater/Mesh/Detail/MeshIndex.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
+
+#include <cstddef>
+#include <vector>
+
+#include "Support/DamagedSoups.hpp"
+
+namespace cutwater::test {
+
+inline PolygonSoup ballOf(const Vec3<double>& center = {}, double radius = 1, int level = 3) {
+  return moved(tessellation::icosphere(radius, level), center);
+}
+inline PolygonSoup blockOf(const Vec3<double>& lower, const Vec3<double>& upper, int n = 4) {
+  return tessellation::box(lower, upper, n);
+}
+/// Without every so many polygons.
+inline PolygonSoup sieveOf(const PolygonSoup& soup, std::size_t every) {
+  return onlyFaces(soup, [&](std::size_t i) { return i % every != every / 2; });
+}
+
+/// What is behind a MeshSDF of this soup.
+template <typename T>
+MeshIndex<T> indexOf(const PolygonSoup& soup) {
+  const TriangleSurfaceArrays<T> arrays{DcelMesh<T>(soup)};
+  const auto tree = buildTriangleTree<T>(arrays.positions(), arrays.triangles());
+  return MeshIndex<T>(arrays, tree, std::vector<char>{'a', '\0'}, {});
+}
+
+}  // namespace cutwater::test
