@@ -217,6 +217,26 @@ TEST(BafflesAnyhowTest, TwoPlanesMakeFourPieces) {
   for (const auto& region : regions.regions()) EXPECT_NEAR(region.volume, 0.25, 1e-13);
 }
 
+/// However little it has of the cell: what is thin is rounding, not what is small.
+TEST(BafflesAnyhowTest, ASmallCornerIsAPiece) {
+  for (const double size : {1e-2, 1e-4, 1e-5}) {
+    // The plane x + y + z = 1.5 + size cuts a corner off the cell at the middle.
+    const Vec3<double> middle{0.5 + size / 3, 0.5 + size / 3, 0.5 + size / 3};
+    const Vec3<double> u{1, -1, 0};
+    const Vec3<double> v{1, 1, -2};
+    const auto cells = cutterOf(sheet(middle - 0.2 * u - 0.2 * v, 0.4 * u, 0.4 * v))
+                           .cut(unitCube(2), {.polygons = true});
+    expectIdentities(cells, 1e-13);
+    expectPolygonsOf(cells);
+    const auto row = cells.rowOf({1, 1, 1});
+    const auto first = cells.cells.firstPiece[row];
+    ASSERT_EQ(cells.cells.firstPiece[row + 1] - first, 2U) << size;
+    const double least = std::min(cells.pieces.volume[first], cells.pieces.volume[first + 1]);
+    EXPECT_NEAR(least / (size * size * size / 6), 1, 1e-9) << size;
+    EXPECT_NEAR(check(cells).wallArea, 2 * 0.16 * length(cross(u, v)), 1e-13) << size;
+  }
+}
+
 TEST(BafflesAnyhowTest, LeavesAreTheFinestCellsJoined) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> at(0.05, 0.95);

@@ -197,10 +197,10 @@ class MeetingCell {
     return nodeOfArc(n, faces_.isCut(face) ? region.part : arcOfFullFace_[face]);
   }
 
-  /// Between baffles: rounding has cut it off.
+  /// Between baffles, and no thicker than rounding, which has cut it off.
   [[nodiscard]] bool isFilm(const PieceSums& sum) const {
     const auto size = faces_.planes().sizeOf(place_);
-    return ways_.areAny() && sum.piece(cell_).volume < kSliver * size.x * size.y * size.z;
+    return ways_.areAny() && sum.piece(cell_).volume < kSliver * sum.area() * maxComponent(size);
   }
   void measure() {
     std::vector<std::uint32_t> sumOf(tree_.leafCount() + open_.size(), kNone);  // by root

@@ -39,10 +39,14 @@ void PieceSums::addOpenPart(double distance, double area, const Vec3<double>& ce
   moment_ += distance * area * (centroid - reference_);
 }
 
-bool PieceSums::isNothing(const Vec3<double>& cellSize, double share) const {
+double PieceSums::area() const {
   double area = openArea_ + openPatches_.area;
   for (const auto& wall : walls_) area += wall.area;
-  return area <= nothing(cellSize, share);
+  return area;
+}
+
+bool PieceSums::isNothing(const Vec3<double>& cellSize, double share) const {
+  return area() <= nothing(cellSize, share);
 }
 
 CellPiece PieceSums::piece(std::uint32_t cell) const {

@@ -54,6 +54,8 @@ class PieceSums {
   [[nodiscard]] static double nothing(const Vec3<double>& cellSize, double share = kRounding) {
     return share * dot(cellSize, {cellSize.y, cellSize.z, cellSize.x});
   }
+  /// Of all that bounds the piece.
+  [[nodiscard]] double area() const;
   [[nodiscard]] CellPiece piece(std::uint32_t cell) const;
   /// Appends the parts of the wall in the order of patches.
   void appendWalls(std::uint32_t piece, std::vector<PieceWall>& walls);
