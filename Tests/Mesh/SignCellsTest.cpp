@@ -6,6 +6,7 @@
 #include <random>
 
 #include "Mesh/WindingSurfaces.hpp"
+#include "Support/Grid.hpp"
 #include "Support/Precisions.hpp"
 #include "Support/Scale.hpp"
 #include "Support/Soups.hpp"

@@ -123,9 +123,8 @@ class CellFinder {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(cells_.size());
     for (const auto& cell : cells_) {
-      std::optional<int> side;
-      if (cell.winding && cell.least) side = *cell.winding >= *cell.least ? -1 : 1;
-      bytes.push_back(SignCells::Cell::of(side, cell.least, cell.rings).byte());
+      const int side = !cell.winding || !cell.least ? 0 : *cell.winding >= *cell.least ? -1 : 1;
+      bytes.push_back(SignCells::Cell(side, cell.least, cell.rings).byte());
     }
     return bytes;
   }

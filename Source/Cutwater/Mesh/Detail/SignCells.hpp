@@ -24,30 +24,28 @@ class SignCells {
     static constexpr int kMostRings = 7;
 
     constexpr Cell() = default;
-    constexpr explicit Cell(std::uint8_t byte) : byte_(byte) {}
-    /// Least winding numbers other than -2 to 4 are forgotten.
-    static constexpr Cell of(std::optional<int> side, std::optional<int> leastInside, int rings) {
+    constexpr explicit Cell(std::uint8_t byte) : bits_(byte) {}
+    /// `side`: see side(). Least winding numbers other than -2 to 4 are forgotten.
+    constexpr Cell(int side, std::optional<int> leastInside, int rings) {
       const int least = leastInside && -3 < *leastInside && *leastInside < 5 ? *leastInside + 3 : 0;
-      const int sideCode = side ? (*side < 0 ? 1 : 2) : 0;
-      return Cell(static_cast<std::uint8_t>(sideCode | least << 2 | rings << 5));
+      bits_ = static_cast<unsigned>(side + 1) | static_cast<unsigned>(least) << 2U |
+              static_cast<unsigned>(rings) << 5U;
     }
 
     /// 1: all of it is outside; -1: inside; 0: it may hold triangles, or more is not known.
-    [[nodiscard]] constexpr int side() const {
-      return (byte_ & 3U) == 0 ? 0 : (byte_ & 3U) == 1 ? -1 : 1;
-    }
+    [[nodiscard]] constexpr int side() const { return static_cast<int>(bits_ & 3U) - 1; }
     /// The least winding number of the surface and its caps at points of the cell that are inside,
     /// if it is certainly the same for all; then it holds no cap.
     [[nodiscard]] constexpr std::optional<int> leastInside() const {
-      const int code = byte_ >> 2U & 7U;
+      const auto code = static_cast<int>(bits_ >> 2U & 7U);
       return code == 0 ? std::nullopt : std::optional(code - 3);
     }
     /// So many rings of cells, the cell itself being the first, hold no cap; kMostRings or more.
-    [[nodiscard]] constexpr int rings() const { return byte_ >> 5U; }
-    [[nodiscard]] constexpr std::uint8_t byte() const { return byte_; }
+    [[nodiscard]] constexpr int rings() const { return static_cast<int>(bits_ >> 5U); }
+    [[nodiscard]] constexpr std::uint8_t byte() const { return static_cast<std::uint8_t>(bits_); }
 
    private:
-    std::uint8_t byte_ = 0;
+    unsigned bits_ = 1;  // nothing is known
   };
 
   SignCells() = default;
