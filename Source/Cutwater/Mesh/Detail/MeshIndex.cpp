@@ -129,6 +129,9 @@ std::vector<std::uint8_t> MeshIndex<T>::frontWindings() const {
 
 template <std::floating_point T>
 std::vector<std::uint8_t> MeshIndex<T>::bytesOfSignCells() const {
+  // Where there is a hole almost everywhere, little could be known, and it would take long.
+  constexpr std::size_t kFewest = 8;  // triangles for each cap
+  if (kFewest * winding_.caps().triangles.size() > surface().triangles.size()) return {};
   const auto mayHoldTriangle = [this](const Box<double>& box) {
     std::uint32_t place = 0;
     return overlapWith(OrientedBox<double>::of(box), place) != BoxOverlap::None;

@@ -25,7 +25,7 @@ struct MeshLayout {
   Section insideOut;                      ///< see ShellOrientation
   Section patchNames;                     ///< characters; each name is ended by a zero
   Section fronts;                         ///< see FrontWindings; empty if signs need none
-  Section signCells;                      ///< see SignCells; empty for a closed surface
+  Section signCells;                      ///< see SignCells; empty if nothing is known
 
   /// A view of the tree that lies in a block.
   [[nodiscard]] TriangleTree tree(const Block& block) const {
