@@ -114,8 +114,7 @@ class HotWorkload final : public PointWorkload {
     constexpr std::size_t kGroup = 16;
     constexpr std::size_t kTimes = 8;
     Points result;
-    for (std::size_t i = 0; i < points.size() / kTimes; ++i) {
-      if (i % kGroup != 0) continue;
+    for (std::size_t i = 0; i < points.size() / kTimes; i += kGroup) {
       for (std::size_t time = 0; time < kTimes; ++time) {
         const auto end = std::min(points.size(), i + kGroup);
         for (auto n = i; n < end; ++n) result.push_back(points[n]);

@@ -11,13 +11,8 @@
 namespace cutwater::test {
 namespace {
 
-struct Case {
-  const char* name;
-  PolygonSoup soup;
-};
-
 /// Surfaces whose signs are decided by winding numbers.
-std::vector<Case> surfaces() {
+std::vector<NamedSurface> surfaces() {
   const auto open = onlyFaces(ballOf(), [](std::size_t i) { return i % 640 > 4; });
   return {
       {"balls that overlap", together(ballOf(), ballOf({0.7, 0.3, 0.2}))},

@@ -3,7 +3,6 @@
 #include <Cutwater/Mesh/Detail/MeshIndex.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 
-#include <cstddef>
 #include <vector>
 
 #include "Support/DamagedSoups.hpp"
@@ -16,10 +15,10 @@ inline PolygonSoup ballOf(const Vec3<double>& center = {}, double radius = 1, in
 inline PolygonSoup blockOf(const Vec3<double>& lower, const Vec3<double>& upper, int n = 4) {
   return tessellation::box(lower, upper, n);
 }
-/// Without every so many polygons.
-inline PolygonSoup sieveOf(const PolygonSoup& soup, std::size_t every) {
-  return onlyFaces(soup, [&](std::size_t i) { return i % every != every / 2; });
-}
+struct NamedSurface {
+  const char* name;
+  PolygonSoup soup;
+};
 
 /// What is behind a MeshSDF of this soup.
 template <typename T>

@@ -27,6 +27,11 @@ inline Vec3<double> middleOf(const PolygonSoup& soup, std::size_t i) {
   return sum / static_cast<double>(soup.polygon(i).size());
 }
 
+/// Without every so many polygons.
+inline PolygonSoup sieveOf(const PolygonSoup& soup, std::size_t every) {
+  return onlyFaces(soup, [&](std::size_t i) { return i % every != every / 2; });
+}
+
 /// Every polygon with points of its own.
 inline PolygonSoup unwelded(const PolygonSoup& soup) {
   PolygonSoup result;

@@ -5,7 +5,6 @@
 #include <Cutwater/Triangles/ExactPredicates.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace cutwater {
@@ -83,20 +82,24 @@ class PointAnswers<T, Index>::Sides {
   }
 
  private:
-  /// Points are looked at in runs of the first length; of the second where these tell nothing.
-  static constexpr std::array<std::size_t, 2> kRuns{64, 8};
+  /// Points are looked at in long runs, and in short ones where these tell nothing.
+  static constexpr std::size_t kLong = 64;
+  static constexpr std::size_t kShort = 8;
 
-  /// Looks at a run that point i is in.
   void begin(std::size_t i) {
     room_ = 0;
-    for (const auto length : kRuns) {
-      if (length == kRuns[0] && i / length == tried_) continue;
-      const auto first = i - i % length;
-      end_ = std::min(first + length, p_.size());
-      least_ = leastInside(p_.subspan(first, end_ - first));
+    if (i / kLong != tried_) {
+      tried_ = i / kLong;
+      look(i, kLong);
       if (least_) return;
-      if (length == kRuns[0]) tried_ = i / length;
     }
+    look(i, kShort);
+  }
+  /// At the run of this length that point i is in.
+  void look(std::size_t i, std::size_t length) {
+    const auto first = i - i % length;
+    end_ = std::min(first + length, p_.size());
+    least_ = leastInside(p_.subspan(first, end_ - first));
   }
   [[nodiscard]] std::optional<int> leastInside(std::span<const Vec3<T>> points) const {
     Box<double> box;
@@ -117,7 +120,7 @@ class PointAnswers<T, Index>::Sides {
   std::span<const Vec3<T>> p_;
   bool signs_;                           // by winding numbers
   std::size_t end_ = 0;                  // of the run
-  std::size_t tried_ = ~std::size_t{0};  // the last long run that told nothing
+  std::size_t tried_ = ~std::size_t{0};  // the last long run
   std::optional<int> least_;             // of winding numbers inside, in a box around the points
   Vec3<double> last_;                    // the last point,
   double room_ = 0;                      // how far it is from any triangle; 0: there is none
