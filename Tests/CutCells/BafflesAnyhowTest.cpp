@@ -101,7 +101,8 @@ TEST(BafflesAnyhowTest, InAPlaneTheyAreThoseOfALayer) {
     const auto areas = openAreas(layer);
     for (const auto& [face, area] : openAreas(flat)) {
       const auto same = areas.find(face);
-      if (same != areas.end()) ASSERT_NEAR(area, same->second, 1e-12) << round;
+      if (same == areas.end()) continue;
+      ASSERT_NEAR(area, same->second, 1e-12) << round;
     }
   }
 }

@@ -8,17 +8,16 @@
 #include <Cutwater/Surface/Triangulation.hpp>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "Oracle/CgalOracle.hpp"
 #include "Oracle/Probes.hpp"
+#include "Oracle/RealFiles.hpp"
 #include "Oracle/SurfaceCure.hpp"
 #include "Support/Scale.hpp"
 
@@ -98,9 +97,6 @@ bool tellOf(const std::string& name, PolygonSoup soup, const Stopwatch& watch) {
   return signs.wrong == 0 && signs.probes > 0 && solid.signReport().isClosed();
 }
 
-/// Two files of curves, without faces, and one with a face more than its header says.
-constexpr std::array<std::string_view, 3> kRefused{"curve.obj", "curve2.vtk", "prim.off"};
-
 bool tell(const std::filesystem::path& file) {
   const Stopwatch watch;
   const auto name = file.filename().string();
@@ -110,27 +106,8 @@ bool tell(const std::filesystem::path& file) {
     const std::string reason = error.what();
     const auto shown = reason.substr(reason.find(": ") + 2);
     std::printf("| %s | | refused: %s | | | | |\n", name.c_str(), shown.c_str());
-    return std::ranges::count(kRefused, name) > 0;
+    return isNoSurface(file);
   }
-}
-
-bool isSurface(const std::filesystem::path& file) {
-  auto path = file;
-  if (path.extension() == ".gz") path = path.stem();
-  for (const char* extension : {".stl", ".obj", ".ply", ".off", ".vtk"}) {
-    if (path.extension() == extension) return true;
-  }
-  return false;
-}
-
-/// In the order of their names.
-std::vector<std::filesystem::path> surfacesIn(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (isSurface(entry.path())) files.push_back(entry.path());
-  }
-  std::ranges::sort(files);
-  return files;
 }
 
 int run(int argc, char** argv) {

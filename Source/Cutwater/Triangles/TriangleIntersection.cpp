@@ -185,6 +185,23 @@ bool spansOverlap(Points a, const std::array<int, 3>& sidesOfA, Points b,
   return orientation(a[1], b[0], a[0], b[1]) < 0 && orientation(a[0], b[0], a[2], b[2]) < 0;
 }
 
+/// 1 if a point lies above a triangle along an axis, -1 if below; 0 if it is beside it, or on it.
+int orderOf(const Points& t, const Vec3<double>& p, int axis) {
+  const int turn = crossSign(t[0], t[1], t[0], t[2], axis);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (crossSign(t[i], t[(i + 1) % 3], t[i], p, axis) == -turn) return 0;
+  }
+  return turn * orientation(t[0], t[1], t[2], p);
+}
+
+/// 1 if (r, s) passes above (p, q), -1 if below; 0 if beside it, or through it.
+int orderOf(const Vec3<double>& p, const Vec3<double>& q, const Vec3<double>& r,
+            const Vec3<double>& s, int axis) {
+  if (crossSign(p, q, p, r, axis) * crossSign(p, q, p, s, axis) > 0) return 0;
+  if (crossSign(r, s, r, p, axis) * crossSign(r, s, r, q, axis) > 0) return 0;
+  return -crossSign(p, q, r, s, axis) * orientation(p, q, r, s);
+}
+
 }  // namespace
 
 bool meetWithin(const Points& a, const Points& b) {
@@ -223,6 +240,23 @@ bool intersect(std::span<const Vec3<double>> positions, const std::array<std::ui
   const auto sidesOfA = sidesOf(ta, tb, shared);
   if (areApart(sidesOfA, shared)) return false;
   return edgesMeet(ta, sidesOfA, tb, shared) || edgesMeet(tb, sidesOfB, ta, shared);
+}
+
+int orderAlong(const Points& a, const Points& b, int axis) {
+  // Where one is above the other is convex; if it has an end that is no corner, edges cross there.
+  for (const auto& p : b) {
+    if (const int order = orderOf(a, p, axis); order != 0) return order;
+  }
+  for (const auto& p : a) {
+    if (const int order = orderOf(b, p, axis); order != 0) return -order;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const int order = orderOf(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3], axis);
+      if (order != 0) return order;
+    }
+  }
+  return 0;
 }
 
 bool areFartherApart(const std::array<Vec3<double>, 3>& a, const std::array<Vec3<double>, 3>& b,

@@ -31,6 +31,15 @@ namespace cutwater {
 [[nodiscard]] bool areFartherApart(const std::array<Vec3<double>, 3>& a,
                                    const std::array<Vec3<double>, 3>& b, double distance);
 
+/// The order of two triangles along an axis: 1 if `b` lies above `a` where one is above the other,
+/// -1 if below; 0 if nowhere, or if they touch in all these places. Triangles that pass through
+/// each other have none.
+///
+/// Exact; see ExactPredicates.hpp, also for the scaling. Of one without area, what it is along the
+/// axis that counts are its edges.
+[[nodiscard]] int orderAlong(const std::array<Vec3<double>, 3>& a,
+                             const std::array<Vec3<double>, 3>& b, int axis);
+
 /// Returns false if the three points are collinear; exact.
 [[nodiscard]] bool hasArea(const std::array<Vec3<double>, 3>& triangle);
 

@@ -3,6 +3,7 @@
 #include <Cutwater/CutCells/Detail/Faces/FaceAxes.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceRegions.hpp>
 #include <Cutwater/CutCells/Detail/Faces/LocalWinding.hpp>
+#include <Cutwater/Triangles/PolygonGeometry.hpp>
 
 #include <algorithm>
 #include <tuple>
@@ -40,6 +41,7 @@ std::vector<Sheet> sheetsOf(const TileSurface& surface, std::span<const FaceTrac
     sheet.plane.normal[axes.first] = -way[axes.second] / size;
     sheet.plane.normal[axes.second] = way[axes.first] / size;
     sheet.plane.offset = dot(sheet.plane.normal, trace.from);
+    sheet.width = size;
     sheet.patch = surface.patchOf(trace.triangle);
     sheet.isBaffle = surface.isBaffle(trace.triangle);
     sheets.push_back(std::move(sheet));
@@ -263,13 +265,15 @@ void FaceRegions::measure(std::uint32_t face, double least) {
 }
 
 bool makeSheet(const TileSurface& surface, const TileFragment& fragment, Sheet& sheet) {
-  const auto normal = surface.normalOf(fragment.triangle);
-  const double size = length(normal);
-  if (!(size > 0)) return false;
   const auto points = surface.points(fragment);
+  const auto corners = surface.cornersOf(fragment.triangle);
+  const auto [normal, area] = polygonArea(corners);
+  if (!(area > 0) || isNarrow(points, SheetTree::kFlat)) return false;
   sheet.points.assign(points.begin(), points.end());
-  sheet.plane.normal = normal / size;
+  sheet.plane.normal = normal;
   sheet.plane.offset = dot(sheet.plane.normal, middleOf(points));
+  const auto& [a, b, c] = corners;
+  sheet.width = 2 * area / std::max({length(b - a), length(c - b), length(a - c)});
   sheet.patch = surface.patchOf(fragment.triangle);
   sheet.isBaffle = surface.isBaffle(fragment.triangle);
   return true;

@@ -15,6 +15,9 @@ using Polygon = SheetTree::Polygon;
 constexpr std::size_t kCrowd = 32;
 /// So many are tried for the plane that divides the fewest others.
 constexpr std::size_t kTries = 5;
+/// Rounding tilts the planes of sheets that are wider than this share of the box by much less than
+/// SheetTree::kFlat, across the box: they come first, and narrower ones beside them are in theirs.
+constexpr double kSteady = 0x1p-6;
 
 /// The parts of a polygon below a plane and above it. One in the plane is in neither.
 std::array<Polygon, 2> parted(const Polygon& polygon, const SheetPlane& plane) {
@@ -89,23 +92,10 @@ Counts countsBeside(std::span<const Sheet> sheets, const SheetPlane& plane) {
   return counts;
 }
 
-SheetPlane chosenPlane(std::span<const Sheet> sheets) {
-  const auto divider = std::ranges::find(sheets, true, &Sheet::isDivider);
-  if (divider != sheets.end()) return divider->plane;
-  if (sheets.size() > kCrowd) {
-    const auto plane = halvingPlane(sheets);
-    const auto counts = countsBeside(sheets, plane);
-    if (4 * std::max(counts.below, counts.above) <= 3 * sheets.size()) return plane;
-  }
-  const auto step = std::max<std::size_t>(1, sheets.size() / kTries);
-  SheetPlane best;
-  std::size_t fewest = ~std::size_t{0};
-  for (std::size_t i = 0; i < sheets.size(); i += step) {
-    const auto counts = countsBeside(sheets, sheets[i].plane);
-    const auto sum = counts.below + counts.above;
-    if (sum < fewest) fewest = sum, best = sheets[i].plane;
-  }
-  return best;
+/// Whether all points of a sheet are within a distance of a plane.
+bool isWithin(const Sheet& sheet, const SheetPlane& plane, double distance) {
+  return std::ranges::all_of(sheet.points,
+                             [&](const auto& p) { return std::abs(plane.height(p)) <= distance; });
 }
 
 /// Whether a sheet all of whose points lie in a plane with this normal is in its own plane there:
@@ -138,23 +128,19 @@ Vec3<double> middleOf(std::span<const Vec3<double>> polygon) {
   return sum / static_cast<double>(polygon.size());
 }
 
-bool isGap(std::span<const Vec3<double>> polygon) {
+bool isNarrow(std::span<const Vec3<double>> polygon, double width) {
   double perimeter = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     perimeter += length(polygon[(i + 1) % polygon.size()] - polygon[i]);
   }
-  return length(twiceArea(polygon)) <= SheetTree::kGap * perimeter;
+  return length(twiceArea(polygon)) <= width * perimeter;
 }
 
 SheetTree::SheetTree(const Box<double>& box, std::vector<Sheet> sheets) : box_(box) {
   std::vector<Sheet> within;
   for (auto& sheet : sheets) {
     std::size_t face = 0;
-    const auto isIn = [&](std::size_t n) {
-      const auto plane = facePlane(box_, n);
-      return std::ranges::all_of(sheet.points,
-                                 [&](const auto& p) { return std::abs(plane.height(p)) <= kNear; });
-    };
+    const auto isIn = [&](std::size_t n) { return isWithin(sheet, facePlane(box_, n), kNear); };
     while (face < 6 && !isIn(face)) ++face;
     if (face == 6) {
       within.push_back(std::move(sheet));
@@ -168,20 +154,53 @@ SheetTree::SheetTree(const Box<double>& box, std::vector<Sheet> sheets) : box_(b
   if ((root_ & kLeaf) == 0) findPortals(root_, path);
 }
 
+/// A plane to divide by, and the sheet that it is the plane of, if any.
+struct SheetTree::Choice {
+  SheetPlane plane;
+  const Sheet* sheet = nullptr;
+};
+
+SheetTree::Choice SheetTree::chosenPlane(std::span<const Sheet> sheets) const {
+  const auto of = [](const Sheet& sheet) { return Choice{sheet.plane, &sheet}; };
+  const auto divider = std::ranges::find(sheets, true, &Sheet::isDivider);
+  if (divider != sheets.end()) return of(*divider);
+  if (sheets.size() > kCrowd) {
+    const auto plane = halvingPlane(sheets);
+    const auto counts = countsBeside(sheets, plane);
+    if (4 * std::max(counts.below, counts.above) <= 3 * sheets.size()) return {plane};
+  }
+  const double widest = std::ranges::max_element(sheets, {}, &Sheet::width)->width;
+  const double least = std::min(0.5 * widest, kSteady * box_.diagonal());
+  const auto wide = [&](const Sheet& sheet) { return sheet.width >= least; };
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(sheets, wide));
+  const auto step = std::max<std::size_t>(1, count / kTries);
+  Choice best;
+  std::size_t fewest = ~std::size_t{0};
+  std::size_t number = 0;
+  for (const auto& sheet : sheets) {
+    if (!wide(sheet) || number++ % step != 0) continue;
+    const auto counts = countsBeside(sheets, sheet.plane);
+    const auto sum = counts.below + counts.above;
+    if (sum < fewest) fewest = sum, best = of(sheet);
+  }
+  return best;
+}
+
 std::uint32_t SheetTree::build(std::vector<Sheet> sheets) {
   if (sheets.empty()) return kLeaf | leafCount_++;
   const auto number = static_cast<std::uint32_t>(nodes_.size());
-  const auto plane = chosenPlane(sheets);
+  const auto [plane, chosen] = chosenPlane(sheets);
   nodes_.push_back({.plane = plane, .sheets = {}});
   std::array<std::vector<Sheet>, 2> sides;
   for (auto& sheet : sheets) {
-    auto parts = parted(sheet.points, plane);
-    if (parts[0].empty() && parts[1].empty()) {
+    // The chosen one is, whatever the rounding of its points: each part has one less.
+    if (&sheet == chosen || isWithin(sheet, plane, kFlat)) {
       if (!sheet.isDivider && hasAreaIn(sheet, plane.normal)) {
         nodes_[number].sheets.push_back(std::move(sheet));
       }
       continue;
     }
+    auto parts = parted(sheet.points, plane);
     for (const std::size_t side : {0, 1}) {
       if (parts[side].empty()) continue;
       auto part = sheet;

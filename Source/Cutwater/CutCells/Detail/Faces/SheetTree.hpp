@@ -23,6 +23,9 @@ struct SheetPlane {
 struct Sheet {
   std::vector<Vec3<double>> points;
   SheetPlane plane;  ///< its normal points into the fluid
+  /// Of the triangle or trace that it is a part of, across its longest edge: the narrower that is,
+  /// the more its corners' rounding tilts the plane.
+  double width = 0;
   std::uint32_t patch = 0;
   bool isBaffle = false;   ///< the fluid is on both sides
   bool isDivider = false;  ///< it only divides, before others do
@@ -31,7 +34,7 @@ struct Sheet {
 /// A box, divided by planes through the sheets in it into convex leaves that no sheet passes
 /// through (Fuchs, Kedem and Naylor, SIGGRAPH 1980). Where sheets crowd, it is halved first.
 ///
-/// All is in floating point: leaves thinner than kNear may be lost, and nothing else depends on it.
+/// All is in floating point: leaves thinner than kFlat may be lost, and nothing else depends on it.
 /// But where baffles that share an edge are nearly parallel, their planes may cross far away from
 /// it, and leave a way through: there, the space is divided along the edge first.
 class SheetTree {
@@ -40,6 +43,10 @@ class SheetTree {
 
   /// Distances from planes below this are rounding. Coordinates are up to about 1.
   static constexpr double kNear = 0x1p-48;
+  /// Sheets no farther from the plane of another one lie in it: between two planes that are nearly
+  /// one, leaves would be so thin that their sides are not found alike. Nor are there sheets
+  /// narrower than this, whose planes are nearly any.
+  static constexpr double kFlat = 0x1p-40;
   /// Openings beside baffles that are narrower are none: rounding leaves such gaps between those
   /// that share an edge.
   static constexpr double kGap = 0x1p-36;
@@ -90,6 +97,8 @@ class SheetTree {
   /// A child that is a leaf.
   static constexpr std::uint32_t kLeaf = 0x80000000;
 
+  struct Choice;
+  [[nodiscard]] Choice chosenPlane(std::span<const Sheet> sheets) const;
   std::uint32_t build(std::vector<Sheet> sheets);
   void findPortals(std::uint32_t node, std::vector<SheetPlane>& path);
   [[nodiscard]] Polygon inBox(const SheetPlane& plane, std::span<const SheetPlane> path) const;
@@ -106,8 +115,12 @@ class SheetTree {
 
 /// Twice the area of a polygon, times its normal.
 [[nodiscard]] Vec3<double> twiceArea(std::span<const Vec3<double>> polygon);
+/// Whether its area is less than half of this width times its perimeter.
+[[nodiscard]] bool isNarrow(std::span<const Vec3<double>> polygon, double width);
 /// Whether it is narrower than SheetTree::kGap.
-[[nodiscard]] bool isGap(std::span<const Vec3<double>> polygon);
+[[nodiscard]] inline bool isGap(std::span<const Vec3<double>> polygon) {
+  return isNarrow(polygon, SheetTree::kGap);
+}
 /// The mean of its corners.
 [[nodiscard]] Vec3<double> middleOf(std::span<const Vec3<double>> polygon);
 

@@ -106,10 +106,12 @@ class MeetingCell {
       }
     }
   }
+  /// kNone if the face has no such arc.
   [[nodiscard]] std::uint32_t nodeOfArc(std::size_t face, std::uint32_t arc) const {
-    auto i = firstOpen_[face];
-    while (open_[i].arc != arc) ++i;
-    return tree_.leafCount() + i;
+    for (auto i = firstOpen_[face]; i < open_.size() && open_[i].face == face; ++i) {
+      if (open_[i].arc == arc) return tree_.leafCount() + i;
+    }
+    return kNone;
   }
   void unite(std::uint32_t one, std::uint32_t other, const Polygon& open) {
     if (0.5 * length(twiceArea(open)) > least_) sets_.unite(one, other);
@@ -177,14 +179,16 @@ class MeetingCell {
       return ways_.isOpen(points_[leaf], middle) && onFace.isOpen(middle, point);
     };
     for (const auto& region : faces_.regionsOn(face)) {
+      // Rounding may find fluid on a face that has none.
       const auto arc = region.isFluid ? nodeOfRegion(n, face, region) : kNone;
+      const bool isOpen = arc != kNone;
       const double whole = length(twiceArea(region.polygon));
       tree_.divide(region.polygon, inwards, [&](std::uint32_t leaf, const Polygon& part) {
-        if (region.isFluid && isFluid_[leaf] != 0) {
+        if (isOpen && isFluid_[leaf] != 0) {
           const double least = areas.empty() ? 0 : kLittle * std::min(areas[leaf], whole);
           const bool isOpening = length(twiceArea(part)) >= least;
           if (isOpening && isWayOpen(leaf, part, region.point)) unite(arc, leaf, part);
-        } else if (region.isFluid) {
+        } else if (isOpen) {
           addWall(arc, part, -inwards, tree_.sheetsIn(n));
         } else if (isFluid_[leaf] != 0) {
           addWall(leaf, part, inwards, tree_.sheetsIn(n), n);

@@ -1,10 +1,12 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/CutCells/Detail/Surface/SheetKinds.hpp>
+#include <Cutwater/Triangles/ExactPredicates.hpp>
 #include <Cutwater/Triangles/TriangleIntersection.hpp>
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace cutwater {
@@ -140,11 +142,11 @@ class KindFinder {
       const double area = length(normalOf(i));
       if (area > areas[root]) areas[root] = area, largest[root] = i;
     }
-    std::vector<SheetKind> ofPart(count, SheetKind::Meeting);  // where there is no area
+    std::vector<SheetKind> ofPart(count, SheetKind::Meeting);  // where there is no room
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (sets.isRoot(i) && largest[i] != kNoTriangle && isPart(i)) {
-        ofPart[i] = windingInFront(largest[i]) == 0 ? SheetKind::Wall : SheetKind::Buried;
-      }
+      if (!sets.isRoot(i) || largest[i] == kNoTriangle || !isPart(i)) continue;
+      const auto winding = windingInFront(largest[i]);
+      if (winding) ofPart[i] = *winding == 0 ? SheetKind::Wall : SheetKind::Buried;
     }
     for (std::uint32_t i = 0; i < count; ++i) {
       if (isPart(i)) kinds_[i] = ofPart[sets.find(i)];
@@ -173,27 +175,43 @@ class KindFinder {
     }
   }
   [[nodiscard]] Vec3<double> normalOf(std::uint32_t triangle) const {
-    const auto [a, b, c] = in_.surface.triangle(triangle);
-    return cross(b.position - a.position, c.position - a.position);
+    const auto [a, b, c] = in_.surface.positionsOf(triangle);
+    return cross(b - a, c - a);
   }
-  /// On the side of the triangle to which its normal points. Behind it, it is one more.
-  [[nodiscard]] int windingInFront(std::uint32_t triangle) const {
-    const auto normal = normalOf(triangle);
+  /// The winding number just in front of a triangle that meets no others, on the side to which its
+  /// normal points; behind it, it is one more. None if the triangle is so thin that its middle is
+  /// beside it.
+  ///
+  /// Others may be nearer to it than rounding: which of them are below its middle is asked of the
+  /// triangles, not of the middle's height.
+  [[nodiscard]] std::optional<int> windingInFront(std::uint32_t triangle) const {
+    const auto corners = in_.surface.positionsOf(triangle);
+    const auto& [a, b, c] = corners;
+    const auto normal = abs(normalOf(triangle));
     int axis = 0;
     for (const int other : {1, 2}) {
-      if (std::abs(normal[other]) > std::abs(normal[axis])) axis = other;
+      if (normal[other] > normal[axis]) axis = other;
     }
-    const auto [a, b, c] = in_.surface.triangle(triangle);
-    const auto middle = (a.position + b.position + c.position) / 3.0;
-    Box<double> below{middle, middle};
-    below.lower[axis] = -Box<double>::kInf;
+    const int up = crossSign(a, b, a, c, axis);
+    if (up == 0) return {};
+    auto middle = (a + b + c) / 3.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& from = corners[i];
+      if (crossSign(from, corners[(i + 1) % 3], from, middle, axis) != up) return {};
+    }
+    Box<double> line{middle, middle};
+    line.lower[axis] = -Box<double>::kInf;
+    line.upper[axis] = Box<double>::kInf;
     int winding = in_.windingOutside;
-    for (const auto other : in_.trianglesIn(below)) {
+    for (const auto other : in_.trianglesIn(line)) {
       if (other == triangle || in_.surface.isBaffle(other)) continue;
-      winding += riseBelowNode(in_.surface.triangle(other), middle, axis);
+      const auto places = in_.surface.positionsOf(other);
+      middle[axis] = 1 + std::max({places[0][axis], places[1][axis], places[2][axis]});
+      const int rise = riseBelowNode(in_.surface.triangle(other), middle, axis);
+      if (rise != 0 && orderAlong(corners, places, axis) < 0) winding += rise;
     }
     // So it is below the triangle: behind one that faces up.
-    return normal[axis] > 0 ? winding - 1 : winding;
+    return up > 0 ? winding - 1 : winding;
   }
 
   static constexpr std::uint32_t kNoTriangle = 0xffffffff;

@@ -77,11 +77,6 @@ TileSurface::TileSurface(const MovedSurface& surface, std::span<const std::uint3
   if (!kinds_.empty()) sortBuried();
 }
 
-Vec3<double> TileSurface::normalOf(std::uint32_t triangle) const {
-  const auto [a, b, c] = surface_.triangle(triangle);
-  return cross(b.position - a.position, c.position - a.position);
-}
-
 std::span<const EdgeCrossing> TileSurface::crossingsOf(std::uint32_t edge) const {
   return sortedUnder(std::span(crossings_), edge, &EdgeCrossing::edge);
 }

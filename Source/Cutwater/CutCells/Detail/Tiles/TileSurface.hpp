@@ -113,8 +113,6 @@ class TileSurface {
       return kind == SheetKind::Meeting || kind == SheetKind::Baffle;
     });
   }
-  /// A triangle's normal, into the fluid, twice as long as its area is large.
-  [[nodiscard]] Vec3<double> normalOf(std::uint32_t triangle) const;
 
   [[nodiscard]] std::span<const Vec3<double>> points(const TileFragment& fragment) const {
     return std::span(points_).subspan(fragment.first, fragment.size);
