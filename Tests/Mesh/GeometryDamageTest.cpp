@@ -105,7 +105,7 @@ TYPED_TEST(GeometryDamageTest, SaysWhatAFileIsThatFitsNot) {
                            : "the geometry file is of double precision, not single");
   bytes.write(8, std::uint32_t{kGeometryFileVersion + 6});
   EXPECT_EQ(refusal<T>(bytes.bytes()),
-            "the geometry file has version 11, this library reads version 5: prepare it anew");
+            "the geometry file has version 12, this library reads version 6: prepare it anew");
   bytes.write(8, std::uint32_t{kGeometryFileVersion});
   bytes.write(12, std::uint32_t{0x04030201});
   EXPECT_EQ(refusal<T>(bytes.bytes()),

@@ -1,5 +1,5 @@
-// The order of triangles along an axis; pairs that meet are in Surface/SelfIntersectionsTest.cpp, case by
-// case.
+// The order of triangles along an axis; pairs that meet are in Surface/SelfIntersectionsTest.cpp,
+// case by case.
 
 #include <Cutwater/Triangles/TriangleIntersection.hpp>
 

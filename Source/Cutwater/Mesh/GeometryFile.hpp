@@ -22,7 +22,7 @@ namespace cutwater {
 
 /// Version of the layout: raised whenever the meaning of the bytes of an array or of the header
 /// changes.
-inline constexpr std::uint32_t kGeometryFileVersion = 5;
+inline constexpr std::uint32_t kGeometryFileVersion = 6;
 
 /// How MeshSDF::view() and open() check bytes before they trust them.
 struct MeshViewOptions {

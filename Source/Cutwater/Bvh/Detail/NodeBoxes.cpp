@@ -1,25 +1,13 @@
 #include <Cutwater/Bvh/Detail/BinaryBvh.hpp>
 #include <Cutwater/Bvh/Detail/NodeBoxes.hpp>
-#include <Cutwater/Core/Eigen.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include <Eigen/Eigenvalues>
-
 namespace cutwater::detail {
 
 namespace {
-
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-
-Vector3d principalAxis(const Matrix3d& symmetric) {
-  Eigen::SelfAdjointEigenSolver<Matrix3d> solver;
-  solver.computeDirect(symmetric);
-  return solver.eigenvectors().col(2);
-}
 
 double summedArea(const std::vector<Box<double>>& boxes) {
   return std::transform_reduce(boxes.begin(), boxes.end(), 0.0, std::plus<>(), halfArea);
@@ -45,7 +33,7 @@ NodeBoxes::NodeBoxes(const NodeContents& contents, std::span<const NodeChild> ch
 }
 
 NodeBoxes::NodeBoxes(const NodeContents& contents, std::span<const NodeChild> children,
-                     const Axes& axes)
+                     const BoxAxes& axes)
     : contents_(contents),
       children_(children),
       begin_(children.front().begin),
@@ -78,7 +66,7 @@ void NodeBoxes::turnIfSmaller() {
     for (auto place = begin_; place < end_; ++place) local.push_back(corners(place));
     local_ = std::move(local);
   }
-  const Axes turned = fittingAxes();
+  const auto turned = axesOfTriangles();
   // Every sixteenth triangle is often enough to see that turning gains nothing.
   const bool isLarge = local_.empty();
   if (isLarge && !(summedArea(boxesAlong(turned, 16)) < summedArea(boxes_))) return;
@@ -113,49 +101,16 @@ auto NodeBoxes::corners(std::uint32_t place) const -> Corners {
   return result;
 }
 
-NodeBoxes::Axes NodeBoxes::fittingAxes() const {
+BoxAxes NodeBoxes::axesOfTriangles() const {
   constexpr std::uint32_t kSamples = 128;  // so that large nodes cost no more than small ones
   const std::uint32_t stride = 1 + (end_ - begin_) / kSamples;
-
-  Matrix3d normals = Matrix3d::Zero();  // sum of A n n^T
-  Matrix3d spread = Matrix3d::Zero();
-  Vector3d sum = Vector3d::Zero();
-  double samples = 0;
-  for (std::uint64_t place = begin_; place < end_; place += stride) {
-    const auto t = corners(static_cast<std::uint32_t>(place));
-    const Vector3d areaNormal = toEigen(cross(t[1] - t[0], t[2] - t[0]));
-    const double area = areaNormal.norm();
-    if (area > 0) normals += areaNormal * (areaNormal / area).transpose();
-    for (const auto& corner : t) {
-      const Vector3d v = toEigen(corner);
-      spread += v * v.transpose();
-      sum += v;
-      ++samples;
-    }
-  }
-  const Vector3d n = principalAxis(normals);
-  const Matrix3d flat = Matrix3d::Identity() - n * n.transpose();
-  const Matrix3d covariance = spread - sum * sum.transpose() / samples;
-  const Vector3d u = principalAxis(flat * covariance * flat);
-  // Orthonormal even where the solver failed on degenerate matrices.
-  const Vector3d first = (u - u.dot(n) * n).normalized();
-  const Vector3d second = n.cross(first);
-  const auto row = [](const Vector3d& v) {
-    return static_cast<Vec3<float>>(Vec3<double>{v.x(), v.y(), v.z()});
-  };
-  const Axes axes{row(first), row(second), row(n)};
-  const bool valid = std::ranges::all_of(axes, [](const auto& axis) {
-    return std::abs(length(axis) - 1) < 0x1p-20F;  // false if anything is NaN
+  const auto found = fittingAxes((end_ - begin_ + stride - 1) / stride, [&](std::size_t i) {
+    return corners(begin_ + static_cast<std::uint32_t>(i) * stride);
   });
-  return valid ? axes : axes_;
+  return found.value_or(axes_);
 }
 
-std::vector<Box<double>> NodeBoxes::boxesAlong(const Axes& axes, std::uint32_t stride) const {
-  const std::array<Vec3<double>, 3> rows{Vec3<double>(axes[0]), Vec3<double>(axes[1]),
-                                         Vec3<double>(axes[2])};
-  const auto turned = [&rows](const Vec3<double>& v) -> Vec3<double> {
-    return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
-  };
+std::vector<Box<double>> NodeBoxes::boxesAlong(const BoxAxes& axes, std::uint32_t stride) const {
   std::vector<Box<double>> boxes;
   boxes.reserve(children_.size());
   for (const auto& child : children_) {
@@ -163,10 +118,10 @@ std::vector<Box<double>> NodeBoxes::boxesAlong(const Axes& axes, std::uint32_t s
     for (std::uint64_t i = child.begin; i < child.end; i += stride) {
       const auto place = static_cast<std::uint32_t>(i);
       if (contents_.corners != nullptr) {
-        for (const auto& v : corners(place)) box.extend(turned(v));
+        for (const auto& v : corners(place)) box.extend(along(axes, v));
       } else {
         const auto& own = contents_.boxes[contents_.order[place]];
-        for (int k = 0; k < 8; ++k) box.extend(turned(toNode(own.corner(k))));
+        for (int k = 0; k < 8; ++k) box.extend(along(axes, toNode(own.corner(k))));
       }
     }
     boxes.push_back(box);

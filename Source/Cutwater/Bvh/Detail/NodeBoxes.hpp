@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Bvh/Detail/BvhBuilder.hpp>
+#include <Cutwater/Bvh/Detail/FittingAxes.hpp>
 
 #include <array>
 #include <span>
@@ -29,15 +30,12 @@ struct NodeContents {
 /// The frame of a K-ary node and the boxes of its children in it; see BvhNode.
 class NodeBoxes {
  public:
-  using Axes = std::array<Vec3<float>, 3>;
-
-  /// Uses the frame of the tree, or one along the mean normal of the triangles and their longest
-  /// extent across it, if the summed area of the boxes is smaller there. The ranges of the children
-  /// must be in order and without gaps.
+  /// Uses the frame of the tree, or that of fittingAxes() of the triangles, if the summed area of
+  /// the boxes is smaller there. The ranges of the children must be in order and without gaps.
   NodeBoxes(const NodeContents& contents, std::span<const NodeChild> children);
   /// Uses a frame with these axes. The boxes are fitted to the corners of the triangles or, if only
   /// boxes are known, to the corners of those.
-  NodeBoxes(const NodeContents& contents, std::span<const NodeChild> children, const Axes& axes);
+  NodeBoxes(const NodeContents& contents, std::span<const NodeChild> children, const BoxAxes& axes);
 
   /// Writes the node's frame and its children's boxes; unused lanes are left unchanged.
   template <int K>
@@ -57,7 +55,7 @@ class NodeBoxes {
  private:
   using Corners = std::array<Vec3<double>, 3>;
 
-  static constexpr Axes kAligned{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  static constexpr BoxAxes kAligned{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
   /// The child's box, rounded outward.
   [[nodiscard]] Box<float> box(std::size_t child) const;
@@ -65,15 +63,16 @@ class NodeBoxes {
   void turnIfSmaller();
   [[nodiscard]] Vec3<double> toNode(const Vec3<double>& p) const;
   [[nodiscard]] Corners corners(std::uint32_t place) const;
-  [[nodiscard]] Axes fittingAxes() const;
-  [[nodiscard]] std::vector<Box<double>> boxesAlong(const Axes& axes, std::uint32_t stride) const;
+  [[nodiscard]] BoxAxes axesOfTriangles() const;
+  [[nodiscard]] std::vector<Box<double>> boxesAlong(const BoxAxes& axes,
+                                                    std::uint32_t stride) const;
 
   const NodeContents& contents_;
   std::span<const NodeChild> children_;
   std::uint32_t begin_;  // of the primitives of all children
   std::uint32_t end_;
   Vec3<float> center_;
-  Axes axes_ = kAligned;
+  BoxAxes axes_ = kAligned;
   std::vector<Box<double>> boxes_;
   std::vector<Corners> local_;  // corners relative to the centre, if few
   double rounding_ = 0;

@@ -94,7 +94,7 @@ class ClusterSearch {
         const int lane = __builtin_ctz(lanes);
         if (node.isLeaf(lane)) {
           if (leaves_.count() == kMostLeaves) return false;
-          leaves_.add(node, lane, points_.origin(), points_.reach());
+          leaves_.add(tree_.packets, node.leafIndex(lane), points_.origin(), points_.reach());
         } else {
           if (count == kMostWaiting) return false;
           waiting[count++] = node.nodeIndex(lane);

@@ -27,9 +27,13 @@ class LeafCluster {
   [[gnu::noinline]] bool runGroup(const LeafList<kMost>& shared, Vec3<double> near, int begin,
                                   int end) {
     near = searchFirst(shared, near, (begin + end) / 2);
-    if (!select(shared, points_.boxAround(begin, end), near, group_)) return false;
+    const bool isNarrowed = select(shared, points_.boxAround(begin, end), near, group_);
     for (; begin < end; begin += Points::kBrick) {
-      runBrick(near, begin, begin + Points::kBrick < end ? begin + Points::kBrick : end);
+      const int last = begin + Points::kBrick < end ? begin + Points::kBrick : end;
+      if (!(isNarrowed ? runBrick(group_, near, begin, last)
+                       : runBrick(shared, near, begin, last))) {
+        return false;
+      }
     }
     return true;
   }
@@ -38,16 +42,20 @@ class LeafCluster {
   static constexpr int kMost = 192;
   static constexpr int kFewLeaves = 32;
 
-  [[gnu::noinline]] void runBrick(Vec3<double>& near, int begin, int end) {
-    near = searchFirst(group_, near, (begin + end) / 2);
+  /// The same for a brick.
+  template <int kFrom>
+  [[gnu::noinline]] bool runBrick(const LeafList<kFrom>& leaves, Vec3<double>& near, int begin,
+                                  int end) {
+    near = searchFirst(leaves, near, (begin + end) / 2);
     const ClusterBox box = points_.boxAround(begin, end);
-    select(group_, box, near, brick_);  // never fails: they are no more than before
+    if (!select(leaves, box, near, brick_)) return false;
     if (brick_.count() <= kFewLeaves &&
         triangles_.collect(brick_, points_.middle(box), points_.boundsFor(box, near)) &&
         triangles_.runGroup(begin, end)) {
-      return;
+      return true;
     }
     for (int i = begin; i < end; ++i) search(brick_, near, i);
+    return true;
   }
 
   template <int kFrom>

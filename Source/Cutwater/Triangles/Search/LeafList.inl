@@ -28,22 +28,25 @@ class LeafList {
   CUTWATER_INLINE int count() const { return count_; }
   CUTWATER_INLINE std::uint32_t leaf(int i) const { return leaves_[i]; }
 
-  /// Adds the leaf in a lane of a node. All points are within `reach` of the origin, in the sum of
-  /// absolute components.
-  CUTWATER_INLINE void add(const Node& node, int lane, const Vec3<double>& origin, float reach) {
-    const BvhLocalPoint shift = node.toLocalFloat(origin);
+  /// Adds a leaf. All points are within `reach` of the origin, in the sum of absolute components.
+  CUTWATER_INLINE void add(const TrianglePacket* packets, std::uint32_t leaf,
+                           const Vec3<double>& origin, float reach) {
+    const float* const box = boxOf(packets[leaf]);
+    const Vec3<float> d(origin - Vec3<double>(packets[leaf].center));
+    // As of BvhNode::toLocalFloat().
+    const float error = 6 * 0x1p-24F * (magnitudeOf(d.x) + magnitudeOf(d.y) + magnitudeOf(d.z));
     for (int i = 0; i < 3; ++i) {
-      const float lower = lowerSide(node, i)[lane];
-      const float upper = upperSide(node, i)[lane];
+      const float* const axis = box + std::ptrdiff_t{3} * i;
+      const float shift = axis[0] * d.x + axis[1] * d.y + axis[2] * d.z;
+      const float half = box[9 + i];
       // The error of the origin's position, and the rounding of the following steps and of the
       // points.
-      const float size = magnitudeOf(lower) + magnitudeOf(upper) + magnitudeOf(shift.position[i]);
-      const float margin = shift.error + 0x1p-21F * (size + reach);
-      rows_[i][count_] = lower - shift.position[i] - margin;
-      rows_[3 + i][count_] = upper - shift.position[i] + margin;
-      for (int k = 0; k < 3; ++k) rows_[6 + 3 * i + k][count_] = axisOf(node, i)[k];
+      const float margin = error + 0x1p-21F * (2 * half + magnitudeOf(shift) + reach);
+      rows_[i][count_] = -half - shift - margin;
+      rows_[3 + i][count_] = half - shift + margin;
+      for (int k = 0; k < 3; ++k) rows_[6 + 3 * i + k][count_] = axis[k];
     }
-    leaves_[count_++] = node.leafIndex(lane);
+    leaves_[count_++] = leaf;
   }
   template <int kOther>
   CUTWATER_INLINE void add(const LeafList<kOther>& other, int i) {

@@ -39,6 +39,11 @@ CUTWATER_INLINE inline const float* rowsOf(const TrianglePacket& packet) {
   return reinterpret_cast<const float*>(&packet);
 }
 
+/// The directions of a packet's box, one after the other, then its half extents.
+CUTWATER_INLINE inline const float* boxOf(const TrianglePacket& packet) {
+  return &packet.radius + 1;
+}
+
 /// A point relative to the centre of a packet, in single precision.
 struct PacketPoint {
   Floats3 position;

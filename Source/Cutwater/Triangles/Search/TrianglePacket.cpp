@@ -17,6 +17,30 @@ void set(std::array<TrianglePacket::Lanes, 3>& to, std::size_t lane, const Vec3<
   }
 }
 
+/// Sets the packet's box.
+void fitBox(TrianglePacket& packet, std::span<const Corners> triangles) {
+  const auto& origin = triangles.front()[0];
+  const auto found = detail::fittingAxes(triangles.size(), [&](std::size_t i) {
+    const auto& [a, b, c] = triangles[i];
+    return Corners{a - origin, b - origin, c - origin};
+  });
+  if (found) packet.axes = *found;
+  Box<double> box;  // relative to the origin, along the axes
+  for (const auto& triangle : triangles) {
+    for (const auto& corner : triangle) box.extend(detail::along(packet.axes, corner - origin));
+  }
+  auto center = origin;
+  for (int axis = 0; axis < 3; ++axis) {
+    center += box.center()[axis] * Vec3<double>(packet.axes[static_cast<std::size_t>(axis)]);
+  }
+  packet.center = static_cast<Vec3<float>>(center);
+  const auto at = detail::along(packet.axes, Vec3<double>(packet.center) - origin);
+  const auto half = max(box.upper - at, at - box.lower);
+  constexpr double kRounding = 0x1p-49;  // of coordinates up to about 1
+  packet.half =
+      static_cast<Vec3<float>>((1 + 0x1p-22) * (half + kRounding * Vec3<double>{1, 1, 1}));
+}
+
 }  // namespace
 
 std::array<Vec3<double>, 3> TrianglePacket::corners(std::size_t lane) const {
@@ -28,12 +52,8 @@ std::array<Vec3<double>, 3> TrianglePacket::corners(std::size_t lane) const {
 }
 
 TrianglePacket packTriangles(std::span<const Corners> triangles) {
-  Box<double> box;
-  for (const auto& triangle : triangles) {
-    for (const auto& corner : triangle) box.extend(corner);
-  }
   TrianglePacket packet;
-  packet.center = static_cast<Vec3<float>>(box.center());
+  fitBox(packet, triangles);
   const Vec3<double> center(packet.center);
   double radius = 0;
   for (std::size_t lane = 0; lane < TrianglePacket::kWidth; ++lane) {

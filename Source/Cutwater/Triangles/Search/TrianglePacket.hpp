@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Bvh/Detail/FittingAxes.hpp>
 #include <Cutwater/Triangles/Search/TriangleTree.hpp>
 
 namespace cutwater {
@@ -17,8 +18,10 @@ struct alignas(64) TrianglePacket {
   std::array<Lanes, 3> ac;
   std::array<Lanes, 3> normal;  ///< of unit length; 0 without area
   Vec3<float> center;
-  float radius = 0;                        ///< no corner is farther from the centre
-  std::array<std::uint32_t, 12> unused{};  ///< pads the cache line with equal bytes
+  float radius = 0;  ///< no corner is farther from the centre
+  /// A box around them has this centre, and these half extents along its axes.
+  detail::BoxAxes axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Vec3<float> half;
 
   /// Returns the triangle that the rounded numbers represent.
   [[nodiscard]] std::array<Vec3<double>, 3> corners(std::size_t lane) const;
