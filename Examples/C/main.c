@@ -11,6 +11,37 @@ static void need(cw_status status) {
   exit(1);
 }
 
+/* In the cells of a grid of 512, some of which an octahedron cuts. */
+static double fluidAroundOctahedron(const cw_grid grid) {
+  const double tips[18] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
+  const int32_t faces[24] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4,
+                             2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+  const cw_mesh octahedron = {
+      .points = tips, .pointCount = 6, .triangles = faces, .triangleCount = 8};
+  double fractions[8 * 8 * 8];
+  cw_solid* hull = NULL;
+  need(cw_from_mesh(&octahedron, 1, &hull));
+
+  /* [DOCS */
+  cw_cells* cells = NULL;
+  cw_pieces pieces;
+  double volume = 0;
+  need(cw_cut_grid(hull, &grid, 0, 0, 0, &cells)); /* fluid outside, no polygons */
+  need(cw_cells_pieces(cells, &pieces));
+  for (int64_t p = 0; p < pieces.count; ++p) volume += pieces.volume[p];
+  need(cw_fluid_fractions(cells, fractions, 512)); /* of all cells, x fastest */
+  /* DOCS] */
+
+  double fluid = 0; /* in the box of 4 x 4 x 4, less the octahedron's 4/3 */
+  for (int i = 0; i < 512; ++i) fluid += fractions[i] * 0.125;
+  printf("%lld pieces of fluid in cut cells, of volume %g; in all cells %g\n",
+         (long long)pieces.count, volume, fluid);
+
+  cw_free(hull);
+  cw_free_cells(cells);
+  return fluid;
+}
+
 int main(void) {
   /* [README */
   const double center[3] = {0, 0, 0};
@@ -40,30 +71,7 @@ int main(void) {
   need(cw_fill(body, &grid, 0, values, NULL, 0));
   /* DOCS] */
 
-  /* The cells of the same grid that an octahedron cuts. */
-  const double tips[18] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
-  const int32_t faces[24] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4,
-                             2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
-  const cw_mesh octahedron = {
-      .points = tips, .pointCount = 6, .triangles = faces, .triangleCount = 8};
-  double fractions[8 * 8 * 8];
-  cw_solid* hull = NULL;
-  need(cw_from_mesh(&octahedron, 1, &hull));
-
-  /* [DOCS */
-  cw_cells* cells = NULL;
-  cw_pieces pieces;
-  double volume = 0;
-  need(cw_cut_grid(hull, &grid, 0, 0, 0, &cells)); /* fluid outside, no polygons */
-  need(cw_cells_pieces(cells, &pieces));
-  for (int64_t p = 0; p < pieces.count; ++p) volume += pieces.volume[p];
-  need(cw_fluid_fractions(cells, fractions, 8 * 8 * 8)); /* of all cells, x fastest */
-  /* DOCS] */
-
-  double fluid = 0; /* in the box of 4 x 4 x 4, less the octahedron's 4/3 */
-  for (int i = 0; i < 8 * 8 * 8; ++i) fluid += fractions[i] * 0.125;
-  printf("%lld pieces of fluid in cut cells, of volume %g; in all cells %g\n",
-         (long long)pieces.count, volume, fluid);
+  const double fluid = fluidAroundOctahedron(grid);
 
   int inside = 0;
   for (int i = 0; i < 8 * 8 * 8; ++i) inside += values[i] < 0;
@@ -76,8 +84,6 @@ int main(void) {
   cw_free(ball);
   cw_free(keel);
   cw_free(body);
-  cw_free(hull);
-  cw_free_cells(cells);
   const int right = distances[0] == 1 && distances[1] == -0.5 && nearest[0].point[0] == 2;
   if (fluid < 64 - 4.0 / 3 - 1e-12 || fluid > 64 - 4.0 / 3 + 1e-12) return 1;
   return right && classes[0] == CW_INSIDE && classes[1] == CW_CUT ? 0 : 1;
