@@ -3,8 +3,8 @@
 
 #include <Cutwater/Triangles/TriangleIntersection.hpp>
 
+#include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <random>
 #include <vector>
