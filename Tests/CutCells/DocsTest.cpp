@@ -4,6 +4,9 @@
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Io/PointData.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Shapes/Cylinder.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 
 #include <algorithm>
@@ -300,6 +303,29 @@ TEST(DocsTest, OnePieceACell) {
   // DOCS]
   EXPECT_EQ(lost.size(), 64U);
   EXPECT_EQ(check(single).multiPieceCells, 0U);
+}
+
+TEST(DocsTest, SolidsThatAreNoMeshes) {
+  const Level<double> level({0, 0, 0}, {0.125, 0.125, 0.125});
+  const auto indices = IndexBox::ofSize(8, 8, 8);
+  double worst = 0;
+  const auto useError = [&](const Index3&, double error) { worst = std::max(worst, error); };
+  // [DOCS
+  // Two tanks and the pipe between them; fluid inside.
+  const Solid<double> tanks = Sphere<double>({0.3, 0.5, 0.5}, 0.17) |
+                              Sphere<double>({0.7, 0.5, 0.5}, 0.2) |
+                              Cylinder<double>({0.3, 0.5, 0.5}, {0.7, 0.5, 0.5}, 0.06);
+  const SolidCutter cutter(tanks, FluidSide::Inside);  // {.points = 4}: errors of higher order
+  const CutCells cells = cutter.cut(GridPatch<double>{level, indices});
+  for (std::uint32_t row = 0; row < cells.cellCount; ++row) {
+    useError(cells.cells.index[row], cells.cells.error[row]);
+  }
+  // DOCS]
+  EXPECT_GT(worst, 0);
+  EXPECT_LT(worst, 1e-2);
+  const double balls = 4 * std::numbers::pi / 3 * (std::pow(0.17, 3) + std::pow(0.2, 3));
+  EXPECT_GT(check(cells).fluidVolume, balls);
+  EXPECT_LT(check(cells).fluidVolume, balls + 0.01);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/Detail/CutArguments.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafAssembly.hpp>
 #include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
 #include <Cutwater/CutCells/Detail/Surface/CapAngles.hpp>
@@ -13,23 +14,6 @@
 namespace cutwater {
 
 namespace {
-
-void checkOptions(const CutOptions& options) {
-  require(options.moments >= -1 && options.moments <= CutCells::Moments::kHighest,
-          "cut cells: need a degree of moments from 0 to 4, or -1",
-          Named{"moments", options.moments});
-}
-
-void checkPlanes(const CellPlanes& grid) {
-  for (const auto& planes : grid.planes) {
-    require(planes.size() >= 4,
-            "cut cells: need two planes across each axis, and one on each side");
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-      require(std::isfinite(planes[i]) && (i == 0 || planes[i] > planes[i - 1]),
-              "cut cells: need planes that ascend", Named{"plane", planes[i]});
-    }
-  }
-}
 
 void refusePeriod(const CutPeriod& period, const char* message) {
   require(!period.isOnAny(), message, Named{"period", period.length});
@@ -83,6 +67,14 @@ std::vector<std::unique_ptr<const TileCut>> cutAll(const CutBlocks& tiles,
   return cuts;
 }
 
+CutCells assembledOf(CellPlanes grid, const CutSurface& surface, const CutBlocks& tiles,
+                     std::span<const std::unique_ptr<const TileCut>> cuts,
+                     const CutOptions& options) {
+  const auto isBody = [&](std::size_t tile) { return tiles.winding(tile) > 0; };
+  return assembledCells(std::move(grid), {tiles, cuts, isBody, surface.patchNames(), &surface},
+                        options);
+}
+
 }  // namespace
 
 template <std::floating_point T>
@@ -101,7 +93,7 @@ CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) cons
   const auto cuts = cutAll(tiles, options, [&](std::size_t tile) {
     return cutTile(*surface_, tiles.input(tile), options);
   });
-  return assembledCells(grid, *surface_, tiles, cuts, options);
+  return assembledOf(grid, *surface_, tiles, cuts, options);
 }
 
 CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptions& options) const {
@@ -123,7 +115,7 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
   const auto cuts = cutAll(tiles, options, [&](std::size_t tile) {
     return cutTileInPlane(*surface_, tiles, tile, thickness);
   });
-  return assembledCells(std::move(layer), *surface_, tiles, cuts, options);
+  return assembledOf(std::move(layer), *surface_, tiles, cuts, options);
 }
 
 template <std::floating_point T>

@@ -69,6 +69,10 @@ struct CutCells {
     /// Bit 2 axis + side (0: low, 1: high): a part of the cell's wall lies in that face, exactly in
     /// the plane of the grid. Of its pieces together: see Pieces::wallFaces.
     std::vector<std::uint8_t> wallFaces;
+    /// Empty for meshes, whose rows are exact but for rounding. For other solids, an estimate of
+    /// the error of volumes and open parts, in shares of the cell and of its faces: by how much
+    /// they and the wall do not close before the wall's vector is made to.
+    std::vector<double> error;
 
     /// Whether all corners are on one side: codes that know the signs of corners alone lose what is
     /// in the cell.

@@ -37,6 +37,7 @@ class Coarsening {
     addCorners();
     numberPieces();
     addMeetings();
+    addErrors();
     addWallFaces();
     addPieces();
     if (fine_.moments.degree >= 0) addMoments();
@@ -108,6 +109,16 @@ class Coarsening {
     for (std::uint32_t piece = 0; piece < fine_.pieceCount; ++piece) {
       if (fine_.cells.meets[fine_.pieces.cell[piece]] == 0) continue;
       out_.cells.meets[nodes_.rowOf(piece)] = 1;
+    }
+  }
+
+  /// Of the finer cells, which have larger shares of their own cells and faces.
+  void addErrors() {
+    if (fine_.cells.error.empty()) return;
+    out_.cells.error.assign(out_.cellCount, 0);
+    for (std::uint32_t piece = 0; piece < fine_.pieceCount; ++piece) {
+      auto& error = out_.cells.error[nodes_.rowOf(piece)];
+      error = std::max(error, fine_.cells.error[fine_.pieces.cell[piece]]);
     }
   }
 

@@ -9,7 +9,7 @@ namespace cutwater {
 namespace {
 
 constexpr RowFileKind kCellsFile{
-    .magic = {'\x89', 'C', 'u', 't', 'C', 'e', 'l', '\x1a'}, .version = 4, .rows = "cells"};
+    .magic = {'\x89', 'C', 'u', 't', 'C', 'e', 'l', '\x1a'}, .version = 5, .rows = "cells"};
 
 /// Visits all that is in cut cells. What is added to them and not named here does not compile.
 template <typename Cells, typename Visit>
@@ -23,8 +23,8 @@ void visitCells(Cells& all, Visit&& visit) {
   visit(first.k);
   for (auto& along : period) visit(along);
   const auto visitEach = [&](auto&... arrays) { (visit(arrays), ...); };
-  auto& [index, firstPiece, fluidCorners, meets, wallFaces] = cells;
-  visitEach(index, firstPiece, fluidCorners, meets, wallFaces);
+  auto& [index, firstPiece, fluidCorners, meets, wallFaces, error] = cells;
+  visitEach(index, firstPiece, fluidCorners, meets, wallFaces, error);
   visitPieces(pieces, visit);
   auto& [below, above, area, centroid, cell, axis] = arcs;
   visitEach(below, above, area, centroid, cell, axis);

@@ -37,18 +37,17 @@ struct TileRun {
 
 class Assembly {
  public:
-  Assembly(CellPlanes grid, const CutSurface& surface, const CutBlocks& tiles,
-           std::span<const std::unique_ptr<const TileCut>> tileCuts, const CutOptions& options)
-      : surface_(surface),
-        tiles_(tiles),
-        cuts_(tileCuts),
+  Assembly(CellPlanes grid, const CutParts& parts, const CutOptions& options)
+      : parts_(parts),
+        tiles_(parts.tiles),
+        cuts_(parts.cuts),
         withPolygons_(options.polygons),
         threads_(options.threads) {
     TilePlace cells{};
     for (std::size_t a = 0; a < 3; ++a) cells[a] = static_cast<int>(grid.planes[a].size()) - 3;
     box_ = GrownBox(cells);
     out_.grid = std::move(grid);
-    out_.patchNames = surface.patchNames();
+    out_.patchNames = parts.patchNames;
     out_.moments.degree = options.moments;
   }
 
@@ -75,7 +74,7 @@ class Assembly {
   }
 
   [[nodiscard]] CutFrame frameOf(std::uint32_t tile) const {
-    auto frame = surface_.frame();
+    auto frame = parts_.surface != nullptr ? parts_.surface->frame() : CutFrame{};
     frame.shift = tiles_.shiftOf(tile);
     return frame;
   }
@@ -108,7 +107,7 @@ class Assembly {
         if (!box_.isBeyond(place)) misfits.push_back(misfit);
       }
     }
-    refuseMisfits(surface_, misfits);
+    if (!misfits.empty()) refuseMisfits(*parts_.surface, misfits);
   }
 
   void addPieces() {
@@ -131,6 +130,7 @@ class Assembly {
       out_.cells.firstPiece.push_back(pieceCount());
       out_.cells.fluidCorners.push_back(cut.fluidCorners[source.cell]);
       out_.cells.meets.push_back(cut.meets[source.cell]);
+      if (!cut.error.empty()) out_.cells.error.push_back(cut.error[source.cell]);
       out_.cells.wallFaces.push_back(
           wallFacesOf(cut.content, cut.firstPiece[source.cell], cut.firstPiece[source.cell + 1]));
       for (auto p = cut.firstPiece[source.cell]; p < cut.firstPiece[source.cell + 1]; ++p) {
@@ -300,7 +300,7 @@ class Assembly {
     tileRuns_.resize(count);
     for (std::uint32_t tile = count; tile-- > 0;) {
       auto& run = tileRuns_[tile];
-      run = {tile + 1, tiles_.winding(tile) > 0};
+      run = {tile + 1, parts_.isBody(tile)};
       if (tile + 1 == count || cuts_[tile] || cuts_[tile + 1]) continue;
       if (tileRuns_[tile + 1].isBody == run.isBody) run.end = tileRuns_[tile + 1].end;
     }
@@ -336,7 +336,7 @@ class Assembly {
     }
   }
 
-  const CutSurface& surface_;
+  const CutParts& parts_;
   const CutBlocks& tiles_;
   std::span<const std::unique_ptr<const TileCut>> cuts_;
   bool withPolygons_;
@@ -352,10 +352,8 @@ class Assembly {
 
 }  // namespace
 
-CutCells assembledCells(CellPlanes grid, const CutSurface& surface, const CutBlocks& tiles,
-                        std::span<const std::unique_ptr<const TileCut>> tileCuts,
-                        const CutOptions& options) {
-  return Assembly(std::move(grid), surface, tiles, tileCuts, options).run();
+CutCells assembledCells(CellPlanes grid, const CutParts& parts, const CutOptions& options) {
+  return Assembly(std::move(grid), parts, options).run();
 }
 
 }  // namespace cutwater

@@ -108,6 +108,7 @@ class RowsBeyond {
     copy(rows.fluidCorners, own, 1);
     copy(rows.meets, own, 1);
     copy(rows.wallFaces, own, 1);
+    if (!rows.error.empty()) copy(rows.error, own, 1);
     auto& pieces = cells_.pieces;
     copy(pieces.volume, first, count);
     copy(pieces.wallArea, first, count);

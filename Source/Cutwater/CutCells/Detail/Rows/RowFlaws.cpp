@@ -161,9 +161,10 @@ class CellRows {
  private:
   /// Those of the box, and then those around it.
   [[nodiscard]] bool areCells() const {
-    const auto& [index, firstPiece, fluidCorners, meets, wallFaces] = cells_.cells;
+    const auto& [index, firstPiece, fluidCorners, meets, wallFaces, error] = cells_.cells;
     if (cells_.cellCount > index.size()) return false;
     if (!areAsLong(index.size(), fluidCorners, meets, wallFaces)) return false;
+    if (!error.empty() && error.size() != index.size()) return false;
     if (!areStarts(firstPiece, index.size(), cells_.pieces.cell.size())) return false;
     for (std::size_t row = 0; row < index.size(); ++row) {
       const bool isOwn = row < cells_.cellCount;

@@ -5,6 +5,11 @@
 
 namespace cutwater {
 
+CutBlocks::CutBlocks(Stretches stretches) : stretches_(std::move(stretches)) {
+  const auto& [x, y, z] = stretches_;
+  blocks_.emplace_back(GridPlanes{{x.front().positions, y.front().positions, z.front().positions}});
+}
+
 CutBlocks::CutBlocks(const CutSurface& surface, Stretches stretches)
     : stretches_(std::move(stretches)) {
   const auto& period = surface.period();
@@ -105,6 +110,12 @@ void checkPeriod(const CutPeriod& period, const CellPlanes& grid, int axis) {
 }
 
 }  // namespace
+
+CutBlocks::Stretches stretchesOf(const CellPlanes& grid) {
+  CutBlocks::Stretches result;
+  for (std::size_t a = 0; a < 3; ++a) result[a].push_back({0, grid.planes[a], 0});
+  return result;
+}
 
 CutBlocks::Stretches stretchesOf(const CutSurface& surface, const CellPlanes& grid) {
   CutBlocks::Stretches result;

@@ -22,6 +22,8 @@ class CutBlocks {
   };
   using Stretches = std::array<std::vector<Stretch>, 3>;
 
+  /// Without triangles.
+  explicit CutBlocks(Stretches stretches);
   /// Views the surface.
   CutBlocks(const CutSurface& surface, Stretches stretches);
   CutBlocks(const CutBlocks&) = delete;
@@ -58,6 +60,7 @@ class CutBlocks {
 
  private:
   struct Block {
+    explicit Block(const GridPlanes& between) : planes(between), tiles(planes) {}
     Block(const CutSurface& surface, const GridPlanes& between)
         : planes(between), tiles(surface, planes) {}
 
@@ -74,7 +77,9 @@ class CutBlocks {
   std::deque<Block> blocks_;  // x fastest
 };
 
-/// The cells of a grid and around it.
+/// The cells of a grid and around it, in the world.
+[[nodiscard]] CutBlocks::Stretches stretchesOf(const CellPlanes& grid);
+/// Those in the frame of a surface.
 /// @throws Error(Argument) unless it has the surface's period.
 [[nodiscard]] CutBlocks::Stretches stretchesOf(const CutSurface& surface, const CellPlanes& grid);
 

@@ -45,10 +45,16 @@ Range tilesThatBegin(std::span<const double> planes, double lower, double upper)
 
 }  // namespace
 
-CutTiles::CutTiles(const CutSurface& surface, const GridPlanes& planes) : planes_(planes) {
+CutTiles::CutTiles(const GridPlanes& planes) : planes_(planes) {
+  std::size_t tiles = 1;
   for (int axis = 0; axis < 3; ++axis) {
     sizes_[asIndex(axis)] = (planes.cells(axis) + kWidth - 1) / kWidth;
+    tiles *= static_cast<std::size_t>(sizes_[asIndex(axis)]);
   }
+  first_.assign(tiles + 1, 0);
+}
+
+CutTiles::CutTiles(const CutSurface& surface, const GridPlanes& planes) : CutTiles(planes) {
   // Those in the box, and below it: they decide on windings.
   Box<double> column;
   for (int axis = 0; axis < 3; ++axis) {
@@ -101,9 +107,6 @@ void CutTiles::sortTriangles(const CutSurface& surface, std::span<const std::uin
       }
     }
   };
-  const auto tiles = static_cast<std::size_t>(sizes_[0]) * static_cast<std::size_t>(sizes_[1]) *
-                     static_cast<std::size_t>(sizes_[2]);
-  first_.assign(tiles + 1, 0);
   std::vector<std::uint32_t> onlyTile;  // of each triangle; kNone if it has several, or none
   onlyTile.reserve(triangles.size());
   for (const auto id : triangles) {
@@ -112,7 +115,7 @@ void CutTiles::sortTriangles(const CutSurface& surface, std::span<const std::uin
     forTiles(id, [&](std::uint32_t tile) { ++first_[tile + 1], ++count, found = tile; });
     onlyTile.push_back(count == 1 ? found : kNone);
   }
-  for (std::size_t tile = 0; tile < tiles; ++tile) first_[tile + 1] += first_[tile];
+  for (std::size_t tile = 0; tile < count(); ++tile) first_[tile + 1] += first_[tile];
   triangles_.resize(first_.back());
   auto next = first_;
   for (std::size_t i = 0; i < triangles.size(); ++i) {

@@ -24,6 +24,8 @@ class CutTiles {
  public:
   static constexpr int kWidth = kTileWidth;
 
+  /// Without triangles. Views the planes.
+  explicit CutTiles(const GridPlanes& planes);
   /// Views both.
   CutTiles(const CutSurface& surface, const GridPlanes& planes);
 

@@ -163,6 +163,7 @@ TileCut cutTile(const TileParts& parts, const CutOptions& options) {
                  .fluidCorners = {},
                  .isTouched = {},
                  .meets = {},
+                 .error = {},
                  .isBody = {},
                  .polygons = {},
                  .moments = {}};

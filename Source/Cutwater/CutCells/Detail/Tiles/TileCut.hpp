@@ -26,6 +26,7 @@ struct TileCut {
   std::vector<std::uint8_t> fluidCorners;  ///< as in CutCells
   std::vector<char> isTouched;             ///< whether the surface merely touches them
   std::vector<std::uint8_t> meets;         ///< as in CutCells
+  std::vector<double> error;               ///< the same
   CellMask isBody;                         ///< cells without fluid
   TilePolygons polygons;                   ///< on request
   CutCells::Moments moments;               ///< the same

@@ -1,0 +1,266 @@
+#include <Cutwater/CutCells/Detail/Curved/BoxView.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace cutwater {
+
+namespace {
+
+unsigned bit(int axis) {
+  return 1U << static_cast<unsigned>(axis);
+}
+
+}  // namespace
+
+void findCrossings(const FluidField& field, std::span<CrossedEdge* const> edges) {
+  std::vector<AxisLine> lines;
+  for (const auto* edge : edges) lines.push_back(edge->line);
+  LineCrossings found(field);
+  found.find(lines);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    edges[i]->startsInFluid = found.startsInFluid(i);
+    for (const double at : found.of(i)) {
+      edges[i]->crossings.push_back(at);
+      edges[i]->gradients.push_back(field.gradient(edges[i]->line.at(at)));
+    }
+  }
+}
+
+BoxView::BoxView(const FluidField& field, const Box<double>& box)
+    : BoxView(field, box, BoxSamples{}) {
+  sampleCorners();
+  findEdges();
+  noteNormals();
+}
+
+BoxView::BoxView(const FluidField& field, const Box<double>& box, BoxSamples samples)
+    : field_(field), box_(box), samples_(std::move(samples)) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.lower[axis] == box.upper[axis]) flatAxis_ = axis;
+  }
+  noteNormals();
+}
+
+void BoxView::sampleCorners() {
+  std::array<Vec3<double>, 8> corners;
+  for (int i = 0; i < 8; ++i) corners[asIndex(i)] = box_.corner(i);
+  field_.values(corners, samples_.values);
+  for (int i = 0; i < 8; ++i) {
+    const bool isCopy = flatAxis_ >= 0 && (static_cast<unsigned>(i) & bit(flatAxis_)) != 0;
+    samples_.gradients[asIndex(i)] = isCopy ? samples_.gradients[asIndex(i) - bit(flatAxis_)]
+                                            : field_.gradient(corners[asIndex(i)]);
+  }
+}
+
+void BoxView::findEdges() {
+  constexpr std::size_t kMost = 12;
+  ownEdges_.reserve(kMost);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!isFree(axis)) continue;
+    for (int i = 0; i < 8; ++i) {
+      const auto bits = static_cast<unsigned>(i);
+      if ((bits & bit(axis)) != 0 || (flatAxis_ >= 0 && (bits & bit(flatAxis_)) != 0)) continue;
+      ownEdges_.push_back(
+          {.line = {box_.corner(i), box_.upper[axis], axis}, .crossings = {}, .gradients = {}});
+      samples_.corners.push_back(i);
+    }
+  }
+  std::vector<CrossedEdge*> edges;
+  for (auto& edge : ownEdges_) {
+    edges.push_back(&edge);
+    samples_.edges.push_back(&edge);
+  }
+  findCrossings(field_, edges);
+}
+
+void BoxView::noteNormals() {
+  for (const auto* edge : samples_.edges) {
+    for (std::size_t i = 0; i < edge->crossings.size(); ++i) {
+      places_.push_back(edge->line.at(edge->crossings[i]));
+      normals_.push_back(inPlane(edge->gradients[i]));
+      axisOf_.push_back(edge->line.axis);
+    }
+  }
+}
+
+/// The direction of a gradient; in a rectangle, in its plane.
+Vec3<double> BoxView::inPlane(Vec3<double> gradient) const {
+  if (flatAxis_ >= 0) gradient[flatAxis_] = 0;
+  return normalized(gradient);
+}
+
+bool BoxView::hasKink() const {
+  constexpr double kBend = 0.94;  // cosine of 20 degrees
+  double least = kBend;
+  std::pair<std::size_t, std::size_t> ends;
+  for (std::size_t i = 0; i < normals_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double cosine = dot(normals_[i], normals_[j]);
+      if (cosine < least) least = cosine, ends = {i, j};
+    }
+  }
+  if (least == kBend) return false;
+  // Halves the way along the surface, and goes on where the normals differ more.
+  auto from = places_[ends.first];
+  auto to = places_[ends.second];
+  auto atFrom = normals_[ends.first];
+  auto atTo = normals_[ends.second];
+  constexpr int kHalvings = 6;
+  constexpr int kSteps = 2;  // back to the surface
+  for (int i = 0; i < kHalvings; ++i) {
+    auto middle = 0.5 * (from + to);
+    for (int step = 0; step < kSteps; ++step) {
+      auto slope = field_.gradient(middle);
+      if (flatAxis_ >= 0) slope[flatAxis_] = 0;
+      const double steepness = lengthSquared(slope);
+      if (steepness > 0) middle -= (field_.value(middle) / steepness) * slope;
+    }
+    const auto normal = inPlane(field_.gradient(middle));
+    if (dot(atFrom, normal) < dot(normal, atTo)) {
+      to = middle, atTo = normal;
+    } else {
+      from = middle, atFrom = normal;
+    }
+  }
+  return dot(atFrom, atTo) < kBend;
+}
+
+std::vector<double> BoxView::crossingsAlong(int axis) const {
+  std::vector<double> result;
+  for (const auto* edge : samples_.edges) {
+    if (edge->line.axis != axis) continue;
+    result.insert(result.end(), edge->crossings.begin(), edge->crossings.end());
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+double BoxView::fluidLength(int axis, int side) const {
+  const int other = 3 - axis - flatAxis_;
+  for (std::size_t i = 0; i < samples_.edges.size(); ++i) {
+    const auto& edge = *samples_.edges[i];
+    const bool isHigh = (static_cast<unsigned>(samples_.corners[i]) & bit(other)) != 0;
+    if (edge.line.axis != axis || isHigh != (side == 1)) continue;
+    double sum = 0;
+    double from = edge.line.start[axis];
+    bool inFluid = edge.startsInFluid;
+    for (const double at : edge.crossings) {
+      if (inFluid) sum += at - from;
+      from = at;
+      inFluid = !inFluid;
+    }
+    return inFluid ? sum + edge.line.end - from : sum;
+  }
+  return 0;
+}
+
+bool BoxView::isMonotone(int axis) const {
+  const auto sign = [&](const Vec3<double>& v) { return v[axis] > 0 ? 1 : v[axis] < 0 ? -1 : 0; };
+  const int first = sign(samples_.gradients[0]);
+  const auto isSame = [&](const Vec3<double>& v) { return sign(v) == first; };
+  return first != 0 && std::ranges::all_of(samples_.gradients, isSame) &&
+         std::ranges::all_of(normals_, isSame);
+}
+
+SweepAxes BoxView::bestAxes(bool& isGood) const {
+  constexpr double kSlope = 0.3;
+  // The least component along each axis that the normals have.
+  Vec3<double> least{1, 1, 1};
+  for (const auto& n : normals_) least = min(least, abs(n));
+  if (flatAxis_ >= 0) least[flatAxis_] = -1;
+  SweepAxes axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (least[axis] > least[axes.line]) axes.line = axis;
+  }
+  isGood = least[axes.line] >= kSlope;
+  axes.row = (axes.line + 1) % 3;
+  axes.slice = (axes.line + 2) % 3;
+  if (flatAxis_ >= 0) {
+    if (axes.row == flatAxis_) std::swap(axes.row, axes.slice);
+    return axes;
+  }
+  // Likewise of the rims in the faces at the ends of lines.
+  double alongRow = 1;
+  double alongSlice = 1;
+  for (std::size_t i = 0; i < normals_.size(); ++i) {
+    if (axisOf_[i] == axes.line) continue;
+    auto n = normals_[i];
+    n[axes.line] = 0;
+    n = normalized(n);
+    alongRow = std::min(alongRow, std::abs(n[axes.row]));
+    alongSlice = std::min(alongSlice, std::abs(n[axes.slice]));
+  }
+  if (alongSlice > alongRow) {
+    std::swap(axes.row, axes.slice);
+    std::swap(alongRow, alongSlice);
+  }
+  isGood = isGood && alongRow >= kSlope;
+  return axes;
+}
+
+std::optional<Vec3<double>> BoxView::turningPoint() const {
+  constexpr unsigned kAll = 7;
+  const unsigned free = flatAxis_ < 0 ? kAll : kAll - bit(flatAxis_);
+  if (const auto inside = turnIn(free, 0)) return inside;
+  if (flatAxis_ >= 0) return {};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int side : {0, 1}) {
+      const auto turn = turnIn(kAll - bit(axis), side * static_cast<int>(bit(axis)));
+      if (turn) return turn;
+    }
+  }
+  return {};
+}
+
+/// Mean derivatives along an axis, into the side of the corners, at both ends of the face (or the
+/// box) that spans `axes` from a corner; whether values have a turning point between these.
+bool BoxView::turnsAlong(int axis, unsigned axes, int corner, double& low, double& high) const {
+  const double sign = isFluid(corner) ? 1 : -1;
+  low = 0;
+  high = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    if ((i & ~axes) != 0) continue;
+    const auto at = i | static_cast<unsigned>(corner);
+    ((i & bit(axis)) == 0 ? low : high) += sign * samples_.gradients[at][axis];
+  }
+  return low < 0 && high > 0;
+}
+
+/// By steps of Newton's method with the second derivatives between the corners.
+std::optional<Vec3<double>> BoxView::turnIn(unsigned axes, int corner) const {
+  for (unsigned i = 0; i < 8; ++i) {
+    const auto at = i | static_cast<unsigned>(corner);
+    if ((i & ~axes) == 0 && isFluid(static_cast<int>(at)) != isFluid(corner)) return {};
+  }
+  auto point = box_.corner(corner);
+  Vec3<double> bend;
+  double corners = 2;  // at each end of an axis
+  if (axes == 7) corners = 4;
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((axes & bit(axis)) == 0) continue;
+    double low = 0;
+    double high = 0;
+    if (!turnsAlong(axis, axes, corner, low, high)) return {};
+    const double width = box_.upper[axis] - box_.lower[axis];
+    point[axis] = box_.lower[axis] + width * (low / (low - high));
+    bend[axis] = (high - low) / (corners * width);
+  }
+  const double sign = isFluid(corner) ? 1 : -1;
+  constexpr int kSteps = 6;
+  constexpr double kMargin = 1e-3;  // from the sides, in shares of the box
+  for (int step = 0; step < kSteps; ++step) {
+    if ((field_.value(point) > 0) != isFluid(corner)) return point;
+    const auto slope = sign * field_.gradient(point);
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((axes & bit(axis)) == 0) continue;
+      const double margin = kMargin * (box_.upper[axis] - box_.lower[axis]);
+      point[axis] = std::clamp(point[axis] - slope[axis] / bend[axis], box_.lower[axis] + margin,
+                               box_.upper[axis] - margin);
+    }
+  }
+  return {};
+}
+
+}  // namespace cutwater

@@ -1,0 +1,54 @@
+#include <Cutwater/CutCells/Detail/Curved/CurvedFaces.hpp>
+
+#include <algorithm>
+
+namespace cutwater {
+
+namespace {
+
+double areaOf(const Box<double>& face) {
+  const auto size = face.size();
+  return size.x * size.y + size.y * size.z + size.z * size.x;  // two of them are 0
+}
+
+void addSpan(const FluidSpan& span, OpenPart& part) {
+  const auto middle = span.middle();
+  if (part.spans.empty()) part.inside = middle;
+  part.area += span.size();
+  part.centroid += span.size() * (middle - part.inside);
+  part.spans.push_back(span);
+}
+
+}  // namespace
+
+CurvedFace wholeFace(const Box<double>& face, FluidRule& rule) {
+  CurvedFace result{.parts = {}, .area = areaOf(face), .isWhole = true};
+  rule.takeAll(face);
+  result.parts.push_back({result.area, face.center(), face.center(), rule.points().spans});
+  return result;
+}
+
+CurvedFace openPartsOf(const FluidField& field, const BoxView& face, FluidRule& rule,
+                       double tolerance) {
+  rule.findIn(face, tolerance);
+  double area = 0;
+  for (const auto& span : rule.points().spans) area += span.size();
+  const double whole = areaOf(face.box());
+  if (area <= kNothingOfCell * whole) return {};
+  if (area >= (1 - kNothingOfCell) * whole) return wholeFace(face.box(), rule);
+  const FluidParts connected(field, face);
+  CurvedFace result{.parts = {}, .gap = rule.gap()};
+  result.parts.resize(std::max<std::size_t>(1, connected.count()));
+  for (const auto& span : rule.points().spans) {
+    addSpan(span, result.parts[connected.at(span.middle())]);
+  }
+  std::erase_if(result.parts,
+                [&](const OpenPart& part) { return part.area <= kNothingOfCell * whole; });
+  for (auto& part : result.parts) {
+    part.centroid = part.inside + part.centroid / part.area;
+    result.area += part.area;
+  }
+  return result;
+}
+
+}  // namespace cutwater

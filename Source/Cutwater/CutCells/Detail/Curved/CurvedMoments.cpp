@@ -1,0 +1,82 @@
+#include <Cutwater/CutCells/Detail/Curved/CurvedMoments.hpp>
+#include <Cutwater/CutCells/Detail/Faces/FaceAxes.hpp>
+#include <Cutwater/CutCells/Detail/Moments/Monomials.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace cutwater {
+
+namespace {
+
+/// Points along a span: exact for the highest degree of moments.
+constexpr int kAlongSpan = CutCells::Moments::kHighest / 2 + 1;
+
+template <typename Visit>
+void forPoints(std::span<const FluidSpan> spans, const Visit& visit) {
+  for (const auto& span : spans) {
+    const double from = span.line.start[span.line.axis];
+    for (const auto& g : gaussPoints(kAlongSpan)) {
+      visit(span.line.at(from + g.at * span.line.length()), g.weight * span.size());
+    }
+  }
+}
+
+/// The monomials of an offset up to a degree, in the order of CutCells::Moments.
+template <std::size_t kVariables>
+void evaluate(const std::array<double, kVariables>& offset, std::span<double> monomials) {
+  monomials[0] = 1;
+  const auto& table = kMonomials<kVariables>;
+  for (std::size_t i = 0; i < monomials.size(); ++i) {
+    for (std::size_t axis = 0; axis < kVariables; ++axis) {
+      const std::size_t raised = table[i].raised[axis];
+      const bool isHighest = table[i].degree == Monomials<kVariables>::kHighest;
+      if (!isHighest && raised < monomials.size()) monomials[raised] = offset[axis] * monomials[i];
+    }
+  }
+}
+
+template <typename Value>
+std::span<Value> appended(std::size_t count, std::vector<Value>& rows) {
+  rows.resize(rows.size() + count);
+  return std::span(rows).last(count);
+}
+
+}  // namespace
+
+void addArcMoments(const OpenPart& part, int axis, CutCells::Moments& to) {
+  const auto sums = appended(to.perArc(), to.arc);
+  std::array<double, Monomials<2>::kCount> monomials{};
+  const int first = axis == 0 ? 1 : 0;
+  const int second = axis == 2 ? 1 : 2;
+  forPoints(part.spans, [&](const Vec3<double>& at, double weight) {
+    const auto offset = at - part.centroid;
+    evaluate<2>({offset[first], offset[second]}, std::span(monomials).first(sums.size()));
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += weight * monomials[i];
+  });
+}
+
+void addPieceMoments(const CellPiece& piece, const RulePoints& rule, CutCells::Moments& to) {
+  const auto count = to.perPiece();
+  const auto volume = appended(count, to.volume);
+  const auto wall = appended(count, to.wall);
+  const auto vector = appended(count, to.wallVector);
+  std::array<double, Monomials<3>::kCount> monomials{};
+  const auto at = std::span(monomials).first(count);
+  forPoints(rule.spans, [&](const Vec3<double>& point, double weight) {
+    const auto offset = point - piece.centroid;
+    evaluate<3>({offset.x, offset.y, offset.z}, at);
+    for (std::size_t i = 0; i < count; ++i) volume[i] += weight * at[i];
+  });
+  for (const auto& point : rule.walls) {
+    const auto offset = point.at - piece.wallCentroid;
+    evaluate<3>({offset.x, offset.y, offset.z}, at);
+    for (std::size_t i = 0; i < count; ++i) {
+      wall[i] += point.weight * at[i];
+      vector[i] += point.weight * at[i] * point.normal;
+    }
+  }
+  vector[0] = piece.areaVector;
+}
+
+}  // namespace cutwater

@@ -1,0 +1,299 @@
+#include <Cutwater/CutCells/Detail/Curved/CurvedFaces.hpp>
+#include <Cutwater/CutCells/Detail/Curved/CurvedMoments.hpp>
+#include <Cutwater/CutCells/Detail/Curved/CurvedTile.hpp>
+#include <Cutwater/CutCells/Detail/Curved/GridSamples.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace cutwater {
+
+namespace {
+
+/// A cell that is cut, and how to find the pieces in it.
+struct CurvedCell {
+  std::uint32_t cell = 0;
+  std::uint32_t firstPiece = 0;
+  std::optional<FluidParts> parts;         // if there are several
+  std::vector<std::uint32_t> pieceOfPart;  // of each of these
+
+  [[nodiscard]] std::uint32_t pieceAt(const Vec3<double>& point) const {
+    return parts ? pieceOfPart[parts->at(point)] : firstPiece;
+  }
+};
+
+/// Sums of quadrature points that are a piece.
+struct PieceRule {
+  RulePoints points;
+  double volume = 0;
+  Vec3<double> moment;  // about the middle of the first span
+
+  void add(const FluidSpan& span) {
+    points.spans.push_back(span);
+    volume += span.size();
+    moment += span.size() * (span.middle() - points.spans.front().middle());
+  }
+};
+
+class CurvedTile {
+ public:
+  CurvedTile(const FluidField& field, const GridPlanes& planes, const SolidCutterOptions& how,
+             const CutOptions& options)
+      : field_(field),
+        how_(how),
+        degree_(options.moments),
+        rule_(field, how.points),
+        samples_(field, planes) {
+    out_.numbers = TileNumbers(planes.sizes());
+    out_.moments.degree = options.moments;
+  }
+
+  TileCut run() {
+    faces_.resize(out_.numbers.faceCount());
+    isFound_.resize(out_.numbers.faceCount());
+    rowOf_.assign(out_.numbers.cellCount(), kNone);
+    forTilePlaces(out_.numbers.cells(), [&](const TilePlace& cell) {
+      out_.isBody[out_.numbers.cell(cell)] = !isFluidNode(cell);
+      if (samples_.leavesRoom(cell)) cutCell(cell);
+    });
+    out_.firstPiece.push_back(pieceCount());
+    addArcs();
+    finishWalls();
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t pieceCount() const {
+    return static_cast<std::uint32_t>(out_.content.pieces.size());
+  }
+  [[nodiscard]] bool isFluidNode(const TilePlace& node) const { return samples_.valueAt(node) > 0; }
+
+  const CurvedFace& faceAt(int axis, const TilePlace& place) {
+    const auto number = out_.numbers.face(axis, place);
+    if (isFound_[number] == 0) {
+      isFound_[number] = 1;
+      const auto box = samples_.boxOf(place, axis);
+      if (samples_.leavesRoom(place, axis)) {
+        const BoxView view(field_, box, samples_.of(place, axis));
+        faces_[number] = openPartsOf(field_, view, rule_, how_.tolerance);
+      } else if (isFluidNode(place)) {
+        faces_[number] = wholeFace(box, rule_);
+      }
+    }
+    return faces_[number];
+  }
+
+  void cutCell(const TilePlace& cell) {
+    Vec3<double> openSides;
+    bool isCut = false;
+    double gap = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int side : {0, 1}) {
+        auto place = cell;
+        place[asIndex(axis)] += side;
+        const auto& face = faceAt(axis, place);
+        openSides[axis] += side == 1 ? face.area : -face.area;
+        isCut = isCut || face.isCut();
+        gap = std::max(gap, face.gap);
+      }
+    }
+    const auto box = samples_.boxOf(cell);
+    const BoxView view(field_, box, samples_.of(cell));
+    rule_.findIn(view, openSides, how_.tolerance);
+    double volume = 0;
+    double area = 0;
+    for (const auto& span : rule_.points().spans) volume += span.size();
+    for (const auto& wall : rule_.points().walls) area += wall.weight;
+    const auto size = box.size();
+    const double whole = size.x * size.y * size.z;
+    const double side = whole / maxComponent(size);
+    isCut = isCut || area > kNothingOfCell * side;
+    const auto number = out_.numbers.cell(cell);
+    if (!isCut || volume <= kNothingOfCell * whole) {
+      out_.isBody[number] = volume < 0.5 * whole;
+      if (!isCut || !hasOpenFace(cell)) return;
+    }
+    addCell(cell, view, std::max(gap, rule_.gap()));
+  }
+  [[nodiscard]] bool hasOpenFace(const TilePlace& cell) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int side : {0, 1}) {
+        auto place = cell;
+        place[asIndex(axis)] += side;
+        if (!faceAt(axis, place).parts.empty()) return true;
+      }
+    }
+    return false;
+  }
+
+  void addCell(const TilePlace& cell, const BoxView& view, double gap) {
+    const auto number = out_.numbers.cell(cell);
+    rowOf_[number] = static_cast<std::uint32_t>(cells_.size());
+    out_.cells.push_back(number);
+    out_.firstPiece.push_back(pieceCount());
+    unsigned corners = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      if (view.isFluid(corner)) corners |= 1U << static_cast<unsigned>(corner);
+    }
+    out_.fluidCorners.push_back(static_cast<std::uint8_t>(corners));
+    out_.isTouched.push_back(0);
+    out_.meets.push_back(0);
+    out_.error.push_back(gap);
+    auto& here = cells_.emplace_back(number, pieceCount());
+    FluidParts parts(field_, view);
+    std::vector<PieceRule> rules(std::max<std::size_t>(1, parts.count()));
+    for (const auto& span : rule_.points().spans) rules[parts.at(span.middle())].add(span);
+    for (const auto& wall : rule_.points().walls)
+      rules[parts.at(wall.inside)].points.walls.push_back(wall);
+    addPieces(view.box(), rules, here);
+    if (rules.size() > 1) here.parts.emplace(std::move(parts));
+  }
+
+  /// A piece for each part with a volume; others belong to the largest. One at least.
+  void addPieces(const Box<double>& box, std::vector<PieceRule>& rules, CurvedCell& here) {
+    const auto size = box.size();
+    const auto largest = static_cast<std::size_t>(
+        std::ranges::max_element(rules, {}, &PieceRule::volume) - rules.begin());
+    here.pieceOfPart.assign(rules.size(), kNone);
+    for (std::size_t part = 0; part < rules.size(); ++part) {
+      const bool isPiece = rules[part].volume > kNothingOfCell * size.x * size.y * size.z;
+      if (!isPiece && part != largest) continue;
+      here.pieceOfPart[part] = pieceCount();
+      addPiece(box, rules[part], here.cell);
+    }
+    for (auto& piece : here.pieceOfPart) {
+      if (piece == kNone) piece = here.pieceOfPart[largest];
+    }
+  }
+
+  void addPiece(const Box<double>& box, PieceRule& rule, std::uint32_t cell) {
+    CellPiece piece{.cell = cell,
+                    .volume = rule.volume,
+                    .centroid = box.center(),
+                    .areaVector = {},
+                    .wallCentroid = {}};
+    if (rule.volume > 0)
+      piece.centroid = rule.points.spans.front().middle() + rule.moment / rule.volume;
+    std::map<std::uint32_t, PieceWall> walls;
+    const auto patches = field_.patchNames().size();
+    for (const auto& point : rule.points.walls) {
+      const auto patch = patches > 1 ? std::min(field_.owner(point.at).patch,
+                                                static_cast<std::uint32_t>(patches - 1))
+                                     : 0;
+      auto& wall = walls[patch];
+      wall.area += point.weight;
+      wall.areaVector += point.weight * point.normal;
+      wall.centroid += point.weight * (point.at - piece.centroid);
+    }
+    piece.wallCentroid = piece.centroid;
+    Vec3<double> moment;
+    for (auto& [patch, wall] : walls) {
+      piece.area += wall.area;
+      moment += wall.centroid;
+      wall.piece = pieceCount();
+      wall.patch = patch;
+      wall.centroid = piece.centroid + wall.centroid / wall.area;
+      out_.content.walls.push_back(wall);
+    }
+    if (piece.area > 0) piece.wallCentroid += moment / piece.area;
+    piece.wallFaces = wallFaces(box, rule.points.walls);
+    out_.content.pieces.push_back(withinCell(piece, box));
+    rules_.push_back(std::move(rule.points));
+  }
+
+  /// In which faces of the cell walls lie, see CutCells::Cells::wallFaces.
+  [[nodiscard]] static std::uint8_t wallFaces(const Box<double>& box,
+                                              std::span<const WallPoint> walls) {
+    constexpr double kAcross = 1 - 1e-12;
+    unsigned faces = 0;
+    for (const auto& wall : walls) {
+      for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(wall.normal[axis]) < kAcross) continue;
+        if (wall.at[axis] == box.lower[axis]) faces |= 1U << static_cast<unsigned>(2 * axis);
+        if (wall.at[axis] == box.upper[axis]) faces |= 2U << static_cast<unsigned>(2 * axis);
+      }
+    }
+    return static_cast<std::uint8_t>(faces);
+  }
+
+  /// The row in cells_ of the cell at a place; kNone if it is not cut, or not in the tile.
+  [[nodiscard]] std::uint32_t rowAt(const TilePlace& cell) const {
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (cell[a] < 0 || cell[a] >= out_.numbers.cells()[a]) return kNone;
+    }
+    return rowOf_[out_.numbers.cell(cell)];
+  }
+
+  void addArcs() {
+    for (std::uint32_t number = 0; number < faces_.size(); ++number) {
+      const int axis = out_.numbers.axisOfFace(number);
+      const auto place = out_.numbers.placeOfFace(number);
+      auto placeBelow = place;
+      --placeBelow[asIndex(axis)];
+      const auto below = rowAt(placeBelow);
+      const auto above = rowAt(place);
+      if (below == kNone && above == kNone) continue;
+      for (const auto& part : faces_[number].parts) {
+        PieceArc arc{.face = number, .area = part.area, .centroid = part.centroid};
+        if (below != kNone) arc.below = cells_[below].pieceAt(part.inside);
+        if (above != kNone) arc.above = cells_[above].pieceAt(part.inside);
+        if (arc.below != kNone) out_.content.pieces[arc.below].areaVector[axis] -= part.area;
+        if (arc.above != kNone) out_.content.pieces[arc.above].areaVector[axis] += part.area;
+        out_.content.arcs.push_back(arc);
+        if (degree_ >= 0) addArcMoments(part, axis, out_.moments);
+      }
+    }
+  }
+
+  /// Parts of a wall add up to what closes the piece.
+  void finishWalls() {
+    auto gaps = std::vector<Vec3<double>>(pieceCount());
+    for (std::size_t p = 0; p < gaps.size(); ++p) gaps[p] = out_.content.pieces[p].areaVector;
+    for (const auto& wall : out_.content.walls) gaps[wall.piece] -= wall.areaVector;
+    for (auto& wall : out_.content.walls) {
+      wall.areaVector += (wall.area / out_.content.pieces[wall.piece].area) * gaps[wall.piece];
+    }
+    if (degree_ < 0) return;
+    for (std::size_t p = 0; p < gaps.size(); ++p) {
+      addPieceMoments(out_.content.pieces[p], rules_[p], out_.moments);
+    }
+  }
+
+  const FluidField& field_;
+  const SolidCutterOptions& how_;
+  int degree_;
+  FluidRule rule_;
+  GridSamples samples_;
+  std::vector<CurvedFace> faces_;
+  std::vector<char> isFound_;
+  std::vector<std::uint32_t> rowOf_;  // of cells
+  std::vector<CurvedCell> cells_;
+  std::vector<RulePoints> rules_;  // of pieces
+  TileCut out_;
+};
+
+}  // namespace
+
+Box<double> boxOf(const GridPlanes& planes) {
+  Box<double> box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.lower[axis] = planes.positions[asIndex(axis)].front();
+    box.upper[axis] = planes.positions[asIndex(axis)].back();
+  }
+  return box;
+}
+
+WholeBox wholeBox(const FluidField& field, const Box<double>& box) {
+  const double value = field.value(box.center());
+  const double reach = 0.5 * (1 + 1e-12) * field.steepness(box) * box.diagonal();
+  return {reach > 0 && std::abs(value) > reach, value > 0};
+}
+
+TileCut cutTile(const FluidField& field, const GridPlanes& planes, const SolidCutterOptions& how,
+                const CutOptions& options) {
+  return CurvedTile(field, planes, how, options).run();
+}
+
+}  // namespace cutwater

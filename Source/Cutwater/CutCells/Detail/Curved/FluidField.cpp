@@ -1,0 +1,74 @@
+#include <Cutwater/Core/Detail/Scratch.hpp>
+#include <Cutwater/CutCells/Detail/Curved/FluidField.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cutwater {
+
+namespace {
+
+template <std::floating_point T>
+class SolidField final : public FluidField {
+ public:
+  SolidField(const Solid<T>& solid, FluidSide side) : SolidField(solid, side, solid.guarantee()) {}
+  SolidField(const Solid<T>& solid, FluidSide side, const Guarantee<T>& guarantee)
+      : solid_(solid),
+        roundingPerLength_(double{guarantee.ulps} * double{std::numeric_limits<T>::epsilon()}),
+        size_(guarantee.size),
+        sign_(side == FluidSide::Outside ? 1 : -1) {
+    steepness_ = double{guarantee.lipschitz.value_or(T(0))};
+    domain_ = {Vec3<double>(guarantee.domain.lower), Vec3<double>(guarantee.domain.upper)};
+    patchNames_ = solid.patchNames();
+  }
+
+  void values(std::span<const Vec3<double>> points, std::span<double> values) const override {
+    constexpr std::size_t kBatch = 64;
+    constexpr std::size_t kFew = 3;  // faster one by one
+    if (points.size() <= kFew) {
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        values[i] = valueOf(solid_.signedDistance(Vec3<T>(points[i])), points[i]);
+      }
+      return;
+    }
+    Scratch<Vec3<T>, kBatch> at;
+    Scratch<T, kBatch> found;
+    for (std::size_t first = 0; first < points.size(); first += kBatch) {
+      const auto count = std::min(kBatch, points.size() - first);
+      for (std::size_t i = 0; i < count; ++i) at[i] = Vec3<T>(points[first + i]);
+      solid_.signedDistances(at.first(count), found.first(count), {.threads = 1});
+      for (std::size_t i = 0; i < count; ++i) {
+        values[first + i] = valueOf(found[i], points[first + i]);
+      }
+    }
+  }
+  Vec3<double> gradient(const Vec3<double>& point) const override {
+    return sign_ * Vec3<double>(solid_.gradient(Vec3<T>(point)));
+  }
+  SurfaceOwner owner(const Vec3<double>& surfacePoint) const override {
+    return solid_.owner(Vec3<T>(surfacePoint));
+  }
+
+ private:
+  [[nodiscard]] double valueOf(T distance, const Vec3<double>& point) const {
+    const double rounding = roundingPerLength_ * (oneNorm(point) + size_);
+    return std::abs(distance) <= rounding ? 0 : sign_ * double{distance};
+  }
+
+  Solid<T> solid_;
+  double roundingPerLength_;
+  double size_;
+  double sign_;
+};
+
+}  // namespace
+
+template <std::floating_point T>
+std::shared_ptr<const FluidField> fluidBeside(const Solid<T>& solid, FluidSide side) {
+  return std::make_shared<const SolidField<T>>(solid, side);
+}
+
+template std::shared_ptr<const FluidField> fluidBeside(const Solid<float>&, FluidSide);
+template std::shared_ptr<const FluidField> fluidBeside(const Solid<double>&, FluidSide);
+
+}  // namespace cutwater

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Cutwater/Sdf/FluidSide.hpp>
+#include <Cutwater/Sdf/Solid.hpp>
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cutwater {
+
+/// The fluid beside a solid as a field: its value is positive in the fluid.
+///
+/// What lies in the surface, within rounding, has the value 0 and counts as body, whichever side
+/// the fluid is on: so a wall in a plane of the grid belongs to the cell whose fluid it bounds.
+class FluidField {
+ public:
+  FluidField() = default;
+  FluidField(const FluidField&) = delete;
+  FluidField& operator=(const FluidField&) = delete;
+  virtual ~FluidField() = default;
+
+  /// The solid's values with the sign of the fluid; 0 within rounding.
+  virtual void values(std::span<const Vec3<double>> points, std::span<double> values) const = 0;
+  [[nodiscard]] double value(const Vec3<double>& point) const {
+    double result = 0;
+    values({&point, 1}, {&result, 1});
+    return result;
+  }
+  /// Of the value; zero where it is not defined.
+  [[nodiscard]] virtual Vec3<double> gradient(const Vec3<double>& point) const = 0;
+  /// What the surface at a point belongs to.
+  [[nodiscard]] virtual SurfaceOwner owner(const Vec3<double>& surfacePoint) const = 0;
+
+  /// A bound of the difference of values, by distance, in a box; 0 if none is known.
+  [[nodiscard]] double steepness(const Box<double>& box) const {
+    return domain_.contains(box.lower) && domain_.contains(box.upper) ? steepness_ : 0;
+  }
+  /// Whether a bound is known somewhere, so that answers may be certain.
+  [[nodiscard]] bool hasSteepness() const { return steepness_ > 0; }
+  [[nodiscard]] const std::vector<std::string>& patchNames() const { return patchNames_; }
+
+ protected:
+  double steepness_ = 0;
+  Box<double> domain_;
+  std::vector<std::string> patchNames_;
+};
+
+/// Of a solid, with the fluid on this side of its surface.
+template <std::floating_point T>
+[[nodiscard]] std::shared_ptr<const FluidField> fluidBeside(const Solid<T>& solid, FluidSide side);
+
+extern template std::shared_ptr<const FluidField> fluidBeside(const Solid<float>&, FluidSide);
+extern template std::shared_ptr<const FluidField> fluidBeside(const Solid<double>&, FluidSide);
+
+}  // namespace cutwater

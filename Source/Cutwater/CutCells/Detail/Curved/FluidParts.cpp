@@ -1,0 +1,123 @@
+#include <Cutwater/CutCells/Detail/Curved/FluidParts.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace cutwater {
+
+FluidParts::FluidParts(const FluidField& field, const BoxView& view)
+    : field_(&field), box_(view.box()) {
+  constexpr int kMostCells = 8;
+  for (int axis = 0; axis < 3; ++axis) isFlat_[static_cast<std::size_t>(axis)] = !view.isFree(axis);
+  connectCorners(view);
+  for (int cells = 2; cells <= kMostCells && count_ > 1; cells *= 2) connect(cells);
+}
+
+void FluidParts::connectCorners(const BoxView& view) {
+  const auto& samples = view.samples();
+  detail::DisjointSets sets(samples.values.size());
+  for (std::size_t i = 0; i < samples.edges.size(); ++i) {
+    const auto from = static_cast<std::uint32_t>(samples.corners[i]);
+    const auto to = from + (1U << static_cast<unsigned>(samples.edges[i]->line.axis));
+    const bool isOpen = samples.edges[i]->startsInFluid && samples.edges[i]->crossings.empty();
+    if (isOpen) sets.unite(from, to);
+  }
+  std::vector<Vec3<double>> points;
+  std::vector<double> values;
+  for (int i = 0; i < 8; ++i) {
+    points.push_back(box_.corner(i));
+    // Those of a rectangle are there twice.
+    const bool isCopy = view.flatAxis() >= 0 && (i >> std::max(0, view.flatAxis()) & 1) != 0;
+    values.push_back(isCopy ? 0 : samples.values[static_cast<std::size_t>(i)]);
+  }
+  number(points, values, sets);
+}
+
+/// Numbers the parts among points in the fluid, in the order of these.
+void FluidParts::number(std::span<const Vec3<double>> points, std::span<const double> values,
+                        detail::DisjointSets& sets) {
+  points_.clear();
+  partOf_.clear();
+  std::vector<std::uint32_t> partOfRoot(points.size());
+  count_ = 0;
+  for (std::uint32_t n = 0; n < points.size(); ++n) {
+    if (!(values[n] > 0)) continue;
+    if (sets.isRoot(n)) partOfRoot[n] = static_cast<std::uint32_t>(count_++);
+    points_.push_back(points[n]);
+    partOf_.push_back(partOfRoot[sets.find(n)]);
+  }
+}
+
+Vec3<double> FluidParts::pointOf(const std::array<int, 3>& place, int cells) const {
+  Vec3<double> point;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int i = place[static_cast<std::size_t>(axis)];
+    const double share = static_cast<double>(i) / cells;
+    point[axis] = i == cells ? box_.upper[axis]
+                             : box_.lower[axis] + share * (box_.upper[axis] - box_.lower[axis]);
+  }
+  return point;
+}
+
+void FluidParts::connect(int cells) {
+  std::array<int, 3> counts{};
+  for (std::size_t a = 0; a < 3; ++a) counts[a] = isFlat_[a] ? 1 : cells + 1;
+  const auto indexOf = [&](const std::array<int, 3>& p) {
+    return static_cast<std::size_t>((p[2] * counts[1] + p[1]) * counts[0] + p[0]);
+  };
+  std::vector<Vec3<double>> points;
+  std::vector<std::array<int, 3>> places;
+  for (int k = 0; k < counts[2]; ++k) {
+    for (int j = 0; j < counts[1]; ++j) {
+      for (int i = 0; i < counts[0]; ++i) {
+        places.push_back({i, j, k});
+        points.push_back(pointOf(places.back(), cells));
+      }
+    }
+  }
+  std::vector<double> values(points.size());
+  field_->values(points, values);
+  std::vector<AxisLine> lines;
+  std::vector<std::array<std::uint32_t, 2>> ends;
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      auto next = places[n];
+      if (++next[a] >= counts[a]) continue;
+      const auto other = indexOf(next);
+      if (!(values[n] > 0 && values[other] > 0)) continue;
+      const int axis = static_cast<int>(a);
+      lines.push_back({points[n], points[other][axis], axis});
+      ends.push_back({static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(other)});
+    }
+  }
+  LineCrossings crossings(*field_);
+  crossings.find(lines);
+  detail::DisjointSets sets(points.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (crossings.of(i).empty()) sets.unite(ends[i][0], ends[i][1]);
+  }
+  number(points, values, sets);
+}
+
+bool FluidParts::isClear(const Vec3<double>& from, const Vec3<double>& to) const {
+  constexpr int kSamples = 16;
+  for (int i = 1; i < kSamples; ++i) {
+    const double share = static_cast<double>(i) / kSamples;
+    if (!(field_->value((1 - share) * from + share * to) > 0)) return false;
+  }
+  return true;
+}
+
+std::uint32_t FluidParts::at(const Vec3<double>& point) const {
+  if (count_ <= 1) return 0;
+  std::vector<std::size_t> order(points_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto distance = [&](std::size_t i) { return lengthSquared(points_[i] - point); };
+  std::ranges::stable_sort(order, {}, distance);
+  for (const auto i : order) {
+    if (isClear(point, points_[i])) return partOf_[i];
+  }
+  return partOf_[order.front()];
+}
+
+}  // namespace cutwater

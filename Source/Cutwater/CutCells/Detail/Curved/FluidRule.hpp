@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Cutwater/CutCells/Detail/Curved/BoxView.hpp>
+#include <Cutwater/CutCells/Detail/Curved/GaussPoints.hpp>
+#include <Cutwater/CutCells/Detail/Curved/RulePoints.hpp>
+
+namespace cutwater {
+
+/// Quadrature of the fluid in boxes or rectangles, and of their walls, by dimension reduction (Saye
+/// 2015): lines along an axis in which the wall is a graph, at Gauss points between the places
+/// where the wall passes through the ends of lines.
+///
+/// Where the wall is no graph, boxes are halved. What is found of a box depends on it alone.
+class FluidRule {
+ public:
+  /// `points`: of each Gauss rule.
+  FluidRule(const FluidField& field, int points)
+      : field_(field), gauss_(gaussPoints(points)), rims_(field), crossings_(field) {}
+
+  /// The fluid in a box, whose open sides add up to this vector, out of the box, and its wall. If
+  /// these do not close within `tolerance` of the largest side, the box is halved, up to twice;
+  /// what closes best counts.
+  void findIn(const BoxView& box, const Vec3<double>& openSides, double tolerance);
+  /// That in a rectangle, likewise; its edges tell what is open.
+  void findIn(const BoxView& rectangle, double tolerance);
+  /// All of a box or a rectangle.
+  void takeAll(const Box<double>& box);
+
+  [[nodiscard]] const RulePoints& points() const { return points_; }
+  /// By how much open sides and walls do not close, in shares of the largest side: an estimate of
+  /// the error of volumes and areas, in shares of the box and of its sides.
+  [[nodiscard]] double gap() const { return gap_; }
+
+ private:
+  struct Slice {
+    double at = 0;
+    double weight = 1;
+  };
+
+  [[nodiscard]] double gapOf(const Vec3<double>& openSides, double side) const;
+  void addPart(const BoxView& view, int depth, int halvings);
+  void split(const Box<double>& box, int axis, double at, int depth, int halvings);
+  void addWhole(const Box<double>& box, int flatAxis);
+  void sweep(const BoxView& view, const SweepAxes& axes);
+  void addRow(const BoxView& view, const SweepAxes& axes, const Slice& slice, double from,
+              double to);
+  void addSpans();
+
+  const FluidField& field_;
+  std::span<const GaussPoint> gauss_;
+  LineCrossings rims_;       // of rows along the ends of lines
+  LineCrossings crossings_;  // of lines
+  std::vector<AxisLine> rows_;
+  std::vector<AxisLine> lines_;
+  std::vector<double> weights_;  // of lines
+  int flatAxis_ = -1;
+  RulePoints points_;
+  RulePoints best_;
+  int parts_ = 0;      // of a box, however often it was halved
+  int linesLeft_ = 0;  // see KinkSweep
+  double gap_ = 0;
+};
+
+}  // namespace cutwater

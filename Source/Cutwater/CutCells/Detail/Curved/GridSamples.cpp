@@ -1,0 +1,96 @@
+#include <Cutwater/CutCells/Detail/Curved/GridSamples.hpp>
+
+#include <cmath>
+
+namespace cutwater {
+
+namespace {
+
+TilePlace cornerOf(TilePlace place, int corner) {
+  for (std::size_t a = 0; a < 3; ++a) place[a] += corner >> a & 1;
+  return place;
+}
+
+/// Whether a corner of a box is one of a rectangle, which has those below the axis across it.
+bool isOfRectangle(int corner, int flatAxis) {
+  return flatAxis < 0 || (corner >> flatAxis & 1) == 0;
+}
+
+}  // namespace
+
+GridSamples::GridSamples(const FluidField& field, const GridPlanes& planes)
+    : field_(field), planes_(planes), numbers_(planes.sizes()) {
+  auto nodes = numbers_.cells();
+  for (auto& n : nodes) ++n;
+  std::vector<Vec3<double>> points;
+  points.reserve(numbers_.nodeCount());
+  forTilePlaces(nodes, [&](const TilePlace& node) { points.push_back(pointAt(node)); });
+  values_.resize(points.size());
+  field.values(points, values_);
+  gradients_.resize(points.size());
+  hasGradient_.resize(points.size());
+  edges_.resize(numbers_.edgeCount());
+  hasEdge_.resize(edges_.size());
+}
+
+Box<double> GridSamples::boxOf(const TilePlace& cell, int flatAxis) const {
+  Box<double> box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int plane = cell[asIndex(axis)];
+    box.lower[axis] = planes_.at(axis, plane);
+    box.upper[axis] = planes_.at(axis, axis == flatAxis ? plane : plane + 1);
+  }
+  return box;
+}
+
+bool GridSamples::leavesRoom(const TilePlace& cell, int flatAxis) const {
+  const bool isFluid = valueAt(cell) > 0;
+  const auto box = boxOf(cell, flatAxis);
+  // No point is farther from the nearest corner than half a diagonal.
+  const double reach = 0.5 * (1 + 1e-12) * field_.steepness(box) * box.diagonal();
+  for (int corner = 0; corner < 8; ++corner) {
+    if (!isOfRectangle(corner, flatAxis)) continue;
+    const double value = valueAt(cornerOf(cell, corner));
+    if ((value > 0) != isFluid || std::abs(value) <= reach) return true;
+  }
+  return false;
+}
+
+const Vec3<double>& GridSamples::gradientAt(const TilePlace& node) {
+  const auto number = numbers_.node(node);
+  if (hasGradient_[number] == 0) {
+    hasGradient_[number] = 1;
+    gradients_[number] = field_.gradient(pointAt(node));
+  }
+  return gradients_[number];
+}
+
+BoxSamples GridSamples::of(const TilePlace& cell, int flatAxis) {
+  BoxSamples samples;
+  std::vector<CrossedEdge*> unknown;
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto node =
+        cornerOf(cell, isOfRectangle(corner, flatAxis) ? corner : corner - (1 << flatAxis));
+    samples.values[static_cast<std::size_t>(corner)] = valueAt(node);
+    samples.gradients[static_cast<std::size_t>(corner)] = gradientAt(node);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis == flatAxis) continue;
+    for (int corner = 0; corner < 8; ++corner) {
+      if ((corner >> axis & 1) != 0 || !isOfRectangle(corner, flatAxis)) continue;
+      const auto node = cornerOf(cell, corner);
+      const auto number = numbers_.edge(axis, node);
+      if (hasEdge_[number] == 0) {
+        hasEdge_[number] = 1;
+        edges_[number].line = {pointAt(node), planes_.at(axis, node[asIndex(axis)] + 1), axis};
+        unknown.push_back(&edges_[number]);
+      }
+      samples.edges.push_back(&edges_[number]);
+      samples.corners.push_back(corner);
+    }
+  }
+  findCrossings(field_, unknown);
+  return samples;
+}
+
+}  // namespace cutwater

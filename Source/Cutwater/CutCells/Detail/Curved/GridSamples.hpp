@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Cutwater/CutCells/Detail/Curved/BoxView.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/GridPlanes.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/TileNumbers.hpp>
+
+namespace cutwater {
+
+/// What is known of a field at the nodes and edges of a tile's grid; edges, and gradients at nodes,
+/// once they are asked for.
+class GridSamples {
+ public:
+  /// Views both.
+  GridSamples(const FluidField& field, const GridPlanes& planes);
+
+  [[nodiscard]] double valueAt(const TilePlace& node) const { return values_[numbers_.node(node)]; }
+  /// The box of a cell, or the rectangle of the face below it across an axis.
+  [[nodiscard]] Box<double> boxOf(const TilePlace& cell, int flatAxis = -1) const;
+  /// Whether values at the corners of such a box leave room for a wall in it.
+  [[nodiscard]] bool leavesRoom(const TilePlace& cell, int flatAxis = -1) const;
+  /// Corners and edges of such a box.
+  [[nodiscard]] BoxSamples of(const TilePlace& cell, int flatAxis = -1);
+
+ private:
+  [[nodiscard]] Vec3<double> pointAt(const TilePlace& node) const {
+    return {planes_.at(0, node[0]), planes_.at(1, node[1]), planes_.at(2, node[2])};
+  }
+  const Vec3<double>& gradientAt(const TilePlace& node);
+
+  const FluidField& field_;
+  const GridPlanes& planes_;
+  TileNumbers numbers_;
+  std::vector<double> values_;
+  std::vector<Vec3<double>> gradients_;
+  std::vector<char> hasGradient_;
+  std::vector<CrossedEdge> edges_;
+  std::vector<char> hasEdge_;
+};
+
+}  // namespace cutwater

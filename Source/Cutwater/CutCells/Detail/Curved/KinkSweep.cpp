@@ -1,0 +1,252 @@
+#include <Cutwater/CutCells/Detail/Curved/KinkSweep.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cutwater {
+
+namespace {
+
+int nearestAxis(const Vec3<double>& v) {
+  const auto sizes = abs(v);
+  return sizes.x >= sizes.y && sizes.x >= sizes.z ? 0 : sizes.y >= sizes.z ? 1 : 2;
+}
+
+}  // namespace
+
+void KinkSweep::run(const SweepAxes& axes, bool isGraph) {
+  axes_ = axes;
+  isGraph_ = isGraph;
+  measure(true);
+  if (isGraph) return;
+  if (view_.flatAxis() >= 0) {
+    std::swap(axes_.line, axes_.row);
+    return measure(false);
+  }
+  for (int turn = 0; turn < 2; ++turn) {
+    axes_ = {axes_.row, axes_.slice, axes_.line};
+    measure(false);
+  }
+}
+
+AxisLine KinkSweep::lineAt(double slice, double row) const {
+  AxisLine line{{}, box_.upper[axes_.line], axes_.line};
+  line.start[axes_.line] = box_.lower[axes_.line];
+  line.start[axes_.row] = row;
+  line.start[axes_.slice] = slice;
+  return line;
+}
+
+AxisLine KinkSweep::rimAt(double slice, double end) const {
+  AxisLine line{{}, box_.upper[axes_.row], axes_.row};
+  line.start[axes_.line] = end;
+  line.start[axes_.row] = box_.lower[axes_.row];
+  line.start[axes_.slice] = slice;
+  return line;
+}
+
+KinkSweep::State KinkSweep::stateOf(const AxisLine& line) {
+  --linesLeft_;
+  found_.find({&line, 1});
+  State state{line.axis, found_.startsInFluid(0), {}};
+  for (const double at : found_.of(0)) {
+    state.passages.push_back({at, wallNormal(field_, line.at(at), view_.flatAxis())});
+  }
+  return state;
+}
+
+KinkSweep::Change KinkSweep::changeBetween(const States& a, const States& b) const {
+  constexpr double kBend = 0.98;  // cosine of 11 degrees
+  Change change;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].startsInFluid != b[i].startsInFluid || a[i].passages.size() != b[i].passages.size()) {
+      return {.isAny = true, .before = &a[i], .after = &b[i]};
+    }
+    for (std::size_t n = 0; n < a[i].passages.size(); ++n) {
+      const auto& before = a[i].passages[n].normal;
+      const auto& after = b[i].passages[n].normal;
+      if (before == Vec3<double>{} || after == Vec3<double>{}) continue;
+      const bool turns = !isGraph_ && nearestAxis(before) != nearestAxis(after);
+      if (!turns && dot(before, after) >= kBend) continue;
+      change = {.isAny = true, .before = &a[i], .after = &b[i], .passage = n};
+    }
+  }
+  return change;
+}
+
+/// Where a change is expected between two places along an axis of the box: where tangents of the
+/// wall meet each other or the end of a line, or the axis nearest to its normal changes.
+double KinkSweep::predicted(int axis, double from, double to, const Change& change) const {
+  const auto& before = *change.before;
+  const auto& after = *change.after;
+  const int along = before.axis;
+  struct Tangent {
+    double at = 0;  // at `from`
+    double slope = 0;
+  };
+  const auto tangent = [&](const Passage& p, double place) {
+    const double slope = -p.normal[axis] / p.normal[along];
+    return Tangent{p.at - slope * (place - from), slope};
+  };
+  const auto meeting = [&](const Tangent& a, const Tangent& b) {
+    return from + (b.at - a.at) / (a.slope - b.slope);
+  };
+  const auto isBetween = [&](double x) { return x > from && x < to; };
+  if (change.passage) {
+    const auto& p = before.passages[*change.passage];
+    const auto& q = after.passages[*change.passage];
+    const double kink = meeting(tangent(p, from), tangent(q, to));
+    if (isBetween(kink)) return kink;
+    const int first = nearestAxis(p.normal);
+    const int second = nearestAxis(q.normal);
+    const auto lead = [&](const Vec3<double>& n) {
+      return std::abs(n[first]) - std::abs(n[second]);
+    };
+    const double turn = from + (to - from) * lead(p.normal) / (lead(p.normal) - lead(q.normal));
+    if (first != second && isBetween(turn)) return turn;
+  } else {
+    const bool isBefore = before.passages.size() > after.passages.size();
+    const auto& more = isBefore ? before.passages : after.passages;
+    std::vector<Tangent> tangents{{box_.lower[along], 0}};
+    for (const auto& p : more) tangents.push_back(tangent(p, isBefore ? from : to));
+    tangents.push_back({box_.upper[along], 0});
+    for (std::size_t n = 0; n + 1 < tangents.size(); ++n) {
+      const double end = meeting(tangents[n], tangents[n + 1]);
+      if (isBetween(end)) return end;
+    }
+  }
+  return 0.5 * (from + to);
+}
+
+void KinkSweep::refine(int axis, double from, const States& atFrom, double to, const States& atTo,
+                       const StatesAt& statesAt, std::vector<double>& found) {
+  constexpr double kNarrow = 0x1p-44;  // of the box
+  const auto change = changeBetween(atFrom, atTo);
+  if (!change.isAny || linesLeft_ <= 0) return;
+  const double narrow = kNarrow * (box_.upper[axis] - box_.lower[axis]);
+  if (to - from <= 4 * narrow) {
+    found.push_back(0.5 * (from + to));
+    return;
+  }
+  // Around what is expected: closely first, then in a share of the way.
+  constexpr double kShare = 0.02;
+  const double guess = predicted(axis, from, to, change);
+  for (const double reach : {narrow, kShare * (to - from)}) {
+    const double low = std::max(guess - reach, 0.5 * (from + guess));
+    const double high = std::min(guess + reach, 0.5 * (guess + to));
+    if (!(from < low && low < high && high < to)) continue;
+    const auto atLow = statesAt(low);
+    const auto atHigh = statesAt(high);
+    const bool isWithin = !changeBetween(atFrom, atLow).isAny && !changeBetween(atHigh, atTo).isAny;
+    if (reach == narrow && isWithin) {
+      if (changeBetween(atLow, atHigh).isAny) found.push_back(guess);
+      return;
+    }
+    if (reach == narrow) continue;
+    refine(axis, from, atFrom, low, atLow, statesAt, found);
+    refine(axis, low, atLow, high, atHigh, statesAt, found);
+    refine(axis, high, atHigh, to, atTo, statesAt, found);
+    return;
+  }
+  found.push_back(guess);
+}
+
+std::vector<double> KinkSweep::breaks(int axis, std::vector<double> known,
+                                      const StatesAt& statesAt) {
+  // Beside what is known, and in between.
+  constexpr std::array kSamples{1e-7, 0.25, 0.5, 0.75, 1 - 1e-7};
+  std::vector<double> found;
+  std::ranges::sort(known);
+  known.push_back(box_.upper[axis]);
+  double low = box_.lower[axis];
+  for (const double high : known) {
+    if (!(high > low)) continue;
+    if (linesLeft_ <= 0) {
+      found.push_back(high);
+      low = high;
+      continue;
+    }
+    double from = low + kSamples[0] * (high - low);
+    auto atFrom = statesAt(from);
+    for (std::size_t i = 1; i < kSamples.size(); ++i) {
+      const double to = low + kSamples[i] * (high - low);
+      auto atTo = statesAt(to);
+      refine(axis, from, atFrom, to, atTo, statesAt, found);
+      from = to;
+      atFrom = std::move(atTo);
+    }
+    found.push_back(high);
+    low = high;
+  }
+  return found;
+}
+
+std::vector<double> KinkSweep::breaksOfRow(double slice) {
+  std::vector<double> known;
+  for (const double end : {box_.lower[axes_.line], box_.upper[axes_.line]}) {
+    const auto line = rimAt(slice, end);
+    found_.find({&line, 1});
+    const auto ends = found_.of(0);
+    known.insert(known.end(), ends.begin(), ends.end());
+  }
+  const StatesAt statesAt = [&](double row) { return States{stateOf(lineAt(slice, row))}; };
+  return breaks(axes_.row, std::move(known), statesAt);
+}
+
+/// What is met at the ends of a row, and by the ends of its lines; a little inside, as sides may
+/// lie in a wall.
+KinkSweep::States KinkSweep::statesOfRow(double slice) {
+  constexpr double kInside = 1e-9;
+  States states;
+  const auto size = box_.size();
+  for (const double share : {kInside, 1 - kInside}) {
+    states.push_back(stateOf(lineAt(slice, box_.lower[axes_.row] + share * size[axes_.row])));
+  }
+  for (const double share : {kInside, 1 - kInside}) {
+    states.push_back(stateOf(rimAt(slice, box_.lower[axes_.line] + share * size[axes_.line])));
+  }
+  return states;
+}
+
+void KinkSweep::measure(bool withFluid) {
+  if (view_.flatAxis() >= 0) return addSlice(box_.lower[axes_.slice], 1, withFluid);
+  const StatesAt statesAt = [&](double slice) { return statesOfRow(slice); };
+  double from = box_.lower[axes_.slice];
+  for (const double to : breaks(axes_.slice, view_.crossingsAlong(axes_.slice), statesAt)) {
+    if (!(to > from)) continue;
+    for (const auto& g : gauss_) {
+      addSlice(from + g.at * (to - from), g.weight * (to - from), withFluid);
+    }
+    from = to;
+  }
+}
+
+void KinkSweep::addSlice(double at, double weight, bool withFluid) {
+  double from = box_.lower[axes_.row];
+  for (const double to : breaksOfRow(at)) {
+    if (!(to > from)) continue;
+    for (const auto& g : gauss_) {
+      addLine(lineAt(at, from + g.at * (to - from)), weight * g.weight * (to - from), withFluid);
+    }
+    from = to;
+  }
+}
+
+void KinkSweep::addLine(const AxisLine& line, double weight, bool withFluid) {
+  found_.find({&line, 1});
+  const auto visit = [&](const FluidSpan& span, bool wallBelow, bool wallAbove) {
+    if (withFluid) to_.spans.push_back(span);
+    const auto addWall = [&](double end) {
+      const auto at = line.at(end);
+      const auto normal = wallNormal(field_, at, view_.flatAxis());
+      if (!isGraph_ && nearestAxis(normal) != axes_.line) return;
+      addWallPoint(at, normal, axes_.line, weight, span.middle(), to_);
+    };
+    if (wallBelow) addWall(span.line.start[axes_.line]);
+    if (wallAbove) addWall(span.line.end);
+  };
+  forFluidSpans(found_, 0, line, weight, visit);
+}
+
+}  // namespace cutwater

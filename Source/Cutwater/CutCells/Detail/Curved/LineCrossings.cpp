@@ -1,0 +1,152 @@
+#include <Cutwater/CutCells/Detail/Curved/LineCrossings.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cutwater {
+
+/// Where to look next: the zero of the chord, or the middle if chords have gained too little.
+double LineCrossings::Bracket::next() const {
+  const auto [low, high] = std::minmax(body, fluid);
+  const double middle = low + 0.5 * (high - low);
+  if (isAlong) return middle;
+  if (steps > 0 && steps % 3 == 0 && high - low > 0.5 * widthBefore) return middle;
+  const double chord = body + (fluid - body) * (bodyValue / (bodyValue - fluidValue));
+  return chord > low && chord < high ? chord : middle;
+}
+
+/// Anderson and Bjoerck 1973: the value at an end that stays twice is scaled down.
+void LineCrossings::Bracket::take(double at, double value) {
+  constexpr int kMostSteps = 120;
+  if (steps % 3 == 0) widthBefore = std::abs(fluid - body);
+  ++steps;
+  root = at;
+  isDone = (value == 0 && !isAlong) || at == body || at == fluid || steps == kMostSteps;
+  if (isDone) return;
+  const bool isFluid = value > 0;
+  const int side = isFluid ? 1 : -1;
+  auto& near = isFluid ? fluid : body;
+  auto& nearValue = isFluid ? fluidValue : bodyValue;
+  auto& farValue = isFluid ? bodyValue : fluidValue;
+  if (side == lastSide) {
+    const double scale = 1 - value / nearValue;
+    farValue *= scale > 0 ? scale : 0.5;
+  }
+  near = at;
+  nearValue = value;
+  lastSide = side;
+}
+
+void LineCrossings::find(std::span<const AxisLine> lines) {
+  evaluateEnds(lines);
+  brackets_.clear();
+  first_.assign(1, 0);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto& line = lines[i];
+    const double from = ends_[2 * i];
+    const double to = ends_[2 * i + 1];
+    double at = 0;
+    double value = 0;
+    if ((from > 0) != (to > 0)) {
+      addBracket(line, line.start[line.axis], from, line.end, to);
+    } else if (line.mayTurn && findTurn(line, from, to, at, value)) {
+      addBracket(line, line.start[line.axis], from, at, value);
+      addBracket(line, at, value, line.end, to);
+    }
+    first_.push_back(brackets_.size());
+  }
+  solve();
+  positions_.clear();
+  for (const auto& bracket : brackets_) positions_.push_back(bracket.root);
+}
+
+void LineCrossings::evaluateEnds(std::span<const AxisLine> lines) {
+  points_.clear();
+  for (const auto& line : lines) {
+    points_.push_back(line.start);
+    points_.push_back(line.endPoint());
+  }
+  ends_.resize(points_.size());
+  field_.values(points_, ends_);
+}
+
+void LineCrossings::addBracket(const AxisLine& line, double from, double fromValue, double to,
+                               double toValue) {
+  constexpr double kBeside = 1e-6;  // of the way to the fluid
+  Bracket bracket{
+      .line = line, .body = from, .bodyValue = fromValue, .fluid = to, .fluidValue = toValue};
+  if (fromValue > 0) {
+    std::swap(bracket.body, bracket.fluid);
+    std::swap(bracket.bodyValue, bracket.fluidValue);
+  }
+  bracket.root = bracket.body;
+  if (bracket.bodyValue == 0) {
+    // In the surface, with fluid or body behind it.
+    const double beside = bracket.body + kBeside * (bracket.fluid - bracket.body);
+    const double value = field_.value(line.at(beside));
+    bracket.isDone = value > 0;
+    bracket.isAlong = value == 0;
+    if (value <= 0) bracket.body = beside, bracket.bodyValue = value;
+  }
+  brackets_.push_back(bracket);
+}
+
+/// Looks where the tangents at both ends meet, which is the edge of a wall that has one, and where
+/// the derivative is zero if it is linear, in turns. Tangents that meet on the side of the ends end
+/// the search.
+bool LineCrossings::findTurn(const AxisLine& line, double from, double to, double& at,
+                             double& value) const {
+  constexpr int kMostSteps = 24;
+  constexpr double kNarrow = 1e-7;
+  constexpr double kMargin = 1e-3;  // from the ends of what is left
+  struct End {
+    double at, value, slope;  // on the side of the ends, both are positive
+  };
+  const double sign = from > 0 ? 1 : -1;
+  const auto slopeAt = [&](double x) { return sign * field_.gradient(line.at(x))[line.axis]; };
+  const double steepness = field_.steepness({line.start, line.endPoint()});
+  End low{line.start[line.axis], std::abs(from), 0};
+  End high{line.end, std::abs(to), 0};
+  const auto isFree = [&] {
+    return steepness > 0 && low.value + high.value > steepness * (high.at - low.at);
+  };
+  if (isFree()) return false;
+  low.slope = slopeAt(low.at);
+  high.slope = slopeAt(high.at);
+  for (int step = 0; step < kMostSteps; ++step) {
+    const double width = high.at - low.at;
+    if (!(low.slope < 0 && high.slope > 0) || isFree() || width < kNarrow * line.length()) break;
+    const double meeting = (low.value - high.value + high.slope * width) / (high.slope - low.slope);
+    if (low.value + low.slope * meeting > 0) break;
+    const double flat = width * low.slope / (low.slope - high.slope);
+    const double margin = kMargin * width;
+    at = low.at + std::clamp(step % 2 == 0 ? meeting : flat, margin, width - margin);
+    value = field_.value(line.at(at));
+    if ((value > 0) != (from > 0)) return true;
+    const End middle{at, std::abs(value), slopeAt(at)};
+    (middle.slope < 0 ? low : high) = middle;
+  }
+  return false;
+}
+
+void LineCrossings::solve() {
+  open_.clear();
+  for (std::size_t i = 0; i < brackets_.size(); ++i) {
+    if (!brackets_[i].isDone) open_.push_back(i);
+  }
+  while (!open_.empty()) {
+    points_.clear();
+    for (const auto i : open_) points_.push_back(brackets_[i].line.at(brackets_[i].next()));
+    values_.resize(points_.size());
+    field_.values(points_, values_);
+    std::size_t kept = 0;
+    for (std::size_t n = 0; n < open_.size(); ++n) {
+      auto& bracket = brackets_[open_[n]];
+      bracket.take(points_[n][bracket.line.axis], values_[n]);
+      if (!bracket.isDone) open_[kept++] = open_[n];
+    }
+    open_.resize(kept);
+  }
+}
+
+}  // namespace cutwater

@@ -1,0 +1,28 @@
+// Private: what all cutters ask of their arguments.
+#pragma once
+
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/CutCells/CellCutter.hpp>
+
+#include <cmath>
+
+namespace cutwater {
+
+inline void checkOptions(const CutOptions& options) {
+  require(options.moments >= -1 && options.moments <= CutCells::Moments::kHighest,
+          "cut cells: need a degree of moments from 0 to 4, or -1",
+          Named{"moments", options.moments});
+}
+
+inline void checkPlanes(const CellPlanes& grid) {
+  for (const auto& planes : grid.planes) {
+    require(planes.size() >= 4,
+            "cut cells: need two planes across each axis, and one on each side");
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      require(std::isfinite(planes[i]) && (i == 0 || planes[i] > planes[i - 1]),
+              "cut cells: need planes that ascend", Named{"plane", planes[i]});
+    }
+  }
+}
+
+}  // namespace cutwater

@@ -1,0 +1,47 @@
+#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/Detail/Curved/CurvedTile.hpp>
+#include <Cutwater/CutCells/Detail/Curved/GaussPoints.hpp>
+#include <Cutwater/CutCells/Detail/CutArguments.hpp>
+#include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
+
+namespace cutwater {
+
+template <std::floating_point T>
+SolidCutter::SolidCutter(const Solid<T>& solid, FluidSide side, const SolidCutterOptions& options)
+    : options_(options) {
+  require(options.points >= 1 && options.points <= kMostGaussPoints,
+          "cut cells: need 1 to 6 points of a Gauss rule", Named{"points", options.points});
+  require(options.tolerance > 0 && options.tolerance <= 1,
+          "cut cells: need a tolerance above 0, and 1 at most",
+          Named{"tolerance", options.tolerance});
+  field_ = fluidBeside(solid, side);
+}
+
+CutCells SolidCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
+  checkPlanes(grid);
+  checkOptions(options);
+  require(!options.polygons, "cut cells: there are no polygons of solids that are no meshes");
+  require(grid.period == std::array<std::int32_t, 3>{},
+          "cut cells: there are no periods of solids that are no meshes, see repeated()");
+  const CutBlocks tiles(stretchesOf(grid));
+  std::vector<std::unique_ptr<const TileCut>> cuts(tiles.count());
+  std::vector<char> isBody(tiles.count());
+  parallelFor(tiles.count(), {.threads = options.threads, .progress = options.progress},
+              [&](std::size_t begin, std::size_t end) {
+                for (auto tile = begin; tile < end; ++tile) {
+                  const auto planes = tiles.planesOf(tile);
+                  const auto whole = wholeBox(*field_, boxOf(planes));
+                  isBody[tile] = whole.isFluid ? 0 : 1;
+                  if (whole.isWhole) continue;
+                  cuts[tile] =
+                      std::make_unique<const TileCut>(cutTile(*field_, planes, options_, options));
+                }
+              });
+  const auto isBodyTile = [&](std::size_t tile) { return isBody[tile] != 0; };
+  return assembledCells(grid, {tiles, cuts, isBodyTile, field_->patchNames()}, options);
+}
+
+template SolidCutter::SolidCutter(const Solid<float>&, FluidSide, const SolidCutterOptions&);
+template SolidCutter::SolidCutter(const Solid<double>&, FluidSide, const SolidCutterOptions&);
+
+}  // namespace cutwater

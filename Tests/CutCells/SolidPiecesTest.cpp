@@ -1,0 +1,278 @@
+// Pieces, arcs and moments of cells of solids that are no meshes.
+
+#include <Cutwater/Core/Checksum.hpp>
+#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/CutRegions.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
+#include <Cutwater/Tpms/TpmsSolid.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <queue>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "CutCells/MomentCells.hpp"
+#include "CutCells/ShellCells.hpp"
+#include "Support/RandomTrees.hpp"
+#include "Support/Scale.hpp"
+
+namespace cutwater::test {
+namespace {
+
+TEST(SolidPiecesTest, APlateThatNoNodeSeesHasTwoSides) {
+  for (const double thickness : {1e-3, 1e-6}) {
+    for (const double turn : {0.0, 20.0}) {
+      Cuboid<double> plate({-2, -2, 0.013}, {2, 2, 0.013 + thickness});
+      plate.rotate(turn, {1, 2, 0.3});
+      plate.translate({0.5, 0.5, 0.5});
+      const auto cells = SolidCutter(Solid<double>(plate)).cut(unitGrid(8));
+      const auto report = check(cells);
+      EXPECT_LT(report.worstClosure, 1e-14);
+      EXPECT_EQ(report.lostPieces, 0U);
+      const CutRegions regions(cells);
+      EXPECT_EQ(regions.regions().size(), 2U) << thickness << " turned by " << turn;
+      if (turn == 0) {
+        EXPECT_EQ(report.multiPieceCells, 64U);
+        EXPECT_NEAR(report.bodyVolume, thickness, 1e-14);
+        EXPECT_NEAR(report.wallArea, 2, 1e-13);
+      } else {
+        EXPECT_GT(report.multiPieceCells, 30U);
+      }
+    }
+  }
+}
+
+/// The connected parts of a cell's fluid among n^3 samples.
+int floodedParts(const Solid<double>& solid, const Box<double>& box, int n) {
+  const auto count = static_cast<std::size_t>(n);
+  std::vector<char> isFluid;
+  for (int k = 0; k < n; ++k) {
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        const Vec3<double> share{(i + 0.5) / n, (j + 0.5) / n, (k + 0.5) / n};
+        auto p = box.lower;
+        for (int axis = 0; axis < 3; ++axis) p[axis] += share[axis] * box.size()[axis];
+        isFluid.push_back(solid.signedDistance(p) >= 0 ? 1 : 0);
+      }
+    }
+  }
+  int parts = 0;
+  const std::array<std::size_t, 3> strides{1, count, count * count};
+  for (std::size_t start = 0; start < isFluid.size(); ++start) {
+    if (isFluid[start] == 0) continue;
+    ++parts;
+    std::queue<std::size_t> open;
+    open.push(start);
+    isFluid[start] = 0;
+    while (!open.empty()) {
+      const auto at = open.front();
+      open.pop();
+      for (const auto stride : strides) {
+        const auto place = at / stride % count;
+        for (const bool up : {true, false}) {
+          if (up ? place + 1 == count : place == 0) continue;
+          const auto next = up ? at + stride : at - stride;
+          if (isFluid[next] == 0) continue;
+          isFluid[next] = 0;
+          open.push(next);
+        }
+      }
+    }
+  }
+  return parts;
+}
+
+TEST(SolidPiecesTest, OfAGyroidWallAreThoseOfAFlood) {
+  const Solid<double> wall =
+      TpmsSolid<double>(TpmsField<double>(TpmsPattern::gyroid(), 0.5), TpmsPart::Wall, 0.3);
+  const SolidCutter cutter(wall, FluidSide::Outside, {.points = 2, .tolerance = 0.01});
+  const auto cells = cutter.cut(unitGrid(10));
+  EXPECT_GT(check(cells).multiPieceCells, 200U);
+  for (std::size_t row = 0; row < cells.cellCount; row += 17) {
+    const auto pieces = cells.cells.firstPiece[row + 1] - cells.cells.firstPiece[row];
+    EXPECT_EQ(static_cast<int>(pieces), floodedParts(wall, cells.boxOf(cells.cells.index[row]), 16))
+        << cells.cells.index[row].i << ' ' << cells.cells.index[row].j;
+  }
+  // Two channels, which do not meet.
+  EXPECT_EQ(CutRegions(cells).regions().size(), 2U);
+}
+
+TEST(SolidPiecesTest, WallsInPlanesOfTheGridAreThoseOfAMesh) {
+  const Box<double> box{{0.25, 0.25, 0.375}, {0.75, 0.625, 0.75}};
+  for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+    const auto solid =
+        SolidCutter(Solid<double>(Cuboid<double>(box.lower, box.upper)), side).cut(unitGrid(8));
+    const auto mesh =
+        CellCutter(solidOf(tessellation::box(box.lower, box.upper)), side).cut(unitGrid(8));
+    EXPECT_EQ(solid.cells.index, mesh.cells.index);
+    EXPECT_EQ(solid.cells.wallFaces, mesh.cells.wallFaces);
+    EXPECT_EQ(solid.bodyRuns, mesh.bodyRuns);
+    EXPECT_EQ(solid.arcs.cell, mesh.arcs.cell);
+    EXPECT_EQ(solid.arcs.below, mesh.arcs.below);
+    EXPECT_EQ(solid.arcs.above, mesh.arcs.above);
+    for (std::uint32_t row = 0; row < solid.cellCount; ++row) {
+      EXPECT_TRUE(solid.isTouchedOnly(row));
+      EXPECT_NEAR(solid.pieces.wallArea[row], mesh.pieces.wallArea[row], 1e-15);
+    }
+  }
+}
+
+Solid<double> twoBalls() {
+  return Sphere<double>({0.4, 0.45, 0.5}, 0.21) | Sphere<double>({0.6, 0.55, 0.45}, 0.22);
+}
+
+TEST(SolidPiecesTest, HaveTheSameBitsInEveryBoxWithAnyThreads) {
+  const SolidCutter cutter(twoBalls());
+  const Level<double> level({0, 0, 0}, {1.0 / 20, 1.0 / 20, 1.0 / 20});
+  const auto all =
+      cutter.cut(GridPatch<double>{level, IndexBox::ofSize(20, 20, 20)}, {.threads = 1});
+  const auto hash = checksum(toBytes(all));
+  for (const int threads : {2, 5}) {
+    const auto again =
+        cutter.cut(GridPatch<double>{level, IndexBox::ofSize(20, 20, 20)}, {.threads = threads});
+    EXPECT_EQ(checksum(toBytes(again)), hash);
+  }
+  const auto part = cutter.cut(GridPatch<double>{level, {{3, 5, 2}, {13, 16, 12}}});
+  EXPECT_GT(part.cellCount, 200U);
+  for (std::uint32_t row = 0; row < part.cellCount; ++row) {
+    const auto whole = all.rowOf(part.cells.index[row]);
+    ASSERT_NE(whole, CutCells::kNoRow);
+    EXPECT_EQ(part.cells.error[row], all.cells.error[whole]);
+    const auto first = part.cells.firstPiece[row];
+    const auto firstOfAll = all.cells.firstPiece[whole];
+    ASSERT_EQ(part.cells.firstPiece[row + 1] - first, all.cells.firstPiece[whole + 1] - firstOfAll);
+    EXPECT_EQ(part.pieces.volume[first], all.pieces.volume[firstOfAll]);
+    EXPECT_EQ(part.pieces.centroid[first], all.pieces.centroid[firstOfAll]);
+    EXPECT_EQ(part.pieces.wallVector[first], all.pieces.wallVector[firstOfAll]);
+  }
+}
+
+TEST(SolidPiecesTest, WallsBelongToTheirPatches) {
+  const auto cells = SolidCutter(twoBalls()).cut(unitGrid(16));
+  ASSERT_EQ(cells.patchNames.size(), 2U);
+  std::array<double, 2> areas{};
+  std::vector<Vec3<double>> vectors(cells.pieces.volume.size());
+  for (std::size_t i = 0; i < cells.wallParts.piece.size(); ++i) {
+    vectors[cells.wallParts.piece[i]] += cells.wallParts.vector[i];
+    if (cells.wallParts.piece[i] < cells.pieceCount) {
+      areas[cells.wallParts.patch[i]] += cells.wallParts.area[i];
+    }
+  }
+  for (std::size_t p = 0; p < vectors.size(); ++p) {
+    EXPECT_LT(length(vectors[p] - cells.pieces.wallVector[p]), 1e-16);
+  }
+  // What a sphere's cap has of its area: the share of its diameter.
+  const double distance = length(Vec3<double>{0.2, 0.1, -0.05});
+  const auto visible = [&](double r, double other) {
+    const double plane = (distance * distance + r * r - other * other) / (2 * distance);
+    return 2 * std::numbers::pi * r * (r + plane);
+  };
+  EXPECT_NEAR(areas[0], visible(0.21, 0.22), 1e-4);
+  EXPECT_NEAR(areas[1], visible(0.22, 0.21), 1e-4);
+}
+
+TEST(SolidPiecesTest, MomentsOfABallAreThoseOfTheFormula) {
+  const Vec3<double> center{0.51, 0.49, 0.505};
+  const double r = 0.37;
+  const auto cells =
+      SolidCutter(Solid<double>(Sphere<double>(center, r)), FluidSide::Inside, {.points = 5})
+          .cut(unitGrid(16), {.moments = 4});
+  const auto report = check(cells);
+  EXPECT_LT(report.worstMoments, 1e-5);
+  std::vector<double> sum(cells.moments.perPiece());
+  for (std::uint32_t p = 0; p < cells.pieceCount; ++p) {
+    const auto row = shifted(cells.moments.ofVolume(p), cells.pieces.centroid[p], center);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += row[i];
+  }
+  // Of cells that are all fluid, by their own moments.
+  const auto box = cells.grid.indices();
+  for (std::size_t n = 0; n < std::size_t{16} * 16 * 16; ++n) {
+    const auto cell =
+        box.at(static_cast<std::uint32_t>(n % 16), static_cast<std::uint32_t>(n / 16 % 16),
+               static_cast<std::uint32_t>(n / 256));
+    if (cells.classOf(cell) != FluidClass::Fluid) continue;
+    auto of = cells.boxOf(cell);
+    of.lower -= center;
+    of.upper -= center;
+    for (std::size_t i = 0; i < kOrder.size(); ++i) sum[i] += ofBox(kOrder[i], of);
+  }
+  const double pi = std::numbers::pi;
+  const double xx = 4 * pi / 15 * std::pow(r, 5);
+  const double xxxx = 4 * pi / 35 * std::pow(r, 7);
+  EXPECT_NEAR(sum[CutCells::Moments::indexOf(0, 0, 0)], 4 * pi / 3 * r * r * r, 1e-9);
+  for (const auto& powers : {std::array{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}) {
+    EXPECT_NEAR(sum[CutCells::Moments::indexOf(static_cast<std::size_t>(powers[0]),
+                                               static_cast<std::size_t>(powers[1]),
+                                               static_cast<std::size_t>(powers[2]))],
+                xx, 1e-10);
+  }
+  EXPECT_NEAR(sum[CutCells::Moments::indexOf(1, 0, 0)], 0, 1e-10);
+  EXPECT_NEAR(sum[CutCells::Moments::indexOf(0, 4, 0)], xxxx, 1e-11);
+  EXPECT_NEAR(sum[CutCells::Moments::indexOf(0, 2, 2)], xxxx / 3, 1e-11);
+}
+
+/// Of the fluid in a cell.
+double fractionOf(const CutCells& cells, std::uint32_t row) {
+  double sum = 0;
+  for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
+    sum += cells.volumeFraction(p);
+  }
+  return sum;
+}
+
+TEST(SolidPiecesTest, CoarserCellsAreThoseCutDirectly) {
+  const SolidCutter cutter(twoBalls());
+  const auto coarse = coarsened(cutter.cut(unitGrid(24)), {2, 2, 2});
+  const auto direct = cutter.cut(unitGrid(12));
+  ASSERT_EQ(coarse.cells.index.size(), direct.cellCount);
+  for (std::uint32_t row = 0; row < coarse.cellCount; ++row) {
+    ASSERT_EQ(coarse.cells.index[row], direct.cells.index[row]);
+    const double bound = 10 * (direct.cells.error[row] + coarse.cells.error[row]) + 1e-12;
+    EXPECT_NEAR(fractionOf(coarse, row), fractionOf(direct, row), bound);
+  }
+}
+
+TEST(SolidPiecesTest, FilesAndMergedCellsKeepTheirErrors) {
+  const auto cells = SolidCutter(twoBalls()).cut(unitGrid(12));
+  EXPECT_EQ(cells.cells.error.size(), cells.cells.index.size());
+  const auto bytes = toBytes(cells);
+  EXPECT_EQ(cutCellsFrom(bytes).cells.error, cells.cells.error);
+  const auto [single, lost] = merged(cells);
+  EXPECT_EQ(single.cells.error.size(), single.cells.index.size());
+  auto forged = cells;
+  forged.cells.error.pop_back();
+  EXPECT_THROW((void)toBytes(forged), Error);
+}
+
+/// Unions, intersections, differences and blends of shapes placed anyhow.
+TEST(SolidPiecesTest, RandomCompositesKeepTheIdentities) {
+  int cut = 0;
+  for (int round = 0; round < scaled(12); ++round) {
+    RandomTrees<double> trees(static_cast<unsigned>(round) + 22);
+    const auto solid = trees.tree(round % 3);
+    SCOPED_TRACE(solid.describe());
+    const auto grid = unitGrid(4, -1.2, 1.2);
+    std::array<double, 2> fluid{};
+    double stated = 0;
+    for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+      const auto cells = SolidCutter(solid, side).cut(grid);
+      const auto report = check(cells);
+      EXPECT_LT(report.worstClosure, 1e-13);
+      EXPECT_EQ(report.lostPieces, 0U);
+      EXPECT_EQ(report.outOfRange, 0U);
+      fluid[side == FluidSide::Outside ? 0 : 1] = report.fluidVolume;
+      for (const double error : cells.cells.error) stated += error * 0.216;
+      cut += static_cast<int>(cells.cellCount);
+    }
+    EXPECT_NEAR(fluid[0] + fluid[1], std::pow(2.4, 3), stated + 1e-9);
+  }
+  EXPECT_GT(cut, scaled(12) * 5);
+}
+
+}  // namespace
+}  // namespace cutwater::test
