@@ -47,42 +47,49 @@ TEST(SolidPiecesTest, APlateThatNoNodeSeesHasTwoSides) {
   }
 }
 
-/// The connected parts of a cell's fluid among n^3 samples.
-int floodedParts(const Solid<double>& solid, const Box<double>& box, int n) {
-  const auto count = static_cast<std::size_t>(n);
+/// Which of n^3 samples of a cell are in the fluid, x first.
+std::vector<char> samplesIn(const Solid<double>& solid, const Box<double>& box, std::size_t n) {
   std::vector<char> isFluid;
-  for (int k = 0; k < n; ++k) {
-    for (int j = 0; j < n; ++j) {
-      for (int i = 0; i < n; ++i) {
-        const Vec3<double> share{(i + 0.5) / n, (j + 0.5) / n, (k + 0.5) / n};
-        auto p = box.lower;
-        for (int axis = 0; axis < 3; ++axis) p[axis] += share[axis] * box.size()[axis];
-        isFluid.push_back(solid.signedDistance(p) >= 0 ? 1 : 0);
-      }
+  for (std::size_t i = 0; i < n * n * n; ++i) {
+    const std::array place{i % n, i / n % n, i / (n * n)};
+    auto p = box.lower;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double middle = 0.5 + static_cast<double>(place[static_cast<std::size_t>(axis)]);
+      p[axis] += middle / static_cast<double>(n) * box.size()[axis];
+    }
+    isFluid.push_back(solid.signedDistance(p) >= 0 ? 1 : 0);
+  }
+  return isFluid;
+}
+
+/// Takes all samples that are connected with one.
+void flood(std::vector<char>& isFluid, std::size_t n, std::size_t start) {
+  std::queue<std::size_t> open;
+  const auto take = [&](std::size_t i) {
+    if (isFluid[i] == 0) return;
+    isFluid[i] = 0;
+    open.push(i);
+  };
+  take(start);
+  while (!open.empty()) {
+    const auto at = open.front();
+    open.pop();
+    for (const auto stride : {std::size_t{1}, n, n * n}) {
+      const auto place = at / stride % n;
+      if (place + 1 < n) take(at + stride);
+      if (place > 0) take(at - stride);
     }
   }
+}
+
+/// The connected parts of a cell's fluid among n^3 samples.
+int floodedParts(const Solid<double>& solid, const Box<double>& box, std::size_t n) {
+  auto isFluid = samplesIn(solid, box, n);
   int parts = 0;
-  const std::array<std::size_t, 3> strides{1, count, count * count};
   for (std::size_t start = 0; start < isFluid.size(); ++start) {
     if (isFluid[start] == 0) continue;
     ++parts;
-    std::queue<std::size_t> open;
-    open.push(start);
-    isFluid[start] = 0;
-    while (!open.empty()) {
-      const auto at = open.front();
-      open.pop();
-      for (const auto stride : strides) {
-        const auto place = at / stride % count;
-        for (const bool up : {true, false}) {
-          if (up ? place + 1 == count : place == 0) continue;
-          const auto next = up ? at + stride : at - stride;
-          if (isFluid[next] == 0) continue;
-          isFluid[next] = 0;
-          open.push(next);
-        }
-      }
-    }
+    flood(isFluid, n, start);
   }
   return parts;
 }

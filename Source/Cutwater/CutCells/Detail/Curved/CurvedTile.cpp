@@ -141,7 +141,8 @@ class CurvedTile {
     out_.isTouched.push_back(0);
     out_.meets.push_back(0);
     out_.error.push_back(gap);
-    auto& here = cells_.emplace_back(number, pieceCount());
+    cells_.push_back({.cell = number, .firstPiece = pieceCount(), .parts = {}, .pieceOfPart = {}});
+    auto& here = cells_.back();
     FluidParts parts(field_, view);
     std::vector<PieceRule> rules(std::max<std::size_t>(1, parts.count()));
     for (const auto& span : rule_.points().spans) rules[parts.at(span.middle())].add(span);

@@ -13,14 +13,14 @@ class SolidField final : public FluidField {
  public:
   SolidField(const Solid<T>& solid, FluidSide side) : SolidField(solid, side, solid.guarantee()) {}
   SolidField(const Solid<T>& solid, FluidSide side, const Guarantee<T>& guarantee)
-      : solid_(solid),
+      : FluidField(
+            {.steepness = double{guarantee.lipschitz.value_or(T(0))},
+             .domain = {Vec3<double>(guarantee.domain.lower), Vec3<double>(guarantee.domain.upper)},
+             .patchNames = solid.patchNames()}),
+        solid_(solid),
         roundingPerLength_(double{guarantee.ulps} * double{std::numeric_limits<T>::epsilon()}),
         size_(guarantee.size),
-        sign_(side == FluidSide::Outside ? 1 : -1) {
-    steepness_ = double{guarantee.lipschitz.value_or(T(0))};
-    domain_ = {Vec3<double>(guarantee.domain.lower), Vec3<double>(guarantee.domain.upper)};
-    patchNames_ = solid.patchNames();
-  }
+        sign_(side == FluidSide::Outside ? 1 : -1) {}
 
   void values(std::span<const Vec3<double>> points, std::span<double> values) const override {
     constexpr std::size_t kBatch = 64;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cutwater {
@@ -16,7 +17,13 @@ namespace cutwater {
 /// the fluid is on: so a wall in a plane of the grid belongs to the cell whose fluid it bounds.
 class FluidField {
  public:
-  FluidField() = default;
+  /// What is known of all values.
+  struct Facts {
+    double steepness = 0;  ///< a Lipschitz constant; 0: none is known
+    Box<double> domain;    ///< where it holds
+    std::vector<std::string> patchNames;
+  };
+  explicit FluidField(Facts facts) : facts_(std::move(facts)) {}
   FluidField(const FluidField&) = delete;
   FluidField& operator=(const FluidField&) = delete;
   virtual ~FluidField() = default;
@@ -35,16 +42,12 @@ class FluidField {
 
   /// A bound of the difference of values, by distance, in a box; 0 if none is known.
   [[nodiscard]] double steepness(const Box<double>& box) const {
-    return domain_.contains(box.lower) && domain_.contains(box.upper) ? steepness_ : 0;
+    return facts_.domain.covers(box) ? facts_.steepness : 0;
   }
-  /// Whether a bound is known somewhere, so that answers may be certain.
-  [[nodiscard]] bool hasSteepness() const { return steepness_ > 0; }
-  [[nodiscard]] const std::vector<std::string>& patchNames() const { return patchNames_; }
+  [[nodiscard]] const std::vector<std::string>& patchNames() const { return facts_.patchNames; }
 
- protected:
-  double steepness_ = 0;
-  Box<double> domain_;
-  std::vector<std::string> patchNames_;
+ private:
+  Facts facts_;
 };
 
 /// Of a solid, with the fluid on this side of its surface.

@@ -63,7 +63,8 @@ void FluidParts::connect(int cells) {
   std::array<int, 3> counts{};
   for (std::size_t a = 0; a < 3; ++a) counts[a] = isFlat_[a] ? 1 : cells + 1;
   const auto indexOf = [&](const std::array<int, 3>& p) {
-    return static_cast<std::size_t>((p[2] * counts[1] + p[1]) * counts[0] + p[0]);
+    const int index = (p[2] * counts[1] + p[1]) * counts[0] + p[0];
+    return static_cast<std::size_t>(index);
   };
   std::vector<Vec3<double>> points;
   std::vector<std::array<int, 3>> places;

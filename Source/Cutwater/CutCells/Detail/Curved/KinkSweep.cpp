@@ -119,34 +119,36 @@ double KinkSweep::predicted(int axis, double from, double to, const Change& chan
   return 0.5 * (from + to);
 }
 
-void KinkSweep::refine(int axis, double from, const States& atFrom, double to, const States& atTo,
-                       const StatesAt& statesAt, std::vector<double>& found) {
+void KinkSweep::refine(int axis, const Place& from, const Place& to, const StatesAt& statesAt,
+                       std::vector<double>& found) {
   constexpr double kNarrow = 0x1p-44;  // of the box
-  const auto change = changeBetween(atFrom, atTo);
+  const auto change = changeBetween(from.states, to.states);
   if (!change.isAny || linesLeft_ <= 0) return;
   const double narrow = kNarrow * (box_.upper[axis] - box_.lower[axis]);
-  if (to - from <= 4 * narrow) {
-    found.push_back(0.5 * (from + to));
+  const double width = to.at - from.at;
+  if (width <= 4 * narrow) {
+    found.push_back(0.5 * (from.at + to.at));
     return;
   }
   // Around what is expected: closely first, then in a share of the way.
   constexpr double kShare = 0.02;
-  const double guess = predicted(axis, from, to, change);
-  for (const double reach : {narrow, kShare * (to - from)}) {
-    const double low = std::max(guess - reach, 0.5 * (from + guess));
-    const double high = std::min(guess + reach, 0.5 * (guess + to));
-    if (!(from < low && low < high && high < to)) continue;
-    const auto atLow = statesAt(low);
-    const auto atHigh = statesAt(high);
-    const bool isWithin = !changeBetween(atFrom, atLow).isAny && !changeBetween(atHigh, atTo).isAny;
-    if (reach == narrow && isWithin) {
-      if (changeBetween(atLow, atHigh).isAny) found.push_back(guess);
+  const double guess = predicted(axis, from.at, to.at, change);
+  for (const double reach : {narrow, kShare * width}) {
+    Place low{std::max(guess - reach, 0.5 * (from.at + guess)), {}};
+    Place high{std::min(guess + reach, 0.5 * (guess + to.at)), {}};
+    if (!(from.at < low.at && low.at < high.at && high.at < to.at)) continue;
+    low.states = statesAt(low.at);
+    high.states = statesAt(high.at);
+    if (reach > narrow) {
+      refine(axis, from, low, statesAt, found);
+      refine(axis, low, high, statesAt, found);
+      refine(axis, high, to, statesAt, found);
       return;
     }
-    if (reach == narrow) continue;
-    refine(axis, from, atFrom, low, atLow, statesAt, found);
-    refine(axis, low, atLow, high, atHigh, statesAt, found);
-    refine(axis, high, atHigh, to, atTo, statesAt, found);
+    const bool isWithin = !changeBetween(from.states, low.states).isAny &&
+                          !changeBetween(high.states, to.states).isAny;
+    if (!isWithin) continue;
+    if (changeBetween(low.states, high.states).isAny) found.push_back(guess);
     return;
   }
   found.push_back(guess);
@@ -167,14 +169,15 @@ std::vector<double> KinkSweep::breaks(int axis, std::vector<double> known,
       low = high;
       continue;
     }
-    double from = low + kSamples[0] * (high - low);
-    auto atFrom = statesAt(from);
+    const auto placeAt = [&](double share) {
+      const double at = low + share * (high - low);
+      return Place{at, statesAt(at)};
+    };
+    auto from = placeAt(kSamples[0]);
     for (std::size_t i = 1; i < kSamples.size(); ++i) {
-      const double to = low + kSamples[i] * (high - low);
-      auto atTo = statesAt(to);
-      refine(axis, from, atFrom, to, atTo, statesAt, found);
-      from = to;
-      atFrom = std::move(atTo);
+      auto to = placeAt(kSamples[i]);
+      refine(axis, from, to, statesAt, found);
+      from = std::move(to);
     }
     found.push_back(high);
     low = high;

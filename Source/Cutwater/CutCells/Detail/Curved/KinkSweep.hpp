@@ -42,6 +42,11 @@ class KinkSweep {
     std::vector<Passage> passages;
   };
   using States = std::vector<State>;
+  /// What lines meet at a place along an axis of the box.
+  struct Place {
+    double at = 0;
+    States states;
+  };
   using StatesAt = std::function<States(double)>;
   /// How what lines meet differs between two places.
   struct Change {
@@ -64,8 +69,8 @@ class KinkSweep {
   /// are found between them; and the upper end.
   [[nodiscard]] std::vector<double> breaks(int axis, std::vector<double> known,
                                            const StatesAt& statesAt);
-  void refine(int axis, double from, const States& atFrom, double to, const States& atTo,
-              const StatesAt& statesAt, std::vector<double>& found);
+  void refine(int axis, const Place& from, const Place& to, const StatesAt& statesAt,
+              std::vector<double>& found);
   [[nodiscard]] double predicted(int axis, double from, double to, const Change& change) const;
 
   const FluidField& field_;

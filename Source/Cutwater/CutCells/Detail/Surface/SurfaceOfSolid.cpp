@@ -13,7 +13,7 @@ namespace {
 template <std::floating_point T>
 const MeshSDF<T>& meshOf(const Solid<T>& solid) {
   const auto* const mesh = solid.template as<MeshSDF<T>>();
-  require(mesh != nullptr, "cut cells: need a mesh: make one of the solid, see isosurface()");
+  require(mesh != nullptr, "cut cells: need a mesh: other solids have a SolidCutter");
   return *mesh;
 }
 
