@@ -321,6 +321,18 @@ TEST(DocsTest, SolidsThatAreNoMeshes) {
     useError(cells.cells.index[row], cells.cells.error[row]);
   }
   // DOCS]
+  double load = 0;
+  const auto pressureAt = [](const Vec3<double>& p) { return p.z - 0.5; };
+  // [DOCS
+  const CutCells withPoints = cutter.cut(GridPatch<double>{level, indices}, {.quadrature = true});
+  const auto& wall = withPoints.quadrature.wall;
+  for (std::uint32_t p = 0; p < withPoints.pieceCount; ++p) {
+    for (std::size_t i = 0; i < wall.pointsOf(p).size(); ++i) {
+      load += wall.weightsOf(p)[i] * pressureAt(wall.pointsOf(p)[i]);
+    }
+  }
+  // DOCS]
+  EXPECT_NEAR(load, 0, 1e-9);  // by symmetry
   EXPECT_GT(worst, 0);
   EXPECT_LT(worst, 1e-2);
   const double balls = 4 * std::numbers::pi / 3 * (std::pow(0.17, 3) + std::pow(0.2, 3));

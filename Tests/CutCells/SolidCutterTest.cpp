@@ -128,6 +128,29 @@ TEST(SolidCutterTest, EdgesAreFollowed) {
   }
 }
 
+TEST(SolidCutterTest, SectionsAreThoseOfTheFormula) {
+  const auto grid =
+      cellsBetween({planesOf(unitGrid(16)).planes[0], planesOf(unitGrid(16)).planes[1], {0, 1}});
+  const double r = 0.37;
+  const double z = 0.6;
+  const auto ring = std::sqrt(r * r - 0.11 * 0.11);
+  const SolidCutter ball(Solid<double>(Sphere<double>({0.513, 0.507, 0.49}, r)));
+  const auto disc = check(ball.cutInPlane(grid, z));
+  EXPECT_NEAR(disc.bodyVolume, kPi * ring * ring, 1e-8);
+  EXPECT_NEAR(disc.wallArea, 2 * kPi * ring, 1e-6);
+  EXPECT_LT(disc.worstClosure, 1e-14);
+  EXPECT_EQ(disc.lostPieces, 0U);
+  const Solid<double> torus = Torus<double>({0.513, 0.507, 0.5}, {0, 0, 1}, 0.29, 0.11);
+  const auto annulus = check(SolidCutter(torus).cutInPlane(grid, 0.5));
+  EXPECT_NEAR(annulus.bodyVolume, kPi * (0.4 * 0.4 - 0.18 * 0.18), 1e-6);
+  EXPECT_NEAR(annulus.wallArea, 2 * kPi * (0.4 + 0.18), 1e-5);
+  // A box, in planes of the grid and between them.
+  const SolidCutter box(Solid<double>(Cuboid<double>({0.25, 0.3, 0.1}, {0.75, 0.7, 0.9})));
+  EXPECT_NEAR(check(box.cutInPlane(grid, z)).bodyVolume, 0.5 * 0.4, 1e-14);
+  EXPECT_NEAR(check(box.cutInPlane(grid, z)).wallArea, 1.8, 1e-13);
+  EXPECT_EQ(box.cutInPlane(grid, 0.95).cellCount, 0U);
+}
+
 TEST(SolidCutterTest, FluidOnBothSidesFillsTheCells) {
   const std::vector<Solid<double>> solids{
       ballOf({0.5, 0.5, 0.5}, 0.37).solid, ballsOf(0.3, 0.2, true).solid,
@@ -203,6 +226,11 @@ TEST(SolidCutterTest, WrongArgumentsAreRefused) {
   const SolidCutter cutter(ball);
   EXPECT_THROW((void)cutter.cut(unitGrid(4), {.polygons = true}), Error);
   EXPECT_THROW((void)cutter.cut(unitGrid(4), {.moments = 5}), Error);
+  EXPECT_THROW((void)cutter.cutInPlane(planesOf(unitGrid(4)), 0.5, {.moments = 0}), Error);
+  EXPECT_THROW((void)cutter.cutInPlane(planesOf(unitGrid(4)), 0.5, {.quadrature = true}), Error);
+  EXPECT_THROW(
+      (void)CellCutter(solidOf(test::ball(0.3, kMiddle))).cut(unitGrid(4), {.quadrature = true}),
+      Error);
   auto planes = planesOf(unitGrid(4));
   planes.planes[1][2] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)cutter.cut(planes), Error);

@@ -98,13 +98,22 @@ TEST(SolidPiecesTest, OfAGyroidWallAreThoseOfAFlood) {
   const Solid<double> wall =
       TpmsSolid<double>(TpmsField<double>(TpmsPattern::gyroid(), 0.5), TpmsPart::Wall, 0.3);
   const SolidCutter cutter(wall, FluidSide::Outside, {.points = 2, .tolerance = 0.01});
-  const auto cells = cutter.cut(unitGrid(10));
+  const auto cells = cutter.cut(unitGrid(15));
   EXPECT_GT(check(cells).multiPieceCells, 200U);
-  for (std::size_t row = 0; row < cells.cellCount; row += 17) {
-    const auto pieces = cells.cells.firstPiece[row + 1] - cells.cells.firstPiece[row];
-    EXPECT_EQ(static_cast<int>(pieces), floodedParts(wall, cells.boxOf(cells.cells.index[row]), 16))
+  // Of cells without pieces that samples miss.
+  int compared = 0;
+  for (std::size_t row = 0; row < cells.cellCount; row += 53) {
+    const auto first = cells.cells.firstPiece[row];
+    const auto last = cells.cells.firstPiece[row + 1];
+    double smallest = 1;
+    for (auto p = first; p < last; ++p) smallest = std::min(smallest, cells.volumeFraction(p));
+    if (smallest < 0.01) continue;
+    ++compared;
+    EXPECT_EQ(static_cast<int>(last - first),
+              floodedParts(wall, cells.boxOf(cells.cells.index[row]), 24))
         << cells.cells.index[row].i << ' ' << cells.cells.index[row].j;
   }
+  EXPECT_GT(compared, 20);
   // Two channels, which do not meet.
   EXPECT_EQ(CutRegions(cells).regions().size(), 2U);
 }
@@ -230,6 +239,64 @@ double fractionOf(const CutCells& cells, std::uint32_t row) {
     sum += cells.volumeFraction(p);
   }
   return sum;
+}
+
+/// By the divergence theorem: of (x^3, y^2 z, x y z) over a piece, its wall and its open parts.
+TEST(SolidPiecesTest, QuadratureKeepsTheDivergenceTheorem) {
+  const Solid<double> ball = Sphere<double>({0.51, 0.49, 0.505}, 0.37);
+  const SolidCutter cutter(ball, FluidSide::Outside, {.points = 4});
+  const auto cells = cutter.cut(unitGrid(16), {.quadrature = true});
+  const auto& [volume, wall, normals, arc] = cells.quadrature;
+  const auto field = [](const Vec3<double>& p) {
+    return Vec3<double>{p.x * p.x * p.x, p.y * p.y * p.z, p.x * p.y * p.z};
+  };
+  std::vector<double> gaps;
+  std::vector<double> volumes;
+  for (std::uint32_t piece = 0; piece < cells.pieces.volume.size(); ++piece) {
+    double sum = 0;
+    double divergence = 0;
+    for (std::size_t i = 0; i < volume.pointsOf(piece).size(); ++i) {
+      const auto& p = volume.pointsOf(piece)[i];
+      const double weight = volume.weightsOf(piece)[i];
+      EXPECT_GT(weight, 0);
+      sum += weight;
+      divergence += weight * (3 * p.x * p.x + 2 * p.y * p.z + p.x * p.y);
+    }
+    double area = 0;
+    for (std::size_t i = 0; i < wall.pointsOf(piece).size(); ++i) {
+      const auto& normal = normals[wall.first[piece] + i];
+      const double weight = wall.weightsOf(piece)[i];
+      EXPECT_GT(weight, 0);
+      EXPECT_NEAR(length(normal), 1, 1e-14);
+      area += weight;
+      divergence -= weight * dot(field(wall.pointsOf(piece)[i]), normal);
+    }
+    EXPECT_NEAR(sum, cells.pieces.volume[piece], 1e-16);
+    EXPECT_NEAR(area, cells.pieces.wallArea[piece], 1e-15);
+    gaps.push_back(divergence);
+    volumes.push_back(sum);
+  }
+  for (std::uint32_t a = 0; a < cells.arcs.area.size(); ++a) {
+    double sum = 0;
+    double flux = 0;
+    for (std::size_t i = 0; i < arc.pointsOf(a).size(); ++i) {
+      sum += arc.weightsOf(a)[i];
+      flux += arc.weightsOf(a)[i] * field(arc.pointsOf(a)[i])[cells.arcs.axis[a]];
+    }
+    EXPECT_NEAR(sum, cells.arcs.area[a], 1e-16);
+    if (cells.arcs.below[a] < gaps.size()) gaps[cells.arcs.below[a]] -= flux;
+    if (cells.arcs.above[a] < gaps.size()) gaps[cells.arcs.above[a]] += flux;
+  }
+  double worst = 0;
+  for (std::uint32_t piece = 0; piece < cells.pieceCount; ++piece) {
+    worst = std::max(worst, std::abs(gaps[piece]) * 16 * 16);
+  }
+  EXPECT_LT(worst, 1e-5);
+  EXPECT_GT(cells.pieceCount, 300U);
+  auto forged = cells;
+  forged.quadrature.arc.weights.pop_back();
+  EXPECT_THROW((void)toBytes(forged), Error);
+  EXPECT_EQ(cutCellsFrom(toBytes(cells)).quadrature.wallNormals, normals);
 }
 
 TEST(SolidPiecesTest, CoarserCellsAreThoseCutDirectly) {

@@ -15,6 +15,10 @@ namespace cutwater {
 
 namespace {
 
+void refuseQuadrature(const CutOptions& options) {
+  require(!options.quadrature, "cut cells: there is no quadrature of meshes, see SolidCutter");
+}
+
 void refusePeriod(const CutPeriod& period, const char* message) {
   require(!period.isOnAny(), message, Named{"period", period.length});
 }
@@ -89,6 +93,7 @@ CellCutter::CellCutter(const Solid<T>& solid, FluidSide side, const CutterOption
 CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);
   checkOptions(options);
+  refuseQuadrature(options);
   const CutBlocks tiles(*surface_, stretchesOf(*surface_, grid));
   const auto cuts = cutAll(tiles, options, [&](std::size_t tile) {
     return cutTile(*surface_, tiles.input(tile), options);
@@ -99,9 +104,8 @@ CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) cons
 CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptions& options) const {
   require(!options.polygons && options.moments < 0,
           "cut cells: there are no polygons and no moments in a plane");
-  CellPlanes layer = grid;
-  layer.planes[2] = {z - 1.5, z - 0.5, z + 0.5, z + 1.5};
-  checkPlanes(layer);
+  refuseQuadrature(options);
+  auto layer = layerAt(grid, z);
   refusePeriod(surface_->period(), "cut cells: there are no periods in a plane");
   const auto& frame = surface_->frame();
   require(!surface_->hasBaffleAt(frame.toFrame(2, z)), "cut cells: a baffle lies in the plane",
@@ -121,6 +125,7 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
 template <std::floating_point T>
 CutLeaves CellCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options) const {
   checkOptions(options);
+  refuseQuadrature(options);
   refusePeriod(surface_->period(), "cut cells: there are no periods in an octree");
   const LeafGrid grid(mesh, surface_->frame());
   std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);

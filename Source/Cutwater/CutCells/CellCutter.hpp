@@ -25,6 +25,9 @@ struct CutOptions {
   /// The highest degree of the moments of volumes, walls and arcs, from 0 to 4: see
   /// CutCells::Moments. -1: none.
   int moments = -1;
+  /// Whether to keep points and weights to integrate functions by: see CutCells::Quadrature. Of a
+  /// SolidCutter alone.
+  bool quadrature = false;
   /// See ParallelOptions.
   int threads = 0;
   Progress progress = {};
@@ -209,7 +212,16 @@ class SolidCutter {
     return cut(planesOf(gridPatch), options);
   }
 
+  /// In 2D: the rectangles between the grid's planes across x and y, in the plane at `z`, as
+  /// CellCutter::cutInPlane() gives them.
+  /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; for moments and quadrature.
+  [[nodiscard]] CutCells cutInPlane(const CellPlanes& grid, double z,
+                                    const CutOptions& options = {}) const;
+
  private:
+  [[nodiscard]] CutCells cut(const FluidField& field, const CellPlanes& grid,
+                             const CutOptions& options) const;
+
   std::shared_ptr<const FluidField> field_;
   SolidCutterOptions options_;
 };

@@ -174,6 +174,30 @@ struct CutCells {
     [[nodiscard]] std::span<const double> ofArc(std::size_t arc) const;
   };
 
+  /// Points with weights, in rows. The weights of a row add up to its volume or area.
+  struct PointRows {
+    std::vector<std::uint64_t> first;  ///< of each row; then their number. Empty: there are none
+    std::vector<Vec3<double>> points;
+    std::vector<double> weights;  ///< all positive
+
+    /// The points of a row, and their weights.
+    [[nodiscard]] std::span<const Vec3<double>> pointsOf(std::size_t row) const {
+      return std::span(points).subspan(first[row], first[row + 1] - first[row]);
+    }
+    [[nodiscard]] std::span<const double> weightsOf(std::size_t row) const {
+      return std::span(weights).subspan(first[row], first[row + 1] - first[row]);
+    }
+  };
+  /// Quadrature of functions over pieces, walls and open parts, on request: see
+  /// CutOptions::quadrature. An integral is the sum of the function's values at the points of a
+  /// row, times their weights.
+  struct Quadrature {
+    PointRows volume;                       ///< of each piece
+    PointRows wall;                         ///< of each piece
+    std::vector<Vec3<double>> wallNormals;  ///< at each of these points, out of the fluid, unit
+    PointRows arc;                          ///< of each arc
+  };
+
   CellPlanes grid;                      ///< what was cut
   Cells cells;                          ///< see above, as all rows
   Pieces pieces;                        ///< their volumes and walls
@@ -184,7 +208,8 @@ struct CutCells {
   std::size_t cellCount = 0;            ///< of the box: the rows of cells beyond it follow
   std::size_t pieceCount = 0;           ///< of these cells
 
-  Moments moments;  ///< on request, of pieces and arcs
+  Moments moments;        ///< on request, of pieces and arcs
+  Quadrature quadrature;  ///< the same
 
   /// On request, see CutOptions: the outline of each arc, counterclockwise as seen against its
   /// axis. Holes in it are cut open by an edge there and back. Corners are the same bits in all
@@ -234,9 +259,9 @@ struct CutCells {
 /// Cells that each join as many along each axis: what cutting the coarse cells gives, up to
 /// rounding and the order of a cell's pieces, without the surface. Pieces that meet in an open face
 /// within a coarse cell are one; arcs between the same two pieces are one. What lies beyond the box
-/// is kBeyond, but for what is across the ends of a period that it spans. There are no polygons,
-/// and corners in the surface may be on the other side. Moments are sums of those of the cells.
-/// Repeat it for further levels, down to one cell.
+/// is kBeyond, but for what is across the ends of a period that it spans. There are no polygons and
+/// no quadrature, and corners in the surface may be on the other side. Moments are sums of those of
+/// the cells. Repeat it for further levels, down to one cell.
 /// @throws Error(Argument) unless the ratios are at least 1 and divide the box's first index and
 /// its number of cells along each axis, and if an open patch lies within a coarse cell.
 [[nodiscard]] CutCells coarsened(const CutCells& cells, const std::array<int, 3>& ratios);
@@ -304,10 +329,10 @@ struct MergedCells {
 /// wall, because its vector is zero, are covered, too; those without a wall, bounded by open
 /// patches alone, are not. Nothing is joined: fluid that a plate keeps apart stays apart.
 ///
-/// A cell that was all fluid is cut once one of its faces is closed. There are no polygons. What
-/// lies beyond the box is kBeyond, and nothing of it is covered, but for what is across the ends of
-/// a period that it spans: for boxes that must agree, cut boxes that are larger by a few cells, and
-/// take what is within.
+/// A cell that was all fluid is cut once one of its faces is closed. There are no polygons and no
+/// quadrature. What lies beyond the box is kBeyond, and nothing of it is covered, but for what is
+/// across the ends of a period that it spans: for boxes that must agree, cut boxes that are larger
+/// by a few cells, and take what is within.
 /// @throws Error(Argument) unless options are within their ranges.
 [[nodiscard]] MergedCells merged(const CutCells& cells, const MergeOptions& options = {});
 

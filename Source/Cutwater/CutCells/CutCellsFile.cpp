@@ -15,7 +15,7 @@ constexpr RowFileKind kCellsFile{
 template <typename Cells, typename Visit>
 void visitCells(Cells& all, Visit&& visit) {
   auto& [grid, cells, pieces, arcs, openArcs, wallParts, patchNames, cellCount, pieceCount, moments,
-         arcPolygons, wallPolygons, firstWallPolygon, bodyRuns] = all;
+         quadrature, arcPolygons, wallPolygons, firstWallPolygon, bodyRuns] = all;
   auto& [planes, first, period] = grid;
   for (auto& across : planes) visit(across);
   visit(first.i);
@@ -32,6 +32,12 @@ void visitCells(Cells& all, Visit&& visit) {
   visitWallParts(wallParts, visit);
   visitEach(patchNames, cellCount, pieceCount);
   visitMomentsAndPolygons(all, visit);
+  auto& [ofVolumes, ofWalls, wallNormals, ofArcs] = quadrature;
+  for (auto* rows : {&ofVolumes, &ofWalls, &ofArcs}) {
+    auto& [starts, points, weights] = *rows;
+    visitEach(starts, points, weights);
+  }
+  visit(wallNormals);
   visit(bodyRuns);
 }
 

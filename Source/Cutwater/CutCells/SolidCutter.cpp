@@ -19,6 +19,18 @@ SolidCutter::SolidCutter(const Solid<T>& solid, FluidSide side, const SolidCutte
 
 CutCells SolidCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);
+  return cut(*field_, grid, options);
+}
+
+CutCells SolidCutter::cutInPlane(const CellPlanes& grid, double z,
+                                 const CutOptions& options) const {
+  require(options.moments < 0 && !options.quadrature,
+          "cut cells: there are no moments and no quadrature in a plane");
+  return cut(*sectionAt(*field_, z), layerAt(grid, z), options);
+}
+
+CutCells SolidCutter::cut(const FluidField& field, const CellPlanes& grid,
+                          const CutOptions& options) const {
   checkOptions(options);
   require(!options.polygons, "cut cells: there are no polygons of solids that are no meshes");
   require(grid.period == std::array<std::int32_t, 3>{},
@@ -30,15 +42,15 @@ CutCells SolidCutter::cut(const CellPlanes& grid, const CutOptions& options) con
               [&](std::size_t begin, std::size_t end) {
                 for (auto tile = begin; tile < end; ++tile) {
                   const auto planes = tiles.planesOf(tile);
-                  const auto whole = wholeBox(*field_, boxOf(planes));
+                  const auto whole = wholeBox(field, boxOf(planes));
                   isBody[tile] = whole.isFluid ? 0 : 1;
                   if (whole.isWhole) continue;
                   cuts[tile] =
-                      std::make_unique<const TileCut>(cutTile(*field_, planes, options_, options));
+                      std::make_unique<const TileCut>(cutTile(field, planes, options_, options));
                 }
               });
   const auto isBodyTile = [&](std::size_t tile) { return isBody[tile] != 0; };
-  return assembledCells(grid, {tiles, cuts, isBodyTile, field_->patchNames()}, options);
+  return assembledCells(grid, {tiles, cuts, isBodyTile, field.patchNames()}, options);
 }
 
 template SolidCutter::SolidCutter(const Solid<float>&, FluidSide, const SolidCutterOptions&);

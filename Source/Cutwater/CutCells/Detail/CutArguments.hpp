@@ -25,4 +25,12 @@ inline void checkPlanes(const CellPlanes& grid) {
   }
 }
 
+/// The layer of cells that stands for the rectangles of a grid in the plane at `z`.
+inline CellPlanes layerAt(const CellPlanes& grid, double z) {
+  auto layer = grid;
+  layer.planes[2] = {z - 1.5, z - 0.5, z + 0.5, z + 1.5};
+  checkPlanes(layer);
+  return layer;
+}
+
 }  // namespace cutwater

@@ -36,7 +36,7 @@ CurvedFace openPartsOf(const FluidField& field, const BoxView& face, FluidRule& 
   const double whole = areaOf(face.box());
   if (area <= kNothingOfCell * whole) return {};
   if (area >= (1 - kNothingOfCell) * whole) return wholeFace(face.box(), rule);
-  const FluidParts connected(field, face);
+  const FluidParts connected(field, face, rule.points().spans);
   CurvedFace result{.parts = {}, .gap = rule.gap()};
   result.parts.resize(std::max<std::size_t>(1, connected.count()));
   for (const auto& span : rule.points().spans) {

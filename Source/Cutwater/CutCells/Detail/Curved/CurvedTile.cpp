@@ -44,6 +44,7 @@ class CurvedTile {
       : field_(field),
         how_(how),
         degree_(options.moments),
+        withPoints_(options.quadrature),
         rule_(field, how.points),
         samples_(field, planes) {
     out_.numbers = TileNumbers(planes.sizes());
@@ -143,7 +144,7 @@ class CurvedTile {
     out_.error.push_back(gap);
     cells_.push_back({.cell = number, .firstPiece = pieceCount(), .parts = {}, .pieceOfPart = {}});
     auto& here = cells_.back();
-    FluidParts parts(field_, view);
+    FluidParts parts(field_, view, rule_.points().spans);
     std::vector<PieceRule> rules(std::max<std::size_t>(1, parts.count()));
     for (const auto& span : rule_.points().spans) rules[parts.at(span.middle())].add(span);
     for (const auto& wall : rule_.points().walls)
@@ -244,6 +245,7 @@ class CurvedTile {
         if (arc.above != kNone) out_.content.pieces[arc.above].areaVector[axis] += part.area;
         out_.content.arcs.push_back(arc);
         if (degree_ >= 0) addArcMoments(part, axis, out_.moments);
+        if (withPoints_) addArcPoints(part, how_.points, out_.quadrature);
       }
     }
   }
@@ -256,15 +258,16 @@ class CurvedTile {
     for (auto& wall : out_.content.walls) {
       wall.areaVector += (wall.area / out_.content.pieces[wall.piece].area) * gaps[wall.piece];
     }
-    if (degree_ < 0) return;
     for (std::size_t p = 0; p < gaps.size(); ++p) {
-      addPieceMoments(out_.content.pieces[p], rules_[p], out_.moments);
+      if (degree_ >= 0) addPieceMoments(out_.content.pieces[p], rules_[p], out_.moments);
+      if (withPoints_) addPiecePoints(rules_[p], how_.points, out_.quadrature);
     }
   }
 
   const FluidField& field_;
   const SolidCutterOptions& how_;
   int degree_;
+  bool withPoints_;
   FluidRule rule_;
   GridSamples samples_;
   std::vector<CurvedFace> faces_;

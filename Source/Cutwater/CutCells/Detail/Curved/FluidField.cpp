@@ -61,7 +61,49 @@ class SolidField final : public FluidField {
   double sign_;
 };
 
+class Section final : public FluidField {
+ public:
+  Section(const FluidField& field, double z)
+      : FluidField(factsAt(field, z)), field_(field), z_(z) {}
+
+  void values(std::span<const Vec3<double>> points, std::span<double> values) const override {
+    constexpr std::size_t kBatch = 64;
+    Scratch<Vec3<double>, kBatch> at;
+    for (std::size_t first = 0; first < points.size(); first += kBatch) {
+      const auto count = std::min(kBatch, points.size() - first);
+      for (std::size_t i = 0; i < count; ++i) at[i] = inPlane(points[first + i]);
+      field_.values(at.first(count), values.subspan(first, count));
+    }
+  }
+  Vec3<double> gradient(const Vec3<double>& point) const override {
+    auto result = field_.gradient(inPlane(point));
+    result.z = 0;
+    return result;
+  }
+  SurfaceOwner owner(const Vec3<double>& surfacePoint) const override {
+    return field_.owner(inPlane(surfacePoint));
+  }
+
+ private:
+  static Facts factsAt(const FluidField& field, double z) {
+    auto facts = field.facts();
+    auto& [lower, upper] = facts.domain;
+    if (!(lower.z <= z && z <= upper.z)) facts.steepness = 0;
+    lower.z = -Box<double>::kInf;
+    upper.z = Box<double>::kInf;
+    return facts;
+  }
+  [[nodiscard]] Vec3<double> inPlane(const Vec3<double>& p) const { return {p.x, p.y, z_}; }
+
+  const FluidField& field_;
+  double z_;
+};
+
 }  // namespace
+
+std::unique_ptr<const FluidField> sectionAt(const FluidField& field, double z) {
+  return std::make_unique<const Section>(field, z);
+}
 
 template <std::floating_point T>
 std::shared_ptr<const FluidField> fluidBeside(const Solid<T>& solid, FluidSide side) {

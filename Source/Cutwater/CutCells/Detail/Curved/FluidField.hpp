@@ -45,6 +45,7 @@ class FluidField {
     return facts_.domain.covers(box) ? facts_.steepness : 0;
   }
   [[nodiscard]] const std::vector<std::string>& patchNames() const { return facts_.patchNames; }
+  [[nodiscard]] const Facts& facts() const { return facts_; }
 
  private:
   Facts facts_;
@@ -53,6 +54,9 @@ class FluidField {
 /// Of a solid, with the fluid on this side of its surface.
 template <std::floating_point T>
 [[nodiscard]] std::shared_ptr<const FluidField> fluidBeside(const Solid<T>& solid, FluidSide side);
+
+/// The section of a field at a height, the same at all heights. Views it.
+[[nodiscard]] std::unique_ptr<const FluidField> sectionAt(const FluidField& field, double z);
 
 extern template std::shared_ptr<const FluidField> fluidBeside(const Solid<float>&, FluidSide);
 extern template std::shared_ptr<const FluidField> fluidBeside(const Solid<double>&, FluidSide);

@@ -5,12 +5,30 @@
 
 namespace cutwater {
 
-FluidParts::FluidParts(const FluidField& field, const BoxView& view)
+FluidParts::FluidParts(const FluidField& field, const BoxView& view,
+                       std::span<const FluidSpan> spans)
     : field_(&field), box_(view.box()) {
   constexpr int kMostCells = 8;
   for (int axis = 0; axis < 3; ++axis) isFlat_[static_cast<std::size_t>(axis)] = !view.isFree(axis);
   connectCorners(view);
   for (int cells = 2; cells <= kMostCells && count_ > 1; cells *= 2) connect(cells);
+  // A wall that is a graph over a side has all of its fluid on one side.
+  bool isGraph = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    isGraph = isGraph || (view.isFree(axis) && view.isMonotone(axis));
+  }
+  if (count_ > 1 || !isGraph) addUnseen(spans);
+}
+
+void FluidParts::addUnseen(std::span<const FluidSpan> spans) {
+  for (const auto& span : spans) {
+    const auto middle = span.middle();
+    const double value = field_->value(middle);
+    if (partSeenFrom(middle, value)) continue;
+    points_.push_back(middle);
+    values_.push_back(value);
+    partOf_.push_back(static_cast<std::uint32_t>(count_++));
+  }
 }
 
 void FluidParts::connectCorners(const BoxView& view) {
@@ -37,6 +55,7 @@ void FluidParts::connectCorners(const BoxView& view) {
 void FluidParts::number(std::span<const Vec3<double>> points, std::span<const double> values,
                         detail::DisjointSets& sets) {
   points_.clear();
+  values_.clear();
   partOf_.clear();
   std::vector<std::uint32_t> partOfRoot(points.size());
   count_ = 0;
@@ -44,6 +63,7 @@ void FluidParts::number(std::span<const Vec3<double>> points, std::span<const do
     if (!(values[n] > 0)) continue;
     if (sets.isRoot(n)) partOfRoot[n] = static_cast<std::uint32_t>(count_++);
     points_.push_back(points[n]);
+    values_.push_back(values[n]);
     partOf_.push_back(partOfRoot[sets.find(n)]);
   }
 }
@@ -100,25 +120,35 @@ void FluidParts::connect(int cells) {
   number(points, values, sets);
 }
 
-bool FluidParts::isClear(const Vec3<double>& from, const Vec3<double>& to) const {
+bool FluidParts::isClear(const Vec3<double>& from, double atFrom, std::size_t to) const {
+  const double steepness = field_->steepness(box_);
+  const auto way = points_[to] - from;
+  if (steepness > 0 && atFrom + values_[to] > steepness * length(way)) return true;
   constexpr int kSamples = 16;
   for (int i = 1; i < kSamples; ++i) {
-    const double share = static_cast<double>(i) / kSamples;
-    if (!(field_->value((1 - share) * from + share * to) > 0)) return false;
+    if (!(field_->value(from + (static_cast<double>(i) / kSamples) * way) > 0)) return false;
   }
   return true;
 }
 
-std::uint32_t FluidParts::at(const Vec3<double>& point) const {
-  if (count_ <= 1) return 0;
+std::optional<std::uint32_t> FluidParts::partSeenFrom(const Vec3<double>& point,
+                                                      double value) const {
+  if (points_.empty()) return {};
+  const auto distance = [&](std::size_t i) { return lengthSquared(points_[i] - point); };
   std::vector<std::size_t> order(points_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto distance = [&](std::size_t i) { return lengthSquared(points_[i] - point); };
+  const auto nearest = *std::ranges::min_element(order, {}, distance);
+  if (isClear(point, value, nearest)) return partOf_[nearest];
   std::ranges::stable_sort(order, {}, distance);
   for (const auto i : order) {
-    if (isClear(point, points_[i])) return partOf_[i];
+    if (isClear(point, value, i)) return partOf_[i];
   }
-  return partOf_[order.front()];
+  return {};
+}
+
+std::uint32_t FluidParts::at(const Vec3<double>& point) const {
+  if (count_ <= 1) return 0;
+  return partSeenFrom(point, field_->value(point)).value_or(0);
 }
 
 }  // namespace cutwater

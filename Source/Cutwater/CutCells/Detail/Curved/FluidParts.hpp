@@ -2,35 +2,44 @@
 
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/Detail/Curved/BoxView.hpp>
+#include <Cutwater/CutCells/Detail/Curved/RulePoints.hpp>
+
+#include <optional>
 
 namespace cutwater {
 
 /// The connected parts of the fluid in a box, or in a rectangle across an axis, as far as points of
 /// a grid in it tell: points next to each other are connected if the line between them meets no
-/// wall. Grids of 1, 2, 4 and 8 cells along each side are tried until there is one part.
+/// wall. Grids of 1, 2, 4 and 8 cells along each side are tried until there is one part. What none
+/// of these points is connected with is a part of its own.
 class FluidParts {
  public:
-  FluidParts(const FluidField& field, const BoxView& view);
+  /// `spans`: that make up the fluid.
+  FluidParts(const FluidField& field, const BoxView& view, std::span<const FluidSpan> spans);
 
-  /// 0 if no point of the grid is in the fluid.
   [[nodiscard]] std::size_t count() const { return count_; }
-  /// The part to which a point in the fluid belongs: that of the nearest point of the grid to which
-  /// a straight line seems to meet no wall.
+  /// The part to which a point in the fluid belongs: that of the nearest point known to which a
+  /// straight line seems to meet no wall.
   [[nodiscard]] std::uint32_t at(const Vec3<double>& point) const;
 
  private:
+  [[nodiscard]] std::optional<std::uint32_t> partSeenFrom(const Vec3<double>& point,
+                                                          double value) const;
+  void addUnseen(std::span<const FluidSpan> spans);
   void connectCorners(const BoxView& view);
   void connect(int cells);
   void number(std::span<const Vec3<double>> points, std::span<const double> values,
               detail::DisjointSets& sets);
   [[nodiscard]] Vec3<double> pointOf(const std::array<int, 3>& place, int cells) const;
-  [[nodiscard]] bool isClear(const Vec3<double>& from, const Vec3<double>& to) const;
+  /// Whether a line from a point with a value to one of the grid seems to meet no wall.
+  [[nodiscard]] bool isClear(const Vec3<double>& from, double atFrom, std::size_t to) const;
 
   const FluidField* field_;
   Box<double> box_;
   std::array<bool, 3> isFlat_{};
   std::size_t count_ = 0;
-  std::vector<Vec3<double>> points_;   // of the grid, in the fluid; only if there are several parts
+  std::vector<Vec3<double>> points_;   // in the fluid: of the grid, and those that none of it sees
+  std::vector<double> values_;         // there
   std::vector<std::uint32_t> partOf_;  // of each
 };
 

@@ -42,6 +42,7 @@ class Assembly {
         tiles_(parts.tiles),
         cuts_(parts.cuts),
         withPolygons_(options.polygons),
+        withQuadrature_(options.quadrature),
         threads_(options.threads) {
     TilePlace cells{};
     for (std::size_t a = 0; a < 3; ++a) cells[a] = static_cast<int>(grid.planes[a].size()) - 3;
@@ -155,6 +156,17 @@ class Assembly {
     }
     addPieceRows(content, number, frameOf(tile), row, out_.pieces, out_.wallParts);
     if (out_.moments.degree >= 0) addPieceMoments(cuts_[tile]->moments, number, out_.moments);
+    if (withQuadrature_) addPoints(cuts_[tile]->quadrature, number);
+  }
+  /// Of a piece and its wall.
+  void addPoints(const CutCells::Quadrature& from, std::uint32_t piece) {
+    auto& to = out_.quadrature;
+    addPointRow(from.volume, piece, to.volume);
+    addPointRow(from.wall, piece, to.wall);
+    const auto& first = from.wall.first;
+    for (auto i = first[piece]; i < first[piece + 1]; ++i) {
+      to.wallNormals.push_back(from.wallNormals[i]);
+    }
   }
 
   void addWallPolygons(std::uint32_t tile, std::uint32_t piece, std::uint32_t patch) {
@@ -266,6 +278,7 @@ class Assembly {
     out_.arcs.axis.push_back(static_cast<std::uint8_t>(source.face % 3));
     const auto& cut = *cuts_[source.tile];
     if (out_.moments.degree >= 0) addArcMoments(cut.moments, source.arc, out_.moments);
+    if (withQuadrature_) addPointRow(cut.quadrature.arc, source.arc, out_.quadrature.arc);
     if (!withPolygons_) return;
     if (arc.isOpenPatch()) return addOpenPatch(source);
     addPolygon(source.tile, cut.numbers.placeOfFace(arc.face), cut.polygons.arcs.of(source.arc),
@@ -340,6 +353,7 @@ class Assembly {
   const CutBlocks& tiles_;
   std::span<const std::unique_ptr<const TileCut>> cuts_;
   bool withPolygons_;
+  bool withQuadrature_;
   int threads_;
   GrownBox box_{{}};
   std::vector<CellSource> sources_;

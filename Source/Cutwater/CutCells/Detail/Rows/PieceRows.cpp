@@ -73,6 +73,13 @@ void addPieceMoments(const CutCells::Moments& from, std::uint32_t piece, CutCell
   append(from.ofWallVector(piece), to.wallVector);
 }
 
+void addPointRow(const CutCells::PointRows& from, std::uint32_t row, CutCells::PointRows& to) {
+  if (to.first.empty()) to.first.push_back(0);
+  append(from.pointsOf(row), to.points);
+  append(from.weightsOf(row), to.weights);
+  to.first.push_back(to.points.size());
+}
+
 void addArcMoments(const CutCells::Moments& from, std::uint32_t arc, CutCells::Moments& to) {
   append(from.ofArc(arc), to.arc);
 }

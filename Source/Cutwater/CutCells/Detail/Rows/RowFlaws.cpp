@@ -155,10 +155,24 @@ class CellRows {
     if (!areWallParts(cells_)) return "its walls do not belong to its pieces";
     if (!areMoments(cells_)) return "its moments do not belong to its pieces and arcs";
     if (!arePolygons(cells_)) return "its polygons do not belong to its arcs and walls";
+    if (!areQuadratures()) return "its points of quadrature do not belong to its pieces and arcs";
     return nullptr;
   }
 
  private:
+  [[nodiscard]] bool areQuadratures() const {
+    const auto& [ofVolumes, ofWalls, wallNormals, ofArcs] = cells_.quadrature;
+    const auto areRows = [](const CutCells::PointRows& rows, std::size_t count) {
+      const auto& [first, points, weights] = rows;
+      if (points.size() != weights.size() || !areFinite(points) || !areFinite(weights))
+        return false;
+      return first.empty() ? points.empty() : areStarts(first, count, points.size());
+    };
+    const auto pieces = cells_.pieces.cell.size();
+    return areRows(ofVolumes, pieces) && areRows(ofWalls, pieces) &&
+           areRows(ofArcs, cells_.arcs.area.size()) &&
+           wallNormals.size() == ofWalls.points.size() && areFinite(wallNormals);
+  }
   /// Those of the box, and then those around it.
   [[nodiscard]] bool areCells() const {
     const auto& [index, firstPiece, fluidCorners, meets, wallFaces, error] = cells_.cells;

@@ -166,7 +166,8 @@ TileCut cutTile(const TileParts& parts, const CutOptions& options) {
                  .error = {},
                  .isBody = {},
                  .polygons = {},
-                 .moments = {}};
+                 .moments = {},
+                 .quadrature = {}};
   noteWallFaces(surface, planes, result.content);
   forTilePlaces(result.numbers.cells(), [&](const TilePlace& cell) {
     result.isBody[result.numbers.cell(cell)] = !parts.stretches.isFluid(cell);

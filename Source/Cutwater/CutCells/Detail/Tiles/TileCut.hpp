@@ -30,6 +30,7 @@ struct TileCut {
   CellMask isBody;                         ///< cells without fluid
   TilePolygons polygons;                   ///< on request
   CutCells::Moments moments;               ///< the same
+  CutCells::Quadrature quadrature;         ///< the same
 };
 
 /// What a tile's cut cells are made of. Views the input's mask and planes.
