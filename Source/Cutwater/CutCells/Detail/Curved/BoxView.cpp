@@ -14,6 +14,20 @@ unsigned bit(int axis) {
 
 }  // namespace
 
+AxisLine lineAt(const Box<double>& box, const SweepAxes& axes, double slice, double row) {
+  AxisLine line{box.lower, box.upper[axes.line], axes.line};
+  line.start[axes.row] = row;
+  line.start[axes.slice] = slice;
+  return line;
+}
+
+AxisLine rimAt(const Box<double>& box, const SweepAxes& axes, double slice, double end) {
+  AxisLine line{box.lower, box.upper[axes.row], axes.row};
+  line.start[axes.line] = end;
+  line.start[axes.slice] = slice;
+  return line;
+}
+
 void findCrossings(const FluidField& field, std::span<CrossedEdge* const> edges) {
   std::vector<AxisLine> lines;
   for (const auto* edge : edges) lines.push_back(edge->line);
@@ -144,14 +158,9 @@ double BoxView::fluidLength(int axis, int side) const {
     const bool isHigh = (static_cast<unsigned>(samples_.corners[i]) & bit(other)) != 0;
     if (edge.line.axis != axis || isHigh != (side == 1)) continue;
     double sum = 0;
-    double from = edge.line.start[axis];
-    bool inFluid = edge.startsInFluid;
-    for (const double at : edge.crossings) {
-      if (inFluid) sum += at - from;
-      from = at;
-      inFluid = !inFluid;
-    }
-    return inFluid ? sum + edge.line.end - from : sum;
+    forFluidStretches(edge.line, edge.startsInFluid, edge.crossings,
+                      [&](double from, double to, bool, bool) { sum += to - from; });
+    return sum;
   }
   return 0;
 }

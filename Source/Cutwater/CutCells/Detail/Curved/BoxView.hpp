@@ -15,6 +15,12 @@ struct SweepAxes {
   int slice = 2;
 };
 
+/// The line of a box in a slice and a row; and the row along one of the ends of lines.
+[[nodiscard]] AxisLine lineAt(const Box<double>& box, const SweepAxes& axes, double slice,
+                              double row);
+[[nodiscard]] AxisLine rimAt(const Box<double>& box, const SweepAxes& axes, double slice,
+                             double end);
+
 /// An edge of a box, and where it crosses the wall.
 struct CrossedEdge {
   AxisLine line;
@@ -78,7 +84,6 @@ class BoxView {
   [[nodiscard]] std::optional<Vec3<double>> turnIn(unsigned axes, int corner) const;
   [[nodiscard]] bool turnsAlong(int axis, unsigned axes, int corner, double& low,
                                 double& high) const;
-
   void noteNormals();
 
   const FluidField& field_;

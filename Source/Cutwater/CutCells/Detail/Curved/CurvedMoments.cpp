@@ -1,5 +1,4 @@
 #include <Cutwater/CutCells/Detail/Curved/CurvedMoments.hpp>
-#include <Cutwater/CutCells/Detail/Faces/FaceAxes.hpp>
 #include <Cutwater/CutCells/Detail/Moments/Monomials.hpp>
 
 #include <algorithm>
@@ -74,11 +73,8 @@ void addPiecePoints(const RulePoints& rule, int points, CutCells::Quadrature& to
 void addArcMoments(const OpenPart& part, int axis, CutCells::Moments& to) {
   const auto sums = appended(to.perArc(), to.arc);
   std::array<double, Monomials<2>::kCount> monomials{};
-  const int first = axis == 0 ? 1 : 0;
-  const int second = axis == 2 ? 1 : 2;
   forPoints(part.spans, kAlongSpan, [&](const Vec3<double>& at, double weight) {
-    const auto offset = at - part.centroid;
-    evaluate<2>({offset[first], offset[second]}, std::span(monomials).first(sums.size()));
+    evaluate(alongFace(at - part.centroid, axis), std::span(monomials).first(sums.size()));
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += weight * monomials[i];
   });
 }
@@ -91,13 +87,11 @@ void addPieceMoments(const CellPiece& piece, const RulePoints& rule, CutCells::M
   std::array<double, Monomials<3>::kCount> monomials{};
   const auto at = std::span(monomials).first(count);
   forPoints(rule.spans, kAlongSpan, [&](const Vec3<double>& point, double weight) {
-    const auto offset = point - piece.centroid;
-    evaluate<3>({offset.x, offset.y, offset.z}, at);
+    evaluate(asArray(point - piece.centroid), at);
     for (std::size_t i = 0; i < count; ++i) volume[i] += weight * at[i];
   });
   for (const auto& point : rule.walls) {
-    const auto offset = point.at - piece.wallCentroid;
-    evaluate<3>({offset.x, offset.y, offset.z}, at);
+    evaluate(asArray(point.at - piece.wallCentroid), at);
     for (std::size_t i = 0; i < count; ++i) {
       wall[i] += point.weight * at[i];
       vector[i] += point.weight * at[i] * point.normal;

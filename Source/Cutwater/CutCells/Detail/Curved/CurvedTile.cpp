@@ -89,6 +89,7 @@ class CurvedTile {
   void cutCell(const TilePlace& cell) {
     Vec3<double> openSides;
     bool isCut = false;
+    bool isOpen = false;
     double gap = 0;
     for (int axis = 0; axis < 3; ++axis) {
       for (const int side : {0, 1}) {
@@ -97,6 +98,7 @@ class CurvedTile {
         const auto& face = faceAt(axis, place);
         openSides[axis] += side == 1 ? face.area : -face.area;
         isCut = isCut || face.isCut();
+        isOpen = isOpen || !face.parts.empty();
         gap = std::max(gap, face.gap);
       }
     }
@@ -114,19 +116,9 @@ class CurvedTile {
     const auto number = out_.numbers.cell(cell);
     if (!isCut || volume <= kNothingOfCell * whole) {
       out_.isBody[number] = volume < 0.5 * whole;
-      if (!isCut || !hasOpenFace(cell)) return;
+      if (!isCut || !isOpen) return;
     }
     addCell(cell, view, std::max(gap, rule_.gap()));
-  }
-  [[nodiscard]] bool hasOpenFace(const TilePlace& cell) {
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const int side : {0, 1}) {
-        auto place = cell;
-        place[asIndex(axis)] += side;
-        if (!faceAt(axis, place).parts.empty()) return true;
-      }
-    }
-    return false;
   }
 
   void addCell(const TilePlace& cell, const BoxView& view, double gap) {
@@ -147,8 +139,9 @@ class CurvedTile {
     FluidParts parts(field_, view, rule_.points().spans);
     std::vector<PieceRule> rules(std::max<std::size_t>(1, parts.count()));
     for (const auto& span : rule_.points().spans) rules[parts.at(span.middle())].add(span);
-    for (const auto& wall : rule_.points().walls)
+    for (const auto& wall : rule_.points().walls) {
       rules[parts.at(wall.inside)].points.walls.push_back(wall);
+    }
     addPieces(view.box(), rules, here);
     if (rules.size() > 1) here.parts.emplace(std::move(parts));
   }
@@ -176,8 +169,9 @@ class CurvedTile {
                     .centroid = box.center(),
                     .areaVector = {},
                     .wallCentroid = {}};
-    if (rule.volume > 0)
+    if (rule.volume > 0) {
       piece.centroid = rule.points.spans.front().middle() + rule.moment / rule.volume;
+    }
     std::map<std::uint32_t, PieceWall> walls;
     const auto patches = field_.patchNames().size();
     for (const auto& point : rule.points.walls) {
@@ -291,7 +285,7 @@ Box<double> boxOf(const GridPlanes& planes) {
 
 WholeBox wholeBox(const FluidField& field, const Box<double>& box) {
   const double value = field.value(box.center());
-  const double reach = 0.5 * (1 + 1e-12) * field.steepness(box) * box.diagonal();
+  const double reach = field.changeToCorners(box);
   return {reach > 0 && std::abs(value) > reach, value > 0};
 }
 

@@ -44,6 +44,10 @@ class FluidField {
   [[nodiscard]] double steepness(const Box<double>& box) const {
     return facts_.domain.covers(box) ? facts_.steepness : 0;
   }
+  /// A bound of the difference over half a diagonal of a box; 0 if none is known.
+  [[nodiscard]] double changeToCorners(const Box<double>& box) const {
+    return 0.5 * (1 + 1e-12) * steepness(box) * box.diagonal();
+  }
   [[nodiscard]] const std::vector<std::string>& patchNames() const { return facts_.patchNames; }
   [[nodiscard]] const Facts& facts() const { return facts_; }
 

@@ -2,6 +2,7 @@
 #include <Cutwater/CutCells/Detail/Curved/KinkSweep.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cutwater {
@@ -120,55 +121,39 @@ void FluidRule::split(const Box<double>& box, int axis, double at, int depth, in
 
 void FluidRule::addWhole(const Box<double>& box, int flatAxis) {
   const SweepAxes axes{(flatAxis + 1) % 3, (flatAxis + 2) % 3, (flatAxis + 3) % 3};
-  std::vector<GaussPoint> slices{{box.lower[axes.slice], 1}};
-  const auto size = box.size();
-  if (flatAxis < 0) {
-    slices.clear();
-    for (const auto& g : gauss_) {
-      slices.push_back(
-          {box.lower[axes.slice] + g.at * size[axes.slice], g.weight * size[axes.slice]});
-    }
-  }
-  for (const auto& slice : slices) {
-    for (const auto& g : gauss_) {
-      AxisLine line{box.lower, box.upper[axes.line], axes.line};
-      line.start[axes.row] += g.at * size[axes.row];
-      line.start[axes.slice] = slice.at;
-      points_.spans.push_back({line, slice.weight * g.weight * size[axes.row]});
-    }
-  }
+  const auto addSlice = [&](double slice, double weight) {
+    forStretches(gauss_, box.lower[axes.row], std::array{box.upper[axes.row]},
+                 [&](double row, double rowWeight) {
+                   points_.spans.push_back({lineAt(box, axes, slice, row), weight * rowWeight});
+                 });
+  };
+  if (flatAxis >= 0) return addSlice(box.lower[axes.slice], 1);
+  forStretches(gauss_, box.lower[axes.slice], std::array{box.upper[axes.slice]}, addSlice);
 }
 
 void FluidRule::sweep(const BoxView& view, const SweepAxes& axes) {
   const auto& box = view.box();
   // Slices at Gauss points between the places where rims leave through the ends of rows.
-  std::vector<Slice> slices;
+  std::vector<GaussPoint> slices;
+  const auto addSlice = [&](double at, double weight) { slices.push_back({at, weight}); };
   if (flatAxis_ >= 0) {
-    slices.push_back({box.lower[axes.slice], 1});
+    addSlice(box.lower[axes.slice], 1);
   } else {
-    double from = box.lower[axes.slice];
     auto ends = view.crossingsAlong(axes.slice);
     ends.push_back(box.upper[axes.slice]);
-    for (const double to : ends) {
-      if (!(to > from)) continue;
-      for (const auto& g : gauss_)
-        slices.push_back({from + g.at * (to - from), g.weight * (to - from)});
-      from = to;
-    }
+    forStretches(gauss_, box.lower[axes.slice], ends, addSlice);
   }
   rows_.clear();
   for (const auto& slice : slices) {
     for (const double end : {box.lower[axes.line], box.upper[axes.line]}) {
-      AxisLine row{{}, box.upper[axes.row], axes.row, !view.isMonotone(axes.row)};
-      row.start[axes.line] = end;
-      row.start[axes.row] = box.lower[axes.row];
-      row.start[axes.slice] = slice.at;
-      rows_.push_back(row);
+      rows_.push_back(rimAt(box, axes, slice.at, end));
+      rows_.back().mayTurn = !view.isMonotone(axes.row);
     }
   }
   rims_.find(rows_);
   lines_.clear();
   weights_.clear();
+  const bool mayTurn = !view.isMonotone(axes.line);
   std::vector<double> ends;
   for (std::size_t i = 0; i < slices.size(); ++i) {
     ends.clear();
@@ -178,43 +163,16 @@ void FluidRule::sweep(const BoxView& view, const SweepAxes& axes) {
     }
     std::ranges::sort(ends);
     ends.push_back(box.upper[axes.row]);
-    double from = box.lower[axes.row];
-    for (const double to : ends) {
-      if (to > from) addRow(view, axes, slices[i], from, to);
-      from = std::max(from, to);
-    }
+    forStretches(gauss_, box.lower[axes.row], ends, [&](double row, double weight) {
+      lines_.push_back(lineAt(box, axes, slices[i].at, row));
+      lines_.back().mayTurn = mayTurn;
+      weights_.push_back(slices[i].weight * weight);
+    });
   }
   crossings_.find(lines_);
-  addSpans();
-}
-
-void FluidRule::addRow(const BoxView& view, const SweepAxes& axes, const Slice& slice, double from,
-                       double to) {
-  const auto& box = view.box();
-  for (const auto& g : gauss_) {
-    AxisLine line{{}, box.upper[axes.line], axes.line, !view.isMonotone(axes.line)};
-    line.start[axes.line] = box.lower[axes.line];
-    line.start[axes.row] = from + g.at * (to - from);
-    line.start[axes.slice] = slice.at;
-    lines_.push_back(line);
-    weights_.push_back(slice.weight * g.weight * (to - from));
-  }
-}
-
-void FluidRule::addSpans() {
-  for (std::size_t number = 0; number < lines_.size(); ++number) {
-    const auto& line = lines_[number];
-    const auto visit = [&](const FluidSpan& span, bool wallBelow, bool wallAbove) {
-      points_.spans.push_back(span);
-      const auto addWall = [&](double end) {
-        const auto at = line.at(end);
-        addWallPoint(at, wallNormal(field_, at, flatAxis_), line.axis, span.weight, span.middle(),
-                     points_);
-      };
-      if (wallBelow) addWall(span.line.start[line.axis]);
-      if (wallAbove) addWall(span.line.end);
-    };
-    forFluidSpans(crossings_, number, line, weights_[number], visit);
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    addLinePoints(field_, crossings_, i, {lines_[i], weights_[i]}, {.flatAxis = flatAxis_},
+                  points_);
   }
 }
 

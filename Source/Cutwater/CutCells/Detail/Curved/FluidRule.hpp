@@ -32,19 +32,11 @@ class FluidRule {
   [[nodiscard]] double gap() const { return gap_; }
 
  private:
-  struct Slice {
-    double at = 0;
-    double weight = 1;
-  };
-
   [[nodiscard]] double gapOf(const Vec3<double>& openSides, double side) const;
   void addPart(const BoxView& view, int depth, int halvings);
   void split(const Box<double>& box, int axis, double at, int depth, int halvings);
   void addWhole(const Box<double>& box, int flatAxis);
   void sweep(const BoxView& view, const SweepAxes& axes);
-  void addRow(const BoxView& view, const SweepAxes& axes, const Slice& slice, double from,
-              double to);
-  void addSpans();
 
   const FluidField& field_;
   std::span<const GaussPoint> gauss_;

@@ -57,4 +57,16 @@ inline constexpr int kMostGaussPoints = 6;
   return std::span(kTable.points).subspan(kTable.first[count], count);
 }
 
+/// Calls visit(at, weight) for the points of a rule in each stretch from `low` on, between
+/// ascending ends; empty ones have none.
+template <typename Ends, typename Visit>
+void forStretches(std::span<const GaussPoint> rule, double low, const Ends& ends,
+                  const Visit& visit) {
+  for (const double high : ends) {
+    if (!(high > low)) continue;
+    for (const auto& g : rule) visit(low + g.at * (high - low), g.weight * (high - low));
+    low = high;
+  }
+}
+
 }  // namespace cutwater

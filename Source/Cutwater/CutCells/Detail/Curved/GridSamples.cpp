@@ -47,7 +47,7 @@ bool GridSamples::leavesRoom(const TilePlace& cell, int flatAxis) const {
   const bool isFluid = valueAt(cell) > 0;
   const auto box = boxOf(cell, flatAxis);
   // No point is farther from the nearest corner than half a diagonal.
-  const double reach = 0.5 * (1 + 1e-12) * field_.steepness(box) * box.diagonal();
+  const double reach = field_.changeToCorners(box);
   for (int corner = 0; corner < 8; ++corner) {
     if (!isOfRectangle(corner, flatAxis)) continue;
     const double value = valueAt(cornerOf(cell, corner));

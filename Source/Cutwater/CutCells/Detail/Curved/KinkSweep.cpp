@@ -2,18 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace cutwater {
-
-namespace {
-
-int nearestAxis(const Vec3<double>& v) {
-  const auto sizes = abs(v);
-  return sizes.x >= sizes.y && sizes.x >= sizes.z ? 0 : sizes.y >= sizes.z ? 1 : 2;
-}
-
-}  // namespace
 
 void KinkSweep::run(const SweepAxes& axes, bool isGraph) {
   axes_ = axes;
@@ -28,22 +18,6 @@ void KinkSweep::run(const SweepAxes& axes, bool isGraph) {
     axes_ = {axes_.row, axes_.slice, axes_.line};
     measure(false);
   }
-}
-
-AxisLine KinkSweep::lineAt(double slice, double row) const {
-  AxisLine line{{}, box_.upper[axes_.line], axes_.line};
-  line.start[axes_.line] = box_.lower[axes_.line];
-  line.start[axes_.row] = row;
-  line.start[axes_.slice] = slice;
-  return line;
-}
-
-AxisLine KinkSweep::rimAt(double slice, double end) const {
-  AxisLine line{{}, box_.upper[axes_.row], axes_.row};
-  line.start[axes_.line] = end;
-  line.start[axes_.row] = box_.lower[axes_.row];
-  line.start[axes_.slice] = slice;
-  return line;
 }
 
 KinkSweep::State KinkSweep::stateOf(const AxisLine& line) {
@@ -188,12 +162,14 @@ std::vector<double> KinkSweep::breaks(int axis, std::vector<double> known,
 std::vector<double> KinkSweep::breaksOfRow(double slice) {
   std::vector<double> known;
   for (const double end : {box_.lower[axes_.line], box_.upper[axes_.line]}) {
-    const auto line = rimAt(slice, end);
+    const auto line = rimAt(box_, axes_, slice, end);
     found_.find({&line, 1});
     const auto ends = found_.of(0);
     known.insert(known.end(), ends.begin(), ends.end());
   }
-  const StatesAt statesAt = [&](double row) { return States{stateOf(lineAt(slice, row))}; };
+  const StatesAt statesAt = [&](double row) {
+    return States{stateOf(lineAt(box_, axes_, slice, row))};
+  };
   return breaks(axes_.row, std::move(known), statesAt);
 }
 
@@ -204,10 +180,12 @@ KinkSweep::States KinkSweep::statesOfRow(double slice) {
   States states;
   const auto size = box_.size();
   for (const double share : {kInside, 1 - kInside}) {
-    states.push_back(stateOf(lineAt(slice, box_.lower[axes_.row] + share * size[axes_.row])));
+    states.push_back(
+        stateOf(lineAt(box_, axes_, slice, box_.lower[axes_.row] + share * size[axes_.row])));
   }
   for (const double share : {kInside, 1 - kInside}) {
-    states.push_back(stateOf(rimAt(slice, box_.lower[axes_.line] + share * size[axes_.line])));
+    states.push_back(
+        stateOf(rimAt(box_, axes_, slice, box_.lower[axes_.line] + share * size[axes_.line])));
   }
   return states;
 }
@@ -215,41 +193,18 @@ KinkSweep::States KinkSweep::statesOfRow(double slice) {
 void KinkSweep::measure(bool withFluid) {
   if (view_.flatAxis() >= 0) return addSlice(box_.lower[axes_.slice], 1, withFluid);
   const StatesAt statesAt = [&](double slice) { return statesOfRow(slice); };
-  double from = box_.lower[axes_.slice];
-  for (const double to : breaks(axes_.slice, view_.crossingsAlong(axes_.slice), statesAt)) {
-    if (!(to > from)) continue;
-    for (const auto& g : gauss_) {
-      addSlice(from + g.at * (to - from), g.weight * (to - from), withFluid);
-    }
-    from = to;
-  }
+  forStretches(gauss_, box_.lower[axes_.slice],
+               breaks(axes_.slice, view_.crossingsAlong(axes_.slice), statesAt),
+               [&](double at, double weight) { addSlice(at, weight, withFluid); });
 }
 
 void KinkSweep::addSlice(double at, double weight, bool withFluid) {
-  double from = box_.lower[axes_.row];
-  for (const double to : breaksOfRow(at)) {
-    if (!(to > from)) continue;
-    for (const auto& g : gauss_) {
-      addLine(lineAt(at, from + g.at * (to - from)), weight * g.weight * (to - from), withFluid);
-    }
-    from = to;
-  }
-}
-
-void KinkSweep::addLine(const AxisLine& line, double weight, bool withFluid) {
-  found_.find({&line, 1});
-  const auto visit = [&](const FluidSpan& span, bool wallBelow, bool wallAbove) {
-    if (withFluid) to_.spans.push_back(span);
-    const auto addWall = [&](double end) {
-      const auto at = line.at(end);
-      const auto normal = wallNormal(field_, at, view_.flatAxis());
-      if (!isGraph_ && nearestAxis(normal) != axes_.line) return;
-      addWallPoint(at, normal, axes_.line, weight, span.middle(), to_);
-    };
-    if (wallBelow) addWall(span.line.start[axes_.line]);
-    if (wallAbove) addWall(span.line.end);
-  };
-  forFluidSpans(found_, 0, line, weight, visit);
+  const LineTaking taking{view_.flatAxis(), withFluid, !isGraph_};
+  forStretches(gauss_, box_.lower[axes_.row], breaksOfRow(at), [&](double row, double rowWeight) {
+    const auto line = lineAt(box_, axes_, at, row);
+    found_.find({&line, 1});
+    addLinePoints(field_, found_, 0, {line, weight * rowWeight}, taking, to_);
+  });
 }
 
 }  // namespace cutwater

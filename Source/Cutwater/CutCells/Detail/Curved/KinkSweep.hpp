@@ -59,12 +59,9 @@ class KinkSweep {
 
   void measure(bool withFluid);
   void addSlice(double at, double weight, bool withFluid);
-  void addLine(const AxisLine& line, double weight, bool withFluid);
   [[nodiscard]] std::vector<double> breaksOfRow(double slice);
   [[nodiscard]] States statesOfRow(double slice);
   [[nodiscard]] State stateOf(const AxisLine& line);
-  [[nodiscard]] AxisLine lineAt(double slice, double row) const;
-  [[nodiscard]] AxisLine rimAt(double slice, double end) const;
   /// Where states change along an axis of the box, ascending: at `known` places, and at those that
   /// are found between them; and the upper end.
   [[nodiscard]] std::vector<double> breaks(int axis, std::vector<double> known,

@@ -21,6 +21,23 @@ struct AxisLine {
   [[nodiscard]] double length() const { return end - start[axis]; }
 };
 
+/// Calls visit(from, to, wall below, wall above) for the stretches of a line in the fluid, between
+/// the ascending places where it begins or ends; the walls tell whether they end in one.
+template <typename Visit>
+void forFluidStretches(const AxisLine& line, bool startsInFluid, std::span<const double> crossings,
+                       const Visit& visit) {
+  double from = line.start[line.axis];
+  bool inFluid = startsInFluid;
+  bool afterWall = false;
+  for (const double at : crossings) {
+    if (inFluid) visit(from, at, afterWall, true);
+    from = at;
+    inFluid = !inFluid;
+    afterWall = true;
+  }
+  if (inFluid) visit(from, line.end, afterWall, false);
+}
+
 /// Where lines pass between fluid and body. What is found of a line depends on it alone.
 ///
 /// A line whose ends are on two sides is taken to cross the surface once. One whose ends are on the

@@ -38,29 +38,6 @@ struct RulePoints {
   }
 };
 
-/// Calls visit(span, wall below, wall above) for the stretches of a line that lie in the fluid;
-/// the walls tell whether they end in one.
-template <typename Visit>
-void forFluidSpans(const LineCrossings& crossings, std::size_t number, const AxisLine& line,
-                   double weight, const Visit& visit) {
-  FluidSpan span{line, weight};
-  const auto visitUpTo = [&](double from, double to, bool wallBelow, bool wallAbove) {
-    span.line.start[line.axis] = from;
-    span.line.end = to;
-    visit(span, wallBelow, wallAbove);
-  };
-  double from = line.start[line.axis];
-  bool inFluid = crossings.startsInFluid(number);
-  bool afterWall = false;
-  for (const double at : crossings.of(number)) {
-    if (inFluid) visitUpTo(from, at, afterWall, true);
-    from = at;
-    inFluid = !inFluid;
-    afterWall = true;
-  }
-  if (inFluid) visitUpTo(from, line.end, afterWall, false);
-}
-
 /// The unit normal of the wall at a point, out of the fluid; in the plane across an axis, if that
 /// is not -1. Zero where there is none, as where the wall touches the plane.
 [[nodiscard]] inline Vec3<double> wallNormal(const FluidField& field, const Vec3<double>& at,
@@ -72,12 +49,44 @@ void forFluidSpans(const LineCrossings& crossings, std::size_t number, const Axi
   return length(slope) > kTouching * steepness ? normalized(slope) : Vec3<double>{};
 }
 
-/// Adds the wall at a point of a line with this weight.
-inline void addWallPoint(const Vec3<double>& at, const Vec3<double>& normal, int axis,
-                         double weight, const Vec3<double>& inside, RulePoints& to) {
+/// The axis nearest to a vector.
+[[nodiscard]] inline int nearestAxis(const Vec3<double>& v) {
+  const auto sizes = abs(v);
+  return sizes.x >= sizes.y && sizes.x >= sizes.z ? 0 : sizes.y >= sizes.z ? 1 : 2;
+}
+
+/// What is taken of lines.
+struct LineTaking {
+  int flatAxis = -1;      ///< see wallNormal()
+  bool withFluid = true;  ///< and not the wall alone
+  bool onlyNearest =
+      false;  ///< of the wall, where the line's axis is the one nearest to its normal
+};
+
+/// Adds what a line with a weight, the one of this number among `crossings`, has of the fluid and
+/// of the wall.
+inline void addLinePoints(const FluidField& field, const LineCrossings& crossings,
+                          std::size_t number, const FluidSpan& whole, const LineTaking& taking,
+                          RulePoints& to) {
   constexpr double kSteepest = 1e-3;  // where a wall along a line is taken to have an area
-  if (normal == Vec3<double>{}) return;
-  to.walls.push_back({at, normal, weight / std::max(std::abs(normal[axis]), kSteepest), inside});
+  const auto& line = whole.line;
+  const auto visit = [&](double from, double end, bool wallBelow, bool wallAbove) {
+    auto span = whole;
+    span.line.start[line.axis] = from;
+    span.line.end = end;
+    if (taking.withFluid) to.spans.push_back(span);
+    const auto addWall = [&](double place) {
+      const auto at = line.at(place);
+      const auto normal = wallNormal(field, at, taking.flatAxis);
+      if (normal == Vec3<double>{}) return;
+      if (taking.onlyNearest && nearestAxis(normal) != line.axis) return;
+      const double slope = std::max(std::abs(normal[line.axis]), kSteepest);
+      to.walls.push_back({at, normal, whole.weight / slope, span.middle()});
+    };
+    if (wallBelow) addWall(from);
+    if (wallAbove) addWall(end);
+  };
+  forFluidStretches(line, crossings.startsInFluid(number), crossings.of(number), visit);
 }
 
 }  // namespace cutwater
