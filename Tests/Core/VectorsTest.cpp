@@ -57,6 +57,9 @@ TYPED_TEST(VectorsTest, ComputesByHand) {
   EXPECT_EQ(min(a, b), (Vec3<T>{1, -2, -6}));
   EXPECT_EQ(max(a, b), (Vec3<T>{4, 5, 3}));
   EXPECT_EQ(maxComponent(abs(b)), T(6));
+  EXPECT_EQ(nearestAxis(a), 2);
+  EXPECT_EQ(nearestAxis(Vec3<T>{-5, 4, 5}), 0);
+  EXPECT_EQ(nearestAxis(Vec3<T>{0, -3, 3}), 1);
   EXPECT_EQ(length(Vec3<T>{2, 3, 6}), T(7));
   EXPECT_EQ(normalized(Vec3<T>{0, -4, 0}), (Vec3<T>{0, -1, 0}));
   EXPECT_EQ(normalized(Vec3<T>{}), Vec3<T>{});

@@ -15,7 +15,7 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 double volumeOf(const PolygonSoup& soup) {
   return measure(soup).volume;
@@ -58,13 +58,13 @@ template <typename T>
 std::vector<Known<T>> knownSolids() {
   const Sphere<T> ball({T(0.1), T(-0.2), T(0.3)}, 1);
   const Cuboid<T> block({T(-0.7), T(-0.5), T(-0.3)}, {T(0.6), T(0.4), T(0.2)});
-  return {{"ball", ball, 4 * kPi / 3},
+  return {{"ball", ball, 4 * pi / 3},
           {"block", block, 1.3 * 0.9 * 0.5},
-          {"torus", Torus<T>(T(0.7), T(0.25)), 2 * kPi * kPi * 0.7 * 0.0625},
-          {"cylinder", Cylinder<T>({0, 0, T(-0.5)}, {0, 0, T(0.5)}, T(0.6)), kPi * 0.36},
-          {"scaled", scaled(ball, T(0.5)), kPi / 6},
+          {"torus", Torus<T>(T(0.7), T(0.25)), 2 * pi * pi * 0.7 * 0.0625},
+          {"cylinder", Cylinder<T>({0, 0, T(-0.5)}, {0, 0, T(0.5)}, T(0.6)), pi * 0.36},
+          {"scaled", scaled(ball, T(0.5)), pi / 6},
           {"what is left of a block", block - Cylinder<T>({0, 0, -1}, {0, 0, 1}, T(0.3)),
-           1.3 * 0.9 * 0.5 - kPi * 0.09 * 0.5}};
+           1.3 * 0.9 * 0.5 - pi * 0.09 * 0.5}};
 }
 
 TYPED_TEST(IsosurfaceTest, HasTheVolumeOfTheSolid) {
@@ -153,7 +153,7 @@ TYPED_TEST(IsosurfaceTest, EndsWithTheGrid) {
                            IndexBox::ofSize(21, 31, 27)};
   const auto ball = isosurface<T>(Sphere<T>({0, T(0.7), T(0.6)}, T(0.5)), nodes);
   expectClosed(ball, "ball");
-  EXPECT_NEAR(volumeOf(ball), kPi / 12, 0.004);
+  EXPECT_NEAR(volumeOf(ball), pi / 12, 0.004);
   EXPECT_EQ(ball.patchNames, (std::vector<std::string>{"surface", "end of grid"}));
   double ends = 0;
   for (std::size_t n = 0; n < ball.polygonCount(); ++n) {
@@ -162,7 +162,7 @@ TYPED_TEST(IsosurfaceTest, EndsWithTheGrid) {
     ends += 0.5 * length(cross(corner(1) - corner(0), corner(2) - corner(0)));
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(corner(i).x, 0);
   }
-  EXPECT_NEAR(ends, kPi / 4, 0.01);
+  EXPECT_NEAR(ends, pi / 4, 0.01);
 
   const auto wedge = isosurface<T>(
       Plane<T>({T(0.33), 0, 0}, {1, 0, 0}) & Plane<T>({0, T(0.44), 0}, {0, 1, 0}), nodes);

@@ -12,7 +12,7 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 template <typename T>
 class PorosityRadiusTest : public ::testing::Test {
@@ -28,13 +28,13 @@ TYPED_TEST_SUITE(PorosityRadiusTest, Precisions);
 TYPED_TEST(PorosityRadiusTest, EnclosesTheRadiusOfABall) {
   using T = TypeParam;
   for (const double radius : {0.2, 0.3123, 0.47}) {
-    const double porosity = 1 - 4 * kPi / 3 * std::pow(radius, 3);
+    const double porosity = 1 - 4 * pi / 3 * std::pow(radius, 3);
     const auto found = porosityRadius<T>(porosity, &TestFixture::ballOf, {T(0.01), T(0.5)},
                                          this->cube, this->options);
     EXPECT_LE(found.radius.lower, radius);
     EXPECT_GE(found.radius.upper, radius);
     // Porosities closer than 0.01 are not told apart.
-    const double width = 0.05 * 0.49 + 0.0201 / (4 * kPi * radius * radius);
+    const double width = 0.05 * 0.49 + 0.0201 / (4 * pi * radius * radius);
     EXPECT_LE(found.radius.upper - found.radius.lower, width);
     EXPECT_TRUE(found.looksMonotone);
     EXPECT_GT(found.solids, 4);
@@ -44,7 +44,7 @@ TYPED_TEST(PorosityRadiusTest, EnclosesTheRadiusOfABall) {
 TYPED_TEST(PorosityRadiusTest, TakesFamiliesThatGrowAsTheirPorosityDoes) {
   using T = TypeParam;
   const auto hollow = [](T radius) { return ~TestFixture::ballOf(radius); };
-  const double porosity = 4 * kPi / 3 * 0.027;
+  const double porosity = 4 * pi / 3 * 0.027;
   const auto found =
       porosityRadius<T>(porosity, hollow, {T(0.05), T(0.5)}, this->cube, this->options);
   EXPECT_LE(found.radius.lower, 0.3);
@@ -63,7 +63,7 @@ TYPED_TEST(PorosityRadiusTest, FindsTheBeamsOfASimpleCubicLattice) {
     return along({1, 0, 0}) | along({0, 1, 0}) | along({0, 0, 1});
   };
   constexpr double kRadius = 0.2;
-  const double porosity = 1 - 3 * kPi * 0.04 + 8 * std::numbers::sqrt2 * 0.008;
+  const double porosity = 1 - 3 * pi * 0.04 + 8 * std::numbers::sqrt2 * 0.008;
   auto coarse = this->options;
   coarse.volume.fraction = 0.02;
   const auto found = porosityRadius<T>(porosity, lattice, {T(0.02), T(0.45)}, this->cube, coarse);
@@ -78,7 +78,7 @@ TYPED_TEST(PorosityRadiusTest, TellsOfFamiliesThatAreNotMonotone) {
   const auto waves = [](T x) { return TestFixture::ballOf(T(0.25) + T(0.2) * std::sin(8 * x)); };
   const auto found = porosityRadius<T>(0.7, waves, {T(0.3), T(1)}, this->cube, this->options);
   const auto porosityAt = [&](T x) {
-    return 1 - 4 * kPi / 3 * std::pow(0.25 + 0.2 * std::sin(8 * double{x}), 3);
+    return 1 - 4 * pi / 3 * std::pow(0.25 + 0.2 * std::sin(8 * double{x}), 3);
   };
   EXPECT_LE((porosityAt(found.radius.lower) - 0.7) * (porosityAt(found.radius.upper) - 0.7), 0);
   EXPECT_FALSE(found.looksMonotone);

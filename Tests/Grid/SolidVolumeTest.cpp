@@ -19,7 +19,7 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 template <typename T>
 class SolidVolumeTest : public ::testing::Test {
@@ -42,16 +42,16 @@ template <typename T>
 std::vector<Known<T>> knownSolids() {
   const auto ball = Sphere<T>({T(0.1), 0, 0}, T(0.7));
   const auto along = [](Vec3<T> axis) { return InfiniteCylinder<T>({0, 0, 0}, axis, T(0.5)); };
-  return {{ball, 4 * kPi / 3 * 0.343},
-          {~ball, 2.44 * 2.49 * 2.84 - 4 * kPi / 3 * 0.343},
+  return {{ball, 4 * pi / 3 * 0.343},
+          {~ball, 2.44 * 2.49 * 2.84 - 4 * pi / 3 * 0.343},
           {Cuboid<T>({T(-0.69), T(-0.6), T(-0.5)}, {T(0.6), T(0.7), T(0.8)}), 1.29 * 1.3 * 1.3},
-          {Torus<T>(T(0.7), T(0.25)), 2 * kPi * kPi * 0.7 * 0.0625},
+          {Torus<T>(T(0.7), T(0.25)), 2 * pi * pi * 0.7 * 0.0625},
           // Steinmetz' bicylinder, 16 r^3 / 3, and tricylinder, 8 (2 - sqrt(2)) r^3.
           {along({1, 0, 0}) & along({0, 1, 0}), 16 * 0.125 / 3},
           {along({1, 0, 0}) & along({0, 1, 0}) & along({0, 0, 1}),
            8 * (2 - std::numbers::sqrt2) * 0.125},
           // Endless ones, as far as they are in the box.
-          {along({0, 0, 1}), kPi * 0.25 * 2.84},
+          {along({0, 0, 1}), pi * 0.25 * 2.84},
           {Plane<T>({0, 0, T(0.25)}, {0, 0, 1}), 2.44 * 2.49 * 1.49}};
 }
 
@@ -171,7 +171,7 @@ TYPED_TEST(SolidVolumeTest, IsTheSameForAnyNumberOfThreads) {
 TYPED_TEST(SolidVolumeTest, KeepsToTheLimitOfCells) {
   using T = TypeParam;
   const Sphere<T> ball({T(0.1), 0, 0}, T(0.7));
-  const double volume = 4 * kPi / 3 * 0.343;
+  const double volume = 4 * pi / 3 * 0.343;
   double width = 100;
   for (const std::size_t cells : {1U, 8U, 9U, 500U, 2000U, 30'000U, 500'000U}) {
     const auto found = solidVolume(ball, this->box, {.fraction = 0, .cells = cells});
@@ -193,7 +193,7 @@ TYPED_TEST(SolidVolumeTest, DecidesNothingThatIsNotKnown) {
   EXPECT_EQ(found.volume.lower, 0);
   EXPECT_GE(found.volume.upper, found.boxVolume);
   EXPECT_EQ(found.porosity(), (Interval<double>{0, 1}));
-  EXPECT_NEAR(found.estimate, 4 * kPi / 3 * std::pow(0.5, 1.5), 0.02 * found.boxVolume);
+  EXPECT_NEAR(found.estimate, 4 * pi / 3 * std::pow(0.5, 1.5), 0.02 * found.boxVolume);
 }
 
 TYPED_TEST(SolidVolumeTest, KnowsBoxesThatAreWhollyInsideOrOutside) {
@@ -216,9 +216,9 @@ TYPED_TEST(SolidVolumeTest, DividesLongBoxesIntoCubes) {
   const auto found =
       solidVolume(tube, {{-50, T(-0.5), T(-0.5)}, {50, T(0.5), T(0.5)}}, {.fraction = 0.2});
   EXPECT_TRUE(found.isWithinTolerance);
-  EXPECT_LE(found.volume.lower, 100 * kPi * 0.16);
-  EXPECT_GE(found.volume.upper, 100 * kPi * 0.16);
-  EXPECT_NEAR(found.estimate, 100 * kPi * 0.16, 0.4);
+  EXPECT_LE(found.volume.lower, 100 * pi * 0.16);
+  EXPECT_GE(found.volume.upper, 100 * pi * 0.16);
+  EXPECT_NEAR(found.estimate, 100 * pi * 0.16, 0.4);
 }
 
 TYPED_TEST(SolidVolumeTest, RefusesWhatHasNoAnswer) {

@@ -164,7 +164,7 @@ TEST(ConformalBeamsTest, StrutsAcrossFacesUseTheNeighboursMap) {
 }
 
 /// Thinner towards x.
-struct ThinnerAlongX {
+struct ThinnerTowardsX {
   double operator()(const Vec3<double>& p) const { return 0.1 - 0.05 * p.x; }
 };
 
@@ -178,7 +178,7 @@ TEST(ConformalBeamsTest, RadiiAreThoseOfTheThicknessAtNodes) {
               {.subdivisions = 5});
   const auto byFunction = beamsOf(
       cell, cells,
-      Thickness<double>::by(ThinnerAlongX(), {.lipschitz = 0.05, .least = 0.05, .most = 0.15}));
+      Thickness<double>::by(ThinnerTowardsX(), {.lipschitz = 0.05, .least = 0.05, .most = 0.15}));
   for (const auto& beam : byDistance.beams) {
     for (std::size_t end = 0; end < 2; ++end) {
       const auto& p = byDistance.nodes[beam.nodes[end]];

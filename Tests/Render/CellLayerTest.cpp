@@ -24,10 +24,10 @@ Solid<double> ringPlateAndWire() {
   return solid;
 }
 
-constexpr double kWidth = 0.11;
+constexpr double kCellWidth = 0.11;
 
 CutCells cut(const Solid<double>& solid, FluidSide side = FluidSide::Outside) {
-  const Level<double> level({-1.1, -1.1, -1.1}, {kWidth, kWidth, kWidth});
+  const Level<double> level({-1.1, -1.1, -1.1}, {kCellWidth, kCellWidth, kCellWidth});
   return CellCutter(solid, side)
       .cut(GridPatch<double>{level, IndexBox::ofSize(20, 20, 20)}, {.polygons = true});
 }
@@ -107,7 +107,7 @@ TEST(CellLayerTest, BothSidesOfABaffleAreFluid) {
   sail.addPolygon(std::array{0U, 1U, 2U}, 0);
   sail.addPolygon(std::array{0U, 2U, 3U}, 0);
   const auto heightAt = [](double x) { return 0.3 + 0.2 * x / 3; };
-  const Level<double> level({-1.1, -1.1, -1.1}, {kWidth, kWidth, kWidth});
+  const Level<double> level({-1.1, -1.1, -1.1}, {kCellWidth, kCellWidth, kCellWidth});
   const auto cells =
       CellCutter(Solid<double>(MeshSDF<double>(sail)), FluidSide::Outside, {.baffles = {"sail"}})
           .cut(GridPatch<double>{level, IndexBox::ofSize(20, 20, 20)}, {.polygons = true});
@@ -135,7 +135,7 @@ TEST(CellLayerTest, SegmentsAreTheSectionOfTheSurface) {
   // A ball of facets: the section is a closed line as long as its circle, but for the sag.
   const auto cells = cut(Solid<double>(MeshSDF<double>(tessellation::icosphere(0.8, 4))));
   const detail::CellLayer layer(cells, 2, 12);
-  EXPECT_DOUBLE_EQ(layer.middle(), -1.1 + 12.5 * kWidth);
+  EXPECT_DOUBLE_EQ(layer.middle(), -1.1 + 12.5 * kCellWidth);
   double length = 0;
   for (const auto& cell : layer.cells()) {
     for (const auto& s : cell.segments) {

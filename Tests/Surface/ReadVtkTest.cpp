@@ -7,9 +7,9 @@ std::string start(const std::string& version, const std::string& encoding) {
   return "# vtk DataFile Version " + version + "\na title of any kind\n" + encoding +
          "\nDATASET POLYDATA\n";
 }
-const std::string kPoints = "POINTS 4 float\n0 0 0 1 0 0\n0 1 0\n0 0 1\n";  // lines 5 to 8
+const std::string kFourPoints = "POINTS 4 float\n0 0 0 1 0 0\n0 1 0\n0 0 1\n";  // lines 5 to 8
 const std::string kAsciiVtk =
-    start("3.0", "ASCII") + kPoints +
+    start("3.0", "ASCII") + kFourPoints +
     "VERTICES 1 2\n1 0\nLINES 1 3\n2 0 1\nPOLYGONS 2 9\n3 0 1 2\n4 0 1 2 3\n"
     "CELL_DATA 2\nSCALARS anything at all\n";
 
@@ -35,7 +35,7 @@ TEST(ReadVtkTest, ReadsAscii) {
 }
 
 TEST(ReadVtkTest, ReadsOffsetsAndConnectivity) {
-  expectVtk(start("5.1", "ASCII") + kPoints +
+  expectVtk(start("5.1", "ASCII") + kFourPoints +
             "VERTICES 2 1\nOFFSETS vtktypeint64\n0 1\nCONNECTIVITY vtktypeint64\n0\n"
             "LINES 0 0\nOFFSETS vtktypeint64\nCONNECTIVITY vtktypeint64\n"
             "POLYGONS 3 7\nOFFSETS vtktypeint64\n0 3 7\nCONNECTIVITY vtktypeint64\n"
@@ -65,14 +65,15 @@ TEST(ReadVtkTest, ReadsBinary) {
 
 TEST(ReadVtkTest, TurnsEverySecondTriangleOfAStrip) {
   const auto soup =
-      readText(start("3.0", "ASCII") + kPoints + "TRIANGLE_STRIPS 2 9\n4 0 1 2 3 3 3 2 1\n").soup;
+      readText(start("3.0", "ASCII") + kFourPoints + "TRIANGLE_STRIPS 2 9\n4 0 1 2 3 3 3 2 1\n")
+          .soup;
   ASSERT_EQ(soup.polygonCount(), 3U);
   EXPECT_EQ(corners(soup, 0), (Corners{0, 1, 2}));
   EXPECT_EQ(corners(soup, 1), (Corners{2, 1, 3}));
   EXPECT_EQ(corners(soup, 2), (Corners{3, 2, 1}));
   const auto same =
       readText(
-          start("5.1", "ASCII") + kPoints +
+          start("5.1", "ASCII") + kFourPoints +
           "TRIANGLE_STRIPS 3 7\nOFFSETS vtktypeint64\n0 4 7\nCONNECTIVITY int\n0 1 2 3 3 2 1\n")
           .soup;
   EXPECT_EQ(same.corners, soup.corners);
@@ -120,14 +121,14 @@ TEST(ReadVtkTest, RefusesBadCells) {
   expectFailure(cell("3 0 1 x\n"), "line 14", "\"x\"");
   expectFailure(replaced(kAsciiVtk, "3 0 1 2\n4 0 1 2 3", "2 0 1 5 0 1 2 3 0"), "line 14",
                 "2 corners");
-  const std::string strips = start("3.0", "ASCII") + kPoints + "TRIANGLE_STRIPS 1 4\n";
+  const std::string strips = start("3.0", "ASCII") + kFourPoints + "TRIANGLE_STRIPS 1 4\n";
   expectFailure(strips + "2 0 1 2\n", "line 10", "2 points");
 }
 
 TEST(ReadVtkTest, RefusesBadOffsets) {
   const auto file = [](const std::string& counts, const std::string& offsets,
                        const std::string& type = "int") {
-    return start("5.1", "ASCII") + kPoints + "POLYGONS " + counts + "\nOFFSETS " + type + "\n" +
+    return start("5.1", "ASCII") + kFourPoints + "POLYGONS " + counts + "\nOFFSETS " + type + "\n" +
            offsets + "\nCONNECTIVITY int\n0 1 2 0 1 2 3\n";
   };
   expectFailure(file("3 7", "1 3 7"), "line 11", "ascend");

@@ -20,7 +20,7 @@ using Corners = QueryBox::Corners;
 using Axes = std::array<Vec3<double>, 3>;
 
 template <typename T>
-struct Searched : SearchableInBlock<T> {
+struct SearchedForBoxes : SearchableInBlock<T> {
   using SearchableInBlock<T>::surface;
   using SearchableInBlock<T>::search;
   using SearchableInBlock<T>::SearchableInBlock;
@@ -88,7 +88,7 @@ class Boxes {
 using Tally = std::array<int, 3>;
 
 template <typename T>
-Tally expectAnswersOfAll(const Searched<T>& mesh, int count) {
+Tally expectAnswersOfAll(const SearchedForBoxes<T>& mesh, int count) {
   Boxes boxes;
   Tally tally{};
   for (int i = 0; i < count; ++i) {
@@ -140,7 +140,7 @@ OrientedBox<double> touching(const Corners& t, const Axes& axes, const Vec3<doub
 }
 
 template <typename T>
-Tally expectAnswersWhereBoxesTouch(const Searched<T>& mesh, int count) {
+Tally expectAnswersWhereBoxesTouch(const SearchedForBoxes<T>& mesh, int count) {
   Boxes boxes;
   Tally tally{};
   for (int i = 0; i < count; ++i) {
@@ -170,7 +170,7 @@ TYPED_TEST_SUITE(BoxSearchTest, Precisions);
 
 TYPED_TEST(BoxSearchTest, OfBoxesOfAllSizes) {
   for (const auto& soup : this->surfaces()) {
-    const auto tally = expectAnswersOfAll(Searched<TypeParam>(soup), scaled(1200));
+    const auto tally = expectAnswersOfAll(SearchedForBoxes<TypeParam>(soup), scaled(1200));
     EXPECT_GT(tally[0], 20);
     EXPECT_GT(tally[2], 20);
   }
@@ -178,11 +178,13 @@ TYPED_TEST(BoxSearchTest, OfBoxesOfAllSizes) {
 
 TYPED_TEST(BoxSearchTest, OfBoxesThatTouchOrNearlySo) {
   for (const auto& soup : this->surfaces()) {
-    const auto tally = expectAnswersWhereBoxesTouch(Searched<TypeParam>(soup), scaled(4000));
+    const auto tally =
+        expectAnswersWhereBoxesTouch(SearchedForBoxes<TypeParam>(soup), scaled(4000));
     EXPECT_GT(tally[2], 1000);
   }
   // A triangle alone: nothing else is met.
-  const Searched<TypeParam> one(makeSoup({{0.3, 0, 0.1}, {1, 0.2, 0}, {0.1, 0.9, 0}}, {{0, 1, 2}}));
+  const SearchedForBoxes<TypeParam> one(
+      makeSoup({{0.3, 0, 0.1}, {1, 0.2, 0}, {0.1, 0.9, 0}}, {{0, 1, 2}}));
   const auto tally = expectAnswersWhereBoxesTouch(one, scaled(4000));
   EXPECT_GT(tally[0], 1000);
   EXPECT_GT(tally[1], 100);
@@ -196,7 +198,7 @@ TYPED_TEST(BoxSearchTest, FarFromTheOriginAndAtExtremeSizes) {
     const Vec3<double> offset = scale == 1 ? Vec3<double>{far, -far, far} : Vec3<double>{};
     const auto soup = withPoints(tessellation::icosphere(1, 2),
                                  [&](const Vec3<double>& p) { return scale * p + offset; });
-    const Searched<T> mesh(soup);
+    const SearchedForBoxes<T> mesh(soup);
     expectAnswersOfAll(mesh, scaled(500));
     const auto tally = expectAnswersWhereBoxesTouch(mesh, scaled(1000));
     EXPECT_GT(tally[2], 100);
@@ -205,7 +207,7 @@ TYPED_TEST(BoxSearchTest, FarFromTheOriginAndAtExtremeSizes) {
 
 TYPED_TEST(BoxSearchTest, FromTheNodeThatLedToTheBoxAround) {
   using T = TypeParam;
-  const Searched<T> mesh(tessellation::icosphere(1, 5));
+  const SearchedForBoxes<T> mesh(tessellation::icosphere(1, 5));
   Boxes random;
   int known = 0;
   Tally tally{};

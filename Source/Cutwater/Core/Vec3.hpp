@@ -112,6 +112,12 @@ struct Vec3 {
     a[axis] = 0;
     return hasPart && a == Vec3{};
   }
+  /// The axis of the component of largest absolute value; the first of equal ones.
+  CUTWATER_INLINE friend constexpr int nearestAxis(Vec3 a) {
+    const Vec3 sizes = abs(a);
+    if (sizes.x >= sizes.y && sizes.x >= sizes.z) return 0;
+    return sizes.y >= sizes.z ? 1 : 2;
+  }
   CUTWATER_INLINE friend bool isFinite(Vec3 a) {
     return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
   }

@@ -25,7 +25,7 @@ std::vector<bool> polygonsWithArea(const PolygonSoup& soup) {
 }
 
 /// Rounds to single precision. Returns a sentence on what does not survive that; none: nothing.
-std::string rounded(const std::string& file, PolygonSoup& soup) {
+std::string roundedToSingle(const std::string& file, PolygonSoup& soup) {
   weldExactly(soup);
   const auto hadArea = polygonsWithArea(soup);
   for (auto& p : soup.points) {
@@ -92,7 +92,7 @@ SurfaceOutput asWritten(const std::string& file, PolygonSoup soup, const WriteOp
   }
   bool isExact = true;
   if (isStl && !options.ascii) {
-    const auto loss = rounded(file, output.soup);
+    const auto loss = roundedToSingle(file, output.soup);
     isExact = loss.empty();
     if (!isExact) output.losses.push_back(loss);
   }

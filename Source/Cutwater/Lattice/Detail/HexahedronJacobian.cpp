@@ -16,7 +16,7 @@ Vec3<double> edge(const std::array<Vec3<double>, 8>& corners, std::size_t from, 
   return corners[from | 1U << axis] - corners[from & ~(std::size_t{1} << axis)];
 }
 
-double determinant(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
+double tripleProduct(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) {
   return dot(a, cross(b, c));
 }
 
@@ -36,8 +36,8 @@ Coefficients coefficientsOf(const std::array<Vec3<double>, 8>& corners, double s
     const double weight = kPerBinomial[x1 + x2] * kPerBinomial[y0 + y2] * kPerBinomial[z0 + z1];
     result[x1 + x2][y0 + y2][z0 + z1] +=
         sign * weight *
-        determinant(edge(corners, y0 << 1U | z0 << 2U, 0), edge(corners, x1 | z1 << 2U, 1),
-                    edge(corners, x2 | y2 << 1U, 2));
+        tripleProduct(edge(corners, y0 << 1U | z0 << 2U, 0), edge(corners, x1 | z1 << 2U, 1),
+                      edge(corners, x2 | y2 << 1U, 2));
   }
   return result;
 }
@@ -97,7 +97,7 @@ bool hasPositiveJacobian(const std::array<Vec3<double>, 8>& corners, double sign
 }
 
 double firstJacobian(const std::array<Vec3<double>, 8>& corners) {
-  return determinant(edge(corners, 0, 0), edge(corners, 0, 1), edge(corners, 0, 2));
+  return tripleProduct(edge(corners, 0, 0), edge(corners, 0, 1), edge(corners, 0, 2));
 }
 
 }  // namespace cutwater::detail

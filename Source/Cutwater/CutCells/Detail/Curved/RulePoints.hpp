@@ -49,12 +49,6 @@ struct RulePoints {
   return length(slope) > kTouching * steepness ? normalized(slope) : Vec3<double>{};
 }
 
-/// The axis nearest to a vector.
-[[nodiscard]] inline int nearestAxis(const Vec3<double>& v) {
-  const auto sizes = abs(v);
-  return sizes.x >= sizes.y && sizes.x >= sizes.z ? 0 : sizes.y >= sizes.z ? 1 : 2;
-}
-
 /// What is taken of lines.
 struct LineTaking {
   int flatAxis = -1;      ///< see wallNormal()

@@ -95,10 +95,7 @@ void MergedPoints::addBetween(const Vec3<double>& from, const Vec3<double>& to,
   const auto way = to - from;
   const double size = length(way);
   if (!(size > 2 * kSame)) return;
-  int axis = 0;
-  for (const int other : {1, 2}) {
-    if (std::abs(way[other]) > std::abs(way[axis])) axis = other;
-  }
+  const int axis = nearestAxis(way);
   const auto& points = sorted_[static_cast<std::size_t>(axis)];
   const auto key = [axis](const Vec3<double>& p) { return p[axis]; };
   auto p = std::ranges::lower_bound(points, std::min(from[axis], to[axis]), {}, key);

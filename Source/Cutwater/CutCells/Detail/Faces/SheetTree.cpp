@@ -62,10 +62,7 @@ SheetPlane halvingPlane(std::span<const Sheet> sheets) {
     box.extend(middle);
     sum += middle;
   }
-  int axis = 0;
-  for (const int other : {1, 2}) {
-    if (box.size()[other] > box.size()[axis]) axis = other;
-  }
+  const int axis = nearestAxis(box.size());
   SheetPlane plane;
   plane.normal[axis] = 1;
   plane.offset = sum[axis] / static_cast<double>(sheets.size());
@@ -240,10 +237,7 @@ void SheetTree::findPortals(std::uint32_t node, std::vector<SheetPlane>& path) {
 /// A plane's part of the box that lies below other planes. Empty if it lies in one of them.
 SheetTree::Polygon SheetTree::inBox(const SheetPlane& plane,
                                     std::span<const SheetPlane> path) const {
-  int axis = 0;
-  for (const int other : {1, 2}) {
-    if (std::abs(plane.normal[other]) > std::abs(plane.normal[axis])) axis = other;
-  }
+  const int axis = nearestAxis(plane.normal);
   Vec3<double> along;
   along[(axis + 1) % 3] = 1;
   const auto u = cross(plane.normal, along) / length(cross(plane.normal, along));

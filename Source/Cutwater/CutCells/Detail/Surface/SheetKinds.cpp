@@ -187,11 +187,7 @@ class KindFinder {
   [[nodiscard]] std::optional<int> windingInFront(std::uint32_t triangle) const {
     const auto corners = in_.surface.positionsOf(triangle);
     const auto& [a, b, c] = corners;
-    const auto normal = abs(normalOf(triangle));
-    int axis = 0;
-    for (const int other : {1, 2}) {
-      if (normal[other] > normal[axis]) axis = other;
-    }
+    const int axis = nearestAxis(normalOf(triangle));
     const int up = crossSign(a, b, a, c, axis);
     if (up == 0) return {};
     auto middle = (a + b + c) / 3.0;

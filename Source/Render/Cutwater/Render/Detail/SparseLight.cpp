@@ -9,7 +9,7 @@ namespace cutwater::detail {
 namespace {
 
 constexpr float kSmooth = 0.9F;      // cosine of the angle between normals of one sheet
-constexpr double kLevel = 0.5;       // distance from the tangent plane, over that of the pixels
+constexpr double kFlatness = 0.5;    // distance from the tangent plane, over that of the pixels
 constexpr double kEnoughOf1 = 0.05;  // weight that is certain enough
 
 bool isLit(const SurfaceSample& sample) {
@@ -58,7 +58,7 @@ bool SparseLight::areOneSheet(const SurfaceSample& a, const PicturePoint& atA,
                               const SurfaceSample& b, const PicturePoint& atB) const {
   if (!isLit(b) || !(dot(a.normal, b.normal) > kSmooth)) return false;
   const auto apart = camera_.ray(atB.x, atB.y).at(b.along) - camera_.ray(atA.x, atA.y).at(a.along);
-  const double most = kLevel * spacing_ * camera_.pixelSize(std::min(a.along, b.along));
+  const double most = kFlatness * spacing_ * camera_.pixelSize(std::min(a.along, b.along));
   return std::abs(dot(apart, Vec3<double>(a.normal))) < most &&
          std::abs(dot(apart, Vec3<double>(b.normal))) < most;
 }

@@ -83,7 +83,7 @@ LensMapping lensOf(const Record& fit) {
                       .backRadius = fit.optionalNumber("back_radius").value_or(kFlat)});
 }
 
-HexahedralCells cellsOf(const Record& r) {
+HexahedralCells hexahedraOf(const Record& r) {
   const auto count = r.counts("cells");
   std::optional<Spine> spine;
   if (r.has("spine")) spine.emplace(r.points("spine"), r.point("side"));
@@ -114,7 +114,7 @@ void requireFewBeams(const Record& r, const UnitCell& cell) {
 SceneSolid conformal(const Record& r) {
   const auto cell = unitCellOf(r, "conformal");
   requireFewBeams(r, cell);
-  auto cells = cellsOf(r);
+  auto cells = hexahedraOf(r);
   for (const auto& noise : r.parts("noise")) {
     cells = cells.withNoise({.amplitude = noise.number("amplitude"),
                              .seed = noise.whole("seed"),
