@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/Interval.hpp>
 #include <Cutwater/Core/Level.hpp>
 #include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
@@ -174,6 +175,34 @@ struct SolidCutterOptions {
   double tolerance = 1e-5;
 };
 
+/// Options of SolidCutter::certified().
+struct CertifyOptions {
+  /// Intervals are no wider than this, from 0 to 1. Half of it takes four times as long for cells,
+  /// and twice as long for faces,
+  double width = 0.1;
+  /// unless that takes more boxes than this, for a cell or for a face.
+  std::size_t boxes = 10'000;
+  /// See ParallelOptions.
+  int threads = 0;
+  Progress progress = {};
+};
+
+/// What is certain about the cells of a box, whatever rows say: intervals that enclose the shares.
+struct CertifiedCells {
+  /// Of each row of cells of the box: the share of the cell that is fluid.
+  std::vector<Interval<double>> volumeFraction;
+  /// Of each arc: the share of its face that is open, in all arcs of the face together.
+  std::vector<Interval<double>> aperture;
+
+  /// A cell of the box without a row, of which nothing proves that it is all fluid or all body. It
+  /// may hold a part of the body that the rows miss, or the surface only touches it.
+  struct Doubtful {
+    Index3 cell;
+    Interval<double> volumeFraction;
+  };
+  std::vector<Doubtful> doubtful;  ///< sorted as rows are
+};
+
 /// Cuts the cells of grids by any solid: shapes, their unions, differences and blends, lattices,
 /// triply periodic walls, functions of one's own. Rows are as those that a CellCutter makes of
 /// meshes, which are exact; here they are found by quadrature of the solid itself, without a mesh
@@ -217,6 +246,18 @@ class SolidCutter {
   /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; for moments and quadrature.
   [[nodiscard]] CutCells cutInPlane(const CellPlanes& grid, double z,
                                     const CutOptions& options = {}) const;
+
+  /// Bounds of what cut() gave for boxes of cells, or coarsened() of that: by classify(), in boxes
+  /// that are halved until they are certainly all fluid or all body. Where the solid's guarantee
+  /// proves nothing, intervals are from 0 to 1. A face that has a wall in its plane is both open
+  /// and closed, as far as that can prove.
+  /// @throws Error(Argument) unless options are within their ranges, and for planes that are no
+  /// numbers of the solid's precision.
+  [[nodiscard]] CertifiedCells certified(const CutCells& cells,
+                                         const CertifyOptions& options = {}) const;
+  /// Of the rectangles that cutInPlane() gave for this z.
+  [[nodiscard]] CertifiedCells certifiedInPlane(const CutCells& cells, double z,
+                                                const CertifyOptions& options = {}) const;
 
  private:
   [[nodiscard]] CutCells cut(const FluidField& field, const CellPlanes& grid,

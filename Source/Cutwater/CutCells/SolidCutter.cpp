@@ -1,4 +1,5 @@
 #include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/Detail/Curved/CertainShares.hpp>
 #include <Cutwater/CutCells/Detail/Curved/CurvedTile.hpp>
 #include <Cutwater/CutCells/Detail/Curved/GaussPoints.hpp>
 #include <Cutwater/CutCells/Detail/CutArguments.hpp>
@@ -27,6 +28,16 @@ CutCells SolidCutter::cutInPlane(const CellPlanes& grid, double z,
   require(options.moments < 0 && !options.quadrature,
           "cut cells: there are no moments and no quadrature in a plane");
   return cut(*sectionAt(*field_, z), layerAt(grid, z), options);
+}
+
+CertifiedCells SolidCutter::certified(const CutCells& cells, const CertifyOptions& options) const {
+  return certifiedCells(*field_, cells, options);
+}
+
+CertifiedCells SolidCutter::certifiedInPlane(const CutCells& cells, double z,
+                                             const CertifyOptions& options) const {
+  requireInPrecision(*field_, z);
+  return certifiedCells(*sectionAt(*field_, z), cells, options);
 }
 
 CutCells SolidCutter::cut(const FluidField& field, const CellPlanes& grid,

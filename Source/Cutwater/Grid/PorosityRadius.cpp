@@ -129,6 +129,7 @@ PorosityRadius<T> porosityRadius(double porosity, FunctionRef<Solid<T>(T radius)
           Named{"tolerance", options.tolerance});
   require(options.samples >= 0, "porosityRadius: need samples >= 0",
           Named{"samples", options.samples});
+  detail::requireVolume(box);
   Trials<T> trials(porosity, solidOf, box, options.volume);
   const auto atLower = trials.compare(range.lower);
   const auto atUpper = trials.compare(range.upper);

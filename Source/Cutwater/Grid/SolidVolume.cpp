@@ -25,6 +25,7 @@ Interval<double> VolumeBounds::porosity() const {
 template <std::floating_point T>
 VolumeBounds solidVolume(const SignedDistanceFunction<T>& solid, const Box<T>& box,
                          const VolumeOptions& options) {
+  detail::requireVolume(box);
   return detail::VolumeSearch<T>(solid, box, options).run([](const Interval<double>&) {
     return false;
   });

@@ -16,6 +16,8 @@ constexpr std::size_t kVolumeBatch = 256;
 /// Cells that are divided at once.
 constexpr std::size_t kChunk = 8192;
 
+constexpr const char* kSides = "solidVolume: need sides from 1e-80 to 1e80";
+
 /// Relative error of sums of cell volumes, batch by batch.
 constexpr double kSumError = kVolumeError + kVolumeBatch * 0x1p-53 + 0x1p-52;
 
@@ -27,16 +29,24 @@ VolumeSearch<T>::VolumeSearch(const SignedDistanceFunction<T>& solid, const Box<
     : solid_(solid), options_(options), grid_(box), boxVolume_(0) {
   require(!box.empty() && isFinite(box), "solidVolume: need a finite box",
           Named{"lower", box.lower}, Named{"upper", box.upper});
+  for (int axis = 0; axis < 3; ++axis) flat_[axis] = box.lower[axis] == box.upper[axis] ? 1 : 0;
   // Products of the box's sides must not overflow, and those of a cell's sides not underflow.
   const Vec3<double> size = Vec3<double>(box.upper) - Vec3<double>(box.lower);
-  require(1e-80 <= std::min({size.x, size.y, size.z}) && maxComponent(size) <= 1e80,
-          "solidVolume: need sides from 1e-80 to 1e80", Named{"size", size});
+  const auto sides = size + flat_;
+  require(1e-80 <= std::min({sides.x, sides.y, sides.z}) && maxComponent(size) <= 1e80, kSides,
+          Named{"size", size});
   boxVolume_ = volumeOf(box);
   require(options.fraction >= 0 && options.relative >= 0, "solidVolume: need tolerances >= 0",
           Named{"fraction", options.fraction}, Named{"relative", options.relative});
   require(options.cells > 0, "solidVolume: need cells > 0", Named{"cells", options.cells});
   require(options.threads >= 0, "solidVolume: need threads >= 0",
           Named{"threads", options.threads});
+}
+
+template <std::floating_point T>
+double VolumeSearch<T>::volumeOf(const Box<T>& box) const {
+  const auto size = Vec3<double>(box.upper) - Vec3<double>(box.lower) + flat_;
+  return size.x * size.y * size.z;
 }
 
 template <std::floating_point T>
@@ -200,6 +210,14 @@ double VolumeSearch<T>::estimateBatch(std::size_t first, std::size_t count,
   return sum;
 }
 
+template <std::floating_point T>
+void requireVolume(const Box<T>& box) {
+  const Vec3<double> size = Vec3<double>(box.upper) - Vec3<double>(box.lower);
+  require(std::min({size.x, size.y, size.z}) > 0, kSides, Named{"size", size});
+}
+
+template void requireVolume(const Box<float>&);
+template void requireVolume(const Box<double>&);
 template class VolumeSearch<float>;
 template class VolumeSearch<double>;
 

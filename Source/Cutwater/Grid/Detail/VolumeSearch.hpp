@@ -8,11 +8,12 @@
 
 namespace cutwater::detail {
 
-/// Bounds a volume by the cells of a HalvedBox, coarse ones first: see solidVolume().
+/// Bounds a volume by the cells of a HalvedBox, coarse ones first: see solidVolume(). A box without
+/// extent along an axis or two is a rectangle or a segment: volumes are its areas or lengths.
 template <std::floating_point T>
 class VolumeSearch {
  public:
-  /// The solid must outlive it. @throws Error as solidVolume().
+  /// The solid must outlive it. @throws Error as solidVolume(), but not for flat boxes.
   VolumeSearch(const SignedDistanceFunction<T>& solid, const Box<T>& box,
                const VolumeOptions& options);
 
@@ -37,6 +38,7 @@ class VolumeSearch {
   void keepOpen(std::span<const OpenCell> parents, std::size_t most);
   [[nodiscard]] Box<T> childBox(std::span<const OpenCell> parents, std::size_t child) const;
 
+  [[nodiscard]] double volumeOf(const Box<T>& box) const;
   [[nodiscard]] Interval<double> volume() const;
   [[nodiscard]] bool isWithinTolerance() const;
 
@@ -54,6 +56,7 @@ class VolumeSearch {
   const SignedDistanceFunction<T>& solid_;
   VolumeOptions options_;
   HalvedBox<T> grid_;
+  Vec3<double> flat_;  // 1 along axes without extent, else 0
   double boxVolume_;
   std::size_t cells_ = 0;
   DoubleDouble inside_;
@@ -68,6 +71,12 @@ class VolumeSearch {
   std::vector<Decided> decided_;  // of each batch
 };
 
+/// @throws Error for boxes without extent along an axis.
+template <std::floating_point T>
+void requireVolume(const Box<T>& box);
+
+extern template void requireVolume(const Box<float>&);
+extern template void requireVolume(const Box<double>&);
 extern template class VolumeSearch<float>;
 extern template class VolumeSearch<double>;
 

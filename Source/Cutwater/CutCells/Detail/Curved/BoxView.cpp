@@ -141,6 +141,39 @@ bool BoxView::hasKink() const {
   return dot(atFrom, atTo) < kBend;
 }
 
+std::optional<Vec3<double>> BoxView::pointAgainstGraph(int axis) const {
+  constexpr int kLines = 3;   // along each other axis
+  constexpr int kPoints = 5;  // of a line, with its ends
+  const auto size = box_.size();
+  const std::array others{(axis + 1) % 3, (axis + 2) % 3};
+  std::array<Vec3<double>, kLines * kLines * kPoints> points;
+  std::size_t count = 0;
+  const auto lines = [&](int other) { return isFree(other) ? kLines : 1; };
+  for (int i = 0; i < lines(others[0]); ++i) {
+    for (int j = 0; j < lines(others[1]); ++j) {
+      auto p = box_.lower;
+      p[others[0]] += size[others[0]] * (i + 1) / (kLines + 1);
+      p[others[1]] += size[others[1]] * (j + 1) / (kLines + 1);
+      for (int k = 0; k < kPoints; ++k) {
+        p[axis] =
+            k + 1 == kPoints ? box_.upper[axis] : box_.lower[axis] + size[axis] * k / (kPoints - 1);
+        points[count++] = p;
+      }
+    }
+  }
+  std::array<double, points.size()> values{};
+  field_.values(std::span(points).first(count), std::span(values).first(count));
+  for (std::size_t line = 0; line < count; line += kPoints) {
+    std::size_t first = 0;  // where the side changes
+    for (auto i = line + 1; i < line + kPoints; ++i) {
+      if ((values[i] > 0) == (values[i - 1] > 0)) continue;
+      if (first != 0) return points[first];
+      first = i;
+    }
+  }
+  return {};
+}
+
 std::vector<double> BoxView::crossingsAlong(int axis) const {
   std::vector<double> result;
   for (const auto* edge : samples_.edges) {
@@ -218,6 +251,52 @@ std::optional<Vec3<double>> BoxView::turningPoint() const {
     for (const int side : {0, 1}) {
       const auto turn = turnIn(kAll - bit(axis), side * static_cast<int>(bit(axis)));
       if (turn) return turn;
+    }
+  }
+  return {};
+}
+
+/// Branch and bound for the least value of a function with a Lipschitz constant (Piyavskii 1972):
+/// the box that may have the lowest one is divided first.
+std::optional<Vec3<double>> BoxView::hiddenPoint() const {
+  const std::size_t most = flatAxis_ < 0 ? 200 : 80;
+  const bool liesInWall = std::ranges::all_of(samples_.values, [](double v) { return v == 0; });
+  if (field_.steepness(box_) == 0 || liesInWall) return {};
+  const double sign = isFluid(0) ? 1 : -1;
+  struct Open {
+    Box<double> box;
+    double bound;  // no value in it is lower
+  };
+  std::vector<Open> open{{box_, 0}};
+  const auto isLater = [](const Open& a, const Open& b) { return a.bound > b.bound; };
+  std::size_t values = 0;
+  while (!open.empty() && values < most) {
+    std::ranges::pop_heap(open, isLater);
+    const auto parent = open.back().box;
+    open.pop_back();
+    const auto middle = parent.center();
+    std::array<Box<double>, 8> parts;
+    std::array<Vec3<double>, 8> centers;
+    std::size_t count = 0;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      if (flatAxis_ >= 0 && (corner & bit(flatAxis_)) != 0) continue;
+      auto part = parent;
+      for (int axis = 0; axis < 3; ++axis) {
+        if (isFree(axis))
+          ((corner & bit(axis)) != 0 ? part.lower : part.upper)[axis] = middle[axis];
+      }
+      parts[count] = part;
+      centers[count++] = part.center();
+    }
+    std::array<double, 8> found{};
+    field_.values(std::span(centers).first(count), std::span(found).first(count));
+    values += count;
+    for (std::size_t i = 0; i < count; ++i) {
+      if ((found[i] > 0) != isFluid(0)) return centers[i];
+      const double bound = sign * found[i] - field_.changeToCorners(parts[i]);
+      if (bound > 0) continue;
+      open.push_back({parts[i], bound});
+      std::ranges::push_heap(open, isLater);
     }
   }
   return {};

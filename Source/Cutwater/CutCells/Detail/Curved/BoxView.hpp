@@ -62,9 +62,15 @@ class BoxView {
   /// A point inside, or within one of its faces, that is on the other side than all corners around
   /// it, where the derivatives at the corners lead to one.
   [[nodiscard]] std::optional<Vec3<double>> turningPoint() const;
+  /// A point on the other side than all corners, if no edge is crossed: the one that a search finds
+  /// which leaves out what the field's steepness excludes. It ends after some hundred values.
+  [[nodiscard]] std::optional<Vec3<double>> hiddenPoint() const;
   /// Axes along which the wall is a graph, and its rims on the ends of lines are; the best ones if
   /// `isGood` says that these are none.
   [[nodiscard]] SweepAxes bestAxes(bool& isGood) const;
+  /// A point on the other side than points above and below it along an axis, in a coarse lattice:
+  /// the wall is no graph along that axis, whatever edges tell.
+  [[nodiscard]] std::optional<Vec3<double>> pointAgainstGraph(int axis) const;
   /// Whether the wall has an edge between the crossings with the most different normals.
   [[nodiscard]] bool hasKink() const;
   /// Whether values along lines of this axis seem to have no turning points.

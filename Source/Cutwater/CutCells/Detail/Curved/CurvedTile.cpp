@@ -87,7 +87,7 @@ class CurvedTile {
   }
 
   void cutCell(const TilePlace& cell) {
-    Vec3<double> openSides;
+    OpenSides openSides;
     bool isCut = false;
     bool isOpen = false;
     double gap = 0;
@@ -96,7 +96,7 @@ class CurvedTile {
         auto place = cell;
         place[asIndex(axis)] += side;
         const auto& face = faceAt(axis, place);
-        openSides[axis] += side == 1 ? face.area : -face.area;
+        openSides.add(axis, side, face.area);
         isCut = isCut || face.isCut();
         isOpen = isOpen || !face.parts.empty();
         gap = std::max(gap, face.gap);

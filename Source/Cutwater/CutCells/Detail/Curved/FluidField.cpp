@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/CutCells/Detail/Curved/FluidField.hpp>
+#include <Cutwater/Grid/Detail/VolumeSearch.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@ class SolidField final : public FluidField {
       : FluidField(
             {.steepness = double{guarantee.lipschitz.value_or(T(0))},
              .domain = {Vec3<double>(guarantee.domain.lower), Vec3<double>(guarantee.domain.upper)},
+             .isSingle = std::is_same_v<T, float>,
              .patchNames = solid.patchNames()}),
         solid_(solid),
         roundingPerLength_(double{guarantee.ulps} * double{std::numeric_limits<T>::epsilon()}),
@@ -48,8 +50,28 @@ class SolidField final : public FluidField {
   SurfaceOwner owner(const Vec3<double>& surfacePoint) const override {
     return solid_.owner(Vec3<T>(surfacePoint));
   }
+  bool mayBeCut(const Box<double>& box, BoxHint& hint) const override {
+    return cutwater::mayBeCut(solid_.classify(ofSolid(box), &hint));
+  }
+  Interval<double> shareOf(const Box<double>& box, double width, std::size_t boxes) const override {
+    constexpr int kTrials = 5;  // generations without any answer
+    detail::VolumeSearch<T> search(
+        solid_, ofSolid(box),
+        {.fraction = width, .cells = boxes, .isEstimated = false, .threads = 1});
+    Interval<double> before{};
+    int idle = 0;
+    const auto found = search.run([&](const Interval<double>& volume) {
+      idle = volume == before ? idle + 1 : 0;
+      before = volume;
+      return idle >= kTrials;
+    });
+    return sign_ > 0 ? found.porosity() : found.solidFraction();
+  }
 
  private:
+  [[nodiscard]] static Box<T> ofSolid(const Box<double>& box) {
+    return {Vec3<T>(box.lower), Vec3<T>(box.upper)};
+  }
   [[nodiscard]] double valueOf(T distance, const Vec3<double>& point) const {
     const double rounding = roundingPerLength_ * (oneNorm(point) + size_);
     return std::abs(distance) <= rounding ? 0 : sign_ * double{distance};
@@ -83,6 +105,12 @@ class Section final : public FluidField {
   SurfaceOwner owner(const Vec3<double>& surfacePoint) const override {
     return field_.owner(inPlane(surfacePoint));
   }
+  bool mayBeCut(const Box<double>& box, BoxHint& hint) const override {
+    return field_.mayBeCut(inPlane(box), hint);
+  }
+  Interval<double> shareOf(const Box<double>& box, double width, std::size_t boxes) const override {
+    return field_.shareOf(inPlane(box), width, boxes);
+  }
 
  private:
   static Facts factsAt(const FluidField& field, double z) {
@@ -94,6 +122,9 @@ class Section final : public FluidField {
     return facts;
   }
   [[nodiscard]] Vec3<double> inPlane(const Vec3<double>& p) const { return {p.x, p.y, z_}; }
+  [[nodiscard]] Box<double> inPlane(const Box<double>& box) const {
+    return {inPlane(box.lower), inPlane(box.upper)};
+  }
 
   const FluidField& field_;
   double z_;

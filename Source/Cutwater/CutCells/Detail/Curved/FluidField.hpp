@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/Interval.hpp>
 #include <Cutwater/Sdf/FluidSide.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
@@ -19,8 +20,9 @@ class FluidField {
  public:
   /// What is known of all values.
   struct Facts {
-    double steepness = 0;  ///< a Lipschitz constant; 0: none is known
-    Box<double> domain;    ///< where it holds
+    double steepness = 0;   ///< a Lipschitz constant; 0: none is known
+    Box<double> domain;     ///< where it holds
+    bool isSingle = false;  ///< boxes must be numbers of single precision
     std::vector<std::string> patchNames;
   };
   explicit FluidField(Facts facts) : facts_(std::move(facts)) {}
@@ -39,6 +41,14 @@ class FluidField {
   [[nodiscard]] virtual Vec3<double> gradient(const Vec3<double>& point) const = 0;
   /// What the surface at a point belongs to.
   [[nodiscard]] virtual SurfaceOwner owner(const Vec3<double>& surfacePoint) const = 0;
+
+  /// Whether the surface may be in a box, for all that is known for certain.
+  [[nodiscard]] virtual bool mayBeCut(const Box<double>& box, BoxHint& hint) const = 0;
+  /// What share of a box is fluid: certainly encloses it. A box without extent along an axis or two
+  /// is a rectangle or a segment. The search ends where the share is known to within `width`, after
+  /// so many boxes, and where it learns nothing.
+  [[nodiscard]] virtual Interval<double> shareOf(const Box<double>& box, double width,
+                                                 std::size_t boxes) const = 0;
 
   /// A bound of the difference of values, by distance, in a box; 0 if none is known.
   [[nodiscard]] double steepness(const Box<double>& box) const {

@@ -16,15 +16,24 @@ double largestSide(const BoxView& view) {
   return std::max({size.x * size.y, size.y * size.z, size.z * size.x});
 }
 
-/// What edges of a rectangle have of fluid, times their normals out of it.
-Vec3<double> openEdges(const BoxView& view) {
-  Vec3<double> sum;
+/// The volume of a box; the area of a rectangle.
+double measureOf(const BoxView& view) {
+  double product = 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (view.isFree(axis)) product *= view.box().size()[axis];
+  }
+  return product;
+}
+
+/// What edges of a rectangle have of fluid.
+OpenSides openEdges(const BoxView& view) {
+  OpenSides edges;
   for (int axis = 0; axis < 3; ++axis) {
     if (!view.isFree(axis)) continue;
     const int across = 3 - axis - view.flatAxis();
-    sum[across] = view.fluidLength(axis, 1) - view.fluidLength(axis, 0);
+    for (const int side : {0, 1}) edges.add(across, side, view.fluidLength(axis, side));
   }
-  return sum;
+  return edges;
 }
 
 }  // namespace
@@ -33,26 +42,24 @@ void FluidRule::findIn(const BoxView& rectangle, double tolerance) {
   findIn(rectangle, openEdges(rectangle), tolerance);
 }
 
-void FluidRule::findIn(const BoxView& view, const Vec3<double>& openSides, double tolerance) {
+void FluidRule::findIn(const BoxView& view, const OpenSides& sides, double tolerance) {
   constexpr int kMostHalvings = 2;
   constexpr int kMostLines = 6000;
   flatAxis_ = view.flatAxis();
-  const double side = largestSide(view);
-  points_.clear();
   parts_ = 0;
   linesLeft_ = kMostLines;
-  addPart(view, 0, 0);
-  gap_ = gapOf(openSides, side);
-  for (int halvings = 1; halvings <= kMostHalvings && gap_ > tolerance; ++halvings) {
+  for (int halvings = 0; halvings <= kMostHalvings; ++halvings) {
     std::swap(points_, best_);
     points_.clear();
+    missed_ = 0;
     addPart(view, 0, halvings);
-    const double gap = gapOf(openSides, side);
-    if (gap < gap_) {
+    const double gap = gapIn(view, sides);
+    if (halvings == 0 || gap < gap_) {
       gap_ = gap;
     } else {
       std::swap(points_, best_);
     }
+    if (gap_ <= tolerance) return;
   }
 }
 
@@ -66,10 +73,26 @@ void FluidRule::takeAll(const Box<double>& box) {
   addWhole(box, flatAxis);
 }
 
-double FluidRule::gapOf(const Vec3<double>& openSides, double side) const {
-  auto sum = openSides;
-  for (const auto& wall : points_.walls) sum += wall.weight * wall.normal;
-  return length(sum) / side;
+double FluidRule::gapIn(const BoxView& view, const OpenSides& sides) const {
+  const auto middle = view.box().center();
+  auto open = sides.difference;
+  Vec3<double> moments;
+  for (const auto& wall : points_.walls) {
+    const auto vector = wall.weight * wall.normal;
+    open += vector;
+    for (int axis = 0; axis < 3; ++axis) {
+      moments[axis] += vector[axis] * (wall.at[axis] - middle[axis]);
+    }
+  }
+  double volume = 0;
+  for (const auto& span : points_.spans) volume += span.size();
+  double error = missed_;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!view.isFree(axis)) continue;
+    const double ofSides = 0.5 * view.box().size()[axis] * sides.sum[axis];
+    error = std::max(error, std::abs(ofSides + moments[axis] - volume));
+  }
+  return std::max(length(open) / largestSide(view), error / measureOf(view));
 }
 
 void FluidRule::addPart(const BoxView& view, int depth, int halvings) {
@@ -90,6 +113,10 @@ void FluidRule::addPart(const BoxView& view, int depth, int halvings) {
     }
   }
   if (!view.isCrossed()) {
+    if (const auto hidden = view.hiddenPoint()) {
+      if (mayHalve) return splitAt(box, *hidden, depth, halvings);
+      missed_ += measureOf(view);
+    }
     if (view.isFluid(0)) addWhole(box, view.flatAxis());
     return;
   }
@@ -107,6 +134,11 @@ void FluidRule::addPart(const BoxView& view, int depth, int halvings) {
     }
     return split(box, longest, box.center()[longest], depth, halvings);
   }
+  if (mayHalve) {
+    if (const auto other = view.pointAgainstGraph(axes.line)) {
+      return splitAt(box, *other, depth, halvings);
+    }
+  }
   sweep(view, axes);
 }
 
@@ -117,6 +149,25 @@ void FluidRule::split(const Box<double>& box, int axis, double at, int depth, in
   high.lower[axis] = at;
   addPart(BoxView(field_, low), depth + 1, halvings);
   addPart(BoxView(field_, high), depth + 1, halvings);
+}
+
+/// Into parts that have a point as a corner.
+void FluidRule::splitAt(const Box<double>& box, const Vec3<double>& point, int depth,
+                        int halvings) {
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    auto part = box;
+    bool isPart = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool isHigh = (corner >> static_cast<unsigned>(axis) & 1U) != 0;
+      if (axis == flatAxis_) {
+        isPart = isPart && !isHigh;
+      } else {
+        (isHigh ? part.lower : part.upper)[axis] = point[axis];
+      }
+    }
+    const int halved = flatAxis_ < 0 ? 3 : 2;
+    if (isPart) addPart(BoxView(field_, part), depth + halved, halvings);
+  }
 }
 
 void FluidRule::addWhole(const Box<double>& box, int flatAxis) {

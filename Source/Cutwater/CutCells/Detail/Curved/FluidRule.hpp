@@ -6,6 +6,17 @@
 
 namespace cutwater {
 
+/// The areas of what is open of the sides of a box across each axis; the lengths, of a rectangle.
+struct OpenSides {
+  Vec3<double> difference;  ///< of the upper less the lower side: a vector out of the box
+  Vec3<double> sum;         ///< of both
+
+  void add(int axis, int side, double area) {
+    difference[axis] += side == 1 ? area : -area;
+    sum[axis] += area;
+  }
+};
+
 /// Quadrature of the fluid in boxes or rectangles, and of their walls, by dimension reduction (Saye
 /// 2015): lines along an axis in which the wall is a graph, at Gauss points between the places
 /// where the wall passes through the ends of lines.
@@ -17,24 +28,25 @@ class FluidRule {
   FluidRule(const FluidField& field, int points)
       : field_(field), gauss_(gaussPoints(points)), rims_(field), crossings_(field) {}
 
-  /// The fluid in a box, whose open sides add up to this vector, out of the box, and its wall. If
-  /// these do not close within `tolerance` of the largest side, the box is halved, up to twice;
-  /// what closes best counts.
-  void findIn(const BoxView& box, const Vec3<double>& openSides, double tolerance);
+  /// The fluid in a box with these open sides, and its wall. If gap() is larger than `tolerance`,
+  /// the box is halved, up to twice; what has the least gap counts.
+  void findIn(const BoxView& box, const OpenSides& sides, double tolerance);
   /// That in a rectangle, likewise; its edges tell what is open.
   void findIn(const BoxView& rectangle, double tolerance);
   /// All of a box or a rectangle.
   void takeAll(const Box<double>& box);
 
   [[nodiscard]] const RulePoints& points() const { return points_; }
-  /// By how much open sides and walls do not close, in shares of the largest side: an estimate of
-  /// the error of volumes and areas, in shares of the box and of its sides.
+  /// An estimate of the error of volumes and areas, in shares of the box and of its sides: by how
+  /// much open sides and walls do not close, and differ from the volume by the divergence theorem,
+  /// and the share of the box in which a wall is known and was not found.
   [[nodiscard]] double gap() const { return gap_; }
 
  private:
-  [[nodiscard]] double gapOf(const Vec3<double>& openSides, double side) const;
+  [[nodiscard]] double gapIn(const BoxView& view, const OpenSides& sides) const;
   void addPart(const BoxView& view, int depth, int halvings);
   void split(const Box<double>& box, int axis, double at, int depth, int halvings);
+  void splitAt(const Box<double>& box, const Vec3<double>& point, int depth, int halvings);
   void addWhole(const Box<double>& box, int flatAxis);
   void sweep(const BoxView& view, const SweepAxes& axes);
 
@@ -50,6 +62,7 @@ class FluidRule {
   RulePoints best_;
   int parts_ = 0;      // of a box, however often it was halved
   int linesLeft_ = 0;  // see KinkSweep
+  double missed_ = 0;  // of the box: parts that hide a wall and could not be halved
   double gap_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include <Cutwater/CutCells/Detail/Curved/LineCrossings.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cutwater {
@@ -49,7 +50,8 @@ void LineCrossings::find(std::span<const AxisLine> lines) {
     double value = 0;
     if ((from > 0) != (to > 0)) {
       addBracket(line, line.start[line.axis], from, line.end, to);
-    } else if (line.mayTurn && findTurn(line, from, to, at, value)) {
+    } else if (line.mayTurn &&
+               (findTurn(line, from, to, at, value) || findHidden(line, from, to, at, value))) {
       addBracket(line, line.start[line.axis], from, at, value);
       addBracket(line, at, value, line.end, to);
     }
@@ -125,6 +127,39 @@ bool LineCrossings::findTurn(const AxisLine& line, double from, double to, doubl
     if ((value > 0) != (from > 0)) return true;
     const End middle{at, std::abs(value), slopeAt(at)};
     (middle.slope < 0 ? low : high) = middle;
+  }
+  return false;
+}
+
+/// Branch and bound for the least value of a function with a Lipschitz constant (Piyavskii 1972):
+/// the stretch that may have the lowest one is divided where that would be.
+bool LineCrossings::findHidden(const AxisLine& line, double from, double to, double& at,
+                               double& value) const {
+  constexpr std::size_t kMostValues = 12;
+  const double steepness = field_.steepness({line.start, line.endPoint()});
+  if (steepness == 0 || (from == 0 && to == 0)) return false;
+  struct Stretch {
+    double low, lowValue, high, highValue;
+  };
+  // Half of this is the lowest value that a stretch may have.
+  const auto bound = [&](const Stretch& s) {
+    return s.lowValue + s.highValue - steepness * (s.high - s.low);
+  };
+  std::array<Stretch, kMostValues + 1> open{
+      {{line.start[line.axis], std::abs(from), line.end, std::abs(to)}}};
+  std::size_t count = 1;
+  for (std::size_t i = 0; i < kMostValues; ++i) {
+    auto& lowest =
+        *std::min_element(open.begin(), open.begin() + static_cast<std::ptrdiff_t>(count),
+                          [&](const Stretch& a, const Stretch& b) { return bound(a) < bound(b); });
+    if (bound(lowest) > 0) return false;
+    at = 0.5 * (lowest.low + lowest.high) + 0.5 * (lowest.lowValue - lowest.highValue) / steepness;
+    at = std::clamp(at, lowest.low, lowest.high);
+    value = field_.value(line.at(at));
+    if ((value > 0) != (from > 0)) return true;
+    open[count++] = {at, std::abs(value), lowest.high, lowest.highValue};
+    lowest.high = at;
+    lowest.highValue = std::abs(value);
   }
   return false;
 }

@@ -41,7 +41,8 @@ void forFluidStretches(const AxisLine& line, bool startsInFluid, std::span<const
 /// Where lines pass between fluid and body. What is found of a line depends on it alone.
 ///
 /// A line whose ends are on two sides is taken to cross the surface once. One whose ends are on the
-/// same side is searched for a turning point on the other one, by the derivatives at its ends.
+/// same side is searched for a point on the other one, by the derivatives at its ends, and then by
+/// what the field's steepness does not exclude.
 class LineCrossings {
  public:
   explicit LineCrossings(const FluidField& field) : field_(field) {}
@@ -77,6 +78,7 @@ class LineCrossings {
   void addBracket(const AxisLine& line, double from, double fromValue, double to, double toValue);
   /// A point of the line on the other side, between ends on the same one, if one is found.
   bool findTurn(const AxisLine& line, double from, double to, double& at, double& value) const;
+  bool findHidden(const AxisLine& line, double from, double to, double& at, double& value) const;
   void solve();
 
   const FluidField& field_;
