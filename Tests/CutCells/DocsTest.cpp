@@ -321,6 +321,19 @@ TEST(DocsTest, SolidsThatAreNoMeshes) {
     useError(cells.cells.index[row], cells.cells.error[row]);
   }
   // DOCS]
+  double widest = 0;
+  const auto useBounds = [&](const Index3&, const Interval<double>& share) {
+    widest = std::max(widest, share.upper - share.lower);
+  };
+  const auto refine = [](const Index3&, const Interval<double>&) {};
+  // [DOCS
+  const CertifiedCells certified = cutter.certified(cells, {.width = 0.05});
+  for (std::uint32_t row = 0; row < cells.cellCount; ++row) {
+    useBounds(cells.cells.index[row], certified.volumeFraction[row]);
+  }
+  for (const auto& [cell, share] : certified.doubtful) refine(cell, share);
+  // DOCS]
+  EXPECT_NEAR(widest, 0.045, 0.02);
   double load = 0;
   const auto pressureAt = [](const Vec3<double>& p) { return p.z - 0.5; };
   // [DOCS

@@ -89,6 +89,24 @@ TEST(LineCrossingsTest, PassThroughThinPlatesAndSlivers) {
   EXPECT_GT(seen, 50);
 }
 
+/// Between two bars, seen from within both, where the nearest walls are along the line.
+TEST(LineCrossingsTest, GapsAreFoundThatNoDerivativeLeadsTo) {
+  const auto bars =
+      fluidBeside<double>(Solid<double>(Cuboid<double>({-2, -0.1, -2}, {0.4, 0.1, 2})) |
+                              Cuboid<double>({0.55, -0.1, -2}, {2, 0.1, 2}),
+                          FluidSide::Outside);
+  LineCrossings found(*bars);
+  const std::array lines{AxisLine{{0, 0.03, 0.1}, 1, 0},
+                         AxisLine{{0, 0.03, 0.1}, 1, 0, /*mayTurn=*/false},
+                         AxisLine{{-0.7, 0.03, 0.1}, 0.3, 0}};
+  found.find(lines);
+  ASSERT_EQ(found.of(0).size(), 2U);
+  EXPECT_NEAR(found.of(0)[0], 0.4, kNear);
+  EXPECT_NEAR(found.of(0)[1], 0.55, kNear);
+  EXPECT_TRUE(found.of(1).empty());
+  EXPECT_TRUE(found.of(2).empty());
+}
+
 TEST(LineCrossingsTest, WhatLiesInTheSurfaceIsBody) {
   for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
     const auto field = fluidBeside<double>(Cuboid<double>({0, 0, 0}, {1, 1, 1}), side);

@@ -151,9 +151,29 @@ void FluidRule::split(const Box<double>& box, int axis, double at, int depth, in
   addPart(BoxView(field_, high), depth + 1, halvings);
 }
 
+/// The middle of what is on a point's side of the surface along each axis, in turns.
+Vec3<double> FluidRule::centered(const Box<double>& box, Vec3<double> point) {
+  constexpr int kTurns = 2;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (axis == flatAxis_) continue;
+      // From the point to both sides.
+      AxisLine below{point, point[axis], axis};
+      below.start[axis] = box.lower[axis];
+      const AxisLine above{point, box.upper[axis], axis};
+      crossings_.find(std::array{below, above});
+      const double from = crossings_.of(0).empty() ? box.lower[axis] : crossings_.of(0).back();
+      const double to = crossings_.of(1).empty() ? box.upper[axis] : crossings_.of(1).front();
+      if (from > box.lower[axis] || to < box.upper[axis]) point[axis] = 0.5 * (from + to);
+    }
+  }
+  return point;
+}
+
 /// Into parts that have a point as a corner.
-void FluidRule::splitAt(const Box<double>& box, const Vec3<double>& point, int depth,
+void FluidRule::splitAt(const Box<double>& box, const Vec3<double>& found, int depth,
                         int halvings) {
+  const auto point = centered(box, found);
   for (unsigned corner = 0; corner < 8; ++corner) {
     auto part = box;
     bool isPart = true;
