@@ -174,7 +174,7 @@ TEST(CertifiedCellsTest, NothingIsCertainOfFunctionsWithoutAGuarantee) {
       [](const Vec3<double>& p) {
         return 5 * (lengthSquared(p - Vec3<double>{0.5, 0.5, 0.5}) - 0.1369);
       },
-      Guarantee<double>{.continuous = true, .size = 1});
+      Guarantee<double>{.lipschitz = std::nullopt, .continuous = true, .size = 1});
   const SolidCutter cutter{Solid<double>(function)};
   const auto cells = cutter.cut(unitGrid(4));
   const auto certified = cutter.certified(cells);

@@ -211,7 +211,7 @@ TEST(SolidCutterTest, FunctionsWithoutALipschitzConstantAreCutByTheirSigns) {
       [](const Vec3<double>& p) {
         return 5 * (lengthSquared(p - Vec3<double>{0.5, 0.5, 0.5}) - 0.1369);
       },
-      Guarantee<double>{.continuous = true, .size = 1});
+      Guarantee<double>{.lipschitz = std::nullopt, .continuous = true, .size = 1});
   const auto report = check(SolidCutter(Solid<double>(function)).cut(unitGrid(16)));
   const auto known = ballOf({}, 0.37);
   EXPECT_NEAR(report.bodyVolume, known.volume, 1e-4);

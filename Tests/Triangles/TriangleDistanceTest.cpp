@@ -129,11 +129,11 @@ TYPED_TEST(TriangleDistanceTest, NeedlesOfNoWidthAreAsFarAsTheirEdges) {
   std::mt19937 engine(8);
   std::normal_distribution<double> gauss;
   std::uniform_real_distribution<float> uniform(0.5F, 1);
-  constexpr double kEps{std::numeric_limits<T>::epsilon()};
+  constexpr double kUlp{std::numeric_limits<T>::epsilon()};
   double worst = 0;
   constexpr double kLeast = std::max(0x1p-240, double{std::numeric_limits<T>::min()});
-  for (int k = 0; std::ldexp(kEps, -k) > kLeast; k += 2) {
-    const double width = std::ldexp(kEps, -k);
+  for (int k = 0; std::ldexp(kUlp, -k) > kLeast; k += 2) {
+    const double width = std::ldexp(kUlp, -k);
     for (int i = 0; i < 60; ++i) {
       const Vec3<double> direction =
           i % 2 == 0 ? Vec3<double>{1, 1, 1}
@@ -147,7 +147,7 @@ TYPED_TEST(TriangleDistanceTest, NeedlesOfNoWidthAreAsFarAsTheirEdges) {
       const auto exact = triangleDistanceExactly(p, a, {}, {});
       const auto found = Float128(std::sqrt(triangleDistance(p, needle).distanceSquared));
       worst = std::max(worst, std::abs(static_cast<double>(found - exact)) /
-                                  (kEps * double{length(p) + length(a)} + width));
+                                  (kUlp * double{length(p) + length(a)} + width));
     }
   }
   EXPECT_LE(worst, 4.0);

@@ -178,9 +178,9 @@ struct SolidCutterOptions {
 /// Options of SolidCutter::certified().
 struct CertifyOptions {
   /// Intervals are no wider than this, from 0 to 1. Half of it takes four times as long for cells,
-  /// and twice as long for faces,
+  /// and twice as long for faces.
   double width = 0.1;
-  /// unless that takes more boxes than this, for a cell or for a face.
+  /// The search ends after so many boxes of a cell, or of a face: then its interval is wider.
   std::size_t boxes = 10'000;
   /// See ParallelOptions.
   int threads = 0;

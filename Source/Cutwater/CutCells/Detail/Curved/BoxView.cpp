@@ -28,6 +28,20 @@ AxisLine rimAt(const Box<double>& box, const SweepAxes& axes, double slice, doub
   return line;
 }
 
+PartsAround partsAround(const Box<double>& box, const Vec3<double>& point, int flatAxis) {
+  PartsAround parts;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    if (flatAxis >= 0 && (corner & bit(flatAxis)) != 0) continue;
+    auto& part = parts.boxes[parts.count++];
+    part = box;
+    for (int axis = 0; axis < 3; ++axis) {
+      auto& end = (corner & bit(axis)) != 0 ? part.lower : part.upper;
+      if (axis != flatAxis) end[axis] = point[axis];
+    }
+  }
+  return parts;
+}
+
 void findCrossings(const FluidField& field, std::span<CrossedEdge* const> edges) {
   std::vector<AxisLine> lines;
   for (const auto* edge : edges) lines.push_back(edge->line);
@@ -142,21 +156,24 @@ bool BoxView::hasKink() const {
 }
 
 std::optional<Vec3<double>> BoxView::pointAgainstGraph(int axis) const {
-  constexpr int kLines = 3;   // along each other axis
-  constexpr int kPoints = 5;  // of a line, with its ends
+  constexpr std::size_t kLines = 3;   // along each other axis
+  constexpr std::size_t kPoints = 5;  // of a line, with its ends
   const auto size = box_.size();
   const std::array others{(axis + 1) % 3, (axis + 2) % 3};
   std::array<Vec3<double>, kLines * kLines * kPoints> points;
   std::size_t count = 0;
+  const auto share = [](std::size_t part, std::size_t of) {
+    return static_cast<double>(part) / static_cast<double>(of);
+  };
   const auto lines = [&](int other) { return isFree(other) ? kLines : 1; };
-  for (int i = 0; i < lines(others[0]); ++i) {
-    for (int j = 0; j < lines(others[1]); ++j) {
+  for (std::size_t i = 0; i < lines(others[0]); ++i) {
+    for (std::size_t j = 0; j < lines(others[1]); ++j) {
       auto p = box_.lower;
-      p[others[0]] += size[others[0]] * (i + 1) / (kLines + 1);
-      p[others[1]] += size[others[1]] * (j + 1) / (kLines + 1);
-      for (int k = 0; k < kPoints; ++k) {
-        p[axis] =
-            k + 1 == kPoints ? box_.upper[axis] : box_.lower[axis] + size[axis] * k / (kPoints - 1);
+      p[others[0]] += size[others[0]] * share(i + 1, kLines + 1);
+      p[others[1]] += size[others[1]] * share(j + 1, kLines + 1);
+      for (std::size_t k = 0; k < kPoints; ++k) {
+        p[axis] = k + 1 == kPoints ? box_.upper[axis]
+                                   : box_.lower[axis] + size[axis] * share(k, kPoints - 1);
         points[count++] = p;
       }
     }
@@ -274,28 +291,17 @@ std::optional<Vec3<double>> BoxView::hiddenPoint() const {
     std::ranges::pop_heap(open, isLater);
     const auto parent = open.back().box;
     open.pop_back();
-    const auto middle = parent.center();
-    std::array<Box<double>, 8> parts;
+    const auto parts = partsAround(parent, parent.center(), flatAxis_);
     std::array<Vec3<double>, 8> centers;
-    std::size_t count = 0;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      if (flatAxis_ >= 0 && (corner & bit(flatAxis_)) != 0) continue;
-      auto part = parent;
-      for (int axis = 0; axis < 3; ++axis) {
-        if (isFree(axis))
-          ((corner & bit(axis)) != 0 ? part.lower : part.upper)[axis] = middle[axis];
-      }
-      parts[count] = part;
-      centers[count++] = part.center();
-    }
+    for (std::size_t i = 0; i < parts.count; ++i) centers[i] = parts.boxes[i].center();
     std::array<double, 8> found{};
-    field_.values(std::span(centers).first(count), std::span(found).first(count));
-    values += count;
-    for (std::size_t i = 0; i < count; ++i) {
+    field_.values(std::span(centers).first(parts.count), std::span(found).first(parts.count));
+    values += parts.count;
+    for (std::size_t i = 0; i < parts.count; ++i) {
       if ((found[i] > 0) != isFluid(0)) return centers[i];
-      const double bound = sign * found[i] - field_.changeToCorners(parts[i]);
+      const double bound = sign * found[i] - field_.changeToCorners(parts.boxes[i]);
       if (bound > 0) continue;
-      open.push_back({parts[i], bound});
+      open.push_back({parts.boxes[i], bound});
       std::ranges::push_heap(open, isLater);
     }
   }

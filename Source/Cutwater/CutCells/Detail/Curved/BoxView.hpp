@@ -21,6 +21,14 @@ struct SweepAxes {
 [[nodiscard]] AxisLine rimAt(const Box<double>& box, const SweepAxes& axes, double slice,
                              double end);
 
+/// The parts of a box, or of a rectangle across an axis, that have a point of it as a corner.
+struct PartsAround {
+  std::array<Box<double>, 8> boxes;
+  std::size_t count = 0;
+};
+[[nodiscard]] PartsAround partsAround(const Box<double>& box, const Vec3<double>& point,
+                                      int flatAxis);
+
 /// An edge of a box, and where it crosses the wall.
 struct CrossedEdge {
   AxisLine line;

@@ -102,24 +102,8 @@ void FluidRule::addPart(const BoxView& view, int depth, int halvings) {
   const int dimension = view.flatAxis() < 0 ? 3 : 2;
   ++parts_;
   const bool mayHalve = depth < kMostHalvings * dimension && parts_ < kMostParts;
-  if (mayHalve) {
-    if (const auto turn = view.turningPoint()) {
-      // Along the first axis in which it lies inside: then it is on the rim of both parts.
-      for (int axis = 0; axis < 3; ++axis) {
-        if (box.lower[axis] < (*turn)[axis] && (*turn)[axis] < box.upper[axis]) {
-          return split(box, axis, (*turn)[axis], depth, halvings);
-        }
-      }
-    }
-  }
-  if (!view.isCrossed()) {
-    if (const auto hidden = view.hiddenPoint()) {
-      if (mayHalve) return splitAt(box, *hidden, depth, halvings);
-      missed_ += measureOf(view);
-    }
-    if (view.isFluid(0)) addWhole(box, view.flatAxis());
-    return;
-  }
+  if (mayHalve && splitAtTurn(view, depth, halvings)) return;
+  if (!view.isCrossed()) return addUncrossed(view, depth, halvings, mayHalve);
   bool isGood = false;
   const auto axes = view.bestAxes(isGood);
   const bool mustHalve = mayHalve && depth < halvings * dimension;
@@ -127,19 +111,34 @@ void FluidRule::addPart(const BoxView& view, int depth, int halvings) {
     return KinkSweep(field_, gauss_, view, linesLeft_, points_).run(axes, isGood);
   }
   if (mustHalve || (mayHalve && !isGood)) {
-    const auto size = box.size();
-    int longest = 0;
-    for (int axis = 1; axis < 3; ++axis) {
-      if (size[axis] > size[longest]) longest = axis;
-    }
+    const int longest = nearestAxis(box.size());
     return split(box, longest, box.center()[longest], depth, halvings);
   }
-  if (mayHalve) {
-    if (const auto other = view.pointAgainstGraph(axes.line)) {
-      return splitAt(box, *other, depth, halvings);
+  const auto other = mayHalve ? view.pointAgainstGraph(axes.line) : std::nullopt;
+  if (other) return splitAt(box, *other, depth, halvings);
+  sweep(view, axes);
+}
+
+/// Along the first axis in which a turning point lies inside: then it is on the rim of both parts.
+bool FluidRule::splitAtTurn(const BoxView& view, int depth, int halvings) {
+  const auto turn = view.turningPoint();
+  if (!turn) return false;
+  const auto& box = view.box();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.lower[axis] < (*turn)[axis] && (*turn)[axis] < box.upper[axis]) {
+      split(box, axis, (*turn)[axis], depth, halvings);
+      return true;
     }
   }
-  sweep(view, axes);
+  return false;
+}
+
+void FluidRule::addUncrossed(const BoxView& view, int depth, int halvings, bool mayHalve) {
+  if (const auto hidden = view.hiddenPoint()) {
+    if (mayHalve) return splitAt(view.box(), *hidden, depth, halvings);
+    missed_ += measureOf(view);
+  }
+  if (view.isFluid(0)) addWhole(view.box(), view.flatAxis());
 }
 
 void FluidRule::split(const Box<double>& box, int axis, double at, int depth, int halvings) {
@@ -173,20 +172,10 @@ Vec3<double> FluidRule::centered(const Box<double>& box, Vec3<double> point) {
 /// Into parts that have a point as a corner.
 void FluidRule::splitAt(const Box<double>& box, const Vec3<double>& found, int depth,
                         int halvings) {
-  const auto point = centered(box, found);
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    auto part = box;
-    bool isPart = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      const bool isHigh = (corner >> static_cast<unsigned>(axis) & 1U) != 0;
-      if (axis == flatAxis_) {
-        isPart = isPart && !isHigh;
-      } else {
-        (isHigh ? part.lower : part.upper)[axis] = point[axis];
-      }
-    }
-    const int halved = flatAxis_ < 0 ? 3 : 2;
-    if (isPart) addPart(BoxView(field_, part), depth + halved, halvings);
+  const auto parts = partsAround(box, centered(box, found), flatAxis_);
+  const int halved = flatAxis_ < 0 ? 3 : 2;
+  for (std::size_t i = 0; i < parts.count; ++i) {
+    addPart(BoxView(field_, parts.boxes[i]), depth + halved, halvings);
   }
 }
 

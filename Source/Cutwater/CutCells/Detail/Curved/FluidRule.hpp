@@ -45,6 +45,8 @@ class FluidRule {
  private:
   [[nodiscard]] double gapIn(const BoxView& view, const OpenSides& sides) const;
   void addPart(const BoxView& view, int depth, int halvings);
+  void addUncrossed(const BoxView& view, int depth, int halvings, bool mayHalve);
+  [[nodiscard]] bool splitAtTurn(const BoxView& view, int depth, int halvings);
   void split(const Box<double>& box, int axis, double at, int depth, int halvings);
   [[nodiscard]] Vec3<double> centered(const Box<double>& box, Vec3<double> point);
   void splitAt(const Box<double>& box, const Vec3<double>& found, int depth, int halvings);
