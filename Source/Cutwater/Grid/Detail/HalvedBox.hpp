@@ -36,10 +36,11 @@ class HalvedBox {
 /// Relative error bound of the product of the sides of a cell or box.
 inline constexpr double kVolumeError = 0x1p-50;
 
-/// Volume of a box, rounded: see kVolumeError.
+/// Volume of a box, rounded: see kVolumeError. `flat` is 1 along axes without extent, else 0: the
+/// volume of a rectangle is its area, that of a segment its length.
 template <std::floating_point T>
-CUTWATER_INLINE inline double volumeOf(const Box<T>& box) {
-  const Vec3<double> size = Vec3<double>(box.upper) - Vec3<double>(box.lower);
+CUTWATER_INLINE inline double volumeOf(const Box<T>& box, const Vec3<double>& flat = {}) {
+  const Vec3<double> size = Vec3<double>(box.upper) - Vec3<double>(box.lower) + flat;
   return size.x * size.y * size.z;
 }
 

@@ -35,18 +35,12 @@ VolumeSearch<T>::VolumeSearch(const SignedDistanceFunction<T>& solid, const Box<
   const auto sides = size + flat_;
   require(1e-80 <= std::min({sides.x, sides.y, sides.z}) && maxComponent(size) <= 1e80, kSides,
           Named{"size", size});
-  boxVolume_ = volumeOf(box);
+  boxVolume_ = volumeOf(box, flat_);
   require(options.fraction >= 0 && options.relative >= 0, "solidVolume: need tolerances >= 0",
           Named{"fraction", options.fraction}, Named{"relative", options.relative});
   require(options.cells > 0, "solidVolume: need cells > 0", Named{"cells", options.cells});
   require(options.threads >= 0, "solidVolume: need threads >= 0",
           Named{"threads", options.threads});
-}
-
-template <std::floating_point T>
-double VolumeSearch<T>::volumeOf(const Box<T>& box) const {
-  const auto size = Vec3<double>(box.upper) - Vec3<double>(box.lower) + flat_;
-  return size.x * size.y * size.z;
 }
 
 template <std::floating_point T>
@@ -144,8 +138,8 @@ void VolumeSearch<T>::classifyBatch(std::span<const OpenCell> parents, std::size
                   {.threads = 1});
   auto& decided = decided_[first / kVolumeBatch];
   for (std::size_t i = 0; i < count; ++i) {
-    if (classes[i] == BoxClass::Inside) decided.inside += volumeOf(boxes[i]);
-    if (classes[i] == BoxClass::Outside) decided.outside += volumeOf(boxes[i]);
+    if (classes[i] == BoxClass::Inside) decided.inside += volumeOf(boxes[i], flat_);
+    if (classes[i] == BoxClass::Outside) decided.outside += volumeOf(boxes[i], flat_);
   }
 }
 
@@ -203,7 +197,7 @@ double VolumeSearch<T>::estimateBatch(std::size_t first, std::size_t count,
     const auto box = cellOf(first + i);
     const Vec3<double> gradient(solid_.gradient(centers[i]));
     const Vec3<double> size(box.size());
-    sum += volumeOf(box) *
+    sum += volumeOf(box, flat_) *
            planeFraction(double{values[i]},
                          {gradient.x * size.x, gradient.y * size.y, gradient.z * size.z});
   }

@@ -38,7 +38,6 @@ class VolumeSearch {
   void keepOpen(std::span<const OpenCell> parents, std::size_t most);
   [[nodiscard]] Box<T> childBox(std::span<const OpenCell> parents, std::size_t child) const;
 
-  [[nodiscard]] double volumeOf(const Box<T>& box) const;
   [[nodiscard]] Interval<double> volume() const;
   [[nodiscard]] bool isWithinTolerance() const;
 

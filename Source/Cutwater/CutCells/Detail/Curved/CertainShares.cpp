@@ -1,6 +1,7 @@
 #include <Cutwater/CutCells/Detail/Curved/CertainShares.hpp>
 #include <Cutwater/CutCells/Detail/CutArguments.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/GridPlanes.hpp>
+#include <Cutwater/Grid/Detail/GridTiles.hpp>
 
 #include <algorithm>
 #include <tuple>
@@ -29,9 +30,11 @@ class Certifier {
   /// Appends the doubtful cells of a box of indices. It is halved while they may be.
   void findDoubtful(const IndexBox& box, const BoxHint& around,
                     std::vector<Doubtful>& found) const {
+    const bool isCell = box.count() == 1;
+    if (isCell && cells_.rowOf(box.lo) != CutCells::kNoRow) return;
     auto hint = around;
     if (!field_.mayBeCut({cells_.boxOf(box.lo).lower, cells_.boxOf(box.hi).upper}, hint)) return;
-    if (box.count() == 1) return addIfDoubtful(box.lo, found);
+    if (isCell) return addIfDoubtful(box.lo, found);
     int longest = 0;
     for (const int axis : {1, 2}) {
       if (box.length(axis) > box.length(longest)) longest = axis;
@@ -49,7 +52,6 @@ class Certifier {
   void addIfDoubtful(const Index3& cell, std::vector<Doubtful>& found) const {
     constexpr std::size_t kBoxes = 1000;  // most cells beside the surface need some dozens
     constexpr double kWhole = 1e-12;      // rounding of a sum of volumes
-    if (cells_.rowOf(cell) != CutCells::kNoRow) return;
     const auto box = cells_.boxOf(cell);
     auto share = field_.shareOf(box, 0, std::min(kBoxes, options_.boxes));
     const double width = share.upper - share.lower;
@@ -62,21 +64,6 @@ class Certifier {
   const CutCells& cells_;
   const CertifyOptions& options_;
 };
-
-/// Boxes of indices that together are one, no longer than `most` along each axis.
-std::vector<IndexBox> blocksOf(const IndexBox& box, std::int32_t most) {
-  std::vector<IndexBox> result;
-  for (auto k = box.lo.k; k <= box.hi.k; k += most) {
-    for (auto j = box.lo.j; j <= box.hi.j; j += most) {
-      for (auto i = box.lo.i; i <= box.hi.i; i += most) {
-        result.push_back({{i, j, k},
-                          {std::min(i + most - 1, box.hi.i), std::min(j + most - 1, box.hi.j),
-                           std::min(k + most - 1, box.hi.k)}});
-      }
-    }
-  }
-  return result;
-}
 
 void checkArguments(const FluidField& field, const CutCells& cells, const CertifyOptions& options) {
   require(options.width >= 0 && options.width <= 1, "cut cells: need a width from 0 to 1",
@@ -97,7 +84,7 @@ void requireInPrecision(const FluidField& field, double plane) {
 
 CertifiedCells certifiedCells(const FluidField& field, const CutCells& cells,
                               const CertifyOptions& options) {
-  constexpr std::int32_t kBlock = 16;
+  constexpr detail::Offset kTile{16, 16, 16};
   checkArguments(field, cells, options);
   const Certifier certifier(field, cells, options);
   const ParallelOptions inParallel{.threads = options.threads, .grain = 16};
@@ -125,11 +112,18 @@ CertifiedCells certifiedCells(const FluidField& field, const CutCells& cells,
     if (isOfFaceBefore(arc)) result.aperture[arc] = result.aperture[arc - 1];
   }
 
-  const auto blocks = blocksOf(cells.grid.indices(), kBlock);
-  std::vector<std::vector<Doubtful>> found(blocks.size());
-  parallelFor(blocks.size(), {.threads = options.threads, .progress = options.progress},
+  const auto indices = cells.grid.indices();
+  const detail::GridTiles tiles(indices, kTile);
+  std::vector<std::vector<Doubtful>> found(tiles.count());
+  parallelFor(tiles.count(), {.threads = options.threads, .progress = options.progress},
               [&](std::size_t begin, std::size_t end) {
-                for (auto n = begin; n < end; ++n) certifier.findDoubtful(blocks[n], {}, found[n]);
+                for (auto n = begin; n < end; ++n) {
+                  const auto [first, size] = tiles.tile(n);
+                  const IndexBox tile{indices.at(first[0], first[1], first[2]),
+                                      indices.at(first[0] + size[0] - 1, first[1] + size[1] - 1,
+                                                 first[2] + size[2] - 1)};
+                  certifier.findDoubtful(tile, {}, found[n]);
+                }
               });
   for (const auto& some : found) {
     result.doubtful.insert(result.doubtful.end(), some.begin(), some.end());
