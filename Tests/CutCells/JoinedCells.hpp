@@ -18,8 +18,9 @@ namespace cutwater::test {
 /// open faces connect them within a leaf.
 class JoinedCells {
  public:
-  JoinedCells(const CutCells& fine, const OctreeCells<double>& mesh)
-      : fine_(fine), box_(fine.grid.indices()) {
+  /// Numbers within `near` of each other are the same.
+  JoinedCells(const CutCells& fine, const OctreeCells<double>& mesh, double near = 1e-13)
+      : fine_(fine), box_(fine.grid.indices()), near_(near) {
     leafOf_.resize(box_.count());
     for (std::uint32_t leaf = 0; leaf < mesh.cells().size(); ++leaf) {
       const auto& [index, level, kind] = mesh.cells()[leaf];
@@ -46,7 +47,6 @@ class JoinedCells {
   }
 
  private:
-  static constexpr double kNear = 1e-13;
   struct Sum {
     double volume = 0;
     Vec3<double> moment;
@@ -150,10 +150,10 @@ class JoinedCells {
     for (const auto& [root, sum] : groups) {
       auto found = CutLeaves::kNoRow;
       for (auto p = leaves.cut.firstPiece[row]; p < leaves.cut.firstPiece[row + 1]; ++p) {
-        if (std::abs(leaves.pieces.volume[p] - sum.volume) < kNear &&
-            length(leaves.pieces.volume[p] * leaves.pieces.centroid[p] - sum.moment) < kNear &&
-            std::abs(leaves.pieces.wallArea[p] - sum.wall) < kNear &&
-            length(leaves.pieces.wallVector[p] - sum.wallVector) < kNear) {
+        if (std::abs(leaves.pieces.volume[p] - sum.volume) < near_ &&
+            length(leaves.pieces.volume[p] * leaves.pieces.centroid[p] - sum.moment) < near_ &&
+            std::abs(leaves.pieces.wallArea[p] - sum.wall) < near_ &&
+            length(leaves.pieces.wallVector[p] - sum.wallVector) < near_) {
           found = p;
         }
       }
@@ -193,13 +193,14 @@ class JoinedCells {
     for (const auto& [key, sum] : expected) {
       const auto same = found.find(key);
       ASSERT_NE(same, found.end());
-      EXPECT_NEAR(same->second.first, sum.first, kNear);
-      EXPECT_LT(length(same->second.second - sum.second), kNear);
+      EXPECT_NEAR(same->second.first, sum.first, near_);
+      EXPECT_LT(length(same->second.second - sum.second), near_);
     }
   }
 
   const CutCells& fine_;
   IndexBox box_;
+  double near_;
   std::vector<std::uint32_t> leafOf_;
   detail::DisjointSets sets_;                         // of pieces, then of all cells
   std::vector<std::map<std::uint32_t, Sum>> groups_;  // of each leaf, by root

@@ -1,5 +1,6 @@
 #include <Cutwater/CutCells/Detail/Curved/LineCrossings.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Sdf/FunctionSDF.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 #include <Cutwater/Shapes/Torus.hpp>
@@ -91,20 +92,49 @@ TEST(LineCrossingsTest, PassThroughThinPlatesAndSlivers) {
 
 /// Between two bars, seen from within both, where the nearest walls are along the line.
 TEST(LineCrossingsTest, GapsAreFoundThatNoDerivativeLeadsTo) {
-  const auto bars =
-      fluidBeside<double>(Solid<double>(Cuboid<double>({-2, -0.1, -2}, {0.4, 0.1, 2})) |
-                              Cuboid<double>({0.55, -0.1, -2}, {2, 0.1, 2}),
-                          FluidSide::Outside);
-  LineCrossings found(*bars);
-  const std::array lines{AxisLine{{0, 0.03, 0.1}, 1, 0},
-                         AxisLine{{0, 0.03, 0.1}, 1, 0, /*mayTurn=*/false},
-                         AxisLine{{-0.7, 0.03, 0.1}, 0.3, 0}};
-  found.find(lines);
-  ASSERT_EQ(found.of(0).size(), 2U);
-  EXPECT_NEAR(found.of(0)[0], 0.4, kNear);
-  EXPECT_NEAR(found.of(0)[1], 0.55, kNear);
-  EXPECT_TRUE(found.of(1).empty());
-  EXPECT_TRUE(found.of(2).empty());
+  const Solid<double> solid = Solid<double>(Cuboid<double>({-2, -0.1, -2}, {0.4, 0.1, 2})) |
+                              Cuboid<double>({0.55, -0.1, -2}, {2, 0.1, 2});
+  const auto bars = fluidBeside<double>(solid, FluidSide::Outside);
+  // The same as values alone, without operands.
+  const auto value = [&](const Vec3<double>& p) { return solid.signedDistance(p); };
+  const auto values = fluidBeside<double>(
+      FunctionSDF<double, decltype(value)>(value, solid.guarantee()), FluidSide::Outside);
+  const std::array lines{AxisLine{{0, 0.03, 0.1}, 1, 0}, AxisLine{{-0.7, 0.03, 0.1}, 0.3, 0},
+                         AxisLine{{0, 0.03, 0.1}, 1, 0, /*mayTurn=*/false}};
+  for (const auto* field : {bars.get(), values.get()}) {
+    LineCrossings found(*field);
+    found.find(lines);
+    ASSERT_EQ(found.of(0).size(), 2U);
+    EXPECT_NEAR(found.of(0)[0], 0.4, kNear);
+    EXPECT_NEAR(found.of(0)[1], 0.55, kNear);
+    EXPECT_TRUE(found.of(1).empty());
+    // Operands are asked, whatever is supposed of the values together.
+    EXPECT_EQ(found.of(2).size(), field == bars.get() ? 2U : 0U);
+  }
+}
+
+/// Along a wall, as near as it may be, through plates that are as thin as they may be; and through
+/// more than two.
+TEST(LineCrossingsTest, PlatesBesideAWallAreFoundByTheirOperands) {
+  auto solid = Solid<double>(Cuboid<double>({-1, 0, -1}, {2, 1, 2}));
+  std::vector<double> expected;
+  for (const double at : {0.2, 0.41, 0.7}) {
+    for (const double end : {at, at + 1e-7}) expected.push_back(end);
+    solid = solid | Cuboid<double>({at, -1, -1}, {at + 1e-7, 1, 2});
+  }
+  for (const bool isUnion : {true, false}) {
+    const auto side = isUnion ? FluidSide::Outside : FluidSide::Inside;
+    const auto field = fluidBeside<double>(isUnion ? solid : ~solid, side);
+    LineCrossings found(*field);
+    for (const double gap : {0.3, 0.01, 1e-4, 1e-9}) {
+      const AxisLine line{{0, -gap, 0.5}, 1, 0};
+      found.find({&line, 1});
+      ASSERT_EQ(found.of(0).size(), expected.size()) << gap;
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_NEAR(found.of(0)[i], expected[i], kNear) << gap;
+      }
+    }
+  }
 }
 
 TEST(LineCrossingsTest, WhatLiesInTheSurfaceIsBody) {

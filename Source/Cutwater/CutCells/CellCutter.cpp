@@ -130,7 +130,8 @@ CutLeaves CellCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options)
   const LeafGrid grid(mesh, surface_->frame());
   std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);
   const auto tiles = cutLeafTiles(*surface_, grid, options, classes);
-  return assembledLeaves(*surface_, grid, tiles, std::move(classes), options);
+  return assembledLeaves({grid, tiles, surface_->frame(), surface_->patchNames(), surface_.get()},
+                         std::move(classes), options);
 }
 
 CellPlanes CellCutter::cellsOfPeriod(const std::array<std::vector<double>, 3>& planes,

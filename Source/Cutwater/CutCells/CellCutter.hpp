@@ -241,6 +241,13 @@ class SolidCutter {
     return cut(planesOf(gridPatch), options);
   }
 
+  /// The leaves of an octree, or of a part of one, as CellCutter::cut() gives them. An octree of
+  /// one level gives the pieces and arcs of the grid patch, to the bit.
+  /// @throws Error(Argument) if leaves are so small that their planes do not ascend, and unless
+  /// options are within their ranges; for polygons.
+  template <std::floating_point T>
+  [[nodiscard]] CutLeaves cut(const OctreeCells<T>& mesh, const CutOptions& options = {}) const;
+
   /// In 2D: the rectangles between the grid's planes across x and y, in the plane at `z`, as
   /// CellCutter::cutInPlane() gives them.
   /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; for moments and quadrature.
@@ -272,6 +279,8 @@ extern template CellCutter::CellCutter(const Solid<double>&, FluidSide, const Cu
 extern template SolidCutter::SolidCutter(const Solid<float>&, FluidSide, const SolidCutterOptions&);
 extern template SolidCutter::SolidCutter(const Solid<double>&, FluidSide,
                                          const SolidCutterOptions&);
+extern template CutLeaves SolidCutter::cut(const OctreeCells<float>&, const CutOptions&) const;
+extern template CutLeaves SolidCutter::cut(const OctreeCells<double>&, const CutOptions&) const;
 extern template CutLeaves CellCutter::cut(const OctreeCells<float>&, const CutOptions&) const;
 extern template CutLeaves CellCutter::cut(const OctreeCells<double>&, const CutOptions&) const;
 extern template std::vector<std::uint32_t> CellCutter::disputedLeaves(const CutLeaves&,

@@ -31,13 +31,7 @@ void visitCells(Cells& all, Visit&& visit) {
   visitOpenArcs(openArcs, visit);
   visitWallParts(wallParts, visit);
   visitEach(patchNames, cellCount, pieceCount);
-  visitMomentsAndPolygons(all, visit);
-  auto& [ofVolumes, ofWalls, wallNormals, ofArcs] = quadrature;
-  for (auto* rows : {&ofVolumes, &ofWalls, &ofArcs}) {
-    auto& [starts, points, weights] = *rows;
-    visitEach(starts, points, weights);
-  }
-  visit(wallNormals);
+  visitOnRequest(all, visit);
   visit(bodyRuns);
 }
 

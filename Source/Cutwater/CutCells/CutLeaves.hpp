@@ -37,6 +37,7 @@ struct CutLeaves {
     std::vector<std::uint8_t> fluidCorners;  ///< as in CutCells::Cells
     std::vector<std::uint8_t> meets;         ///< the same
     std::vector<std::uint8_t> wallFaces;     ///< the same
+    std::vector<double> error;               ///< the same
 
     /// See CutCells::Cells::isThin().
     [[nodiscard]] bool isThin(std::size_t row) const { return CutCells::isThin(fluidCorners[row]); }
@@ -61,6 +62,7 @@ struct CutLeaves {
   std::vector<std::string> patchNames;  ///< of the surface
   std::vector<FluidClass> classes;      ///< of every leaf; never Unknown
   CutCells::Moments moments;            ///< on request, of pieces and arcs
+  CutCells::Quadrature quadrature;      ///< the same
   double wholeFluid = 0;                ///< the volume of the leaves that are all fluid
   double wholeBody = 0;                 ///< and of those without fluid
 

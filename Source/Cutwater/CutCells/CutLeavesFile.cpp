@@ -9,23 +9,23 @@ namespace cutwater {
 namespace {
 
 constexpr RowFileKind kLeavesFile{
-    .magic = {'\x89', 'C', 'u', 't', 'L', 'e', 'a', '\x1a'}, .version = 2, .rows = "leaves"};
+    .magic = {'\x89', 'C', 'u', 't', 'L', 'e', 'a', '\x1a'}, .version = 3, .rows = "leaves"};
 
 /// Visits all that is in cut leaves. What is added to them and not named here does not compile.
 template <typename Leaves, typename Visit>
 void visitLeaves(Leaves& all, Visit&& visit) {
-  auto& [cut, pieces, arcs, openArcs, wallParts, patchNames, classes, moments, wholeFluid,
-         wholeBody, arcPolygons, wallPolygons, firstWallPolygon] = all;
+  auto& [cut, pieces, arcs, openArcs, wallParts, patchNames, classes, moments, quadrature,
+         wholeFluid, wholeBody, arcPolygons, wallPolygons, firstWallPolygon] = all;
   const auto visitEach = [&](auto&... arrays) { (visit(arrays), ...); };
-  auto& [leaf, box, firstPiece, fluidCorners, meets, wallFaces] = cut;
-  visitEach(leaf, box, firstPiece, fluidCorners, meets, wallFaces);
+  auto& [leaf, box, firstPiece, fluidCorners, meets, wallFaces, error] = cut;
+  visitEach(leaf, box, firstPiece, fluidCorners, meets, wallFaces, error);
   visitPieces(pieces, visit);
   auto& [below, above, leafBelow, leafAbove, area, centroid, faceArea, axis] = arcs;
   visitEach(below, above, leafBelow, leafAbove, area, centroid, faceArea, axis);
   visitOpenArcs(openArcs, visit);
   visitWallParts(wallParts, visit);
   visitEach(patchNames, classes, wholeFluid, wholeBody);
-  visitMomentsAndPolygons(all, visit);
+  visitOnRequest(all, visit);
 }
 
 }  // namespace

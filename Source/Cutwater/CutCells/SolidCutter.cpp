@@ -3,9 +3,19 @@
 #include <Cutwater/CutCells/Detail/Curved/CurvedTile.hpp>
 #include <Cutwater/CutCells/Detail/Curved/GaussPoints.hpp>
 #include <Cutwater/CutCells/Detail/CutArguments.hpp>
+#include <Cutwater/CutCells/Detail/Leaves/CurvedLeaves.hpp>
+#include <Cutwater/CutCells/Detail/Leaves/LeafAssembly.hpp>
 #include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
 
 namespace cutwater {
+
+namespace {
+
+void refusePolygons(const CutOptions& options) {
+  require(!options.polygons, "cut cells: there are no polygons of solids that are no meshes");
+}
+
+}  // namespace
 
 template <std::floating_point T>
 SolidCutter::SolidCutter(const Solid<T>& solid, FluidSide side, const SolidCutterOptions& options)
@@ -30,6 +40,22 @@ CutCells SolidCutter::cutInPlane(const CellPlanes& grid, double z,
   return cut(*sectionAt(*field_, z), layerAt(grid, z), options);
 }
 
+template <std::floating_point T>
+CutLeaves SolidCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options) const {
+  checkOptions(options);
+  refusePolygons(options);
+  const CutFrame world;
+  const LeafGrid grid(mesh, world);
+  std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);
+  const auto tiles = cutLeafTiles(*field_, grid, options_, options, classes);
+  return assembledLeaves({.grid = grid,
+                          .tiles = tiles,
+                          .frame = world,
+                          .patchNames = field_->patchNames(),
+                          .gauss = gaussPoints(options_.points)},
+                         std::move(classes), options);
+}
+
 CertifiedCells SolidCutter::certified(const CutCells& cells, const CertifyOptions& options) const {
   return certifiedCells(*field_, cells, options);
 }
@@ -43,7 +69,7 @@ CertifiedCells SolidCutter::certifiedInPlane(const CutCells& cells, double z,
 CutCells SolidCutter::cut(const FluidField& field, const CellPlanes& grid,
                           const CutOptions& options) const {
   checkOptions(options);
-  require(!options.polygons, "cut cells: there are no polygons of solids that are no meshes");
+  refusePolygons(options);
   require(grid.period == std::array<std::int32_t, 3>{},
           "cut cells: there are no periods of solids that are no meshes, see repeated()");
   const CutBlocks tiles(stretchesOf(grid));
@@ -66,5 +92,7 @@ CutCells SolidCutter::cut(const FluidField& field, const CellPlanes& grid,
 
 template SolidCutter::SolidCutter(const Solid<float>&, FluidSide, const SolidCutterOptions&);
 template SolidCutter::SolidCutter(const Solid<double>&, FluidSide, const SolidCutterOptions&);
+template CutLeaves SolidCutter::cut(const OctreeCells<float>&, const CutOptions&) const;
+template CutLeaves SolidCutter::cut(const OctreeCells<double>&, const CutOptions&) const;
 
 }  // namespace cutwater

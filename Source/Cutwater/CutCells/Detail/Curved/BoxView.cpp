@@ -308,6 +308,33 @@ std::optional<Vec3<double>> BoxView::hiddenPoint() const {
   return {};
 }
 
+std::optional<Vec3<double>> BoxView::hiddenPointInFaces() const {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const bool isHigh : {false, true}) {
+      auto face = box_;
+      (isHigh ? face.lower : face.upper)[axis] = (isHigh ? face.upper : face.lower)[axis];
+      if (const auto point = BoxView(field_, face).hiddenPoint()) return point;
+    }
+  }
+  return {};
+}
+
+std::optional<Vec3<double>> BoxView::hiddenOperand() const {
+  std::vector<const FluidField*> near;
+  for (const auto& operand : field_.operands()) {
+    if (operand->mayReach(box_)) near.push_back(operand.get());
+  }
+  if (near.size() < 2) return {};
+  for (const auto* operand : near) {
+    const BoxView view(*operand, box_);
+    if (view.isCrossed()) continue;
+    if (const auto point = view.hiddenPoint()) return point;
+    if (flatAxis_ >= 0) continue;
+    if (const auto point = view.hiddenPointInFaces()) return point;
+  }
+  return {};
+}
+
 /// Mean derivatives along an axis, into the side of the corners, at both ends of the face (or the
 /// box) that spans `axes` from a corner; whether values have a turning point between these.
 bool BoxView::turnsAlong(int axis, unsigned axes, int corner, double& low, double& high) const {

@@ -73,6 +73,10 @@ class BoxView {
   /// A point on the other side than all corners, if no edge is crossed: the one that a search finds
   /// which leaves out what the field's steepness excludes. It ends after some hundred values.
   [[nodiscard]] std::optional<Vec3<double>> hiddenPoint() const;
+  /// One in one of the faces of a box, which are searched by themselves.
+  [[nodiscard]] std::optional<Vec3<double>> hiddenPointInFaces() const;
+  /// The same of one of several operands here: whatever the others do, a part of it may be seen.
+  [[nodiscard]] std::optional<Vec3<double>> hiddenOperand() const;
   /// Axes along which the wall is a graph, and its rims on the ends of lines are; the best ones if
   /// `isGood` says that these are none.
   [[nodiscard]] SweepAxes bestAxes(bool& isGood) const;

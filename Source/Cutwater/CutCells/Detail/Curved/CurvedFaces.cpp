@@ -1,6 +1,8 @@
 #include <Cutwater/CutCells/Detail/Curved/CurvedFaces.hpp>
+#include <Cutwater/CutCells/Detail/Curved/GridSamples.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace cutwater {
 
@@ -49,6 +51,18 @@ CurvedFace openPartsOf(const FluidField& field, const BoxView& face, FluidRule& 
     result.area += part.area;
   }
   return result;
+}
+
+CurvedFace openPartsOf(const FluidField& field, const Box<double>& face, FluidRule& rule,
+                       double tolerance) {
+  std::array<Vec3<double>, 8> corners;
+  for (int i = 0; i < 8; ++i) corners[static_cast<std::size_t>(i)] = face.corner(i);
+  std::array<double, 8> values{};
+  field.values(corners, values);
+  if (leavesRoom(field, face, values)) {
+    return openPartsOf(field, BoxView(field, face), rule, tolerance);
+  }
+  return values[0] > 0 ? wholeFace(face, rule) : CurvedFace{};
 }
 
 }  // namespace cutwater

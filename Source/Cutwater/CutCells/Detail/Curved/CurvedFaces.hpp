@@ -31,5 +31,8 @@ struct CurvedFace {
 /// Finds what is open of a face; see FluidRule::findIn().
 [[nodiscard]] CurvedFace openPartsOf(const FluidField& field, const BoxView& face, FluidRule& rule,
                                      double tolerance);
+/// Of one of which nothing is known yet.
+[[nodiscard]] CurvedFace openPartsOf(const FluidField& field, const Box<double>& face,
+                                     FluidRule& rule, double tolerance);
 
 }  // namespace cutwater

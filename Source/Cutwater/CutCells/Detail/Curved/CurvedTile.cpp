@@ -29,12 +29,36 @@ struct PieceRule {
   RulePoints points;
   double volume = 0;
   Vec3<double> moment;  // about the middle of the first span
+  bool isOpen = false;  // to a face
 
   void add(const FluidSpan& span) {
     points.spans.push_back(span);
     volume += span.size();
     moment += span.size() * (span.middle() - points.spans.front().middle());
   }
+};
+
+/// What is open of the sides of a cell.
+struct CellSides {
+  OpenSides areas;
+  bool isCut = false;
+  bool isOpen = false;
+  double gap = 0;
+
+  void add(int axis, int side, const CurvedFace& face) {
+    areas.add(axis, side, face.area);
+    isCut = isCut || face.isCut();
+    isOpen = isOpen || !face.parts.empty();
+    gap = std::max(gap, face.gap);
+  }
+};
+
+/// A face of a finer cell across a side of a cell.
+struct FinerFace {
+  int axis = 0;
+  int side = 0;
+  std::uint32_t number = 0;  // among those across this side
+  CurvedFace face;
 };
 
 class CurvedTile {
@@ -51,11 +75,14 @@ class CurvedTile {
     out_.moments.degree = options.moments;
   }
 
+  void restrictTo(const TileLeaves& leaves) { leaves_ = &leaves; }
+
   TileCut run() {
     faces_.resize(out_.numbers.faceCount());
     isFound_.resize(out_.numbers.faceCount());
     rowOf_.assign(out_.numbers.cellCount(), kNone);
     forTilePlaces(out_.numbers.cells(), [&](const TilePlace& cell) {
+      if (leaves_ != nullptr && !leaves_->wanted[out_.numbers.cell(cell)]) return;
       out_.isBody[out_.numbers.cell(cell)] = !isFluidNode(cell);
       if (samples_.leavesRoom(cell)) cutCell(cell);
     });
@@ -64,6 +91,7 @@ class CurvedTile {
     finishWalls();
     return std::move(out_);
   }
+  [[nodiscard]] const std::vector<BehindFiner>& behindFiner() const { return behind_; }
 
  private:
   [[nodiscard]] std::uint32_t pieceCount() const {
@@ -86,25 +114,38 @@ class CurvedTile {
     return faces_[number];
   }
 
-  void cutCell(const TilePlace& cell) {
-    OpenSides openSides;
-    bool isCut = false;
-    bool isOpen = false;
-    double gap = 0;
+  /// Finds the finer faces across a side of a cell.
+  [[nodiscard]] bool findFiner(const TilePlace& cell, int axis, int side, CellSides& sides) {
+    if (leaves_ == nullptr) return false;
+    const auto boxes = leaves_->finerFaces(out_.numbers.cell(cell), axis, side);
+    for (std::uint32_t n = 0; n < boxes.size(); ++n) {
+      finer_.push_back({axis, side, n, openPartsOf(field_, boxes[n], rule_, how_.tolerance)});
+      sides.add(axis, side, finer_.back().face);
+    }
+    return !boxes.empty();
+  }
+
+  CellSides sidesOf(const TilePlace& cell) {
+    finer_.clear();
+    CellSides sides;
     for (int axis = 0; axis < 3; ++axis) {
       for (const int side : {0, 1}) {
-        auto place = cell;
-        place[asIndex(axis)] += side;
-        const auto& face = faceAt(axis, place);
-        openSides.add(axis, side, face.area);
-        isCut = isCut || face.isCut();
-        isOpen = isOpen || !face.parts.empty();
-        gap = std::max(gap, face.gap);
+        if (findFiner(cell, axis, side, sides)) continue;
+        sides.add(axis, side, faceAt(axis, faceOf(cell, axis, side)));
       }
     }
+    return sides;
+  }
+  [[nodiscard]] static TilePlace faceOf(TilePlace cell, int axis, int side) {
+    cell[asIndex(axis)] += side;
+    return cell;
+  }
+
+  void cutCell(const TilePlace& cell) {
+    const auto sides = sidesOf(cell);
     const auto box = samples_.boxOf(cell);
     const BoxView view(field_, box, samples_.of(cell));
-    rule_.findIn(view, openSides, how_.tolerance);
+    rule_.findIn(view, sides.areas, how_.tolerance);
     double volume = 0;
     double area = 0;
     for (const auto& span : rule_.points().spans) volume += span.size();
@@ -112,13 +153,26 @@ class CurvedTile {
     const auto size = box.size();
     const double whole = size.x * size.y * size.z;
     const double side = whole / maxComponent(size);
-    isCut = isCut || area > kNothingOfCell * side;
+    const bool isCut = sides.isCut || area > kNothingOfCell * side;
     const auto number = out_.numbers.cell(cell);
     if (!isCut || volume <= kNothingOfCell * whole) {
       out_.isBody[number] = volume < 0.5 * whole;
-      if (!isCut || !isOpen) return;
+      if (!isCut || !sides.isOpen) return;
     }
-    addCell(cell, view, std::max(gap, rule_.gap()));
+    addCell(cell, view, std::max(sides.gap, rule_.gap()));
+    addFinerFaces(out_.numbers.cell(cell));
+  }
+
+  /// What is behind them in the last cell.
+  void addFinerFaces(std::uint32_t cell) {
+    for (const auto& [axis, side, number, face] : finer_) {
+      for (std::uint32_t part = 0; part < face.parts.size(); ++part) {
+        const auto piece = cells_.back().pieceAt(face.parts[part].inside);
+        auto& vector = out_.content.pieces[piece].areaVector;
+        vector[axis] += side == 0 ? face.parts[part].area : -face.parts[part].area;
+        behind_.push_back({cell, axis, side, number, part, piece});
+      }
+    }
   }
 
   void addCell(const TilePlace& cell, const BoxView& view, double gap) {
@@ -142,18 +196,37 @@ class CurvedTile {
     for (const auto& wall : rule_.points().walls) {
       rules[parts.at(wall.inside)].points.walls.push_back(wall);
     }
+    if (rules.size() > 1) {
+      forOpenParts(cell, [&](const OpenPart& part) { rules[parts.at(part.inside)].isOpen = true; });
+    }
     addPieces(view.box(), rules, here);
     if (rules.size() > 1) here.parts.emplace(std::move(parts));
   }
 
-  /// A piece for each part with a volume; others belong to the largest. One at least.
+  /// Those of all sides.
+  template <typename Visit>
+  void forOpenParts(const TilePlace& cell, const Visit& visit) {
+    for (const auto& finer : finer_) std::ranges::for_each(finer.face.parts, visit);
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int side : {0, 1}) {
+        const auto face = out_.numbers.face(axis, faceOf(cell, axis, side));
+        std::ranges::for_each(faces_[face].parts, visit);
+      }
+    }
+  }
+
+  /// A piece for each part with a volume, and a wall or an open face; others belong to the largest.
+  /// One at least.
   void addPieces(const Box<double>& box, std::vector<PieceRule>& rules, CurvedCell& here) {
     const auto size = box.size();
     const auto largest = static_cast<std::size_t>(
         std::ranges::max_element(rules, {}, &PieceRule::volume) - rules.begin());
     here.pieceOfPart.assign(rules.size(), kNone);
     for (std::size_t part = 0; part < rules.size(); ++part) {
-      const bool isPiece = rules[part].volume > kNothingOfCell * size.x * size.y * size.z;
+      const bool isBounded =
+          rules.size() == 1 || rules[part].isOpen || !rules[part].points.walls.empty();
+      const bool isPiece =
+          isBounded && rules[part].volume > kNothingOfCell * size.x * size.y * size.z;
       if (!isPiece && part != largest) continue;
       here.pieceOfPart[part] = pieceCount();
       addPiece(box, rules[part], here.cell);
@@ -269,6 +342,9 @@ class CurvedTile {
   std::vector<std::uint32_t> rowOf_;  // of cells
   std::vector<CurvedCell> cells_;
   std::vector<RulePoints> rules_;  // of pieces
+  const TileLeaves* leaves_ = nullptr;
+  std::vector<FinerFace> finer_;  // of the cell at hand
+  std::vector<BehindFiner> behind_;
   TileCut out_;
 };
 
@@ -291,7 +367,19 @@ WholeBox wholeBox(const FluidField& field, const Box<double>& box) {
 
 TileCut cutTile(const FluidField& field, const GridPlanes& planes, const SolidCutterOptions& how,
                 const CutOptions& options) {
-  return CurvedTile(field, planes, how, options).run();
+  const auto here = fieldIn(field, boxOf(planes));
+  return CurvedTile(*here, planes, how, options).run();
+}
+
+TileCut cutTile(const FluidField& field, const GridPlanes& planes, const SolidCutterOptions& how,
+                const CutOptions& options, const TileLeaves& leaves,
+                std::vector<BehindFiner>& behind) {
+  const auto here = fieldIn(field, boxOf(planes));
+  CurvedTile tile(*here, planes, how, options);
+  tile.restrictTo(leaves);
+  auto cut = tile.run();
+  behind = tile.behindFiner();
+  return cut;
 }
 
 }  // namespace cutwater

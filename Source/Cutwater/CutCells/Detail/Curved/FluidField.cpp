@@ -1,6 +1,10 @@
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/CutCells/Detail/Curved/FluidField.hpp>
 #include <Cutwater/Grid/Detail/VolumeSearch.hpp>
+#include <Cutwater/Operations/Detail/Combination.hpp>
+#include <Cutwater/Operations/Detail/Complement.hpp>
+#include <Cutwater/Operations/Detail/Labelled.hpp>
+#include <Cutwater/Operations/Detail/SymmetricDifference.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +12,37 @@
 namespace cutwater {
 
 namespace {
+
+/// Appends the solids, each where it is in the world, of which one is a union or the like.
+template <std::floating_point T>
+void addOperands(const Solid<T>& solid, std::vector<Solid<T>>& found) {
+  const auto add = [&](Solid<T> operand) {
+    operand.setPlacement(RigidTransform<T>::composed(operand.placement(), solid.placement()));
+    addOperands(operand, found);
+  };
+  if (const auto* combination = solid.template as<Combination<T>>()) {
+    for (const auto& operand : combination->operands()) add(operand);
+  } else if (const auto* difference = solid.template as<SymmetricDifference<T>>()) {
+    for (const auto& operand : difference->operands()) add(operand);
+  } else if (const auto* complement = solid.template as<Complement<T>>()) {
+    add(complement->operand());
+  } else if (const auto* labelled = solid.template as<Labelled<T>>()) {
+    add(labelled->operand());
+  } else {
+    found.push_back(solid);
+  }
+}
+
+template <std::floating_point T>
+FluidField::Operands operandsOf(const Solid<T>& solid) {
+  constexpr std::size_t kMost = 1000;  // as each is asked in each tile
+  std::vector<Solid<T>> found;
+  addOperands(solid, found);
+  FluidField::Operands operands;
+  if (found.size() < 2 || found.size() > kMost) return operands;
+  for (const auto& operand : found) operands.push_back(fluidBeside(operand, FluidSide::Outside));
+  return operands;
+}
 
 template <std::floating_point T>
 class SolidField final : public FluidField {
@@ -22,7 +57,9 @@ class SolidField final : public FluidField {
         solid_(solid),
         roundingPerLength_(double{guarantee.ulps} * double{std::numeric_limits<T>::epsilon()}),
         size_(guarantee.size),
-        sign_(side == FluidSide::Outside ? 1 : -1) {}
+        sign_(side == FluidSide::Outside ? 1 : -1) {
+    setOperands(operandsOf<T>(solid));
+  }
 
   void values(std::span<const Vec3<double>> points, std::span<double> values) const override {
     constexpr std::size_t kBatch = 64;
@@ -85,8 +122,13 @@ class SolidField final : public FluidField {
 
 class Section final : public FluidField {
  public:
-  Section(const FluidField& field, double z)
-      : FluidField(factsAt(field, z)), field_(field), z_(z) {}
+  Section(const FluidField& field, double z) : FluidField(factsAt(field, z)), field_(field), z_(z) {
+    Operands operands;
+    for (const auto& operand : field.operands()) {
+      operands.push_back(std::make_shared<const Section>(*operand, z));
+    }
+    setOperands(std::move(operands));
+  }
 
   void values(std::span<const Vec3<double>> points, std::span<double> values) const override {
     constexpr std::size_t kBatch = 64;
@@ -130,7 +172,40 @@ class Section final : public FluidField {
   double z_;
 };
 
+class FieldInBox final : public FluidField {
+ public:
+  FieldInBox(const FluidField& field, const Box<double>& box)
+      : FluidField(field.facts()), field_(field) {
+    Operands near;
+    for (const auto& operand : field.operands()) {
+      if (operand->mayReach(box)) near.push_back(operand);
+    }
+    if (near.size() > 1) setOperands(std::move(near));
+  }
+
+  void values(std::span<const Vec3<double>> points, std::span<double> values) const override {
+    field_.values(points, values);
+  }
+  Vec3<double> gradient(const Vec3<double>& point) const override { return field_.gradient(point); }
+  SurfaceOwner owner(const Vec3<double>& surfacePoint) const override {
+    return field_.owner(surfacePoint);
+  }
+  bool mayBeCut(const Box<double>& box, BoxHint& hint) const override {
+    return field_.mayBeCut(box, hint);
+  }
+  Interval<double> shareOf(const Box<double>& box, double width, std::size_t boxes) const override {
+    return field_.shareOf(box, width, boxes);
+  }
+
+ private:
+  const FluidField& field_;
+};
+
 }  // namespace
+
+std::unique_ptr<const FluidField> fieldIn(const FluidField& field, const Box<double>& box) {
+  return std::make_unique<const FieldInBox>(field, box);
+}
 
 std::unique_ptr<const FluidField> sectionAt(const FluidField& field, double z) {
   return std::make_unique<const Section>(field, z);

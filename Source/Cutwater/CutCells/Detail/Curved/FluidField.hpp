@@ -4,6 +4,7 @@
 #include <Cutwater/Sdf/FluidSide.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string>
@@ -58,12 +59,31 @@ class FluidField {
   [[nodiscard]] double changeToCorners(const Box<double>& box) const {
     return 0.5 * (1 + 1e-12) * steepness(box) * box.diagonal();
   }
+  /// Whether the surface may meet a box, or a segment, as far as the value in its middle tells.
+  [[nodiscard]] bool mayReach(const Box<double>& box) const {
+    const double reach = changeToCorners(box);
+    return reach == 0 || std::abs(value(box.center())) <= reach;
+  }
   [[nodiscard]] const std::vector<std::string>& patchNames() const { return facts_.patchNames; }
   [[nodiscard]] const Facts& facts() const { return facts_; }
 
+  /// The operands of a union, an intersection or a difference, and theirs: the surface lies in
+  /// theirs. None, if it is none of these, or has too many.
+  using Operands = std::vector<std::shared_ptr<const FluidField>>;
+  [[nodiscard]] const Operands& operands() const { return operands_; }
+
+ protected:
+  void setOperands(Operands operands) { operands_ = std::move(operands); }
+
  private:
   Facts facts_;
+  Operands operands_;
 };
+
+/// A field in a box: it knows the operands alone whose surfaces may be there; none, if that is one.
+/// Views the field.
+[[nodiscard]] std::unique_ptr<const FluidField> fieldIn(const FluidField& field,
+                                                        const Box<double>& box);
 
 /// Of a solid, with the fluid on this side of its surface.
 template <std::floating_point T>

@@ -1,6 +1,8 @@
 #include <Cutwater/CutCells/Detail/Curved/FluidParts.hpp>
 
 #include <algorithm>
+#include <bit>
+#include <limits>
 #include <numeric>
 
 namespace cutwater {
@@ -20,15 +22,92 @@ FluidParts::FluidParts(const FluidField& field, const BoxView& view,
   if (count_ > 1 || !isGraph) addUnseen(spans);
 }
 
+/// A part that no point of the grid is connected with may be so through a gap that none of them
+/// lies in: others are looked for from some of its spans, the first few, the eighth, the 16th and
+/// so on.
 void FluidParts::addUnseen(std::span<const FluidSpan> spans) {
+  constexpr std::size_t kFew = 6;
+  const auto seen = static_cast<std::uint32_t>(count_);
+  std::vector<std::size_t> found(count_);  // spans of each part
   for (const auto& span : spans) {
     const auto middle = span.middle();
     const double value = field_->value(middle);
-    if (partSeenFrom(middle, value)) continue;
-    points_.push_back(middle);
-    values_.push_back(value);
-    partOf_.push_back(static_cast<std::uint32_t>(count_++));
+    const auto part = partSeenFrom(middle, value).value_or(static_cast<std::uint32_t>(count_));
+    if (part < seen) continue;
+    if (part == count_) {
+      points_.push_back(middle);
+      values_.push_back(value);
+      partOf_.push_back(part);
+      ++count_;
+      found.push_back(0);
+    }
+    if (++found[part] > kFew && !std::has_single_bit(found[part])) continue;
+    if (count_ == 1) continue;
+    if (const auto other = partReachedFrom(middle, part, found[part] == 1)) {
+      const auto [low, high] = std::minmax(part, *other);
+      std::ranges::replace(partOf_, high, low);
+      for (auto& of : partOf_) of -= of > high ? 1 : 0;
+      found[low] += found[high];
+      found.erase(found.begin() + high);
+      --count_;
+    }
   }
+}
+
+/// Another part, seen from somewhere on the lines through a point of one, as far as they are in the
+/// fluid; if there is none, it may be from the lines through places on these.
+std::optional<std::uint32_t> FluidParts::partReachedFrom(const Vec3<double>& point,
+                                                         std::uint32_t part, bool mayTurn) const {
+  constexpr int kPlaces = 16;
+  constexpr int kTurns = 8;
+  const auto known = [&](const Vec3<double>& place,
+                         bool forCertain) -> std::optional<std::uint32_t> {
+    const auto nearest = nearestTo(place, part);
+    if (nearest == points_.size()) return {};
+    const double value = field_->value(place);
+    const bool isSeen =
+        forCertain ? isCertain(place, value, nearest) : isClear(place, value, nearest);
+    return isSeen ? std::optional(partOf_[nearest]) : std::nullopt;
+  };
+  const auto found =
+      alongLines(point, kPlaces, [&](const Vec3<double>& place) { return known(place, false); });
+  if (found || !mayTurn) return found;
+  return alongLines(point, kTurns, [&](const Vec3<double>& turn) {
+    return alongLines(turn, kTurns, [&](const Vec3<double>& place) { return known(place, true); });
+  });
+}
+
+/// What is found first at places on the lines through a point, as far as they are in the fluid.
+std::optional<std::uint32_t> FluidParts::alongLines(
+    const Vec3<double>& point, int places,
+    FunctionRef<std::optional<std::uint32_t>(const Vec3<double>& place)> find) const {
+  std::optional<std::uint32_t> found;
+  LineCrossings crossings(*field_);
+  for (int axis = 0; axis < 3 && !found; ++axis) {
+    if (isFlat_[static_cast<std::size_t>(axis)]) continue;
+    AxisLine line{point, box_.upper[axis], axis};
+    line.start[axis] = box_.lower[axis];
+    crossings.find({&line, 1});
+    const auto visit = [&](double from, double to, bool, bool) {
+      if (!(from <= point[axis] && point[axis] <= to)) return;
+      for (int i = 0; i < places && !found; ++i) {
+        found = find(line.at(from + (i + 0.5) / places * (to - from)));
+      }
+    };
+    forFluidStretches(line, crossings.startsInFluid(0), crossings.of(0), visit);
+  }
+  return found;
+}
+
+/// The nearest point that is not of a part; their number, if there is none.
+std::size_t FluidParts::nearestTo(const Vec3<double>& point, std::uint32_t except) const {
+  auto nearest = points_.size();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const double distance = lengthSquared(points_[i] - point);
+    if (distance < least && partOf_[i] != except) least = distance, nearest = i;
+  }
+  return nearest;
 }
 
 void FluidParts::connectCorners(const BoxView& view) {
@@ -120,10 +199,14 @@ void FluidParts::connect(int cells) {
   number(points, values, sets);
 }
 
-bool FluidParts::isClear(const Vec3<double>& from, double atFrom, std::size_t to) const {
+bool FluidParts::isCertain(const Vec3<double>& from, double atFrom, std::size_t to) const {
   const double steepness = field_->steepness(box_);
+  return steepness > 0 && atFrom + values_[to] > steepness * length(points_[to] - from);
+}
+
+bool FluidParts::isClear(const Vec3<double>& from, double atFrom, std::size_t to) const {
+  if (isCertain(from, atFrom, to)) return true;
   const auto way = points_[to] - from;
-  if (steepness > 0 && atFrom + values_[to] > steepness * length(way)) return true;
   constexpr int kSamples = 16;
   for (int i = 1; i < kSamples; ++i) {
     if (!(field_->value(from + (static_cast<double>(i) / kSamples) * way) > 0)) return false;
@@ -134,11 +217,11 @@ bool FluidParts::isClear(const Vec3<double>& from, double atFrom, std::size_t to
 std::optional<std::uint32_t> FluidParts::partSeenFrom(const Vec3<double>& point,
                                                       double value) const {
   if (points_.empty()) return {};
+  const auto nearest = nearestTo(point, kNoPart);
+  if (isClear(point, value, nearest)) return partOf_[nearest];
   const auto distance = [&](std::size_t i) { return lengthSquared(points_[i] - point); };
   std::vector<std::size_t> order(points_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto nearest = *std::ranges::min_element(order, {}, distance);
-  if (isClear(point, value, nearest)) return partOf_[nearest];
   std::ranges::stable_sort(order, {}, distance);
   for (const auto i : order) {
     if (isClear(point, value, i)) return partOf_[i];

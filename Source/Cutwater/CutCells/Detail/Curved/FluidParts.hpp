@@ -23,6 +23,12 @@ class FluidParts {
   [[nodiscard]] std::uint32_t at(const Vec3<double>& point) const;
 
  private:
+  static constexpr std::uint32_t kNoPart = 0xffffffff;
+
+  [[nodiscard]] std::optional<std::uint32_t> partReachedFrom(const Vec3<double>& point,
+                                                             std::uint32_t part,
+                                                             bool mayTurn) const;
+  [[nodiscard]] std::size_t nearestTo(const Vec3<double>& point, std::uint32_t except) const;
   [[nodiscard]] std::optional<std::uint32_t> partSeenFrom(const Vec3<double>& point,
                                                           double value) const;
   void addUnseen(std::span<const FluidSpan> spans);
@@ -31,7 +37,12 @@ class FluidParts {
   void number(std::span<const Vec3<double>> points, std::span<const double> values,
               detail::DisjointSets& sets);
   [[nodiscard]] Vec3<double> pointOf(const std::array<int, 3>& place, int cells) const;
-  /// Whether a line from a point with a value to one of the grid seems to meet no wall.
+  [[nodiscard]] std::optional<std::uint32_t> alongLines(
+      const Vec3<double>& point, int places,
+      FunctionRef<std::optional<std::uint32_t>(const Vec3<double>& place)> find) const;
+  /// Whether a line from a point with a value to one of the grid meets no wall for certain, and
+  /// whether it seems so.
+  [[nodiscard]] bool isCertain(const Vec3<double>& from, double atFrom, std::size_t to) const;
   [[nodiscard]] bool isClear(const Vec3<double>& from, double atFrom, std::size_t to) const;
 
   const FluidField* field_;

@@ -36,6 +36,21 @@ OpenSides openEdges(const BoxView& view) {
   return edges;
 }
 
+/// Whether faces of a box that no wall crosses in edges are not all fluid or all body, as its
+/// corners are.
+bool isPierced(const BoxView& view, const OpenSides& sides) {
+  constexpr double kRounding = 1e-14;
+  if (view.flatAxis() >= 0 || view.isCrossed()) return false;
+  const auto size = view.box().size();
+  bool result = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double both = 2 * size[(axis + 1) % 3] * size[(axis + 2) % 3];
+    const double other = view.isFluid(0) ? both - sides.sum[axis] : sides.sum[axis];
+    result = result || other > kRounding * both;
+  }
+  return result;
+}
+
 }  // namespace
 
 void FluidRule::findIn(const BoxView& rectangle, double tolerance) {
@@ -48,11 +63,17 @@ void FluidRule::findIn(const BoxView& view, const OpenSides& sides, double toler
   flatAxis_ = view.flatAxis();
   parts_ = 0;
   linesLeft_ = kMostLines;
+  const bool isFoundInFaces = isPierced(view, sides) && !view.hiddenPoint();
+  const auto pierced = isFoundInFaces ? view.hiddenPointInFaces() : std::nullopt;
   for (int halvings = 0; halvings <= kMostHalvings; ++halvings) {
     std::swap(points_, best_);
     points_.clear();
     missed_ = 0;
-    addPart(view, 0, halvings);
+    if (pierced) {
+      splitAt(view.box(), *pierced, 0, halvings);
+    } else {
+      addPart(view, 0, halvings);
+    }
     const double gap = gapIn(view, sides);
     if (halvings == 0 || gap < gap_) {
       gap_ = gap;
@@ -103,6 +124,8 @@ void FluidRule::addPart(const BoxView& view, int depth, int halvings) {
   ++parts_;
   const bool mayHalve = depth < kMostHalvings * dimension && parts_ < kMostParts;
   if (mayHalve && splitAtTurn(view, depth, halvings)) return;
+  const auto hidden = mayHalve ? view.hiddenOperand() : std::nullopt;
+  if (hidden) return splitAt(box, *hidden, depth, halvings);
   if (!view.isCrossed()) return addUncrossed(view, depth, halvings, mayHalve);
   bool isGood = false;
   const auto axes = view.bestAxes(isGood);
@@ -169,13 +192,16 @@ Vec3<double> FluidRule::centered(const Box<double>& box, Vec3<double> point) {
   return point;
 }
 
-/// Into parts that have a point as a corner.
+/// Into parts that have a point, or the middle of what is on its side, as a corner.
 void FluidRule::splitAt(const Box<double>& box, const Vec3<double>& found, int depth,
                         int halvings) {
   const auto parts = partsAround(box, centered(box, found), flatAxis_);
   const int halved = flatAxis_ < 0 ? 3 : 2;
   for (std::size_t i = 0; i < parts.count; ++i) {
-    addPart(BoxView(field_, parts.boxes[i]), depth + halved, halvings);
+    auto size = parts.boxes[i].size();
+    if (flatAxis_ >= 0) size[flatAxis_] = 1;
+    if (std::min({size.x, size.y, size.z}) > 0)
+      addPart(BoxView(field_, parts.boxes[i]), depth + halved, halvings);
   }
 }
 

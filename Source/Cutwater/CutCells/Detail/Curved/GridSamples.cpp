@@ -1,5 +1,6 @@
 #include <Cutwater/CutCells/Detail/Curved/GridSamples.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cutwater {
@@ -17,6 +18,14 @@ bool isOfRectangle(int corner, int flatAxis) {
 }
 
 }  // namespace
+
+bool leavesRoom(const FluidField& field, const Box<double>& box, std::span<const double> corners) {
+  // No point is farther from the nearest corner than half a diagonal.
+  const double reach = field.changeToCorners(box);
+  return std::ranges::any_of(corners, [&](double value) {
+    return (value > 0) != (corners.front() > 0) || std::abs(value) <= reach;
+  });
+}
 
 GridSamples::GridSamples(const FluidField& field, const GridPlanes& planes)
     : field_(field), planes_(planes), numbers_(planes.sizes()) {
@@ -44,16 +53,12 @@ Box<double> GridSamples::boxOf(const TilePlace& cell, int flatAxis) const {
 }
 
 bool GridSamples::leavesRoom(const TilePlace& cell, int flatAxis) const {
-  const bool isFluid = valueAt(cell) > 0;
-  const auto box = boxOf(cell, flatAxis);
-  // No point is farther from the nearest corner than half a diagonal.
-  const double reach = field_.changeToCorners(box);
+  std::array<double, 8> values{};
   for (int corner = 0; corner < 8; ++corner) {
-    if (!isOfRectangle(corner, flatAxis)) continue;
-    const double value = valueAt(cornerOf(cell, corner));
-    if ((value > 0) != isFluid || std::abs(value) <= reach) return true;
+    const auto node = isOfRectangle(corner, flatAxis) ? corner : corner - (1 << flatAxis);
+    values[static_cast<std::size_t>(corner)] = valueAt(cornerOf(cell, node));
   }
-  return false;
+  return cutwater::leavesRoom(field_, boxOf(cell, flatAxis), values);
 }
 
 const Vec3<double>& GridSamples::gradientAt(const TilePlace& node) {

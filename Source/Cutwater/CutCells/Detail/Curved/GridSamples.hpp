@@ -6,6 +6,10 @@
 
 namespace cutwater {
 
+/// Whether values at the corners of a box, or a rectangle, leave room for a wall in it.
+[[nodiscard]] bool leavesRoom(const FluidField& field, const Box<double>& box,
+                              std::span<const double> corners);
+
 /// What is known of a field at the nodes and edges of a tile's grid; edges, and gradients at nodes,
 /// once they are asked for.
 class GridSamples {
@@ -16,7 +20,7 @@ class GridSamples {
   [[nodiscard]] double valueAt(const TilePlace& node) const { return values_[numbers_.node(node)]; }
   /// The box of a cell, or the rectangle of the face below it across an axis.
   [[nodiscard]] Box<double> boxOf(const TilePlace& cell, int flatAxis = -1) const;
-  /// Whether values at the corners of such a box leave room for a wall in it.
+  /// See above.
   [[nodiscard]] bool leavesRoom(const TilePlace& cell, int flatAxis = -1) const;
   /// Corners and edges of such a box.
   [[nodiscard]] BoxSamples of(const TilePlace& cell, int flatAxis = -1);

@@ -43,23 +43,56 @@ void LineCrossings::find(std::span<const AxisLine> lines) {
   brackets_.clear();
   first_.assign(1, 0);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto& line = lines[i];
     const double from = ends_[2 * i];
     const double to = ends_[2 * i + 1];
-    double at = 0;
-    double value = 0;
-    if ((from > 0) != (to > 0)) {
-      addBracket(line, line.start[line.axis], from, line.end, to);
-    } else if (line.mayTurn &&
-               (findTurn(line, from, to, at, value) || findHidden(line, from, to, at, value))) {
-      addBracket(line, line.start[line.axis], from, at, value);
-      addBracket(line, at, value, line.end, to);
+    if (field_->operands().empty()) {
+      addBrackets(lines[i], from, to);
+    } else {
+      addBetweenOperands(lines[i], from, to);
     }
     first_.push_back(brackets_.size());
   }
   solve();
   positions_.clear();
   for (const auto& bracket : brackets_) positions_.push_back(bracket.root);
+}
+
+void LineCrossings::addBrackets(const AxisLine& line, double from, double to) {
+  double at = 0;
+  double value = 0;
+  if ((from > 0) != (to > 0)) {
+    addBracket(line, line.start[line.axis], from, line.end, to);
+  } else if (line.mayTurn &&
+             (findTurn(line, from, to, at, value) || findHidden(line, from, to, at, value))) {
+    addBracket(line, line.start[line.axis], from, at, value);
+    addBracket(line, at, value, line.end, to);
+  }
+}
+
+/// Between the ends and the middles between where operands are crossed.
+void LineCrossings::addBetweenOperands(const AxisLine& line, double from, double to) {
+  known_.clear();
+  for (const auto& operand : field_->operands()) {
+    if (!operand->mayReach({line.start, line.endPoint()})) continue;
+    if (!ofOperand_) ofOperand_ = std::make_unique<LineCrossings>(*operand);
+    ofOperand_->field_ = operand.get();
+    auto whole = line;
+    whole.mayTurn = true;
+    ofOperand_->find({&whole, 1});
+    known_.insert(known_.end(), ofOperand_->positions_.begin(), ofOperand_->positions_.end());
+  }
+  std::ranges::sort(known_);
+  double at = line.start[line.axis];
+  double value = from;
+  for (std::size_t i = 0; i <= known_.size(); ++i) {
+    if (i == 0 && !known_.empty()) continue;
+    const bool isLast = i == known_.size();
+    const double next = isLast ? line.end : 0.5 * (known_[i - 1] + known_[i]);
+    const double nextValue = isLast ? to : field_->value(line.at(next));
+    if ((nextValue > 0) != (value > 0)) addBracket(line, at, value, next, nextValue);
+    at = next;
+    value = nextValue;
+  }
 }
 
 void LineCrossings::evaluateEnds(std::span<const AxisLine> lines) {
@@ -69,7 +102,7 @@ void LineCrossings::evaluateEnds(std::span<const AxisLine> lines) {
     points_.push_back(line.endPoint());
   }
   ends_.resize(points_.size());
-  field_.values(points_, ends_);
+  field_->values(points_, ends_);
 }
 
 void LineCrossings::addBracket(const AxisLine& line, double from, double fromValue, double to,
@@ -85,7 +118,7 @@ void LineCrossings::addBracket(const AxisLine& line, double from, double fromVal
   if (bracket.bodyValue == 0) {
     // In the surface, with fluid or body behind it.
     const double beside = bracket.body + kBeside * (bracket.fluid - bracket.body);
-    const double value = field_.value(line.at(beside));
+    const double value = field_->value(line.at(beside));
     bracket.isDone = value > 0;
     bracket.isAlong = value == 0;
     if (value <= 0) bracket.body = beside, bracket.bodyValue = value;
@@ -105,8 +138,8 @@ bool LineCrossings::findTurn(const AxisLine& line, double from, double to, doubl
     double at, value, slope;  // on the side of the ends, both are positive
   };
   const double sign = from > 0 ? 1 : -1;
-  const auto slopeAt = [&](double x) { return sign * field_.gradient(line.at(x))[line.axis]; };
-  const double steepness = field_.steepness({line.start, line.endPoint()});
+  const auto slopeAt = [&](double x) { return sign * field_->gradient(line.at(x))[line.axis]; };
+  const double steepness = field_->steepness({line.start, line.endPoint()});
   End low{line.start[line.axis], std::abs(from), 0};
   End high{line.end, std::abs(to), 0};
   const auto isFree = [&] {
@@ -123,7 +156,7 @@ bool LineCrossings::findTurn(const AxisLine& line, double from, double to, doubl
     const double flat = width * low.slope / (low.slope - high.slope);
     const double margin = kMargin * width;
     at = low.at + std::clamp(step % 2 == 0 ? meeting : flat, margin, width - margin);
-    value = field_.value(line.at(at));
+    value = field_->value(line.at(at));
     if ((value > 0) != (from > 0)) return true;
     const End middle{at, std::abs(value), slopeAt(at)};
     (middle.slope < 0 ? low : high) = middle;
@@ -136,7 +169,7 @@ bool LineCrossings::findTurn(const AxisLine& line, double from, double to, doubl
 bool LineCrossings::findHidden(const AxisLine& line, double from, double to, double& at,
                                double& value) const {
   constexpr std::size_t kMostValues = 12;
-  const double steepness = field_.steepness({line.start, line.endPoint()});
+  const double steepness = field_->steepness({line.start, line.endPoint()});
   if (steepness == 0 || (from == 0 && to == 0)) return false;
   struct Stretch {
     double low, lowValue, high, highValue;
@@ -155,7 +188,7 @@ bool LineCrossings::findHidden(const AxisLine& line, double from, double to, dou
     if (bound(lowest) > 0) return false;
     at = 0.5 * (lowest.low + lowest.high) + 0.5 * (lowest.lowValue - lowest.highValue) / steepness;
     at = std::clamp(at, lowest.low, lowest.high);
-    value = field_.value(line.at(at));
+    value = field_->value(line.at(at));
     if ((value > 0) != (from > 0)) return true;
     open[count++] = {at, std::abs(value), lowest.high, lowest.highValue};
     lowest.high = at;
@@ -173,7 +206,7 @@ void LineCrossings::solve() {
     points_.clear();
     for (const auto i : open_) points_.push_back(brackets_[i].line.at(brackets_[i].next()));
     values_.resize(points_.size());
-    field_.values(points_, values_);
+    field_->values(points_, values_);
     std::size_t kept = 0;
     for (std::size_t n = 0; n < open_.size(); ++n) {
       auto& bracket = brackets_[open_[n]];

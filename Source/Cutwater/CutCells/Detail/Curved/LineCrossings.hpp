@@ -43,9 +43,13 @@ void forFluidStretches(const AxisLine& line, bool startsInFluid, std::span<const
 /// A line whose ends are on two sides is taken to cross the surface once. One whose ends are on the
 /// same side is searched for a point on the other one, by the derivatives at its ends, and then by
 /// what the field's steepness does not exclude.
+///
+/// The surface of a union, and the like, lies in those of its operands: so it is looked for where
+/// lines cross these. That finds a thin plate beside another operand that is nearer to the line,
+/// and any number of crossings.
 class LineCrossings {
  public:
-  explicit LineCrossings(const FluidField& field) : field_(field) {}
+  explicit LineCrossings(const FluidField& field) : field_(&field) {}
 
   void find(std::span<const AxisLine> lines);
 
@@ -76,13 +80,17 @@ class LineCrossings {
 
   void evaluateEnds(std::span<const AxisLine> lines);
   void addBracket(const AxisLine& line, double from, double fromValue, double to, double toValue);
+  void addBrackets(const AxisLine& line, double from, double to);
+  void addBetweenOperands(const AxisLine& line, double from, double to);
   /// A point of the line on the other side, between ends on the same one, if one is found.
   bool findTurn(const AxisLine& line, double from, double to, double& at, double& value) const;
   bool findHidden(const AxisLine& line, double from, double to, double& at, double& value) const;
   void solve();
 
-  const FluidField& field_;
-  std::vector<double> ends_;  // values at both ends of each line
+  const FluidField* field_;
+  std::unique_ptr<LineCrossings> ofOperand_;
+  std::vector<double> known_;  // where a line crosses the surface of an operand
+  std::vector<double> ends_;   // values at both ends of each line
   std::vector<Bracket> brackets_;
   std::vector<std::size_t> first_;
   std::vector<double> positions_;

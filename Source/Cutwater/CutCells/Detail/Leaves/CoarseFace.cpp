@@ -32,6 +32,10 @@ CoarseFace::CoarseFace(const LeafGrid& grid, const LeafSources& sources,
       isHigh_(isHigh),
       finer_(grid.finerAcross(sources.source(coarse).leaf, axis, isHigh)) {
   findParts(classes);
+  if (!sources_.tileOf(coarse_).rims.behind.empty()) {
+    lookUpBehind();
+    return;
+  }
   for (auto& part : parts_) findBehind(part);
   for (auto& part : points_) findBehind(part);
   sets_.reset(parts_.size());
@@ -55,6 +59,18 @@ void CoarseFace::findParts(std::span<const FluidClass> classes) {
     }
   }
   firstPart_.push_back(static_cast<std::uint32_t>(parts_.size()));
+}
+
+void CoarseFace::lookUpBehind() {
+  const auto& behind = sources_.tileOf(coarse_).rims.behind;
+  const auto face = sources_.faceOf(coarse_, axis_, isHigh_);
+  for (std::size_t n = 0; n < finer_.size(); ++n) {
+    for (auto part = firstPart_[n]; part < firstPart_[n + 1]; ++part) {
+      const std::tuple wanted(face, finer_[n], part - firstPart_[n]);
+      const auto found = std::ranges::lower_bound(behind, wanted, {}, &LeafRims::PieceBehind::key);
+      if (found != behind.end() && found->key() == wanted) parts_[part].behind = found->piece;
+    }
+  }
 }
 
 void CoarseFace::findBehind(Part& part) const {

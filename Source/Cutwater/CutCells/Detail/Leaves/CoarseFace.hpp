@@ -15,7 +15,7 @@ namespace cutwater {
 /// different levels are compared but where nothing is near.
 ///
 /// In a leaf where triangles meet, it is the piece behind a point within the open part: by the
-/// convex regions of the leaf's own face.
+/// convex regions of the leaf's own face. Where the solid is no mesh, its leaf knows.
 class CoarseFace {
  public:
   /// An open part of the face of a finer leaf.
@@ -39,6 +39,7 @@ class CoarseFace {
   static constexpr std::uint32_t kUnknown = kNone - 1;
 
   void findParts(std::span<const FluidClass> classes);
+  void lookUpBehind();
   void findBehind(Part& part) const;
   [[nodiscard]] Vec3<double> pointIn(const Part& part) const;
   [[nodiscard]] std::uint32_t behindPoint(const Vec3<double>& point) const;

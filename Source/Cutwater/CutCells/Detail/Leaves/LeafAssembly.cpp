@@ -58,15 +58,16 @@ struct LeafClosing {
 
 class LeavesAssembly {
  public:
-  LeavesAssembly(const CutSurface& surface, const LeafGrid& grid, std::span<const LeafTile> tiles,
-                 std::vector<FluidClass> classes, const CutOptions& options)
-      : frame_(surface.frame()),
-        grid_(grid),
-        sources_(tiles, classes.size()),
+  LeavesAssembly(const LeafParts& parts, std::vector<FluidClass> classes, const CutOptions& options)
+      : frame_(parts.frame),
+        grid_(parts.grid),
+        sources_(parts.tiles, classes.size()),
         polygons_(frame_, grid_, sources_),
-        withPolygons_(options.polygons) {
+        withPolygons_(options.polygons),
+        withQuadrature_(options.quadrature),
+        gauss_(parts.gauss) {
     out_.classes = std::move(classes);
-    out_.patchNames = surface.patchNames();
+    out_.patchNames = parts.patchNames;
     out_.moments.degree = options.moments;
   }
 
@@ -106,11 +107,13 @@ class LeavesAssembly {
       cut.firstPiece.push_back(pieceCount());
       cut.fluidCorners.push_back(from.fluidCorners[row]);
       cut.meets.push_back(from.meets[row]);
+      if (!from.error.empty()) cut.error.push_back(from.error[row]);
       cut.wallFaces.push_back(
           wallFacesOf(from.content, from.firstPiece[row], from.firstPiece[row + 1]));
       for (auto p = from.firstPiece[row]; p < from.firstPiece[row + 1]; ++p) {
         addPieceRows(from.content, p, frame_, outRow, out_.pieces, out_.wallParts);
         if (out_.moments.degree >= 0) addPieceMoments(from.moments, p, out_.moments);
+        if (withQuadrature_) addPiecePoints(from.quadrature, p, out_.quadrature);
       }
     }
     cut.firstPiece.push_back(pieceCount());
@@ -293,6 +296,7 @@ class LeavesAssembly {
     out_.arcs.area.push_back(arc.area / (frame_.scale * frame_.scale));
     out_.arcs.centroid.push_back(frame_.toWorld(arc.centroid));
     if (out_.moments.degree >= 0) addArcMoments(tile.cut.moments, origin.arc, out_.moments);
+    if (withQuadrature_) addPointRow(tile.cut.quadrature.arc, origin.arc, out_.quadrature.arc);
     if (withPolygons_) out_.arcPolygons.add(polygons_.outlineOf(origin.source, origin.arc));
   }
   void addWholeArc(const LeafArc& arc) {
@@ -305,9 +309,29 @@ class LeavesAssembly {
                                       alongFace(box.upper - centroid, arc.axis));
     const auto count = out_.moments.perArc();
     out_.moments.arc.insert(out_.moments.arc.end(), moments.begin(), moments.begin() + count);
+    if (withQuadrature_) addWholeFacePoints(box, centroid, arc.axis);
     if (withPolygons_) {
       out_.arcPolygons.add(polygons_.outlineOfFace(arc.finer, arc.axis, arc.isHigh));
     }
+  }
+
+  /// Of the face of a box across an axis, with this center.
+  void addWholeFacePoints(const Box<double>& box, const Vec3<double>& center, int axis) {
+    auto& [first, points, weights] = out_.quadrature.arc;
+    if (first.empty()) first.push_back(0);
+    const FaceAxes axes(axis);
+    const auto visit = [&](int along, const auto& with) {
+      forStretches(gauss_, box.lower[along], std::array{box.upper[along]}, with);
+    };
+    visit(axes.first, [&](double at, double weight) {
+      visit(axes.second, [&](double other, double otherWeight) {
+        auto& point = points.emplace_back(center);
+        point[axes.first] = at;
+        point[axes.second] = other;
+        weights.push_back(weight * otherWeight);
+      });
+    });
+    first.push_back(points.size());
   }
 
   void addWallPolygons() {
@@ -346,6 +370,8 @@ class LeavesAssembly {
   LeafSources sources_;
   LeafPolygons polygons_;
   bool withPolygons_;
+  bool withQuadrature_;
+  std::span<const GaussPoint> gauss_;
   std::vector<std::uint32_t> firstPiece_;  // of each source; kWholeCell if it is merely touched
   std::vector<LeafArc> arcs_;
   std::vector<LeafClosing> closing_;
@@ -354,16 +380,15 @@ class LeavesAssembly {
 
 }  // namespace
 
-CutLeaves assembledLeaves(const CutSurface& surface, const LeafGrid& grid,
-                          std::span<const LeafTile> tiles, std::vector<FluidClass> classes,
+CutLeaves assembledLeaves(const LeafParts& parts, std::vector<FluidClass> classes,
                           const CutOptions& options) {
   std::vector<OpenMisfit> misfits;
-  for (const auto& tile : tiles) {
+  for (const auto& tile : parts.tiles) {
     const auto& found = tile.cut.content.misfits;
     misfits.insert(misfits.end(), found.begin(), found.end());
   }
-  refuseMisfits(surface, misfits);
-  return LeavesAssembly(surface, grid, tiles, std::move(classes), options).run();
+  if (!misfits.empty()) refuseMisfits(*parts.surface, misfits);
+  return LeavesAssembly(parts, std::move(classes), options).run();
 }
 
 }  // namespace cutwater

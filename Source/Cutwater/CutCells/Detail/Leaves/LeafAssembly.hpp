@@ -2,13 +2,27 @@
 
 #include <Cutwater/CutCells/CutCells.hpp>
 #include <Cutwater/CutCells/CutLeaves.hpp>
+#include <Cutwater/CutCells/Detail/Curved/GaussPoints.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafTile.hpp>
+
+#include <string>
+#include <vector>
 
 namespace cutwater {
 
-/// The rows of the leaves of an octree, from tiles in any order.
-[[nodiscard]] CutLeaves assembledLeaves(const CutSurface& surface, const LeafGrid& grid,
-                                        std::span<const LeafTile> tiles,
-                                        std::vector<FluidClass> classes, const CutOptions& options);
+/// The leaves of an octree that are cut, and what they are cut by.
+struct LeafParts {
+  const LeafGrid& grid;
+  std::span<const LeafTile> tiles;  ///< in any order
+  const CutFrame& frame;
+  const std::vector<std::string>& patchNames;
+  const CutSurface* surface = nullptr;  ///< of a mesh
+  /// Of quadrature along each axis of a face, if it is wanted.
+  std::span<const GaussPoint> gauss = {};
+};
+
+/// The rows of leaves, with these classes.
+[[nodiscard]] CutLeaves assembledLeaves(const LeafParts& parts, std::vector<FluidClass> classes,
+                                        const CutOptions& options);
 
 }  // namespace cutwater

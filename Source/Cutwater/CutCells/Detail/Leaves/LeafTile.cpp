@@ -1,5 +1,6 @@
 #include <Cutwater/CutCells/Detail/Leaves/LeafTile.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/NodeWindings.hpp>
+#include <Cutwater/CutCells/Detail/Leaves/OwnLeaves.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/RimNotes.hpp>
 
 #include <algorithm>
@@ -43,59 +44,6 @@ std::span<const std::pair<std::uint32_t, std::uint32_t>> LeafTile::openArcsOf(
 
 namespace {
 
-/// The leaves of a block's own level, as cells of a tile.
-class OwnLeaves {
- public:
-  OwnLeaves(const LeafGrid& grid, const LeafBlock& block, int level)
-      : planes_(grid, level, block.first), numbers_(planes_.view().sizes()) {
-    leafOf_.assign(numbers_.cellCount(), LeafGrid::kNoLeaf);
-    for (auto leaf = block.firstLeaf; leaf < block.lastLeaf; ++leaf) {
-      const auto& [index, itsLevel, kind] = grid.leaves()[leaf];
-      if (itsLevel != level) continue;
-      const auto cell = numbers_.cell(
-          {index.i - block.first.i, index.j - block.first.j, index.k - block.first.k});
-      wanted_[cell] = true;
-      leafOf_[cell] = leaf;
-    }
-  }
-
-  [[nodiscard]] GridPlanes planes() const { return planes_.view(); }
-  [[nodiscard]] const TileNumbers& numbers() const { return numbers_; }
-  [[nodiscard]] const CellMask& wanted() const { return wanted_; }
-  [[nodiscard]] std::uint32_t leafOf(std::uint32_t cell) const { return leafOf_[cell]; }
-
-  /// `isBody(cell)` where the surface does not meet the leaf.
-  template <typename IsBody>
-  void classify(const IsBody& isBody, std::span<FluidClass> classes) const {
-    for (std::uint32_t cell = 0; cell < numbers_.cellCount(); ++cell) {
-      if (!wanted_[cell]) continue;
-      classes[leafOf_[cell]] = isBody(cell) ? FluidClass::Body : FluidClass::Fluid;
-    }
-  }
-
- private:
-  BlockPlanes planes_;
-  TileNumbers numbers_;
-  CellMask wanted_;
-  std::vector<std::uint32_t> leafOf_;  // by cell
-};
-
-void noteArcs(bool withPolygons, LeafTile& tile) {
-  for (std::uint32_t arc = 0; arc < tile.cut.content.arcs.size(); ++arc) {
-    const auto& it = tile.cut.content.arcs[arc];
-    if (it.isOpenPatch()) {
-      tile.openArcs.emplace_back(it.face, arc);
-      continue;
-    }
-    if (!it.isNothing) tile.arcs.emplace_back(it.face, arc);
-    const bool isOutlined = withPolygons && !tile.cut.polygons.arcs.of(arc).empty();
-    if (it.isNothing && isOutlined) tile.points.emplace_back(it.face, arc);
-  }
-  std::ranges::sort(tile.arcs);
-  std::ranges::sort(tile.points);
-  std::ranges::sort(tile.openArcs);
-}
-
 /// Cuts the leaves of a block's own level, if the surface may meet any of them.
 std::optional<LeafTile> cutLeaves(const CutSurface& surface, const LeafGrid& grid,
                                   const LeafBlock& block, int level, const CutOptions& options,
@@ -122,20 +70,7 @@ std::optional<LeafTile> cutLeaves(const CutSurface& surface, const LeafGrid& gri
     return {};
   }
   const TileParts parts(surface, input);
-  LeafTile tile{.level = level,
-                .first = block.first,
-                .cut = cutTile(parts, options),
-                .leaves = {},
-                .arcs = {},
-                .points = {},
-                .openArcs = {},
-                .rims = {}};
-  own.classify([&](std::uint32_t cell) { return tile.cut.isBody[cell]; }, classes);
-  for (std::uint32_t row = 0; row < tile.cut.cells.size(); ++row) {
-    tile.leaves.push_back(own.leafOf(tile.cut.cells[row]));
-    if (tile.cut.isTouched[row] == 0) classes[tile.leaves.back()] = FluidClass::Cut;
-  }
-  noteArcs(options.polygons, tile);
+  auto tile = own.tileOf(cutTile(parts, options), options.polygons, classes);
   noteRims(grid, parts, surface.meetsItself(), options.polygons, tile);
   tile.cut.content.ofFragments = {};
   tile.cut.content.openArcOf = {};

@@ -3,6 +3,8 @@
 #include <Cutwater/CutCells/Detail/Leaves/LeafBlocks.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/TileCut.hpp>
 
+#include <tuple>
+
 namespace cutwater {
 
 /// What leaves know about the open parts of their faces to leaves of other levels, by which these
@@ -59,6 +61,16 @@ struct LeafRims {
     [[nodiscard]] auto key() const { return std::pair(wall, edge); }
   };
 
+  /// Of a solid that is no mesh: which piece of a leaf is behind an open part of the face of a
+  /// finer one.
+  struct PieceBehind {
+    std::uint32_t face = 0;   ///< of the leaf
+    std::uint32_t finer = 0;  ///< the leaf across
+    std::uint32_t part = 0;   ///< its number among those of that leaf's face
+    std::uint32_t piece = 0;
+    [[nodiscard]] auto key() const { return std::tuple(face, finer, part); }
+  };
+
   std::vector<RimTriangle> triangles;   ///< sorted
   std::vector<RimStretch> stretches;    ///< sorted by face and side
   std::vector<WallTriangle> walls;      ///< sorted by row and triangle
@@ -67,6 +79,7 @@ struct LeafRims {
   std::vector<std::uint32_t> cutFaces;  ///< ascending: those that the surface meets
   std::vector<Trace> traces;            ///< sorted by face and triangle
   std::vector<WallEdge> wallEdges;      ///< sorted by wall and edge
+  std::vector<PieceBehind> behind;      ///< sorted by face, leaf and part
 };
 
 /// The leaves of one level in a block that are cut.

@@ -156,17 +156,7 @@ class Assembly {
     }
     addPieceRows(content, number, frameOf(tile), row, out_.pieces, out_.wallParts);
     if (out_.moments.degree >= 0) addPieceMoments(cuts_[tile]->moments, number, out_.moments);
-    if (withQuadrature_) addPoints(cuts_[tile]->quadrature, number);
-  }
-  /// Of a piece and its wall.
-  void addPoints(const CutCells::Quadrature& from, std::uint32_t piece) {
-    auto& to = out_.quadrature;
-    addPointRow(from.volume, piece, to.volume);
-    addPointRow(from.wall, piece, to.wall);
-    const auto& first = from.wall.first;
-    for (auto i = first[piece]; i < first[piece + 1]; ++i) {
-      to.wallNormals.push_back(from.wallNormals[i]);
-    }
+    if (withQuadrature_) addPiecePoints(cuts_[tile]->quadrature, number, out_.quadrature);
   }
 
   void addWallPolygons(std::uint32_t tile, std::uint32_t piece, std::uint32_t patch) {

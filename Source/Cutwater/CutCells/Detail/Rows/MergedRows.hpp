@@ -78,10 +78,8 @@ class MergedRows {
     const auto row = isPiece ? in_.pieces.cell[node.source] : 0;
     rows().fluidCorners.push_back(isPiece ? rowsOf(in_).fluidCorners[row] : std::uint8_t{0xff});
     rows().meets.push_back(isPiece ? rowsOf(in_).meets[row] : std::uint8_t{0});
-    if constexpr (std::is_same_v<Cut, CutCells>) {
-      const auto& error = in_.cells.error;
-      if (!error.empty()) rows().error.push_back(isPiece ? error[row] : 0);
-    }
+    const auto& error = rowsOf(in_).error;
+    if (!error.empty()) rows().error.push_back(isPiece ? error[row] : 0);
     const auto faces = wallFacesOf(node);
     rows().wallFaces.push_back(faces);
     out_.pieces.wallFaces.push_back(faces);

@@ -80,6 +80,16 @@ void addPointRow(const CutCells::PointRows& from, std::uint32_t row, CutCells::P
   to.first.push_back(to.points.size());
 }
 
+void addPiecePoints(const CutCells::Quadrature& from, std::uint32_t piece,
+                    CutCells::Quadrature& to) {
+  addPointRow(from.volume, piece, to.volume);
+  addPointRow(from.wall, piece, to.wall);
+  const auto& first = from.wall.first;
+  for (auto i = first[piece]; i < first[piece + 1]; ++i) {
+    to.wallNormals.push_back(from.wallNormals[i]);
+  }
+}
+
 void addArcMoments(const CutCells::Moments& from, std::uint32_t arc, CutCells::Moments& to) {
   append(from.ofArc(arc), to.arc);
 }

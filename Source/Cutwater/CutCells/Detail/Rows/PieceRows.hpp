@@ -32,6 +32,9 @@ void addArcMoments(const CutCells::Moments& from, std::uint32_t arc, CutCells::M
 
 /// Appends a row of points of a tile.
 void addPointRow(const CutCells::PointRows& from, std::uint32_t row, CutCells::PointRows& to);
+/// Appends those of a piece and its wall.
+void addPiecePoints(const CutCells::Quadrature& from, std::uint32_t piece,
+                    CutCells::Quadrature& to);
 
 /// A point of a tile in the coordinates of the world: in its planes to the bit, also where these
 /// are rounded in the frame.

@@ -149,7 +149,7 @@ void visitWallParts(WallParts& wallParts, Visit&& visit) {
   visit(centroid);
 }
 template <typename Rows, typename Visit>
-void visitMomentsAndPolygons(Rows& all, Visit&& visit) {
+void visitOnRequest(Rows& all, Visit&& visit) {
   auto& [degree, ofVolumes, ofWalls, ofWallVectors, ofArcs] = all.moments;
   visit(degree);
   visit(ofVolumes);
@@ -162,6 +162,14 @@ void visitMomentsAndPolygons(Rows& all, Visit&& visit) {
     visit(points);
   }
   visit(all.firstWallPolygon);
+  auto& [ofPieces, ofPieceWalls, wallNormals, ofOpenParts] = all.quadrature;
+  for (auto* rows : {&ofPieces, &ofPieceWalls, &ofOpenParts}) {
+    auto& [first, points, weights] = *rows;
+    visit(first);
+    visit(points);
+    visit(weights);
+  }
+  visit(wallNormals);
 }
 
 /// Writes bytes to a file that appears under its name only once it is complete.

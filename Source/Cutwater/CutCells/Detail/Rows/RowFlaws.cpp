@@ -130,6 +130,20 @@ bool arePolygons(const Cut& cut) {
          areStarts(first, cut.wallParts.piece.size(), walls.count());
 }
 
+template <typename Cut>
+bool areQuadratures(const Cut& cut) {
+  const auto& [ofVolumes, ofWalls, wallNormals, ofArcs] = cut.quadrature;
+  const auto areRows = [](const CutCells::PointRows& rows, std::size_t count) {
+    const auto& [first, points, weights] = rows;
+    if (points.size() != weights.size() || !areFinite(points) || !areFinite(weights)) return false;
+    return first.empty() ? points.empty() : areStarts(first, count, points.size());
+  };
+  const auto pieces = cut.pieces.cell.size();
+  return areRows(ofVolumes, pieces) && areRows(ofWalls, pieces) &&
+         areRows(ofArcs, cut.arcs.area.size()) && wallNormals.size() == ofWalls.points.size() &&
+         areFinite(wallNormals);
+}
+
 /// What of an arc, whose cells are some, lies beside it.
 template <typename Cut>
 bool areBeside(const Cut& cut, std::size_t arc) {
@@ -155,24 +169,12 @@ class CellRows {
     if (!areWallParts(cells_)) return "its walls do not belong to its pieces";
     if (!areMoments(cells_)) return "its moments do not belong to its pieces and arcs";
     if (!arePolygons(cells_)) return "its polygons do not belong to its arcs and walls";
-    if (!areQuadratures()) return "its points of quadrature do not belong to its pieces and arcs";
+    if (!areQuadratures(cells_))
+      return "its points of quadrature do not belong to its pieces and arcs";
     return nullptr;
   }
 
  private:
-  [[nodiscard]] bool areQuadratures() const {
-    const auto& [ofVolumes, ofWalls, wallNormals, ofArcs] = cells_.quadrature;
-    const auto areRows = [](const CutCells::PointRows& rows, std::size_t count) {
-      const auto& [first, points, weights] = rows;
-      if (points.size() != weights.size() || !areFinite(points) || !areFinite(weights))
-        return false;
-      return first.empty() ? points.empty() : areStarts(first, count, points.size());
-    };
-    const auto pieces = cells_.pieces.cell.size();
-    return areRows(ofVolumes, pieces) && areRows(ofWalls, pieces) &&
-           areRows(ofArcs, cells_.arcs.area.size()) &&
-           wallNormals.size() == ofWalls.points.size() && areFinite(wallNormals);
-  }
   /// Those of the box, and then those around it.
   [[nodiscard]] bool areCells() const {
     const auto& [index, firstPiece, fluidCorners, meets, wallFaces, error] = cells_.cells;
@@ -235,6 +237,8 @@ class LeafRows {
     if (!areWallParts(leaves_)) return "its walls do not belong to its pieces";
     if (!areMoments(leaves_)) return "its moments do not belong to its pieces and arcs";
     if (!arePolygons(leaves_)) return "its polygons do not belong to its arcs and walls";
+    if (!areQuadratures(leaves_))
+      return "its points of quadrature do not belong to its pieces and arcs";
     return nullptr;
   }
 
@@ -252,9 +256,10 @@ class LeafRows {
            isVolume(leaves_.wholeBody, FluidClass::Body);
   }
   [[nodiscard]] bool areLeaves() const {
-    const auto& [leaf, box, firstPiece, fluidCorners, meets, wallFaces] = leaves_.cut;
+    const auto& [leaf, box, firstPiece, fluidCorners, meets, wallFaces, error] = leaves_.cut;
     const auto& classes = leaves_.classes;
     if (!areAsLong(leaf.size(), box, fluidCorners, meets, wallFaces)) return false;
+    if (!error.empty() && error.size() != leaf.size()) return false;
     if (!areStarts(firstPiece, leaf.size(), leaves_.pieces.cell.size())) return false;
     if (std::ranges::adjacent_find(leaf, std::greater_equal()) != leaf.end()) return false;
     if (std::ranges::count(classes, FluidClass::Cut) != std::ssize(leaf)) return false;
