@@ -9,14 +9,6 @@
 
 namespace cutwater {
 
-namespace {
-
-void refusePolygons(const CutOptions& options) {
-  require(!options.polygons, "cut cells: there are no polygons of solids that are no meshes");
-}
-
-}  // namespace
-
 template <std::floating_point T>
 SolidCutter::SolidCutter(const Solid<T>& solid, FluidSide side, const SolidCutterOptions& options)
     : options_(options) {
@@ -35,15 +27,16 @@ CutCells SolidCutter::cut(const CellPlanes& grid, const CutOptions& options) con
 
 CutCells SolidCutter::cutInPlane(const CellPlanes& grid, double z,
                                  const CutOptions& options) const {
-  require(options.moments < 0 && !options.quadrature,
-          "cut cells: there are no moments and no quadrature in a plane");
+  require(options.moments < 0 && !options.quadrature && !options.polygons,
+          "cut cells: there are no polygons, no moments and no quadrature in a plane");
   return cut(*sectionAt(*field_, z), layerAt(grid, z), options);
 }
 
 template <std::floating_point T>
 CutLeaves SolidCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options) const {
   checkOptions(options);
-  refusePolygons(options);
+  require(!options.polygons,
+          "cut cells: there are no polygons of leaves of solids that are no meshes");
   const CutFrame world;
   const LeafGrid grid(mesh, world);
   std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);
@@ -69,7 +62,6 @@ CertifiedCells SolidCutter::certifiedInPlane(const CutCells& cells, double z,
 CutCells SolidCutter::cut(const FluidField& field, const CellPlanes& grid,
                           const CutOptions& options) const {
   checkOptions(options);
-  refusePolygons(options);
   require(grid.period == std::array<std::int32_t, 3>{},
           "cut cells: there are no periods of solids that are no meshes, see repeated()");
   const CutBlocks tiles(stretchesOf(grid));

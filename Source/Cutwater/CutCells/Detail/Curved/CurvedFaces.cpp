@@ -38,14 +38,17 @@ CurvedFace openPartsOf(const FluidField& field, const BoxView& face, FluidRule& 
   const double whole = areaOf(face.box());
   if (area <= kNothingOfCell * whole) return {};
   if (area >= (1 - kNothingOfCell) * whole) return wholeFace(face.box(), rule);
-  const FluidParts connected(field, face, rule.points().spans);
+  FluidParts connected(field, face, rule.points().spans);
   CurvedFace result{.parts = {}, .gap = rule.gap()};
   result.parts.resize(std::max<std::size_t>(1, connected.count()));
   for (const auto& span : rule.points().spans) {
     addSpan(span, result.parts[connected.at(span.middle())]);
   }
-  std::erase_if(result.parts,
-                [&](const OpenPart& part) { return part.area <= kNothingOfCell * whole; });
+  const auto isNothing = [&](const OpenPart& part) { return part.area <= kNothingOfCell * whole; };
+  std::uint32_t count = 0;
+  for (const auto& part : result.parts) result.partOf.push_back(isNothing(part) ? kNone : count++);
+  std::erase_if(result.parts, isNothing);
+  if (count > 1) result.connected.emplace(std::move(connected));
   for (auto& part : result.parts) {
     part.centroid = part.inside + part.centroid / part.area;
     result.area += part.area;

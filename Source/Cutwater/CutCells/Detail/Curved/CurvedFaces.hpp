@@ -2,6 +2,7 @@
 
 #include <Cutwater/CutCells/Detail/Curved/FluidParts.hpp>
 #include <Cutwater/CutCells/Detail/Curved/FluidRule.hpp>
+#include <Cutwater/CutCells/Detail/Pieces/CellPieces.hpp>
 
 namespace cutwater {
 
@@ -22,7 +23,16 @@ struct CurvedFace {
   double area = 0;
   double gap = 0;        ///< see FluidRule::gap()
   bool isWhole = false;  ///< all of it is open
+  /// What tells parts apart if there are several, and the number of each among these; kNone if it
+  /// is none of them.
+  std::optional<FluidParts> connected = {};
+  std::vector<std::uint32_t> partOf = {};
 
+  /// The part of a point in the fluid; the first one, if it is in none.
+  [[nodiscard]] std::size_t partAt(const Vec3<double>& point) const {
+    const auto part = connected ? partOf[connected->at(point)] : 0;
+    return part == kNone ? 0 : part;
+  }
   [[nodiscard]] bool isCut() const { return !parts.empty() && !isWhole; }
 };
 

@@ -1,11 +1,12 @@
 #include <Cutwater/CutCells/Detail/Curved/CurvedFaces.hpp>
 #include <Cutwater/CutCells/Detail/Curved/CurvedMoments.hpp>
+#include <Cutwater/CutCells/Detail/Curved/CurvedPieces.hpp>
 #include <Cutwater/CutCells/Detail/Curved/CurvedTile.hpp>
 #include <Cutwater/CutCells/Detail/Curved/GridSamples.hpp>
+#include <Cutwater/CutCells/Detail/Curved/WallLattice.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 namespace cutwater {
@@ -21,20 +22,6 @@ struct CurvedCell {
 
   [[nodiscard]] std::uint32_t pieceAt(const Vec3<double>& point) const {
     return parts ? pieceOfPart[parts->at(point)] : firstPiece;
-  }
-};
-
-/// Sums of quadrature points that are a piece.
-struct PieceRule {
-  RulePoints points;
-  double volume = 0;
-  Vec3<double> moment;  // about the middle of the first span
-  bool isOpen = false;  // to a face
-
-  void add(const FluidSpan& span) {
-    points.spans.push_back(span);
-    volume += span.size();
-    moment += span.size() * (span.middle() - points.spans.front().middle());
   }
 };
 
@@ -66,8 +53,10 @@ class CurvedTile {
   CurvedTile(const FluidField& field, const GridPlanes& planes, const SolidCutterOptions& how,
              const CutOptions& options)
       : field_(field),
+        planes_(planes),
         how_(how),
         degree_(options.moments),
+        withPolygons_(options.polygons),
         withPoints_(options.quadrature),
         rule_(field, how.points),
         samples_(field, planes) {
@@ -89,6 +78,7 @@ class CurvedTile {
     out_.firstPiece.push_back(pieceCount());
     addArcs();
     finishWalls();
+    if (withPolygons_) addPolygons();
     return std::move(out_);
   }
   [[nodiscard]] const std::vector<BehindFiner>& behindFiner() const { return behind_; }
@@ -229,62 +219,12 @@ class CurvedTile {
           isBounded && rules[part].volume > kNothingOfCell * size.x * size.y * size.z;
       if (!isPiece && part != largest) continue;
       here.pieceOfPart[part] = pieceCount();
-      addPiece(box, rules[part], here.cell);
+      addPiece(field_, box, here.cell, rules[part], out_.content);
+      rules_.push_back(std::move(rules[part].points));
     }
     for (auto& piece : here.pieceOfPart) {
       if (piece == kNone) piece = here.pieceOfPart[largest];
     }
-  }
-
-  void addPiece(const Box<double>& box, PieceRule& rule, std::uint32_t cell) {
-    CellPiece piece{.cell = cell,
-                    .volume = rule.volume,
-                    .centroid = box.center(),
-                    .areaVector = {},
-                    .wallCentroid = {}};
-    if (rule.volume > 0) {
-      piece.centroid = rule.points.spans.front().middle() + rule.moment / rule.volume;
-    }
-    std::map<std::uint32_t, PieceWall> walls;
-    const auto patches = field_.patchNames().size();
-    for (const auto& point : rule.points.walls) {
-      const auto patch = patches > 1 ? std::min(field_.owner(point.at).patch,
-                                                static_cast<std::uint32_t>(patches - 1))
-                                     : 0;
-      auto& wall = walls[patch];
-      wall.area += point.weight;
-      wall.areaVector += point.weight * point.normal;
-      wall.centroid += point.weight * (point.at - piece.centroid);
-    }
-    piece.wallCentroid = piece.centroid;
-    Vec3<double> moment;
-    for (auto& [patch, wall] : walls) {
-      piece.area += wall.area;
-      moment += wall.centroid;
-      wall.piece = pieceCount();
-      wall.patch = patch;
-      wall.centroid = piece.centroid + wall.centroid / wall.area;
-      out_.content.walls.push_back(wall);
-    }
-    if (piece.area > 0) piece.wallCentroid += moment / piece.area;
-    piece.wallFaces = wallFaces(box, rule.points.walls);
-    out_.content.pieces.push_back(withinCell(piece, box));
-    rules_.push_back(std::move(rule.points));
-  }
-
-  /// In which faces of the cell walls lie, see CutCells::Cells::wallFaces.
-  [[nodiscard]] static std::uint8_t wallFaces(const Box<double>& box,
-                                              std::span<const WallPoint> walls) {
-    constexpr double kAcross = 1 - 1e-12;
-    unsigned faces = 0;
-    for (const auto& wall : walls) {
-      for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(wall.normal[axis]) < kAcross) continue;
-        if (wall.at[axis] == box.lower[axis]) faces |= 1U << static_cast<unsigned>(2 * axis);
-        if (wall.at[axis] == box.upper[axis]) faces |= 2U << static_cast<unsigned>(2 * axis);
-      }
-    }
-    return static_cast<std::uint8_t>(faces);
   }
 
   /// The row in cells_ of the cell at a place; kNone if it is not cut, or not in the tile.
@@ -331,9 +271,26 @@ class CurvedTile {
     }
   }
 
+  void addPolygons() {
+    WallLattice lattice(field_, planes_);
+    std::uint32_t face = kNone;
+    for (const auto& arc : out_.content.arcs) {
+      if (arc.face == face) continue;
+      face = arc.face;
+      lattice.addOutlines(out_.numbers.axisOfFace(face), out_.numbers.placeOfFace(face),
+                          faces_[face], out_.polygons.arcs);
+    }
+    for (const auto& cell : cells_) {
+      const auto pieceAt = [&](const Vec3<double>& point) { return cell.pieceAt(point); };
+      lattice.addWalls(out_.numbers.placeOfCell(cell.cell), pieceAt, out_.content, out_.polygons);
+    }
+  }
+
   const FluidField& field_;
+  const GridPlanes& planes_;
   const SolidCutterOptions& how_;
   int degree_;
+  bool withPolygons_;
   bool withPoints_;
   FluidRule rule_;
   GridSamples samples_;

@@ -177,6 +177,10 @@ void FluidParts::connect(int cells) {
   }
   std::vector<double> values(points.size());
   field_->values(points, values);
+  // Where the values leave room for no wall, none is looked for.
+  const double known = field_->steepness(box_);
+  const double steepness = known > 0 ? known : std::numeric_limits<double>::infinity();
+  detail::DisjointSets sets(points.size());
   std::vector<AxisLine> lines;
   std::vector<std::array<std::uint32_t, 2>> ends;
   for (std::size_t n = 0; n < points.size(); ++n) {
@@ -186,13 +190,16 @@ void FluidParts::connect(int cells) {
       const auto other = indexOf(next);
       if (!(values[n] > 0 && values[other] > 0)) continue;
       const int axis = static_cast<int>(a);
+      if (values[n] + values[other] > steepness * (points[other][axis] - points[n][axis])) {
+        sets.unite(static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(other));
+        continue;
+      }
       lines.push_back({points[n], points[other][axis], axis});
       ends.push_back({static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(other)});
     }
   }
   LineCrossings crossings(*field_);
   crossings.find(lines);
-  detail::DisjointSets sets(points.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (crossings.of(i).empty()) sets.unite(ends[i][0], ends[i][1]);
   }

@@ -20,7 +20,7 @@ class Closing {
   explicit Closing(Cut& cut) : cut_(cut), arcs_(pieceCount(cut)), isClosed_(arcs_.size()) {
     for (std::uint32_t arc = 0; arc < cut.arcs.area.size(); ++arc) {
       for (const auto piece : {cut.arcs.below[arc], cut.arcs.above[arc]}) {
-        if (piece < arcs_.size() && rowsOf(cut).meets[cut.pieces.cell[piece]] != 0) {
+        if (piece < arcs_.size() && mayHaveGaps(piece)) {
           arcs_[piece].push_back(arc);
         }
       }
@@ -36,6 +36,12 @@ class Closing {
   }
 
  private:
+  /// In cells where triangles meet, and of solids that are no meshes.
+  [[nodiscard]] bool mayHaveGaps(std::uint32_t piece) const {
+    const auto& rows = rowsOf(cut_);
+    return !rows.error.empty() || rows.meets[cut_.pieces.cell[piece]] != 0;
+  }
+
   void closeWithWalls() {
     const auto& pieces = cut_.wallParts.piece;
     std::vector<std::uint64_t> firstPolygon;
@@ -53,7 +59,7 @@ class Closing {
       }
       const bool isOwn = piece < arcs_.size();
       if (isOwn) isClosed_[piece] = 1;
-      if (isOwn && rowsOf(cut_).meets[cut_.pieces.cell[piece]] != 0) {
+      if (isOwn && mayHaveGaps(piece)) {
         for (auto& loop : gapsOf(piece, walls)) walls.push_back(std::move(loop));
       }
       for (const auto first : firstOfPart) firstPolygon.push_back(closed_.count() + first);
@@ -136,7 +142,8 @@ class Closing {
 template <typename Cut>
 void closeAll(Cut& cut) {
   const auto& meets = rowsOf(cut).meets;
-  if (std::ranges::count(meets, 0) == static_cast<std::ptrdiff_t>(meets.size())) return;
+  const bool meetsNowhere = std::ranges::count(meets, 0) == std::ssize(meets);
+  if (meetsNowhere && rowsOf(cut).error.empty()) return;
   Closing(cut).run();
 }
 

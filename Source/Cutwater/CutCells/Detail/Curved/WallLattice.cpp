@@ -1,0 +1,225 @@
+#include <Cutwater/CutCells/Detail/Curved/WallLattice.hpp>
+#include <Cutwater/CutCells/Detail/Faces/EdgeLoops.hpp>
+#include <Cutwater/CutCells/Detail/Faces/JoinedLoops.hpp>
+#include <Cutwater/CutCells/Detail/Rows/PieceRows.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace cutwater {
+
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+TilePlace finer(TilePlace place, int factor) {
+  for (auto& n : place) n *= factor;
+  return place;
+}
+
+TilePlace stepped(TilePlace node, int axis) {
+  ++node[asIndex(axis)];
+  return node;
+}
+
+/// Leaves out corners within an edge of the face: the faces around it have no others there than
+/// ends of the wall.
+EdgeLoops::Loop withoutNodesOfEdges(const EdgeLoops::Loop& loop, const Box<double>& face,
+                                    int across) {
+  EdgeLoops::Loop kept;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const auto& before = loop[(i + loop.size() - 1) % loop.size()];
+    const auto& after = loop[(i + 1) % loop.size()];
+    const auto isWithinEdge = [&](int axis) {
+      const double at = loop[i][axis];
+      return axis != across && (at == face.lower[axis] || at == face.upper[axis]) &&
+             before[axis] == at && after[axis] == at;
+    };
+    if (!isWithinEdge(0) && !isWithinEdge(1) && !isWithinEdge(2)) kept.push_back(loop[i]);
+  }
+  return kept;
+}
+
+}  // namespace
+
+WallLattice::WallLattice(const FluidField& field, const GridPlanes& planes)
+    : field_(field), planes_(planes) {
+  auto nodes = finer(planes.sizes(), kPerSide);
+  for (auto& n : nodes) ++n;
+  nodes_ = TileSizes(nodes);
+  values_.assign(nodes_.count(), kUnknown);
+}
+
+Vec3<double> WallLattice::pointOf(const TilePlace& node) const {
+  Vec3<double> point;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int plane = node[asIndex(axis)] / kPerSide;
+    const double share = static_cast<double>(node[asIndex(axis)] % kPerSide) / kPerSide;
+    point[axis] = planes_.at(axis, plane);
+    if (share > 0) point[axis] += share * (planes_.at(axis, plane + 1) - point[axis]);
+  }
+  return point;
+}
+
+double WallLattice::valueAt(const TilePlace& node) {
+  auto& value = values_[nodes_.number(node)];
+  if (std::isnan(value)) value = field_.value(pointOf(node));
+  return value;
+}
+
+/// Where the wall passes through an edge, by some steps of the Illinois method (Dowell and Jarratt
+/// 1971).
+const Vec3<double>& WallLattice::crossing(TilePlace from, TilePlace to) {
+  constexpr int kSteps = 4;
+  if (nodes_.number(from) > nodes_.number(to)) std::swap(from, to);
+  const auto key = std::uint64_t{nodes_.number(from)} << 32U | nodes_.number(to);
+  const auto [known, isNew] = crossings_.try_emplace(key);
+  if (!isNew) return known->second;
+  const auto start = pointOf(from);
+  const auto way = pointOf(to) - start;
+  double low = 0;
+  double high = 1;
+  double lowValue = valueAt(from);
+  double highValue = valueAt(to);
+  double at = 0;
+  int lastSide = 0;
+  for (int step = 0; step < kSteps; ++step) {
+    at = low + (high - low) * (lowValue / (lowValue - highValue));
+    const double value = field_.value(start + at * way);
+    if (value == 0 || !(at > low && at < high)) break;
+    const int side = (value > 0) == (lowValue > 0) ? 1 : -1;
+    if (side == lastSide) (side > 0 ? highValue : lowValue) *= 0.5;
+    (side > 0 ? low : high) = at;
+    (side > 0 ? lowValue : highValue) = value;
+    lastSide = side;
+  }
+  known->second = start + at * way;
+  // In the planes that both ends lie in, and at an end to the bit.
+  for (int axis = 0; axis < 3; ++axis) {
+    if (at == 1 || way[axis] == 0) known->second[axis] = pointOf(to)[axis];
+  }
+  return known->second;
+}
+
+void WallLattice::addOutlines(int axis, const TilePlace& cell, const CurvedFace& face,
+                              CutCells::Polygons& to) {
+  const FaceAxes axes(axis);
+  std::vector<EdgeLoops> ofParts(face.parts.size());
+  const auto add = [&](const std::array<TilePlace, 3>& nodes) {
+    EdgeLoops::Loop polygon;
+    const TilePlace* inFluid = nullptr;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& node = nodes[i];
+      const auto& next = nodes[(i + 1) % 3];
+      if (isFluid(node)) {
+        polygon.push_back(pointOf(node));
+        inFluid = &node;
+      }
+      if (isFluid(node) != isFluid(next)) polygon.push_back(crossing(node, next));
+    }
+    if (inFluid == nullptr) return;
+    ofParts[face.partAt(pointOf(*inFluid))].add(polygon);
+  };
+  const auto first = finer(cell, kPerSide);
+  for (int j = 0; j < kPerSide; ++j) {
+    for (int i = 0; i < kPerSide; ++i) {
+      auto node = first;
+      node[asIndex(axes.first)] += i;
+      node[asIndex(axes.second)] += j;
+      const auto beside = stepped(node, axes.first);
+      const auto above = stepped(node, axes.second);
+      const auto opposite = stepped(beside, axes.second);
+      add({node, beside, opposite});
+      add({node, opposite, above});
+    }
+  }
+  auto box = planes_.boxOf(cell);
+  box.upper[axis] = box.lower[axis];
+  for (auto& edges : ofParts) {
+    auto loops = edges.loopsAcross(axis);
+    for (auto& loop : loops) loop = withoutNodesOfEdges(loop, box, axis);
+    std::erase_if(loops, [](const EdgeLoops::Loop& loop) { return loop.size() < 3; });
+    to.add(joinedLoops(axes, std::move(loops)));
+  }
+}
+
+void WallLattice::addWalls(const TilePlace& cell,
+                           FunctionRef<std::uint32_t(const Vec3<double>& point)> pieceAt,
+                           const CellPieces& pieces, TilePolygons& to) {
+  struct OfWall {
+    std::pair<std::uint32_t, std::uint32_t> wall;  // piece and patch
+    const Triangle* triangle;
+  };
+  const auto triangles = wallIn(cell);
+  std::vector<OfWall> found;
+  for (const auto& triangle : triangles) {
+    const auto piece = pieceAt(triangle.inFluid);
+    const auto walls = wallsOf(pieces, piece);
+    if (walls.empty()) continue;
+    const auto& [a, b, c] = triangle.corners;
+    const auto patch = walls.size() > 1 ? field_.owner((a + b + c) / 3.0).patch : 0;
+    const auto same = std::ranges::find(walls, patch, &PieceWall::patch);
+    const auto& wall = same != walls.end() ? *same : walls.front();
+    found.push_back({{piece, wall.patch}, &triangle});
+  }
+  std::ranges::stable_sort(found, {}, &OfWall::wall);
+  for (const auto& [wall, triangle] : found) {
+    to.walls.add(triangle->corners);
+    to.wallOf.push_back(wall);
+    to.fragmentOf.push_back(kNone);
+  }
+}
+
+std::vector<WallLattice::Triangle> WallLattice::wallIn(const TilePlace& cell) {
+  constexpr std::array<std::array<int, 3>, 6> kWays{
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  std::vector<Triangle> triangles;
+  forTilePlaces({kPerSide, kPerSide, kPerSide}, [&](const TilePlace& within) {
+    auto first = finer(cell, kPerSide);
+    for (std::size_t a = 0; a < 3; ++a) first[a] += within[a];
+    for (const auto& way : kWays) {
+      std::array<TilePlace, 4> nodes{first};
+      for (std::size_t i = 0; i < 3; ++i) nodes[i + 1] = stepped(nodes[i], way[i]);
+      addTetrahedron(nodes, triangles);
+    }
+  });
+  return triangles;
+}
+
+void WallLattice::addTetrahedron(const std::array<TilePlace, 4>& nodes, std::vector<Triangle>& to) {
+  std::vector<TilePlace> fluid;
+  std::vector<TilePlace> body;
+  for (const auto& node : nodes) (isFluid(node) ? fluid : body).push_back(node);
+  if (fluid.empty() || body.empty()) return;
+  // Around the wall, in an order along which one end of the edge changes at a time.
+  std::vector<Vec3<double>> rim;
+  if (fluid.size() == 2) {
+    rim = {crossing(fluid[0], body[0]), crossing(fluid[0], body[1]), crossing(fluid[1], body[1]),
+           crossing(fluid[1], body[0])};
+  } else {
+    for (const auto& f : fluid) {
+      for (const auto& b : body) rim.push_back(crossing(f, b));
+    }
+  }
+  // Points may coincide in nodes; the nodes tell which way is into the fluid.
+  const auto middleOf = [&](const std::vector<TilePlace>& some) {
+    Vec3<double> sum;
+    for (const auto& node : some) sum += pointOf(node);
+    return sum / static_cast<double>(some.size());
+  };
+  const auto across = middleOf(fluid) - middleOf(body);
+  Vec3<double> normal;
+  for (std::size_t i = 1; i + 1 < rim.size(); ++i) {
+    normal += cross(rim[i] - rim[0], rim[i + 1] - rim[0]);
+  }
+  if (dot(normal, across) < 0) std::ranges::reverse(rim);
+  for (std::size_t i = 1; i + 1 < rim.size(); ++i) {
+    const Triangle triangle{{rim[0], rim[i], rim[i + 1]}, pointOf(fluid.front())};
+    const auto& [a, b, c] = triangle.corners;
+    if (a != b && b != c && c != a) to.push_back(triangle);
+  }
+}
+
+}  // namespace cutwater
