@@ -1,15 +1,16 @@
 #include <Cutwater/Core/Detail/OutputFile.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/Io/PointData.hpp>
 
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "Commands/Commands.hpp"
+#include "Options/Cutter.hpp"
 #include "Options/CuttingCost.hpp"
 #include "Options/CuttingOptions.hpp"
 #include "Options/Limits.hpp"
@@ -48,7 +49,7 @@ struct CellBytes {
 
 /// Cuts, and takes the time.
 template <typename Mesh>
-auto cut(const CellsSettings& options, const CellCutter& cutter, const Mesh& mesh, bool isShown,
+auto cut(const CellsSettings& options, const Cutter& cutter, const Mesh& mesh, bool isShown,
          double& seconds) {
   ProgressBar bar("cutting", isShown && !options.surface.quiet);
   Stopwatch watch;
@@ -70,8 +71,8 @@ GridPatch<double> ofLargerCells(const GridPatch<double>& grid, int halvings) {
 }
 
 /// @throws Error(Limit) if there is no room.
-void requireRoom(const CellsSettings& options, const CellCutter& cutter,
-                 const PlacedSurface& placed, const GridPatch<double>& grid) {
+void requireRoom(const CellsSettings& options, const Cutter& cutter, const PlacedSurface& placed,
+                 const GridPatch<double>& grid) {
   const double expectedCut = placed.expectedCells(grid.level.spacing());
   const double whole = options.wholeCells ? static_cast<double>(grid.indices.count()) : 0;
   Expected expected{.what = "cells", .items = expectedCut + whole};
@@ -107,7 +108,7 @@ double expectedLeaves(int level, const PlacedSurface& placed, const OctreeDomain
 /// The octree that the options describe.
 /// @throws Error(Limit) if there is no room for it, or for its leaves once they are cut.
 Octree<double> octreeAround(const CellsSettings& options, const Solid<double>& solid,
-                            const CellCutter& cutter, const PlacedSurface& placed) {
+                            const Cutter& cutter, const PlacedSurface& placed) {
   auto wanted = options.octree;
   wanted.roots.box = options.grid.box;
   wanted.roots.margin = options.grid.margin;
@@ -149,15 +150,34 @@ void report(const CellsSettings& options, const CellTotals& totals, const std::s
   if (!options.output.empty()) std::cout << "wrote " << onOneLine(options.output) << '\n';
 }
 
-void cutGrid(const CellsSettings& options, const CellCutter& cutter, const PlacedSurface& placed,
+Box<double> spaceOf(const GridPatch<double>& grid) {
+  return {grid.level.cell(grid.indices.lo).lower, grid.level.cell(grid.indices.hi).upper};
+}
+
+/// Of cells that state errors; `volumeOf`: of the cell of a row.
+void stateErrors(std::span<const double> errors, std::size_t cells,
+                 const std::function<double(std::size_t)>& volumeOf, CellTotals& totals) {
+  if (errors.empty()) return;
+  double volume = 0;
+  double largest = 0;
+  for (std::size_t row = 0; row < cells; ++row) {
+    volume += errors[row] * volumeOf(row);
+    largest = std::max(largest, errors[row]);
+  }
+  totals.state(volume, largest);
+}
+
+void cutGrid(const CellsSettings& options, const Cutter& cutter, const PlacedSurface& placed,
              const GridPatch<double>& grid) {
   double seconds = 0;
   const auto cells = cut(options, cutter, grid, true, seconds);
   const auto& box = grid.indices;
-  const Box<double> filled{grid.level.cell(box.lo).lower, grid.level.cell(box.hi).upper};
-  CellTotals totals(check(cells), box.count(), cells.pieceCount, filled, placed,
+  CellTotals totals(check(cells), box.count(), cells.pieceCount, spaceOf(grid), placed,
                     options.cutting.side());
   totals.seconds = seconds;
+  stateErrors(
+      cells.cells.error, cells.cellCount,
+      [&](std::size_t row) { return cells.cellVolume(cells.cells.index[row]); }, totals);
   if (!options.output.empty()) {
     writePointData(options.output, cutCellMesh(cells, options.wholeCells));
   }
@@ -167,13 +187,16 @@ void cutGrid(const CellsSettings& options, const CellCutter& cutter, const Place
              grouped(box.count()) + " cells of " + extent(grid.level.spacing()));
 }
 
-void cutOctree(const CellsSettings& options, const Octree<double>& mesh, const CellCutter& cutter,
+void cutOctree(const CellsSettings& options, const Octree<double>& mesh, const Cutter& cutter,
                const PlacedSurface& placed) {
   double seconds = 0;
   const auto leaves = cut(options, cutter, mesh, true, seconds);
   CellTotals totals(check(leaves), mesh.cells().size(), leaves.pieces.cell.size(),
                     mesh.domain().box(), placed, options.cutting.side());
   totals.seconds = seconds;
+  stateErrors(
+      leaves.cut.error, leaves.cut.leaf.size(),
+      [&](std::size_t row) { return leaves.leafVolume(static_cast<std::uint32_t>(row)); }, totals);
   if (!options.output.empty()) {
     writePointData(options.output, cutCellMesh(leaves, mesh, options.wholeCells));
   }
@@ -185,13 +208,13 @@ void cutOctree(const CellsSettings& options, const Octree<double>& mesh, const C
 
 /// For coarser cells, by which time is estimated: these have not all planes of open patches, and do
 /// not fit a period.
-CellCutter trialCutter(const CuttingOptions& options, const CellCutter& cutter,
-                       const Solid<double>& solid) {
+Cutter trialCutter(const CuttingOptions& options, const Cutter& cutter,
+                   const Solid<double>& solid) {
   if (options.cutter.openPatches.empty() && !options.hasPeriod()) return cutter;
-  auto simple = options.cutter;
-  simple.openPatches.clear();
-  simple.period = {};
-  return CellCutter(solid, options.side(), simple);
+  auto simple = options;
+  simple.cutter.openPatches.clear();
+  simple.cutter.period = {};
+  return {solid, simple};
 }
 
 void run(const CellsSettings& options, bool onOctree) {
@@ -200,19 +223,19 @@ void run(const CellsSettings& options, bool onOctree) {
   }
   if (onOctree) refuseOnOctrees(options.cutting);
   const auto solid = loadSolid(options.surface);
-  auto placedMesh = cuttingMesh(solid, options.surface);
-  placedMesh.setPlacement(solid.placement());
-  const auto& cutting = options.cutting.cutter;
-  const CellCutter cutter(solid, options.cutting.side(), cutting);
-  const PlacedSurface placed(placedMesh, cutting);
+  if (onOctree && options.hasPolygons()) requirePolygonsOfLeaves(solid, "-o");
+  const Cutter cutter(solid, options.cutting);
   const auto trial = trialCutter(options.cutting, cutter, solid);
   if (onOctree) {
+    const auto within = options.grid.box.value_or(boxAround(solid));
+    const PlacedSurface placed(solid, within, options.cutting.cutter);
     namingMemory("out of memory; use a lower --level", [&] {
       cutOctree(options, octreeAround(options, solid, trial, placed), cutter, placed);
     });
     return;
   }
   const auto grid = gridAround(boxAround(solid), options.grid);
+  const PlacedSurface placed(solid, spaceOf(grid), options.cutting.cutter);
   requireRoom(options, trial, placed, grid);
   namingMemory("out of memory with " + grouped(grid.indices.count()) + " cells; use fewer --cells",
                [&] { cutGrid(options, cutter, placed, grid); });
@@ -224,7 +247,8 @@ void addCells(Program& program) {
   const auto options = std::make_shared<CellsSettings>();
   auto command = program.addCommand(
       "cells",
-      "Cut the cells of a grid or an octree by a closed surface, exactly: volumes, faces, walls");
+      "Cut the cells of a grid or an octree by a closed surface, exactly, or by a scene's solid: "
+      "volumes, faces, walls");
   addSurfaceOptions(command, options->surface, Reads::SurfacesAndScenes);
   addSignOptions(command, options->surface);
   addOutput(command, "-o,--output", options->output, {".vtu"},
@@ -240,6 +264,8 @@ void addCells(Program& program) {
   command.setFooter(
       "Without --level, the cells are those of a grid; with it, of an octree as of 'cutwater "
       "amr'.\n"
+      "Surfaces cut cells exactly; a scene's solid cuts them within errors that are estimated and "
+      "reported.\n"
       "\n"
       "Examples:\n"
       "  cutwater cells hull.stl --cells 128 -o cells.vtu\n"
@@ -248,7 +274,8 @@ void addCells(Program& program) {
       "  cutwater cells manifold.stl --inside --whole-cells --cells 200 -o fluid.vtu\n"
       "  cutwater cells pipe.obj --inside --open inlet --open outlet --spacing 0.01 -o pipe.vtu\n"
       "  cutwater cells tank.obj --inside --baffle fin --cap-holes --cells 100 -o tank.vtu\n"
-      "  cutwater cells bed.stl --period 1,1,0 --cells 100 --json totals.json");
+      "  cutwater cells bed.stl --period 1,1,0 --cells 100 --json totals.json\n"
+      "  cutwater cells flange.toml --cells 100 -o cells.vtu");
   command.setAction([=] {
     passOn(options->cutting, options->grid, options->surface);
     run(*options, command.isGiven("--level"));

@@ -1,5 +1,4 @@
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/Render/Png.hpp>
 #include <Cutwater/Render/Slice.hpp>
 
@@ -12,6 +11,7 @@
 
 #include "Commands/Commands.hpp"
 #include "Commands/Picture.hpp"
+#include "Options/Cutter.hpp"
 #include "Options/CuttingOptions.hpp"
 #include "Options/LoadSurface.hpp"
 #include "Options/OutputFile.hpp"
@@ -168,11 +168,10 @@ CellSliceOptions lookOf(const SliceSettings& options, double at, double thicknes
 }
 
 void drawCells(const SliceSettings& options, const Solid<double>& solid) {
-  static_cast<void>(cuttingMesh(solid, options.surface));
   const auto axis = options.picture.axis;
   const auto grid = shownCells(options, solid);
   requirePixels(options, grid.indices);
-  const CellCutter cutter(solid, options.cutting.side(), options.cutting.cutter);
+  const Cutter cutter(solid, options.cutting);
   Stopwatch watch;
   const auto cells = [&] {
     ProgressBar bar("cutting", !options.surface.quiet);
@@ -247,7 +246,7 @@ void requirePixels(const SliceSettings& options, const OctreeCells<double>& leav
 
 void drawLeaves(const SliceSettings& options, const Solid<double>& solid) {
   refuseOnOctrees(options.cutting);
-  static_cast<void>(cuttingMesh(solid, options.surface));
+  requirePolygonsOfLeaves(solid, "a picture of cells");
   const int axis = options.picture.axis;
   const auto mesh = octreeAround(options, solid);
   // Between the planes of the finest leaves, as a grid of these is drawn.
@@ -258,7 +257,7 @@ void drawLeaves(const SliceSettings& options, const Solid<double>& solid) {
   const double at = origin + (std::floor((wanted - origin) / thickness) + 0.5) * thickness;
   const auto leaves = shownLeaves(options, mesh, at);
   requirePixels(options, leaves);
-  const CellCutter cutter(solid, options.cutting.side(), options.cutting.cutter);
+  const Cutter cutter(solid, options.cutting);
   Stopwatch watch;
   const auto cells = [&] {
     ProgressBar bar("cutting", !options.surface.quiet);

@@ -8,9 +8,8 @@
 
 namespace cutwater::tool {
 
-bool CuttingOptions::areGiven() const {
-  return isInside || cutter.capHoles || !cutter.openPatches.empty() || !cutter.baffles.empty() ||
-         hasPeriod();
+bool CuttingOptions::areOfSurface() const {
+  return cutter.capHoles || !cutter.openPatches.empty() || !cutter.baffles.empty() || hasPeriod();
 }
 
 void addCuttingOptions(Command command, CuttingOptions& options) {

@@ -16,7 +16,9 @@ struct CuttingOptions {
   [[nodiscard]] FluidSide side() const { return isInside ? FluidSide::Inside : FluidSide::Outside; }
   [[nodiscard]] bool hasPeriod() const { return cutter.period != Vec3<double>{}; }
   /// Whether any of them was given.
-  [[nodiscard]] bool areGiven() const;
+  [[nodiscard]] bool areGiven() const { return isInside || areOfSurface(); }
+  /// Any of those that only surfaces have.
+  [[nodiscard]] bool areOfSurface() const;
 };
 
 /// Adds --inside, --open, --baffle, --cap-holes and --period. `options` must outlive the command.

@@ -154,17 +154,6 @@ Solid<double> loadSolid(const SurfaceOptions& options) {
   return solid;
 }
 
-const MeshSDF<double>& cuttingMesh(const Solid<double>& solid, const SurfaceOptions& options) {
-  const auto* const mesh = solid.as<MeshSDF<double>>();
-  if (mesh == nullptr) {
-    throw Error(ErrorKind::Argument,
-                options.file +
-                    ": cells are cut by a surface, and this scene is none: make one of it by "
-                    "'cutwater isosurface'");
-  }
-  return *mesh;
-}
-
 Box<double> boxAround(const Solid<double>& solid) {
   const auto* const mesh = solid.as<MeshSDF<double>>();
   if (mesh == nullptr) return solid.boundingBox();

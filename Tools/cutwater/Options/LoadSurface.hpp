@@ -38,11 +38,6 @@ template <std::floating_point T = double>
 /// @throws Error also if the options request other signs for a scene.
 [[nodiscard]] Solid<double> loadSolid(const SurfaceOptions& options);
 
-/// The mesh of a solid whose surface is to cut cells.
-/// @throws Error(Argument) if it is none.
-[[nodiscard]] const MeshSDF<double>& cuttingMesh(const Solid<double>& solid,
-                                                 const SurfaceOptions& options);
-
 /// Where to look at the solid: the box of a surface's faces, beyond which the inside of an open one
 /// may reach, or the bounding box of a scene's solid. Infinite for an unbounded scene.
 [[nodiscard]] Box<double> boxAround(const Solid<double>& solid);

@@ -1,5 +1,8 @@
 #include "Report/CellTotals.hpp"
 
+#include <Cutwater/Grid/Isosurface.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,13 +19,30 @@ Json orNull(const std::optional<double>& value) {
 
 }  // namespace
 
-PlacedSurface::PlacedSurface(const MeshSDF<double>& mesh, const CutterOptions& options)
+PlacedSurface::PlacedSurface(const Solid<double>& solid, const Box<double>& within,
+                             const CutterOptions& options)
     : box{}, measure{}, projected{} {
-  auto soup = mesh.soup();
-  for (auto& p : soup.points) p = mesh.placement().toWorld(p);
+  if (const auto* const mesh = solid.as<MeshSDF<double>>()) {
+    auto soup = mesh->soup();
+    for (auto& p : soup.points) p = solid.placement().toWorld(p);
+    triangles = soup.polygonCount();
+    const bool isCapped = options.capHoles && !mesh->signReport().isClosed();
+    take(std::move(soup), options);
+    boundsBody = boundsBody && !isCapped;
+    return;
+  }
+  constexpr double kCells = 64;  // along the longest side
+  const auto region = within.intersection(solid.boundingBox());
+  boundsBody = false;
+  if (region.empty() || !isFinite(region.size())) return;
+  const double spacing = maxComponent(region.size()) / kCells;
+  take(isosurface(solid, nodesAround(region, spacing), {.tolerance = 0.1}), options);
+  boundsBody = false;
+}
+
+void PlacedSurface::take(PolygonSoup soup, const CutterOptions& options) {
   PolygonSoup walls;
   walls.points = soup.points;
-  triangles = soup.polygonCount();
   for (std::size_t i = 0; i < soup.polygonCount(); ++i) {
     const auto c = soup.polygon(i);
     const auto& a = soup.points[c[0]];
@@ -35,8 +55,7 @@ PlacedSurface::PlacedSurface(const MeshSDF<double>& mesh, const CutterOptions& o
     for (const auto corner : c) box.extend(soup.points[corner]);
   }
   measure = cutwater::measure(walls);
-  const bool isCapped = options.capHoles && !mesh.signReport().isClosed();
-  boundsBody = !isCapped && options.period == Vec3<double>{} && walls.polygonCount() > 0;
+  boundsBody = options.period == Vec3<double>{} && walls.polygonCount() > 0;
   isAllWall = options.baffles.empty();
 }
 
@@ -64,6 +83,16 @@ CellTotals::CellTotals(const CutCellsReport& report, std::size_t all, std::size_
   if (placed.isAllWall) areaError = std::abs(found.wallArea - area) / placed.measure.area;
 }
 
+void CellTotals::state(double volume, double largest) {
+  const double fluid = std::abs(found.fluidVolume);
+  const double body = std::abs(found.bodyVolume);
+  const double smaller = std::min(fluid, body);
+  statedError = smaller > 0 ? volume / smaller : 0;
+  largestError = largest;
+  whyUnknown = "off by " + number(*statedError, 2) + " of the smaller volume and by " +
+               number(largest, 2) + " of a cell or a face at most, as cells estimate it";
+}
+
 std::string CellTotals::json(const std::string& input) const {
   return Json{{"input", input},
               {"cells", cells},
@@ -76,6 +105,8 @@ std::string CellTotals::json(const std::string& input) const {
               {"boundaryArea", found.wallArea},
               {"volumeError", orNull(volumeError)},
               {"areaError", orNull(areaError)},
+              {"statedError", orNull(statedError)},
+              {"largestError", orNull(largestError)},
               {"worstClosure", found.worstClosure},
               {"seconds", seconds}}
       .text();

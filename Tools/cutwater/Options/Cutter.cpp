@@ -1,0 +1,36 @@
+#include "Options/Cutter.hpp"
+
+#include <Cutwater/Core/Error.hpp>
+
+namespace cutwater::tool {
+
+namespace {
+
+bool isSurface(const Solid<double>& solid) {
+  return solid.as<MeshSDF<double>>() != nullptr;
+}
+
+std::variant<CellCutter, SolidCutter> cutterOf(const Solid<double>& solid,
+                                               const CuttingOptions& options) {
+  if (isSurface(solid)) return CellCutter(solid, options.side(), options.cutter);
+  if (options.areOfSurface()) {
+    throw Error(ErrorKind::Argument,
+                "--open, --baffle, --cap-holes and --period are for surfaces, and this solid is "
+                "described by a scene");
+  }
+  return SolidCutter(solid, options.side());
+}
+
+}  // namespace
+
+Cutter::Cutter(const Solid<double>& solid, const CuttingOptions& options)
+    : cutter_(cutterOf(solid, options)) {}
+
+void requirePolygonsOfLeaves(const Solid<double>& solid, const std::string& option) {
+  if (isSurface(solid)) return;
+  throw Error(ErrorKind::Argument, option +
+                                       " with --level is for surfaces: leaves that a scene's solid "
+                                       "cuts have no polygons; use --cells");
+}
+
+}  // namespace cutwater::tool
