@@ -96,17 +96,18 @@ double KinkSweep::predicted(int axis, double from, double to, const Change& chan
 void KinkSweep::refine(int axis, const Place& from, const Place& to, const StatesAt& statesAt,
                        std::vector<double>& found) {
   constexpr double kNarrow = 0x1p-44;  // of the box
+  constexpr double kResolved = 0x1p-26;
   const auto change = changeBetween(from.states, to.states);
   if (!change.isAny || linesLeft_ <= 0) return;
   const double narrow = kNarrow * (box_.upper[axis] - box_.lower[axis]);
   const double width = to.at - from.at;
-  if (width <= 4 * narrow) {
-    found.push_back(0.5 * (from.at + to.at));
+  const double guess = predicted(axis, from.at, to.at, change);
+  if (width <= kResolved * (box_.upper[axis] - box_.lower[axis])) {
+    found.push_back(guess);
     return;
   }
   // Around what is expected: closely first, then in a share of the way.
   constexpr double kShare = 0.02;
-  const double guess = predicted(axis, from.at, to.at, change);
   for (const double reach : {narrow, kShare * width}) {
     Place low{std::max(guess - reach, 0.5 * (from.at + guess)), {}};
     Place high{std::min(guess + reach, 0.5 * (guess + to.at)), {}};
