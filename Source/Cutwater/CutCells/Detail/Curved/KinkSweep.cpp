@@ -5,6 +5,12 @@
 
 namespace cutwater {
 
+namespace {
+
+constexpr double kBend = 0.98;  // cosine of 11 degrees: an edge, if normals differ by more
+
+}  // namespace
+
 void KinkSweep::run(const SweepAxes& axes, bool isGraph) {
   axes_ = axes;
   isGraph_ = isGraph;
@@ -31,7 +37,6 @@ KinkSweep::State KinkSweep::stateOf(const AxisLine& line) {
 }
 
 KinkSweep::Change KinkSweep::changeBetween(const States& a, const States& b) const {
-  constexpr double kBend = 0.98;  // cosine of 11 degrees
   Change change;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].startsInFluid != b[i].startsInFluid || a[i].passages.size() != b[i].passages.size()) {
@@ -71,7 +76,7 @@ double KinkSweep::predicted(int axis, double from, double to, const Change& chan
     const auto& p = before.passages[*change.passage];
     const auto& q = after.passages[*change.passage];
     const double kink = meeting(tangent(p, from), tangent(q, to));
-    if (isBetween(kink)) return kink;
+    if (isBetween(kink) && dot(p.normal, q.normal) < kBend) return kink;
     const int first = nearestAxis(p.normal);
     const int second = nearestAxis(q.normal);
     const auto lead = [&](const Vec3<double>& n) {
