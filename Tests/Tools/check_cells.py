@@ -1,5 +1,6 @@
 """Runs `cutwater cells` as people and scripts do. Usage: check_cells.py PROGRAM [group]"""
 import json
+import math
 import unittest
 
 from command import BOX_FACES, BOX_POINTS, OPEN_BOX_FACES, CommandTest
@@ -117,8 +118,8 @@ class Cells(CommandTest):
         self.assertIn("pixels cannot show", self.fails(1, "slice", "box.off", "--cells", "5000", "-o", "a.png"))
         self.assertIn("are for a picture of cells", self.fails(1, "slice", "box.off", "--inside", "-o", "a.png"))
         (self.folder / "ball.toml").write_text('[ball]\nshape = "sphere"\nradius = 1\n')
-        self.assertIn("ball.toml: cells are cut by a surface",
-                      self.fails(1, "slice", "ball.toml", "--cells", "9", "-o", "a.png"))
+        self.assertIn("leaves that a scene's solid cuts have no polygons",
+                      self.fails(1, "slice", "ball.toml", "--level", "2", "-o", "a.png"))
         self.assertFalse((self.folder / "a.png").exists())
 
     def test_an_octree_of_one_level_gives_the_totals_of_the_grid(self):
@@ -287,6 +288,28 @@ class Cells(CommandTest):
         self.assertIn('the open patch "outlet" lies in no plane of the grid at (2.5, ',
                       self.fails(1, *place, "--spacing", "0.2"))
 
+    def test_solids_of_scenes(self):
+        (self.folder / "ball.toml").write_text('[ball]\nshape = "sphere"\nradius = 1\n')
+        volume = 4 / 3 * math.pi
+        text = self.succeeds("cells", "ball.toml", "--cells", "20", "-o", "ball.vtu", "--json", "ball.json")
+        self.assertIn("as cells estimate it", text)
+        totals = json.loads((self.folder / "ball.json").read_text())
+        self.assertAlmostEqual(totals["bodyVolume"], volume, delta=max(1e-6, totals["statedError"] * volume))
+        self.assertAlmostEqual(totals["boundaryArea"], 4 * math.pi, delta=1e-5)
+        self.assertIsNone(totals["volumeError"])
+        self.assertGreater(totals["largestError"], 0)
+        self.assertGreater((self.folder / "ball.vtu").stat().st_size, 100_000)
+        # The same in leaves, with less care, and from within.
+        self.succeeds("cells", "ball.toml", "--level", "2", "--roots", "6", "--inside", "--tolerance", "0.01",
+                      "--json", "leaves.json")
+        leaves = json.loads((self.folder / "leaves.json").read_text())
+        self.assertAlmostEqual(leaves["fluidVolume"], volume, delta=1e-3)
+        self.succeeds("slice", "ball.toml", "--cells", "12", "--axis", "z", "-o", "ball.png")
+        self.assertGreater((self.folder / "ball.png").stat().st_size, 1000)
+        # No wall in the box: all of it is fluid.
+        away = self.succeeds("cells", "ball.toml", "--box", "2,2,2,3,3,3", "--cells", "4")
+        self.assertIn("cut 0 of 4 x 4 x 4", away)
+
     def test_refusals_of_octrees(self):
         refusal = self.fails(1, "cells", "box.off", "--level", "9", "--max-cells", "1e5", "-o", "cut.vtu")
         level = refusal.split("--level ")[1].split()[0]
@@ -307,7 +330,11 @@ class Cells(CommandTest):
         spacing = float(refusal.split("--spacing ")[1].split()[0])
         self.succeeds("cells", "box.off", "--spacing", spacing, "--max-cells", "1e5")
         (self.folder / "ball.toml").write_text('[ball]\nshape = "sphere"\nradius = 1\n')
-        self.assertIn("ball.toml: cells are cut by a surface", self.fails(1, "cells", "ball.toml"))
+        for option in (["--open", "wall"], ["--baffle", "wall"], ["--cap-holes"], ["--period", "1,1,1"]):
+            self.assertIn("are for surfaces", self.fails(1, "cells", "ball.toml", "--box", "0,0,0,1,1,1", *option))
+        self.assertIn("no polygons", self.fails(1, "cells", "ball.toml", "--level", "1", "-o", "cut.vtu"))
+        self.assertIn("surfaces cut cells exactly", self.fails(1, "cells", "box.off", "--tolerance", "0.1"))
+        self.fails(2, "cells", "ball.toml", "--tolerance", "0")
         self.assertEqual([f.name for f in self.folder.iterdir() if f.name.startswith("cut.")], [])
 
 

@@ -215,6 +215,9 @@ struct CertifiedCells {
 /// wall's vector is what closes a piece. What lies in the surface within rounding counts as body: a
 /// wall in a plane of the grid belongs to the cell whose fluid it bounds.
 ///
+/// Of unions, intersections and differences, lines are searched where they cross an operand: so
+/// thin parts beside others are found.
+///
 /// Cells are left out where the values at corners, with the solid's Lipschitz constant, exclude a
 /// wall. A wall that meets no edge of a cell is found where derivatives at the corners lead to it.
 /// Solids without a constant are cut where corners have different signs. Pieces are told apart by
@@ -233,7 +236,7 @@ class SolidCutter {
 
   /// The cells of a box.
   /// @throws Error(Argument) unless planes ascend and are finite, and options are within their
-  /// ranges; for polygons and periods.
+  /// ranges; for periods.
   [[nodiscard]] CutCells cut(const CellPlanes& grid, const CutOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>
@@ -250,7 +253,8 @@ class SolidCutter {
 
   /// In 2D: the rectangles between the grid's planes across x and y, in the plane at `z`, as
   /// CellCutter::cutInPlane() gives them.
-  /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; for moments and quadrature.
+  /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; for polygons, moments and
+  /// quadrature.
   [[nodiscard]] CutCells cutInPlane(const CellPlanes& grid, double z,
                                     const CutOptions& options = {}) const;
 

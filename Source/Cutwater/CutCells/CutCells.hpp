@@ -217,7 +217,8 @@ struct CutCells {
   Polygons arcPolygons;
   /// On request: the parts of triangles that make up each part of the wall, oriented as the
   /// surface, with normals into the fluid. They are convex. In cells where triangles meet, parts in
-  /// one plane may be one, and others without area close the piece.
+  /// one plane may be one, and others without area close the piece. Of solids that are no meshes,
+  /// triangles that are right to the second order, whose pieces are closed as well.
   Polygons wallPolygons;
   std::vector<std::uint64_t> firstWallPolygon;  ///< of each part of the wall; then their number
 

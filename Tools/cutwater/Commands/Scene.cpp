@@ -22,8 +22,8 @@ void printKeys(const std::string& word) {
 void addScene(Program& program) {
   auto command = program.addCommand("scene",
                                     "Say what a scene may hold: a TOML file that describes "
-                                    "solids, for info, sample, amr, slice, render "
-                                    "and isosurface");
+                                    "solids, for info, sample, amr, cells, slice, "
+                                    "render and isosurface");
   const auto word = std::make_shared<std::optional<std::string>>();
   command.addOptional(
       "--keys", "WORD",

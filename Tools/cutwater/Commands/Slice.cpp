@@ -275,9 +275,10 @@ void drawLeaves(const SliceSettings& options, const Solid<double>& solid) {
 
 void run(const SliceSettings& options, bool onOctree) {
   if (!onOctree && !options.isOfCells() && options.saysWhichCells()) {
-    throw Error(ErrorKind::Argument,
-                "--inside, --open, --baffle, --cap-holes, --period, --box and --margin are for a "
-                "picture of cells: with --cells, --spacing, --total or --level");
+    throw Error(
+        ErrorKind::Argument,
+        "--inside, --open, --baffle, --cap-holes, --period, --tolerance, --box and --margin "
+        "are for a picture of cells: with --cells, --spacing, --total or --level");
   }
   const auto solid = loadSolid(options.surface);
   if (onOctree) {

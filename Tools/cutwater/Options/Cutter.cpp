@@ -12,13 +12,21 @@ bool isSurface(const Solid<double>& solid) {
 
 std::variant<CellCutter, SolidCutter> cutterOf(const Solid<double>& solid,
                                                const CuttingOptions& options) {
-  if (isSurface(solid)) return CellCutter(solid, options.side(), options.cutter);
+  if (isSurface(solid)) {
+    if (options.tolerance) {
+      throw Error(ErrorKind::Argument,
+                  "--tolerance is for solids that scenes describe: surfaces cut cells exactly");
+    }
+    return CellCutter(solid, options.side(), options.cutter);
+  }
   if (options.areOfSurface()) {
     throw Error(ErrorKind::Argument,
                 "--open, --baffle, --cap-holes and --period are for surfaces, and this solid is "
                 "described by a scene");
   }
-  return SolidCutter(solid, options.side());
+  SolidCutterOptions how;
+  how.tolerance = options.tolerance.value_or(how.tolerance);
+  return SolidCutter(solid, options.side(), how);
 }
 
 }  // namespace

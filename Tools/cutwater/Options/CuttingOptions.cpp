@@ -36,6 +36,16 @@ void addCuttingOptions(Command command, CuttingOptions& options) {
                 }
                 cutter.period = period;
               });
+  command.add(
+      "--tolerance", "SHARE",
+      "Of a scene's solid: halve cells whose open faces and walls do not close to this share "
+      "of a cell [default: 1e-5]",
+      [&options](const std::string& text) {
+        const std::string need = "a number above 0, and 1 at most";
+        const double share = positiveNumber("--tolerance", text, need);
+        if (share > 1) refuse("--tolerance", text, need);
+        options.tolerance = share;
+      });
 }
 
 Option addOctreeOptions(Command command, MeshOptions& options) {

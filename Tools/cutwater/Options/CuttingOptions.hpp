@@ -2,6 +2,8 @@
 
 #include <Cutwater/CutCells/CellCutter.hpp>
 
+#include <optional>
+
 #include "Options/Command.hpp"
 #include "Options/MeshOptions.hpp"
 #include "Options/SurfaceOptions.hpp"
@@ -12,16 +14,18 @@ namespace cutwater::tool {
 struct CuttingOptions {
   bool isInside = false;
   CutterOptions cutter;
+  std::optional<double> tolerance;  ///< of a solid that is no surface
 
   [[nodiscard]] FluidSide side() const { return isInside ? FluidSide::Inside : FluidSide::Outside; }
   [[nodiscard]] bool hasPeriod() const { return cutter.period != Vec3<double>{}; }
   /// Whether any of them was given.
-  [[nodiscard]] bool areGiven() const { return isInside || areOfSurface(); }
+  [[nodiscard]] bool areGiven() const { return isInside || tolerance || areOfSurface(); }
   /// Any of those that only surfaces have.
   [[nodiscard]] bool areOfSurface() const;
 };
 
-/// Adds --inside, --open, --baffle, --cap-holes and --period. `options` must outlive the command.
+/// Adds --inside, --open, --baffle, --cap-holes, --period and --tolerance. `options` must outlive
+/// the command.
 void addCuttingOptions(Command command, CuttingOptions& options);
 
 /// Adds those that describe an octree to a command with --cells, --spacing and --total; returns

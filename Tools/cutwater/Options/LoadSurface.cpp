@@ -88,8 +88,8 @@ LoadedSurface load(const SurfaceOptions& options) {
   if (isScene(options)) {
     throw Error(ErrorKind::File, options.file +
                                      ": a scene has no surface mesh to work on; 'cutwater "
-                                     "isosurface' makes one of it, and info, sample, amr, slice "
-                                     "and render take scenes");
+                                     "isosurface' makes one of it, and info, sample, amr, cells, "
+                                     "slice and render take scenes");
   }
   return namingMemory(options.file + ": out of memory while reading it", [&] {
     const auto info = geometryFileInfo(options.file);

@@ -72,10 +72,15 @@ void LineCrossings::addBrackets(const AxisLine& line, double from, double to) {
 /// Between the ends and the middles between where operands are crossed.
 void LineCrossings::addBetweenOperands(const AxisLine& line, double from, double to) {
   known_.clear();
+  near_.clear();
   for (const auto& operand : field_->operands()) {
-    if (!operand->mayReach({line.start, line.endPoint()})) continue;
+    if (operand->mayReach({line.start, line.endPoint()})) near_.push_back(operand.get());
+  }
+  const bool isOne = near_.size() == 1 && (from > 0) != (to > 0);
+  if (isOne) return addBracket(line, line.start[line.axis], from, line.end, to);
+  for (const auto* operand : near_) {
     if (!ofOperand_) ofOperand_ = std::make_unique<LineCrossings>(*operand);
-    ofOperand_->field_ = operand.get();
+    ofOperand_->field_ = operand;
     auto whole = line;
     whole.mayTurn = true;
     ofOperand_->find({&whole, 1});

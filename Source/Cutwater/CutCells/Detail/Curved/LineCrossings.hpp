@@ -89,8 +89,9 @@ class LineCrossings {
 
   const FluidField* field_;
   std::unique_ptr<LineCrossings> ofOperand_;
-  std::vector<double> known_;  // where a line crosses the surface of an operand
-  std::vector<double> ends_;   // values at both ends of each line
+  std::vector<const FluidField*> near_;  // operands that a line may cross
+  std::vector<double> known_;            // where a line crosses the surface of an operand
+  std::vector<double> ends_;             // values at both ends of each line
   std::vector<Bracket> brackets_;
   std::vector<std::size_t> first_;
   std::vector<double> positions_;

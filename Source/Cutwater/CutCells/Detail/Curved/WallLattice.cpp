@@ -72,7 +72,8 @@ double WallLattice::valueAt(const TilePlace& node) {
 /// Where the wall passes through an edge, by some steps of the Illinois method (Dowell and Jarratt
 /// 1971).
 const Vec3<double>& WallLattice::crossing(TilePlace from, TilePlace to) {
-  constexpr int kSteps = 4;
+  constexpr int kSteps = 12;
+  constexpr double kNear = 1e-8;  // of the edge
   if (nodes_.number(from) > nodes_.number(to)) std::swap(from, to);
   const auto key = std::uint64_t{nodes_.number(from)} << 32U | nodes_.number(to);
   const auto [known, isNew] = crossings_.try_emplace(key);
@@ -88,7 +89,7 @@ const Vec3<double>& WallLattice::crossing(TilePlace from, TilePlace to) {
   for (int step = 0; step < kSteps; ++step) {
     at = low + (high - low) * (lowValue / (lowValue - highValue));
     const double value = field_.value(start + at * way);
-    if (value == 0 || !(at > low && at < high)) break;
+    if (std::abs(value) <= kNear * length(way) || !(at > low && at < high)) break;
     const int side = (value > 0) == (lowValue > 0) ? 1 : -1;
     if (side == lastSide) (side > 0 ? highValue : lowValue) *= 0.5;
     (side > 0 ? low : high) = at;

@@ -1,0 +1,156 @@
+// Polygons of cells that are cut by solids that are no meshes.
+
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/Io/PointData.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Shapes/Cylinder.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Shapes/Torus.hpp>
+#include <Cutwater/Tpms/TpmsSolid.hpp>
+
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "CutCells/MomentCells.hpp"
+#include "Support/CutPolygons.hpp"
+
+namespace cutwater::test {
+namespace {
+
+Solid<double> torus() {
+  return Torus<double>({0.513, 0.507, 0.489}, {3, -2, 4}, 0.28, 0.13);
+}
+Solid<double> boredBall() {
+  return Solid<double>(Sphere<double>({0.5, 0.5, 0.5}, 0.4)) -
+         Cylinder<double>({-0.1, 0.52, 0.5}, {1.1, 0.5, 0.48}, 0.17);
+}
+Solid<double> gyroid() {
+  return TpmsSolid<double>(TpmsField<double>(TpmsPattern::gyroid(), 1), TpmsPart::Wall, 0.3);
+}
+
+CutCells cutOf(const Solid<double>& solid, int cells, FluidSide side = FluidSide::Outside) {
+  return SolidCutter(solid, side).cut(unitGrid(cells), {.polygons = true});
+}
+
+/// The sum of what polygons enclose, and of what rows say.
+struct Volumes {
+  double ofPolygons = 0;
+  double ofRows = 0;
+};
+Volumes expectClosed(const CutCells& cells) {
+  std::vector<PolyhedronBoundary> pieces(cells.pieceCount);
+  EXPECT_EQ(cells.arcPolygons.count(), cells.arcs.area.size());
+  EXPECT_EQ(cells.firstWallPolygon.size(), cells.wallParts.area.size() + 1);
+  for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
+    const auto outline = cells.arcPolygons.of(a);
+    const double plane = planeBelow(cells, cells.arcs.cell[a], cells.arcs.axis[a]);
+    for (const auto& p : outline) EXPECT_EQ(p[cells.arcs.axis[a]], plane);
+    if (cells.arcs.below[a] < pieces.size()) pieces[cells.arcs.below[a]].add(outline, 1);
+    if (cells.arcs.above[a] < pieces.size()) pieces[cells.arcs.above[a]].add(outline, -1);
+  }
+  for (std::size_t w = 0; w < cells.wallParts.area.size(); ++w) {
+    if (cells.wallParts.piece[w] >= pieces.size()) continue;
+    for (auto n = cells.firstWallPolygon[w]; n < cells.firstWallPolygon[w + 1]; ++n) {
+      pieces[cells.wallParts.piece[w]].add(cells.wallPolygons.of(n), -1);
+    }
+  }
+  Volumes sum;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    EXPECT_EQ(pieces[p].openEdges(), 0U) << "piece " << p;
+    sum.ofPolygons += pieces[p].volume();
+    sum.ofRows += cells.pieces.volume[p];
+  }
+  return sum;
+}
+
+TEST(SolidPolygonsTest, CloseEveryPieceToTheBit) {
+  for (const auto& solid : {torus(), boredBall(), gyroid()}) {
+    for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+      expectClosed(cutOf(solid, 12, side));
+    }
+  }
+}
+
+TEST(SolidPolygonsTest, EncloseTheVolumeButForTheSecondOrder) {
+  for (const auto& solid : {torus(), Solid<double>(Sphere<double>({0.513, 0.507, 0.489}, 0.37))}) {
+    const auto errorOf = [&](int cells) {
+      const auto volumes = expectClosed(cutOf(solid, cells));
+      return std::abs(volumes.ofPolygons - volumes.ofRows);
+    };
+    const double coarse = errorOf(8);
+    const double fine = errorOf(16);
+    EXPECT_LT(coarse, 0.01);
+    EXPECT_LT(fine, coarse / 3.5);
+  }
+}
+
+/// Walls in planes of the grid, with the fluid on their outer side, are exact.
+TEST(SolidPolygonsTest, WallsInPlanesOfTheGridAreExact) {
+  const Cuboid<double> box({0.25, 0.25, 0.375}, {0.75, 0.625, 0.75});
+  const auto volumes = expectClosed(cutOf(Solid<double>(box), 16));
+  EXPECT_NEAR(volumes.ofPolygons, volumes.ofRows, 1e-13);
+}
+
+/// No node of the lattice sees the plate: pieces on its two sides are closed all the same.
+TEST(SolidPolygonsTest, PiecesOnBothSidesOfAThinPlateAreClosed) {
+  const Cuboid<double> plate({-1, -1, 0.5131}, {2, 2, 0.5132});
+  const auto cells = cutOf(Solid<double>(plate), 8);
+  EXPECT_EQ(check(cells).multiPieceCells, 64U);
+  expectClosed(cells);
+}
+
+TEST(SolidPolygonsTest, PointsOfWallsLieInTheSurface) {
+  const auto solid = torus();
+  const auto cells = cutOf(solid, 12);
+  const double width = 1.0 / 12;
+  for (const auto& point : cells.wallPolygons.points) {
+    ASSERT_LT(std::abs(solid.signedDistance(point)), 1e-6 * width);
+  }
+}
+
+TEST(SolidPolygonsTest, HaveTheSameBitsInEveryBox) {
+  const auto solid = boredBall();
+  const SolidCutter cutter(solid);
+  const Level<double> level({0, 0, 0}, {0.0625, 0.0625, 0.0625});
+  const auto all = cutter.cut(GridPatch<double>{level, IndexBox::ofSize(16, 16, 16)},
+                              {.polygons = true, .threads = 2});
+  const auto some = cutter.cut(GridPatch<double>{level, {{3, 2, 5}, {13, 12, 14}}},
+                               {.polygons = true, .threads = 1});
+  std::size_t compared = 0;
+  const auto rangeOf = [](const CutCells& cells, std::uint32_t row) {
+    std::vector<Vec3<double>> points;
+    for (std::size_t w = 0; w < cells.wallParts.piece.size(); ++w) {
+      if (cells.pieces.cell[cells.wallParts.piece[w]] != row) continue;
+      for (auto n = cells.firstWallPolygon[w]; n < cells.firstWallPolygon[w + 1]; ++n) {
+        const auto polygon = cells.wallPolygons.of(n);
+        points.insert(points.end(), polygon.begin(), polygon.end());
+      }
+    }
+    return points;
+  };
+  for (std::uint32_t row = 0; row < some.cellCount; row += 7) {
+    const auto same = all.rowOf(some.cells.index[row]);
+    ASSERT_NE(same, CutCells::kNoRow);
+    EXPECT_EQ(rangeOf(some, row), rangeOf(all, same));
+    ++compared;
+  }
+  EXPECT_GT(compared, 30U);
+}
+
+TEST(SolidPolygonsTest, MakeAMeshOfPolyhedra) {
+  const auto cells = cutOf(torus(), 8);
+  const auto mesh = cutCellMesh(cells);
+  EXPECT_EQ(mesh.cells.count(), cells.pieceCount);
+}
+
+TEST(SolidPolygonsTest, AreRefusedInAPlane) {
+  const SolidCutter cutter(torus());
+  EXPECT_THROW((void)cutter.cutInPlane(planesOf(unitGrid(4)), 0.5, {.polygons = true}), Error);
+}
+
+}  // namespace
+}  // namespace cutwater::test
