@@ -23,9 +23,9 @@
 namespace cutwater::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kPiOfLeaves = std::numbers::pi;
 
-Solid<double> torus() {
+Solid<double> leafTorus() {
   return Torus<double>({0.51, 0.49, 0.47}, {1, 2, 3}, 0.3, 0.1);
 }
 
@@ -40,9 +40,9 @@ void expectSound(const CutCellsReport& report) {
 }
 
 TEST(SolidLeavesTest, AnOctreeOfOneLevelIsTheGrid) {
-  const SolidCutter cutter(torus());
+  const SolidCutter cutter(leafTorus());
   const OctreeDomain<double> domain({0.01, -0.02, 0.03}, 0.32, {3, 4, 3});
-  const Octree<double> mesh(torus(), domain, {.cut = 3, .bands = {{10.0, 3}}});
+  const Octree<double> mesh(leafTorus(), domain, {.cut = 3, .bands = {{10.0, 3}}});
   const auto leaves = cutter.cut(mesh, {.moments = 2, .quadrature = true});
   const auto cells = cutter.cut(finestOf(mesh));
   expectRowsOfGrid(leaves, mesh, cells);
@@ -79,8 +79,8 @@ TEST(SolidLeavesTest, BoxesInLeavesOfAnyLevelAreThoseOfTheFinestCells) {
 
 TEST(SolidLeavesTest, CurvedWallsInLeavesOfAnyLevelWithinTheirErrors) {
   std::mt19937 random(11);
-  const double volume = 2 * kPi * kPi * 0.3 * 0.1 * 0.1;
-  const SolidCutter cutter(torus());
+  const double volume = 2 * kPiOfLeaves * kPiOfLeaves * 0.3 * 0.1 * 0.1;
+  const SolidCutter cutter(leafTorus());
   for (int n = 0; n < scaled(3) && !HasFailure(); ++n) {
     const auto mesh = dividedMesh(random, 4, 0, 1, 90);
     const auto leaves = cutter.cut(mesh);
@@ -125,7 +125,7 @@ TEST(SolidLeavesTest, BothSidesOfLeavesFillThemAndAgreeOnArcs) {
 TEST(SolidLeavesTest, QuadratureAndMomentsOfLeaves) {
   std::mt19937 random(17);
   const auto mesh = dividedMesh(random, 4, 0, 1, 90);
-  const auto leaves = SolidCutter(torus(), FluidSide::Outside, {.points = 4})
+  const auto leaves = SolidCutter(leafTorus(), FluidSide::Outside, {.points = 4})
                           .cut(mesh, {.moments = 1, .quadrature = true});
   const auto& [volume, wall, normals, arc] = leaves.quadrature;
   std::vector<double> left(leaves.pieces.cell.size());
@@ -168,7 +168,7 @@ TEST(SolidLeavesTest, QuadratureAndMomentsOfLeaves) {
 TEST(SolidLeavesTest, FilesKeepErrorsAndQuadrature) {
   std::mt19937 random(19);
   const auto mesh = dividedMesh(random, 3, 0, 1, 90);
-  const auto leaves = SolidCutter(torus()).cut(mesh, {.quadrature = true});
+  const auto leaves = SolidCutter(leafTorus()).cut(mesh, {.quadrature = true});
   const auto bytes = toBytes(leaves);
   const auto read = cutLeavesFrom(bytes);
   EXPECT_EQ(read.cut.error, leaves.cut.error);

@@ -20,18 +20,18 @@ namespace cutwater::test {
 namespace {
 
 using Real = long double;
-constexpr auto kPi = std::numbers::pi_v<Real>;
+constexpr auto kLongPi = std::numbers::pi_v<Real>;
 
 /// By the double exponential rule (Takahasi and Mori 1974), which does not mind roots at the ends.
-Real integral(const std::function<Real(Real)>& f, Real from, Real to) {
+Real integralOf(const std::function<Real(Real)>& f, Real from, Real to) {
   constexpr int kPoints = 100;
   constexpr Real kReach = 3.6L;
   constexpr Real kStep = kReach / kPoints;
   Real sum = 0;
   for (int i = -kPoints; i <= kPoints; ++i) {
     const Real t = static_cast<Real>(i) * kStep;
-    const Real bend = kPi / 2 * std::sinh(t);
-    const Real weight = kPi / 2 * std::cosh(t) / (std::cosh(bend) * std::cosh(bend));
+    const Real bend = kLongPi / 2 * std::sinh(t);
+    const Real weight = kLongPi / 2 * std::cosh(t) / (std::cosh(bend) * std::cosh(bend));
     sum += weight * f((from + to) / 2 + (to - from) / 2 * std::tanh(bend));
   }
   return kStep * sum * (to - from) / 2;
@@ -94,24 +94,24 @@ Real ballInBox(Real radius, const Box<double>& box) {
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     if (!(breaks[i] < breaks[i + 1])) continue;
     volume +=
-        integral([&](Real z) { return discInRectangle(rootOf(radius * radius - z * z), box); },
-                 breaks[i], breaks[i + 1]);
+        integralOf([&](Real z) { return discInRectangle(rootOf(radius * radius - z * z), box); },
+                   breaks[i], breaks[i + 1]);
   }
   return volume;
 }
 
-CellPlanes cellOf(const Box<double>& box) {
+CellPlanes cellBetween(const Box<double>& box) {
   return cellsBetween({std::vector<double>{box.lower.x, box.upper.x},
                        {box.lower.y, box.upper.y},
                        {box.lower.z, box.upper.z}});
 }
 
 TEST(SolidOraclesTest, TheOracleKnowsTheWholeBallAndAnOctant) {
-  const Real whole = 4 * kPi / 3;
+  const Real whole = 4 * kLongPi / 3;
   EXPECT_NEAR(static_cast<double>(ballInBox(1, {{-1, -1, -1}, {1, 1, 1}}) / whole), 1, 1e-15);
   EXPECT_NEAR(static_cast<double>(8 * ballInBox(1, {{0, 0, 0}, {2, 2, 2}}) / whole), 1, 1e-15);
   // A cap of height 0.3.
-  const Real cap = kPi * 0.09L * (3 - 0.3L) / 3;
+  const Real cap = kLongPi * 0.09L * (3 - 0.3L) / 3;
   EXPECT_NEAR(static_cast<double>(ballInBox(1, {{-2, 0.7, -2}, {2, 2, 2}}) / cap), 1, 1e-15);
 }
 
@@ -130,7 +130,7 @@ TEST(SolidOraclesTest, OverlapsOfBallsWithBoxesAreRightToRounding) {
     middle *= 1 + 0.02 * at(random);
     const auto half = 0.025 * Vec3<double>{1 + 0.5 * at(random), 1 + 0.5 * at(random), 1};
     const Box<double> box{middle - half, middle + half};
-    const auto cells = cutter.cut(cellOf(box));
+    const auto cells = cutter.cut(cellBetween(box));
     if (cells.cellCount == 0) continue;
     ++cut;
     const auto size = box.size();
@@ -156,7 +156,7 @@ TEST(SolidOraclesTest, OverlapsWithLargeBoxesAreWithinTheirErrors) {
     const auto size = box.size();
     const double whole = size.x * size.y * size.z;
     if (std::min({size.x, size.y, size.z}) < 0.05) continue;
-    const auto cells = cutter.cut(cellOf(box));
+    const auto cells = cutter.cut(cellBetween(box));
     if (cells.cellCount == 0) continue;
     const double off =
         std::abs(check(cells).fluidVolume - static_cast<double>(ballInBox(1, box))) / whole;
@@ -166,7 +166,7 @@ TEST(SolidOraclesTest, OverlapsWithLargeBoxesAreWithinTheirErrors) {
 }
 
 /// The level set x^2 + 4 y^2 + 9 z^2 - 1, which is no distance, in [-1.1, 1.1]^3.
-Solid<double> ellipsoid() {
+Solid<double> levelSet() {
   const auto value = [](const Vec3<double>& p) {
     return p.x * p.x + 4 * p.y * p.y + 9 * p.z * p.z - 1;
   };
@@ -184,7 +184,7 @@ CellPlanes cellsOfSaye(int n, bool isPlane = false) {
 
 /// Errors fall nearly at the orders of his section 4, twice the points.
 TEST(SolidOraclesTest, TheEllipsoidOfSayeFallsAtHisOrders) {
-  const double volume = static_cast<double>(2 * kPi / 9);
+  const double volume = static_cast<double>(2 * kLongPi / 9);
   // By its formula with elliptic integrals, semi-axes 1, 1/2 and 1/3.
   const double cosine = 1.0 / 3;
   const double angle = std::acos(cosine);
@@ -194,7 +194,7 @@ TEST(SolidOraclesTest, TheEllipsoidOfSayeFallsAtHisOrders) {
       2 * std::numbers::pi / 9 + std::numbers::pi / sine *
                                      (std::ellint_2(modulus, angle) * sine * sine +
                                       std::ellint_1(modulus, angle) * cosine * cosine);
-  const auto solid = ellipsoid();
+  const auto solid = levelSet();
   for (const int points : {2, 3}) {
     const auto errorsOf = [&](int n) {
       const auto report =
@@ -216,9 +216,9 @@ TEST(SolidOraclesTest, TheEllipsoidOfSayeFallsAtHisOrders) {
 }
 
 TEST(SolidOraclesTest, TheEllipseOfSayeFallsToRounding) {
-  const double area = static_cast<double>(kPi / 2);
+  const double area = static_cast<double>(kLongPi / 2);
   const double length = 4 * std::comp_ellint_2(std::sqrt(0.75));
-  const auto solid = ellipsoid();
+  const auto solid = levelSet();
   const auto report = check(
       SolidCutter(solid, FluidSide::Inside, {.points = 6}).cutInPlane(cellsOfSaye(64, true), 0));
   EXPECT_NEAR(report.fluidVolume, area, 1e-13);

@@ -21,7 +21,7 @@
 namespace cutwater::test {
 namespace {
 
-Solid<double> torus() {
+Solid<double> thickTorus() {
   return Torus<double>({0.513, 0.507, 0.489}, {3, -2, 4}, 0.28, 0.13);
 }
 Solid<double> boredBall() {
@@ -68,7 +68,7 @@ Volumes expectClosed(const CutCells& cells) {
 }
 
 TEST(SolidPolygonsTest, CloseEveryPieceToTheBit) {
-  for (const auto& solid : {torus(), boredBall(), gyroid()}) {
+  for (const auto& solid : {thickTorus(), boredBall(), gyroid()}) {
     for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
       expectClosed(cutOf(solid, 12, side));
     }
@@ -76,7 +76,8 @@ TEST(SolidPolygonsTest, CloseEveryPieceToTheBit) {
 }
 
 TEST(SolidPolygonsTest, EncloseTheVolumeButForTheSecondOrder) {
-  for (const auto& solid : {torus(), Solid<double>(Sphere<double>({0.513, 0.507, 0.489}, 0.37))}) {
+  for (const auto& solid :
+       {thickTorus(), Solid<double>(Sphere<double>({0.513, 0.507, 0.489}, 0.37))}) {
     const auto errorOf = [&](int cells) {
       const auto volumes = expectClosed(cutOf(solid, cells));
       return std::abs(volumes.ofPolygons - volumes.ofRows);
@@ -104,7 +105,7 @@ TEST(SolidPolygonsTest, PiecesOnBothSidesOfAThinPlateAreClosed) {
 }
 
 TEST(SolidPolygonsTest, PointsOfWallsLieInTheSurface) {
-  const auto solid = torus();
+  const auto solid = thickTorus();
   const auto cells = cutOf(solid, 12);
   const double width = 1.0 / 12;
   for (const auto& point : cells.wallPolygons.points) {
@@ -142,13 +143,13 @@ TEST(SolidPolygonsTest, HaveTheSameBitsInEveryBox) {
 }
 
 TEST(SolidPolygonsTest, MakeAMeshOfPolyhedra) {
-  const auto cells = cutOf(torus(), 8);
+  const auto cells = cutOf(thickTorus(), 8);
   const auto mesh = cutCellMesh(cells);
   EXPECT_EQ(mesh.cells.count(), cells.pieceCount);
 }
 
 TEST(SolidPolygonsTest, AreRefusedInAPlane) {
-  const SolidCutter cutter(torus());
+  const SolidCutter cutter(thickTorus());
   EXPECT_THROW((void)cutter.cutInPlane(planesOf(unitGrid(4)), 0.5, {.polygons = true}), Error);
 }
 

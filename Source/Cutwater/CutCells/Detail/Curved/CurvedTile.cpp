@@ -305,6 +305,19 @@ class CurvedTile {
   TileCut out_;
 };
 
+/// A field in a tile, with the operands there, if it has any.
+class NearField {
+ public:
+  NearField(const FluidField& field, const GridPlanes& planes) : field_(field) {
+    if (!field.operands().empty()) near_ = fieldIn(field, boxOf(planes));
+  }
+  [[nodiscard]] const FluidField& field() const { return near_ ? *near_ : field_; }
+
+ private:
+  const FluidField& field_;
+  std::unique_ptr<const FluidField> near_;
+};
+
 }  // namespace
 
 Box<double> boxOf(const GridPlanes& planes) {
@@ -324,15 +337,15 @@ WholeBox wholeBox(const FluidField& field, const Box<double>& box) {
 
 TileCut cutTile(const FluidField& field, const GridPlanes& planes, const SolidCutterOptions& how,
                 const CutOptions& options) {
-  const auto here = fieldIn(field, boxOf(planes));
-  return CurvedTile(*here, planes, how, options).run();
+  const NearField near(field, planes);
+  return CurvedTile(near.field(), planes, how, options).run();
 }
 
 TileCut cutTile(const FluidField& field, const GridPlanes& planes, const SolidCutterOptions& how,
                 const CutOptions& options, const TileLeaves& leaves,
                 std::vector<BehindFiner>& behind) {
-  const auto here = fieldIn(field, boxOf(planes));
-  CurvedTile tile(*here, planes, how, options);
+  const NearField near(field, planes);
+  CurvedTile tile(near.field(), planes, how, options);
   tile.restrictTo(leaves);
   auto cut = tile.run();
   behind = tile.behindFiner();
