@@ -224,7 +224,7 @@ TEST(SolidCutterTest, WrongArgumentsAreRefused) {
   EXPECT_THROW(SolidCutter(ball, FluidSide::Outside, {.points = 7}), Error);
   EXPECT_THROW(SolidCutter(ball, FluidSide::Outside, {.tolerance = 0}), Error);
   const SolidCutter cutter(ball);
-  EXPECT_THROW((void)cutter.cut(unitGrid(4), {.polygons = true}), Error);
+  EXPECT_THROW((void)cutter.cutInPlane(planesOf(unitGrid(4)), 0.5, {.polygons = true}), Error);
   EXPECT_THROW((void)cutter.cut(unitGrid(4), {.moments = 5}), Error);
   EXPECT_THROW((void)cutter.cutInPlane(planesOf(unitGrid(4)), 0.5, {.moments = 0}), Error);
   EXPECT_THROW((void)cutter.cutInPlane(planesOf(unitGrid(4)), 0.5, {.quadrature = true}), Error);

@@ -1,5 +1,6 @@
 // Leaves of octrees that are cut by solids that are no meshes.
 
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/Grid/Octree.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
@@ -189,6 +190,12 @@ TEST(SolidLeavesTest, MergedLeavesKeepTheirErrors) {
   const auto one = merged(leaves, mesh).leaves;
   EXPECT_EQ(one.cut.error.size(), one.cut.leaf.size());
   expectSound(check(one));
+}
+
+TEST(SolidLeavesTest, PolygonsAreRefused) {
+  std::mt19937 random(27);
+  const auto mesh = dividedMesh(random, 3, 0, 1, 90);
+  EXPECT_THROW((void)SolidCutter(leafTorus()).cut(mesh, {.polygons = true}), Error);
 }
 
 TEST(SolidLeavesTest, BitsDoNotDependOnThreads) {

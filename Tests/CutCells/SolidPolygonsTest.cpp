@@ -41,7 +41,7 @@ struct Volumes {
   double ofPolygons = 0;
   double ofRows = 0;
 };
-Volumes expectClosed(const CutCells& cells) {
+Volumes expectClosedPolygons(const CutCells& cells) {
   std::vector<PolyhedronBoundary> pieces(cells.pieceCount);
   EXPECT_EQ(cells.arcPolygons.count(), cells.arcs.area.size());
   EXPECT_EQ(cells.firstWallPolygon.size(), cells.wallParts.area.size() + 1);
@@ -70,7 +70,7 @@ Volumes expectClosed(const CutCells& cells) {
 TEST(SolidPolygonsTest, CloseEveryPieceToTheBit) {
   for (const auto& solid : {thickTorus(), boredBall(), gyroid()}) {
     for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
-      expectClosed(cutOf(solid, 12, side));
+      expectClosedPolygons(cutOf(solid, 12, side));
     }
   }
 }
@@ -79,7 +79,7 @@ TEST(SolidPolygonsTest, EncloseTheVolumeButForTheSecondOrder) {
   for (const auto& solid :
        {thickTorus(), Solid<double>(Sphere<double>({0.513, 0.507, 0.489}, 0.37))}) {
     const auto errorOf = [&](int cells) {
-      const auto volumes = expectClosed(cutOf(solid, cells));
+      const auto volumes = expectClosedPolygons(cutOf(solid, cells));
       return std::abs(volumes.ofPolygons - volumes.ofRows);
     };
     const double coarse = errorOf(8);
@@ -92,7 +92,7 @@ TEST(SolidPolygonsTest, EncloseTheVolumeButForTheSecondOrder) {
 /// Walls in planes of the grid, with the fluid on their outer side, are exact.
 TEST(SolidPolygonsTest, WallsInPlanesOfTheGridAreExact) {
   const Cuboid<double> box({0.25, 0.25, 0.375}, {0.75, 0.625, 0.75});
-  const auto volumes = expectClosed(cutOf(Solid<double>(box), 16));
+  const auto volumes = expectClosedPolygons(cutOf(Solid<double>(box), 16));
   EXPECT_NEAR(volumes.ofPolygons, volumes.ofRows, 1e-13);
 }
 
@@ -101,7 +101,7 @@ TEST(SolidPolygonsTest, PiecesOnBothSidesOfAThinPlateAreClosed) {
   const Cuboid<double> plate({-1, -1, 0.5131}, {2, 2, 0.5132});
   const auto cells = cutOf(Solid<double>(plate), 8);
   EXPECT_EQ(check(cells).multiPieceCells, 64U);
-  expectClosed(cells);
+  expectClosedPolygons(cells);
 }
 
 TEST(SolidPolygonsTest, PointsOfWallsLieInTheSurface) {

@@ -200,8 +200,8 @@ void FluidRule::splitAt(const Box<double>& box, const Vec3<double>& found, int d
   for (std::size_t i = 0; i < parts.count; ++i) {
     auto size = parts.boxes[i].size();
     if (flatAxis_ >= 0) size[flatAxis_] = 1;
-    if (std::min({size.x, size.y, size.z}) > 0)
-      addPart(BoxView(field_, parts.boxes[i]), depth + halved, halvings);
+    const bool isEmpty = std::min({size.x, size.y, size.z}) <= 0;
+    if (!isEmpty) addPart(BoxView(field_, parts.boxes[i]), depth + halved, halvings);
   }
 }
 

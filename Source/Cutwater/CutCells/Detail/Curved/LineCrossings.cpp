@@ -89,15 +89,16 @@ void LineCrossings::addBetweenOperands(const AxisLine& line, double from, double
   std::ranges::sort(known_);
   double at = line.start[line.axis];
   double value = from;
-  for (std::size_t i = 0; i <= known_.size(); ++i) {
-    if (i == 0 && !known_.empty()) continue;
-    const bool isLast = i == known_.size();
-    const double next = isLast ? line.end : 0.5 * (known_[i - 1] + known_[i]);
-    const double nextValue = isLast ? to : field_->value(line.at(next));
+  const auto goTo = [&](double next, double nextValue) {
     if ((nextValue > 0) != (value > 0)) addBracket(line, at, value, next, nextValue);
     at = next;
     value = nextValue;
+  };
+  for (std::size_t i = 1; i < known_.size(); ++i) {
+    const double middle = 0.5 * (known_[i - 1] + known_[i]);
+    goTo(middle, field_->value(line.at(middle)));
   }
+  goTo(line.end, to);
 }
 
 void LineCrossings::evaluateEnds(std::span<const AxisLine> lines) {
