@@ -317,21 +317,21 @@ class LeavesAssembly {
 
   /// Of the face of a box across an axis, with this center.
   void addWholeFacePoints(const Box<double>& box, const Vec3<double>& center, int axis) {
-    auto& [first, points, weights] = out_.quadrature.arc;
-    if (first.empty()) first.push_back(0);
+    auto& rows = out_.quadrature.arc;
+    if (rows.first.empty()) rows.first.push_back(0);
     const FaceAxes axes(axis);
     const auto visit = [&](int along, const auto& with) {
       forStretches(gauss_, box.lower[along], std::array{box.upper[along]}, with);
     };
     visit(axes.first, [&](double at, double weight) {
       visit(axes.second, [&](double other, double otherWeight) {
-        auto& point = points.emplace_back(center);
+        auto& point = rows.points.emplace_back(center);
         point[axes.first] = at;
         point[axes.second] = other;
-        weights.push_back(weight * otherWeight);
+        rows.weights.push_back(weight * otherWeight);
       });
     });
-    first.push_back(points.size());
+    rows.first.push_back(rows.points.size());
   }
 
   void addWallPolygons() {
