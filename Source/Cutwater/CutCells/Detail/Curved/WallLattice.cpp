@@ -136,8 +136,12 @@ void WallLattice::addOutlines(int axis, const TilePlace& cell, const CurvedFace&
       add({node, opposite, above});
     }
   }
-  auto box = planes_.boxOf(cell);
-  box.upper[axis] = box.lower[axis];
+  Box<double> box;
+  for (int a = 0; a < 3; ++a) {
+    const int plane = cell[asIndex(a)];
+    box.lower[a] = planes_.at(a, plane);
+    box.upper[a] = planes_.at(a, a == axis ? plane : plane + 1);  // the face may be the last one
+  }
   for (auto& edges : ofParts) {
     auto loops = edges.loopsAcross(axis);
     for (auto& loop : loops) loop = withoutNodesOfEdges(loop, box, axis);
