@@ -11,7 +11,6 @@
 #include <Cutwater/Tpms/TpmsSolid.hpp>
 
 #include <cmath>
-#include <map>
 
 #include <gtest/gtest.h>
 

@@ -28,6 +28,11 @@ AxisLine rimAt(const Box<double>& box, const SweepAxes& axes, double slice, doub
   return line;
 }
 
+Box<double> faceOf(Box<double> box, int axis, bool isHigh) {
+  (isHigh ? box.lower : box.upper)[axis] = (isHigh ? box.upper : box.lower)[axis];
+  return box;
+}
+
 PartsAround partsAround(const Box<double>& box, const Vec3<double>& point, int flatAxis) {
   PartsAround parts;
   for (unsigned corner = 0; corner < 8; ++corner) {
@@ -311,9 +316,8 @@ std::optional<Vec3<double>> BoxView::hiddenPoint() const {
 std::optional<Vec3<double>> BoxView::hiddenPointInFaces() const {
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool isHigh : {false, true}) {
-      auto face = box_;
-      (isHigh ? face.lower : face.upper)[axis] = (isHigh ? face.upper : face.lower)[axis];
-      if (const auto point = BoxView(field_, face).hiddenPoint()) return point;
+      const BoxView face(field_, faceOf(box_, axis, isHigh));
+      if (const auto point = face.hiddenPoint()) return point;
     }
   }
   return {};
@@ -321,9 +325,7 @@ std::optional<Vec3<double>> BoxView::hiddenPointInFaces() const {
 
 std::optional<Vec3<double>> BoxView::hiddenOperand() const {
   std::vector<const FluidField*> near;
-  for (const auto& operand : field_.operands()) {
-    if (operand->mayReach(box_)) near.push_back(operand.get());
-  }
+  field_.forOperandsNear(box_, [&](const auto& operand) { near.push_back(operand.get()); });
   if (near.size() < 2) return {};
   for (const auto* operand : near) {
     const BoxView view(*operand, box_);

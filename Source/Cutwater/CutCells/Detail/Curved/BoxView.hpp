@@ -21,6 +21,9 @@ struct SweepAxes {
 [[nodiscard]] AxisLine rimAt(const Box<double>& box, const SweepAxes& axes, double slice,
                              double end);
 
+/// A face of a box across an axis, as a flat box.
+[[nodiscard]] Box<double> faceOf(Box<double> box, int axis, bool isHigh);
+
 /// The parts of a box, or of a rectangle across an axis, that have a point of it as a corner.
 struct PartsAround {
   std::array<Box<double>, 8> boxes;

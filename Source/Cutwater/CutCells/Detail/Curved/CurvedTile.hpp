@@ -39,7 +39,7 @@ struct TileLeaves {
   /// it or above; none, if there are none.
   FunctionRef<std::vector<Box<double>>(std::uint32_t cell, int axis, int side)> finerFaces;
 };
-/// Cuts these cells. What is behind parts of finer faces is appended, by cell and side.
+/// Cuts these cells. Sets what is behind parts of finer faces, by cell and side.
 [[nodiscard]] TileCut cutTile(const FluidField& field, const GridPlanes& planes,
                               const SolidCutterOptions& how, const CutOptions& options,
                               const TileLeaves& leaves, std::vector<BehindFiner>& behind);

@@ -177,9 +177,7 @@ class FieldInBox final : public FluidField {
   FieldInBox(const FluidField& field, const Box<double>& box)
       : FluidField(field.facts()), field_(field) {
     Operands near;
-    for (const auto& operand : field.operands()) {
-      if (operand->mayReach(box)) near.push_back(operand);
-    }
+    field.forOperandsNear(box, [&](const auto& operand) { near.push_back(operand); });
     if (near.size() > 1) setOperands(std::move(near));
   }
 

@@ -71,6 +71,13 @@ class FluidField {
   /// theirs. None, if it is none of these, or has too many.
   using Operands = std::vector<std::shared_ptr<const FluidField>>;
   [[nodiscard]] const Operands& operands() const { return operands_; }
+  /// Calls visit(operand) for those whose surfaces may meet a box, or a segment.
+  template <typename Visit>
+  void forOperandsNear(const Box<double>& box, const Visit& visit) const {
+    for (const auto& operand : operands_) {
+      if (operand->mayReach(box)) visit(operand);
+    }
+  }
 
  protected:
   void setOperands(Operands operands) { operands_ = std::move(operands); }

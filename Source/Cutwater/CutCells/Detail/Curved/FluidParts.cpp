@@ -224,7 +224,7 @@ bool FluidParts::isClear(const Vec3<double>& from, double atFrom, std::size_t to
 std::optional<std::uint32_t> FluidParts::partSeenFrom(const Vec3<double>& point,
                                                       double value) const {
   if (points_.empty()) return {};
-  const auto nearest = nearestTo(point, kNoPart);
+  const auto nearest = nearestTo(point, kNone);
   if (isClear(point, value, nearest)) return partOf_[nearest];
   const auto distance = [&](std::size_t i) { return lengthSquared(points_[i] - point); };
   std::vector<std::size_t> order(points_.size());

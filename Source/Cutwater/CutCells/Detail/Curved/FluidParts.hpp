@@ -23,8 +23,6 @@ class FluidParts {
   [[nodiscard]] std::uint32_t at(const Vec3<double>& point) const;
 
  private:
-  static constexpr std::uint32_t kNoPart = 0xffffffff;
-
   [[nodiscard]] std::optional<std::uint32_t> partReachedFrom(const Vec3<double>& point,
                                                              std::uint32_t part,
                                                              bool mayTurn) const;

@@ -73,9 +73,8 @@ void LineCrossings::addBrackets(const AxisLine& line, double from, double to) {
 void LineCrossings::addBetweenOperands(const AxisLine& line, double from, double to) {
   known_.clear();
   near_.clear();
-  for (const auto& operand : field_->operands()) {
-    if (operand->mayReach({line.start, line.endPoint()})) near_.push_back(operand.get());
-  }
+  field_->forOperandsNear({line.start, line.endPoint()},
+                          [&](const auto& operand) { near_.push_back(operand.get()); });
   const bool isOne = near_.size() == 1 && (from > 0) != (to > 0);
   if (isOne) return addBracket(line, line.start[line.axis], from, line.end, to);
   for (const auto* operand : near_) {

@@ -1,3 +1,4 @@
+#include <Cutwater/CutCells/Detail/Curved/BoxView.hpp>
 #include <Cutwater/CutCells/Detail/Curved/CurvedTile.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/CurvedLeaves.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/OwnLeaves.hpp>
@@ -31,13 +32,6 @@ std::vector<LevelBlock> blocksOf(const LeafGrid& grid) {
   return blocks;
 }
 
-/// The face of a leaf, as a flat box.
-Box<double> faceOf(const LeafGrid& grid, std::uint32_t leaf, int axis, bool isHigh) {
-  auto box = grid.boxInFrame(leaf);
-  (isHigh ? box.lower : box.upper)[axis] = (isHigh ? box.upper : box.lower)[axis];
-  return box;
-}
-
 /// Cuts the leaves of a block; nothing, if none of them may be cut.
 std::optional<LeafTile> cutBlock(const FluidField& field, const LeafGrid& grid,
                                  const LevelBlock& at, const SolidCutterOptions& how,
@@ -56,7 +50,7 @@ std::optional<LeafTile> cutBlock(const FluidField& field, const LeafGrid& grid,
     const auto leaf = own.leafOf(cell);
     if (grid.across(leaf, axis, side == 1).first != LeafGrid::Across::Finer) return faces;
     for (const auto finer : grid.finerAcross(leaf, axis, side == 1)) {
-      faces.push_back(faceOf(grid, finer, axis, side == 0));
+      faces.push_back(faceOf(grid.boxInFrame(finer), axis, side == 0));
     }
     return faces;
   };
