@@ -25,6 +25,14 @@ class BeamTree {
   [[nodiscard]] NearestBeam<T> nearer(const NearestBeam<T>& other, const Vec3<T>& p) const;
   /// Null if the beam is not in this tree.
   [[nodiscard]] const Kind* find(std::uint32_t beam) const;
+  /// Calls visit(beam) for those whose boxes meet `box`.
+  template <typename Visit>
+  void forBeamsIn(const Box<T>& box, const Visit& visit) const {
+    tree_.overlapping(box, [&](std::uint32_t i) {
+      if (beams()[i].boundingBox().overlaps(box)) visit(beams()[i]);
+      return true;
+    });
+  }
   [[nodiscard]] const std::vector<Kind>& beams() const { return tree_.primitives(); }
 
  private:
@@ -47,6 +55,21 @@ auto BeamTree<T, Tree>::find(std::uint32_t beam) const -> const Kind* {
   if (place == ids_.end() || *place != beam) return nullptr;
   return &tree_.primitives()[static_cast<std::size_t>(place - ids_.begin())];
 }
+
+/// A single beam as a solid.
+template <std::floating_point T, typename Kind>
+class OneBeam final : public SignedDistanceFunction<T> {
+ public:
+  explicit OneBeam(const Kind& beam) : beam_(beam) {}
+
+ private:
+  T localSignedDistance(const Vec3<T>& p) const override { return beam_.distance(p); }
+  Vec3<T> localGradient(const Vec3<T>& p) const override { return beam_.gradient(p); }
+  Guarantee<T> localGuarantee() const override { return Guarantee<T>::exact(beam_.size()); }
+  Box<T> localBoundingBox() const override { return beam_.boundingBox(); }
+
+  Kind beam_;
+};
 
 }  // namespace
 
@@ -196,6 +219,17 @@ SurfacePoint<T> BeamLattice<T>::localClosestPoint(const Vec3<T>& p) const {
 template <std::floating_point T>
 SurfaceOwner BeamLattice<T>::localOwner(const Vec3<T>& p) const {
   return {.face = localNearest(p).beam};
+}
+
+template <std::floating_point T>
+bool BeamLattice<T>::localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const {
+  trees_->forKinds([&](const auto& tree) {
+    tree.forBeamsIn(box.bounds(), [&](const auto& beam) {
+      const Solid<T> solid = OneBeam<T, std::remove_cvref_t<decltype(beam)>>(beam);
+      visit(solid, &solid);
+    });
+  });
+  return true;
 }
 
 template class BeamLattice<float>;

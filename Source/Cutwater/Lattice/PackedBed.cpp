@@ -3,6 +3,7 @@
 #include <Cutwater/Lattice/Detail/NeighborLimits.hpp>
 #include <Cutwater/Lattice/PackedBed.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,12 @@ class PackedBed<T>::Tree {
     if (best.ball == kNone && limit < Box<T>::kInf) return nearest(p, Box<T>::kInf, error);
     best.value += T(0);
     return best;
+  }
+
+  template <typename Visit>
+  void forBallsIn(const Box<T>& box, const Visit& visit) const {
+    const Box<double> query{Vec3<double>(box.lower), Vec3<double>(box.upper)};
+    balls_.overlapping(OrientedBox<double>::of(query), visit);
   }
 
  private:
@@ -108,6 +115,17 @@ SurfacePoint<T> PackedBed<T>::localClosestPoint(const Vec3<T>& p) const {
 template <std::floating_point T>
 SurfaceOwner PackedBed<T>::localOwner(const Vec3<T>& p) const {
   return {.face = localNearest(p).ball};
+}
+
+template <std::floating_point T>
+bool PackedBed<T>::localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const {
+  const auto around = box.bounds();
+  tree_->forBallsIn(around, [&](const Ball<T>& ball) {
+    if (!around.overlaps(Box<T>{ball.center, ball.center}.grown(ball.radius))) return;
+    const Solid<T> sphere = Sphere<T>(ball.center, ball.radius);
+    visit(sphere, &sphere);
+  });
+  return true;
 }
 
 template class PackedBed<float>;

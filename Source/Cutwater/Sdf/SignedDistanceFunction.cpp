@@ -5,6 +5,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
 #include <Cutwater/Sdf/SignedDistanceFunction.hpp>
+#include <Cutwater/Sdf/Solid.hpp>
 
 #include <algorithm>
 #include <array>
@@ -238,6 +239,25 @@ bool SignedDistanceFunction<T>::facetsOf(const SignedDistanceFunction& operand,
     facet.normal = placement.directionToWorld(facet.normal);
     return visit(facet);
   });
+}
+
+template <std::floating_point T>
+void SignedDistanceFunction<T>::surfacesOf(const Solid<T>& operand, const OrientedBox<T>& box,
+                                           SurfaceVisitor<T> visit) {
+  const auto& placement = operand.placement();
+  const auto placed = [&](Solid<T> solid) {
+    solid.setPlacement(RigidTransform<T>::composed(solid.placement(), placement));
+    return solid;
+  };
+  const auto visitPlaced = [&](const Solid<T>& surface, const Solid<T>* of) {
+    const auto here = placed(surface);
+    if (of == nullptr) return visit(here, &operand);
+    if (of == &surface) return visit(here, &here);
+    const auto ofHere = placed(*of);
+    visit(here, &ofHere);
+  };
+  const SignedDistanceFunction& shape = operand;
+  if (!shape.localSurfacesIn(operand.toLocal(box), visitPlaced)) visit(operand, &operand);
 }
 
 template <std::floating_point T>

@@ -202,6 +202,12 @@ class SignedDistanceFunction {
   [[nodiscard]] virtual Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const;
   [[nodiscard]] virtual BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const;
   virtual bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const;
+  /// See Solid::surfacesIn(): a shape with edges visits solids that have none, as a cuboid the
+  /// planes of its faces; an operator, what surfacesOf() visits of its operands. What lies in the
+  /// box may not be left out. The default visits nothing and returns false: the surface is one.
+  virtual bool localSurfacesIn(const OrientedBox<T>& /*box*/, SurfaceVisitor<T> /*visit*/) const {
+    return false;
+  }
   /// Classes of a few hundred boxes at most, with no hints or one for each; runs inside a parallel
   /// region.
   virtual void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
@@ -235,6 +241,9 @@ class SignedDistanceFunction {
   /// The same for facetsIn(), with facets in the composite's frame.
   static bool facetsOf(const SignedDistanceFunction& operand, const OrientedBox<T>& box,
                        FacetVisitor<T> visit);
+  /// The same for Solid::surfacesIn().
+  static void surfacesOf(const Solid<T>& operand, const OrientedBox<T>& box,
+                         SurfaceVisitor<T> visit);
 
   /// Two tests by which the default of localClassify() proves that a box within the domain is cut.
   [[nodiscard]] bool holdsNearestPoint(const OrientedBox<T>& box) const;

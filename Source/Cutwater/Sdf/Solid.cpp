@@ -90,6 +90,17 @@ bool Solid<T>::localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) c
 }
 
 template <std::floating_point T>
+bool Solid<T>::localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const {
+  return root_->localSurfacesIn(box, visit);
+}
+
+template <std::floating_point T>
+void Solid<T>::surfacesIn(const Box<T>& box, SurfaceVisitor<T> visit) const {
+  if (box.empty() || !isFinite(box)) return;
+  this->surfacesOf(*this, OrientedBox<T>::of(box), visit);
+}
+
+template <std::floating_point T>
 BoxClass Solid<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   return root_->localClassify(box, hint);
 }

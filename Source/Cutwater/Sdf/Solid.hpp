@@ -29,6 +29,12 @@ class Solid final : public SignedDistanceFunction<T> {
   /// end of `wanted`, which may cost less.
   [[nodiscard]] T signedDistanceWithin(const Vec3<T>& point, const Interval<T>& wanted) const;
 
+  /// Visits surfaces that together contain this solid's in a box, each smooth there as far as is
+  /// known, and perhaps some that do not meet the box: of a union, those of its operands; of a
+  /// cuboid, the planes of its faces; of most shapes without edges, their own. Visits nothing for a
+  /// box that is empty or not finite. Allocates memory.
+  void surfacesIn(const Box<T>& box, SurfaceVisitor<T> visit) const;
+
   /// The shape inside, without the Solid's placement, if it has this type; otherwise nullptr.
   template <std::derived_from<SignedDistanceFunction<T>> Shape>
   [[nodiscard]] const Shape* as() const {
@@ -55,6 +61,7 @@ class Solid final : public SignedDistanceFunction<T> {
   Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   void localClasses(std::span<const OrientedBox<T>> boxes, std::span<BoxClass> classes,
                     std::span<BoxHint> hints) const override;
   std::optional<T> localConcavity(const OrientedBox<T>& box) const override {

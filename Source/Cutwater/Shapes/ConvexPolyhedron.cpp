@@ -4,6 +4,7 @@
 #include <Cutwater/Shapes/ConvexPolyhedron.hpp>
 #include <Cutwater/Shapes/Detail/Arguments.hpp>
 #include <Cutwater/Shapes/Detail/HalfSpaceFaces.hpp>
+#include <Cutwater/Shapes/Detail/ShapeSurfaces.hpp>
 
 #include <algorithm>
 
@@ -115,6 +116,16 @@ Interval<T> ConvexPolyhedron<T>::localBounds(const OrientedBox<T>& box, BoxHint*
   }
   if (!(highest.upper < 0)) highest.upper = std::numeric_limits<T>::infinity();
   return detail::boundsWithin(highest, localSignedDistance(box.center), box, localGuarantee());
+}
+
+template <std::floating_point T>
+bool ConvexPolyhedron<T>::localSurfacesIn(const OrientedBox<T>& box,
+                                          SurfaceVisitor<T> visit) const {
+  for (const auto& face : faces_) {
+    if (std::abs(height(face, box.center)) > box.radius()) continue;
+    detail::visitPlane(sides_[face.first].start, face.normal, visit);
+  }
+  return true;
 }
 
 template <std::floating_point T>

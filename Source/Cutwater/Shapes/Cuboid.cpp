@@ -3,6 +3,7 @@
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Detail/Arguments.hpp>
 #include <Cutwater/Shapes/Detail/BoxDistance.hpp>
+#include <Cutwater/Shapes/Detail/ShapeSurfaces.hpp>
 
 namespace cutwater {
 
@@ -41,6 +42,17 @@ BoxClass Cuboid<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) cons
   };
   return isAbove(lower, box_.lower) && isAbove(box_.upper, upper) ? BoxClass::Inside
                                                                   : BoxClass::Cut;
+}
+
+template <std::floating_point T>
+bool Cuboid<T>::localSurfacesIn(const OrientedBox<T>&, SurfaceVisitor<T> visit) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3<T> normal;
+    normal[axis] = 1;
+    detail::visitPlane(box_.lower, -normal, visit);
+    detail::visitPlane(box_.upper, normal, visit);
+  }
+  return true;
 }
 
 template <std::floating_point T>

@@ -22,6 +22,7 @@ class Cuboid final : public SignedDistanceFunction<T> {
   Vec3<T> localGradient(const Vec3<T>& p) const override;
   Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Guarantee<T> localGuarantee() const override;
   std::optional<T> localConcavity(const OrientedBox<T>&) const override { return T(0); }
   Box<T> localBoundingBox() const override;

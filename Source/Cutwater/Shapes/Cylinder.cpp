@@ -2,6 +2,9 @@
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/Detail/Arguments.hpp>
 #include <Cutwater/Shapes/Detail/BoxDistance.hpp>
+#include <Cutwater/Shapes/Detail/ShapeSurfaces.hpp>
+
+#include <array>
 
 namespace cutwater {
 
@@ -25,6 +28,14 @@ template <std::floating_point T>
 ProfilePoint<T> Cylinder<T>::profileGradient(const ProfilePoint<T>& p) const {
   const auto g = detail::boxGradient(section_, {p.radial, p.axial, 0});
   return {g.x, g.y};
+}
+
+template <std::floating_point T>
+bool Cylinder<T>::localSurfacesIn(const OrientedBox<T>&, SurfaceVisitor<T> visit) const {
+  const std::array<ProfilePoint<T>, 4> corners{
+      {{0, 0}, {radius_, 0}, {radius_, length_}, {0, length_}}};
+  detail::visitRevolved<T>(this->rotationAxis(), corners, visit);
+  return true;
 }
 
 template <std::floating_point T>

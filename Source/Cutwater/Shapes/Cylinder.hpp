@@ -19,6 +19,7 @@ class Cylinder final : public Axisymmetric<T> {
   std::string localName() const override { return "Cylinder"; }
   T profileDistance(const ProfilePoint<T>& p) const override;
   ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Guarantee<T> localGuarantee() const override;
   std::optional<T> localConcavity(const OrientedBox<T>&) const override { return T(0); }
   Box<T> localBoundingBox() const override;

@@ -1,4 +1,5 @@
 #include <Cutwater/Shapes/Detail/PolygonDistance.hpp>
+#include <Cutwater/Shapes/Detail/ShapeSurfaces.hpp>
 #include <Cutwater/Shapes/Extrusion.hpp>
 
 #include <algorithm>
@@ -19,6 +20,17 @@ T Extrusion<T>::sectionDistance(const Vec2<T>& p) const {
 template <std::floating_point T>
 Vec2<T> Extrusion<T>::sectionGradient(const Vec2<T>& p) const {
   return section_->gradient(p);
+}
+
+template <std::floating_point T>
+bool Extrusion<T>::localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const {
+  section_->forEdgesIn(box.bounds(), [&](const detail::PlanarEdge<T>& edge) {
+    const auto& [x, y] = edge.start();
+    const auto normal = edge.outward();
+    detail::visitPlane<T>({x, y, 0}, {normal.x, normal.y, 0}, visit);
+  });
+  this->visitEnds(visit);
+  return true;
 }
 
 template <std::floating_point T>

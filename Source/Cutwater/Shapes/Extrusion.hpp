@@ -26,6 +26,7 @@ class Extrusion final : public Prismatic<T> {
   std::string localName() const override { return "Extrusion"; }
   T sectionDistance(const Vec2<T>& p) const override;
   Vec2<T> sectionGradient(const Vec2<T>& p) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Guarantee<T> localGuarantee() const override;
   Box<T> localBoundingBox() const override;
 

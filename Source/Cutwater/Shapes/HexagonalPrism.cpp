@@ -1,7 +1,9 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Shapes/Detail/ShapeSurfaces.hpp>
 #include <Cutwater/Shapes/HexagonalPrism.hpp>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace cutwater {
@@ -51,6 +53,17 @@ Vec2<T> HexagonalPrism<T>::sectionGradient(const Vec2<T>& p) const {
   }
   if (isMirrored) gradient = mirrored(gradient);
   return {p.x < 0 ? -gradient.x : gradient.x, p.y < 0 ? -gradient.y : gradient.y};
+}
+
+template <std::floating_point T>
+bool HexagonalPrism<T>::localSurfacesIn(const OrientedBox<T>&, SurfaceVisitor<T> visit) const {
+  constexpr T kSine = std::numbers::sqrt3_v<T> / 2;
+  const std::array<Vec3<T>, 3> across{{{0, 1, 0}, {kSine, T(0.5), 0}, {kSine, T(-0.5), 0}}};
+  for (const auto& normal : across) {
+    for (const T side : {inradius_, -inradius_}) detail::visitPlane(side * normal, normal, visit);
+  }
+  this->visitEnds(visit);
+  return true;
 }
 
 template <std::floating_point T>

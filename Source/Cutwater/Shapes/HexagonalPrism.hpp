@@ -19,6 +19,7 @@ class HexagonalPrism final : public Prismatic<T> {
   std::string localName() const override { return "Hexagonal prism"; }
   T sectionDistance(const Vec2<T>& p) const override;
   Vec2<T> sectionGradient(const Vec2<T>& p) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Guarantee<T> localGuarantee() const override;
   std::optional<T> localConcavity(const OrientedBox<T>&) const override { return T(0); }
   Box<T> localBoundingBox() const override;

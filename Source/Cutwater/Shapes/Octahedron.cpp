@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Shapes/Detail/ShapeSurfaces.hpp>
 #include <Cutwater/Shapes/Octahedron.hpp>
 
 #include <algorithm>
@@ -42,6 +43,16 @@ Vec3<T> Octahedron<T>::localGradient(const Vec3<T>& p) const {
     if (p[axis] < 0) gradient[axis] = -gradient[axis];
   }
   return normalized(gradient);
+}
+
+template <std::floating_point T>
+bool Octahedron<T>::localSurfacesIn(const OrientedBox<T>&, SurfaceVisitor<T> visit) const {
+  const auto cube = Box<T>{{-1, -1, -1}, {1, 1, 1}};
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto normal = cube.corner(corner);
+    detail::visitPlane<T>({normal.x * radius_, 0, 0}, normal, visit);
+  }
+  return true;
 }
 
 template <std::floating_point T>

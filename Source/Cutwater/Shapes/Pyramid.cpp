@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/Shapes/Detail/ShapeSurfaces.hpp>
 #include <Cutwater/Shapes/Pyramid.hpp>
 
 #include <algorithm>
@@ -80,6 +81,16 @@ Vec3<T> Pyramid<T>::localGradient(const Vec3<T>& p) const {
   }
   if (std::abs(p.x) < std::abs(p.y)) std::swap(gradient.x, gradient.y);
   return {p.x < 0 ? -gradient.x : gradient.x, p.y < 0 ? -gradient.y : gradient.y, gradient.z};
+}
+
+template <std::floating_point T>
+bool Pyramid<T>::localSurfacesIn(const OrientedBox<T>&, SurfaceVisitor<T> visit) const {
+  detail::visitPlane<T>({}, {0, 0, -1}, visit);
+  for (const T side : {T(1), T(-1)}) {
+    detail::visitPlane<T>({0, 0, height_}, {side * normal_.x, 0, normal_.y}, visit);
+    detail::visitPlane<T>({0, 0, height_}, {0, side * normal_.x, normal_.y}, visit);
+  }
+  return true;
 }
 
 template <std::floating_point T>

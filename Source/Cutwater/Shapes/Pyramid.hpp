@@ -20,6 +20,7 @@ class Pyramid final : public SignedDistanceFunction<T> {
   std::string localName() const override { return "Pyramid"; }
   T localSignedDistance(const Vec3<T>& p) const override;
   Vec3<T> localGradient(const Vec3<T>& p) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Guarantee<T> localGuarantee() const override;
   std::optional<T> localConcavity(const OrientedBox<T>&) const override { return T(0); }
   Box<T> localBoundingBox() const override;

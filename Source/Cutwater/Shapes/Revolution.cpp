@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Shapes/Detail/PolygonDistance.hpp>
+#include <Cutwater/Shapes/Detail/ShapeSurfaces.hpp>
 #include <Cutwater/Shapes/Revolution.hpp>
 
 namespace cutwater {
@@ -27,6 +28,17 @@ template <std::floating_point T>
 ProfilePoint<T> Revolution<T>::profileGradient(const ProfilePoint<T>& p) const {
   const auto slope = profile_->gradient({p.radial, p.axial});
   return {slope.x, slope.y};
+}
+
+template <std::floating_point T>
+bool Revolution<T>::localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const {
+  const auto center = this->rotationAxis().profilePoint(box.center);
+  const auto around = Box<T>{{center.radial, center.axial, 0}, {center.radial, center.axial, 0}};
+  profile_->forEdgesIn(around.grown(box.radius()), [&](const detail::PlanarEdge<T>& edge) {
+    detail::visitRevolved<T>(this->rotationAxis(), {edge.start().x, edge.start().y},
+                             {edge.end().x, edge.end().y}, visit);
+  });
+  return true;
 }
 
 template <std::floating_point T>

@@ -29,6 +29,7 @@ class Revolution final : public Axisymmetric<T> {
   std::string localName() const override { return "Revolution"; }
   T profileDistance(const ProfilePoint<T>& p) const override;
   ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Guarantee<T> localGuarantee() const override;
   Box<T> localBoundingBox() const override;
 

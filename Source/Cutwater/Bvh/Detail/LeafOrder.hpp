@@ -30,6 +30,16 @@ class LeafOrder {
     });
   }
 
+  /// Calls visit(primitive) for those in leaves whose boxes meet `box`.
+  template <typename Visit>
+  void overlapping(const OrientedBox<double>& box, const Visit& visit) const {
+    arrays_.tree().overlapping(box, [&](std::span<const std::uint32_t> slots) {
+      const auto first = static_cast<std::size_t>(slots.data() - arrays_.slots.data());
+      for (std::size_t i = 0; i < kWidth && slots[i] != kNone; ++i) visit(inLeaves_[first + i]);
+      return true;
+    });
+  }
+
  private:
   BvhArrays<16, kWidth> arrays_;
   std::vector<P> inLeaves_;

@@ -248,6 +248,15 @@ bool Combination<T>::localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> vi
 }
 
 template <std::floating_point T>
+bool Combination<T>::localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const {
+  forEachNear(box, 0, [&](std::size_t i) {
+    if (mayBeCut(this->classOf(operand(i), box))) this->surfacesOf(operand(i), box, visit);
+    return 0.0;
+  });
+  return true;
+}
+
+template <std::floating_point T>
 BoxClass Combination<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   const auto seen = [this](BoxClass c) { return decides_ == Decides::Least ? c : opposite(c); };
   const auto around = box.bounds();

@@ -60,6 +60,7 @@ class Combination final : public Composite<T> {
   Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
   bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Guarantee<T> localGuarantee() const override { return guarantee_; }
   Box<T> localBoundingBox() const override { return boundingBox_; }
   Box<T> localClearanceBox() const override { return clearanceBox_; }

@@ -35,6 +35,10 @@ class Complement final : public Forwarding<T, Complement<T>> {
   std::string localName() const override { return "Complement"; }
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
   bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override {
+    this->surfacesOf(operand(), box, visit);
+    return true;
+  }
   Guarantee<T> localGuarantee() const override;
   Box<T> localBoundingBox() const override { return Box<T>::everywhere(); }
 };

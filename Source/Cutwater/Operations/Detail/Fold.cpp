@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Detail/DomainUnder.hpp>
 #include <Cutwater/Operations/Detail/Fold.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
+#include <Cutwater/Shapes/Plane.hpp>
 
 #include <algorithm>
 
@@ -64,6 +65,18 @@ template <std::floating_point T>
 BoxClass Fold<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) const {
   return sideOf(box) != 0 ? this->classOf(this->operand(), mapped(box))
                           : PointMap<T>::localClassify(box, hint);
+}
+
+template <std::floating_point T>
+bool Fold<T>::localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const {
+  const int side = sideOf(box);
+  if (side >= 0) this->surfacesOf(this->operand(), box, visit);
+  if (side <= 0) {
+    this->surfacesOf(Mirror<T>(this->operand(), plane_.point(), plane_.normal()), box, visit);
+  }
+  // Both may have an edge in common.
+  if (side == 0) visit(Plane<T>(plane_.point(), plane_.normal()), nullptr);
+  return true;
 }
 
 template <std::floating_point T>

@@ -25,6 +25,7 @@ class Fold final : public PointMap<T> {
   Vec3<T> pulledBack(const Vec3<T>& p, const Vec3<T>& gradient) const override;
   SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
   BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Guarantee<T> localGuarantee() const override;
   Box<T> localBoundingBox() const override;
   Box<T> localClearanceBox() const override;

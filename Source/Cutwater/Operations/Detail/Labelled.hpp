@@ -20,6 +20,10 @@ class Labelled final : public Forwarding<T, Labelled<T>> {
   bool localFacetsIn(const OrientedBox<T>& box, FacetVisitor<T> visit) const override {
     return this->facetsOf(operand(), box, visit);
   }
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override {
+    this->surfacesOf(operand(), box, visit);
+    return true;
+  }
   Guarantee<T> localGuarantee() const override { return operand().guarantee(); }
   Box<T> localBoundingBox() const override { return operand().boundingBox(); }
   Box<T> localClearanceBox() const override { return operand().clearanceBox(); }

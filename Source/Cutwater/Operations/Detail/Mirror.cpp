@@ -107,6 +107,20 @@ BoxClass Mirror<T>::localClassify(const OrientedBox<T>& box, BoxHint*) const {
 }
 
 template <std::floating_point T>
+bool Mirror<T>::localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const {
+  const auto image = [&](const Solid<T>& solid) -> Solid<T> {
+    return Mirror<T>(solid, plane_.point(), plane_.normal());
+  };
+  this->surfacesOf(operand(), mapped(box), [&](const Solid<T>& surface, const Solid<T>* of) {
+    const auto here = image(surface);
+    if (of == &surface) return visit(here, &here);
+    const auto ofHere = image(*of);
+    visit(here, &ofHere);
+  });
+  return true;
+}
+
+template <std::floating_point T>
 Guarantee<T> Mirror<T>::localGuarantee() const {
   auto promise = operand().guarantee();
   promise.ulps += 14 * promise.lipschitz.value_or(T(1));

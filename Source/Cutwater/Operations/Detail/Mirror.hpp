@@ -64,6 +64,7 @@ class Mirror final : public PointMap<T> {
   SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
   CrossingCount localCrossings(const Segment<T>& segment, CrossingVisitor<T> visit) const override;
   BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Guarantee<T> localGuarantee() const override;
   Box<T> localBoundingBox() const override;
   Box<T> localClearanceBox() const override;

@@ -37,6 +37,15 @@ SurfaceOwner Shell<T>::localOwner(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+bool Shell<T>::localSurfacesIn(const OrientedBox<T>&, SurfaceVisitor<T> visit) const {
+  for (const T distance : {halfThickness_, -halfThickness_}) {
+    const Solid<T> side = Offset<T>(this->operand(), distance);
+    visit(side, &side);
+  }
+  return true;
+}
+
+template <std::floating_point T>
 Interval<T> Shell<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
   const auto range = this->boundsOf(this->operand(), box);
   const T least = std::max({range.lower, -range.upper, T(0)});

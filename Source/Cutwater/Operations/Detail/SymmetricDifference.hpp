@@ -23,6 +23,10 @@ class SymmetricDifference final : public BinaryOperation<T> {
   Vec3<T> localGradient(const Vec3<T>& p) const override;
   SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
   BoxClass localClassify(const OrientedBox<T>& box, BoxHint* hint) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override {
+    for (const auto& operand : this->operands()) this->surfacesOf(operand, box, visit);
+    return true;
+  }
   Guarantee<T> localGuarantee() const override;
   Box<T> localBoundingBox() const override;
   Box<T> localClearanceBox() const override { return this->clearanceOfBoth(); }

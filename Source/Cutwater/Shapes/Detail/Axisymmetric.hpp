@@ -124,6 +124,7 @@ class ProfiledShape : public Axisymmetric<T> {
  private:
   T profileDistance(const ProfilePoint<T>& p) const final;
   ProfilePoint<T> profileGradient(const ProfilePoint<T>& p) const final;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const final;
   Guarantee<T> localGuarantee() const final;
   std::optional<T> localConcavity(const OrientedBox<T>&) const final { return T(0); }
   Box<T> localBoundingBox() const final;

@@ -27,6 +27,16 @@ class PolygonDistance {
   /// The gradient; zero where it is not defined.
   [[nodiscard]] Vec2<T> gradient(const Vec2<T>& p) const;
 
+  /// Calls visit(edge) for those whose boxes meet that of x and y.
+  template <typename Visit>
+  void forEdgesIn(Box<T> box, const Visit& visit) const {
+    box.lower.z = box.upper.z = 0;
+    tree_.overlapping(box, [&](std::uint32_t i) {
+      visit(edge(i));
+      return true;
+    });
+  }
+
   [[nodiscard]] const Vec2<T>& lower() const { return lower_; }
   [[nodiscard]] const Vec2<T>& upper() const { return upper_; }
   /// Distance of the farthest corner from the origin.

@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Shapes/Detail/BoxDistance.hpp>
 #include <Cutwater/Shapes/Detail/Prismatic.hpp>
+#include <Cutwater/Shapes/Detail/ShapeSurfaces.hpp>
 
 #include <string>
 
@@ -17,6 +18,12 @@ Prismatic<T>::Prismatic(const char* name, T lower, T upper)
 template <std::floating_point T>
 T Prismatic<T>::localSignedDistance(const Vec3<T>& p) const {
   return detail::boxDistance(ends_, {sectionDistance({p.x, p.y}), p.z, 0});
+}
+
+template <std::floating_point T>
+void Prismatic<T>::visitEnds(SurfaceVisitor<T> visit) const {
+  detail::visitPlane<T>({0, 0, lower()}, {0, 0, -1}, visit);
+  detail::visitPlane<T>({0, 0, upper()}, {0, 0, 1}, visit);
 }
 
 template <std::floating_point T>

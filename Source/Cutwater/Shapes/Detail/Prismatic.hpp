@@ -22,6 +22,9 @@ class Prismatic : public SignedDistanceFunction<T> {
   /// Unit gradient in the plane; zero where it is not defined.
   [[nodiscard]] virtual Vec2<T> sectionGradient(const Vec2<T>& p) const = 0;
 
+  /// Visits the planes of both ends, for localSurfacesIn().
+  void visitEnds(SurfaceVisitor<T> visit) const;
+
   /// The ends along z.
   [[nodiscard]] T lower() const { return ends_.lower.y; }
   [[nodiscard]] T upper() const { return ends_.upper.y; }

@@ -1,4 +1,7 @@
 #include <Cutwater/Shapes/Detail/Profiles.hpp>
+#include <Cutwater/Shapes/Detail/ShapeSurfaces.hpp>
+
+#include <array>
 
 namespace cutwater {
 
@@ -10,6 +13,20 @@ T ProfiledShape<T, Profile>::profileDistance(const ProfilePoint<T>& p) const {
 template <std::floating_point T, typename Profile>
 ProfilePoint<T> ProfiledShape<T, Profile>::profileGradient(const ProfilePoint<T>& p) const {
   return profile_.gradient(p);
+}
+
+template <std::floating_point T, typename Profile>
+bool ProfiledShape<T, Profile>::localSurfacesIn(const OrientedBox<T>&,
+                                                SurfaceVisitor<T> visit) const {
+  constexpr bool kHasEdges = std::same_as<Profile, detail::FrustumProfile<T>>;
+  if constexpr (kHasEdges) {
+    const std::array<ProfilePoint<T>, 4> corners{{{0, 0},
+                                                  {profile_.radiusA(), 0},
+                                                  {profile_.radiusB(), profile_.height()},
+                                                  {0, profile_.height()}}};
+    detail::visitRevolved<T>(this->rotationAxis(), corners, visit);
+  }
+  return kHasEdges;
 }
 
 template <std::floating_point T, typename Profile>

@@ -28,6 +28,54 @@ AxisLine rimAt(const Box<double>& box, const SweepAxes& axes, double slice, doub
   return line;
 }
 
+int flatAxisOf(const Box<double>& box) {
+  for (const int axis : {2, 1, 0}) {
+    if (box.lower[axis] == box.upper[axis]) return axis;
+  }
+  return -1;
+}
+
+bool isKinked(const FluidField& field, std::span<const Vec3<double>> points,
+              std::span<const Vec3<double>> normals, int flatAxis) {
+  constexpr double kBend = 0.94;  // cosine of 20 degrees
+  double least = kBend;
+  std::pair<std::size_t, std::size_t> ends;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double cosine = dot(normals[i], normals[j]);
+      if (cosine < least) least = cosine, ends = {i, j};
+    }
+  }
+  if (least == kBend) return false;
+  const auto slopeAt = [&](const Vec3<double>& point) {
+    auto slope = field.gradient(point);
+    if (flatAxis >= 0) slope[flatAxis] = 0;
+    return slope;
+  };
+  // Halves the way along the surface, and goes on where the normals differ more.
+  auto from = points[ends.first];
+  auto to = points[ends.second];
+  auto atFrom = normals[ends.first];
+  auto atTo = normals[ends.second];
+  constexpr int kHalvings = 6;
+  constexpr int kSteps = 2;  // back to the surface
+  for (int i = 0; i < kHalvings; ++i) {
+    auto middle = 0.5 * (from + to);
+    for (int step = 0; step < kSteps; ++step) {
+      const auto slope = slopeAt(middle);
+      const double steepness = lengthSquared(slope);
+      if (steepness > 0) middle -= (field.value(middle) / steepness) * slope;
+    }
+    const auto normal = normalized(slopeAt(middle));
+    if (dot(atFrom, normal) < dot(normal, atTo)) {
+      to = middle, atTo = normal;
+    } else {
+      from = middle, atFrom = normal;
+    }
+  }
+  return dot(atFrom, atTo) < kBend;
+}
+
 Box<double> faceOf(Box<double> box, int axis, bool isHigh) {
   (isHigh ? box.lower : box.upper)[axis] = (isHigh ? box.upper : box.lower)[axis];
   return box;
@@ -69,10 +117,7 @@ BoxView::BoxView(const FluidField& field, const Box<double>& box)
 }
 
 BoxView::BoxView(const FluidField& field, const Box<double>& box, BoxSamples samples)
-    : field_(field), box_(box), samples_(std::move(samples)) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (box.lower[axis] == box.upper[axis]) flatAxis_ = axis;
-  }
+    : field_(field), box_(box), flatAxis_(flatAxisOf(box)), samples_(std::move(samples)) {
   noteNormals();
 }
 
@@ -122,42 +167,6 @@ void BoxView::noteNormals() {
 Vec3<double> BoxView::inPlane(Vec3<double> gradient) const {
   if (flatAxis_ >= 0) gradient[flatAxis_] = 0;
   return normalized(gradient);
-}
-
-bool BoxView::hasKink() const {
-  constexpr double kBend = 0.94;  // cosine of 20 degrees
-  double least = kBend;
-  std::pair<std::size_t, std::size_t> ends;
-  for (std::size_t i = 0; i < normals_.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const double cosine = dot(normals_[i], normals_[j]);
-      if (cosine < least) least = cosine, ends = {i, j};
-    }
-  }
-  if (least == kBend) return false;
-  // Halves the way along the surface, and goes on where the normals differ more.
-  auto from = places_[ends.first];
-  auto to = places_[ends.second];
-  auto atFrom = normals_[ends.first];
-  auto atTo = normals_[ends.second];
-  constexpr int kHalvings = 6;
-  constexpr int kSteps = 2;  // back to the surface
-  for (int i = 0; i < kHalvings; ++i) {
-    auto middle = 0.5 * (from + to);
-    for (int step = 0; step < kSteps; ++step) {
-      auto slope = field_.gradient(middle);
-      if (flatAxis_ >= 0) slope[flatAxis_] = 0;
-      const double steepness = lengthSquared(slope);
-      if (steepness > 0) middle -= (field_.value(middle) / steepness) * slope;
-    }
-    const auto normal = inPlane(field_.gradient(middle));
-    if (dot(atFrom, normal) < dot(normal, atTo)) {
-      to = middle, atTo = normal;
-    } else {
-      from = middle, atFrom = normal;
-    }
-  }
-  return dot(atFrom, atTo) < kBend;
 }
 
 std::optional<Vec3<double>> BoxView::pointAgainstGraph(int axis) const {
@@ -319,20 +328,6 @@ std::optional<Vec3<double>> BoxView::hiddenPointInFaces() const {
       const BoxView face(field_, faceOf(box_, axis, isHigh));
       if (const auto point = face.hiddenPoint()) return point;
     }
-  }
-  return {};
-}
-
-std::optional<Vec3<double>> BoxView::hiddenOperand() const {
-  std::vector<const FluidField*> near;
-  field_.forOperandsNear(box_, [&](const auto& operand) { near.push_back(operand.get()); });
-  if (near.size() < 2) return {};
-  for (const auto* operand : near) {
-    const BoxView view(*operand, box_);
-    if (view.isCrossed()) continue;
-    if (const auto point = view.hiddenPoint()) return point;
-    if (flatAxis_ >= 0) continue;
-    if (const auto point = view.hiddenPointInFaces()) return point;
   }
   return {};
 }

@@ -21,6 +21,14 @@ struct SweepAxes {
 [[nodiscard]] AxisLine rimAt(const Box<double>& box, const SweepAxes& axes, double slice,
                              double end);
 
+/// The axis across a box without extent; -1: it has some along all.
+[[nodiscard]] int flatAxisOf(const Box<double>& box);
+
+/// Whether a surface has an edge between those of some points near it whose unit normals differ
+/// most. `flatAxis`: see flatAxisOf().
+[[nodiscard]] bool isKinked(const FluidField& field, std::span<const Vec3<double>> points,
+                            std::span<const Vec3<double>> normals, int flatAxis);
+
 /// A face of a box across an axis, as a flat box.
 [[nodiscard]] Box<double> faceOf(Box<double> box, int axis, bool isHigh);
 
@@ -78,8 +86,6 @@ class BoxView {
   [[nodiscard]] std::optional<Vec3<double>> hiddenPoint() const;
   /// One in one of the faces of a box, which are searched by themselves.
   [[nodiscard]] std::optional<Vec3<double>> hiddenPointInFaces() const;
-  /// The same of one of several operands here: whatever the others do, a part of it may be seen.
-  [[nodiscard]] std::optional<Vec3<double>> hiddenOperand() const;
   /// Axes along which the wall is a graph, and its rims on the ends of lines are; the best ones if
   /// `isGood` says that these are none.
   [[nodiscard]] SweepAxes bestAxes(bool& isGood) const;
@@ -87,7 +93,7 @@ class BoxView {
   /// the wall is no graph along that axis, whatever edges tell.
   [[nodiscard]] std::optional<Vec3<double>> pointAgainstGraph(int axis) const;
   /// Whether the wall has an edge between the crossings with the most different normals.
-  [[nodiscard]] bool hasKink() const;
+  [[nodiscard]] bool hasKink() const { return isKinked(field_, places_, normals_, flatAxis_); }
   /// Whether values along lines of this axis seem to have no turning points.
   [[nodiscard]] bool isMonotone(int axis) const;
   /// The coordinates at which edges along an axis cross the wall, ascending.

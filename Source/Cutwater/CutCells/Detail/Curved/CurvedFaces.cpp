@@ -38,11 +38,11 @@ CurvedFace openPartsOf(const FluidField& field, const BoxView& face, FluidRule& 
   const double whole = areaOf(face.box());
   if (area <= kNothingOfCell * whole) return {};
   if (area >= (1 - kNothingOfCell) * whole) return wholeFace(face.box(), rule);
-  FluidParts connected(field, face, rule.points().spans);
+  FluidParts connected(field, face, rule.points());
   CurvedFace result{.parts = {}, .gap = rule.gap()};
   result.parts.resize(std::max<std::size_t>(1, connected.count()));
   for (const auto& span : rule.points().spans) {
-    addSpan(span, result.parts[connected.at(span.middle())]);
+    addSpan(span, result.parts[connected.of(span.block, span.middle())]);
   }
   const auto isNothing = [&](const OpenPart& part) { return part.area <= kNothingOfCell * whole; };
   std::uint32_t count = 0;

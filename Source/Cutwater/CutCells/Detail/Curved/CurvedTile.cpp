@@ -180,11 +180,11 @@ class CurvedTile {
     out_.error.push_back(gap);
     cells_.push_back({.cell = number, .firstPiece = pieceCount(), .parts = {}, .pieceOfPart = {}});
     auto& here = cells_.back();
-    FluidParts parts(field_, view, rule_.points().spans);
+    FluidParts parts(field_, view, rule_.points());
     std::vector<PieceRule> rules(std::max<std::size_t>(1, parts.count()));
-    for (const auto& span : rule_.points().spans) rules[parts.at(span.middle())].add(span);
+    for (const auto& span : rule_.points().spans) rules[parts.of(span.block, span.middle())].add(span);
     for (const auto& wall : rule_.points().walls) {
-      rules[parts.at(wall.inside)].points.walls.push_back(wall);
+      rules[parts.of(wall.block, wall.inside)].points.walls.push_back(wall);
     }
     if (rules.size() > 1) {
       forOpenParts(cell, [&](const OpenPart& part) { rules[parts.at(part.inside)].isOpen = true; });
@@ -305,12 +305,22 @@ class CurvedTile {
   TileCut out_;
 };
 
-/// A field in a tile, with the operands there, if it has any.
+/// The longest diagonal of cells between planes, or more.
+double longestDiagonal(const GridPlanes& planes) {
+  Vec3<double> steps;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < planes.cells(axis); ++i) {
+      steps[axis] = std::max(steps[axis], planes.at(axis, i + 1) - planes.at(axis, i));
+    }
+  }
+  return length(steps);
+}
+
+/// A field in a tile, with the surfaces that its walls lie in there, if they are known.
 class NearField {
  public:
-  NearField(const FluidField& field, const GridPlanes& planes) : field_(field) {
-    if (!field.operands().empty()) near_ = fieldIn(field, boxOf(planes));
-  }
+  NearField(const FluidField& field, const GridPlanes& planes)
+      : field_(field), near_(fieldIn(field, boxOf(planes), longestDiagonal(planes))) {}
   [[nodiscard]] const FluidField& field() const { return near_ ? *near_ : field_; }
 
  private:

@@ -1,48 +1,15 @@
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/CutCells/Detail/Curved/FluidField.hpp>
 #include <Cutwater/Grid/Detail/VolumeSearch.hpp>
-#include <Cutwater/Operations/Detail/Combination.hpp>
-#include <Cutwater/Operations/Detail/Complement.hpp>
-#include <Cutwater/Operations/Detail/Labelled.hpp>
-#include <Cutwater/Operations/Detail/SymmetricDifference.hpp>
+#include <Cutwater/Shapes/Plane.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cutwater {
 
 namespace {
-
-/// Appends the solids, each where it is in the world, of which one is a union or the like.
-template <std::floating_point T>
-void addOperands(const Solid<T>& solid, std::vector<Solid<T>>& found) {
-  const auto add = [&](Solid<T> operand) {
-    operand.setPlacement(RigidTransform<T>::composed(operand.placement(), solid.placement()));
-    addOperands(operand, found);
-  };
-  if (const auto* combination = solid.template as<Combination<T>>()) {
-    for (const auto& operand : combination->operands()) add(operand);
-  } else if (const auto* difference = solid.template as<SymmetricDifference<T>>()) {
-    for (const auto& operand : difference->operands()) add(operand);
-  } else if (const auto* complement = solid.template as<Complement<T>>()) {
-    add(complement->operand());
-  } else if (const auto* labelled = solid.template as<Labelled<T>>()) {
-    add(labelled->operand());
-  } else {
-    found.push_back(solid);
-  }
-}
-
-template <std::floating_point T>
-FluidField::Operands operandsOf(const Solid<T>& solid) {
-  constexpr std::size_t kMost = 1000;  // as each is asked in each tile
-  std::vector<Solid<T>> found;
-  addOperands(solid, found);
-  FluidField::Operands operands;
-  if (found.size() < 2 || found.size() > kMost) return operands;
-  for (const auto& operand : found) operands.push_back(fluidBeside(operand, FluidSide::Outside));
-  return operands;
-}
 
 template <std::floating_point T>
 class SolidField final : public FluidField {
@@ -53,13 +20,12 @@ class SolidField final : public FluidField {
             {.steepness = double{guarantee.lipschitz.value_or(T(0))},
              .domain = {Vec3<double>(guarantee.domain.lower), Vec3<double>(guarantee.domain.upper)},
              .isSingle = std::is_same_v<T, float>,
+             .isFlat = solid.template as<Plane<T>>() != nullptr,
              .patchNames = solid.patchNames()}),
         solid_(solid),
         roundingPerLength_(double{guarantee.ulps} * double{std::numeric_limits<T>::epsilon()}),
         size_(guarantee.size),
-        sign_(side == FluidSide::Outside ? 1 : -1) {
-    setOperands(operandsOf<T>(solid));
-  }
+        sign_(side == FluidSide::Outside ? 1 : -1) {}
 
   void values(std::span<const Vec3<double>> points, std::span<double> values) const override {
     constexpr std::size_t kBatch = 64;
@@ -104,6 +70,15 @@ class SolidField final : public FluidField {
     });
     return sign_ > 0 ? found.porosity() : found.solidFraction();
   }
+  Surfaces surfacesIn(const Box<double>& box) const override {
+    Surfaces found;
+    solid_.surfacesIn(ofSolid(box), [&](const Solid<T>& surface, const Solid<T>* operand) {
+      if (&surface == &solid_) return;
+      found.push_back({fluidBeside(surface, FluidSide::Outside), nullptr});
+      if (operand != &surface) found.back().operand = fluidBeside(*operand, FluidSide::Outside);
+    });
+    return found;
+  }
 
  private:
   [[nodiscard]] static Box<T> ofSolid(const Box<double>& box) {
@@ -122,12 +97,10 @@ class SolidField final : public FluidField {
 
 class Section final : public FluidField {
  public:
-  Section(const FluidField& field, double z) : FluidField(factsAt(field, z)), field_(field), z_(z) {
-    Operands operands;
-    for (const auto& operand : field.operands()) {
-      operands.push_back(std::make_shared<const Section>(*operand, z));
-    }
-    setOperands(std::move(operands));
+  Section(const FluidField& field, double z) : FluidField(factsAt(field, z)), field_(field), z_(z) {}
+  /// Of a field that it owns.
+  Section(std::shared_ptr<const FluidField> field, double z) : Section(*field, z) {
+    owned_ = std::move(field);
   }
 
   void values(std::span<const Vec3<double>> points, std::span<double> values) const override {
@@ -153,6 +126,17 @@ class Section final : public FluidField {
   Interval<double> shareOf(const Box<double>& box, double width, std::size_t boxes) const override {
     return field_.shareOf(inPlane(box), width, boxes);
   }
+  Surfaces surfacesIn(const Box<double>& box) const override {
+    auto found = field_.surfacesIn(inPlane(box));
+    const auto section = [&](std::shared_ptr<const FluidField>& field) {
+      if (field) field = std::make_shared<const Section>(std::move(field), z_);
+    };
+    for (auto& surface : found) {
+      section(surface.field);
+      section(surface.operand);
+    }
+    return found;
+  }
 
  private:
   static Facts factsAt(const FluidField& field, double z) {
@@ -168,17 +152,21 @@ class Section final : public FluidField {
     return {inPlane(box.lower), inPlane(box.upper)};
   }
 
+  std::shared_ptr<const FluidField> owned_;
   const FluidField& field_;
   double z_;
 };
 
 class FieldInBox final : public FluidField {
  public:
-  FieldInBox(const FluidField& field, const Box<double>& box)
-      : FluidField(field.facts()), field_(field) {
-    Operands near;
-    field.forOperandsNear(box, [&](const auto& operand) { near.push_back(operand); });
-    if (near.size() > 1) setOperands(std::move(near));
+  FieldInBox(const FluidField& field, Surfaces surfaces, const Box<double>& box, double reach)
+      : FluidField(field.facts()), field_(field), surfaces_(std::move(surfaces)), box_(box) {
+    for (std::uint32_t part = 0; part < inPart_.size(); ++part) {
+      const auto around = boxOf(part).grown(reach);
+      for (const auto& surface : surfaces_) {
+        if (surface.mayMeet(around)) inPart_[part].push_back(&surface);
+      }
+    }
   }
 
   void values(std::span<const Vec3<double>> points, std::span<double> values) const override {
@@ -194,15 +182,55 @@ class FieldInBox final : public FluidField {
   Interval<double> shareOf(const Box<double>& box, double width, std::size_t boxes) const override {
     return field_.shareOf(box, width, boxes);
   }
+  Surfaces surfacesIn(const Box<double>& box) const override { return field_.surfacesIn(box); }
+  bool knowsSurfaces() const override { return true; }
+  std::vector<const FluidField*> surfacesNear(const Box<double>& box) const override {
+    std::vector<const FluidField*> near;
+    for (const auto* surface : inPart_[partAt(box.center())]) {
+      if (surface->mayMeet(box)) near.push_back(surface->field.get());
+    }
+    return near;
+  }
 
  private:
+  static constexpr std::uint32_t kParts = 4;  // along each axis
+
+  [[nodiscard]] Box<double> boxOf(std::uint32_t part) const {
+    const auto step = (1.0 / kParts) * box_.size();
+    Box<double> box;
+    for (int axis = 0; axis < 3; ++axis, part /= kParts) {
+      box.lower[axis] = box_.lower[axis] + (part % kParts) * step[axis];
+      box.upper[axis] = box.lower[axis] + step[axis];
+    }
+    return box;
+  }
+  [[nodiscard]] std::size_t partAt(const Vec3<double>& point) const {
+    const auto size = box_.size();
+    std::size_t part = 0;
+    for (const int axis : {2, 1, 0}) {
+      const double share = size[axis] > 0 ? (point[axis] - box_.lower[axis]) / size[axis] : 0;
+      part = part * kParts +
+             static_cast<std::size_t>(std::clamp(share * kParts, 0.0, kParts - 1.0));
+    }
+    return part;
+  }
+
   const FluidField& field_;
+  Surfaces surfaces_;
+  Box<double> box_;
+  /// Those that may meet boxes whose middles lie in a part of the box.
+  std::array<std::vector<const Surface*>, kParts * kParts * kParts> inPart_;
 };
 
 }  // namespace
 
-std::unique_ptr<const FluidField> fieldIn(const FluidField& field, const Box<double>& box) {
-  return std::make_unique<const FieldInBox>(field, box);
+std::unique_ptr<const FluidField> fieldIn(const FluidField& field, const Box<double>& box,
+                                          double reach) {
+  constexpr std::size_t kMost = 4000;
+  const auto around = box.grown(reach);
+  auto surfaces = field.surfacesIn(around);
+  if (surfaces.empty() || surfaces.size() > kMost) return nullptr;
+  return std::make_unique<const FieldInBox>(field, std::move(surfaces), box, reach);
 }
 
 std::unique_ptr<const FluidField> sectionAt(const FluidField& field, double z) {

@@ -24,6 +24,7 @@ class FluidField {
     double steepness = 0;   ///< a Lipschitz constant; 0: none is known
     Box<double> domain;     ///< where it holds
     bool isSingle = false;  ///< boxes must be numbers of single precision
+    bool isFlat = false;    ///< the surface is a plane
     std::vector<std::string> patchNames;
   };
   explicit FluidField(Facts facts) : facts_(std::move(facts)) {}
@@ -67,30 +68,35 @@ class FluidField {
   [[nodiscard]] const std::vector<std::string>& patchNames() const { return facts_.patchNames; }
   [[nodiscard]] const Facts& facts() const { return facts_; }
 
-  /// The operands of a union, an intersection or a difference, and theirs: the surface lies in
-  /// theirs. None, if it is none of these, or has too many.
-  using Operands = std::vector<std::shared_ptr<const FluidField>>;
-  [[nodiscard]] const Operands& operands() const { return operands_; }
-  /// Calls visit(operand) for those whose surfaces may meet a box, or a segment.
-  template <typename Visit>
-  void forOperandsNear(const Box<double>& box, const Visit& visit) const {
-    for (const auto& operand : operands_) {
-      if (operand->mayReach(box)) visit(operand);
-    }
-  }
+  /// One of the surfaces in which walls lie, each smooth as far as is known.
+  struct Surface {
+    std::shared_ptr<const FluidField> field;    ///< zero in it
+    std::shared_ptr<const FluidField> operand;  ///< in whose surface walls lie as well; null: none
 
- protected:
-  void setOperands(Operands operands) { operands_ = std::move(operands); }
+    [[nodiscard]] bool mayMeet(const Box<double>& box) const {
+      return field->mayReach(box) && (operand == nullptr || operand->mayReach(box));
+    }
+  };
+  using Surfaces = std::vector<Surface>;
+  /// Those that walls in a box lie in, and perhaps others; none, if the only one is that of this
+  /// field itself.
+  [[nodiscard]] virtual Surfaces surfacesIn(const Box<double>& box) const = 0;
+  /// Whether the field knows them, of all of itself: see fieldIn().
+  [[nodiscard]] virtual bool knowsSurfaces() const { return false; }
+  /// Those that may meet a box, then. What is found of a box does not depend on the field's.
+  [[nodiscard]] virtual std::vector<const FluidField*> surfacesNear(
+      const Box<double>& /*box*/) const {
+    return {};
+  }
 
  private:
   Facts facts_;
-  Operands operands_;
 };
 
-/// A field in a box: it knows the operands alone whose surfaces may be there; none, if that is one.
-/// Views the field.
+/// A field for boxes that lie in one, with diagonals up to `reach`: it knows the surfaces in which
+/// walls lie there. Null, if there is none but the field's own, or too many. Views the field.
 [[nodiscard]] std::unique_ptr<const FluidField> fieldIn(const FluidField& field,
-                                                        const Box<double>& box);
+                                                        const Box<double>& box, double reach);
 
 /// Of a solid, with the fluid on this side of its surface.
 template <std::floating_point T>

@@ -1,5 +1,6 @@
 #include <Cutwater/CutCells/Detail/Curved/FluidRule.hpp>
 #include <Cutwater/CutCells/Detail/Curved/KinkSweep.hpp>
+#include <Cutwater/CutCells/Detail/Curved/SurfaceSweep.hpp>
 
 #include <algorithm>
 #include <array>
@@ -8,6 +9,9 @@
 namespace cutwater {
 
 namespace {
+
+constexpr int kMostHalvings = 4;  // along each axis
+constexpr int kMostParts = 400;
 
 /// The area of the largest side of a box; the length of that of a rectangle.
 double largestSide(const BoxView& view) {
@@ -58,40 +62,47 @@ void FluidRule::findIn(const BoxView& rectangle, double tolerance) {
 }
 
 void FluidRule::findIn(const BoxView& view, const OpenSides& sides, double tolerance) {
-  constexpr int kMostHalvings = 2;
   constexpr int kMostLines = 6000;
+  struct Attempt {
+    int points = 0;    // of each Gauss rule
+    int halvings = 0;  // along each axis
+  };
+  const std::array<Attempt, 4> attempts{
+      {{fewest_, 0}, {kMostGaussPoints, 0}, {kMostGaussPoints, 1}, {fewest_, 2}}};
   flatAxis_ = view.flatAxis();
   parts_ = 0;
   linesLeft_ = kMostLines;
-  const bool isFoundInFaces = isPierced(view, sides) && !view.hiddenPoint();
+  const bool isFoundInFaces = !field_.knowsSurfaces() && isPierced(view, sides) && !view.hiddenPoint();
   const auto pierced = isFoundInFaces ? view.hiddenPointInFaces() : std::nullopt;
-  for (int halvings = 0; halvings <= kMostHalvings; ++halvings) {
+  bool isFirst = true;
+  for (const auto& [points, halvings] : attempts) {
+    gauss_ = gaussPoints(points);
     std::swap(points_, best_);
     points_.clear();
     missed_ = 0;
-    if (pierced) {
+    if (field_.knowsSurfaces()) {
+      addBetweenSurfaces(view.box(), field_.surfacesNear(view.box()), 0, halvings);
+    } else if (pierced) {
       splitAt(view.box(), *pierced, 0, halvings);
     } else {
       addPart(view, 0, halvings);
     }
     const double gap = gapIn(view, sides);
-    if (halvings == 0 || gap < gap_) {
+    if (isFirst || gap < gap_) {
       gap_ = gap;
     } else {
       std::swap(points_, best_);
     }
+    isFirst = false;
     if (gap_ <= tolerance) return;
   }
 }
 
 void FluidRule::takeAll(const Box<double>& box) {
-  int flatAxis = -1;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (box.lower[axis] == box.upper[axis]) flatAxis = axis;
-  }
   points_.clear();
   gap_ = 0;
-  addWhole(box, flatAxis);
+  gauss_ = gaussPoints(fewest_);
+  addWhole(box, flatAxisOf(box));
 }
 
 double FluidRule::gapIn(const BoxView& view, const OpenSides& sides) const {
@@ -117,15 +128,11 @@ double FluidRule::gapIn(const BoxView& view, const OpenSides& sides) const {
 }
 
 void FluidRule::addPart(const BoxView& view, int depth, int halvings) {
-  constexpr int kMostHalvings = 4;  // along each axis
-  constexpr int kMostParts = 400;
   const auto& box = view.box();
   const int dimension = view.flatAxis() < 0 ? 3 : 2;
   ++parts_;
   const bool mayHalve = depth < kMostHalvings * dimension && parts_ < kMostParts;
   if (mayHalve && splitAtTurn(view, depth, halvings)) return;
-  const auto hidden = mayHalve ? view.hiddenOperand() : std::nullopt;
-  if (hidden) return splitAt(box, *hidden, depth, halvings);
   if (!view.isCrossed()) return addUncrossed(view, depth, halvings, mayHalve);
   bool isGood = false;
   const auto axes = view.bestAxes(isGood);
@@ -140,6 +147,42 @@ void FluidRule::addPart(const BoxView& view, int depth, int halvings) {
   const auto other = mayHalve ? view.pointAgainstGraph(axes.line) : std::nullopt;
   if (other) return splitAt(box, *other, depth, halvings);
   sweep(view, axes);
+}
+
+/// Where the surfaces that the wall lies in are known.
+void FluidRule::addBetweenSurfaces(const Box<double>& box,
+                                   std::span<const FluidField* const> surfaces, int depth,
+                                   int halvings) {
+  const int dimension = flatAxis_ < 0 ? 3 : 2;
+  ++parts_;
+  const auto divide = [&](int axis, double at) {
+    auto low = box;
+    auto high = box;
+    low.upper[axis] = at;
+    high.lower[axis] = at;
+    for (const auto& half : {low, high}) {
+      std::vector<const FluidField*> near;
+      std::ranges::copy_if(surfaces, std::back_inserter(near),
+                           [&](const FluidField* surface) { return surface->mayReach(half); });
+      addBetweenSurfaces(half, near, depth + 1, halvings);
+    }
+  };
+  const bool mayHalve = depth < kMostHalvings * dimension && parts_ < kMostParts;
+  const SurfaceSweep sweep(field_, gauss_, box, surfaces);
+  if (sweep.isUncrossed()) {
+    if (field_.value(box.center()) > 0) addWhole(box, flatAxis_);
+  } else if (sweep.hasKink()) {
+    addPart(BoxView(field_, box), depth, halvings);
+  } else if (mayHalve && !sweep.isGood()) {
+    const auto [axis, at] = sweep.division();
+    divide(axis, at);
+  } else if (mayHalve && depth < halvings * dimension) {
+    const int longest = nearestAxis(box.size());
+    divide(longest, box.center()[longest]);
+  } else {
+    sweep.run(rims_, crossings_, points_);
+    points_.isOneSided = depth == 0 && sweep.isOneSided();
+  }
 }
 
 /// Along the first axis in which a turning point lies inside: then it is on the rim of both parts.
@@ -207,27 +250,31 @@ void FluidRule::splitAt(const Box<double>& box, const Vec3<double>& found, int d
 
 void FluidRule::addWhole(const Box<double>& box, int flatAxis) {
   const SweepAxes axes{(flatAxis + 1) % 3, (flatAxis + 2) % 3, (flatAxis + 3) % 3};
-  const auto addSlice = [&](double slice, double weight) {
+  const auto block = points_.blockAt({.sweep = points_.sweeps++}, 1, 0);
+  const auto addSlice = [&](double slice, double weight, std::uint32_t) {
     forStretches(gauss_, box.lower[axes.row], std::array{box.upper[axes.row]},
-                 [&](double row, double rowWeight) {
-                   points_.spans.push_back({lineAt(box, axes, slice, row), weight * rowWeight});
+                 [&](double row, double rowWeight, std::uint32_t) {
+                   points_.spans.push_back(
+                       {lineAt(box, axes, slice, row), weight * rowWeight, block});
                  });
   };
-  if (flatAxis >= 0) return addSlice(box.lower[axes.slice], 1);
+  if (flatAxis >= 0) return addSlice(box.lower[axes.slice], 1, 0);
   forStretches(gauss_, box.lower[axes.slice], std::array{box.upper[axes.slice]}, addSlice);
 }
 
 void FluidRule::sweep(const BoxView& view, const SweepAxes& axes) {
   const auto& box = view.box();
   // Slices at Gauss points between the places where rims leave through the ends of rows.
-  std::vector<GaussPoint> slices;
-  const auto addSlice = [&](double at, double weight) { slices.push_back({at, weight}); };
+  std::vector<SweptSlice> slices;
   if (flatAxis_ >= 0) {
-    addSlice(box.lower[axes.slice], 1);
+    slices.push_back({box.lower[axes.slice], 1, 0});
   } else {
     auto ends = view.crossingsAlong(axes.slice);
     ends.push_back(box.upper[axes.slice]);
-    forStretches(gauss_, box.lower[axes.slice], ends, addSlice);
+    forStretches(gauss_, box.lower[axes.slice], ends,
+                 [&](double at, double weight, std::uint32_t stretch) {
+                   slices.push_back({at, weight, stretch});
+                 });
   }
   rows_.clear();
   for (const auto& slice : slices) {
@@ -237,8 +284,7 @@ void FluidRule::sweep(const BoxView& view, const SweepAxes& axes) {
     }
   }
   rims_.find(rows_);
-  lines_.clear();
-  weights_.clear();
+  SweptLines lines{.sweep = points_.sweeps++};
   const bool mayTurn = !view.isMonotone(axes.line);
   std::vector<double> ends;
   for (std::size_t i = 0; i < slices.size(); ++i) {
@@ -247,18 +293,13 @@ void FluidRule::sweep(const BoxView& view, const SweepAxes& axes) {
       const auto found = rims_.of(row);
       ends.insert(ends.end(), found.begin(), found.end());
     }
-    std::ranges::sort(ends);
-    ends.push_back(box.upper[axes.row]);
-    forStretches(gauss_, box.lower[axes.row], ends, [&](double row, double weight) {
-      lines_.push_back(lineAt(box, axes, slices[i].at, row));
-      lines_.back().mayTurn = mayTurn;
-      weights_.push_back(slices[i].weight * weight);
-    });
+    lines.addRow(gauss_, box, axes, slices[i], ends, mayTurn);
   }
-  crossings_.find(lines_);
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    addLinePoints(field_, crossings_, i, {lines_[i], weights_[i]}, {.flatAxis = flatAxis_},
-                  points_);
+  crossings_.find(lines.lines);
+  for (std::size_t i = 0; i < lines.lines.size(); ++i) {
+    addLinePoints(field_, crossings_, i, {lines.lines[i], lines.weights[i]},
+                  {.flatAxis = flatAxis_, .withFluid = true, .place = lines.places[i]},
+                  [](const FluidField*, const Vec3<double>&) { return true; }, points_);
   }
 }
 

@@ -24,12 +24,13 @@ struct OpenSides {
 /// Where the wall is no graph, boxes are halved. What is found of a box depends on it alone.
 class FluidRule {
  public:
-  /// `points`: of each Gauss rule.
+  /// `points`: of each Gauss rule, where that is enough.
   FluidRule(const FluidField& field, int points)
-      : field_(field), gauss_(gaussPoints(points)), rims_(field), crossings_(field) {}
+      : field_(field), fewest_(points), rims_(field), crossings_(field) {}
 
   /// The fluid in a box with these open sides, and its wall. If gap() is larger than `tolerance`,
-  /// the box is halved, up to twice; what has the least gap counts.
+  /// with the most points that rules have, then also in halves of the box; what has the least gap
+  /// counts.
   void findIn(const BoxView& box, const OpenSides& sides, double tolerance);
   /// That in a rectangle, likewise; its edges tell what is open.
   void findIn(const BoxView& rectangle, double tolerance);
@@ -45,6 +46,8 @@ class FluidRule {
  private:
   [[nodiscard]] double gapIn(const BoxView& view, const OpenSides& sides) const;
   void addPart(const BoxView& view, int depth, int halvings);
+  void addBetweenSurfaces(const Box<double>& box, std::span<const FluidField* const> surfaces,
+                          int depth, int halvings);
   void addUncrossed(const BoxView& view, int depth, int halvings, bool mayHalve);
   [[nodiscard]] bool splitAtTurn(const BoxView& view, int depth, int halvings);
   void split(const Box<double>& box, int axis, double at, int depth, int halvings);
@@ -54,12 +57,11 @@ class FluidRule {
   void sweep(const BoxView& view, const SweepAxes& axes);
 
   const FluidField& field_;
-  std::span<const GaussPoint> gauss_;
+  int fewest_;
+  std::span<const GaussPoint> gauss_;  // of the attempt at hand
   LineCrossings rims_;       // of rows along the ends of lines
   LineCrossings crossings_;  // of lines
   std::vector<AxisLine> rows_;
-  std::vector<AxisLine> lines_;
-  std::vector<double> weights_;  // of lines
   int flatAxis_ = -1;
   RulePoints points_;
   RulePoints best_;

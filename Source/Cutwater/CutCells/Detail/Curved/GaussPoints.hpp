@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace cutwater {
@@ -57,15 +58,17 @@ inline constexpr int kMostGaussPoints = 6;
   return std::span(kTable.points).subspan(kTable.first[count], count);
 }
 
-/// Calls visit(at, weight) for the points of a rule in each stretch from `low` on, between
-/// ascending ends; empty ones have none.
+/// Calls visit(at, weight, number of the stretch) for the points of a rule in each stretch from
+/// `low` on, between ascending ends; empty ones have none.
 template <typename Ends, typename Visit>
 void forStretches(std::span<const GaussPoint> rule, double low, const Ends& ends,
                   const Visit& visit) {
+  std::uint32_t stretch = 0;
   for (const double high : ends) {
     if (!(high > low)) continue;
-    for (const auto& g : rule) visit(low + g.at * (high - low), g.weight * (high - low));
+    for (const auto& g : rule) visit(low + g.at * (high - low), g.weight * (high - low), stretch);
     low = high;
+    ++stretch;
   }
 }
 

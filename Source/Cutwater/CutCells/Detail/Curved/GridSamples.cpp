@@ -77,7 +77,8 @@ BoxSamples GridSamples::of(const TilePlace& cell, int flatAxis) {
     const auto node =
         cornerOf(cell, isOfRectangle(corner, flatAxis) ? corner : corner - (1 << flatAxis));
     samples.values[static_cast<std::size_t>(corner)] = valueAt(node);
-    samples.gradients[static_cast<std::size_t>(corner)] = gradientAt(node);
+    // Not looked at where surfaces are known.
+    if (!field_.knowsSurfaces()) samples.gradients[static_cast<std::size_t>(corner)] = gradientAt(node);
   }
   for (int axis = 0; axis < 3; ++axis) {
     if (axis == flatAxis) continue;

@@ -197,20 +197,28 @@ KinkSweep::States KinkSweep::statesOfRow(double slice) {
 }
 
 void KinkSweep::measure(bool withFluid) {
-  if (view_.flatAxis() >= 0) return addSlice(box_.lower[axes_.slice], 1, withFluid);
+  sweep_ = to_.sweeps++;
+  if (view_.flatAxis() >= 0) return addSlice({box_.lower[axes_.slice], 1, 0}, withFluid);
   const StatesAt statesAt = [&](double slice) { return statesOfRow(slice); };
   forStretches(gauss_, box_.lower[axes_.slice],
                breaks(axes_.slice, view_.crossingsAlong(axes_.slice), statesAt),
-               [&](double at, double weight) { addSlice(at, weight, withFluid); });
+               [&](double at, double weight, std::uint32_t stretch) {
+                 addSlice({at, weight, stretch}, withFluid);
+               });
 }
 
-void KinkSweep::addSlice(double at, double weight, bool withFluid) {
-  const LineTaking taking{view_.flatAxis(), withFluid, !isGraph_};
-  forStretches(gauss_, box_.lower[axes_.row], breaksOfRow(at), [&](double row, double rowWeight) {
-    const auto line = lineAt(box_, axes_, at, row);
-    found_.find({&line, 1});
-    addLinePoints(field_, found_, 0, {line, weight * rowWeight}, taking, to_);
-  });
+void KinkSweep::addSlice(const SweptSlice& slice, bool withFluid) {
+  const auto takesWall = [&](const FluidField*, const Vec3<double>& normal) {
+    return isGraph_ || nearestAxis(normal) == axes_.line;
+  };
+  SweptLines swept{.sweep = sweep_};
+  auto ends = breaksOfRow(slice.at);
+  swept.addRow(gauss_, box_, axes_, slice, ends);
+  for (std::size_t i = 0; i < swept.lines.size(); ++i) {
+    found_.find({&swept.lines[i], 1});
+    addLinePoints(field_, found_, 0, {swept.lines[i], swept.weights[i]},
+                  {view_.flatAxis(), withFluid, swept.places[i]}, takesWall, to_);
+  }
 }
 
 }  // namespace cutwater

@@ -58,7 +58,7 @@ class KinkSweep {
   [[nodiscard]] Change changeBetween(const States& a, const States& b) const;
 
   void measure(bool withFluid);
-  void addSlice(double at, double weight, bool withFluid);
+  void addSlice(const SweptSlice& slice, bool withFluid);
   [[nodiscard]] std::vector<double> breaksOfRow(double slice);
   [[nodiscard]] States statesOfRow(double slice);
   [[nodiscard]] State stateOf(const AxisLine& line);
@@ -77,6 +77,7 @@ class KinkSweep {
   int& linesLeft_;
   RulePoints& to_;
   SweepAxes axes_;
+  std::uint32_t sweep_ = 0;  // the number of this one
   bool isGraph_ = true;
   LineCrossings found_;
 };

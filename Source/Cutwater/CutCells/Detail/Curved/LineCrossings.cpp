@@ -39,22 +39,45 @@ void LineCrossings::Bracket::take(double at, double value) {
 }
 
 void LineCrossings::find(std::span<const AxisLine> lines) {
+  if (field_->knowsSurfaces()) {
+    Box<double> around;
+    for (const auto& line : lines) around.extend(Box<double>{line.start, line.endPoint()});
+    return find(lines, field_->surfacesNear(around));
+  }
+  begin();
   evaluateEnds(lines);
-  brackets_.clear();
-  first_.assign(1, 0);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const double from = ends_[2 * i];
-    const double to = ends_[2 * i + 1];
-    if (field_->operands().empty()) {
-      addBrackets(lines[i], from, to);
-    } else {
-      addBetweenOperands(lines[i], from, to);
-    }
+    startsInFluid_.push_back(ends_[2 * i] > 0 ? 1 : 0);
+    addBrackets(lines[i], ends_[2 * i], ends_[2 * i + 1]);
     first_.push_back(brackets_.size());
   }
   solve();
-  positions_.clear();
   for (const auto& bracket : brackets_) positions_.push_back(bracket.root);
+}
+
+void LineCrossings::find(std::span<const AxisLine> lines,
+                         std::span<const FluidField* const> surfaces) {
+  begin();
+  findRoots(lines, surfaces);
+  evaluateStretches(lines);
+  auto root = roots_.begin();
+  auto middle = values_.begin();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto first = root;
+    while (root != roots_.end() && root->line == i) ++root;
+    const auto stretches = root - first + 1;
+    addCrossings(lines[i], zeroEnds_[i], {first, root}, {middle, middle + stretches});
+    middle += stretches;
+    first_.push_back(positions_.size());
+  }
+}
+
+void LineCrossings::begin() {
+  brackets_.clear();
+  positions_.clear();
+  surfaceOf_.clear();
+  startsInFluid_.clear();
+  first_.assign(1, 0);
 }
 
 void LineCrossings::addBrackets(const AxisLine& line, double from, double to) {
@@ -62,42 +85,74 @@ void LineCrossings::addBrackets(const AxisLine& line, double from, double to) {
   double value = 0;
   if ((from > 0) != (to > 0)) {
     addBracket(line, line.start[line.axis], from, line.end, to);
-  } else if (line.mayTurn &&
+  } else if (line.mayTurn && !field_->facts().isFlat &&
              (findTurn(line, from, to, at, value) || findHidden(line, from, to, at, value))) {
     addBracket(line, line.start[line.axis], from, at, value);
     addBracket(line, at, value, line.end, to);
   }
 }
 
-/// Between the ends and the middles between where operands are crossed.
-void LineCrossings::addBetweenOperands(const AxisLine& line, double from, double to) {
-  known_.clear();
-  near_.clear();
-  field_->forOperandsNear({line.start, line.endPoint()},
-                          [&](const auto& operand) { near_.push_back(operand.get()); });
-  const bool isOne = near_.size() == 1 && (from > 0) != (to > 0);
-  if (isOne) return addBracket(line, line.start[line.axis], from, line.end, to);
-  for (const auto* operand : near_) {
-    if (!ofOperand_) ofOperand_ = std::make_unique<LineCrossings>(*operand);
-    ofOperand_->field_ = operand;
-    auto whole = line;
-    whole.mayTurn = true;
-    ofOperand_->find({&whole, 1});
-    known_.insert(known_.end(), ofOperand_->positions_.begin(), ofOperand_->positions_.end());
+/// Where lines cross the surfaces, each of which is asked for all lines.
+void LineCrossings::findRoots(std::span<const AxisLine> lines,
+                              std::span<const FluidField* const> surfaces) {
+  constexpr double kSame = 1e-13;  // of a line
+  roots_.clear();
+  zeroEnds_.assign(lines.size(), {});
+  if (!ofSurface_) ofSurface_ = std::make_unique<LineCrossings>(*field_);
+  auto& found = *ofSurface_;
+  for (const auto* surface : surfaces) {
+    found.field_ = surface;
+    found.find(lines);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (found.ends_[2 * i] == 0) zeroEnds_[i].start = surface;
+      if (found.ends_[2 * i + 1] == 0) zeroEnds_[i].end = surface;
+      for (const double at : found.of(i)) roots_.push_back({i, at, surface});
+    }
   }
-  std::ranges::sort(known_);
-  double at = line.start[line.axis];
-  double value = from;
-  const auto goTo = [&](double next, double nextValue) {
-    if ((nextValue > 0) != (value > 0)) addBracket(line, at, value, next, nextValue);
-    at = next;
-    value = nextValue;
+  std::ranges::stable_sort(roots_, [](const Root& a, const Root& b) {
+    return a.line != b.line ? a.line < b.line : a.at < b.at;
+  });
+  // Surfaces that coincide are crossed once.
+  const auto isSame = [&](const Root& a, const Root& b) {
+    return a.line == b.line && b.at - a.at <= kSame * lines[a.line].length();
   };
-  for (std::size_t i = 1; i < known_.size(); ++i) {
-    const double middle = 0.5 * (known_[i - 1] + known_[i]);
-    goTo(middle, field_->value(line.at(middle)));
+  roots_.erase(std::unique(roots_.begin(), roots_.end(), isSame), roots_.end());
+}
+
+/// Values in the middles of stretches between roots.
+void LineCrossings::evaluateStretches(std::span<const AxisLine> lines) {
+  points_.clear();
+  auto root = roots_.begin();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    double from = lines[i].start[lines[i].axis];
+    const auto add = [&](double to) {
+      points_.push_back(lines[i].at(0.5 * (from + to)));
+      from = to;
+    };
+    for (; root != roots_.end() && root->line == i; ++root) add(root->at);
+    add(lines[i].end);
   }
-  goTo(line.end, to);
+  values_.resize(points_.size());
+  field_->values(points_, values_);
+}
+
+/// Where the side changes between stretches. An end that lies in the wall is in the body.
+void LineCrossings::addCrossings(const AxisLine& line, const ZeroEnds& zero,
+                                 std::span<const Root> roots, std::span<const double> middles) {
+  const auto add = [&](double at, const FluidField* surface) {
+    positions_.push_back(at);
+    surfaceOf_.push_back(surface);
+  };
+  const auto isInWall = [&](const FluidField* surface, const Vec3<double>& end) {
+    return surface != nullptr && !(field_->value(end) > 0);
+  };
+  const bool startsInWall = middles.front() > 0 && isInWall(zero.start, line.start);
+  startsInFluid_.push_back(middles.front() > 0 && !startsInWall ? 1 : 0);
+  if (startsInWall) add(line.start[line.axis], zero.start);
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    if ((middles[i + 1] > 0) != (middles[i] > 0)) add(roots[i].at, roots[i].surface);
+  }
+  if (middles.back() > 0 && isInWall(zero.end, line.endPoint())) add(line.end, zero.end);
 }
 
 void LineCrossings::evaluateEnds(std::span<const AxisLine> lines) {
@@ -129,6 +184,7 @@ void LineCrossings::addBracket(const AxisLine& line, double from, double fromVal
     if (value <= 0) bracket.body = beside, bracket.bodyValue = value;
   }
   brackets_.push_back(bracket);
+  surfaceOf_.push_back(nullptr);
 }
 
 /// Looks where the tangents at both ends meet, which is the edge of a wall that has one, and where

@@ -44,19 +44,27 @@ void forFluidStretches(const AxisLine& line, bool startsInFluid, std::span<const
 /// same side is searched for a point on the other one, by the derivatives at its ends, and then by
 /// what the field's steepness does not exclude.
 ///
-/// The surface of a union, and the like, lies in those of its operands: so it is looked for where
-/// lines cross these. That finds a thin plate beside another operand that is nearer to the line,
-/// and any number of crossings.
+/// If it is known in which surfaces the wall lies, each line is divided where it crosses these, and
+/// the value in the middle of each stretch tells what that is. So thin plates are found, and any
+/// number of crossings.
 class LineCrossings {
  public:
   explicit LineCrossings(const FluidField& field) : field_(&field) {}
 
   void find(std::span<const AxisLine> lines);
+  /// The same, given all the surfaces in which the wall lies near the lines.
+  void find(std::span<const AxisLine> lines, std::span<const FluidField* const> surfaces);
 
-  [[nodiscard]] bool startsInFluid(std::size_t line) const { return ends_[2 * line] > 0; }
+  [[nodiscard]] bool startsInFluid(std::size_t line) const {
+    return startsInFluid_[line] != 0;
+  }
   /// The coordinates, ascending, at which fluid begins or ends.
   [[nodiscard]] std::span<const double> of(std::size_t line) const {
     return std::span(positions_).subspan(first_[line], first_[line + 1] - first_[line]);
+  }
+  /// The surface that is crossed there, of those in which the wall is known to lie; null: unknown.
+  [[nodiscard]] const FluidField* surfaceAt(std::size_t line, std::size_t crossing) const {
+    return surfaceOf_[first_[line] + crossing];
   }
 
  private:
@@ -78,23 +86,41 @@ class LineCrossings {
     void take(double at, double value);
   };
 
+  /// Where a line crosses one of the surfaces in which walls lie.
+  struct Root {
+    std::size_t line = 0;
+    double at = 0;
+    const FluidField* surface = nullptr;
+  };
+  /// Whether the values at both ends of a line are zero on a surface.
+  struct ZeroEnds {
+    const FluidField* start = nullptr;
+    const FluidField* end = nullptr;
+  };
+
+  void begin();
   void evaluateEnds(std::span<const AxisLine> lines);
   void addBracket(const AxisLine& line, double from, double fromValue, double to, double toValue);
   void addBrackets(const AxisLine& line, double from, double to);
-  void addBetweenOperands(const AxisLine& line, double from, double to);
+  void findRoots(std::span<const AxisLine> lines, std::span<const FluidField* const> surfaces);
+  void evaluateStretches(std::span<const AxisLine> lines);
+  void addCrossings(const AxisLine& line, const ZeroEnds& zero, std::span<const Root> roots,
+                    std::span<const double> middles);
   /// A point of the line on the other side, between ends on the same one, if one is found.
   bool findTurn(const AxisLine& line, double from, double to, double& at, double& value) const;
   bool findHidden(const AxisLine& line, double from, double to, double& at, double& value) const;
   void solve();
 
   const FluidField* field_;
-  std::unique_ptr<LineCrossings> ofOperand_;
-  std::vector<const FluidField*> near_;  // operands that a line may cross
-  std::vector<double> known_;            // where a line crosses the surface of an operand
-  std::vector<double> ends_;             // values at both ends of each line
+  std::unique_ptr<LineCrossings> ofSurface_;
+  std::vector<Root> roots_;            // by line, ascending
+  std::vector<ZeroEnds> zeroEnds_;     // of each line
+  std::vector<double> ends_;           // values at both ends of each line
   std::vector<Bracket> brackets_;
+  std::vector<char> startsInFluid_;
   std::vector<std::size_t> first_;
   std::vector<double> positions_;
+  std::vector<const FluidField*> surfaceOf_;  // at each of these
   std::vector<std::size_t> open_;  // brackets that are not done
   std::vector<Vec3<double>> points_;
   std::vector<double> values_;

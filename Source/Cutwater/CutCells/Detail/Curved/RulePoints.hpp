@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Cutwater/CutCells/Detail/Curved/LineCrossings.hpp>
+#include <Cutwater/CutCells/Detail/Curved/BoxView.hpp>
+#include <Cutwater/CutCells/Detail/Curved/GaussPoints.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@ namespace cutwater {
 struct FluidSpan {
   AxisLine line;
   double weight = 0;
+  std::uint32_t block = kNone;  ///< see RulePoints
 
   [[nodiscard]] Vec3<double> middle() const {
     return line.at(0.5 * (line.start[line.axis] + line.end));
@@ -25,17 +27,58 @@ struct WallPoint {
   Vec3<double> normal;  ///< out of the fluid, unit; in a rectangle, in its plane
   double weight = 0;    ///< its share of the wall's area; of a length, in a rectangle
   Vec3<double> inside;  ///< a point of the fluid beside it
+  std::uint32_t block = kNone;  ///< of that
+};
+
+/// Where a line is in a sweep.
+struct LinePlace {
+  std::uint32_t sweep = 0;
+  std::uint32_t sliceStretch = 0;  ///< between places at which slices of rows change
+  std::uint32_t rowStretch = 0;    ///< between places at which lines of a row change
+  std::uint32_t rowStretches = 0;  ///< number of these in the row
+
+  bool operator==(const LinePlace&) const = default;
 };
 
 /// Quadrature of the fluid in boxes or rectangles, and of their walls.
+///
+/// Spans of one block are connected with each other: as what lines meet changes smoothly between
+/// the places that divide a sweep, the spans of lines between these, counted along each line, are
+/// parts of one piece.
 struct RulePoints {
   std::vector<FluidSpan> spans;
   std::vector<WallPoint> walls;
+  std::uint32_t sweeps = 0;
+  bool isOneSided = false;  ///< all of the fluid is on one side of a graph
+
+  /// The block of the spans of this number on lines with so many spans at a place.
+  [[nodiscard]] std::uint32_t blockAt(const LinePlace& place, std::uint32_t count,
+                                      std::uint32_t number) {
+    const Block block{place, count, number};
+    const auto known = std::find(blocks_.rbegin(), blocks_.rend(), block);  // mostly one of the last
+    if (known != blocks_.rend()) return static_cast<std::uint32_t>(blocks_.rend() - known - 1);
+    blocks_.push_back(block);
+    return static_cast<std::uint32_t>(blocks_.size() - 1);
+  }
+  [[nodiscard]] std::size_t blockCount() const { return blocks_.size(); }
 
   void clear() {
     spans.clear();
     walls.clear();
+    blocks_.clear();
+    sweeps = 0;
+    isOneSided = false;
   }
+
+ private:
+  struct Block {
+    LinePlace place;
+    std::uint32_t count = 0;
+    std::uint32_t number = 0;
+
+    bool operator==(const Block&) const = default;
+  };
+  std::vector<Block> blocks_;
 };
 
 /// The unit normal of the wall at a point, out of the fluid; in the plane across an axis, if that
@@ -49,36 +92,75 @@ struct RulePoints {
   return length(slope) > kTouching * steepness ? normalized(slope) : Vec3<double>{};
 }
 
+/// A slice of rows of lines.
+struct SweptSlice {
+  double at = 0;
+  double weight = 0;
+  std::uint32_t stretch = 0;  ///< see LinePlace
+};
+
+/// Lines of a sweep, with their weights and places.
+struct SweptLines {
+  std::uint32_t sweep = 0;
+  std::vector<AxisLine> lines = {};
+  std::vector<double> weights = {};
+  std::vector<LinePlace> places = {};
+
+  /// Those of a slice, at Gauss points between the ends, which are sorted.
+  void addRow(std::span<const GaussPoint> gauss, const Box<double>& box, const SweepAxes& axes,
+              const SweptSlice& slice, std::vector<double>& ends, bool mayTurn = true) {
+    std::ranges::sort(ends);
+    ends.push_back(box.upper[axes.row]);
+    const auto first = places.size();
+    forStretches(gauss, box.lower[axes.row], ends,
+                 [&](double row, double weight, std::uint32_t stretch) {
+                   lines.push_back(lineAt(box, axes, slice.at, row));
+                   lines.back().mayTurn = mayTurn;
+                   weights.push_back(slice.weight * weight);
+                   places.push_back({sweep, slice.stretch, stretch, 0});
+                 });
+    for (auto i = first; i < places.size(); ++i) {
+      places[i].rowStretches = places.back().rowStretch + 1;
+    }
+  }
+};
+
 /// What is taken of lines.
 struct LineTaking {
   int flatAxis = -1;      ///< see wallNormal()
   bool withFluid = true;  ///< and not the wall alone
-  bool onlyNearest =
-      false;  ///< of the wall, where the line's axis is the one nearest to its normal
+  LinePlace place = {};
 };
 
-/// Adds what a line with a weight, the one of this number among `crossings`, has of the fluid and
-/// of the wall.
-inline void addLinePoints(const FluidField& field, const LineCrossings& crossings,
-                          std::size_t number, const FluidSpan& whole, const LineTaking& taking,
-                          RulePoints& to) {
+/// Adds what a line with a weight, the one of this number among `crossings`, has of the fluid; and
+/// of the wall, where takesWall(surface, normal) says so.
+template <typename TakesWall>
+void addLinePoints(const FluidField& field, const LineCrossings& crossings, std::size_t number,
+                   const FluidSpan& whole, const LineTaking& taking, const TakesWall& takesWall,
+                   RulePoints& to) {
   constexpr double kSteepest = 1e-3;  // where a wall along a line is taken to have an area
   const auto& line = whole.line;
+  std::size_t next = 0;  // crossing
+  const auto places = crossings.of(number).size() + (crossings.startsInFluid(number) ? 2 : 1);
+  const auto count = static_cast<std::uint32_t>(places / 2);  // spans
+  std::uint32_t place = 0;
   const auto visit = [&](double from, double end, bool wallBelow, bool wallAbove) {
     auto span = whole;
+    span.block = to.blockAt(taking.place, count, place++);
     span.line.start[line.axis] = from;
     span.line.end = end;
     if (taking.withFluid) to.spans.push_back(span);
-    const auto addWall = [&](double place) {
-      const auto at = line.at(place);
-      const auto normal = wallNormal(field, at, taking.flatAxis);
-      if (normal == Vec3<double>{}) return;
-      if (taking.onlyNearest && nearestAxis(normal) != line.axis) return;
+    const auto addWall = [&](double coordinate, bool isAbove) {
+      const auto* surface = crossings.surfaceAt(number, next++);
+      const auto at = line.at(coordinate);
+      auto normal = wallNormal(surface == nullptr ? field : *surface, at, taking.flatAxis);
+      if (surface != nullptr && (normal[line.axis] > 0) != isAbove) normal = -normal;
+      if (normal == Vec3<double>{} || !takesWall(surface, normal)) return;
       const double slope = std::max(std::abs(normal[line.axis]), kSteepest);
-      to.walls.push_back({at, normal, whole.weight / slope, span.middle()});
+      to.walls.push_back({at, normal, whole.weight / slope, span.middle(), span.block});
     };
-    if (wallBelow) addWall(from);
-    if (wallAbove) addWall(end);
+    if (wallBelow) addWall(from, false);
+    if (wallAbove) addWall(end, true);
   };
   forFluidStretches(line, crossings.startsInFluid(number), crossings.of(number), visit);
 }

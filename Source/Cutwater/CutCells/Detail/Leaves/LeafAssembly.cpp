@@ -323,8 +323,8 @@ class LeavesAssembly {
     const auto visit = [&](int along, const auto& with) {
       forStretches(gauss_, box.lower[along], std::array{box.upper[along]}, with);
     };
-    visit(axes.first, [&](double at, double weight) {
-      visit(axes.second, [&](double other, double otherWeight) {
+    visit(axes.first, [&](double at, double weight, std::uint32_t) {
+      visit(axes.second, [&](double other, double otherWeight, std::uint32_t) {
         auto& point = rows.points.emplace_back(center);
         point[axes.first] = at;
         point[axes.second] = other;

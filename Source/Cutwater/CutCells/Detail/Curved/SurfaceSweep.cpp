@@ -1,0 +1,336 @@
+#include <Cutwater/CutCells/Detail/Curved/SurfaceSweep.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cutwater {
+
+namespace {
+
+constexpr double kParallel = 1e-7;  // components of a unit normal that count as zero
+
+bool haveBothSigns(std::span<const double> values) {
+  const auto [least, most] = std::ranges::minmax(values);
+  return least < -kParallel && most > kParallel;
+}
+
+}  // namespace
+
+SurfaceSweep::SurfaceSweep(const FluidField& field, std::span<const GaussPoint> gauss,
+                           const Box<double>& box, std::span<const FluidField* const> surfaces)
+    : field_(field), gauss_(gauss), box_(box), flatAxis_(flatAxisOf(box)) {
+  for (const auto* surface : surfaces) see(*surface);
+  for (const auto& seen : seen_) surfaces_.push_back(seen.field);
+  chooseAxes();
+}
+
+/// Samples a surface near the corners and the middle of the box, one step of Newton's method off
+/// them. One that the corners show to be elsewhere is left out.
+void SurfaceSweep::see(const FluidField& surface) {
+  Seen seen{.field = &surface};
+  auto& points = seen.points;
+  std::array<double, kSamples> values{};
+  for (int i = 0; i < 8; ++i) points[static_cast<std::size_t>(i)] = box_.corner(i);
+  points.back() = box_.center();
+  surface.values(points, values);
+  const bool isFlat = surface.facts().isFlat;
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    if (isFlat && i > 0) {
+      seen.normals[i] = seen.normals[0];
+      continue;
+    }
+    auto slope = surface.gradient(points[i]);
+    const double steepness = lengthSquared(slope);
+    if (!isFlat && steepness > 0) {
+      const auto nearer = points[i] - (values[i] / steepness) * slope;
+      points[i] = max(box_.lower, min(nearer, box_.upper));
+      slope = surface.gradient(points[i]);
+    }
+    if (flatAxis_ >= 0) slope[flatAxis_] = 0;
+    seen.normals[i] = normalized(slope);
+  }
+  bool isSteady = true;
+  double best = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!isFree(axis)) continue;
+    std::array<double, kSamples> along{};
+    double least = 1;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+      along[i] = seen.normals[i][axis];
+      least = std::min(least, std::abs(along[i]));
+    }
+    seen.isMonotone[static_cast<std::size_t>(axis)] = !haveBothSigns(along);
+    isSteady = isSteady && !haveBothSigns(along);
+    if (least > best) best = least, seen.wallAxis = axis;
+  }
+  constexpr double kSlope = 0.2;
+  seen.isGraph = best >= kSlope;
+  const auto isAbove = [](double value) { return value > 0; };
+  const auto isBelow = [](double value) { return value < 0; };
+  const bool isElsewhere =
+      std::ranges::all_of(values, isAbove) || std::ranges::all_of(values, isBelow);
+  if (!(isSteady && isElsewhere)) seen_.push_back(seen);
+}
+
+/// Whether two surfaces may begin or end to meet at a slice: their tangents in it are parallel
+/// somewhere between the samples.
+bool SurfaceSweep::mayTouchInRows(const Seen& a, const Seen& b, const SweepAxes& axes) const {
+  std::array<double, kSamples> determinants{};
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    determinants[i] = a.normals[i][axes.line] * b.normals[i][axes.row] -
+                      a.normals[i][axes.row] * b.normals[i][axes.line];
+  }
+  return haveBothSigns(determinants) && mayMeet(a, b) && mayMeet(b, a);
+}
+
+/// Whether samples of one surface are on both sides of another.
+bool SurfaceSweep::mayMeet(const Seen& a, const Seen& b) const {
+  constexpr double kNear = 1e-3;  // of the box
+  std::array<double, kSamples> own{};
+  std::array<double, kSamples> other{};
+  a.field->values(a.points, own);
+  b.field->values(a.points, other);
+  const double near = kNear * box_.diagonal();
+  bool isAbove = false;
+  bool isBelow = false;
+  std::size_t samples = 0;
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    if (std::abs(own[i]) > near) continue;
+    ++samples;
+    isAbove = isAbove || other[i] >= 0;
+    isBelow = isBelow || other[i] <= 0;
+  }
+  constexpr std::size_t kFew = 3;
+  return samples < kFew || (isAbove && isBelow);
+}
+
+int SurfaceSweep::flawsOf(const SweepAxes& axes) const {
+  int flaws = 0;
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    const auto& seen = seen_[i];
+    flaws += seen.isGraph ? 0 : 1;
+    flaws += seen.isMonotoneAlong(axes.line) ? 0 : 1;
+    flaws += seen.isMonotoneAlong(axes.row) ? 0 : 1;
+    if (flatAxis_ >= 0) continue;
+    for (std::size_t j = 0; j < i; ++j) flaws += mayTouchInRows(seen, seen_[j], axes) ? 1 : 0;
+  }
+  return flaws;
+}
+
+/// Those with the fewest flaws, along which most walls are graphs.
+void SurfaceSweep::chooseAxes() {
+  constexpr int kFlaw = 1000;
+  constexpr int kSlice = 4;  // a sweep of its own, which a wall along rows does not need
+  int least = -1;
+  for (int line = 0; line < 3; ++line) {
+    for (const int turn : {1, 2}) {
+      const SweepAxes axes{line, (line + turn) % 3, (line + 3 - turn) % 3};
+      const int flat = flatAxis_;
+      if (flat >= 0 && axes.slice != flat) continue;
+      int cost = kFlaw * flawsOf(axes);
+      for (const auto& seen : seen_) {
+        if (seen.wallAxis == axes.slice) cost += kSlice;
+        if (seen.wallAxis == axes.row) cost += 1;
+      }
+      if (least < 0 || cost < least) least = cost, axes_ = axes;
+    }
+  }
+  flaws_ = flawsOf(axes_);
+}
+
+bool SurfaceSweep::hasWallAlong(int axis) const {
+  return std::ranges::any_of(seen_, [&](const Seen& seen) { return seen.wallAxis == axis; });
+}
+
+bool SurfaceSweep::hasKink() const {
+  return std::ranges::any_of(seen_, [&](const Seen& seen) {
+    return !seen.field->facts().isFlat &&
+           isKinked(*seen.field, seen.points, seen.normals, flatAxis_);
+  });
+}
+
+/// Where a surface turns along the axis that it should not turn along, on the line through the
+/// middle; else the middle of the longest axis.
+SurfaceSweep::Division SurfaceSweep::division() const {
+  constexpr int kHalvings = 40;
+  constexpr double kMargin = 1e-3;  // of the box
+  const auto size = box_.size();
+  for (const auto& seen : seen_) {
+    for (const int axis : {axes_.line, axes_.row}) {
+      if (seen.isMonotoneAlong(axis)) continue;
+      auto point = box_.center();
+      const auto slopeAt = [&](double at) {
+        point[axis] = at;
+        return seen.field->gradient(point)[axis];
+      };
+      double low = box_.lower[axis];
+      double high = box_.upper[axis];
+      const double atLow = slopeAt(low);
+      if ((atLow > 0) == (slopeAt(high) > 0)) continue;
+      double at = 0.5 * (low + high);
+      for (int i = 0; i < kHalvings; ++i) {
+        const double slope = slopeAt(at);
+        if (slope == 0) break;
+        ((slope > 0) == (atLow > 0) ? low : high) = at;
+        at = 0.5 * (low + high);
+      }
+      const double margin = kMargin * size[axis];
+      if (at > box_.lower[axis] + margin && at < box_.upper[axis] - margin) return {axis, at};
+    }
+  }
+  const int longest = nearestAxis(size);
+  return {longest, box_.center()[longest]};
+}
+
+/// Newton's method from the middle; none if it ends outside.
+std::optional<Vec3<double>> SurfaceSweep::meeting(std::span<const FluidField* const> surfaces,
+                                                  const Box<double>& region) const {
+  constexpr int kMostSteps = 16;
+  constexpr double kFound = 1e-8;    // of the box: the next step is exact
+  constexpr double kSingular = 1e-9;
+  const auto size = region.size();
+  std::array<int, 3> free{};
+  std::size_t count = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (size[axis] > 0) free[count++] = axis;
+  }
+  const double reach = maxComponent(size);
+  auto point = region.center();
+  for (int step = 0; step < kMostSteps; ++step) {
+    // In the free axes; in a plane, the third equation is that nothing moves across it.
+    std::array<Vec3<double>, 3> rows{{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
+    Vec3<double> values;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto slope = surfaces[i]->gradient(point);
+      rows[i] = {};
+      for (std::size_t a = 0; a < count; ++a) rows[i][static_cast<int>(a)] = slope[free[a]];
+      values[static_cast<int>(i)] = surfaces[i]->value(point);
+    }
+    const auto across = cross(rows[1], rows[2]);
+    const double determinant = dot(rows[0], across);
+    if (std::abs(determinant) <= kSingular) return {};
+    const auto move = (values.x * across + values.y * cross(rows[2], rows[0]) +
+                       values.z * cross(rows[0], rows[1])) /
+                      -determinant;
+    double moved = 0;
+    for (std::size_t a = 0; a < count; ++a) {
+      const int axis = free[a];
+      const double before = point[axis];
+      point[axis] = std::clamp(before + move[static_cast<int>(a)],
+                               region.lower[axis] - 0.5 * size[axis],
+                               region.upper[axis] + 0.5 * size[axis]);
+      moved = std::max(moved, std::abs(point[axis] - before));
+    }
+    if (moved > kFound * reach) continue;
+    for (std::size_t a = 0; a < count; ++a) {
+      const int axis = free[a];
+      if (point[axis] < region.lower[axis] || point[axis] > region.upper[axis]) return {};
+    }
+    return point;
+  }
+  return {};
+}
+
+/// Appends the coordinates of points of a region where as many surfaces meet in the wall as it has
+/// dimensions.
+void SurfaceSweep::addMeetings(const Box<double>& region, int axis,
+                               std::vector<double>& found) const {
+  constexpr double kInWall = 1e-9;  // of the region
+  std::vector<const FluidField*> here;
+  for (const auto* surface : surfaces_) {
+    if (surface->mayReach(region)) here.push_back(surface);
+  }
+  const auto size = region.size();
+  const bool isPlane = std::min({size.x, size.y, size.z}) <= 0;
+  const double tolerance = kInWall * region.diagonal();
+  const auto add = [&](std::span<const FluidField* const> surfaces) {
+    const auto point = meeting(surfaces, region);
+    if (point && std::abs(field_.value(*point)) <= tolerance) found.push_back((*point)[axis]);
+  };
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (isPlane) {
+        add(std::array{here[j], here[i]});
+        continue;
+      }
+      for (std::size_t k = 0; k < j; ++k) add(std::array{here[k], here[j], here[i]});
+    }
+  }
+}
+
+std::vector<SweptSlice> SurfaceSweep::slices(const SweepAxes& axes, LineCrossings& edges) const {
+  const double lower = box_.lower[axes.slice];
+  if (flatAxis_ >= 0) return {{lower, 1, 0}};
+  std::vector<AxisLine> along;
+  for (const double end : {box_.lower[axes.line], box_.upper[axes.line]}) {
+    for (const double row : {box_.lower[axes.row], box_.upper[axes.row]}) {
+      AxisLine edge{box_.lower, box_.upper[axes.slice], axes.slice};
+      edge.start[axes.line] = end;
+      edge.start[axes.row] = row;
+      along.push_back(edge);
+    }
+  }
+  edges.find(along, surfaces_);
+  std::vector<double> ends;
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    ends.insert(ends.end(), edges.of(i).begin(), edges.of(i).end());
+  }
+  for (const int axis : {axes.line, axes.row}) {
+    for (const bool isHigh : {false, true}) {
+      addMeetings(faceOf(box_, axis, isHigh), axes.slice, ends);
+    }
+  }
+  addMeetings(box_, axes.slice, ends);
+  std::ranges::sort(ends);
+  ends.push_back(box_.upper[axes.slice]);
+  std::vector<SweptSlice> found;
+  forStretches(gauss_, lower, ends, [&](double at, double weight, std::uint32_t stretch) {
+    found.push_back({at, weight, stretch});
+  });
+  return found;
+}
+
+void SurfaceSweep::run(LineCrossings& rims, LineCrossings& lines, RulePoints& to) const {
+  const auto sweep = [&](const SweepAxes& axes, std::span<const SweptSlice> slices,
+                         bool withFluid) {
+    std::vector<AxisLine> rows;
+    for (const auto& slice : slices) {
+      for (const double end : {box_.lower[axes.line], box_.upper[axes.line]}) {
+        rows.push_back(rimAt(box_, axes, slice.at, end));
+      }
+    }
+    rims.find(rows, surfaces_);
+    SweptLines swept{.sweep = to.sweeps++};
+    std::vector<double> ends;
+    for (std::size_t i = 0; i < slices.size(); ++i) {
+      ends.clear();
+      for (const auto row : {2 * i, 2 * i + 1}) {
+        const auto found = rims.of(row);
+        ends.insert(ends.end(), found.begin(), found.end());
+      }
+      auto slice = box_;
+      slice.lower[axes.slice] = slice.upper[axes.slice] = slices[i].at;
+      addMeetings(slice, axes.row, ends);
+      swept.addRow(gauss_, box_, axes, slices[i], ends);
+    }
+    lines.find(swept.lines, surfaces_);
+    const auto takesWall = [&](const FluidField* surface, const Vec3<double>&) {
+      const auto seen = std::ranges::find(seen_, surface, &Seen::field);
+      return seen == seen_.end() ? withFluid : seen->wallAxis == axes.line;
+    };
+    for (std::size_t i = 0; i < swept.lines.size(); ++i) {
+      addLinePoints(field_, lines, i, {swept.lines[i], swept.weights[i]},
+                    {flatAxis_, withFluid, swept.places[i]}, takesWall, to);
+    }
+  };
+  auto axes = axes_;
+  const auto first = slices(axes, rims);
+  sweep(axes, first, true);
+  std::swap(axes.line, axes.row);
+  if (hasWallAlong(axes.line)) sweep(axes, first, false);
+  if (flatAxis_ >= 0 || !hasWallAlong(axes.slice)) return;
+  std::swap(axes.line, axes.slice);
+  sweep(axes, slices(axes, rims), false);
+}
+
+}  // namespace cutwater
