@@ -94,8 +94,9 @@ TEST(LineCrossingsTest, PassThroughThinPlatesAndSlivers) {
 TEST(LineCrossingsTest, GapsAreFoundThatNoDerivativeLeadsTo) {
   const Solid<double> solid = Solid<double>(Cuboid<double>({-2, -0.1, -2}, {0.4, 0.1, 2})) |
                               Cuboid<double>({0.55, -0.1, -2}, {2, 0.1, 2});
-  const auto bars = fluidBeside<double>(solid, FluidSide::Outside);
-  // The same as values alone, without operands.
+  const auto outside = fluidBeside<double>(solid, FluidSide::Outside);
+  const auto bars = fieldIn(*outside, {{-1, -1, -1}, {1, 1, 1}}, 1);
+  // The same as values alone, without the surfaces that they come from.
   const auto value = [&](const Vec3<double>& p) { return solid.signedDistance(p); };
   const auto values = fluidBeside<double>(
       FunctionSDF<double, decltype(value)>(value, solid.guarantee()), FluidSide::Outside);
@@ -108,14 +109,14 @@ TEST(LineCrossingsTest, GapsAreFoundThatNoDerivativeLeadsTo) {
     EXPECT_NEAR(found.of(0)[0], 0.4, kNear);
     EXPECT_NEAR(found.of(0)[1], 0.55, kNear);
     EXPECT_TRUE(found.of(1).empty());
-    // Operands are asked, whatever is supposed of the values together.
+    // Surfaces are asked, whatever is supposed of the values together.
     EXPECT_EQ(found.of(2).size(), field == bars.get() ? 2U : 0U);
   }
 }
 
 /// Along a wall, as near as it may be, through plates that are as thin as they may be; and through
 /// more than two.
-TEST(LineCrossingsTest, PlatesBesideAWallAreFoundByTheirOperands) {
+TEST(LineCrossingsTest, PlatesBesideAWallAreFoundByTheirSurfaces) {
   auto solid = Solid<double>(Cuboid<double>({-1, 0, -1}, {2, 1, 2}));
   std::vector<double> expected;
   for (const double at : {0.2, 0.41, 0.7}) {
@@ -124,7 +125,8 @@ TEST(LineCrossingsTest, PlatesBesideAWallAreFoundByTheirOperands) {
   }
   for (const bool isUnion : {true, false}) {
     const auto side = isUnion ? FluidSide::Outside : FluidSide::Inside;
-    const auto field = fluidBeside<double>(isUnion ? solid : ~solid, side);
+    const auto whole = fluidBeside<double>(isUnion ? solid : ~solid, side);
+    const auto field = fieldIn(*whole, {{0, -1, 0}, {1, 1, 1}}, 1);
     LineCrossings found(*field);
     for (const double gap : {0.3, 0.01, 1e-4, 1e-9}) {
       const AxisLine line{{0, -gap, 0.5}, 1, 0};

@@ -71,6 +71,7 @@ class GuaranteeCheck {
   void checkGradient();
   void checkClosestPoints();
   void checkCrossings();
+  void checkSurfaces();
   void checkOneSegment(const Segment<T>& segment, Tally& tally);
 
   [[nodiscard]] double uniform(double a, double b) {

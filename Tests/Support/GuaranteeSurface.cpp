@@ -72,6 +72,32 @@ void GuaranteeCheck<T>::checkClosestPoints() {
   }
 }
 
+/// Each sample of the surface lies in one of those that are visited in boxes around it, and in the
+/// surface of the operand that it comes with.
+template <std::floating_point T>
+void GuaranteeCheck<T>::checkSurfaces() {
+  if (!promise_.continuous) return;  // values are not zero on the surface
+  Tally tally("surfaces in boxes");
+  const auto& points = samples_.points();
+  const auto step = 1 + points.size() / static_cast<std::size_t>(options_.probes / 100 + 1);
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    const Vec3<T> p(points[i]);
+    const auto size = static_cast<T>(extent_ * std::exp2(uniform(-8, 0)));
+    const Vec3<T> lower =
+        p - size * Vec3<T>(Vec3<double>{uniform(0, 1), uniform(0, 1), uniform(0, 1)});
+    T least = std::numeric_limits<T>::infinity();
+    solid_.surfacesIn({min(lower, p), max(lower + Vec3<T>{size, size, size}, p)},
+                      [&](const Solid<T>& surface, const Solid<T>* operand) {
+                        const auto excess = [&](const Solid<T>& solid) {
+                          return std::abs(solid.signedDistance(p)) -
+                                 8 * (error(p) + solid.guarantee().error(length(p)));
+                        };
+                        least = std::min(least, std::max(excess(surface), excess(*operand)));
+                      });
+    tally.expect(least <= 0, "at", p, "size", size, "off by", least);
+  }
+}
+
 template <std::floating_point T>
 void GuaranteeCheck<T>::checkCrossings() {
   Tally tally("crossings");
@@ -130,5 +156,7 @@ template void GuaranteeCheck<float>::checkClosestPoints();
 template void GuaranteeCheck<double>::checkClosestPoints();
 template void GuaranteeCheck<float>::checkCrossings();
 template void GuaranteeCheck<double>::checkCrossings();
+template void GuaranteeCheck<float>::checkSurfaces();
+template void GuaranteeCheck<double>::checkSurfaces();
 
 }  // namespace cutwater::test

@@ -58,6 +58,7 @@ void GuaranteeCheck<T>::run() {
   checkGradient();
   checkClosestPoints();
   checkCrossings();
+  checkSurfaces();
 }
 
 template <std::floating_point T>

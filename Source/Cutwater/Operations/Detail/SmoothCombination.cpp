@@ -227,30 +227,6 @@ SurfaceOwner SmoothCombination<T>::localOwner(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
-bool SmoothCombination<T>::localSurfacesIn(const OrientedBox<T>& box,
-                                           SurfaceVisitor<T> visit) const {
-  // Where one is less than all others by the reach, it is alone.
-  if (isExponential()) return false;
-  Interval<T> least{kInf<T>, kInf<T>};
-  T next = kInf<T>;  // least value of another
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < count(); ++i) {
-    const auto range = this->boundsOf(this->operand(i), box);
-    const auto sided = side() > 0 ? range : -range;
-    if (sided.upper < least.upper) {
-      next = std::min(next, least.lower);
-      least = sided;
-      first = i;
-    } else {
-      next = std::min(next, sided.lower);
-    }
-  }
-  if (!(least.upper + smoothing_.reach <= next)) return false;
-  this->surfacesOf(this->operand(first), box, visit);
-  return true;
-}
-
-template <std::floating_point T>
 Interval<T> SmoothCombination<T>::localBounds(const OrientedBox<T>& box, BoxHint*) const {
   // Each of a few operands is asked once for both ends: in a chain of n smooth combinations, twice
   // would be 2^n times.

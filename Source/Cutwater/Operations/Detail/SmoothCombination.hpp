@@ -38,7 +38,6 @@ class SmoothCombination final : public Composite<T> {
   void localSignedDistances(std::span<const Vec3<T>> points, std::span<T> distances) const override;
   Vec3<T> localGradient(const Vec3<T>& p) const override;
   SurfaceOwner localOwner(const Vec3<T>& p) const override;
-  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   Guarantee<T> localGuarantee() const override { return guarantee_; }
   Box<T> localBoundingBox() const override { return boundingBox_; }

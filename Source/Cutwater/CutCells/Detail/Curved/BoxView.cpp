@@ -35,47 +35,6 @@ int flatAxisOf(const Box<double>& box) {
   return -1;
 }
 
-bool isKinked(const FluidField& field, std::span<const Vec3<double>> points,
-              std::span<const Vec3<double>> normals, int flatAxis) {
-  constexpr double kBend = 0.94;  // cosine of 20 degrees
-  double least = kBend;
-  std::pair<std::size_t, std::size_t> ends;
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const double cosine = dot(normals[i], normals[j]);
-      if (cosine < least) least = cosine, ends = {i, j};
-    }
-  }
-  if (least == kBend) return false;
-  const auto slopeAt = [&](const Vec3<double>& point) {
-    auto slope = field.gradient(point);
-    if (flatAxis >= 0) slope[flatAxis] = 0;
-    return slope;
-  };
-  // Halves the way along the surface, and goes on where the normals differ more.
-  auto from = points[ends.first];
-  auto to = points[ends.second];
-  auto atFrom = normals[ends.first];
-  auto atTo = normals[ends.second];
-  constexpr int kHalvings = 6;
-  constexpr int kSteps = 2;  // back to the surface
-  for (int i = 0; i < kHalvings; ++i) {
-    auto middle = 0.5 * (from + to);
-    for (int step = 0; step < kSteps; ++step) {
-      const auto slope = slopeAt(middle);
-      const double steepness = lengthSquared(slope);
-      if (steepness > 0) middle -= (field.value(middle) / steepness) * slope;
-    }
-    const auto normal = normalized(slopeAt(middle));
-    if (dot(atFrom, normal) < dot(normal, atTo)) {
-      to = middle, atTo = normal;
-    } else {
-      from = middle, atFrom = normal;
-    }
-  }
-  return dot(atFrom, atTo) < kBend;
-}
-
 Box<double> faceOf(Box<double> box, int axis, bool isHigh) {
   (isHigh ? box.lower : box.upper)[axis] = (isHigh ? box.upper : box.lower)[axis];
   return box;
@@ -95,7 +54,8 @@ PartsAround partsAround(const Box<double>& box, const Vec3<double>& point, int f
   return parts;
 }
 
-void findCrossings(const FluidField& field, std::span<CrossedEdge* const> edges) {
+void findCrossings(const FluidField& field, std::span<CrossedEdge* const> edges,
+                   bool withGradients) {
   std::vector<AxisLine> lines;
   for (const auto* edge : edges) lines.push_back(edge->line);
   LineCrossings found(field);
@@ -104,7 +64,7 @@ void findCrossings(const FluidField& field, std::span<CrossedEdge* const> edges)
     edges[i]->startsInFluid = found.startsInFluid(i);
     for (const double at : found.of(i)) {
       edges[i]->crossings.push_back(at);
-      edges[i]->gradients.push_back(field.gradient(edges[i]->line.at(at)));
+      if (withGradients) edges[i]->gradients.push_back(field.gradient(edges[i]->line.at(at)));
     }
   }
 }
@@ -150,12 +110,12 @@ void BoxView::findEdges() {
     edges.push_back(&edge);
     samples_.edges.push_back(&edge);
   }
-  findCrossings(field_, edges);
+  findCrossings(field_, edges, true);
 }
 
 void BoxView::noteNormals() {
   for (const auto* edge : samples_.edges) {
-    for (std::size_t i = 0; i < edge->crossings.size(); ++i) {
+    for (std::size_t i = 0; i < edge->gradients.size(); ++i) {
       places_.push_back(edge->line.at(edge->crossings[i]));
       normals_.push_back(inPlane(edge->gradients[i]));
       axisOf_.push_back(edge->line.axis);
@@ -215,6 +175,22 @@ std::vector<double> BoxView::crossingsAlong(int axis) const {
   return result;
 }
 
+/// Whether a wall touches a rectangle in a point of an edge, across an axis of which it is: then
+/// the point is no body.
+bool BoxView::isTouched(const Vec3<double>& point, int across) const {
+  constexpr double kInside = 1e-3;  // of the rectangle
+  constexpr double kTouching = 1e-6;
+  if (field_.value(point) != 0) return false;
+  const auto slope = field_.gradient(point);
+  auto along = slope;
+  along[flatAxis_] = 0;
+  if (length(along) > kTouching * length(slope)) return false;
+  const auto inside = box_.center()[across] - point[across];
+  auto beside = point;
+  beside[across] += kInside * inside;
+  return field_.value(beside) > 0;
+}
+
 double BoxView::fluidLength(int axis, int side) const {
   const int other = 3 - axis - flatAxis_;
   for (std::size_t i = 0; i < samples_.edges.size(); ++i) {
@@ -222,8 +198,12 @@ double BoxView::fluidLength(int axis, int side) const {
     const bool isHigh = (static_cast<unsigned>(samples_.corners[i]) & bit(other)) != 0;
     if (edge.line.axis != axis || isHigh != (side == 1)) continue;
     double sum = 0;
-    forFluidStretches(edge.line, edge.startsInFluid, edge.crossings,
-                      [&](double from, double to, bool, bool) { sum += to - from; });
+    const auto add = [&](double from, double to, bool, bool) { sum += to - from; };
+    const auto addTouched = [&](double from, double to, bool, bool) {
+      if (isTouched(edge.line.at(0.5 * (from + to)), other)) sum += to - from;
+    };
+    forFluidStretches(edge.line, edge.startsInFluid, edge.crossings, add);
+    forFluidStretches(edge.line, !edge.startsInFluid, edge.crossings, addTouched);
     return sum;
   }
   return 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/CutCells/Detail/Curved/LineCrossings.hpp>
+#include <Cutwater/CutCells/Detail/Curved/SurfaceKinks.hpp>
 
 #include <array>
 #include <optional>
@@ -24,11 +25,6 @@ struct SweepAxes {
 /// The axis across a box without extent; -1: it has some along all.
 [[nodiscard]] int flatAxisOf(const Box<double>& box);
 
-/// Whether a surface has an edge between those of some points near it whose unit normals differ
-/// most. `flatAxis`: see flatAxisOf().
-[[nodiscard]] bool isKinked(const FluidField& field, std::span<const Vec3<double>> points,
-                            std::span<const Vec3<double>> normals, int flatAxis);
-
 /// A face of a box across an axis, as a flat box.
 [[nodiscard]] Box<double> faceOf(Box<double> box, int axis, bool isHigh);
 
@@ -47,8 +43,9 @@ struct CrossedEdge {
   std::vector<double> crossings;        ///< ascending
   std::vector<Vec3<double>> gradients;  ///< of the field there
 };
-/// Finds crossings of edges.
-void findCrossings(const FluidField& field, std::span<CrossedEdge* const> edges);
+/// Finds crossings of edges, and gradients there if they are asked for.
+void findCrossings(const FluidField& field, std::span<CrossedEdge* const> edges,
+                   bool withGradients);
 
 /// The corners and edges of a box, or of a rectangle, whose corners are the lower ones across its
 /// axis.
@@ -106,6 +103,7 @@ class BoxView {
  private:
   static constexpr std::size_t asIndex(int i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] Vec3<double> inPlane(Vec3<double> gradient) const;
+  [[nodiscard]] bool isTouched(const Vec3<double>& point, int across) const;
   void sampleCorners();
   void findEdges();
   [[nodiscard]] std::optional<Vec3<double>> turnIn(unsigned axes, int corner) const;

@@ -38,7 +38,7 @@ CurvedFace openPartsOf(const FluidField& field, const BoxView& face, FluidRule& 
   const double whole = areaOf(face.box());
   if (area <= kNothingOfCell * whole) return {};
   if (area >= (1 - kNothingOfCell) * whole) return wholeFace(face.box(), rule);
-  FluidParts connected(field, face, rule.points());
+  FluidParts connected(field, face.box(), rule.points());
   CurvedFace result{.parts = {}, .gap = rule.gap()};
   result.parts.resize(std::max<std::size_t>(1, connected.count()));
   for (const auto& span : rule.points().spans) {

@@ -180,9 +180,10 @@ class CurvedTile {
     out_.error.push_back(gap);
     cells_.push_back({.cell = number, .firstPiece = pieceCount(), .parts = {}, .pieceOfPart = {}});
     auto& here = cells_.back();
-    FluidParts parts(field_, view, rule_.points());
+    FluidParts parts(field_, view.box(), rule_.points());
     std::vector<PieceRule> rules(std::max<std::size_t>(1, parts.count()));
-    for (const auto& span : rule_.points().spans) rules[parts.of(span.block, span.middle())].add(span);
+    for (const auto& span : rule_.points().spans)
+      rules[parts.of(span.block, span.middle())].add(span);
     for (const auto& wall : rule_.points().walls) {
       rules[parts.of(wall.block, wall.inside)].points.walls.push_back(wall);
     }
@@ -212,12 +213,20 @@ class CurvedTile {
     const auto largest = static_cast<std::size_t>(
         std::ranges::max_element(rules, {}, &PieceRule::volume) - rules.begin());
     here.pieceOfPart.assign(rules.size(), kNone);
+    const auto isPiece = [&](std::size_t part) {
+      const auto& rule = rules[part];
+      const bool isBounded = rule.isOpen || !rule.points.walls.empty();
+      return part == largest ||
+             (isBounded && rule.volume > kNothingOfCell * size.x * size.y * size.z);
+    };
     for (std::size_t part = 0; part < rules.size(); ++part) {
-      const bool isBounded =
-          rules.size() == 1 || rules[part].isOpen || !rules[part].points.walls.empty();
-      const bool isPiece =
-          isBounded && rules[part].volume > kNothingOfCell * size.x * size.y * size.z;
-      if (!isPiece && part != largest) continue;
+      if (isPiece(part)) continue;
+      for (const auto& span : rules[part].points.spans) rules[largest].add(span);
+      auto& walls = rules[largest].points.walls;
+      walls.insert(walls.end(), rules[part].points.walls.begin(), rules[part].points.walls.end());
+    }
+    for (std::size_t part = 0; part < rules.size(); ++part) {
+      if (!isPiece(part)) continue;
       here.pieceOfPart[part] = pieceCount();
       addPiece(field_, box, here.cell, rules[part], out_.content);
       rules_.push_back(std::move(rules[part].points));

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace cutwater {
 
@@ -97,7 +99,8 @@ class SolidField final : public FluidField {
 
 class Section final : public FluidField {
  public:
-  Section(const FluidField& field, double z) : FluidField(factsAt(field, z)), field_(field), z_(z) {}
+  Section(const FluidField& field, double z)
+      : FluidField(factsAt(field, z)), field_(field), z_(z) {}
   /// Of a field that it owns.
   Section(std::shared_ptr<const FluidField> field, double z) : Section(*field, z) {
     owned_ = std::move(field);
@@ -160,14 +163,11 @@ class Section final : public FluidField {
 class FieldInBox final : public FluidField {
  public:
   FieldInBox(const FluidField& field, Surfaces surfaces, const Box<double>& box, double reach)
-      : FluidField(field.facts()), field_(field), surfaces_(std::move(surfaces)), box_(box) {
-    for (std::uint32_t part = 0; part < inPart_.size(); ++part) {
-      const auto around = boxOf(part).grown(reach);
-      for (const auto& surface : surfaces_) {
-        if (surface.mayMeet(around)) inPart_[part].push_back(&surface);
-      }
-    }
-  }
+      : FluidField(field.facts()),
+        field_(field),
+        surfaces_(std::move(surfaces)),
+        box_(box),
+        reach_(reach) {}
 
   void values(std::span<const Vec3<double>> points, std::span<double> values) const override {
     field_.values(points, values);
@@ -186,7 +186,7 @@ class FieldInBox final : public FluidField {
   bool knowsSurfaces() const override { return true; }
   std::vector<const FluidField*> surfacesNear(const Box<double>& box) const override {
     std::vector<const FluidField*> near;
-    for (const auto* surface : inPart_[partAt(box.center())]) {
+    for (const auto* surface : inPart(partAt(box.center()))) {
       if (surface->mayMeet(box)) near.push_back(surface->field.get());
     }
     return near;
@@ -194,6 +194,19 @@ class FieldInBox final : public FluidField {
 
  private:
   static constexpr std::uint32_t kParts = 4;  // along each axis
+  using Few = std::vector<const Surface*>;
+
+  [[nodiscard]] const Few& inPart(std::uint32_t part) const {
+    auto& known = inPart_[part];
+    if (!known) {
+      known.emplace();
+      const auto around = boxOf(part).grown(reach_);
+      for (const auto& surface : surfaces_) {
+        if (surface.mayMeet(around)) known->push_back(&surface);
+      }
+    }
+    return *known;
+  }
 
   [[nodiscard]] Box<double> boxOf(std::uint32_t part) const {
     const auto step = (1.0 / kParts) * box_.size();
@@ -204,13 +217,13 @@ class FieldInBox final : public FluidField {
     }
     return box;
   }
-  [[nodiscard]] std::size_t partAt(const Vec3<double>& point) const {
+  [[nodiscard]] std::uint32_t partAt(const Vec3<double>& point) const {
     const auto size = box_.size();
-    std::size_t part = 0;
+    std::uint32_t part = 0;
     for (const int axis : {2, 1, 0}) {
       const double share = size[axis] > 0 ? (point[axis] - box_.lower[axis]) / size[axis] : 0;
-      part = part * kParts +
-             static_cast<std::size_t>(std::clamp(share * kParts, 0.0, kParts - 1.0));
+      part =
+          part * kParts + static_cast<std::uint32_t>(std::clamp(share * kParts, 0.0, kParts - 1.0));
     }
     return part;
   }
@@ -218,8 +231,9 @@ class FieldInBox final : public FluidField {
   const FluidField& field_;
   Surfaces surfaces_;
   Box<double> box_;
-  /// Those that may meet boxes whose middles lie in a part of the box.
-  std::array<std::vector<const Surface*>, kParts * kParts * kParts> inPart_;
+  double reach_;
+  /// Those that may meet boxes whose middles lie in a part of the box, once they are asked for.
+  mutable std::array<std::optional<Few>, std::size_t{kParts} * kParts * kParts> inPart_;
 };
 
 }  // namespace
@@ -230,6 +244,11 @@ std::unique_ptr<const FluidField> fieldIn(const FluidField& field, const Box<dou
   const auto around = box.grown(reach);
   auto surfaces = field.surfacesIn(around);
   if (surfaces.empty() || surfaces.size() > kMost) return nullptr;
+  // In an order that does not depend on the box.
+  const auto key = [](const FluidField::Surface& surface) {
+    return std::pair(surface.field->value({}), surface.field->value({1, 2, -3}));
+  };
+  std::ranges::sort(surfaces, {}, key);
   return std::make_unique<const FieldInBox>(field, std::move(surfaces), box, reach);
 }
 

@@ -94,7 +94,8 @@ class FluidField {
 };
 
 /// A field for boxes that lie in one, with diagonals up to `reach`: it knows the surfaces in which
-/// walls lie there. Null, if there is none but the field's own, or too many. Views the field.
+/// walls lie there. Null, if there is none but the field's own, or too many. Views the field. For
+/// one thread at a time.
 [[nodiscard]] std::unique_ptr<const FluidField> fieldIn(const FluidField& field,
                                                         const Box<double>& box, double reach);
 

@@ -15,36 +15,40 @@ Vec3<double> nearestPoint(const FluidSpan& span, const Vec3<double>& to) {
   constexpr double kInside = 0.02;  // of the span
   const int axis = span.line.axis;
   const double margin = kInside * span.line.length();
-  return span.line.at(
-      std::clamp(to[axis], span.line.start[axis] + margin, span.line.end - margin));
+  return span.line.at(std::clamp(to[axis], span.line.start[axis] + margin, span.line.end - margin));
 }
 
 double squaredDistance(const FluidSpan& span, const Vec3<double>& to) {
   return lengthSquared(nearestPoint(span, to) - to);
 }
 
+/// Whether two places are next to each other in a sweep.
+bool areNeighbours(const LinePlace& a, const LinePlace& b) {
+  const auto areNext = [](std::uint32_t i, std::uint32_t j) { return i <= j + 1 && j <= i + 1; };
+  if (a.sweep != b.sweep || !areNext(a.sliceStretch, b.sliceStretch)) return false;
+  return a.sliceStretch != b.sliceStretch || areNext(a.rowStretch, b.rowStretch);
+}
+
 }  // namespace
 
-FluidParts::FluidParts(const FluidField& field, const BoxView& view, const RulePoints& points)
+FluidParts::FluidParts(const FluidField& field, const Box<double>& box, const RulePoints& points)
     : field_(&field), partOfBlock_(points.blockCount(), kNone) {
   for (const auto& span : points.spans) partOfBlock_[span.block] = 0;
-  const auto used = std::ranges::count(partOfBlock_, 0U);
-  // A wall that is a graph over a side has all of its fluid on one side.
-  bool isGraph = points.isOneSided;
-  for (int axis = 0; axis < 3; ++axis) {
-    isGraph = isGraph || (view.isFree(axis) && view.isMonotone(axis));
-  }
-  if (used <= 1 || isGraph) return;
+  if (std::ranges::count(partOfBlock_, 0U) <= 1) return;
   spans_ = points.spans;
-  connect(blocksIn(view.box()));
+  connect(blocksIn(box, points));
 }
 
 /// Blocks with some of their spans, and the sides of surfaces on which they are.
-std::vector<FluidParts::Block> FluidParts::blocksIn(const Box<double>& box) const {
+std::vector<FluidParts::Block> FluidParts::blocksIn(const Box<double>& box,
+                                                    const RulePoints& points) const {
   constexpr std::size_t kMost = 9;
   constexpr std::size_t kMostSides = 64;
   std::vector<Block> blocks(partOfBlock_.size());
-  for (std::uint32_t i = 0; i < blocks.size(); ++i) blocks[i].number = i;
+  for (std::uint32_t i = 0; i < blocks.size(); ++i) {
+    blocks[i].number = i;
+    blocks[i].place = points.placeOf(i);
+  }
   for (const auto& span : spans_) {
     auto& block = blocks[span.block];
     if (block.count++ == 0 || span.line.length() > block.longest.line.length()) {
@@ -69,50 +73,50 @@ std::vector<FluidParts::Block> FluidParts::blocksIn(const Box<double>& box) cons
   return blocks;
 }
 
-/// First blocks on the same side of all surfaces, which mostly are connected, then those of what
-/// are different parts by then.
+/// First blocks on the same side of all surfaces, which mostly are connected; then those of what
+/// are different parts by then, neighbours in a sweep first.
 void FluidParts::connect(std::span<const Block> blocks) {
   constexpr std::size_t kMostBeside = 2;
-  constexpr std::size_t kMostBetween = 6;  // parts
+  constexpr std::size_t kMostBetween = 12;  // parts
   detail::DisjointSets sets(partOfBlock_.size());
-  struct Pair {
-    double distance = 0;
-    const Block* a = nullptr;
-    const Block* b = nullptr;
-  };
   std::vector<Pair> pairs;
-  const auto addPair = [&](const Block& a, const Block& b) {
-    pairs.push_back({lengthSquared(a.longest.middle() - b.longest.middle()), &a, &b});
+  const auto isSeparate = [&](const Pair& pair) {
+    return sets.find(pair.a->number) != sets.find(pair.b->number);
   };
-  const auto tryNearest = [&](std::size_t most) {
+  const auto tryFirst = [&](std::size_t most) {
     const auto count = std::min(most, pairs.size());
     std::ranges::partial_sort(pairs, pairs.begin() + static_cast<std::ptrdiff_t>(count), {},
-                              &Pair::distance);
-    for (const auto& [distance, a, b] : std::span(pairs).first(count)) {
-      if (sets.find(a->number) == sets.find(b->number)) continue;
-      if (areConnected(*a, *b)) sets.unite(a->number, b->number);
+                              &Pair::order);
+    for (const auto& pair : std::span(pairs).first(count)) {
+      if (isSeparate(pair) && areConnected(*pair.a, *pair.b)) {
+        sets.unite(pair.a->number, pair.b->number);
+      }
     }
     pairs.clear();
   };
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (blocks[i].sides == blocks[j].sides) addPair(blocks[j], blocks[i]);
+      if (blocks[i].sides != blocks[j].sides) continue;
+      const auto apart = blocks[i].longest.middle() - blocks[j].longest.middle();
+      pairs.push_back({&blocks[j], &blocks[i], {false, lengthSquared(apart)}});
     }
-    tryNearest(kMostBeside);
+    tryFirst(kMostBeside);
   }
-  std::map<std::array<std::uint32_t, 2>, std::vector<Pair>> between;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Pair>> between;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const auto a = sets.find(blocks[j].number);
-      const auto b = sets.find(blocks[i].number);
-      if (a == b) continue;
-      addPair(blocks[j], blocks[i]);
-      between[{std::min(a, b), std::max(a, b)}].push_back(pairs.back());
+      const auto& a = blocks[j];
+      const auto& b = blocks[i];
+      const Pair pair{&a, &b, {!areNeighbours(a.place, b.place), nearestSpans(a, b).distance}};
+      if (!isSeparate(pair)) continue;
+      const auto one = sets.find(a.number);
+      const auto other = sets.find(b.number);
+      between[{std::min(one, other), std::max(one, other)}].push_back(pair);
     }
   }
   for (auto& [parts, some] : between) {
     pairs = std::move(some);
-    tryNearest(kMostBetween);
+    tryFirst(kMostBetween);
   }
   std::vector<std::uint32_t> partOfRoot(partOfBlock_.size(), kNone);
   count_ = 0;
@@ -123,44 +127,47 @@ void FluidParts::connect(std::span<const Block> blocks) {
   }
 }
 
-void FluidParts::Paths::add(const Vec3<double>& from, const Vec3<double>& to,
-                            std::span<const int> order) {
-  auto at = from;
-  for (const int axis : order) {
-    if (at[axis] == to[axis]) continue;
-    AxisLine line{at, std::max(at[axis], to[axis]), axis};
-    line.start[axis] = std::min(at[axis], to[axis]);
-    lines.push_back(line);
-    at[axis] = to[axis];
+/// The spans of two blocks that are nearest to each other, of the samples.
+FluidParts::NearestSpans FluidParts::nearestSpans(const Block& one, const Block& other) {
+  NearestSpans nearest;
+  for (const auto& a : one.samples) {
+    for (const auto& b : other.samples) {
+      const double distance = squaredDistance(a, nearestPoint(b, a.middle()));
+      if (distance < nearest.distance) nearest = {distance, &a, &b};
+    }
   }
-  ends.push_back(lines.size());
+  return nearest;
 }
 
-/// In all orders of the axes along which the points differ.
-void FluidParts::Paths::addAll(const Vec3<double>& from, const Vec3<double>& to) {
+/// Whether the way along the axes in this order meets no wall.
+bool FluidParts::isClear(const Vec3<double>& from, const Vec3<double>& to,
+                         std::span<const int> order, LineCrossings& crossings) {
+  std::vector<AxisLine> lines;
+  auto at = from;
+  for (const int axis : order) {
+    lines.push_back({at, std::max(at[axis], to[axis]), axis});
+    lines.back().start[axis] = std::min(at[axis], to[axis]);
+    at[axis] = to[axis];
+  }
+  crossings.find(lines);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (!crossings.startsInFluid(i) || !crossings.of(i).empty()) return false;
+  }
+  return true;
+}
+
+/// In all orders of the axes along which the points differ, one after the other.
+bool FluidParts::isAnyClear(const Vec3<double>& from, const Vec3<double>& to) const {
   std::array<int, 3> order{};
   std::size_t count = 0;
   for (int axis = 0; axis < 3; ++axis) {
     if (from[axis] != to[axis]) order[count++] = axis;
   }
   const auto axes = std::span(order).first(count);
-  do {
-    add(from, to, axes);
-  } while (std::next_permutation(axes.begin(), axes.end()));
-}
-
-bool FluidParts::isAnyClear(const Paths& paths) const {
   LineCrossings crossings(*field_);
-  crossings.find(paths.lines);
-  std::size_t first = 0;
-  for (const auto end : paths.ends) {
-    bool isClear = true;
-    for (auto i = first; i < end; ++i) {
-      isClear = isClear && crossings.startsInFluid(i) && crossings.of(i).empty();
-    }
-    if (isClear) return true;
-    first = end;
-  }
+  do {
+    if (isClear(from, to, axes, crossings)) return true;
+  } while (std::next_permutation(axes.begin(), axes.end()));
   return false;
 }
 
@@ -168,31 +175,20 @@ bool FluidParts::isAnyClear(const Paths& paths) const {
 /// between their nearest points.
 bool FluidParts::areConnected(const Block& one, const Block& other) const {
   constexpr std::array kShares{0.5, 0.1, 0.9};
-  double least = std::numeric_limits<double>::infinity();
-  const FluidSpan* nearest = nullptr;
-  const FluidSpan* nearestOther = nullptr;
-  for (const auto& a : one.samples) {
-    for (const auto& b : other.samples) {
-      const double distance = squaredDistance(a, nearestPoint(b, a.middle()));
-      if (distance < least) least = distance, nearest = &a, nearestOther = &b;
-    }
-  }
-  const auto& a = *nearest;
-  const auto& b = *nearestOther;
-  Paths paths;
+  const auto nearest = nearestSpans(one, other);
+  const auto& a = *nearest.a;
+  const auto& b = *nearest.b;
   const int axis = a.line.axis;
   const double low = std::max(a.line.start[axis], b.line.start[axis]);
   const double high = std::min(a.line.end, b.line.end);
   if (b.line.axis == axis && low < high) {
-    for (const double share : kShares) {
+    return std::ranges::any_of(kShares, [&](double share) {
       const double at = low + share * (high - low);
-      paths.addAll(a.line.at(at), b.line.at(at));
-    }
-  } else {
-    const auto from = nearestPoint(a, b.middle());
-    paths.addAll(from, nearestPoint(b, from));
+      return isAnyClear(a.line.at(at), b.line.at(at));
+    });
   }
-  return isAnyClear(paths);
+  const auto from = nearestPoint(a, b.middle());
+  return isAnyClear(from, nearestPoint(b, from));
 }
 
 std::uint32_t FluidParts::of(std::uint32_t block, const Vec3<double>& point) const {
@@ -207,9 +203,7 @@ std::uint32_t FluidParts::at(const Vec3<double>& point) const {
   std::vector<FluidSpan> nearest(std::min(kMostTries, spans_.size()));
   std::ranges::partial_sort_copy(spans_, nearest, {}, distance, distance);
   for (const auto& span : nearest) {
-    Paths paths;
-    paths.addAll(point, nearestPoint(span, point));
-    if (isAnyClear(paths)) return partOfBlock_[span.block];
+    if (isAnyClear(point, nearestPoint(span, point))) return partOfBlock_[span.block];
   }
   return partOfBlock_[nearest.front().block];
 }

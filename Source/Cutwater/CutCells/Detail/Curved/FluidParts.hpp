@@ -3,8 +3,9 @@
 #include <Cutwater/CutCells/Detail/Curved/RulePoints.hpp>
 
 #include <array>
-#include <optional>
+#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cutwater {
@@ -14,39 +15,47 @@ namespace cutwater {
 class FluidParts {
  public:
   /// `points`: that make up the fluid.
-  FluidParts(const FluidField& field, const BoxView& view, const RulePoints& points);
+  FluidParts(const FluidField& field, const Box<double>& box, const RulePoints& points);
 
   [[nodiscard]] std::size_t count() const { return count_; }
   /// That of a block; that of a point, if the block has no spans.
   [[nodiscard]] std::uint32_t of(std::uint32_t block, const Vec3<double>& point) const;
-  /// The part to which a point in the fluid belongs: that of a near span to which such a path leads.
+  /// The part to which a point in the fluid belongs: that of a near span to which such a path
+  /// leads.
   [[nodiscard]] std::uint32_t at(const Vec3<double>& point) const;
 
  private:
-  /// Paths between points, each a row of lines.
-  struct Paths {
-    std::vector<AxisLine> lines;
-    std::vector<std::size_t> ends;  // of each path among the lines
-
-    void add(const Vec3<double>& from, const Vec3<double>& to, std::span<const int> order);
-    void addAll(const Vec3<double>& from, const Vec3<double>& to);
-  };
-  [[nodiscard]] bool isAnyClear(const Paths& paths) const;
   struct Block {
     std::uint32_t number = 0;
-    std::size_t count = 0;           // of spans
+    LinePlace place;
+    std::size_t count = 0;  // of spans
     FluidSpan longest;
     std::vector<FluidSpan> samples;  // some spans
     std::uint64_t sides = 0;         // of surfaces, by a bit for each
   };
-  [[nodiscard]] std::vector<Block> blocksIn(const Box<double>& box) const;
+  /// Two blocks, and by what pairs are ordered: whether they are no neighbours, and a distance.
+  struct Pair {
+    const Block* a = nullptr;
+    const Block* b = nullptr;
+    std::pair<bool, double> order;
+  };
+  struct NearestSpans {
+    double distance = std::numeric_limits<double>::infinity();  // squared
+    const FluidSpan* a = nullptr;
+    const FluidSpan* b = nullptr;
+  };
+  [[nodiscard]] static NearestSpans nearestSpans(const Block& one, const Block& other);
+  [[nodiscard]] std::vector<Block> blocksIn(const Box<double>& box, const RulePoints& points) const;
   void connect(std::span<const Block> blocks);
+  [[nodiscard]] static bool isClear(const Vec3<double>& from, const Vec3<double>& to,
+                                    std::span<const int> order, LineCrossings& crossings);
+  [[nodiscard]] bool isAnyClear(const Vec3<double>& from, const Vec3<double>& to) const;
   [[nodiscard]] bool areConnected(const Block& one, const Block& other) const;
 
   const FluidField* field_;
   std::size_t count_ = 1;
-  std::vector<FluidSpan> spans_;             // if there are several parts
-  std::vector<std::uint32_t> partOfBlock_;   // kNone: it has no spans
+  std::vector<FluidSpan> spans_;            // if there are several parts
+  std::vector<std::uint32_t> partOfBlock_;  // kNone: it has no spans
 };
 
 }  // namespace cutwater

@@ -72,7 +72,8 @@ void FluidRule::findIn(const BoxView& view, const OpenSides& sides, double toler
   flatAxis_ = view.flatAxis();
   parts_ = 0;
   linesLeft_ = kMostLines;
-  const bool isFoundInFaces = !field_.knowsSurfaces() && isPierced(view, sides) && !view.hiddenPoint();
+  const bool isFoundInFaces =
+      !field_.knowsSurfaces() && isPierced(view, sides) && !view.hiddenPoint();
   const auto pierced = isFoundInFaces ? view.hiddenPointInFaces() : std::nullopt;
   bool isFirst = true;
   for (const auto& [points, halvings] : attempts) {
@@ -180,8 +181,7 @@ void FluidRule::addBetweenSurfaces(const Box<double>& box,
     const int longest = nearestAxis(box.size());
     divide(longest, box.center()[longest]);
   } else {
-    sweep.run(rims_, crossings_, points_);
-    points_.isOneSided = depth == 0 && sweep.isOneSided();
+    sweep.run({rims_, crossings_, points_});
   }
 }
 
@@ -252,11 +252,11 @@ void FluidRule::addWhole(const Box<double>& box, int flatAxis) {
   const SweepAxes axes{(flatAxis + 1) % 3, (flatAxis + 2) % 3, (flatAxis + 3) % 3};
   const auto block = points_.blockAt({.sweep = points_.sweeps++}, 1, 0);
   const auto addSlice = [&](double slice, double weight, std::uint32_t) {
-    forStretches(gauss_, box.lower[axes.row], std::array{box.upper[axes.row]},
-                 [&](double row, double rowWeight, std::uint32_t) {
-                   points_.spans.push_back(
-                       {lineAt(box, axes, slice, row), weight * rowWeight, block});
-                 });
+    forStretches(
+        gauss_, box.lower[axes.row], std::array{box.upper[axes.row]},
+        [&](double row, double rowWeight, std::uint32_t) {
+          points_.spans.push_back({lineAt(box, axes, slice, row), weight * rowWeight, block});
+        });
   };
   if (flatAxis >= 0) return addSlice(box.lower[axes.slice], 1, 0);
   forStretches(gauss_, box.lower[axes.slice], std::array{box.upper[axes.slice]}, addSlice);
@@ -297,9 +297,10 @@ void FluidRule::sweep(const BoxView& view, const SweepAxes& axes) {
   }
   crossings_.find(lines.lines);
   for (std::size_t i = 0; i < lines.lines.size(); ++i) {
-    addLinePoints(field_, crossings_, i, {lines.lines[i], lines.weights[i]},
-                  {.flatAxis = flatAxis_, .withFluid = true, .place = lines.places[i]},
-                  [](const FluidField*, const Vec3<double>&) { return true; }, points_);
+    addLinePoints(
+        field_, crossings_, i, {lines.lines[i], lines.weights[i]},
+        {.flatAxis = flatAxis_, .withFluid = true, .place = lines.places[i]},
+        [](const FluidField*, const Vec3<double>&) { return true; }, points_);
   }
 }
 

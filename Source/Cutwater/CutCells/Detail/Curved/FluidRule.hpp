@@ -59,8 +59,8 @@ class FluidRule {
   const FluidField& field_;
   int fewest_;
   std::span<const GaussPoint> gauss_;  // of the attempt at hand
-  LineCrossings rims_;       // of rows along the ends of lines
-  LineCrossings crossings_;  // of lines
+  LineCrossings rims_;                 // of rows along the ends of lines
+  LineCrossings crossings_;            // of lines
   std::vector<AxisLine> rows_;
   int flatAxis_ = -1;
   RulePoints points_;

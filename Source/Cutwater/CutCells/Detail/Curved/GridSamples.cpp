@@ -78,7 +78,8 @@ BoxSamples GridSamples::of(const TilePlace& cell, int flatAxis) {
         cornerOf(cell, isOfRectangle(corner, flatAxis) ? corner : corner - (1 << flatAxis));
     samples.values[static_cast<std::size_t>(corner)] = valueAt(node);
     // Not looked at where surfaces are known.
-    if (!field_.knowsSurfaces()) samples.gradients[static_cast<std::size_t>(corner)] = gradientAt(node);
+    if (!field_.knowsSurfaces())
+      samples.gradients[static_cast<std::size_t>(corner)] = gradientAt(node);
   }
   for (int axis = 0; axis < 3; ++axis) {
     if (axis == flatAxis) continue;
@@ -95,7 +96,7 @@ BoxSamples GridSamples::of(const TilePlace& cell, int flatAxis) {
       samples.corners.push_back(corner);
     }
   }
-  findCrossings(field_, unknown);
+  findCrossings(field_, unknown, !field_.knowsSurfaces());
   return samples;
 }
 

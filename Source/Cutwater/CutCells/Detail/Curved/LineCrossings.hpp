@@ -55,9 +55,7 @@ class LineCrossings {
   /// The same, given all the surfaces in which the wall lies near the lines.
   void find(std::span<const AxisLine> lines, std::span<const FluidField* const> surfaces);
 
-  [[nodiscard]] bool startsInFluid(std::size_t line) const {
-    return startsInFluid_[line] != 0;
-  }
+  [[nodiscard]] bool startsInFluid(std::size_t line) const { return startsInFluid_[line] != 0; }
   /// The coordinates, ascending, at which fluid begins or ends.
   [[nodiscard]] std::span<const double> of(std::size_t line) const {
     return std::span(positions_).subspan(first_[line], first_[line + 1] - first_[line]);
@@ -113,15 +111,15 @@ class LineCrossings {
 
   const FluidField* field_;
   std::unique_ptr<LineCrossings> ofSurface_;
-  std::vector<Root> roots_;            // by line, ascending
-  std::vector<ZeroEnds> zeroEnds_;     // of each line
-  std::vector<double> ends_;           // values at both ends of each line
+  std::vector<Root> roots_;         // by line, ascending
+  std::vector<ZeroEnds> zeroEnds_;  // of each line
+  std::vector<double> ends_;        // values at both ends of each line
   std::vector<Bracket> brackets_;
   std::vector<char> startsInFluid_;
   std::vector<std::size_t> first_;
   std::vector<double> positions_;
   std::vector<const FluidField*> surfaceOf_;  // at each of these
-  std::vector<std::size_t> open_;  // brackets that are not done
+  std::vector<std::size_t> open_;             // brackets that are not done
   std::vector<Vec3<double>> points_;
   std::vector<double> values_;
 };

@@ -24,9 +24,9 @@ struct FluidSpan {
 /// A point of the wall, at an end of such a stretch.
 struct WallPoint {
   Vec3<double> at;
-  Vec3<double> normal;  ///< out of the fluid, unit; in a rectangle, in its plane
-  double weight = 0;    ///< its share of the wall's area; of a length, in a rectangle
-  Vec3<double> inside;  ///< a point of the fluid beside it
+  Vec3<double> normal;          ///< out of the fluid, unit; in a rectangle, in its plane
+  double weight = 0;            ///< its share of the wall's area; of a length, in a rectangle
+  Vec3<double> inside;          ///< a point of the fluid beside it
   std::uint32_t block = kNone;  ///< of that
 };
 
@@ -49,25 +49,25 @@ struct RulePoints {
   std::vector<FluidSpan> spans;
   std::vector<WallPoint> walls;
   std::uint32_t sweeps = 0;
-  bool isOneSided = false;  ///< all of the fluid is on one side of a graph
 
   /// The block of the spans of this number on lines with so many spans at a place.
   [[nodiscard]] std::uint32_t blockAt(const LinePlace& place, std::uint32_t count,
                                       std::uint32_t number) {
     const Block block{place, count, number};
-    const auto known = std::find(blocks_.rbegin(), blocks_.rend(), block);  // mostly one of the last
+    const auto known =
+        std::find(blocks_.rbegin(), blocks_.rend(), block);  // mostly one of the last
     if (known != blocks_.rend()) return static_cast<std::uint32_t>(blocks_.rend() - known - 1);
     blocks_.push_back(block);
     return static_cast<std::uint32_t>(blocks_.size() - 1);
   }
   [[nodiscard]] std::size_t blockCount() const { return blocks_.size(); }
+  [[nodiscard]] const LinePlace& placeOf(std::size_t block) const { return blocks_[block].place; }
 
   void clear() {
     spans.clear();
     walls.clear();
     blocks_.clear();
     sweeps = 0;
-    isOneSided = false;
   }
 
  private:

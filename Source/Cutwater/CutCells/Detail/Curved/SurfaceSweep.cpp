@@ -7,7 +7,9 @@ namespace cutwater {
 
 namespace {
 
-constexpr double kParallel = 1e-7;  // components of a unit normal that count as zero
+constexpr std::ptrdiff_t kFew = 3;     // samples on a surface
+constexpr double kClearly = 1 + 1e-9;  // larger, and not by rounding: mirror images are alike
+constexpr double kParallel = 1e-7;     // components of a unit normal that count as zero
 
 bool haveBothSigns(std::span<const double> values) {
   const auto [least, most] = std::ranges::minmax(values);
@@ -49,6 +51,15 @@ void SurfaceSweep::see(const FluidField& surface) {
     if (flatAxis_ >= 0) slope[flatAxis_] = 0;
     seen.normals[i] = normalized(slope);
   }
+  if (!isFlat) {
+    constexpr double kNear = 1e-3;  // of the box
+    std::array<double, kSamples> left{};
+    surface.values(points, left);
+    for (std::size_t i = 0; i < kSamples; ++i) {
+      seen.isOnIt[i] = std::abs(left[i]) <= kNear * box_.diagonal();
+    }
+  }
+  if (std::ranges::count(seen.isOnIt, true) < kFew) seen.isOnIt.fill(true);
   bool isSteady = true;
   double best = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -56,12 +67,13 @@ void SurfaceSweep::see(const FluidField& surface) {
     std::array<double, kSamples> along{};
     double least = 1;
     for (std::size_t i = 0; i < kSamples; ++i) {
+      if (!seen.isOnIt[i]) continue;
       along[i] = seen.normals[i][axis];
       least = std::min(least, std::abs(along[i]));
     }
     seen.isMonotone[static_cast<std::size_t>(axis)] = !haveBothSigns(along);
     isSteady = isSteady && !haveBothSigns(along);
-    if (least > best) best = least, seen.wallAxis = axis;
+    if (least > kClearly * best) best = least, seen.wallAxis = axis;
   }
   constexpr double kSlope = 0.2;
   seen.isGraph = best >= kSlope;
@@ -77,6 +89,7 @@ void SurfaceSweep::see(const FluidField& surface) {
 bool SurfaceSweep::mayTouchInRows(const Seen& a, const Seen& b, const SweepAxes& axes) const {
   std::array<double, kSamples> determinants{};
   for (std::size_t i = 0; i < kSamples; ++i) {
+    if (!a.isOnIt[i] && !b.isOnIt[i]) continue;
     determinants[i] = a.normals[i][axes.line] * b.normals[i][axes.row] -
                       a.normals[i][axes.row] * b.normals[i][axes.line];
   }
@@ -85,23 +98,15 @@ bool SurfaceSweep::mayTouchInRows(const Seen& a, const Seen& b, const SweepAxes&
 
 /// Whether samples of one surface are on both sides of another.
 bool SurfaceSweep::mayMeet(const Seen& a, const Seen& b) const {
-  constexpr double kNear = 1e-3;  // of the box
-  std::array<double, kSamples> own{};
   std::array<double, kSamples> other{};
-  a.field->values(a.points, own);
   b.field->values(a.points, other);
-  const double near = kNear * box_.diagonal();
   bool isAbove = false;
   bool isBelow = false;
-  std::size_t samples = 0;
   for (std::size_t i = 0; i < kSamples; ++i) {
-    if (std::abs(own[i]) > near) continue;
-    ++samples;
-    isAbove = isAbove || other[i] >= 0;
-    isBelow = isBelow || other[i] <= 0;
+    isAbove = isAbove || (a.isOnIt[i] && other[i] >= 0);
+    isBelow = isBelow || (a.isOnIt[i] && other[i] <= 0);
   }
-  constexpr std::size_t kFew = 3;
-  return samples < kFew || (isAbove && isBelow);
+  return isAbove && isBelow;
 }
 
 int SurfaceSweep::flawsOf(const SweepAxes& axes) const {
@@ -144,13 +149,19 @@ bool SurfaceSweep::hasWallAlong(int axis) const {
 
 bool SurfaceSweep::hasKink() const {
   return std::ranges::any_of(seen_, [&](const Seen& seen) {
-    return !seen.field->facts().isFlat &&
-           isKinked(*seen.field, seen.points, seen.normals, flatAxis_);
+    std::vector<Vec3<double>> points;
+    std::vector<Vec3<double>> normals;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+      if (!seen.isOnIt[i]) continue;
+      points.push_back(seen.points[i]);
+      normals.push_back(seen.normals[i]);
+    }
+    return isKinked(*seen.field, points, normals, flatAxis_);
   });
 }
 
-/// Where a surface turns along the axis that it should not turn along, on the line through the
-/// middle; else the middle of the longest axis.
+/// Where a surface turns along an axis that it should not turn along, on the line through the
+/// middle; else the middle along the axis along which normals differ most.
 SurfaceSweep::Division SurfaceSweep::division() const {
   constexpr int kHalvings = 40;
   constexpr double kMargin = 1e-3;  // of the box
@@ -178,15 +189,36 @@ SurfaceSweep::Division SurfaceSweep::division() const {
       if (at > box_.lower[axis] + margin && at < box_.upper[axis] - margin) return {axis, at};
     }
   }
-  const int longest = nearestAxis(size);
-  return {longest, box_.center()[longest]};
+  const int axis = bendingAxis();
+  return {axis, box_.center()[axis]};
+}
+
+/// Along which normals at both ends of the box differ most; the longest, if they do not.
+int SurfaceSweep::bendingAxis() const {
+  constexpr double kSame = 1e-6;
+  int best = nearestAxis(box_.size());
+  double most = kSame;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!isFree(axis)) continue;
+    const auto end = std::size_t{1} << static_cast<unsigned>(axis);
+    for (const auto& seen : seen_) {
+      double bend = 0;
+      for (std::size_t corner = 0; corner < 8; ++corner) {
+        if ((corner & end) == 0) {
+          bend += length(seen.normals[corner | end] - seen.normals[corner]);
+        }
+      }
+      if (bend > kClearly * most) most = bend, best = axis;
+    }
+  }
+  return best;
 }
 
 /// Newton's method from the middle; none if it ends outside.
 std::optional<Vec3<double>> SurfaceSweep::meeting(std::span<const FluidField* const> surfaces,
                                                   const Box<double>& region) const {
   constexpr int kMostSteps = 16;
-  constexpr double kFound = 1e-8;    // of the box: the next step is exact
+  constexpr double kFound = 1e-8;  // of the box: the next step is exact
   constexpr double kSingular = 1e-9;
   const auto size = region.size();
   std::array<int, 3> free{};
@@ -216,9 +248,9 @@ std::optional<Vec3<double>> SurfaceSweep::meeting(std::span<const FluidField* co
     for (std::size_t a = 0; a < count; ++a) {
       const int axis = free[a];
       const double before = point[axis];
-      point[axis] = std::clamp(before + move[static_cast<int>(a)],
-                               region.lower[axis] - 0.5 * size[axis],
-                               region.upper[axis] + 0.5 * size[axis]);
+      point[axis] =
+          std::clamp(before + move[static_cast<int>(a)], region.lower[axis] - 0.5 * size[axis],
+                     region.upper[axis] + 0.5 * size[axis]);
       moved = std::max(moved, std::abs(point[axis] - before));
     }
     if (moved > kFound * reach) continue;
@@ -290,47 +322,49 @@ std::vector<SweptSlice> SurfaceSweep::slices(const SweepAxes& axes, LineCrossing
   return found;
 }
 
-void SurfaceSweep::run(LineCrossings& rims, LineCrossings& lines, RulePoints& to) const {
-  const auto sweep = [&](const SweepAxes& axes, std::span<const SweptSlice> slices,
-                         bool withFluid) {
-    std::vector<AxisLine> rows;
-    for (const auto& slice : slices) {
-      for (const double end : {box_.lower[axes.line], box_.upper[axes.line]}) {
-        rows.push_back(rimAt(box_, axes, slice.at, end));
-      }
-    }
-    rims.find(rows, surfaces_);
-    SweptLines swept{.sweep = to.sweeps++};
-    std::vector<double> ends;
-    for (std::size_t i = 0; i < slices.size(); ++i) {
-      ends.clear();
-      for (const auto row : {2 * i, 2 * i + 1}) {
-        const auto found = rims.of(row);
-        ends.insert(ends.end(), found.begin(), found.end());
-      }
-      auto slice = box_;
-      slice.lower[axes.slice] = slice.upper[axes.slice] = slices[i].at;
-      addMeetings(slice, axes.row, ends);
-      swept.addRow(gauss_, box_, axes, slices[i], ends);
-    }
-    lines.find(swept.lines, surfaces_);
-    const auto takesWall = [&](const FluidField* surface, const Vec3<double>&) {
-      const auto seen = std::ranges::find(seen_, surface, &Seen::field);
-      return seen == seen_.end() ? withFluid : seen->wallAxis == axes.line;
-    };
-    for (std::size_t i = 0; i < swept.lines.size(); ++i) {
-      addLinePoints(field_, lines, i, {swept.lines[i], swept.weights[i]},
-                    {flatAxis_, withFluid, swept.places[i]}, takesWall, to);
-    }
-  };
+void SurfaceSweep::run(const Into& into) const {
   auto axes = axes_;
-  const auto first = slices(axes, rims);
-  sweep(axes, first, true);
+  const auto found = slices(axes, into.rims);
+  sweep(axes, found, true, into);
   std::swap(axes.line, axes.row);
-  if (hasWallAlong(axes.line)) sweep(axes, first, false);
+  if (hasWallAlong(axes.line)) sweep(axes, found, false, into);
   if (flatAxis_ >= 0 || !hasWallAlong(axes.slice)) return;
   std::swap(axes.line, axes.slice);
-  sweep(axes, slices(axes, rims), false);
+  sweep(axes, slices(axes, into.rims), false, into);
+}
+
+/// Adds the fluid if it is asked for, and walls that are graphs along lines.
+void SurfaceSweep::sweep(const SweepAxes& axes, std::span<const SweptSlice> slices, bool withFluid,
+                         const Into& into) const {
+  std::vector<AxisLine> rims;
+  for (const auto& slice : slices) {
+    for (const double end : {box_.lower[axes.line], box_.upper[axes.line]}) {
+      rims.push_back(rimAt(box_, axes, slice.at, end));
+    }
+  }
+  into.rims.find(rims, surfaces_);
+  SweptLines swept{.sweep = into.points.sweeps++};
+  std::vector<double> ends;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    ends.clear();
+    for (const auto rim : {2 * i, 2 * i + 1}) {
+      const auto found = into.rims.of(rim);
+      ends.insert(ends.end(), found.begin(), found.end());
+    }
+    auto slice = box_;
+    slice.lower[axes.slice] = slice.upper[axes.slice] = slices[i].at;
+    addMeetings(slice, axes.row, ends);
+    swept.addRow(gauss_, box_, axes, slices[i], ends);
+  }
+  into.lines.find(swept.lines, surfaces_);
+  const auto takesWall = [&](const FluidField* surface, const Vec3<double>&) {
+    const auto seen = std::ranges::find(seen_, surface, &Seen::field);
+    return seen == seen_.end() ? withFluid : seen->wallAxis == axes.line;
+  };
+  for (std::size_t i = 0; i < swept.lines.size(); ++i) {
+    addLinePoints(field_, into.lines, i, {swept.lines[i], swept.weights[i]},
+                  {flatAxis_, withFluid, swept.places[i]}, takesWall, into.points);
+  }
 }
 
 }  // namespace cutwater

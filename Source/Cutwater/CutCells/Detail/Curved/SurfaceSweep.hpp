@@ -33,14 +33,18 @@ class SurfaceSweep {
     double at = 0;
   };
   [[nodiscard]] Division division() const;
-  /// Whether there is but one surface, and all of the fluid is on one side of it.
-  [[nodiscard]] bool isOneSided() const { return seen_.size() == 1 && seen_.front().isGraph; }
   /// Whether one of the surfaces seems to have an edge in the box itself.
   [[nodiscard]] bool hasKink() const;
 
+  /// Where points go, and what finds them.
+  struct Into {
+    LineCrossings& rims;   ///< of rows along the ends of lines
+    LineCrossings& lines;  ///< of lines
+    RulePoints& points;
+  };
   /// Adds the fluid and its wall. Each surface's part of it is measured by lines along an axis over
   /// which it is a graph.
-  void run(LineCrossings& rims, LineCrossings& lines, RulePoints& to) const;
+  void run(const Into& into) const;
 
  private:
   static constexpr std::size_t kSamples = 9;
@@ -49,7 +53,8 @@ class SurfaceSweep {
     const FluidField* field = nullptr;
     std::array<Vec3<double>, kSamples> points{};
     std::array<Vec3<double>, kSamples> normals{};
-    int wallAxis = 0;       // over which it is a graph
+    std::array<bool, kSamples> isOnIt{};  // each of these points; all, if few are
+    int wallAxis = 0;                     // over which it is a graph
     bool isGraph = false;
     std::array<bool, 3> isMonotone{};  // along an axis: it crosses lines at most once
 
@@ -63,12 +68,15 @@ class SurfaceSweep {
   [[nodiscard]] int flawsOf(const SweepAxes& axes) const;
   [[nodiscard]] bool mayTouchInRows(const Seen& a, const Seen& b, const SweepAxes& axes) const;
   [[nodiscard]] bool mayMeet(const Seen& a, const Seen& b) const;
+  [[nodiscard]] int bendingAxis() const;
   [[nodiscard]] bool hasWallAlong(int axis) const;
   [[nodiscard]] bool isFree(int axis) const { return axis != flatAxis_; }
+  void sweep(const SweepAxes& axes, std::span<const SweptSlice> slices, bool withFluid,
+             const Into& into) const;
   [[nodiscard]] std::vector<SweptSlice> slices(const SweepAxes& axes, LineCrossings& edges) const;
   void addMeetings(const Box<double>& region, int axis, std::vector<double>& found) const;
-  [[nodiscard]] std::optional<Vec3<double>> meeting(
-      std::span<const FluidField* const> surfaces, const Box<double>& region) const;
+  [[nodiscard]] std::optional<Vec3<double>> meeting(std::span<const FluidField* const> surfaces,
+                                                    const Box<double>& region) const;
 
   const FluidField& field_;
   std::span<const GaussPoint> gauss_;

@@ -1,0 +1,142 @@
+// Cells with edges and corners of solids, which are found from the surfaces that meet there,
+// against closed forms and against the same solids as meshes.
+
+#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/Lattice/PackedBed.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Shapes/Cuboid.hpp>
+#include <Cutwater/Shapes/Cylinder.hpp>
+#include <Cutwater/Shapes/InfiniteCylinder.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "CutCells/BoxUnions.hpp"
+#include "CutCells/MomentCells.hpp"
+#include "CutCells/ShellCells.hpp"
+#include "Support/Scale.hpp"
+
+namespace cutwater::test {
+namespace {
+
+const Vec3<double> kAxis{1, 2, 3};
+const Vec3<double> kMiddle{0.5, 0.5, 0.5};
+
+/// The fluid of each cell that is cut.
+std::map<std::tuple<int, int, int>, double> fluidByCell(const CutCells& cells) {
+  std::map<std::tuple<int, int, int>, double> fluid;
+  for (std::size_t row = 0; row < cells.cellCount; ++row) {
+    const auto& index = cells.cells.index[row];
+    for (auto p = cells.cells.firstPiece[row]; p < cells.cells.firstPiece[row + 1]; ++p) {
+      fluid[{index.i, index.j, index.k}] += cells.pieces.volume[p];
+    }
+  }
+  return fluid;
+}
+
+/// Unions of turned boxes, as meshes and as shapes: what no edge and no corner is cut off of has
+/// the same volume in each cell, but for rounding.
+TEST(SolidEdgesTest, TurnedBoxesAreThoseOfTheirMeshes) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> at(0.15, 0.85);
+  std::uniform_real_distribution<double> angle(0, 180);
+  std::size_t compared = 0;
+  for (int round = 0; round < scaled(12); ++round) {
+    SCOPED_TRACE(round);
+    std::vector<Box<double>> boxes;
+    std::optional<Solid<double>> shapes;
+    for (int i = 0; i <= round % 3; ++i) {
+      const Vec3<double> a{at(random), at(random), at(random)};
+      const Vec3<double> b{at(random), at(random), at(random)};
+      boxes.push_back({min(a, b), max(a, b) + Vec3<double>{0.01, 0.01, 0.01}});
+      const Solid<double> shape = Cuboid<double>(boxes.back());
+      shapes = shapes ? *shapes | shape : shape;
+    }
+    auto mesh = solidOf(soupOf(boxes));
+    const double degrees = angle(random);
+    mesh.rotate(degrees, kAxis, kMiddle);
+    shapes->rotate(degrees, kAxis, kMiddle);
+    for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+      const auto ofMesh = fluidByCell(CellCutter(mesh, side).cut(unitGrid(9)));
+      const auto found = SolidCutter(*shapes, side).cut(unitGrid(9));
+      const auto ofShapes = fluidByCell(found);
+      constexpr double kNear = 1e-14;  // cells have a volume of 1.4e-3
+      for (const auto& [cell, fluid] : ofShapes) {
+        const auto other = ofMesh.find(cell);
+        if (other == ofMesh.end()) continue;  // touched in one of them
+        EXPECT_NEAR(fluid, other->second, kNear);
+        ++compared;
+      }
+      for (const double error : found.cells.error) EXPECT_LT(error, 1e-10);
+    }
+  }
+  EXPECT_GT(compared, 1500U);
+}
+
+/// A needle through cells, thinner than what values at any grid of points see.
+TEST(SolidEdgesTest, NeedlesAreFound) {
+  const double width = 1e-5;
+  Solid<double> needle = Cuboid<double>({0.1, 0.513, 0.487}, {0.9, 0.513 + width, 0.487 + width});
+  for (const double degrees : {0.0, 17.0}) {
+    needle.rotate(degrees, kAxis, kMiddle);
+    const auto report = check(SolidCutter(needle, FluidSide::Outside).cut(unitGrid(8)));
+    EXPECT_NEAR(report.bodyVolume, 0.8 * width * width, 1e-15);
+    EXPECT_NEAR(report.wallArea, 2 * width * width + 4 * 0.8 * width, 1e-14);
+  }
+}
+
+/// A ball of radius R with a hole of radius r: its volume is 4/3 pi (R^2 - r^2)^(3/2), its surface
+/// 4 pi (R + r) (R^2 - r^2)^(1/2).
+TEST(SolidEdgesTest, ADrilledBallIsThatOfTheFormula) {
+  constexpr double kPi = std::numbers::pi;
+  const Vec3<double> middle{0.507, 0.493, 0.511};
+  const double outer = 0.37;
+  const double inner = 0.13;
+  const auto solid = Solid<double>(Sphere<double>(middle, outer)) -
+                     InfiniteCylinder<double>(middle, {3, 1, 2}, inner);
+  const double half = std::sqrt(outer * outer - inner * inner);
+  for (const int cells : {10, 20}) {
+    const auto found = SolidCutter(solid, FluidSide::Outside).cut(unitGrid(cells));
+    const auto report = check(found);
+    EXPECT_NEAR(report.bodyVolume, 4 * kPi / 3 * std::pow(half, 3), cells == 10 ? 2e-8 : 1e-8);
+    EXPECT_NEAR(report.wallArea, 4 * kPi * (outer + inner) * half, cells == 10 ? 3e-6 : 1e-6);
+    double worst = 0;
+    for (const double error : found.cells.error) worst = std::max(worst, error);
+    EXPECT_LT(worst, 1e-3);
+  }
+}
+
+/// Balls that overlap by pairs: of a bed, whose tree gives those near a cell, and of a union.
+TEST(SolidEdgesTest, BedsAreUnionsOfTheirBalls) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> at(0.15, 0.85);
+  std::vector<Ball<double>> balls;
+  Solid<double> all = Sphere<double>({0.5, 0.5, 0.5}, 0.12);
+  balls.push_back({{0.5, 0.5, 0.5}, 0.12});
+  for (int i = 0; i < 40; ++i) {
+    balls.push_back({{at(random), at(random), at(random)}, 0.12});
+    all = all | Sphere<double>(balls.back().center, balls.back().radius);
+  }
+  const SolidCutterOptions options{.tolerance = 1e-3};
+  const auto ofBed =
+      SolidCutter(Solid<double>(PackedBed<double>(balls)), FluidSide::Outside, options)
+          .cut(unitGrid(16));
+  const auto ofUnion = SolidCutter(all, FluidSide::Outside, options).cut(unitGrid(16));
+  ASSERT_EQ(ofBed.pieces.volume.size(), ofUnion.pieces.volume.size());
+  for (std::size_t p = 0; p < ofBed.pieces.volume.size(); ++p) {
+    EXPECT_NEAR(ofBed.pieces.volume[p], ofUnion.pieces.volume[p], 1e-13);
+  }
+  const auto report = check(ofBed);
+  EXPECT_LT(report.worstClosure, 1e-14);
+  EXPECT_EQ(report.lostPieces, 0U);
+}
+
+}  // namespace
+}  // namespace cutwater::test
