@@ -3,6 +3,7 @@
 #include <Cutwater/Lattice/Detail/NeighborLimits.hpp>
 #include <Cutwater/Lattice/PackedBed.hpp>
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
+#include <Cutwater/Sdf/Solid.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
 #include <algorithm>

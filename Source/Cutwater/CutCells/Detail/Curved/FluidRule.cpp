@@ -298,7 +298,7 @@ void FluidRule::sweep(const BoxView& view, const SweepAxes& axes) {
   crossings_.find(lines.lines);
   for (std::size_t i = 0; i < lines.lines.size(); ++i) {
     addLinePoints(
-        field_, crossings_, i, {lines.lines[i], lines.weights[i]},
+        field_, {crossings_, i, {lines.lines[i], lines.weights[i]}},
         {.flatAxis = flatAxis_, .withFluid = true, .place = lines.places[i]},
         [](const FluidField*, const Vec3<double>&) { return true; }, points_);
   }

@@ -216,7 +216,7 @@ void KinkSweep::addSlice(const SweptSlice& slice, bool withFluid) {
   swept.addRow(gauss_, box_, axes_, slice, ends);
   for (std::size_t i = 0; i < swept.lines.size(); ++i) {
     found_.find({&swept.lines[i], 1});
-    addLinePoints(field_, found_, 0, {swept.lines[i], swept.weights[i]},
+    addLinePoints(field_, {found_, 0, {swept.lines[i], swept.weights[i]}},
                   {view_.flatAxis(), withFluid, swept.places[i]}, takesWall, to_);
   }
 }

@@ -132,20 +132,27 @@ struct LineTaking {
   LinePlace place = {};
 };
 
-/// Adds what a line with a weight, the one of this number among `crossings`, has of the fluid; and
-/// of the wall, where takesWall(surface, normal) says so.
+/// A line with a weight, the one of this number among those whose crossings were found.
+struct MetLine {
+  const LineCrossings& crossings;
+  std::size_t number = 0;
+  FluidSpan whole;
+};
+
+/// Adds what a line has of the fluid; and of the wall, where takesWall(surface, normal) says so.
 template <typename TakesWall>
-void addLinePoints(const FluidField& field, const LineCrossings& crossings, std::size_t number,
-                   const FluidSpan& whole, const LineTaking& taking, const TakesWall& takesWall,
-                   RulePoints& to) {
+void addLinePoints(const FluidField& field, const MetLine& met, const LineTaking& taking,
+                   const TakesWall& takesWall, RulePoints& to) {
   constexpr double kSteepest = 1e-3;  // where a wall along a line is taken to have an area
-  const auto& line = whole.line;
+  const auto& crossings = met.crossings;
+  const auto number = met.number;
+  const auto& line = met.whole.line;
   std::size_t next = 0;  // crossing
   const auto places = crossings.of(number).size() + (crossings.startsInFluid(number) ? 2 : 1);
   const auto count = static_cast<std::uint32_t>(places / 2);  // spans
   std::uint32_t place = 0;
   const auto visit = [&](double from, double end, bool wallBelow, bool wallAbove) {
-    auto span = whole;
+    auto span = met.whole;
     span.block = to.blockAt(taking.place, count, place++);
     span.line.start[line.axis] = from;
     span.line.end = end;
@@ -157,7 +164,7 @@ void addLinePoints(const FluidField& field, const LineCrossings& crossings, std:
       if (surface != nullptr && (normal[line.axis] > 0) != isAbove) normal = -normal;
       if (normal == Vec3<double>{} || !takesWall(surface, normal)) return;
       const double slope = std::max(std::abs(normal[line.axis]), kSteepest);
-      to.walls.push_back({at, normal, whole.weight / slope, span.middle(), span.block});
+      to.walls.push_back({at, normal, met.whole.weight / slope, span.middle(), span.block});
     };
     if (wallBelow) addWall(from, false);
     if (wallAbove) addWall(end, true);

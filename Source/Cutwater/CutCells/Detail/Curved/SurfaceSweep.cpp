@@ -362,7 +362,7 @@ void SurfaceSweep::sweep(const SweepAxes& axes, std::span<const SweptSlice> slic
     return seen == seen_.end() ? withFluid : seen->wallAxis == axes.line;
   };
   for (std::size_t i = 0; i < swept.lines.size(); ++i) {
-    addLinePoints(field_, into.lines, i, {swept.lines[i], swept.weights[i]},
+    addLinePoints(field_, {into.lines, i, {swept.lines[i], swept.weights[i]}},
                   {flatAxis_, withFluid, swept.places[i]}, takesWall, into.points);
   }
 }
