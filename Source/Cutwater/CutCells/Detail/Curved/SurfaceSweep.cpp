@@ -30,48 +30,25 @@ SurfaceSweep::SurfaceSweep(const FluidField& field, std::span<const GaussPoint> 
 /// them. One that the corners show to be elsewhere is left out.
 void SurfaceSweep::see(const FluidField& surface) {
   Seen seen{.field = &surface};
-  auto& points = seen.points;
   std::array<double, kSamples> values{};
-  for (int i = 0; i < 8; ++i) points[static_cast<std::size_t>(i)] = box_.corner(i);
-  points.back() = box_.center();
-  surface.values(points, values);
-  const bool isFlat = surface.facts().isFlat;
-  for (std::size_t i = 0; i < kSamples; ++i) {
-    if (isFlat && i > 0) {
-      seen.normals[i] = seen.normals[0];
-      continue;
-    }
-    auto slope = surface.gradient(points[i]);
-    const double steepness = lengthSquared(slope);
-    if (!isFlat && steepness > 0) {
-      const auto nearer = points[i] - (values[i] / steepness) * slope;
-      points[i] = max(box_.lower, min(nearer, box_.upper));
-      slope = surface.gradient(points[i]);
-    }
-    if (flatAxis_ >= 0) slope[flatAxis_] = 0;
-    seen.normals[i] = normalized(slope);
-  }
-  if (!isFlat) {
-    constexpr double kNear = 1e-3;  // of the box
-    std::array<double, kSamples> left{};
-    surface.values(points, left);
-    for (std::size_t i = 0; i < kSamples; ++i) {
-      seen.isOnIt[i] = std::abs(left[i]) <= kNear * box_.diagonal();
-    }
-  }
-  if (std::ranges::count(seen.isOnIt, true) < kFew) seen.isOnIt.fill(true);
+  for (int i = 0; i < 8; ++i) seen.points[static_cast<std::size_t>(i)] = box_.corner(i);
+  seen.points.back() = box_.center();
+  surface.values(seen.points, values);
+  sample(values, seen);
   bool isSteady = true;
   double best = 0;
   for (int axis = 0; axis < 3; ++axis) {
     if (!isFree(axis)) continue;
     std::array<double, kSamples> along{};
+    std::array<double, kSamples> onIt{};
     double least = 1;
     for (std::size_t i = 0; i < kSamples; ++i) {
-      if (!seen.isOnIt[i]) continue;
       along[i] = seen.normals[i][axis];
+      if (!seen.isOnIt[i]) continue;
+      onIt[i] = along[i];
       least = std::min(least, std::abs(along[i]));
     }
-    seen.isMonotone[static_cast<std::size_t>(axis)] = !haveBothSigns(along);
+    seen.isMonotone[static_cast<std::size_t>(axis)] = !haveBothSigns(onIt);
     isSteady = isSteady && !haveBothSigns(along);
     if (least > kClearly * best) best = least, seen.wallAxis = axis;
   }
@@ -82,6 +59,33 @@ void SurfaceSweep::see(const FluidField& surface) {
   const bool isElsewhere =
       std::ranges::all_of(values, isAbove) || std::ranges::all_of(values, isBelow);
   if (!(isSteady && isElsewhere)) seen_.push_back(seen);
+}
+
+void SurfaceSweep::sample(std::span<const double> values, Seen& seen) const {
+  constexpr double kNear = 1e-3;  // of the box
+  const auto slopeAt = [&](const Vec3<double>& point) {
+    auto slope = seen.field->gradient(point);
+    if (flatAxis_ >= 0) slope[flatAxis_] = 0;
+    return slope;
+  };
+  if (seen.field->facts().isFlat) {
+    seen.normals.fill(normalized(slopeAt(seen.points[0])));
+    return seen.isOnIt.fill(true);
+  }
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    auto& point = seen.points[i];
+    const auto slope = slopeAt(point);
+    const double steepness = lengthSquared(slope);
+    if (steepness > 0) point -= (values[i] / steepness) * slope;
+    point = max(box_.lower, min(point, box_.upper));
+    seen.normals[i] = normalized(slopeAt(point));
+  }
+  std::array<double, kSamples> left{};
+  seen.field->values(seen.points, left);
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    seen.isOnIt[i] = std::abs(left[i]) <= kNear * box_.diagonal();
+  }
+  if (std::ranges::count(seen.isOnIt, true) < kFew) seen.isOnIt.fill(true);
 }
 
 /// Whether two surfaces may begin or end to meet at a slice: their tangents in it are parallel
@@ -149,6 +153,7 @@ bool SurfaceSweep::hasWallAlong(int axis) const {
 
 bool SurfaceSweep::hasKink() const {
   return std::ranges::any_of(seen_, [&](const Seen& seen) {
+    if (seen.field->facts().isFlat) return false;
     std::vector<Vec3<double>> points;
     std::vector<Vec3<double>> normals;
     for (std::size_t i = 0; i < kSamples; ++i) {

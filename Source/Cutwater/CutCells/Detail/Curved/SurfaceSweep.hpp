@@ -64,6 +64,7 @@ class SurfaceSweep {
   };
 
   void see(const FluidField& surface);
+  void sample(std::span<const double> values, Seen& seen) const;
   void chooseAxes();
   [[nodiscard]] int flawsOf(const SweepAxes& axes) const;
   [[nodiscard]] bool mayTouchInRows(const Seen& a, const Seen& b, const SweepAxes& axes) const;
