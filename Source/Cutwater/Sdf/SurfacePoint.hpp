@@ -106,8 +106,8 @@ template <std::floating_point T>
 class Solid;
 
 /// Called with one surface after the other, each given by a solid that it bounds. It counts only
-/// where it lies in the surface of `operand`, as the plane of a face does in that of a cuboid; null:
-/// of the solid that was asked.
+/// where it lies in the surface of `operand`, as the plane of a face does in that of a cuboid;
+/// null: of the solid that was asked.
 template <std::floating_point T>
 using SurfaceVisitor = FunctionRef<void(const Solid<T>& surface, const Solid<T>* operand)>;
 

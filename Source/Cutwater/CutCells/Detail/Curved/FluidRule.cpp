@@ -77,6 +77,7 @@ void FluidRule::findIn(const BoxView& view, const OpenSides& sides, double toler
   const auto pierced = isFoundInFaces ? view.hiddenPointInFaces() : std::nullopt;
   bool isFirst = true;
   for (const auto& [points, halvings] : attempts) {
+    if (!isFirst && points == fewest_ && halvings == 0) continue;
     gauss_ = gaussPoints(points);
     std::swap(points_, best_);
     points_.clear();

@@ -7,6 +7,7 @@ namespace cutwater {
 
 namespace {
 
+constexpr double kOnIt = 1e-3;         // of the box: how near to a surface samples are
 constexpr std::ptrdiff_t kFew = 3;     // samples on a surface
 constexpr double kClearly = 1 + 1e-9;  // larger, and not by rounding: mirror images are alike
 constexpr double kParallel = 1e-7;     // components of a unit normal that count as zero
@@ -26,8 +27,8 @@ SurfaceSweep::SurfaceSweep(const FluidField& field, std::span<const GaussPoint> 
   chooseAxes();
 }
 
-/// Samples a surface near the corners and the middle of the box, one step of Newton's method off
-/// them. One that the corners show to be elsewhere is left out.
+/// Samples a surface near the corners and the middle of the box. One that the corners show to be
+/// elsewhere is left out.
 void SurfaceSweep::see(const FluidField& surface) {
   Seen seen{.field = &surface};
   std::array<double, kSamples> values{};
@@ -61,29 +62,49 @@ void SurfaceSweep::see(const FluidField& surface) {
   if (!(isSteady && isElsewhere)) seen_.push_back(seen);
 }
 
+/// A point of the surface near another one, within the box: by steps of Newton's method along the
+/// gradient, or what of it does not lead out of the box.
+Vec3<double> SurfaceSweep::drawnTo(const FluidField& surface, Vec3<double> point,
+                                   double value) const {
+  constexpr int kSteps = 4;
+  const double near = kOnIt * box_.diagonal();
+  for (int step = 0; step < kSteps && std::abs(value) > near; ++step) {
+    auto slope = slopeOf(surface, point);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double move = -value * slope[axis];
+      const bool leaves = (point[axis] <= box_.lower[axis] && move < 0) ||
+                          (point[axis] >= box_.upper[axis] && move > 0);
+      if (leaves) slope[axis] = 0;
+    }
+    const double steepness = lengthSquared(slope);
+    if (steepness == 0) break;
+    point -= (value / steepness) * slope;
+    point = max(box_.lower, min(point, box_.upper));
+    value = surface.value(point);
+  }
+  return point;
+}
+
+Vec3<double> SurfaceSweep::slopeOf(const FluidField& surface, const Vec3<double>& point) const {
+  auto slope = surface.gradient(point);
+  if (flatAxis_ >= 0) slope[flatAxis_] = 0;
+  return slope;
+}
+
 void SurfaceSweep::sample(std::span<const double> values, Seen& seen) const {
-  constexpr double kNear = 1e-3;  // of the box
-  const auto slopeAt = [&](const Vec3<double>& point) {
-    auto slope = seen.field->gradient(point);
-    if (flatAxis_ >= 0) slope[flatAxis_] = 0;
-    return slope;
-  };
   if (seen.field->facts().isFlat) {
-    seen.normals.fill(normalized(slopeAt(seen.points[0])));
+    seen.normals.fill(normalized(slopeOf(*seen.field, seen.points[0])));
     return seen.isOnIt.fill(true);
   }
   for (std::size_t i = 0; i < kSamples; ++i) {
     auto& point = seen.points[i];
-    const auto slope = slopeAt(point);
-    const double steepness = lengthSquared(slope);
-    if (steepness > 0) point -= (values[i] / steepness) * slope;
-    point = max(box_.lower, min(point, box_.upper));
-    seen.normals[i] = normalized(slopeAt(point));
+    point = drawnTo(*seen.field, point, values[i]);
+    seen.normals[i] = normalized(slopeOf(*seen.field, point));
   }
   std::array<double, kSamples> left{};
   seen.field->values(seen.points, left);
   for (std::size_t i = 0; i < kSamples; ++i) {
-    seen.isOnIt[i] = std::abs(left[i]) <= kNear * box_.diagonal();
+    seen.isOnIt[i] = std::abs(left[i]) <= kOnIt * box_.diagonal();
   }
   if (std::ranges::count(seen.isOnIt, true) < kFew) seen.isOnIt.fill(true);
 }
@@ -126,9 +147,27 @@ int SurfaceSweep::flawsOf(const SweepAxes& axes) const {
   return flaws;
 }
 
+/// Whether a surface that is no plane leaves through the ends of lines nearly along rows: where it
+/// leaves a row then changes abruptly from slice to slice.
+bool SurfaceSweep::leavesAlongRows(const Seen& seen, const SweepAxes& axes) const {
+  constexpr double kSlope = 0.3;
+  if (flatAxis_ >= 0 || seen.field->facts().isFlat) return false;
+  bool isAlong = false;
+  double most = 0;
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    if (!seen.isOnIt[i]) continue;
+    const double row = std::abs(seen.normals[i][axes.row]);
+    const double slice = std::abs(seen.normals[i][axes.slice]);
+    isAlong = isAlong || row < kSlope * std::hypot(row, slice);
+    most = std::max(most, row);
+  }
+  return isAlong && most > kParallel;
+}
+
 /// Those with the fewest flaws, along which most walls are graphs.
 void SurfaceSweep::chooseAxes() {
   constexpr int kFlaw = 1000;
+  constexpr int kAbrupt = 50;
   constexpr int kSlice = 4;  // a sweep of its own, which a wall along rows does not need
   int least = -1;
   for (int line = 0; line < 3; ++line) {
@@ -138,6 +177,7 @@ void SurfaceSweep::chooseAxes() {
       if (flat >= 0 && axes.slice != flat) continue;
       int cost = kFlaw * flawsOf(axes);
       for (const auto& seen : seen_) {
+        if (leavesAlongRows(seen, axes)) cost += kAbrupt;
         if (seen.wallAxis == axes.slice) cost += kSlice;
         if (seen.wallAxis == axes.row) cost += 1;
       }

@@ -65,7 +65,11 @@ class SurfaceSweep {
 
   void see(const FluidField& surface);
   void sample(std::span<const double> values, Seen& seen) const;
+  [[nodiscard]] Vec3<double> drawnTo(const FluidField& surface, Vec3<double> point,
+                                     double value) const;
+  [[nodiscard]] Vec3<double> slopeOf(const FluidField& surface, const Vec3<double>& point) const;
   void chooseAxes();
+  [[nodiscard]] bool leavesAlongRows(const Seen& seen, const SweepAxes& axes) const;
   [[nodiscard]] int flawsOf(const SweepAxes& axes) const;
   [[nodiscard]] bool mayTouchInRows(const Seen& a, const Seen& b, const SweepAxes& axes) const;
   [[nodiscard]] bool mayMeet(const Seen& a, const Seen& b) const;
