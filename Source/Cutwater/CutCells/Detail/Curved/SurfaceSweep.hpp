@@ -5,7 +5,6 @@
 #include <Cutwater/CutCells/Detail/Curved/RulePoints.hpp>
 
 #include <array>
-#include <optional>
 #include <span>
 
 namespace cutwater {
@@ -80,8 +79,6 @@ class SurfaceSweep {
              const Into& into) const;
   [[nodiscard]] std::vector<SweptSlice> slices(const SweepAxes& axes, LineCrossings& edges) const;
   void addMeetings(const Box<double>& region, int axis, std::vector<double>& found) const;
-  [[nodiscard]] std::optional<Vec3<double>> meeting(std::span<const FluidField* const> surfaces,
-                                                    const Box<double>& region) const;
 
   const FluidField& field_;
   std::span<const GaussPoint> gauss_;
