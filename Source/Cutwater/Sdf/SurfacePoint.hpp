@@ -102,8 +102,10 @@ struct SurfaceFacet {
 template <std::floating_point T>
 using FacetVisitor = FunctionRef<bool(const SurfaceFacet<T>&)>;
 
+/// @cond forward
 template <std::floating_point T>
 class Solid;
+/// @endcond
 
 /// Called with one surface after the other, each given by a solid that it bounds. It counts only
 /// where it lies in the surface of `operand`, as the plane of a face does in that of a cuboid;
