@@ -40,6 +40,14 @@ OpenSides openEdges(const BoxView& view) {
   return edges;
 }
 
+/// The parts of a box below and above a coordinate.
+std::array<Box<double>, 2> halvesOf(const Box<double>& box, int axis, double at) {
+  std::array halves{box, box};
+  halves[0].upper[axis] = at;
+  halves[1].lower[axis] = at;
+  return halves;
+}
+
 /// Whether faces of a box that no wall crosses in edges are not all fluid or all body, as its
 /// corners are.
 bool isPierced(const BoxView& view, const OpenSides& sides) {
@@ -158,11 +166,7 @@ void FluidRule::addBetweenSurfaces(const Box<double>& box,
   const int dimension = flatAxis_ < 0 ? 3 : 2;
   ++parts_;
   const auto divide = [&](int axis, double at) {
-    auto low = box;
-    auto high = box;
-    low.upper[axis] = at;
-    high.lower[axis] = at;
-    for (const auto& half : {low, high}) {
+    for (const auto& half : halvesOf(box, axis, at)) {
       std::vector<const FluidField*> near;
       std::ranges::copy_if(surfaces, std::back_inserter(near),
                            [&](const FluidField* surface) { return surface->mayReach(half); });
@@ -209,12 +213,9 @@ void FluidRule::addUncrossed(const BoxView& view, int depth, int halvings, bool 
 }
 
 void FluidRule::split(const Box<double>& box, int axis, double at, int depth, int halvings) {
-  auto low = box;
-  auto high = box;
-  low.upper[axis] = at;
-  high.lower[axis] = at;
-  addPart(BoxView(field_, low), depth + 1, halvings);
-  addPart(BoxView(field_, high), depth + 1, halvings);
+  for (const auto& half : halvesOf(box, axis, at)) {
+    addPart(BoxView(field_, half), depth + 1, halvings);
+  }
 }
 
 /// The middle of what is on a point's side of the surface along each axis, in turns.

@@ -63,10 +63,9 @@ void SurfaceSweep::see(const FluidField& surface) {
   if (!(isSteady && isElsewhere)) seen_.push_back(seen);
 }
 
-/// A point of the surface near another one, within the box: by steps of Newton's method along the
+/// Moves a point with a value to the surface, within the box: by steps of Newton's method along the
 /// gradient, or what of it does not lead out of the box.
-Vec3<double> SurfaceSweep::drawnTo(const FluidField& surface, Vec3<double> point,
-                                   double value) const {
+void SurfaceSweep::draw(Vec3<double>& point, double& value, const FluidField& surface) const {
   constexpr int kSteps = 4;
   const double near = kOnIt * box_.diagonal();
   for (int step = 0; step < kSteps && std::abs(value) > near; ++step) {
@@ -83,7 +82,6 @@ Vec3<double> SurfaceSweep::drawnTo(const FluidField& surface, Vec3<double> point
     point = max(box_.lower, min(point, box_.upper));
     value = surface.value(point);
   }
-  return point;
 }
 
 Vec3<double> SurfaceSweep::slopeOf(const FluidField& surface, const Vec3<double>& point) const {
@@ -99,13 +97,10 @@ void SurfaceSweep::sample(std::span<const double> values, Seen& seen) const {
   }
   for (std::size_t i = 0; i < kSamples; ++i) {
     auto& point = seen.points[i];
-    point = drawnTo(*seen.field, point, values[i]);
+    double value = values[i];
+    draw(point, value, *seen.field);
     seen.normals[i] = normalized(slopeOf(*seen.field, point));
-  }
-  std::array<double, kSamples> left{};
-  seen.field->values(seen.points, left);
-  for (std::size_t i = 0; i < kSamples; ++i) {
-    seen.isOnIt[i] = std::abs(left[i]) <= kOnIt * box_.diagonal();
+    seen.isOnIt[i] = std::abs(value) <= kOnIt * box_.diagonal();
   }
   if (std::ranges::count(seen.isOnIt, true) < kFew) seen.isOnIt.fill(true);
 }
@@ -176,16 +171,16 @@ void SurfaceSweep::chooseAxes() {
       const SweepAxes axes{line, (line + turn) % 3, (line + 3 - turn) % 3};
       const int flat = flatAxis_;
       if (flat >= 0 && axes.slice != flat) continue;
-      int cost = kFlaw * flawsOf(axes);
+      const int flaws = flawsOf(axes);
+      int cost = kFlaw * flaws;
       for (const auto& seen : seen_) {
         if (leavesAlongRows(seen, axes)) cost += kAbrupt;
         if (seen.wallAxis == axes.slice) cost += kSlice;
         if (seen.wallAxis == axes.row) cost += 1;
       }
-      if (least < 0 || cost < least) least = cost, axes_ = axes;
+      if (least < 0 || cost < least) least = cost, axes_ = axes, flaws_ = flaws;
     }
   }
-  flaws_ = flawsOf(axes_);
 }
 
 bool SurfaceSweep::hasWallAlong(int axis) const {
