@@ -75,7 +75,8 @@ inline void expectSameBut(const RepeatedCell& one, const RepeatedCell& other,
 }
 
 /// A box of cells, and others anywhere, of a grid of `n` cells in a period.
-inline void expectRepeats(const CellCutter& cutter, int n, double lower,
+template <typename Cutter>
+void expectRepeats(const Cutter& cutter, int n, double lower,
                           const CutOptions& options = {}) {
   const auto period = cutter.period();
   std::array<std::vector<double>, 3> across;

@@ -74,6 +74,17 @@ TEST(SolidPolygonsTest, CloseEveryPieceToTheBit) {
   }
 }
 
+TEST(SolidPolygonsTest, CloseEveryPieceAcrossTheEndsOfPeriods) {
+  for (const auto& solid : {thickTorus(), boredBall()}) {
+    const SolidCutter cutter(translated(solid, Vec3<double>{0.4, -0.3, 0.55}), FluidSide::Outside,
+                             {.period = {1, 1, 1}});
+    const auto volumes = expectClosedPolygons(cutter.cut(unitGrid(9), {.polygons = true}));
+    EXPECT_NEAR(volumes.ofPolygons, volumes.ofRows, 0.01);
+    expectClosedPolygons(cutter.cut(
+        GridPatch<double>{unitGrid(9).level, {{5, -3, -11}, {11, 2, -7}}}, {.polygons = true}));
+  }
+}
+
 TEST(SolidPolygonsTest, EncloseTheVolumeButForTheSecondOrder) {
   for (const auto& solid :
        {thickTorus(), Solid<double>(Sphere<double>({0.513, 0.507, 0.489}, 0.37))}) {

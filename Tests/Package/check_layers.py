@@ -25,7 +25,7 @@ MAY_INCLUDE = {
     "Lattice": "Core Simd Bvh Sdf Shapes Operations",
     "Tpms": "Core Simd Sdf Shapes Operations",
     "Grid": "Core Sdf Surface",
-    "CutCells": "Core Text Bvh Sdf Shapes Triangles Surface Mesh Grid",
+    "CutCells": "Core Text Bvh Sdf Shapes Operations Triangles Surface Mesh Grid",
     "Io": "Core Text Surface Lattice Grid CutCells",
     "Adapters": "Core Sdf Grid",
     "Render": "Core Bvh Sdf Operations Grid CutCells",

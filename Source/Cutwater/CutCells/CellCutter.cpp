@@ -5,6 +5,7 @@
 #include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
 #include <Cutwater/CutCells/Detail/Surface/CapAngles.hpp>
 #include <Cutwater/CutCells/Detail/Surface/SurfaceOfSolid.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/PeriodicPlanes.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/PlaneCut.hpp>
 
 #include <algorithm>
@@ -21,36 +22,6 @@ void refuseQuadrature(const CutOptions& options) {
 
 void refusePeriod(const CutPeriod& period, const char* message) {
   require(!period.isOnAny(), message, Named{"period", period.length});
-}
-
-/// The planes between cells [first, last] and around them, of a grid with these planes.
-std::vector<double> planesFrom(const std::vector<double>& planes, std::int64_t first,
-                               std::int64_t last, int axis) {
-  const auto all = cellsBetween({planes, planes, planes}).planes[0];
-  require(first >= 0 && last + 2 <= std::ssize(planes),
-          "cut cells: need a box between the planes along axes without a period",
-          Named{"axis", axis}, Named{"first", first}, Named{"last", last});
-  return {all.begin() + first, all.begin() + last + 4};
-}
-
-/// The same, of planes that repeat.
-std::vector<double> repeatedFrom(const CutPeriod& period, const std::vector<double>& planes,
-                                 std::int64_t first, std::int64_t last, int axis) {
-  const auto cells = std::ssize(planes) - 1;
-  const double length = period.length[axis];
-  const double rounding = 1e-9 * length;
-  require(cells >= 2 && std::abs(planes.back() - planes.front() - length) <= rounding,
-          "cut cells: need two cells or more that together are as long as the period",
-          Named{"axis", axis}, Named{"cells", cells}, Named{"period", length});
-  std::vector<double> result;
-  for (auto n = first - 1; n <= last + 2; ++n) {
-    const auto periods = n / cells - (n % cells < 0 ? 1 : 0);
-    const auto within = static_cast<std::size_t>(n - periods * cells);
-    result.push_back(period.rounded(planes[within]) + static_cast<double>(periods) * length);
-    require(period.has(result.back()), "cut cells: need a box that is less far away",
-            Named{"axis", axis}, Named{"plane", result.back()});
-  }
-  return result;
 }
 
 /// Cuts the tiles that have triangles, by cutOne(tile); null for the others.
@@ -94,7 +65,7 @@ CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) cons
   checkPlanes(grid);
   checkOptions(options);
   refuseQuadrature(options);
-  const CutBlocks tiles(*surface_, stretchesOf(*surface_, grid));
+  const CutBlocks tiles(*surface_, stretchesOf(grid, surface_->period(), surface_->frame()));
   const auto cuts = cutAll(tiles, options, [&](std::size_t tile) {
     return cutTile(*surface_, tiles.input(tile), options);
   });
@@ -110,7 +81,7 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
   const auto& frame = surface_->frame();
   require(!surface_->hasBaffleAt(frame.toFrame(2, z)), "cut cells: a baffle lies in the plane",
           Named{"z", z});
-  auto stretches = stretchesOf(*surface_, layer);
+  auto stretches = stretchesOf(layer, surface_->period(), frame);
   auto& heights = stretches[2].front().positions;
   const double thickness = heights[2] - heights[1];
   const auto around = planesAround(frame.toFrame(2, z));
@@ -136,22 +107,7 @@ CutLeaves CellCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options)
 
 CellPlanes CellCutter::cellsOfPeriod(const std::array<std::vector<double>, 3>& planes,
                                      const Index3& first, const IndexBox& box) const {
-  const auto& period = surface_->period();
-  CellPlanes result{.planes = {}, .first = box.lo};
-  const std::array from{std::int64_t{box.lo.i} - first.i, std::int64_t{box.lo.j} - first.j,
-                        std::int64_t{box.lo.k} - first.k};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const int axis = static_cast<int>(a);
-    const auto last = from[a] + static_cast<std::int64_t>(box.length(axis)) - 1;
-    require(planes[a].size() >= 2, "cut cells: need two planes across each axis",
-            Named{"axis", axis});
-    result.planes[a] = period.isOn(axis) ? repeatedFrom(period, planes[a], from[a], last, axis)
-                                         : planesFrom(planes[a], from[a], last, axis);
-    if (period.isOn(axis)) {
-      result.period[a] = static_cast<std::int32_t>(planes[a].size() - 1);
-    }
-  }
-  return result;
+  return planesOfPeriod(surface_->period(), planes, first, box);
 }
 
 Vec3<double> CellCutter::period() const {
@@ -160,26 +116,7 @@ Vec3<double> CellCutter::period() const {
 
 template <std::floating_point T>
 CellPlanes CellCutter::gridOf(const GridPatch<T>& gridPatch) const {
-  auto result = planesOf(gridPatch);
-  const auto& period = surface_->period();
-  const std::array first{result.first.i, result.first.j, result.first.k};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const int axis = static_cast<int>(a);
-    if (!period.isOn(axis)) continue;
-    const auto spacing = double{gridPatch.level.spacing()[axis]};
-    constexpr double kMost = 0x1p26;
-    const auto cells = std::llround(std::min(period.length[axis] / spacing, kMost));
-    std::vector<double> planes;
-    for (std::int32_t n = 0; n <= cells; ++n) {
-      Index3 index;
-      along(index, axis) = n;
-      planes.push_back(double{gridPatch.level.cell(index).lower[axis]});
-    }
-    const auto last = first[a] + static_cast<std::int64_t>(gridPatch.indices.length(axis)) - 1;
-    result.planes[a] = repeatedFrom(period, planes, first[a], last, axis);
-    result.period[a] = static_cast<std::int32_t>(cells);
-  }
-  return result;
+  return planesOf(surface_->period(), gridPatch);
 }
 
 template <std::floating_point T>

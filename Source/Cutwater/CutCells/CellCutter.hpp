@@ -17,6 +17,7 @@ namespace cutwater {
 class CapAngles;
 class CutSurface;
 class FluidField;
+struct CutPeriod;
 
 /// Options of CellCutter::cut().
 struct CutOptions {
@@ -173,6 +174,11 @@ struct SolidCutterOptions {
   /// Where open parts and wall of a cell, or of a face, close no better than this, in shares of its
   /// largest side, it is halved up to three times.
   double tolerance = 1e-5;
+  /// The period of the body along each axis, 0: none. The body is the union of the solid with all
+  /// its images whole periods away. Along an axis without bounds, as of a triply periodic wall, the
+  /// solid must repeat itself, which is looked at in a hundred points. The period is rounded as by
+  /// CutterOptions::period.
+  Vec3<double> period = {};
 };
 
 /// Options of SolidCutter::certified().
@@ -182,6 +188,9 @@ struct CertifyOptions {
   double width = 0.1;
   /// The search ends after so many boxes of a cell, or of a face: then its interval is wider.
   std::size_t boxes = 10'000;
+  /// Whether to look at the number of pieces, too, by as many boxes of each cell: see
+  /// CertifiedCells::undecided.
+  bool pieces = false;
   /// See ParallelOptions.
   int threads = 0;
   Progress progress = {};
@@ -201,6 +210,27 @@ struct CertifiedCells {
     Interval<double> volumeFraction;
   };
   std::vector<Doubtful> doubtful;  ///< sorted as rows are
+  /// On request, see CertifyOptions::pieces: rows of cells whose number of pieces is not proven. It
+  /// is where boxes that are all fluid connect each piece in itself, and boxes that are all body
+  /// part it from the others, as far as boxes are needed until those in which the surface may be
+  /// are no larger together than CertifyOptions::width. Pieces without any box that is all fluid
+  /// are taken for granted.
+  std::vector<std::uint32_t> undecided;
+};
+
+/// The same of the leaves of an octree.
+struct CertifiedLeaves {
+  std::vector<Interval<double>> volumeFraction;  ///< of each row
+  /// Of each arc: the share of the finer leaf's face that is open, in all arcs of that face.
+  std::vector<Interval<double>> aperture;
+
+  /// See CertifiedCells::Doubtful.
+  struct Doubtful {
+    std::uint32_t leaf = 0;
+    Interval<double> volumeFraction;
+  };
+  std::vector<Doubtful> doubtful;        ///< ascending
+  std::vector<std::uint32_t> undecided;  ///< rows, see CertifiedCells::undecided
 };
 
 /// Cuts the cells of grids by any solid: shapes, their unions, differences and blends, lattices,
@@ -229,32 +259,38 @@ class SolidCutter {
   /// @param solid  any; of a mesh, a CellCutter finds exact rows, and faster.
   /// @param side  where the fluid is.
   /// @param options  see there.
-  /// @throws Error(Argument) unless options are within their ranges.
+  /// @throws Error(Argument) unless options are within their ranges, and for a solid without bounds
+  /// that does not repeat itself.
   template <std::floating_point T>
   explicit SolidCutter(const Solid<T>& solid, FluidSide side = FluidSide::Outside,
                        const SolidCutterOptions& options = {});
 
   /// The cells of a box.
   /// @throws Error(Argument) unless planes ascend and are finite, and options are within their
-  /// ranges; for periods.
+  /// ranges, and unless they are those of cellsOfPeriod() if there is a period.
   [[nodiscard]] CutCells cut(const CellPlanes& grid, const CutOptions& options = {}) const;
   /// Those of a grid patch.
   template <std::floating_point T>
   [[nodiscard]] CutCells cut(const GridPatch<T>& gridPatch, const CutOptions& options = {}) const {
-    return cut(planesOf(gridPatch), options);
+    return cut(gridOf(gridPatch), options);
   }
+
+  /// As those of a CellCutter.
+  [[nodiscard]] CellPlanes cellsOfPeriod(const std::array<std::vector<double>, 3>& planes,
+                                         const Index3& first, const IndexBox& box) const;
+  [[nodiscard]] Vec3<double> period() const;
 
   /// The leaves of an octree, or of a part of one, as CellCutter::cut() gives them. An octree of
   /// one level gives the pieces and arcs of the grid patch, to the bit.
   /// @throws Error(Argument) if leaves are so small that their planes do not ascend, and unless
-  /// options are within their ranges; for polygons.
+  /// options are within their ranges; for polygons, and if there is a period.
   template <std::floating_point T>
   [[nodiscard]] CutLeaves cut(const OctreeCells<T>& mesh, const CutOptions& options = {}) const;
 
   /// In 2D: the rectangles between the grid's planes across x and y, in the plane at `z`, as
   /// CellCutter::cutInPlane() gives them.
   /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; for polygons, moments and
-  /// quadrature.
+  /// quadrature, and if there is a period.
   [[nodiscard]] CutCells cutInPlane(const CellPlanes& grid, double z,
                                     const CutOptions& options = {}) const;
 
@@ -266,6 +302,11 @@ class SolidCutter {
   /// numbers of the solid's precision.
   [[nodiscard]] CertifiedCells certified(const CutCells& cells,
                                          const CertifyOptions& options = {}) const;
+  /// Of the leaves that cut() gave for this octree.
+  /// @throws Error(Argument) also if the octree has another number of leaves.
+  template <std::floating_point T>
+  [[nodiscard]] CertifiedLeaves certified(const CutLeaves& leaves, const OctreeCells<T>& mesh,
+                                          const CertifyOptions& options = {}) const;
   /// Of the rectangles that cutInPlane() gave for this z.
   [[nodiscard]] CertifiedCells certifiedInPlane(const CutCells& cells, double z,
                                                 const CertifyOptions& options = {}) const;
@@ -273,7 +314,11 @@ class SolidCutter {
  private:
   [[nodiscard]] CutCells cut(const FluidField& field, const CellPlanes& grid,
                              const CutOptions& options) const;
+  template <std::floating_point T>
+  [[nodiscard]] CellPlanes gridOf(const GridPatch<T>& gridPatch) const;
+  void refusePeriod(const char* message) const;
 
+  std::shared_ptr<const CutPeriod> period_;
   std::shared_ptr<const FluidField> field_;
   SolidCutterOptions options_;
 };
@@ -285,6 +330,10 @@ extern template SolidCutter::SolidCutter(const Solid<double>&, FluidSide,
                                          const SolidCutterOptions&);
 extern template CutLeaves SolidCutter::cut(const OctreeCells<float>&, const CutOptions&) const;
 extern template CutLeaves SolidCutter::cut(const OctreeCells<double>&, const CutOptions&) const;
+extern template CertifiedLeaves SolidCutter::certified(const CutLeaves&, const OctreeCells<float>&,
+                                                       const CertifyOptions&) const;
+extern template CertifiedLeaves SolidCutter::certified(const CutLeaves&, const OctreeCells<double>&,
+                                                       const CertifyOptions&) const;
 extern template CutLeaves CellCutter::cut(const OctreeCells<float>&, const CutOptions&) const;
 extern template CutLeaves CellCutter::cut(const OctreeCells<double>&, const CutOptions&) const;
 extern template std::vector<std::uint32_t> CellCutter::disputedLeaves(const CutLeaves&,
@@ -293,6 +342,8 @@ extern template std::vector<std::uint32_t> CellCutter::disputedLeaves(const CutL
 extern template std::vector<std::uint32_t> CellCutter::disputedLeaves(const CutLeaves&,
                                                                       const OctreeCells<double>&,
                                                                       const ParallelOptions&) const;
+extern template CellPlanes SolidCutter::gridOf(const GridPatch<float>&) const;
+extern template CellPlanes SolidCutter::gridOf(const GridPatch<double>&) const;
 extern template CellPlanes CellCutter::gridOf(const GridPatch<float>&) const;
 extern template CellPlanes CellCutter::gridOf(const GridPatch<double>&) const;
 extern template CellPlanes planesOf(const GridPatch<float>&);

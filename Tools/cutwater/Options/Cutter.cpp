@@ -21,11 +21,12 @@ std::variant<CellCutter, SolidCutter> cutterOf(const Solid<double>& solid,
   }
   if (options.areOfSurface()) {
     throw Error(ErrorKind::Argument,
-                "--open, --baffle, --cap-holes and --period are for surfaces, and this solid is "
-                "described by a scene");
+                "--open, --baffle and --cap-holes are for surfaces, and this solid is described by "
+                "a scene");
   }
   SolidCutterOptions how;
   how.tolerance = options.tolerance.value_or(how.tolerance);
+  how.period = options.cutter.period;
   return SolidCutter(solid, options.side(), how);
 }
 

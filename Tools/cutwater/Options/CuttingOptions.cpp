@@ -9,7 +9,7 @@
 namespace cutwater::tool {
 
 bool CuttingOptions::areOfSurface() const {
-  return cutter.capHoles || !cutter.openPatches.empty() || !cutter.baffles.empty() || hasPeriod();
+  return cutter.capHoles || !cutter.openPatches.empty() || !cutter.baffles.empty();
 }
 
 void addCuttingOptions(Command command, CuttingOptions& options) {
@@ -27,7 +27,7 @@ void addCuttingOptions(Command command, CuttingOptions& options) {
   command.addFlag("--cap-holes", "Close the holes of the surface, by a patch named \"cap\"",
                   cutter.capHoles);
   command.add("--period", "LX,LY,LZ",
-              "The surface repeats after these lengths, 0: not along that axis; the grid covers "
+              "The solid repeats after these lengths, 0: not along that axis; the grid covers "
               "one period",
               [&cutter](const std::string& text) {
                 const auto period = vectorOf("--period", text);

@@ -19,7 +19,9 @@ struct CuttingOptions {
   [[nodiscard]] FluidSide side() const { return isInside ? FluidSide::Inside : FluidSide::Outside; }
   [[nodiscard]] bool hasPeriod() const { return cutter.period != Vec3<double>{}; }
   /// Whether any of them was given.
-  [[nodiscard]] bool areGiven() const { return isInside || tolerance || areOfSurface(); }
+  [[nodiscard]] bool areGiven() const {
+    return isInside || tolerance || hasPeriod() || areOfSurface();
+  }
   /// Any of those that only surfaces have.
   [[nodiscard]] bool areOfSurface() const;
 };

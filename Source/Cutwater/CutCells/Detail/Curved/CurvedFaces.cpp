@@ -23,6 +23,14 @@ void addSpan(const FluidSpan& span, OpenPart& part) {
 
 }  // namespace
 
+void CurvedFace::moveTo(int axis, double plane, const FluidField& field) {
+  for (auto& part : parts) {
+    part.centroid[axis] = part.inside[axis] = plane;
+    for (auto& span : part.spans) span.line.start[axis] = plane;
+  }
+  if (connected) connected->moveTo(axis, plane, field);
+}
+
 CurvedFace wholeFace(const Box<double>& face, FluidRule& rule) {
   CurvedFace result{.parts = {}, .area = areaOf(face), .isWhole = true};
   rule.takeAll(face);

@@ -34,6 +34,8 @@ struct CurvedFace {
     return part == kNone ? 0 : part;
   }
   [[nodiscard]] bool isCut() const { return !parts.empty() && !isWhole; }
+  /// Moves it to another plane across its axis, where this field has the same values.
+  void moveTo(int axis, double plane, const FluidField& field);
 };
 
 /// A face, given by its flat box, that is open.

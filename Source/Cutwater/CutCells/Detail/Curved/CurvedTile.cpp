@@ -52,23 +52,25 @@ class CurvedTile {
  public:
   CurvedTile(const FluidField& field, const GridPlanes& planes, const SolidCutterOptions& how,
              const CutOptions& options)
-      : field_(field),
+      : solid_(field),
+        fields_(field, planes),
+        field_(fields_.here()),
         planes_(planes),
         how_(how),
         degree_(options.moments),
         withPolygons_(options.polygons),
         withPoints_(options.quadrature),
-        rule_(field, how.points),
-        samples_(field, planes) {
+        rule_(field_, how.points),
+        samples_(fields_, planes) {
     out_.numbers = TileNumbers(planes.sizes());
     out_.moments.degree = options.moments;
+    faces_.resize(out_.numbers.faceCount());
+    isFound_.resize(out_.numbers.faceCount());
   }
 
   void restrictTo(const TileLeaves& leaves) { leaves_ = &leaves; }
 
   TileCut run() {
-    faces_.resize(out_.numbers.faceCount());
-    isFound_.resize(out_.numbers.faceCount());
     rowOf_.assign(out_.numbers.cellCount(), kNone);
     forTilePlaces(out_.numbers.cells(), [&](const TilePlace& cell) {
       if (leaves_ != nullptr && !leaves_->wanted[out_.numbers.cell(cell)]) return;
@@ -93,6 +95,9 @@ class CurvedTile {
     const auto number = out_.numbers.face(axis, place);
     if (isFound_[number] == 0) {
       isFound_[number] = 1;
+      if (planes_.shiftAt(axis, place[asIndex(axis)]) > 0) {
+        return faces_[number] = faceBeyondSeam(axis, place);
+      }
       const auto box = samples_.boxOf(place, axis);
       if (samples_.leavesRoom(place, axis)) {
         const BoxView view(field_, box, samples_.of(place, axis));
@@ -103,6 +108,9 @@ class CurvedTile {
     }
     return faces_[number];
   }
+
+  /// One in the last plane across an axis: found a period below.
+  CurvedFace faceBeyondSeam(int axis, TilePlace place);
 
   /// Finds the finer faces across a side of a cell.
   [[nodiscard]] bool findFiner(const TilePlace& cell, int axis, int side, CellSides& sides) {
@@ -295,6 +303,10 @@ class CurvedTile {
     }
   }
 
+  struct BelowSeam;
+
+  const FluidField& solid_;
+  NearFields fields_;
   const FluidField& field_;
   const GridPlanes& planes_;
   const SolidCutterOptions& how_;
@@ -311,42 +323,39 @@ class CurvedTile {
   const TileLeaves* leaves_ = nullptr;
   std::vector<FinerFace> finer_;  // of the cell at hand
   std::vector<BehindFiner> behind_;
+  std::array<std::shared_ptr<BelowSeam>, 3> belowSeam_;  // across each axis, once it is needed
   TileCut out_;
 };
 
-/// The longest diagonal of cells between planes, or more.
-double longestDiagonal(const GridPlanes& planes) {
-  Vec3<double> steps;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int i = 0; i < planes.cells(axis); ++i) {
-      steps[axis] = std::max(steps[axis], planes.at(axis, i + 1) - planes.at(axis, i));
-    }
+/// A layer of cells above the plane that is a period below the last one across an axis.
+struct CurvedTile::BelowSeam {
+  BelowSeam(const CurvedTile& of, int axis)
+      : planes(of.planes_), tile(of.solid_, withLayer(axis), of.how_, {}) {}
+
+  const GridPlanes& withLayer(int axis) {
+    auto& across = planes.positions[asIndex(axis)];
+    const double plane = across.back() - planes.period[axis];
+    positions = {plane, plane + (across.back() - across[across.size() - 2])};
+    across = positions;
+    return planes;
   }
-  return length(steps);
-}
 
-/// A field in a tile, with the surfaces that its walls lie in there, if they are known.
-class NearField {
- public:
-  NearField(const FluidField& field, const GridPlanes& planes)
-      : field_(field), near_(fieldIn(field, boxOf(planes), longestDiagonal(planes))) {}
-  [[nodiscard]] const FluidField& field() const { return near_ ? *near_ : field_; }
-
- private:
-  const FluidField& field_;
-  std::unique_ptr<const FluidField> near_;
+  std::array<double, 2> positions{};
+  GridPlanes planes;
+  CurvedTile tile;
 };
 
-}  // namespace
-
-Box<double> boxOf(const GridPlanes& planes) {
-  Box<double> box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = planes.positions[asIndex(axis)].front();
-    box.upper[axis] = planes.positions[asIndex(axis)].back();
-  }
-  return box;
+CurvedFace CurvedTile::faceBeyondSeam(int axis, TilePlace place) {
+  auto& below = belowSeam_[asIndex(axis)];
+  if (!below) below = std::make_shared<BelowSeam>(*this, axis);
+  const double plane = planes_.at(axis, place[asIndex(axis)]);
+  place[asIndex(axis)] = 0;
+  auto face = below->tile.faceAt(axis, place);
+  face.moveTo(axis, plane, field_);
+  return face;
 }
+
+}  // namespace
 
 WholeBox wholeBox(const FluidField& field, const Box<double>& box) {
   const double value = field.value(box.center());
@@ -356,15 +365,13 @@ WholeBox wholeBox(const FluidField& field, const Box<double>& box) {
 
 TileCut cutTile(const FluidField& field, const GridPlanes& planes, const SolidCutterOptions& how,
                 const CutOptions& options) {
-  const NearField near(field, planes);
-  return CurvedTile(near.field(), planes, how, options).run();
+  return CurvedTile(field, planes, how, options).run();
 }
 
 TileCut cutTile(const FluidField& field, const GridPlanes& planes, const SolidCutterOptions& how,
                 const CutOptions& options, const TileLeaves& leaves,
                 std::vector<BehindFiner>& behind) {
-  const NearField near(field, planes);
-  CurvedTile tile(near.field(), planes, how, options);
+  CurvedTile tile(field, planes, how, options);
   tile.restrictTo(leaves);
   auto cut = tile.run();
   behind = tile.behindFiner();

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/FunctionRef.hpp>
-#include <Cutwater/CutCells/Detail/Curved/FluidField.hpp>
-#include <Cutwater/CutCells/Detail/Tiles/GridPlanes.hpp>
+#include <Cutwater/CutCells/Detail/Curved/NearFields.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/TileCut.hpp>
 
 #include <vector>
@@ -15,9 +14,6 @@ struct WholeBox {
   bool isFluid = false;
 };
 [[nodiscard]] WholeBox wholeBox(const FluidField& field, const Box<double>& box);
-
-/// The box between the outermost planes.
-[[nodiscard]] Box<double> boxOf(const GridPlanes& planes);
 
 /// Cuts the cells between planes.
 [[nodiscard]] TileCut cutTile(const FluidField& field, const GridPlanes& planes,

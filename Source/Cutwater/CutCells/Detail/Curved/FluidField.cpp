@@ -1,5 +1,6 @@
 #include <Cutwater/Core/Detail/Scratch.hpp>
 #include <Cutwater/CutCells/Detail/Curved/FluidField.hpp>
+#include <Cutwater/CutCells/Detail/Curved/SolidImages.hpp>
 #include <Cutwater/Grid/Detail/VolumeSearch.hpp>
 #include <Cutwater/Shapes/Plane.hpp>
 
@@ -16,14 +17,16 @@ namespace {
 template <std::floating_point T>
 class SolidField final : public FluidField {
  public:
-  SolidField(const Solid<T>& solid, FluidSide side) : SolidField(solid, side, solid.guarantee()) {}
-  SolidField(const Solid<T>& solid, FluidSide side, const Guarantee<T>& guarantee)
+  SolidField(const Solid<T>& solid, FluidSide side, std::vector<std::string> patchNames)
+      : SolidField(solid, side, std::move(patchNames), solid.guarantee()) {}
+  SolidField(const Solid<T>& solid, FluidSide side, std::vector<std::string> patchNames,
+             const Guarantee<T>& guarantee)
       : FluidField(
             {.steepness = double{guarantee.lipschitz.value_or(T(0))},
              .domain = {Vec3<double>(guarantee.domain.lower), Vec3<double>(guarantee.domain.upper)},
              .isSingle = std::is_same_v<T, float>,
              .isFlat = solid.template as<Plane<T>>() != nullptr,
-             .patchNames = solid.patchNames()}),
+             .patchNames = std::move(patchNames)}),
         solid_(solid),
         roundingPerLength_(double{guarantee.ulps} * double{std::numeric_limits<T>::epsilon()}),
         size_(guarantee.size),
@@ -53,7 +56,11 @@ class SolidField final : public FluidField {
     return sign_ * Vec3<double>(solid_.gradient(Vec3<T>(point)));
   }
   SurfaceOwner owner(const Vec3<double>& surfacePoint) const override {
-    return solid_.owner(Vec3<T>(surfacePoint));
+    auto owner = solid_.owner(Vec3<T>(surfacePoint));
+    // Images have the patches of the solid, one image after the other.
+    const auto patches = static_cast<std::uint32_t>(patchNames().size());
+    if (patches > 0) owner.patch %= patches;
+    return owner;
   }
   bool mayBeCut(const Box<double>& box, BoxHint& hint) const override {
     return cutwater::mayBeCut(solid_.classify(ofSolid(box), &hint));
@@ -258,10 +265,20 @@ std::unique_ptr<const FluidField> sectionAt(const FluidField& field, double z) {
 
 template <std::floating_point T>
 std::shared_ptr<const FluidField> fluidBeside(const Solid<T>& solid, FluidSide side) {
-  return std::make_shared<const SolidField<T>>(solid, side);
+  return std::make_shared<const SolidField<T>>(solid, side, solid.patchNames());
+}
+
+template <std::floating_point T>
+std::shared_ptr<const FluidField> fluidBeside(const Solid<T>& solid, FluidSide side,
+                                              const CutPeriod& period) {
+  return std::make_shared<const SolidField<T>>(withImages(solid, period), side, solid.patchNames());
 }
 
 template std::shared_ptr<const FluidField> fluidBeside(const Solid<float>&, FluidSide);
 template std::shared_ptr<const FluidField> fluidBeside(const Solid<double>&, FluidSide);
+template std::shared_ptr<const FluidField> fluidBeside(const Solid<float>&, FluidSide,
+                                                       const CutPeriod&);
+template std::shared_ptr<const FluidField> fluidBeside(const Solid<double>&, FluidSide,
+                                                       const CutPeriod&);
 
 }  // namespace cutwater

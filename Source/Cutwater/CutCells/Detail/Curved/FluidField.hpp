@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/Core/Interval.hpp>
+#include <Cutwater/CutCells/Detail/Surface/CutPeriod.hpp>
 #include <Cutwater/Sdf/FluidSide.hpp>
 #include <Cutwater/Sdf/Solid.hpp>
 
@@ -102,11 +103,19 @@ class FluidField {
 /// Of a solid, with the fluid on this side of its surface.
 template <std::floating_point T>
 [[nodiscard]] std::shared_ptr<const FluidField> fluidBeside(const Solid<T>& solid, FluidSide side);
+/// Of a solid with its images, where cells are cut.
+template <std::floating_point T>
+[[nodiscard]] std::shared_ptr<const FluidField> fluidBeside(const Solid<T>& solid, FluidSide side,
+                                                            const CutPeriod& period);
 
 /// The section of a field at a height, the same at all heights. Views it.
 [[nodiscard]] std::unique_ptr<const FluidField> sectionAt(const FluidField& field, double z);
 
 extern template std::shared_ptr<const FluidField> fluidBeside(const Solid<float>&, FluidSide);
 extern template std::shared_ptr<const FluidField> fluidBeside(const Solid<double>&, FluidSide);
+extern template std::shared_ptr<const FluidField> fluidBeside(const Solid<float>&, FluidSide,
+                                                              const CutPeriod&);
+extern template std::shared_ptr<const FluidField> fluidBeside(const Solid<double>&, FluidSide,
+                                                              const CutPeriod&);
 
 }  // namespace cutwater

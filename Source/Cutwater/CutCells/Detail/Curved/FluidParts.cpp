@@ -196,6 +196,11 @@ std::uint32_t FluidParts::of(std::uint32_t block, const Vec3<double>& point) con
   return block != kNone && partOfBlock_[block] != kNone ? partOfBlock_[block] : at(point);
 }
 
+void FluidParts::moveTo(int axis, double plane, const FluidField& field) {
+  field_ = &field;
+  for (auto& span : spans_) span.line.start[axis] = plane;
+}
+
 std::uint32_t FluidParts::at(const Vec3<double>& point) const {
   if (count_ <= 1) return 0;
   constexpr std::size_t kMostTries = 12;

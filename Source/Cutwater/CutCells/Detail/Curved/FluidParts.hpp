@@ -23,6 +23,8 @@ class FluidParts {
   /// The part to which a point in the fluid belongs: that of a near span to which such a path
   /// leads.
   [[nodiscard]] std::uint32_t at(const Vec3<double>& point) const;
+  /// Moves a rectangle to another plane across its axis, of the same values in this field.
+  void moveTo(int axis, double plane, const FluidField& field);
 
  private:
   struct Block {

@@ -27,15 +27,16 @@ bool leavesRoom(const FluidField& field, const Box<double>& box, std::span<const
   });
 }
 
-GridSamples::GridSamples(const FluidField& field, const GridPlanes& planes)
-    : field_(field), planes_(planes), numbers_(planes.sizes()) {
+GridSamples::GridSamples(NearFields& fields, const GridPlanes& planes)
+    : fields_(fields), field_(fields.here()), planes_(planes), numbers_(planes.sizes()) {
   auto nodes = numbers_.cells();
   for (auto& n : nodes) ++n;
   std::vector<Vec3<double>> points;
   points.reserve(numbers_.nodeCount());
-  forTilePlaces(nodes, [&](const TilePlace& node) { points.push_back(pointAt(node)); });
+  forTilePlaces(nodes,
+                [&](const TilePlace& node) { points.push_back(pointAt(node) - shiftAt(node)); });
   values_.resize(points.size());
-  field.values(points, values_);
+  field_.values(points, values_);
   gradients_.resize(points.size());
   hasGradient_.resize(points.size());
   edges_.resize(numbers_.edgeCount());
@@ -65,7 +66,7 @@ const Vec3<double>& GridSamples::gradientAt(const TilePlace& node) {
   const auto number = numbers_.node(node);
   if (hasGradient_[number] == 0) {
     hasGradient_[number] = 1;
-    gradients_[number] = field_.gradient(pointAt(node));
+    gradients_[number] = field_.gradient(pointAt(node) - shiftAt(node));
   }
   return gradients_[number];
 }
@@ -73,6 +74,7 @@ const Vec3<double>& GridSamples::gradientAt(const TilePlace& node) {
 BoxSamples GridSamples::of(const TilePlace& cell, int flatAxis) {
   BoxSamples samples;
   std::vector<CrossedEdge*> unknown;
+  std::vector<Vec3<double>> shifts;
   for (int corner = 0; corner < 8; ++corner) {
     const auto node =
         cornerOf(cell, isOfRectangle(corner, flatAxis) ? corner : corner - (1 << flatAxis));
@@ -91,13 +93,28 @@ BoxSamples GridSamples::of(const TilePlace& cell, int flatAxis) {
         hasEdge_[number] = 1;
         edges_[number].line = {pointAt(node), planes_.at(axis, node[asIndex(axis)] + 1), axis};
         unknown.push_back(&edges_[number]);
+        shifts.push_back(shiftAt(node));
       }
       samples.edges.push_back(&edges_[number]);
       samples.corners.push_back(corner);
     }
   }
-  findCrossings(field_, unknown, !field_.knowsSurfaces());
+  findEdges(unknown, shifts);
   return samples;
+}
+
+/// Along their own axis, edges begin below the seam.
+void GridSamples::findEdges(std::span<CrossedEdge* const> edges,
+                            std::span<const Vec3<double>> shifts) {
+  if (std::ranges::all_of(shifts, [](const Vec3<double>& s) { return s == Vec3<double>{}; })) {
+    return findCrossings(field_, edges, !field_.knowsSurfaces());
+  }
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto& field = fields_.below(shifts[i]);
+    edges[i]->line.start -= shifts[i];
+    findCrossings(field, edges.subspan(i, 1), !field.knowsSurfaces());
+    edges[i]->line.start += shifts[i];
+  }
 }
 
 }  // namespace cutwater

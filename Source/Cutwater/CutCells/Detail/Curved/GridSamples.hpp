@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Cutwater/CutCells/Detail/Curved/BoxView.hpp>
+#include <Cutwater/CutCells/Detail/Curved/NearFields.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/GridPlanes.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/TileNumbers.hpp>
 
@@ -11,11 +12,11 @@ namespace cutwater {
                               std::span<const double> corners);
 
 /// What is known of a field at the nodes and edges of a tile's grid; edges, and gradients at nodes,
-/// once they are asked for.
+/// once they are asked for. What lies in planes beyond the seam is found a period below.
 class GridSamples {
  public:
   /// Views both.
-  GridSamples(const FluidField& field, const GridPlanes& planes);
+  GridSamples(NearFields& fields, const GridPlanes& planes);
 
   [[nodiscard]] double valueAt(const TilePlace& node) const { return values_[numbers_.node(node)]; }
   /// The box of a cell, or the rectangle of the face below it across an axis.
@@ -29,8 +30,13 @@ class GridSamples {
   [[nodiscard]] Vec3<double> pointAt(const TilePlace& node) const {
     return {planes_.at(0, node[0]), planes_.at(1, node[1]), planes_.at(2, node[2])};
   }
+  [[nodiscard]] Vec3<double> shiftAt(const TilePlace& node) const {
+    return {planes_.shiftAt(0, node[0]), planes_.shiftAt(1, node[1]), planes_.shiftAt(2, node[2])};
+  }
+  void findEdges(std::span<CrossedEdge* const> edges, std::span<const Vec3<double>> shifts);
   const Vec3<double>& gradientAt(const TilePlace& node);
 
+  NearFields& fields_;
   const FluidField& field_;
   const GridPlanes& planes_;
   TileNumbers numbers_;

@@ -63,9 +63,18 @@ Vec3<double> WallLattice::pointOf(const TilePlace& node) const {
   return point;
 }
 
+Vec3<double> WallLattice::shiftOf(const TilePlace& node) const {
+  Vec3<double> shift;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int n = node[asIndex(axis)];
+    if (n % kPerSide == 0) shift[axis] = planes_.shiftAt(axis, n / kPerSide);
+  }
+  return shift;
+}
+
 double WallLattice::valueAt(const TilePlace& node) {
   auto& value = values_[nodes_.number(node)];
-  if (std::isnan(value)) value = field_.value(pointOf(node));
+  if (std::isnan(value)) value = field_.value(pointOf(node) - shiftOf(node));
   return value;
 }
 
@@ -78,8 +87,9 @@ const Vec3<double>& WallLattice::crossing(TilePlace from, TilePlace to) {
   const auto key = std::uint64_t{nodes_.number(from)} << 32U | nodes_.number(to);
   const auto [known, isNew] = crossings_.try_emplace(key);
   if (!isNew) return known->second;
-  const auto start = pointOf(from);
-  const auto way = pointOf(to) - start;
+  const auto shift = min(shiftOf(from), shiftOf(to));  // along axes on which both are beyond it
+  const auto start = pointOf(from) - shift;
+  const auto way = pointOf(to) - shift - start;
   double low = 0;
   double high = 1;
   double lowValue = valueAt(from);
@@ -96,7 +106,7 @@ const Vec3<double>& WallLattice::crossing(TilePlace from, TilePlace to) {
     (side > 0 ? lowValue : highValue) = value;
     lastSide = side;
   }
-  known->second = start + at * way;
+  known->second = start + at * way + shift;
   // In the planes that both ends lie in, and at an end to the bit.
   for (int axis = 0; axis < 3; ++axis) {
     if (at == 1 || way[axis] == 0) known->second[axis] = pointOf(to)[axis];

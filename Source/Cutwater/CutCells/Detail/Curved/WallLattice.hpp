@@ -13,7 +13,8 @@ namespace cutwater {
 /// are divided into smaller ones, these into six tetrahedra along their diagonal (Freudenthal 1942;
 /// Kuhn 1960), and the wall passes through edges whose ends are on two sides. So polygons fit
 /// together in faces and cells, whatever is smaller than the lattice. Points are in the surface;
-/// volumes and areas are those of rows but for the second order of the lattice's width.
+/// volumes and areas are those of rows but for the second order of the lattice's width. What lies
+/// in planes beyond the seam is found a period below.
 class WallLattice {
  public:
   /// Views both.
@@ -38,6 +39,7 @@ class WallLattice {
   static constexpr int kPerSide = 2;
 
   [[nodiscard]] Vec3<double> pointOf(const TilePlace& node) const;
+  [[nodiscard]] Vec3<double> shiftOf(const TilePlace& node) const;
   [[nodiscard]] double valueAt(const TilePlace& node);
   [[nodiscard]] bool isFluid(const TilePlace& node) { return valueAt(node) > 0; }
   [[nodiscard]] const Vec3<double>& crossing(TilePlace from, TilePlace to);

@@ -113,7 +113,7 @@ class LeavesAssembly {
       for (auto p = from.firstPiece[row]; p < from.firstPiece[row + 1]; ++p) {
         addPieceRows(from.content, p, frame_, outRow, out_.pieces, out_.wallParts);
         if (out_.moments.degree >= 0) addPieceMoments(from.moments, p, out_.moments);
-        if (withQuadrature_) addPiecePoints(from.quadrature, p, out_.quadrature);
+        if (withQuadrature_) addPiecePoints(from.quadrature, p, {}, out_.quadrature);
       }
     }
     cut.firstPiece.push_back(pieceCount());
@@ -296,7 +296,7 @@ class LeavesAssembly {
     out_.arcs.area.push_back(arc.area / (frame_.scale * frame_.scale));
     out_.arcs.centroid.push_back(frame_.toWorld(arc.centroid));
     if (out_.moments.degree >= 0) addArcMoments(tile.cut.moments, origin.arc, out_.moments);
-    if (withQuadrature_) addPointRow(tile.cut.quadrature.arc, origin.arc, out_.quadrature.arc);
+    if (withQuadrature_) addPointRow(tile.cut.quadrature.arc, origin.arc, {}, out_.quadrature.arc);
     if (withPolygons_) out_.arcPolygons.add(polygons_.outlineOf(origin.source, origin.arc));
   }
   void addWholeArc(const LeafArc& arc) {

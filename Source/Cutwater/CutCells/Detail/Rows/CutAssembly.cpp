@@ -156,9 +156,12 @@ class Assembly {
     }
     addPieceRows(content, number, frameOf(tile), row, out_.pieces, out_.wallParts);
     if (out_.moments.degree >= 0) addPieceMoments(cuts_[tile]->moments, number, out_.moments);
-    if (withQuadrature_) addPiecePoints(cuts_[tile]->quadrature, number, out_.quadrature);
+    if (withQuadrature_) addQuadrature(tile, number);
   }
 
+  void addQuadrature(std::uint32_t tile, std::uint32_t piece) {
+    addPiecePoints(cuts_[tile]->quadrature, piece, tiles_.shiftOf(tile), out_.quadrature);
+  }
   void addWallPolygons(std::uint32_t tile, std::uint32_t piece, std::uint32_t patch) {
     out_.firstWallPolygon.push_back(out_.wallPolygons.count());
     addPolygonsOf(tile, piece, patch, out_.wallPolygons);
@@ -268,7 +271,8 @@ class Assembly {
     out_.arcs.axis.push_back(static_cast<std::uint8_t>(source.face % 3));
     const auto& cut = *cuts_[source.tile];
     if (out_.moments.degree >= 0) addArcMoments(cut.moments, source.arc, out_.moments);
-    if (withQuadrature_) addPointRow(cut.quadrature.arc, source.arc, out_.quadrature.arc);
+    if (withQuadrature_)
+      addPointRow(cut.quadrature.arc, source.arc, frame.shift, out_.quadrature.arc);
     if (!withPolygons_) return;
     if (arc.isOpenPatch()) return addOpenPatch(source);
     addPolygon(source.tile, cut.numbers.placeOfFace(arc.face), cut.polygons.arcs.of(source.arc),

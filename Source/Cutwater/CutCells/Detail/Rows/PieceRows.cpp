@@ -73,17 +73,18 @@ void addPieceMoments(const CutCells::Moments& from, std::uint32_t piece, CutCell
   append(from.ofWallVector(piece), to.wallVector);
 }
 
-void addPointRow(const CutCells::PointRows& from, std::uint32_t row, CutCells::PointRows& to) {
+void addPointRow(const CutCells::PointRows& from, std::uint32_t row, const Vec3<double>& shift,
+                 CutCells::PointRows& to) {
   if (to.first.empty()) to.first.push_back(0);
-  append(from.pointsOf(row), to.points);
+  for (const auto& point : from.pointsOf(row)) to.points.push_back(point + shift);
   append(from.weightsOf(row), to.weights);
   to.first.push_back(to.points.size());
 }
 
 void addPiecePoints(const CutCells::Quadrature& from, std::uint32_t piece,
-                    CutCells::Quadrature& to) {
-  addPointRow(from.volume, piece, to.volume);
-  addPointRow(from.wall, piece, to.wall);
+                    const Vec3<double>& shift, CutCells::Quadrature& to) {
+  addPointRow(from.volume, piece, shift, to.volume);
+  addPointRow(from.wall, piece, shift, to.wall);
   const auto& first = from.wall.first;
   for (auto i = first[piece]; i < first[piece + 1]; ++i) {
     to.wallNormals.push_back(from.wallNormals[i]);

@@ -30,11 +30,12 @@ void addPieceRows(const CellPieces& content, std::uint32_t piece, const CutFrame
 void addPieceMoments(const CutCells::Moments& from, std::uint32_t piece, CutCells::Moments& to);
 void addArcMoments(const CutCells::Moments& from, std::uint32_t arc, CutCells::Moments& to);
 
-/// Appends a row of points of a tile.
-void addPointRow(const CutCells::PointRows& from, std::uint32_t row, CutCells::PointRows& to);
+/// Appends a row of points of a tile, moved.
+void addPointRow(const CutCells::PointRows& from, std::uint32_t row, const Vec3<double>& shift,
+                 CutCells::PointRows& to);
 /// Appends those of a piece and its wall.
 void addPiecePoints(const CutCells::Quadrature& from, std::uint32_t piece,
-                    CutCells::Quadrature& to);
+                    const Vec3<double>& shift, CutCells::Quadrature& to);
 
 /// A point of a tile in the coordinates of the world: in its planes to the bit, also where these
 /// are rounded in the frame.

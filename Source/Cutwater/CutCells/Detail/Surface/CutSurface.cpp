@@ -187,9 +187,8 @@ Box<double> CutSurface::whereCut() const {
   auto box = Box<double>::everywhere();
   for (int axis = 0; axis < 3; ++axis) {
     if (!period_.isOn(axis)) continue;
-    const double start = period_.start[axis];
-    box.lower[axis] = frame_.toFrame(axis, start);
-    box.upper[axis] = frame_.toFrame(axis, start + CutPeriod::kReach * period_.length[axis]);
+    box.lower[axis] = frame_.toFrame(axis, period_.start[axis]);
+    box.upper[axis] = frame_.toFrame(axis, period_.endOf(axis));
   }
   return box;
 }

@@ -1,4 +1,5 @@
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/CutCells/Detail/Surface/PeriodicSoup.hpp>
 #include <Cutwater/CutCells/Detail/Surface/SurfaceOfSolid.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Triangles/OpenEdges.hpp>

@@ -22,9 +22,9 @@ class CutBlocks {
   };
   using Stretches = std::array<std::vector<Stretch>, 3>;
 
-  /// Without triangles.
-  explicit CutBlocks(Stretches stretches);
-  /// Views the surface.
+  /// Without triangles, and with the period of these stretches.
+  explicit CutBlocks(Stretches stretches, const CutPeriod& period = {});
+  /// Views the surface, whose period they have.
   CutBlocks(const CutSurface& surface, Stretches stretches);
   CutBlocks(const CutBlocks&) = delete;
   CutBlocks& operator=(const CutBlocks&) = delete;
@@ -60,9 +60,9 @@ class CutBlocks {
 
  private:
   struct Block {
-    explicit Block(const GridPlanes& between) : planes(between), tiles(planes) {}
-    Block(const CutSurface& surface, const GridPlanes& between)
-        : planes(between), tiles(surface, planes) {}
+    Block(const GridPlanes& between, const CutSurface* surface)
+        : planes(between),
+          tiles(surface != nullptr ? CutTiles(*surface, planes) : CutTiles(planes)) {}
 
     GridPlanes planes;
     CutTiles tiles;
@@ -70,17 +70,12 @@ class CutBlocks {
     Vec3<double> shift;
     std::size_t firstTile = 0;
   };
+  void addBlocks(const CutPeriod& period, const CutFrame& frame, const CutSurface* surface);
   [[nodiscard]] const Block& last() const { return blocks_.back(); }
   [[nodiscard]] const Block& of(std::size_t tile) const;
 
   Stretches stretches_;
   std::deque<Block> blocks_;  // x fastest
 };
-
-/// The cells of a grid and around it, in the world.
-[[nodiscard]] CutBlocks::Stretches stretchesOf(const CellPlanes& grid);
-/// Those in the frame of a surface.
-/// @throws Error(Argument) unless it has the surface's period.
-[[nodiscard]] CutBlocks::Stretches stretchesOf(const CutSurface& surface, const CellPlanes& grid);
 
 }  // namespace cutwater
