@@ -23,14 +23,14 @@
 namespace cutwater::test {
 namespace {
 
-using std::numbers::pi;
+constexpr double kPiOfPeriods = std::numbers::pi;
 
 Solid<double> turnedBox() {
   Solid<double> box(Cuboid<double>({-0.2, -0.3, -0.25}, {0.25, 0.2, 0.3}));
   box.rotate(33.0, Vec3<double>{1, 2, 3});
   return translated(box, Vec3<double>{0.9, 0.05, 0.5});
 }
-Solid<double> gyroid() {
+Solid<double> repeatedWall() {
   return TpmsSolid<double>(TpmsField<double>(TpmsPattern::gyroid(), 1), TpmsPart::Wall, 0.3);
 }
 CutCells unitPeriod(const SolidCutter& cutter, int n, const CutOptions& options = {}) {
@@ -60,13 +60,15 @@ TEST(PeriodicSolidsTest, BoxesRepeatToTheBit) {
 }
 
 TEST(PeriodicSolidsTest, WhatRepeatsItselfDoesSoToTheBit) {
-  const SolidCutter walls(gyroid(), FluidSide::Outside, {.period = {1, 1, 1}});
+  const SolidCutter walls(repeatedWall(), FluidSide::Outside, {.period = {1, 1, 1}});
   expectRepeats(walls, 6, 0.013);
   const SolidCutter floor(Solid<double>(Plane<double>({0, 0, 0.4}, {0, 0, 1})), FluidSide::Outside,
                           {.period = {1, 1, 0}});
   expectRepeats(floor, 4, 0);
   const Solid<double> waves(FunctionSDF(
-      [](const Vec3<double>& p) { return 0.7 * (p.z - 0.5 - 0.1 * std::sin(2 * pi * p.x)); },
+      [](const Vec3<double>& p) {
+        return 0.7 * (p.z - 0.5 - 0.1 * std::sin(2 * kPiOfPeriods * p.x));
+      },
       Guarantee<double>{.lipschitz = 1, .continuous = true, .size = 1}));
   expectRepeats(SolidCutter(waves, FluidSide::Outside, {.period = {1, 0.5, 0}}), 5, 0.1);
 }
@@ -79,10 +81,11 @@ TEST(PeriodicSolidsTest, BallsThatCrossTheBoundaryKeepTheirVolume) {
                                {.points = 4, .period = {1, 1, 1}});
       const auto report = check(unitPeriod(cutter, 10));
       const double cap = std::max(0.0, radius - 0.5);
-      const double overlap = 2 * pi * cap * cap * (radius - cap / 3);
-      EXPECT_NEAR(report.bodyVolume, 4 * pi / 3 * std::pow(radius, 3) - 3 * overlap, 2e-7);
-      const double lost = 6 * 2 * pi * radius * cap;
-      EXPECT_NEAR(report.wallArea, 4 * pi * radius * radius - lost, 2e-6);
+      const double overlap = 2 * kPiOfPeriods * cap * cap * (radius - cap / 3);
+      EXPECT_NEAR(report.bodyVolume, 4 * kPiOfPeriods / 3 * std::pow(radius, 3) - 3 * overlap,
+                  2e-7);
+      const double lost = 6 * 2 * kPiOfPeriods * radius * cap;
+      EXPECT_NEAR(report.wallArea, 4 * kPiOfPeriods * radius * radius - lost, 2e-6);
     }
   }
 }
@@ -129,7 +132,7 @@ TEST(PeriodicSolidsTest, PointsOfQuadratureLieInTheirCells) {
 
 /// Coarse cells are as wide as the period in the end.
 TEST(PeriodicSolidsTest, CoarseCellsKeepWhatIsAcrossTheEnds) {
-  const SolidCutter cutter(gyroid(), FluidSide::Outside, {.period = {1, 1, 1}});
+  const SolidCutter cutter(repeatedWall(), FluidSide::Outside, {.period = {1, 1, 1}});
   auto cells = unitPeriod(cutter, 8);
   const double volume = check(cells).fluidVolume;
   EXPECT_EQ(CutRegions(cells).regions().size(), 2U);
@@ -156,7 +159,7 @@ TEST(PeriodicSolidsTest, SinglePrecisionRepeatsToTheBit) {
   const SolidCutter cutter(Solid<float>(Sphere<float>({0.1F, 0.5F, 0.9F}, 0.4F)),
                            FluidSide::Outside, {.period = {1, 1, 1}});
   expectRepeats(cutter, 8, 0);
-  EXPECT_NEAR(check(unitPeriod(cutter, 8)).bodyVolume, 4 * pi / 3 * 0.064, 1e-6);
+  EXPECT_NEAR(check(unitPeriod(cutter, 8)).bodyVolume, 4 * kPiOfPeriods / 3 * 0.064, 1e-6);
 }
 
 TEST(PeriodicSolidsTest, RefusesWhatDoesNotRepeat) {
@@ -166,7 +169,7 @@ TEST(PeriodicSolidsTest, RefusesWhatDoesNotRepeat) {
   const Solid<double> rod(InfiniteCylinder<double>({0.5, 0.5, 0.5}, {1, 0.1, 0}, 0.2));
   EXPECT_NE(refused(rod, {1, 0, 0}).find("a solid that has bounds, or that is the same a period"),
             std::string::npos);
-  EXPECT_NE(refused(gyroid(), {1, 1.5, 1}).find("axis = 1"), std::string::npos);
+  EXPECT_NE(refused(repeatedWall(), {1, 1.5, 1}).find("axis = 1"), std::string::npos);
   const Solid<double> floor(Plane<double>({0, 0, 0.4}, {0, 0, 1}));
   EXPECT_NE(refused(floor, {1, 1, 1}).find("axis = 2"), std::string::npos);
   EXPECT_NE(refused(turnedBox(), {-1, 0, 0}).find("not negative"), std::string::npos);

@@ -67,11 +67,11 @@ TEST(SolidEdgesTest, TurnedBoxesAreThoseOfTheirMeshes) {
       const auto ofMesh = fluidByCell(CellCutter(mesh, side).cut(unitGrid(9)));
       const auto found = SolidCutter(*shapes, side).cut(unitGrid(9));
       const auto ofShapes = fluidByCell(found);
-      constexpr double kNear = 1e-14;  // cells have a volume of 1.4e-3
+      constexpr double kNearShares = 1e-14;  // cells have a volume of 1.4e-3
       for (const auto& [cell, fluid] : ofShapes) {
         const auto other = ofMesh.find(cell);
         if (other == ofMesh.end()) continue;  // touched in one of them
-        EXPECT_NEAR(fluid, other->second, kNear);
+        EXPECT_NEAR(fluid, other->second, kNearShares);
         ++compared;
       }
       for (const double error : found.cells.error) EXPECT_LT(error, 1e-10);

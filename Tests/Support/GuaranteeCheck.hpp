@@ -72,6 +72,7 @@ class GuaranteeCheck {
   void checkClosestPoints();
   void checkCrossings();
   void checkSurfaces();
+  void checkSidesOf(std::span<const Solid<T>> surfaces, const Box<T>& box, Tally& tally);
   void checkOneSegment(const Segment<T>& segment, Tally& tally);
 
   [[nodiscard]] double uniform(double a, double b) {

@@ -1,3 +1,4 @@
+#include <map>
 #include <vector>
 
 #include "Support/GuaranteeCheck.hpp"
@@ -85,16 +86,45 @@ void GuaranteeCheck<T>::checkSurfaces() {
     const auto size = static_cast<T>(extent_ * std::exp2(uniform(-8, 0)));
     const Vec3<T> lower =
         p - size * Vec3<T>(Vec3<double>{uniform(0, 1), uniform(0, 1), uniform(0, 1)});
+    const Box<T> box{min(lower, p), max(lower + Vec3<T>{size, size, size}, p)};
     T least = std::numeric_limits<T>::infinity();
-    solid_.surfacesIn({min(lower, p), max(lower + Vec3<T>{size, size, size}, p)},
-                      [&](const Solid<T>& surface, const Solid<T>* operand) {
-                        const auto excess = [&](const Solid<T>& solid) {
-                          return std::abs(solid.signedDistance(p)) -
-                                 8 * (error(p) + solid.guarantee().error(length(p)));
-                        };
-                        least = std::min(least, std::max(excess(surface), excess(*operand)));
-                      });
+    std::vector<Solid<T>> surfaces;
+    solid_.surfacesIn(box, [&](const Solid<T>& surface, const Solid<T>* operand) {
+      surfaces.push_back(surface);
+      const auto excess = [&](const Solid<T>& solid) {
+        return std::abs(solid.signedDistance(p)) -
+               8 * (error(p) + solid.guarantee().error(length(p)));
+      };
+      least = std::min(least, std::max(excess(surface), excess(*operand)));
+    });
     tally.expect(least <= 0, "at", p, "size", size, "off by", least);
+    checkSidesOf(surfaces, box, tally);
+  }
+}
+
+/// That points on the same sides of all surfaces are all in the solid, or all outside.
+template <std::floating_point T>
+void GuaranteeCheck<T>::checkSidesOf(std::span<const Solid<T>> surfaces, const Box<T>& box,
+                                     Tally& tally) {
+  constexpr int kPoints = 20;
+  std::map<std::vector<bool>, bool> isInside;
+  for (int n = 0; n < kPoints; ++n) {
+    Vec3<T> p = box.lower;
+    for (int axis = 0; axis < 3; ++axis) {
+      p[axis] += static_cast<T>(uniform(0, 1)) * (box.upper[axis] - box.lower[axis]);
+    }
+    std::vector<bool> sides;
+    const auto sideOf = [&](const Solid<T>& solid) {
+      const T value = solid.signedDistance(p);
+      if (std::abs(value) <= 8 * (error(p) + solid.guarantee().error(length(p)))) return false;
+      sides.push_back(value < 0);
+      return true;
+    };
+    if (!std::ranges::all_of(surfaces, sideOf) || !sideOf(solid_)) continue;
+    const bool inside = sides.back();
+    sides.pop_back();
+    const auto [known, isNew] = isInside.try_emplace(sides, inside);
+    tally.expect(isNew || known->second == inside, "sides at", p, "in", box.lower, box.upper);
   }
 }
 

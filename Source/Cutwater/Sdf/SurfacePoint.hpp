@@ -109,7 +109,8 @@ class Solid;
 
 /// Called with one surface after the other, each given by a solid that it bounds. It counts only
 /// where it lies in the surface of `operand`, as the plane of a face does in that of a cuboid;
-/// null: of the solid that was asked.
+/// null: of the solid that was asked. Points of the box that are on the same side of all surfaces
+/// are all in the solid, or all outside.
 template <std::floating_point T>
 using SurfaceVisitor = FunctionRef<void(const Solid<T>& surface, const Solid<T>* operand)>;
 

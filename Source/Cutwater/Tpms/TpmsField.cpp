@@ -60,6 +60,13 @@ T TpmsField<T>::value(const Vec3<T>& p) const {
 }
 
 template <std::floating_point T>
+Vec3<T> TpmsField<T>::gradient(const Vec3<T>& p) const {
+  const auto slope = kTwoPi<T> * from_.sample(map_.toCells(p)).gradient;
+  const auto& rates = uniform_->rates;
+  return {rates.x * slope.x, rates.y * slope.y, rates.z * slope.z};
+}
+
+template <std::floating_point T>
 T TpmsField<T>::lipschitzWithin(const Vec3<T>& p, T radius) const {
   const auto of = [&](const TpmsPattern& pattern) {
     return map_.lipschitzWithin(p, radius, static_cast<T>(pattern.lipschitz()),

@@ -45,6 +45,31 @@ Interval<T> levelsOf(TpmsPart part, const TpmsField<T>& field) {
   }
 }
 
+/// Where F = h: the function is as smooth as F, while distances to a part follow from F and its
+/// gradient. It changes no faster than they do.
+template <std::floating_point T>
+class LevelSurface final : public SignedDistanceFunction<T> {
+ public:
+  /// `guarantee`: of distances to such a surface.
+  LevelSurface(TpmsField<T> field, T level, const Guarantee<T>& guarantee)
+      : field_(std::move(field)),
+        level_(level),
+        scale_(1 / field_.steepness()),
+        guarantee_(guarantee) {}
+
+ private:
+  T localSignedDistance(const Vec3<T>& p) const override {
+    return scale_ * (level_ - field_.value(p));
+  }
+  Vec3<T> localGradient(const Vec3<T>& p) const override { return -scale_ * field_.gradient(p); }
+  Guarantee<T> localGuarantee() const override { return guarantee_; }
+
+  TpmsField<T> field_;
+  T level_;
+  T scale_;
+  Guarantee<T> guarantee_;
+};
+
 }  // namespace
 
 template <std::floating_point T>
@@ -81,6 +106,36 @@ template <std::floating_point T>
 Vec3<T> TpmsSolid<T>::localGradient(const Vec3<T>& p) const {
   const auto value = [this](const Vec3<T>& q) { return localSignedDistance(q); };
   return detail::numericalGradient(value, p, field_.map().size());
+}
+
+template <std::floating_point T>
+bool TpmsSolid<T>::localSurfacesIn(const OrientedBox<T>&, SurfaceVisitor<T> visit) const {
+  if (!field_.isUniform() || !level_.isConstant()) return false;
+  const T level = level_.least();
+  const auto add = [&](T h) {
+    const Solid<T> side = LevelSurface<T>(field_, h, guarantee_);
+    visit(side, nullptr);
+  };
+  switch (part_) {
+    case TpmsPart::ChannelA:
+      add(level);
+      break;
+    case TpmsPart::ChannelB:
+      add(-level);
+      break;
+    case TpmsPart::WallInA:
+      add(0);
+      add(level);
+      break;
+    case TpmsPart::WallInB:
+      add(0);
+      add(-level);
+      break;
+    default:
+      add(level);
+      add(-level);
+  }
+  return true;
 }
 
 template <std::floating_point T>

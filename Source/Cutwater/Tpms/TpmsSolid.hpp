@@ -42,6 +42,7 @@ class TpmsSolid final : public SignedDistanceFunction<T> {
                             CrossingsVisitor<T> visit) const override {
     this->crossingsByValues(segments, counts, visit);
   }
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Interval<T> localBounds(const OrientedBox<T>& box, BoxHint* hint) const override;
   Guarantee<T> localGuarantee() const override { return guarantee_; }
   std::string localName() const override;

@@ -95,45 +95,88 @@ void LineCrossings::addBrackets(const AxisLine& line, double from, double to) {
 /// Where lines cross the surfaces, each of which is asked for all lines.
 void LineCrossings::findRoots(std::span<const AxisLine> lines,
                               std::span<const FluidField* const> surfaces) {
-  constexpr double kSame = 1e-13;  // of a line
   roots_.clear();
   zeroEnds_.assign(lines.size(), {});
+  starts_.assign(lines.size(), {});
+  areSidesTold_ = surfaces.size() <= kMostTold;
   if (!ofSurface_) ofSurface_ = std::make_unique<LineCrossings>(*field_);
   auto& found = *ofSurface_;
-  for (const auto* surface : surfaces) {
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    const auto* surface = surfaces[s];
+    const auto bit = std::uint64_t{1} << s % kMostTold;
     found.field_ = surface;
     found.find(lines);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      if (found.ends_[2 * i] == 0) zeroEnds_[i].start = surface;
-      if (found.ends_[2 * i + 1] == 0) zeroEnds_[i].end = surface;
-      for (const double at : found.of(i)) roots_.push_back({i, at, surface});
+      const double start = found.ends_[2 * i];
+      const double end = found.ends_[2 * i + 1];
+      if (start == 0) zeroEnds_[i].start = surface;
+      if (end == 0) zeroEnds_[i].end = surface;
+      if (start > 0) starts_[i].above |= bit;
+      if (start == 0 && end == 0) starts_[i].along |= bit;
+      for (const double at : found.of(i)) roots_.push_back({i, at, surface, bit});
     }
   }
   std::ranges::stable_sort(roots_, [](const Root& a, const Root& b) {
     return a.line != b.line ? a.line < b.line : a.at < b.at;
   });
-  // Surfaces that coincide are crossed once.
-  const auto isSame = [&](const Root& a, const Root& b) {
-    return a.line == b.line && b.at - a.at <= kSame * lines[a.line].length();
-  };
-  roots_.erase(std::unique(roots_.begin(), roots_.end(), isSame), roots_.end());
+  mergeRoots(lines);
 }
 
-/// Values in the middles of stretches between roots.
+/// Surfaces that coincide are crossed once.
+void LineCrossings::mergeRoots(std::span<const AxisLine> lines) {
+  constexpr double kSame = 1e-13;  // of a line
+  std::size_t kept = 0;
+  for (const auto& root : roots_) {
+    if (kept > 0) {
+      auto& last = roots_[kept - 1];
+      if (last.line == root.line && root.at - last.at <= kSame * lines[root.line].length()) {
+        last.crossed ^= root.crossed;
+        continue;
+      }
+    }
+    roots_[kept++] = root;
+  }
+  roots_.resize(kept);
+}
+
+std::size_t LineCrossings::alikeOf(const Sides& sides) {
+  const auto known = std::ranges::find(alike_, sides, &Alike::sides);
+  if (areSidesTold_ && known != alike_.end())
+    return static_cast<std::size_t>(known - alike_.begin());
+  alike_.push_back({.sides = sides, .point = {}});
+  return alike_.size() - 1;
+}
+
+/// Finds a value for each stretch between roots.
 void LineCrossings::evaluateStretches(std::span<const AxisLine> lines) {
-  points_.clear();
+  alike_.clear();
+  alikeOf_.clear();
   auto root = roots_.begin();
   for (std::size_t i = 0; i < lines.size(); ++i) {
     double from = lines[i].start[lines[i].axis];
+    auto sides = starts_[i];
     const auto add = [&](double to) {
-      points_.push_back(lines[i].at(0.5 * (from + to)));
+      const auto number = alikeOf(sides);
+      alikeOf_.push_back(number);
+      auto& alike = alike_[number];
+      if (to - from > alike.length || alike.length == 0) {
+        alike.length = to - from;
+        alike.point = lines[i].at(0.5 * (from + to));
+      }
       from = to;
     };
-    for (; root != roots_.end() && root->line == i; ++root) add(root->at);
+    for (; root != roots_.end() && root->line == i; ++root) {
+      add(root->at);
+      sides.above ^= root->crossed;
+    }
     add(lines[i].end);
   }
-  values_.resize(points_.size());
-  field_->values(points_, values_);
+  points_.clear();
+  for (const auto& alike : alike_) points_.push_back(alike.point);
+  ofAlike_.resize(points_.size());
+  field_->values(points_, ofAlike_);
+  values_.clear();
+  for (const auto number : alikeOf_) values_.push_back(ofAlike_[number]);
 }
 
 /// Where the side changes between stretches. An end that lies in the wall is in the body.

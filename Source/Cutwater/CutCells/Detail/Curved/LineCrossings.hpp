@@ -44,9 +44,9 @@ void forFluidStretches(const AxisLine& line, bool startsInFluid, std::span<const
 /// same side is searched for a point on the other one, by the derivatives at its ends, and then by
 /// what the field's steepness does not exclude.
 ///
-/// If it is known in which surfaces the wall lies, each line is divided where it crosses these, and
-/// the value in the middle of each stretch tells what that is. So thin plates are found, and any
-/// number of crossings.
+/// If it is known in which surfaces the wall lies, lines are divided where they cross these. Of all
+/// stretches that are on the same side of each of them, the value in the middle of the longest
+/// tells what they are. So thin plates are found, and any number of crossings.
 class LineCrossings {
  public:
   explicit LineCrossings(const FluidField& field) : field_(&field) {}
@@ -89,6 +89,21 @@ class LineCrossings {
     std::size_t line = 0;
     double at = 0;
     const FluidField* surface = nullptr;
+    std::uint64_t crossed = 0;  ///< a bit for each surface that is crossed an odd number of times
+  };
+  /// On which side of each surface a stretch of a line is, by a bit for each.
+  struct Sides {
+    std::uint64_t above = 0;  ///< values are positive
+    std::uint64_t along = 0;  ///< the line lies in it, as its ends tell
+
+    bool operator==(const Sides&) const = default;
+  };
+  static constexpr std::size_t kMostTold = 64;
+  /// Stretches on the same sides.
+  struct Alike {
+    Sides sides;
+    double length = 0;   ///< of the longest
+    Vec3<double> point;  ///< in its middle
   };
   /// Whether the values at both ends of a line are zero on a surface.
   struct ZeroEnds {
@@ -101,7 +116,9 @@ class LineCrossings {
   void addBracket(const AxisLine& line, double from, double fromValue, double to, double toValue);
   void addBrackets(const AxisLine& line, double from, double to);
   void findRoots(std::span<const AxisLine> lines, std::span<const FluidField* const> surfaces);
+  void mergeRoots(std::span<const AxisLine> lines);
   void evaluateStretches(std::span<const AxisLine> lines);
+  [[nodiscard]] std::size_t alikeOf(const Sides& sides);
   void addCrossings(const AxisLine& line, const ZeroEnds& zero, std::span<const Root> roots,
                     std::span<const double> middles);
   /// A point of the line on the other side, between ends on the same one, if one is found.
@@ -113,7 +130,12 @@ class LineCrossings {
   std::unique_ptr<LineCrossings> ofSurface_;
   std::vector<Root> roots_;         // by line, ascending
   std::vector<ZeroEnds> zeroEnds_;  // of each line
-  std::vector<double> ends_;        // values at both ends of each line
+  std::vector<Sides> starts_;       // of each line
+  std::vector<Alike> alike_;
+  std::vector<double> ofAlike_;       // values in their middles
+  std::vector<std::size_t> alikeOf_;  // of each stretch
+  bool areSidesTold_ = false;         // there are no more surfaces than bits
+  std::vector<double> ends_;          // values at both ends of each line
   std::vector<Bracket> brackets_;
   std::vector<char> startsInFluid_;
   std::vector<std::size_t> first_;
