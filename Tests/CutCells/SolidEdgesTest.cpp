@@ -7,6 +7,8 @@
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>
+#include <Cutwater/Shapes/Polygon.hpp>
+#include <Cutwater/Shapes/Revolution.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
 #include <cmath>
@@ -21,6 +23,7 @@
 #include "CutCells/BoxUnions.hpp"
 #include "CutCells/MomentCells.hpp"
 #include "CutCells/ShellCells.hpp"
+#include "Support/CutIdentities.hpp"
 #include "Support/Scale.hpp"
 
 namespace cutwater::test {
@@ -138,6 +141,25 @@ TEST(SolidEdgesTest, BedsAreUnionsOfTheirBalls) {
   const auto report = check(ofBed);
   EXPECT_LT(report.worstClosure, 1e-14);
   EXPECT_EQ(report.lostPieces, 0U);
+}
+
+/// A difference within a union: whether its planes are near must not depend on the tile.
+TEST(SolidEdgesTest, FacesBetweenTilesAreTheSameOnBothSides) {
+  const Solid<double> tube =
+      Solid<double>(Revolution<double>(Polygon<double>({{1, -1}, {1.1, -1}, {1.1, 1}, {1, 1}}))) -
+      Cuboid<double>({-2, -2, 0.2}, {2, 0, 3});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-0.7, 0.7);
+  std::vector<Ball<double>> balls;
+  for (int n = 0; n < 40; ++n)
+    balls.push_back({{place(random), place(random), place(random)}, 0.2});
+  std::array<std::vector<double>, 3> planes;
+  for (int n = 0; n <= 19; ++n) {
+    for (auto& across : planes) across.push_back(-1.15 + 2.3 * n / 19);
+  }
+  const SolidCutter cutter(Solid<double>(PackedBed<double>(balls)) | tube, FluidSide::Outside,
+                           {.tolerance = 1e-3});
+  expectIdentities(cutter.cut(cellsBetween(planes)), 1e-14);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <map>
 #include <utility>
 
 namespace cutwater {
@@ -167,14 +167,11 @@ class Section final : public FluidField {
   double z_;
 };
 
-class FieldInBox final : public FluidField {
+/// The surfaces near a box are those in a block around it, which follows from the box alone: so
+/// what is found of a face is the same in all tiles.
+class FieldOfSurfaces final : public FluidField {
  public:
-  FieldInBox(const FluidField& field, Surfaces surfaces, const Box<double>& box, double reach)
-      : FluidField(field.facts()),
-        field_(field),
-        surfaces_(std::move(surfaces)),
-        box_(box),
-        reach_(reach) {}
+  explicit FieldOfSurfaces(const FluidField& field) : FluidField(field.facts()), field_(field) {}
 
   void values(std::span<const Vec3<double>> points, std::span<double> values) const override {
     field_.values(points, values);
@@ -193,70 +190,59 @@ class FieldInBox final : public FluidField {
   bool knowsSurfaces() const override { return true; }
   std::vector<const FluidField*> surfacesNear(const Box<double>& box) const override {
     std::vector<const FluidField*> near;
-    for (const auto* surface : inPart(partAt(box.center()))) {
-      if (surface->mayMeet(box)) near.push_back(surface->field.get());
+    for (const auto& surface : inBlockOf(box)) {
+      if (surface.mayMeet(box)) near.push_back(surface.field.get());
     }
     return near;
   }
 
  private:
-  static constexpr std::uint32_t kParts = 4;  // along each axis
-  using Few = std::vector<const Surface*>;
+  /// A cube whose width is a power of two, by which it is counted from the origin.
+  using BlockNumber = std::array<std::int64_t, 4>;
 
-  [[nodiscard]] const Few& inPart(std::uint32_t part) const {
-    auto& known = inPart_[part];
-    if (!known) {
-      known.emplace();
-      const auto around = boxOf(part).grown(reach_);
-      for (const auto& surface : surfaces_) {
-        if (surface.mayMeet(around)) known->push_back(&surface);
-      }
+  /// The block that holds the middle of a box, 4 to 8 times as wide as the box's diagonal.
+  [[nodiscard]] const Surfaces& inBlockOf(const Box<double>& box) const {
+    constexpr int kWider = 2;
+    constexpr double kLeast = 1e-12;  // of coordinates, so that blocks can be counted
+    constexpr double kSmallest = 1e-100;
+    const auto middle = box.center();
+    const double least = std::max(kLeast * maxComponent(abs(middle)), kSmallest);
+    const int exponent = std::ilogb(std::max(box.diagonal(), least)) + 1 + kWider;
+    const double width = std::ldexp(1.0, exponent);
+    BlockNumber number{exponent, 0, 0, 0};
+    Box<double> block;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double n = std::floor(middle[axis] / width);
+      number[static_cast<std::size_t>(axis) + 1] = static_cast<std::int64_t>(n);
+      block.lower[axis] = n * width;
+      block.upper[axis] = (n + 1) * width;
     }
-    return *known;
+    const auto [known, isNew] = blocks_.try_emplace(number);
+    if (isNew) known->second = sortedIn(block.grown(std::ldexp(width, -kWider)));
+    return known->second;
   }
 
-  [[nodiscard]] Box<double> boxOf(std::uint32_t part) const {
-    const auto step = (1.0 / kParts) * box_.size();
-    Box<double> box;
-    for (int axis = 0; axis < 3; ++axis, part /= kParts) {
-      box.lower[axis] = box_.lower[axis] + (part % kParts) * step[axis];
-      box.upper[axis] = box.lower[axis] + step[axis];
-    }
-    return box;
-  }
-  [[nodiscard]] std::uint32_t partAt(const Vec3<double>& point) const {
-    const auto size = box_.size();
-    std::uint32_t part = 0;
-    for (const int axis : {2, 1, 0}) {
-      const double share = size[axis] > 0 ? (point[axis] - box_.lower[axis]) / size[axis] : 0;
-      part =
-          part * kParts + static_cast<std::uint32_t>(std::clamp(share * kParts, 0.0, kParts - 1.0));
-    }
-    return part;
+  /// In an order of their own.
+  [[nodiscard]] Surfaces sortedIn(const Box<double>& box) const {
+    auto surfaces = field_.surfacesIn(box);
+    const auto key = [](const FluidField::Surface& surface) {
+      return std::pair(surface.field->value({}), surface.field->value({1, 2, -3}));
+    };
+    std::ranges::sort(surfaces, {}, key);
+    return surfaces;
   }
 
   const FluidField& field_;
-  Surfaces surfaces_;
-  Box<double> box_;
-  double reach_;
-  /// Those that may meet boxes whose middles lie in a part of the box, once they are asked for.
-  mutable std::array<std::optional<Few>, std::size_t{kParts} * kParts * kParts> inPart_;
+  mutable std::map<BlockNumber, Surfaces> blocks_;  // those that were asked for
 };
 
 }  // namespace
 
-std::unique_ptr<const FluidField> fieldIn(const FluidField& field, const Box<double>& box,
-                                          double reach) {
+std::unique_ptr<const FluidField> fieldIn(const FluidField& field, const Box<double>& box) {
   constexpr std::size_t kMost = 4000;
-  const auto around = box.grown(reach);
-  auto surfaces = field.surfacesIn(around);
+  const auto surfaces = field.surfacesIn(box);
   if (surfaces.empty() || surfaces.size() > kMost) return nullptr;
-  // In an order that does not depend on the box.
-  const auto key = [](const FluidField::Surface& surface) {
-    return std::pair(surface.field->value({}), surface.field->value({1, 2, -3}));
-  };
-  std::ranges::sort(surfaces, {}, key);
-  return std::make_unique<const FieldInBox>(field, std::move(surfaces), box, reach);
+  return std::make_unique<const FieldOfSurfaces>(field);
 }
 
 std::unique_ptr<const FluidField> sectionAt(const FluidField& field, double z) {

@@ -84,7 +84,7 @@ class FluidField {
   [[nodiscard]] virtual Surfaces surfacesIn(const Box<double>& box) const = 0;
   /// Whether the field knows them, of all of itself: see fieldIn().
   [[nodiscard]] virtual bool knowsSurfaces() const { return false; }
-  /// Those that may meet a box, then. What is found of a box does not depend on the field's.
+  /// Those that may meet a box, then. They follow from the box alone.
   [[nodiscard]] virtual std::vector<const FluidField*> surfacesNear(
       const Box<double>& /*box*/) const {
     return {};
@@ -94,11 +94,10 @@ class FluidField {
   Facts facts_;
 };
 
-/// A field for boxes that lie in one, with diagonals up to `reach`: it knows the surfaces in which
-/// walls lie there. Null, if there is none but the field's own, or too many. Views the field. For
-/// one thread at a time.
+/// A field for boxes that lie in one: it knows the surfaces in which walls lie there. Null, if
+/// there is none but the field's own, or too many. Views the field. For one thread at a time.
 [[nodiscard]] std::unique_ptr<const FluidField> fieldIn(const FluidField& field,
-                                                        const Box<double>& box, double reach);
+                                                        const Box<double>& box);
 
 /// Of a solid, with the fluid on this side of its surface.
 template <std::floating_point T>

@@ -32,16 +32,16 @@ bool areNeighbours(const LinePlace& a, const LinePlace& b) {
 }  // namespace
 
 FluidParts::FluidParts(const FluidField& field, const Box<double>& box, const RulePoints& points)
-    : field_(&field), partOfBlock_(points.blockCount(), kNone) {
+    : field_(&field), box_(box), partOfBlock_(points.blockCount(), kNone) {
   for (const auto& span : points.spans) partOfBlock_[span.block] = 0;
   if (std::ranges::count(partOfBlock_, 0U) <= 1) return;
   spans_ = points.spans;
-  connect(blocksIn(box, points));
+  surfaces_ = field.surfacesNear(box);
+  connect(blocksIn(points));
 }
 
 /// Blocks with some of their spans, and the sides of surfaces on which they are.
-std::vector<FluidParts::Block> FluidParts::blocksIn(const Box<double>& box,
-                                                    const RulePoints& points) const {
+std::vector<FluidParts::Block> FluidParts::blocksIn(const RulePoints& points) const {
   constexpr std::size_t kMost = 9;
   constexpr std::size_t kMostSides = 64;
   std::vector<Block> blocks(partOfBlock_.size());
@@ -62,11 +62,9 @@ std::vector<FluidParts::Block> FluidParts::blocksIn(const Box<double>& box,
     if (seen[span.block]++ % step == 0) block.samples.push_back(span);
   }
   std::erase_if(blocks, [](const Block& block) { return block.count == 0; });
-  if (!field_->knowsSurfaces()) return blocks;
-  const auto surfaces = field_->surfacesNear(box);
   for (auto& block : blocks) {
-    for (std::size_t i = 0; i < std::min(kMostSides, surfaces.size()); ++i) {
-      const bool isAbove = surfaces[i]->value(block.longest.middle()) > 0;
+    for (std::size_t i = 0; i < std::min(kMostSides, surfaces_.size()); ++i) {
+      const bool isAbove = surfaces_[i]->value(block.longest.middle()) > 0;
       block.sides = block.sides << 1U | (isAbove ? 1U : 0U);
     }
   }
@@ -141,7 +139,7 @@ FluidParts::NearestSpans FluidParts::nearestSpans(const Block& one, const Block&
 
 /// Whether the way along the axes in this order meets no wall.
 bool FluidParts::isClear(const Vec3<double>& from, const Vec3<double>& to,
-                         std::span<const int> order, LineCrossings& crossings) {
+                         std::span<const int> order, LineCrossings& crossings) const {
   std::vector<AxisLine> lines;
   auto at = from;
   for (const int axis : order) {
@@ -149,7 +147,11 @@ bool FluidParts::isClear(const Vec3<double>& from, const Vec3<double>& to,
     lines.back().start[axis] = std::min(at[axis], to[axis]);
     at[axis] = to[axis];
   }
-  crossings.find(lines);
+  if (field_->knowsSurfaces()) {
+    crossings.find(lines, surfaces_);
+  } else {
+    crossings.find(lines);
+  }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (!crossings.startsInFluid(i) || !crossings.of(i).empty()) return false;
   }
@@ -198,6 +200,8 @@ std::uint32_t FluidParts::of(std::uint32_t block, const Vec3<double>& point) con
 
 void FluidParts::moveTo(int axis, double plane, const FluidField& field) {
   field_ = &field;
+  box_.lower[axis] = box_.upper[axis] = plane;
+  surfaces_ = field.surfacesNear(box_);
   for (auto& span : spans_) span.line.start[axis] = plane;
 }
 

@@ -47,14 +47,16 @@ class FluidParts {
     const FluidSpan* b = nullptr;
   };
   [[nodiscard]] static NearestSpans nearestSpans(const Block& one, const Block& other);
-  [[nodiscard]] std::vector<Block> blocksIn(const Box<double>& box, const RulePoints& points) const;
+  [[nodiscard]] std::vector<Block> blocksIn(const RulePoints& points) const;
   void connect(std::span<const Block> blocks);
-  [[nodiscard]] static bool isClear(const Vec3<double>& from, const Vec3<double>& to,
-                                    std::span<const int> order, LineCrossings& crossings);
+  [[nodiscard]] bool isClear(const Vec3<double>& from, const Vec3<double>& to,
+                             std::span<const int> order, LineCrossings& crossings) const;
   [[nodiscard]] bool isAnyClear(const Vec3<double>& from, const Vec3<double>& to) const;
   [[nodiscard]] bool areConnected(const Block& one, const Block& other) const;
 
   const FluidField* field_;
+  Box<double> box_;
+  std::vector<const FluidField*> surfaces_;  // that may meet it, if they are known
   std::size_t count_ = 1;
   std::vector<FluidSpan> spans_;            // if there are several parts
   std::vector<std::uint32_t> partOfBlock_;  // kNone: it has no spans

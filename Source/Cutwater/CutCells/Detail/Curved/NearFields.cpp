@@ -1,23 +1,6 @@
 #include <Cutwater/CutCells/Detail/Curved/NearFields.hpp>
 
-#include <algorithm>
-
 namespace cutwater {
-
-namespace {
-
-/// The longest diagonal of cells between planes, or more.
-double longestDiagonal(const GridPlanes& planes) {
-  Vec3<double> steps;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int i = 0; i < planes.cells(axis); ++i) {
-      steps[axis] = std::max(steps[axis], planes.at(axis, i + 1) - planes.at(axis, i));
-    }
-  }
-  return length(steps);
-}
-
-}  // namespace
 
 Box<double> boxOf(const GridPlanes& planes) {
   Box<double> box;
@@ -37,7 +20,7 @@ const FluidField& NearFields::below(const Vec3<double>& shift) {
     box.lower[axis] = box.upper[axis] -= shift[axis];
   }
   auto& near = near_[axes];
-  if (!near) near = Near{fieldIn(field_, box, longestDiagonal(planes_))};
+  if (!near) near = Near{fieldIn(field_, box)};
   return near->field ? *near->field : field_;
 }
 
