@@ -76,8 +76,7 @@ inline void expectSameBut(const RepeatedCell& one, const RepeatedCell& other,
 
 /// A box of cells, and others anywhere, of a grid of `n` cells in a period.
 template <typename Cutter>
-void expectRepeats(const Cutter& cutter, int n, double lower,
-                          const CutOptions& options = {}) {
+void expectRepeats(const Cutter& cutter, int n, double lower, const CutOptions& options = {}) {
   const auto period = cutter.period();
   std::array<std::vector<double>, 3> across;
   for (int axis = 0; axis < 3; ++axis) {

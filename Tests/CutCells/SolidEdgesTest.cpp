@@ -145,17 +145,23 @@ TEST(SolidEdgesTest, BedsAreUnionsOfTheirBalls) {
 
 /// A difference within a union: whether its planes are near must not depend on the tile.
 TEST(SolidEdgesTest, FacesBetweenTilesAreTheSameOnBothSides) {
-  const Solid<double> tube =
-      Solid<double>(Revolution<double>(Polygon<double>({{1, -1}, {1.1, -1}, {1.1, 1}, {1, 1}}))) -
-      Cuboid<double>({-2, -2, 0.2}, {2, 0, 3});
-  std::mt19937 random(3);
+  const Polygon<double> outline({{1.02, -0.1}, {1.12, -0.1}, {1.12, 2.1}, {1.02, 2.1}});
+  const auto tube = Revolution<double>(outline) - Cuboid<double>({-2, -2, 0.2}, {2, 0, 3});
+  std::mt19937 random(2);
   std::uniform_real_distribution<double> place(-0.7, 0.7);
   std::vector<Ball<double>> balls;
-  for (int n = 0; n < 40; ++n)
-    balls.push_back({{place(random), place(random), place(random)}, 0.2});
+  for (int n = 0; n < 60; ++n) {
+    const double x = place(random);
+    const double y = place(random);
+    balls.push_back({{x, y, 1 + place(random)}, 0.2});
+  }
+  constexpr int kCells = 20;
   std::array<std::vector<double>, 3> planes;
-  for (int n = 0; n <= 19; ++n) {
-    for (auto& across : planes) across.push_back(-1.15 + 2.3 * n / 19);
+  for (int n = 0; n <= kCells; ++n) {
+    const double at = -1.15 + 2.3 * n / kCells;
+    planes[0].push_back(at);
+    planes[1].push_back(at);
+    planes[2].push_back(at + 1);
   }
   const SolidCutter cutter(Solid<double>(PackedBed<double>(balls)) | tube, FluidSide::Outside,
                            {.tolerance = 1e-3});

@@ -245,13 +245,13 @@ struct CertifiedLeaves {
 /// wall's vector is what closes a piece. What lies in the surface within rounding counts as body: a
 /// wall in a plane of the grid belongs to the cell whose fluid it bounds.
 ///
-/// Of unions, intersections and differences, lines are searched where they cross an operand: so
-/// thin parts beside others are found.
+/// Where a solid tells in which surfaces its walls lie (Solid::surfacesIn()), lines are divided
+/// where they cross these: so thin parts and edges are found.
 ///
 /// Cells are left out where the values at corners, with the solid's Lipschitz constant, exclude a
 /// wall. A wall that meets no edge of a cell is found where derivatives at the corners lead to it.
 /// Solids without a constant are cut where corners have different signs. Pieces are told apart by
-/// points of a grid within the cell that are connected by lines which meet no wall.
+/// whether paths along the axes meet no wall; certified() proves it.
 ///
 /// cut() is const and thread-safe. What is said of a cell depends on the planes around it alone.
 class SolidCutter {
