@@ -148,6 +148,31 @@ TYPED_TEST(TpmsFieldTest, AllOfItTogetherKeepsItsGuarantee) {
   }
 }
 
+TEST(TpmsFieldsTest, GradientsAreThoseOfTheValue) {
+  const TpmsField<double> uniform(TpmsPattern::gyroid(), TpmsMap<double>(Vec3<double>{2, 3, 1.5}));
+  const TpmsField<double> cylindrical(TpmsPattern::gyroid(),
+                                      TpmsMap<double>::cylindrical({1, 12, 1}));
+  EXPECT_TRUE(uniform.isUniform());
+  EXPECT_EQ(cylindrical.steepness(), Box<double>::kInf);
+  double most = 0;
+  for (const auto& field : {uniform, cylindrical}) {
+    for (const auto& p : {Vec3<double>{3.1, 0.7, -0.4}, Vec3<double>{1.3, 2.2, 5.6},
+                          Vec3<double>{-2.4, 1.9, 0.3}}) {
+      constexpr double kStep = 1e-5;
+      const auto gradient = field.gradient(p);
+      most = std::max(most, field.isUniform() ? length(gradient) : 0);
+      for (int axis = 0; axis < 3; ++axis) {
+        Vec3<double> step;
+        step[axis] = kStep;
+        const double slope = (field.value(p + step) - field.value(p - step)) / (2 * kStep);
+        EXPECT_NEAR(gradient[axis], slope, 1e-6);
+      }
+    }
+  }
+  EXPECT_LT(most, uniform.steepness());
+  EXPECT_GT(most, 0.1 * uniform.steepness());
+}
+
 TEST(TpmsFieldsTest, RefuseWeightsBeyondBothPatterns) {
   const Plane<double> plane({0, 0, 0}, {0, 0, 1});
   const auto weight = GradedValue<double>::byValueOf(plane, {0, 1.5, 1});

@@ -3,6 +3,7 @@
 #include <Cutwater/Tpms/Detail/Constants.hpp>
 #include <Cutwater/Tpms/Detail/LargestRadius.hpp>
 #include <Cutwater/Tpms/Detail/LevelDistances.hpp>
+#include <Cutwater/Tpms/Detail/NumericalGradient.hpp>
 #include <Cutwater/Tpms/TpmsField.hpp>
 
 #include <algorithm>
@@ -61,9 +62,17 @@ T TpmsField<T>::value(const Vec3<T>& p) const {
 
 template <std::floating_point T>
 Vec3<T> TpmsField<T>::gradient(const Vec3<T>& p) const {
+  if (!uniform_) {
+    return detail::numericalGradient([this](const Vec3<T>& q) { return value(q); }, p, map_.size());
+  }
   const auto slope = kTwoPi<T> * from_.sample(map_.toCells(p)).gradient;
   const auto& rates = uniform_->rates;
   return {rates.x * slope.x, rates.y * slope.y, rates.z * slope.z};
+}
+
+template <std::floating_point T>
+T TpmsField<T>::steepness() const {
+  return uniform_ ? uniform_->lipschitz / uniform_->lengthPerRadian : Box<T>::kInf;
 }
 
 template <std::floating_point T>

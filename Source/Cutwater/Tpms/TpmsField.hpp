@@ -42,9 +42,10 @@ class TpmsField {
 
   /// The level function F at a point.
   [[nodiscard]] T value(const Vec3<T>& p) const;
-  /// Its gradient, and the greatest length that has anywhere, of a uniform field.
+  /// Its gradient; of a field that is not uniform, by differences.
   [[nodiscard]] Vec3<T> gradient(const Vec3<T>& p) const;
-  [[nodiscard]] T steepness() const { return uniform_->lipschitz / uniform_->lengthPerRadian; }
+  /// A bound of the gradient's length anywhere; infinite unless the field is uniform.
+  [[nodiscard]] T steepness() const;
 
   /// Lower bound of the distance to the surface of a part, for the field F and a level h, which may
   /// depend on position: to psi = 0, with the sign of psi, the function of F and h that is negative

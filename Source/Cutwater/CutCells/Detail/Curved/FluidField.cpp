@@ -104,12 +104,12 @@ class SolidField final : public FluidField {
   double sign_;
 };
 
-class Section final : public FluidField {
+class PlaneSection final : public FluidField {
  public:
-  Section(const FluidField& field, double z)
+  PlaneSection(const FluidField& field, double z)
       : FluidField(factsAt(field, z)), field_(field), z_(z) {}
   /// Of a field that it owns.
-  Section(std::shared_ptr<const FluidField> field, double z) : Section(*field, z) {
+  PlaneSection(std::shared_ptr<const FluidField> field, double z) : PlaneSection(*field, z) {
     owned_ = std::move(field);
   }
 
@@ -139,7 +139,7 @@ class Section final : public FluidField {
   Surfaces surfacesIn(const Box<double>& box) const override {
     auto found = field_.surfacesIn(inPlane(box));
     const auto section = [&](std::shared_ptr<const FluidField>& field) {
-      if (field) field = std::make_shared<const Section>(std::move(field), z_);
+      if (field) field = std::make_shared<const PlaneSection>(std::move(field), z_);
     };
     for (auto& surface : found) {
       section(surface.field);
@@ -246,7 +246,7 @@ std::unique_ptr<const FluidField> fieldIn(const FluidField& field, const Box<dou
 }
 
 std::unique_ptr<const FluidField> sectionAt(const FluidField& field, double z) {
-  return std::make_unique<const Section>(field, z);
+  return std::make_unique<const PlaneSection>(field, z);
 }
 
 template <std::floating_point T>

@@ -140,11 +140,10 @@ void LineCrossings::mergeRoots(std::span<const AxisLine> lines) {
 }
 
 std::size_t LineCrossings::alikeOf(const Sides& sides) {
-  const auto known = std::ranges::find(alike_, sides, &Alike::sides);
-  if (areSidesTold_ && known != alike_.end())
-    return static_cast<std::size_t>(known - alike_.begin());
-  alike_.push_back({.sides = sides, .point = {}});
-  return alike_.size() - 1;
+  auto known = alike_.end();
+  if (areSidesTold_) known = std::ranges::find(alike_, sides, &Alike::sides);
+  if (known == alike_.end()) known = alike_.insert(known, {.sides = sides, .point = {}});
+  return static_cast<std::size_t>(known - alike_.begin());
 }
 
 /// Finds a value for each stretch between roots.

@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Interval.hpp>
 #include <Cutwater/CutCells/Detail/Curved/SolidImages.hpp>
+#include <Cutwater/Mesh/Detail/SoundnessCheck.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 
 #include <cmath>
@@ -16,19 +17,6 @@ BodySize sizeOf(const Solid<T>& solid) {
   return {{Vec3<double>(box.lower), Vec3<double>(box.upper)}};
 }
 
-/// Point number n of a sequence that fills the unit cube evenly (Roberts 2018, "The unreasonable
-/// effectiveness of quasirandom sequences").
-Vec3<double> evenlySpread(int n) {
-  constexpr double kRoot = 1.2207440846057596;  // of x^4 = x + 1
-  Vec3<double> point;
-  double step = 1;
-  for (int axis = 0; axis < 3; ++axis) {
-    step /= kRoot;
-    point[axis] = std::fmod(0.5 + n * step, 1.0);
-  }
-  return point;
-}
-
 /// Where to look at a solid along an axis: in a period, in its box, or anywhere.
 Interval<double> sampledAlong(const BodySize& body, const CutPeriod& period, int axis) {
   if (period.isOn(axis)) return {period.start[axis], period.start[axis] + period.length[axis]};
@@ -40,11 +28,11 @@ Interval<double> sampledAlong(const BodySize& body, const CutPeriod& period, int
 
 template <std::floating_point T>
 void checkRepeats(const Solid<T>& solid, const CutPeriod& period, int axis) {
-  constexpr int kSamples = 100;
+  constexpr std::size_t kSamples = 100;
   const auto body = sizeOf(solid);
   const double length = period.length[axis];
   const double rounding = std::sqrt(std::numeric_limits<T>::epsilon());
-  for (int n = 0; n < kSamples; ++n) {
+  for (std::size_t n = 0; n < kSamples; ++n) {
     auto point = evenlySpread(n);
     for (int a = 0; a < 3; ++a) {
       const auto [from, to] = sampledAlong(body, period, a);
