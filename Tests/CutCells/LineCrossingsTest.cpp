@@ -95,7 +95,7 @@ TEST(LineCrossingsTest, GapsAreFoundThatNoDerivativeLeadsTo) {
   const Solid<double> solid = Solid<double>(Cuboid<double>({-2, -0.1, -2}, {0.4, 0.1, 2})) |
                               Cuboid<double>({0.55, -0.1, -2}, {2, 0.1, 2});
   const auto outside = fluidBeside<double>(solid, FluidSide::Outside);
-  const auto bars = fieldIn(*outside, {{-1, -1, -1}, {1, 1, 1}}, 1);
+  const auto bars = fieldIn(*outside, {{-1, -1, -1}, {1, 1, 1}});
   // The same as values alone, without the surfaces that they come from.
   const auto value = [&](const Vec3<double>& p) { return solid.signedDistance(p); };
   const auto values = fluidBeside<double>(
@@ -126,7 +126,7 @@ TEST(LineCrossingsTest, PlatesBesideAWallAreFoundByTheirSurfaces) {
   for (const bool isUnion : {true, false}) {
     const auto side = isUnion ? FluidSide::Outside : FluidSide::Inside;
     const auto whole = fluidBeside<double>(isUnion ? solid : ~solid, side);
-    const auto field = fieldIn(*whole, {{0, -1, 0}, {1, 1, 1}}, 1);
+    const auto field = fieldIn(*whole, {{0, -1, 0}, {1, 1, 1}});
     LineCrossings found(*field);
     for (const double gap : {0.3, 0.01, 1e-4, 1e-9}) {
       const AxisLine line{{0, -gap, 0.5}, 1, 0};
