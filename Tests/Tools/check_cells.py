@@ -289,6 +289,7 @@ class Cells(CommandTest):
                       self.fails(1, *place, "--spacing", "0.2"))
 
     def test_solids_of_scenes(self):
+        (self.folder / "floor.toml").write_text('[floor]\nshape = "plane"\npoint = [0, 0, 0.5]\nnormal = [0, 0, 1]\n')
         (self.folder / "ball.toml").write_text('[ball]\nshape = "sphere"\nradius = 1\n')
         volume = 4 / 3 * math.pi
         text = self.succeeds("cells", "ball.toml", "--cells", "20", "-o", "ball.vtu", "--json", "ball.json")
@@ -306,6 +307,16 @@ class Cells(CommandTest):
         self.assertAlmostEqual(leaves["fluidVolume"], volume, delta=1e-3)
         self.succeeds("slice", "ball.toml", "--cells", "12", "--axis", "z", "-o", "ball.png")
         self.assertGreater((self.folder / "ball.png").stat().st_size, 1000)
+        # Across the ends of a period, as if it were whole.
+        self.succeeds("cells", "ball.toml", "--period", "3,3,3", "--box", "0,0,0,3,3,3", "--cells", "12", "-o", "parts.vtu",
+                      "--json", "parts.json")
+        parts = json.loads((self.folder / "parts.json").read_text())
+        self.assertAlmostEqual(parts["bodyVolume"], volume, delta=1e-4)
+        self.assertAlmostEqual(parts["fluidVolume"], 27 - volume, delta=1e-4)
+        self.assertLess(parts["worstClosure"], 1e-13)
+        self.assertIn("--period is for grids", self.fails(1, "cells", "ball.toml", "--period", "3,3,3", "--level", "2"))
+        self.assertIn("bounds, or that is the same a period further",
+                      self.fails(1, "cells", "floor.toml", "--period", "1,1,1", "--box", "0,0,0,1,1,1"))
         # No wall in the box: all of it is fluid.
         away = self.succeeds("cells", "ball.toml", "--box", "2,2,2,3,3,3", "--cells", "4")
         self.assertIn("cut 0 of 4 x 4 x 4", away)
@@ -330,7 +341,7 @@ class Cells(CommandTest):
         spacing = float(refusal.split("--spacing ")[1].split()[0])
         self.succeeds("cells", "box.off", "--spacing", spacing, "--max-cells", "1e5")
         (self.folder / "ball.toml").write_text('[ball]\nshape = "sphere"\nradius = 1\n')
-        for option in (["--open", "wall"], ["--baffle", "wall"], ["--cap-holes"], ["--period", "1,1,1"]):
+        for option in (["--open", "wall"], ["--baffle", "wall"], ["--cap-holes"]):
             self.assertIn("are for surfaces", self.fails(1, "cells", "ball.toml", "--box", "0,0,0,1,1,1", *option))
         self.assertIn("no polygons", self.fails(1, "cells", "ball.toml", "--level", "1", "-o", "cut.vtu"))
         self.assertIn("surfaces cut cells exactly", self.fails(1, "cells", "box.off", "--tolerance", "0.1"))
