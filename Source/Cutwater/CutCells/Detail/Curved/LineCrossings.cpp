@@ -39,7 +39,7 @@ void LineCrossings::Bracket::take(double at, double value) {
 }
 
 void LineCrossings::find(std::span<const AxisLine> lines) {
-  if (field_->knowsSurfaces()) {
+  if (field_->knowsSurfaces() && !lines.empty()) {
     Box<double> around;
     for (const auto& line : lines) around.extend(Box<double>{line.start, line.endPoint()});
     return find(lines, field_->surfacesNear(around));
