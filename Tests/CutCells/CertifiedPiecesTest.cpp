@@ -118,8 +118,8 @@ TEST(CertifiedLeavesTest, AreThoseOfTheGridOnOneLevel) {
   const SolidCutter cutter(gyroidWall());
   std::vector<OctreeCell> leaves;
   std::mt19937 random(3);
-  addRandomLeaves(random, {}, 0, 3, 100, leaves);
-  const Mesh mesh(OctreeDomain<double>({0.01, 0.02, 0.03}, 1, {1, 1, 1}), 3, leaves);
+  addRandomLeaves(random, {}, 0, 2, 100, leaves);
+  const Mesh mesh(OctreeDomain<double>({0.01, 0.02, 0.03}, 1, {1, 1, 1}), 2, leaves);
   const CertifyOptions options{.width = 0.2, .pieces = true};
   const auto cut = cutter.cut(mesh);
   const auto cells = cutter.cut(finestOf(mesh));
