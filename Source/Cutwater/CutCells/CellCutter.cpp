@@ -20,10 +20,6 @@ void refuseQuadrature(const CutOptions& options) {
   require(!options.quadrature, "cut cells: there is no quadrature of meshes, see SolidCutter");
 }
 
-void refusePeriod(const CutPeriod& period, const char* message) {
-  require(!period.isOnAny(), message, Named{"period", period.length});
-}
-
 /// Cuts the tiles that have triangles, by cutOne(tile); null for the others.
 std::vector<std::unique_ptr<const TileCut>> cutAll(const CutBlocks& tiles,
                                                    const CutOptions& options,

@@ -316,7 +316,6 @@ class SolidCutter {
                              const CutOptions& options) const;
   template <std::floating_point T>
   [[nodiscard]] CellPlanes gridOf(const GridPatch<T>& gridPatch) const;
-  void refusePeriod(const char* message) const;
 
   std::shared_ptr<const CutPeriod> period_;
   std::shared_ptr<const FluidField> field_;

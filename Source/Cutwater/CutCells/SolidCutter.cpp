@@ -37,10 +37,6 @@ CellPlanes SolidCutter::gridOf(const GridPatch<T>& gridPatch) const {
   return planesOf(*period_, gridPatch);
 }
 
-void SolidCutter::refusePeriod(const char* message) const {
-  require(!period_->isOnAny(), message, Named{"period", period_->length});
-}
-
 CutCells SolidCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);
   return cut(*field_, grid, options);
@@ -50,7 +46,7 @@ CutCells SolidCutter::cutInPlane(const CellPlanes& grid, double z,
                                  const CutOptions& options) const {
   require(options.moments < 0 && !options.quadrature && !options.polygons,
           "cut cells: there are no polygons, no moments and no quadrature in a plane");
-  refusePeriod("cut cells: there are no periods in a plane");
+  refusePeriod(*period_, "cut cells: there are no periods in a plane");
   return cut(*sectionAt(*field_, z), layerAt(grid, z), options);
 }
 
@@ -59,7 +55,7 @@ CutLeaves SolidCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options
   checkOptions(options);
   require(!options.polygons,
           "cut cells: there are no polygons of leaves of solids that are no meshes");
-  refusePeriod("cut cells: there are no periods in an octree");
+  refusePeriod(*period_, "cut cells: there are no periods in an octree");
   const CutFrame world;
   const LeafGrid grid(mesh, world);
   std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);
@@ -79,7 +75,7 @@ CertifiedCells SolidCutter::certified(const CutCells& cells, const CertifyOption
 template <std::floating_point T>
 CertifiedLeaves SolidCutter::certified(const CutLeaves& leaves, const OctreeCells<T>& mesh,
                                        const CertifyOptions& options) const {
-  refusePeriod("cut cells: there are no periods in an octree");
+  refusePeriod(*period_, "cut cells: there are no periods in an octree");
   require(leaves.classes.size() == mesh.cells().size(), "certified: need the mesh of these leaves",
           Named{"leaves", leaves.classes.size()}, Named{"cells", mesh.cells().size()});
   std::vector<Box<double>> boxes;

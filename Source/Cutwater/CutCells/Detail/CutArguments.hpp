@@ -3,6 +3,7 @@
 
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/Detail/Surface/CutPeriod.hpp>
 
 #include <cmath>
 
@@ -23,6 +24,10 @@ inline void checkPlanes(const CellPlanes& grid) {
               "cut cells: need planes that ascend", Named{"plane", planes[i]});
     }
   }
+}
+
+inline void refusePeriod(const CutPeriod& period, const char* message) {
+  require(!period.isOnAny(), message, Named{"period", period.length});
 }
 
 /// The layer of cells that stands for the rectangles of a grid in the plane at `z`.
