@@ -179,6 +179,27 @@ TEST(DocsTest, MomentsOfCutCells) {
   EXPECT_EQ(used, cells.pieceCount);
 }
 
+TEST(DocsTest, QuadratureOfCutCells) {
+  const CellCutter cutter{Solid<double>(MeshSDF<double>(tessellation::icosphere(0.4, 3)))};
+  const Level<double> level({-0.5, -0.5, -0.5}, {0.125, 0.125, 0.125});
+  const auto indices = IndexBox::ofSize(8, 8, 8);
+  double heat = 0;
+  const auto sourceAt = [](const Vec3<double>& p) { return 1 + p.x - p.y * p.z; };
+  // [DOCS
+  const CutCells cells =
+      cutter.cut(GridPatch<double>{level, indices}, {.quadrature = true, .quadratureDegree = 2});
+  const auto& inside = cells.quadrature.volume;
+  for (std::uint32_t p = 0; p < cells.pieceCount; ++p) {
+    for (std::size_t i = 0; i < inside.pointsOf(p).size(); ++i) {
+      heat += inside.weightsOf(p)[i] * sourceAt(inside.pointsOf(p)[i]);
+    }
+  }
+  // DOCS]
+  double volume = 0;
+  for (std::uint32_t p = 0; p < cells.pieceCount; ++p) volume += cells.pieces.volume[p];
+  EXPECT_NEAR(heat, volume, 1e-14);  // the rest cancels by symmetry
+}
+
 TEST(DocsTest, CoarserLevels) {
   const Solid<double> hull(MeshSDF<double>(tessellation::icosphere(0.4, 3)));
   const Level<double> level({-0.5, -0.5, -0.5}, {0.125, 0.125, 0.125});

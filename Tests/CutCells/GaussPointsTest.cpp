@@ -1,4 +1,4 @@
-#include <Cutwater/CutCells/Detail/Curved/GaussPoints.hpp>
+#include <Cutwater/CutCells/Detail/Quadrature/GaussPoints.hpp>
 
 #include <cmath>
 

@@ -228,9 +228,6 @@ TEST(SolidCutterTest, WrongArgumentsAreRefused) {
   EXPECT_THROW((void)cutter.cut(unitGrid(4), {.moments = 5}), Error);
   EXPECT_THROW((void)cutter.cutInPlane(planesOf(unitGrid(4)), 0.5, {.moments = 0}), Error);
   EXPECT_THROW((void)cutter.cutInPlane(planesOf(unitGrid(4)), 0.5, {.quadrature = true}), Error);
-  EXPECT_THROW(
-      (void)CellCutter(solidOf(test::ball(0.3, kMiddle))).cut(unitGrid(4), {.quadrature = true}),
-      Error);
   auto planes = planesOf(unitGrid(4));
   planes.planes[1][2] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)cutter.cut(planes), Error);

@@ -16,10 +16,6 @@ namespace cutwater {
 
 namespace {
 
-void refuseQuadrature(const CutOptions& options) {
-  require(!options.quadrature, "cut cells: there is no quadrature of meshes, see SolidCutter");
-}
-
 /// Cuts the tiles that have triangles, by cutOne(tile); null for the others.
 std::vector<std::unique_ptr<const TileCut>> cutAll(const CutBlocks& tiles,
                                                    const CutOptions& options,
@@ -60,7 +56,6 @@ CellCutter::CellCutter(const Solid<T>& solid, FluidSide side, const CutterOption
 CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) const {
   checkPlanes(grid);
   checkOptions(options);
-  refuseQuadrature(options);
   const CutBlocks tiles(*surface_, stretchesOf(grid, surface_->period(), surface_->frame()));
   const auto cuts = cutAll(tiles, options, [&](std::size_t tile) {
     return cutTile(*surface_, tiles.input(tile), options);
@@ -69,9 +64,7 @@ CutCells CellCutter::cut(const CellPlanes& grid, const CutOptions& options) cons
 }
 
 CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptions& options) const {
-  require(!options.polygons && options.moments < 0,
-          "cut cells: there are no polygons and no moments in a plane");
-  refuseQuadrature(options);
+  refuseInPlane(options);
   auto layer = layerAt(grid, z);
   refusePeriod(surface_->period(), "cut cells: there are no periods in a plane");
   const auto& frame = surface_->frame();
@@ -92,12 +85,16 @@ CutCells CellCutter::cutInPlane(const CellPlanes& grid, double z, const CutOptio
 template <std::floating_point T>
 CutLeaves CellCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options) const {
   checkOptions(options);
-  refuseQuadrature(options);
   refusePeriod(surface_->period(), "cut cells: there are no periods in an octree");
   const LeafGrid grid(mesh, surface_->frame());
   std::vector<FluidClass> classes(grid.leaves().size(), FluidClass::Fluid);
   const auto tiles = cutLeafTiles(*surface_, grid, options, classes);
-  return assembledLeaves({grid, tiles, surface_->frame(), surface_->patchNames(), surface_.get()},
+  return assembledLeaves({.grid = grid,
+                          .tiles = tiles,
+                          .frame = surface_->frame(),
+                          .patchNames = surface_->patchNames(),
+                          .surface = surface_.get(),
+                          .gauss = gaussOfDegree(options.quadratureDegree)},
                          std::move(classes), options);
 }
 

@@ -27,9 +27,11 @@ struct CutOptions {
   /// The highest degree of the moments of volumes, walls and arcs, from 0 to 4: see
   /// CutCells::Moments. -1: none.
   int moments = -1;
-  /// Whether to keep points and weights to integrate functions by: see CutCells::Quadrature. Of a
-  /// SolidCutter alone.
+  /// Whether to keep points and weights to integrate functions by: see CutCells::Quadrature.
   bool quadrature = false;
+  /// Up to this degree, from 0 to 4, the points of a CellCutter integrate polynomials exactly, but
+  /// for rounding. Those of a SolidCutter are of SolidCutterOptions::points.
+  int quadratureDegree = 4;
   /// See ParallelOptions.
   int threads = 0;
   Progress progress = {};
@@ -125,9 +127,9 @@ class CellCutter {
   /// as if the solid were its section there, so volumes are areas and areas are lengths. For
   /// axially symmetric flow about the y axis, 2 pi times x of a centroid is the weight of a volume
   /// or an area.
-  /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; if polygons or moments are asked
-  /// for, there is a period, or a triangle of a baffle lies in the plane. Error(Topology) as cut()
-  /// with polygons.
+  /// @throws Error(Argument) as cut(); unless z +- 1/2 differ; if polygons, moments or quadrature
+  /// are asked for, there is a period, or a triangle of a baffle lies in the plane. Error(Topology)
+  /// as cut() with polygons.
   [[nodiscard]] CutCells cutInPlane(const CellPlanes& grid, double z,
                                     const CutOptions& options = {}) const;
 

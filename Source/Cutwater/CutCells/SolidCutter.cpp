@@ -1,11 +1,11 @@
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/CutCells/Detail/Curved/CertifiedRows.hpp>
 #include <Cutwater/CutCells/Detail/Curved/CurvedTile.hpp>
-#include <Cutwater/CutCells/Detail/Curved/GaussPoints.hpp>
 #include <Cutwater/CutCells/Detail/Curved/SolidImages.hpp>
 #include <Cutwater/CutCells/Detail/CutArguments.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/CurvedLeaves.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafAssembly.hpp>
+#include <Cutwater/CutCells/Detail/Quadrature/GaussPoints.hpp>
 #include <Cutwater/CutCells/Detail/Rows/CutAssembly.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/PeriodicPlanes.hpp>
 
@@ -44,8 +44,7 @@ CutCells SolidCutter::cut(const CellPlanes& grid, const CutOptions& options) con
 
 CutCells SolidCutter::cutInPlane(const CellPlanes& grid, double z,
                                  const CutOptions& options) const {
-  require(options.moments < 0 && !options.quadrature && !options.polygons,
-          "cut cells: there are no polygons, no moments and no quadrature in a plane");
+  refuseInPlane(options);
   refusePeriod(*period_, "cut cells: there are no periods in a plane");
   return cut(*sectionAt(*field_, z), layerAt(grid, z), options);
 }

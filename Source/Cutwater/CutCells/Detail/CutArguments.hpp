@@ -13,6 +13,14 @@ inline void checkOptions(const CutOptions& options) {
   require(options.moments >= -1 && options.moments <= CutCells::Moments::kHighest,
           "cut cells: need a degree of moments from 0 to 4, or -1",
           Named{"moments", options.moments});
+  require(options.quadratureDegree >= 0 && options.quadratureDegree <= CutCells::Moments::kHighest,
+          "cut cells: need a degree of quadrature from 0 to 4",
+          Named{"quadratureDegree", options.quadratureDegree});
+}
+
+inline void refuseInPlane(const CutOptions& options) {
+  require(options.moments < 0 && !options.quadrature && !options.polygons,
+          "cut cells: there are no polygons, no moments and no quadrature in a plane");
 }
 
 inline void checkPlanes(const CellPlanes& grid) {

@@ -21,20 +21,6 @@ void forPoints(std::span<const FluidSpan> spans, int along, const Visit& visit) 
   }
 }
 
-/// The monomials of an offset up to a degree, in the order of CutCells::Moments.
-template <std::size_t kVariables>
-void evaluate(const std::array<double, kVariables>& offset, std::span<double> monomials) {
-  monomials[0] = 1;
-  const auto& table = kMonomials<kVariables>;
-  for (std::size_t i = 0; i < monomials.size(); ++i) {
-    for (std::size_t axis = 0; axis < kVariables; ++axis) {
-      const std::size_t raised = table[i].raised[axis];
-      const bool isHighest = table[i].degree == Monomials<kVariables>::kHighest;
-      if (!isHighest && raised < monomials.size()) monomials[raised] = offset[axis] * monomials[i];
-    }
-  }
-}
-
 template <typename Value>
 std::span<Value> appended(std::size_t count, std::vector<Value>& rows) {
   rows.resize(rows.size() + count);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Cutwater/CutCells/Detail/Curved/BoxView.hpp>
-#include <Cutwater/CutCells/Detail/Curved/GaussPoints.hpp>
 #include <Cutwater/CutCells/Detail/Curved/RulePoints.hpp>
+#include <Cutwater/CutCells/Detail/Quadrature/GaussPoints.hpp>
 
 namespace cutwater {
 

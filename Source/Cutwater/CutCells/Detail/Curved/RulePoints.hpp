@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Cutwater/CutCells/Detail/Curved/BoxView.hpp>
-#include <Cutwater/CutCells/Detail/Curved/GaussPoints.hpp>
+#include <Cutwater/CutCells/Detail/Quadrature/GaussPoints.hpp>
 
 #include <algorithm>
 #include <cmath>

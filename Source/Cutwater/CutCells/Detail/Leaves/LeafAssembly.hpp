@@ -2,8 +2,8 @@
 
 #include <Cutwater/CutCells/CutCells.hpp>
 #include <Cutwater/CutCells/CutLeaves.hpp>
-#include <Cutwater/CutCells/Detail/Curved/GaussPoints.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafTile.hpp>
+#include <Cutwater/CutCells/Detail/Quadrature/GaussPoints.hpp>
 
 #include <string>
 #include <vector>

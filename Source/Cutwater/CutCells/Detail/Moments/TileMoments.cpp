@@ -2,7 +2,6 @@
 #include <Cutwater/CutCells/Detail/Moments/TileMoments.hpp>
 
 #include <algorithm>
-#include <tuple>
 
 namespace cutwater {
 
@@ -16,15 +15,6 @@ double unitOf(const CutFrame& frame, int power) {
   for (int n = 0; n < power; ++n) unit *= frame.scale;
   return unit;
 }
-
-/// An open part of a face of a piece's cell.
-struct OpenSide {
-  std::uint32_t piece = 0;
-  int face = 0;  ///< of the cell: twice the axis, and 1 for the one above
-  std::uint32_t arc = 0;
-
-  [[nodiscard]] auto key() const { return std::tuple(piece, face, arc); }
-};
 
 /// Sums up the moments of pieces by the divergence theorem: a triangle of a wall adds those of the
 /// tetrahedron that it makes with a point of the piece, and an open part its distance from that
@@ -55,7 +45,7 @@ class PieceMoments {
       if (patch != kNone) addPolygon(piece, polygons.of(n), !WallPolygons::isOfArc(patch));
     }
     applyFactors();
-    addOpenSides(arcs);
+    for (const auto& side : sidesOf(content_, surface_.numbers())) addOpenSide(side, arcs);
     for (std::uint32_t piece = 0; piece < content_.pieces.size(); ++piece) moveToCentroids(piece);
   }
 
@@ -117,20 +107,7 @@ class PieceMoments {
     }
   }
 
-  void addOpenSides(const ArcMoments& arcs) {
-    std::vector<OpenSide> sides;
-    for (std::uint32_t arc = 0; arc < content_.arcs.size(); ++arc) {
-      if (content_.arcs[arc].isOpenPatch()) continue;  // its fragments are counted
-      const auto& [below, above] = std::pair(content_.arcs[arc].below, content_.arcs[arc].above);
-      const int axis = surface_.numbers().axisOfFace(content_.arcs[arc].face);
-      if (below != kNone) sides.push_back({below, 2 * axis + 1, arc});
-      if (above != kNone) sides.push_back({above, 2 * axis, arc});
-    }
-    // Those of a cell in the order of its faces, wherever the tile begins.
-    std::ranges::sort(sides, {}, &OpenSide::key);
-    for (const auto& side : sides) addOpenSide(side, arcs);
-  }
-  void addOpenSide(const OpenSide& side, const ArcMoments& arcs) {
+  void addOpenSide(const PieceSide& side, const ArcMoments& arcs) {
     const int across = side.face / 2;
     const auto place = surface_.numbers().placeOfFace(content_.arcs[side.arc].face);
     auto about = arcs.centroid(side.arc);

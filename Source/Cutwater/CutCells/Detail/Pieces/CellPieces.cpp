@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <tuple>
 #include <utility>
 
 namespace cutwater {
@@ -306,6 +307,20 @@ class CellBuilder {
 };
 
 }  // namespace
+
+std::vector<PieceSide> sidesOf(const CellPieces& content, const TileNumbers& numbers) {
+  std::vector<PieceSide> sides;
+  for (std::uint32_t arc = 0; arc < content.arcs.size(); ++arc) {
+    const auto& of = content.arcs[arc];
+    if (of.isOpenPatch()) continue;
+    const int axis = numbers.axisOfFace(of.face);
+    if (of.below != kNone) sides.push_back({of.below, 2 * axis + 1, arc});
+    if (of.above != kNone) sides.push_back({of.above, 2 * axis, arc});
+  }
+  std::ranges::sort(
+      sides, {}, [](const PieceSide& side) { return std::tuple(side.piece, side.face, side.arc); });
+  return sides;
+}
 
 CellPieces findCellPieces(const TileSurface& surface, const EdgeStretches& stretches,
                           const FacePieces& faces, const GridPlanes& planes,

@@ -5,6 +5,7 @@
 #include <Cutwater/CutCells/Detail/Pieces/PieceSums.hpp>
 
 #include <utility>
+#include <vector>
 
 namespace cutwater {
 
@@ -67,6 +68,16 @@ struct CellPieces {
   /// In cells where triangles meet, whose fragments have no piece; in the order of these cells.
   WallPolygons meetingWalls;
 };
+
+/// An open part of a face of a piece's cell, but for those of open patches.
+struct PieceSide {
+  std::uint32_t piece = 0;
+  int face = 0;  ///< of the cell: twice the axis, and 1 for the one above
+  std::uint32_t arc = 0;
+};
+
+/// Sorted by piece; those of a cell in the order of its faces, wherever the tile begins.
+[[nodiscard]] std::vector<PieceSide> sidesOf(const CellPieces& content, const TileNumbers& numbers);
 
 /// Joins what bounds each piece of the cells that are wanted, and measures it.
 [[nodiscard]] CellPieces findCellPieces(const TileSurface& surface, const EdgeStretches& stretches,

@@ -1,6 +1,7 @@
 #include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceAxes.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceSum.hpp>
+#include <Cutwater/CutCells/Detail/Faces/SheetTree.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/OpenArcs.hpp>
 
 #include <algorithm>
@@ -27,11 +28,7 @@ namespace {
 /// Whether nothing is left of a fragment but a line or a point: where the moved surface reaches
 /// into a cell that the surface touches.
 bool isFilm(std::span<const Vec3<double>> points) {
-  Vec3<double> area;
-  for (std::size_t k = 2; k < points.size(); ++k) {
-    area += cross(points[k - 1] - points[0], points[k] - points[0]);
-  }
-  return area == Vec3<double>{};
+  return twiceArea(points) == Vec3<double>{};
 }
 
 class OpenArcs {

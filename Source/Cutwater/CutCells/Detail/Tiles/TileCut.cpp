@@ -1,9 +1,11 @@
 #include <Cutwater/CutCells/Detail/Faces/FaceOutlines.hpp>
 #include <Cutwater/CutCells/Detail/Faces/FaceRegions.hpp>
 #include <Cutwater/CutCells/Detail/Faces/RegionOutlines.hpp>
+#include <Cutwater/CutCells/Detail/Faces/SheetTree.hpp>
 #include <Cutwater/CutCells/Detail/Moments/TileMoments.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/ConformedWalls.hpp>
 #include <Cutwater/CutCells/Detail/Pieces/WallFaces.hpp>
+#include <Cutwater/CutCells/Detail/Quadrature/TileQuadrature.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/TileCut.hpp>
 
 #include <algorithm>
@@ -30,11 +32,7 @@ bool touches(const TileSurface& surface, std::span<const TileFragment> fragments
       }
     }
     if (!isInFace) return false;
-    Vec3<double> area;
-    for (std::size_t k = 2; k < points.size(); ++k) {
-      area += 0.5 * cross(points[k - 1] - points[0], points[k] - points[0]);
-    }
-    return length(area) <= kTouching * faceArea;
+    return 0.5 * length(twiceArea(points)) <= kTouching * faceArea;
   });
 }
 
@@ -173,12 +171,21 @@ TileCut cutTile(const TileParts& parts, const CutOptions& options) {
     result.isBody[result.numbers.cell(cell)] = !parts.stretches.isFluid(cell);
   });
   noteCells(parts, result);
-  if (options.polygons) {
+  if (options.polygons || options.quadrature) {
     addArcPolygons(parts, result);
     addWallPolygons(surface, result);
   }
   if (options.moments >= 0) {
     result.moments = findMoments(faces, result.content, frame, options.moments);
+  }
+  if (options.quadrature) {
+    const auto degree = options.quadratureDegree;
+    result.quadrature = findQuadrature(result,
+                                       degree == options.moments
+                                           ? result.moments
+                                           : findMoments(faces, result.content, frame, degree),
+                                       frame);
+    if (!options.polygons) result.polygons = {};
   }
   result.content.meetingWalls = {};
   return result;

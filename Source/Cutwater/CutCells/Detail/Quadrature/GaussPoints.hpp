@@ -58,6 +58,11 @@ inline constexpr int kMostGaussPoints = 6;
   return std::span(kTable.points).subspan(kTable.first[count], count);
 }
 
+/// The rule of fewest points that is exact for polynomials of this degree.
+[[nodiscard]] inline std::span<const GaussPoint> gaussOfDegree(int degree) {
+  return gaussPoints(degree / 2 + 1);
+}
+
 /// Calls visit(at, weight, number of the stretch) for the points of a rule in each stretch from
 /// `low` on, between ascending ends; empty ones have none.
 template <typename Ends, typename Visit>
