@@ -78,15 +78,15 @@ void FluidParts::connect(std::span<const Block> blocks) {
   constexpr std::size_t kMostBetween = 12;  // parts
   detail::DisjointSets sets(partOfBlock_.size());
   std::vector<Pair> pairs;
-  const auto isSeparate = [&](const Pair& pair) {
-    return sets.find(pair.a->number) != sets.find(pair.b->number);
+  const auto isSeparate = [&](const Block& a, const Block& b) {
+    return sets.find(a.number) != sets.find(b.number);
   };
   const auto tryFirst = [&](std::size_t most) {
     const auto count = std::min(most, pairs.size());
     std::ranges::partial_sort(pairs, pairs.begin() + static_cast<std::ptrdiff_t>(count), {},
                               &Pair::order);
     for (const auto& pair : std::span(pairs).first(count)) {
-      if (isSeparate(pair) && areConnected(*pair.a, *pair.b)) {
+      if (isSeparate(*pair.a, *pair.b) && areConnected(*pair.a, *pair.b)) {
         sets.unite(pair.a->number, pair.b->number);
       }
     }
@@ -105,11 +105,11 @@ void FluidParts::connect(std::span<const Block> blocks) {
     for (std::size_t j = 0; j < i; ++j) {
       const auto& a = blocks[j];
       const auto& b = blocks[i];
-      const Pair pair{&a, &b, {!areNeighbours(a.place, b.place), nearestSpans(a, b).distance}};
-      if (!isSeparate(pair)) continue;
+      if (!isSeparate(a, b)) continue;
       const auto one = sets.find(a.number);
       const auto other = sets.find(b.number);
-      between[{std::min(one, other), std::max(one, other)}].push_back(pair);
+      between[{std::min(one, other), std::max(one, other)}].push_back(
+          {&a, &b, {!areNeighbours(a.place, b.place), nearestSpans(a, b).distance}});
     }
   }
   for (auto& [parts, some] : between) {
