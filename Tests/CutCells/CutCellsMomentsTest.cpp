@@ -106,10 +106,6 @@ TEST(CutCellsMomentsTest, ThinPlatesLoseNoDigits) {
   EXPECT_LT(smallest, 1e-30);
 }
 
-double factorial(int n) {
-  return n < 2 ? 1 : n * factorial(n - 1);
-}
-
 /// Of |x| + |y| + |z| < radius: eight times those of a corner (Dirichlet's integrals).
 class OctahedronMoments {
  public:

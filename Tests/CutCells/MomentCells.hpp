@@ -27,6 +27,13 @@ inline int degreeOf(const Powers& powers) {
   return powers[0] + powers[1] + powers[2];
 }
 
+inline double monomial(const Vec3<double>& p, const Powers& powers) {
+  return std::pow(p.x, powers[0]) * std::pow(p.y, powers[1]) * std::pow(p.z, powers[2]);
+}
+inline double factorial(int n) {
+  return n < 2 ? 1 : n * factorial(n - 1);
+}
+
 /// The integral of x^power from `lower` to `upper`.
 inline double ofPower(int power, double lower, double upper) {
   return (std::pow(upper, power + 1) - std::pow(lower, power + 1)) / (power + 1);

@@ -14,10 +14,6 @@ namespace {
 
 using Polygon = std::vector<Vec3<double>>;
 
-double monomial(const Vec3<double>& p, const Powers& powers) {
-  return std::pow(p.x, powers[0]) * std::pow(p.y, powers[1]) * std::pow(p.z, powers[2]);
-}
-
 /// Calls visit(powers) for the monomials up to a degree.
 template <typename Visit>
 std::size_t forMonomials(int degree, int variables, const Visit& visit) {
@@ -56,10 +52,6 @@ std::vector<PolyhedronRule::Side> closing(const std::vector<Polygon>& polygons, 
   std::vector<PolyhedronRule::Side> sides;
   for (const auto& polygon : polygons) sides.push_back({polygon, isReversed});
   return sides;
-}
-
-double factorial(int n) {
-  return n < 2 ? 1 : n * factorial(n - 1);
 }
 
 /// In the order of CutCells::Moments.

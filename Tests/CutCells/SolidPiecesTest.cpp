@@ -11,15 +11,13 @@
 
 #include <cmath>
 #include <numbers>
-#include <queue>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "CutCells/MomentCells.hpp"
+#include "CutCells/SampledCell.hpp"
 #include "CutCells/ShellCells.hpp"
-#include "Support/RandomTrees.hpp"
-#include "Support/Scale.hpp"
 
 namespace cutwater::test {
 namespace {
@@ -47,53 +45,6 @@ TEST(SolidPiecesTest, APlateThatNoNodeSeesHasTwoSides) {
   }
 }
 
-/// Which of n^3 samples of a cell are in the fluid, x first.
-std::vector<char> samplesIn(const Solid<double>& solid, const Box<double>& box, std::size_t n) {
-  std::vector<char> isFluid;
-  for (std::size_t i = 0; i < n * n * n; ++i) {
-    const std::array place{i % n, i / n % n, i / (n * n)};
-    auto p = box.lower;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double middle = 0.5 + static_cast<double>(place[static_cast<std::size_t>(axis)]);
-      p[axis] += middle / static_cast<double>(n) * box.size()[axis];
-    }
-    isFluid.push_back(solid.signedDistance(p) >= 0 ? 1 : 0);
-  }
-  return isFluid;
-}
-
-/// Takes all samples that are connected with one.
-void flood(std::vector<char>& isFluid, std::size_t n, std::size_t start) {
-  std::queue<std::size_t> open;
-  const auto take = [&](std::size_t i) {
-    if (isFluid[i] == 0) return;
-    isFluid[i] = 0;
-    open.push(i);
-  };
-  take(start);
-  while (!open.empty()) {
-    const auto at = open.front();
-    open.pop();
-    for (const auto stride : {std::size_t{1}, n, n * n}) {
-      const auto place = at / stride % n;
-      if (place + 1 < n) take(at + stride);
-      if (place > 0) take(at - stride);
-    }
-  }
-}
-
-/// The connected parts of a cell's fluid among n^3 samples.
-int floodedParts(const Solid<double>& solid, const Box<double>& box, std::size_t n) {
-  auto isFluid = samplesIn(solid, box, n);
-  int parts = 0;
-  for (std::size_t start = 0; start < isFluid.size(); ++start) {
-    if (isFluid[start] == 0) continue;
-    ++parts;
-    flood(isFluid, n, start);
-  }
-  return parts;
-}
-
 TEST(SolidPiecesTest, OfAGyroidWallAreThoseOfAFlood) {
   const Solid<double> wall =
       TpmsSolid<double>(TpmsField<double>(TpmsPattern::gyroid(), 0.5), TpmsPart::Wall, 0.3);
@@ -109,8 +60,9 @@ TEST(SolidPiecesTest, OfAGyroidWallAreThoseOfAFlood) {
     for (auto p = first; p < last; ++p) smallest = std::min(smallest, cells.volumeFraction(p));
     if (smallest < 0.01) continue;
     ++compared;
-    EXPECT_EQ(static_cast<int>(last - first),
-              floodedParts(wall, cells.boxOf(cells.cells.index[row]), 24))
+    EXPECT_EQ(
+        static_cast<int>(last - first),
+        SampledCell(wall, FluidSide::Outside, cells.boxOf(cells.cells.index[row]), 24).parts())
         << cells.cells.index[row].i << ' ' << cells.cells.index[row].j;
   }
   EXPECT_GT(compared, 20);
@@ -321,31 +273,6 @@ TEST(SolidPiecesTest, FilesAndMergedCellsKeepTheirErrors) {
   auto forged = cells;
   forged.cells.error.pop_back();
   EXPECT_THROW((void)toBytes(forged), Error);
-}
-
-/// Unions, intersections, differences and blends of shapes placed anyhow.
-TEST(SolidPiecesTest, RandomCompositesKeepTheIdentities) {
-  int cut = 0;
-  for (int round = 0; round < scaled(12); ++round) {
-    RandomTrees<double> trees(static_cast<unsigned>(round) + 22);
-    const auto solid = trees.tree(round % 3);
-    SCOPED_TRACE(solid.describe());
-    const auto grid = unitGrid(4, -1.2, 1.2);
-    std::array<double, 2> fluid{};
-    double stated = 0;
-    for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
-      const auto cells = SolidCutter(solid, side).cut(grid);
-      const auto report = check(cells);
-      EXPECT_LT(report.worstClosure, 1e-13);
-      EXPECT_EQ(report.lostPieces, 0U);
-      EXPECT_EQ(report.outOfRange, 0U);
-      fluid[side == FluidSide::Outside ? 0 : 1] = report.fluidVolume;
-      for (const double error : cells.cells.error) stated += error * 0.216;
-      cut += static_cast<int>(cells.cellCount);
-    }
-    EXPECT_NEAR(fluid[0] + fluid[1], std::pow(2.4, 3), stated + 1e-9);
-  }
-  EXPECT_GT(cut, scaled(12) * 5);
 }
 
 }  // namespace

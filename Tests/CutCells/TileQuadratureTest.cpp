@@ -23,10 +23,6 @@ namespace {
 
 const CutOptions kBoth{.moments = 4, .quadrature = true};
 
-double monomial(const Vec3<double>& p, const Powers& powers) {
-  return std::pow(p.x, powers[0]) * std::pow(p.y, powers[1]) * std::pow(p.z, powers[2]);
-}
-
 /// Expects that the points of a row integrate monomials about a center as moments say, within
 /// rounding of cells of this size.
 void expectIntegrals(const CutCells::PointRows& rows, std::size_t row,
