@@ -88,7 +88,8 @@ void FewerPoints::exchange(std::size_t row, std::size_t column, std::size_t firs
     return Eigen::Map<Eigen::RowVectorXd>(&at(of, 0), count).tail(count - from);
   };
   auto own = valuesOf(row);
-  own /= at(row, column);
+  const double pivot = at(row, column);
+  own /= pivot;
   for (std::size_t other = 0; other < functions_; ++other) {
     const double factor = at(other, column);
     if (other == row || factor == 0) continue;
