@@ -23,7 +23,11 @@ class CertainParts {
   /// Divides each part in two along each axis.
   void halve();
   /// How many boxes that takes to look at.
-  [[nodiscard]] std::size_t costOfHalving() const { return 8 * open_; }
+  [[nodiscard]] std::size_t costOfHalving() const {
+    std::size_t cost = open_;
+    for (const bool isFlat : isFlat_) cost *= isFlat ? 1 : 2;
+    return cost;
+  }
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
   /// The share of the parts of which nothing is certain.
   [[nodiscard]] double openShare() const {
