@@ -101,7 +101,7 @@ TEST(RegionRuleTest, OfABoxWithADent) {
     auto sides = sidesOf(box);
     auto inner = sidesOf(dent);
     // The open side of the dent is a hole in that of the box, cut open from its first corner.
-    const auto open = static_cast<std::size_t>(2 * axis + 1);
+    const auto open = 2 * static_cast<std::size_t>(axis) + 1;
     auto hole = inner[open];
     std::ranges::reverse(hole);
     hole.push_back(hole.front());
