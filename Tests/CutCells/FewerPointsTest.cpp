@@ -16,8 +16,8 @@ Values quadratic(double x, double y) {
   return {1, x, y, x * x, x * y, y * y};
 }
 
-/// Adds random points with random weights on a line of slope `slope`, or, without one, in a square;
-/// expects that few are left, which have the same integrals.
+/// Adds random points with random weights, on a line or in a square; expects that few are left,
+/// which have the same integrals.
 void expectFew(std::mt19937& random, std::size_t count, std::size_t most, bool isOnLine) {
   std::uniform_real_distribution<double> anywhere(-1, 1);
   std::uniform_real_distribution<double> weights(1e-3, 1);

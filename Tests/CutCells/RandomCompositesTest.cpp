@@ -41,7 +41,6 @@ TEST(RandomCompositesTest, KeepTheIdentities) {
 
 /// What samples of cells have been compared with.
 struct Compared {
-  int shares = 0;
   int pieces = 0;
   int undecided = 0;
 };
@@ -57,7 +56,6 @@ void compareWithSamples(const Solid<double>& solid, FluidSide side, Compared& co
     const auto box = cells.boxOf(cell);
     const SampledCell samples(solid, side, box, 16);
     const auto row = cells.rowOf(cell);
-    ++compared.shares;
     if (row == CutCells::kNoRow) {
       ASSERT_NEAR(samples.share(), cells.classOf(cell) == FluidClass::Fluid ? 1 : 0, 0.01);
       continue;

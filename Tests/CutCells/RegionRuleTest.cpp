@@ -29,7 +29,7 @@ std::size_t forMonomials(int degree, int variables, const Visit& visit) {
   return count;
 }
 
-/// The sides of a box, from without, with a rectangle that is cut out of the highest along x.
+/// The sides of a box, counterclockwise from without: the low and the high one of each axis.
 std::vector<Polygon> sidesOf(const Box<double>& box) {
   std::vector<Polygon> sides;
   for (int axis = 0; axis < 3; ++axis) {
@@ -64,7 +64,7 @@ std::vector<double> momentsOf(int degree, const Integral& integral) {
   return moments;
 }
 
-/// Dirichlet's integrals, in all orders of the axes.
+/// Dirichlet's integrals.
 TEST(RegionRuleTest, OfTetrahedraAreExactUpToTheirDegree) {
   const std::array<Vec3<double>, 4> p{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const std::vector<Polygon> sides{
@@ -90,8 +90,8 @@ TEST(RegionRuleTest, OfTetrahedraAreExactUpToTheirDegree) {
   }
 }
 
-/// A box less another one in it, which touches one of its sides, by closed forms; its sides given
-/// from within, but for their order.
+/// A box less another one in it, which touches one of its sides, by closed forms; with sides from
+/// without, and reversed.
 TEST(RegionRuleTest, OfABoxWithADent) {
   const Box<double> box{{-0.4, 0.1, -0.7}, {0.8, 1.1, 0.9}};
   const Vec3<double> about{0.15, 0.7, 0.2};

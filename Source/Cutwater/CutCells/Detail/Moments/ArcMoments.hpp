@@ -13,6 +13,13 @@ namespace cutwater {
   return {frame.toFrame(0, p.x), frame.toFrame(1, p.y), frame.toFrame(2, p.z)};
 }
 
+/// A unit of the world to a power, in those of the frame: a power of two.
+[[nodiscard]] inline double unitOf(const CutFrame& frame, int power) {
+  double unit = 1;
+  for (int n = 0; n < power; ++n) unit *= frame.scale;
+  return unit;
+}
+
 /// The moments of the open parts of a tile's faces, in the coordinates of the tile, about centroids
 /// as they are stated in the world.
 ///

@@ -9,13 +9,6 @@ namespace {
 
 using Coefficients = std::array<double, Monomials<3>::kCount>;
 
-/// Of the world, to the power, in units of the frame: a power of two.
-double unitOf(const CutFrame& frame, int power) {
-  double unit = 1;
-  for (int n = 0; n < power; ++n) unit *= frame.scale;
-  return unit;
-}
-
 /// Sums up the moments of pieces by the divergence theorem: a triangle of a wall adds those of the
 /// tetrahedron that it makes with a point of the piece, and an open part its distance from that
 /// point times its own.

@@ -37,9 +37,6 @@ class FewerPoints {
   [[nodiscard]] double& at(std::size_t row, std::size_t column) {
     return table_[row * points_.size() + column];
   }
-  [[nodiscard]] double at(std::size_t row, std::size_t column) const {
-    return table_[row * points_.size() + column];
-  }
 
   std::size_t functions_;
   std::size_t added_ = 0;

@@ -14,11 +14,6 @@ namespace cutwater {
 
 namespace {
 
-int largestAxis(const Vec3<double>& v) {
-  const Vec3<double> size{std::abs(v.x), std::abs(v.y), std::abs(v.z)};
-  return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-}
-
 class TileRules {
  public:
   TileRules(const TileCut& cut, const CutCells::Moments& moments, const CutFrame& frame)
@@ -62,7 +57,7 @@ class TileRules {
     std::array<double, Monomials<3>::kCount> moments{};
     const auto ofPiece = moments_.ofVolume(number);
     for (std::size_t i = 0; i < ofPiece.size(); ++i) {
-      moments[i] = ofPiece[i] * std::pow(frame_.scale, 3 + kMonomials<3>[i].degree);
+      moments[i] = ofPiece[i] * unitOf(frame_, 3 + kMonomials<3>[i].degree);
     }
     auto& rows = out_.volume;
     for (const auto& [at, weight] : ofPolyhedra_.of(
@@ -115,7 +110,7 @@ class TileRules {
     const auto area = 0.5 * twiceArea(polygon);
     const double size = length(area);
     if (!(size > 0)) return {};
-    const FaceAxes axes(largestAxis(area));
+    const FaceAxes axes(nearestAxis(area));
     const auto inPlane = [&](const Vec3<double>& corner) {
       const auto way = corner - polygon[0];
       return PlaneRule::Point{way[axes.first], way[axes.second]};
@@ -163,7 +158,7 @@ class TileRules {
   }
   /// In the coordinates of the world; weights are lengths to this power.
   void endRow(int power, CutCells::PointRows& rows) {
-    const double unit = std::pow(frame_.scale, power);  // a power of two
+    const double unit = unitOf(frame_, power);
     for (auto i = rows.first.back(); i < rows.points.size(); ++i) {
       rows.points[i] = frame_.toWorld(rows.points[i]);
       rows.weights[i] /= unit;
