@@ -192,12 +192,6 @@ TEST(SolidLeavesTest, MergedLeavesKeepTheirErrors) {
   expectSound(check(one));
 }
 
-TEST(SolidLeavesTest, PolygonsAreRefused) {
-  std::mt19937 random(27);
-  const auto mesh = dividedMesh(random, 3, 0, 1, 90);
-  EXPECT_THROW((void)SolidCutter(leafTorus()).cut(mesh, {.polygons = true}), Error);
-}
-
 TEST(SolidLeavesTest, BitsDoNotDependOnThreads) {
   std::mt19937 random(29);
   const auto mesh = dividedMesh(random, 3, 0, 1, 95);

@@ -10,11 +10,14 @@
 #include <Cutwater/Shapes/Torus.hpp>
 #include <Cutwater/Tpms/TpmsSolid.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include "CutCells/MomentCells.hpp"
+#include "CutCells/RandomLeaves.hpp"
 #include "Support/CutPolygons.hpp"
 
 namespace cutwater::test {
@@ -40,28 +43,13 @@ struct Volumes {
   double ofPolygons = 0;
   double ofRows = 0;
 };
-Volumes expectClosedPolygons(const CutCells& cells) {
-  std::vector<PolyhedronBoundary> pieces(cells.pieceCount);
-  EXPECT_EQ(cells.arcPolygons.count(), cells.arcs.area.size());
-  EXPECT_EQ(cells.firstWallPolygon.size(), cells.wallParts.area.size() + 1);
-  for (std::size_t a = 0; a < cells.arcs.area.size(); ++a) {
-    const auto outline = cells.arcPolygons.of(a);
-    const double plane = planeBelow(cells, cells.arcs.cell[a], cells.arcs.axis[a]);
-    for (const auto& p : outline) EXPECT_EQ(p[cells.arcs.axis[a]], plane);
-    if (cells.arcs.below[a] < pieces.size()) pieces[cells.arcs.below[a]].add(outline, 1);
-    if (cells.arcs.above[a] < pieces.size()) pieces[cells.arcs.above[a]].add(outline, -1);
-  }
-  for (std::size_t w = 0; w < cells.wallParts.area.size(); ++w) {
-    if (cells.wallParts.piece[w] >= pieces.size()) continue;
-    for (auto n = cells.firstWallPolygon[w]; n < cells.firstWallPolygon[w + 1]; ++n) {
-      pieces[cells.wallParts.piece[w]].add(cells.wallPolygons.of(n), -1);
-    }
-  }
+template <typename Cut>
+Volumes expectClosedPolygons(const Cut& cut) {
   Volumes sum;
+  const auto pieces = closedPieces(cut);
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    EXPECT_EQ(pieces[p].openEdges(), 0U) << "piece " << p;
     sum.ofPolygons += pieces[p].volume();
-    sum.ofRows += cells.pieces.volume[p];
+    sum.ofRows += cut.pieces.volume[p];
   }
   return sum;
 }
@@ -156,6 +144,64 @@ TEST(SolidPolygonsTest, MakeAMeshOfPolyhedra) {
   const auto cells = cutOf(thickTorus(), 8);
   const auto mesh = cutCellMesh(cells);
   EXPECT_EQ(mesh.cells.count(), cells.pieceCount);
+}
+
+/// Whatever the levels beside each other.
+TEST(SolidPolygonsTest, CloseEveryPieceOfLeaves) {
+  std::mt19937 random(31);
+  for (const auto& solid : {thickTorus(), boredBall(), gyroid()}) {
+    for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+      for (const int deepest : {3, 5}) {
+        const auto mesh =
+            dividedMesh(random, deepest, 0, 1, 70 - 5U * static_cast<unsigned>(deepest));
+        expectClosedPolygons(SolidCutter(solid, side).cut(mesh, {.polygons = true}));
+      }
+    }
+  }
+}
+
+/// So their lattices fit together: no gap is closed in the plane of a face.
+TEST(SolidPolygonsTest, WallsOfLeavesOfAnyLevelsMeet) {
+  std::mt19937 random(35);
+  for (const auto& solid : {thickTorus(), gyroid()}) {
+    const auto leaves =
+        SolidCutter(solid).cut(dividedMesh(random, 5, 0, 1, 50), {.polygons = true});
+    for (std::size_t n = 0; n < leaves.wallPolygons.count(); ++n) {
+      const auto polygon = leaves.wallPolygons.of(n);
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto isBeside = [&](const Vec3<double>& p) { return p[axis] != polygon[0][axis]; };
+        EXPECT_TRUE(std::ranges::any_of(polygon, isBeside)) << n;
+      }
+    }
+  }
+}
+
+/// All leaves divided once more.
+Mesh onceMore(const Mesh& mesh) {
+  std::vector<OctreeCell> leaves;
+  for (const auto& [index, level, kind] : mesh.cells()) {
+    for (int child = 0; child < 8; ++child) {
+      const Index3 within{2 * index.i + (child & 1), 2 * index.j + (child >> 1 & 1),
+                          2 * index.k + (child >> 2)};
+      leaves.push_back({.index = within, .level = static_cast<std::uint8_t>(level + 1)});
+    }
+  }
+  return {mesh.domain(), mesh.deepest() + 1, leaves};
+}
+
+TEST(SolidPolygonsTest, OfLeavesEncloseTheVolumeButForTheSecondOrder) {
+  std::mt19937 random(33);
+  const auto solid = thickTorus();
+  const auto errorOn = [&](const Mesh& mesh) {
+    const auto leaves = SolidCutter(solid).cut(mesh, {.polygons = true});
+    const auto volumes = expectClosedPolygons(leaves);
+    return std::abs(volumes.ofPolygons - volumes.ofRows);
+  };
+  const auto mesh = onceMore(onceMore(dividedMesh(random, 3, 0, 1, 70)));
+  const double coarse = errorOn(mesh);
+  const double fine = errorOn(onceMore(mesh));
+  EXPECT_LT(coarse, 0.01);
+  EXPECT_LT(fine, coarse / 3);
 }
 
 TEST(SolidPolygonsTest, AreRefusedInAPlane) {

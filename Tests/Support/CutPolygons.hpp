@@ -71,37 +71,75 @@ inline double planeBelow(const CutCells& cells, const Index3& cell, int axis) {
   return cells.grid.planes[static_cast<std::size_t>(axis)][static_cast<std::size_t>(n) + 1];
 }
 
-/// That polygons are those of the arcs and walls, and close every piece, to the bit. `planeOf` and
-/// `faceOf`: of the face of an arc, its place and its area; `unitOf`: the volume of a piece's cell.
-/// `rounding`: of coordinates, times that of numbers near a cell's size.
-template <typename Cut, typename PlaneOf, typename FaceOf, typename UnitOf>
-void expectPolygons(const Cut& cut, std::size_t pieceCount, const PlaneOf& planeOf,
-                    const FaceOf& faceOf, const UnitOf& unitOf, double rounding = 1) {
-  ASSERT_EQ(cut.arcPolygons.count(), cut.arcs.area.size());
-  ASSERT_EQ(cut.firstWallPolygon.size(), cut.wallParts.area.size() + 1);
-  ASSERT_EQ(cut.firstWallPolygon.back(), cut.wallPolygons.count());
+/// That polygons close every piece, to the bit. The boundaries of pieces. `planeOf`: of the face of
+/// an arc, its place.
+template <typename Cut, typename PlaneOf>
+std::vector<PolyhedronBoundary> closedPieces(const Cut& cut, std::size_t pieceCount,
+                                             const PlaneOf& planeOf) {
   std::vector<PolyhedronBoundary> boundaries(pieceCount);
+  EXPECT_EQ(cut.arcPolygons.count(), cut.arcs.area.size());
+  EXPECT_EQ(cut.firstWallPolygon.size(), cut.wallParts.area.size() + 1);
+  EXPECT_EQ(cut.firstWallPolygon.back(), cut.wallPolygons.count());
   for (std::size_t a = 0; a < cut.arcs.area.size(); ++a) {
     const auto outline = cut.arcPolygons.of(a);
-    const int axis = cut.arcs.axis[a];
     const double plane = planeOf(a);
-    for (const auto& p : outline) ASSERT_EQ(p[axis], plane);
-    EXPECT_NEAR(areaVector(outline)[axis], cut.arcs.area[a], 1e-13 * rounding * faceOf(a));
+    for (const auto& p : outline) EXPECT_EQ(p[cut.arcs.axis[a]], plane);
     if (cut.arcs.below[a] < pieceCount) boundaries[cut.arcs.below[a]].add(outline, 1);
     if (cut.arcs.above[a] < pieceCount) boundaries[cut.arcs.above[a]].add(outline, -1);
   }
   for (std::size_t w = 0; w < cut.wallParts.area.size(); ++w) {
     const auto piece = cut.wallParts.piece[w];
+    if (piece >= pieceCount) continue;
+    for (auto n = cut.firstWallPolygon[w]; n < cut.firstWallPolygon[w + 1]; ++n) {
+      boundaries[piece].add(cut.wallPolygons.of(n), -1);
+    }
+  }
+  for (std::size_t p = 0; p < pieceCount; ++p) {
+    EXPECT_EQ(boundaries[p].openEdges(), 0U) << "piece " << p;
+  }
+  return boundaries;
+}
+
+/// The plane of the face of an arc.
+inline double planeOfArc(const CutCells& cells, std::size_t arc) {
+  return planeBelow(cells, cells.arcs.cell[arc], cells.arcs.axis[arc]);
+}
+inline double planeOfArc(const CutLeaves& leaves, std::size_t arc) {
+  const bool isBelow = leaves.arcs.below[arc] < leaves.pieces.cell.size();
+  const auto piece = isBelow ? leaves.arcs.below[arc] : leaves.arcs.above[arc];
+  const auto& box = leaves.cut.box[leaves.pieces.cell[piece]];
+  return isBelow ? box.upper[leaves.arcs.axis[arc]] : box.lower[leaves.arcs.axis[arc]];
+}
+
+inline std::vector<PolyhedronBoundary> closedPieces(const CutCells& cells) {
+  return closedPieces(cells, cells.pieceCount, [&](std::size_t a) { return planeOfArc(cells, a); });
+}
+inline std::vector<PolyhedronBoundary> closedPieces(const CutLeaves& leaves) {
+  return closedPieces(leaves, leaves.pieces.cell.size(),
+                      [&](std::size_t a) { return planeOfArc(leaves, a); });
+}
+
+/// That polygons are those of the arcs and walls, and close every piece, to the bit. `faceOf`: the
+/// area of the face of an arc; `unitOf`: the volume of a piece's cell. `rounding`: of coordinates,
+/// times that of numbers near a cell's size.
+template <typename Cut, typename FaceOf, typename UnitOf>
+void expectPolygons(const Cut& cut, const FaceOf& faceOf, const UnitOf& unitOf,
+                    double rounding = 1) {
+  const auto boundaries = closedPieces(cut);
+  if (::testing::Test::HasFailure()) return;
+  for (std::size_t a = 0; a < cut.arcs.area.size(); ++a) {
+    const double area = areaVector(cut.arcPolygons.of(a))[cut.arcs.axis[a]];
+    EXPECT_NEAR(area, cut.arcs.area[a], 1e-13 * rounding * faceOf(a));
+  }
+  for (std::size_t w = 0; w < cut.wallParts.area.size(); ++w) {
+    const auto piece = cut.wallParts.piece[w];
     double area = 0;
     for (auto n = cut.firstWallPolygon[w]; n < cut.firstWallPolygon[w + 1]; ++n) {
-      const auto polygon = cut.wallPolygons.of(n);
-      area += length(areaVector(polygon));
-      if (piece < pieceCount) boundaries[piece].add(polygon, -1);
+      area += length(areaVector(cut.wallPolygons.of(n)));
     }
     EXPECT_NEAR(area, cut.wallParts.area[w], 1e-12 * rounding * std::pow(unitOf(piece), 2.0 / 3));
   }
-  for (std::uint32_t p = 0; p < pieceCount; ++p) {
-    EXPECT_EQ(boundaries[p].openEdges(), 0U) << "piece " << p;
+  for (std::uint32_t p = 0; p < boundaries.size(); ++p) {
     EXPECT_NEAR(boundaries[p].volume(), cut.pieces.volume[p], 1e-12 * rounding * unitOf(p))
         << "piece " << p;
   }
@@ -110,22 +148,13 @@ void expectPolygons(const Cut& cut, std::size_t pieceCount, const PlaneOf& plane
 inline void expectPolygonsOf(const CutCells& cells, double rounding = 1) {
   const double unit = cells.cellVolume(cells.grid.first);
   expectPolygons(
-      cells, cells.pieceCount,
-      [&](std::size_t a) { return planeBelow(cells, cells.arcs.cell[a], cells.arcs.axis[a]); },
-      [&](std::size_t a) { return cells.faceArea(cells.arcs.cell[a], cells.arcs.axis[a]); },
+      cells, [&](std::size_t a) { return cells.faceArea(cells.arcs.cell[a], cells.arcs.axis[a]); },
       [&](std::uint32_t) { return unit; }, rounding);
 }
 
 inline void expectPolygonsOf(const CutLeaves& leaves, double rounding = 1) {
-  const auto planeOf = [&](std::size_t a) {
-    const bool isBelow = leaves.arcs.below[a] < leaves.pieces.cell.size();
-    const auto piece = isBelow ? leaves.arcs.below[a] : leaves.arcs.above[a];
-    const auto& box = leaves.cut.box[leaves.pieces.cell[piece]];
-    return isBelow ? box.upper[leaves.arcs.axis[a]] : box.lower[leaves.arcs.axis[a]];
-  };
   expectPolygons(
-      leaves, leaves.pieces.cell.size(), planeOf,
-      [&](std::size_t a) { return leaves.arcs.faceArea[a]; },
+      leaves, [&](std::size_t a) { return leaves.arcs.faceArea[a]; },
       [&](std::uint32_t p) { return leaves.leafVolume(leaves.pieces.cell[p]); }, rounding);
 }
 

@@ -285,7 +285,7 @@ class SolidCutter {
   /// The leaves of an octree, or of a part of one, as CellCutter::cut() gives them. An octree of
   /// one level gives the pieces and arcs of the grid patch, to the bit.
   /// @throws Error(Argument) if leaves are so small that their planes do not ascend, and unless
-  /// options are within their ranges; for polygons, and if there is a period.
+  /// options are within their ranges, and if there is a period.
   template <std::floating_point T>
   [[nodiscard]] CutLeaves cut(const OctreeCells<T>& mesh, const CutOptions& options = {}) const;
 

@@ -52,8 +52,6 @@ CutCells SolidCutter::cutInPlane(const CellPlanes& grid, double z,
 template <std::floating_point T>
 CutLeaves SolidCutter::cut(const OctreeCells<T>& mesh, const CutOptions& options) const {
   checkOptions(options);
-  require(!options.polygons,
-          "cut cells: there are no polygons of leaves of solids that are no meshes");
   refusePeriod(*period_, "cut cells: there are no periods in an octree");
   const CutFrame world;
   const LeafGrid grid(mesh, world);

@@ -223,7 +223,6 @@ void run(const CellsSettings& options, bool onOctree) {
   }
   if (onOctree) refuseOnOctrees(options.cutting);
   const auto solid = loadSolid(options.surface);
-  if (onOctree && options.hasPolygons()) requirePolygonsOfLeaves(solid, "-o");
   const Cutter cutter(solid, options.cutting);
   const auto trial = trialCutter(options.cutting, cutter, solid);
   if (onOctree) {

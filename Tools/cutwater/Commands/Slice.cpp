@@ -246,7 +246,6 @@ void requirePixels(const SliceSettings& options, const OctreeCells<double>& leav
 
 void drawLeaves(const SliceSettings& options, const Solid<double>& solid) {
   refuseOnOctrees(options.cutting);
-  requirePolygonsOfLeaves(solid, "a picture of cells");
   const int axis = options.picture.axis;
   const auto mesh = octreeAround(options, solid);
   // Between the planes of the finest leaves, as a grid of these is drawn.

@@ -35,11 +35,4 @@ std::variant<CellCutter, SolidCutter> cutterOf(const Solid<double>& solid,
 Cutter::Cutter(const Solid<double>& solid, const CuttingOptions& options)
     : cutter_(cutterOf(solid, options)) {}
 
-void requirePolygonsOfLeaves(const Solid<double>& solid, const std::string& option) {
-  if (isSurface(solid)) return;
-  throw Error(ErrorKind::Argument, option +
-                                       " with --level is for surfaces: leaves that a scene's solid "
-                                       "cuts have no polygons; use --cells");
-}
-
 }  // namespace cutwater::tool

@@ -27,7 +27,4 @@ class Cutter {
   std::variant<CellCutter, SolidCutter> cutter_;
 };
 
-/// @throws Error(Argument) for a solid that is no surface, whose leaves have no polygons.
-void requirePolygonsOfLeaves(const Solid<double>& solid, const std::string& option);
-
 }  // namespace cutwater::tool

@@ -3,7 +3,6 @@
 #include <Cutwater/CutCells/Detail/Curved/CurvedPieces.hpp>
 #include <Cutwater/CutCells/Detail/Curved/CurvedTile.hpp>
 #include <Cutwater/CutCells/Detail/Curved/GridSamples.hpp>
-#include <Cutwater/CutCells/Detail/Curved/WallLattice.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -289,7 +288,7 @@ class CurvedTile {
   }
 
   void addPolygons() {
-    WallLattice lattice(field_, planes_);
+    WallLattice lattice(field_, planes_, leaves_ != nullptr ? &leaves_->around : nullptr);
     std::uint32_t face = kNone;
     for (const auto& arc : out_.content.arcs) {
       if (arc.face == face) continue;

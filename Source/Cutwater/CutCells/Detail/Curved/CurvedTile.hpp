@@ -2,6 +2,7 @@
 
 #include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/CutCells/Detail/Curved/NearFields.hpp>
+#include <Cutwater/CutCells/Detail/Curved/WallLattice.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/TileCut.hpp>
 
 #include <vector>
@@ -34,6 +35,7 @@ struct TileLeaves {
   /// The faces of finer cells, as flat boxes, that make up the face of a cell across an axis, below
   /// it or above; none, if there are none.
   FunctionRef<std::vector<Box<double>>(std::uint32_t cell, int axis, int side)> finerFaces;
+  const LeavesAround& around;
 };
 /// Cuts these cells. Sets what is behind parts of finer faces, by cell and side.
 [[nodiscard]] TileCut cutTile(const FluidField& field, const GridPlanes& planes,

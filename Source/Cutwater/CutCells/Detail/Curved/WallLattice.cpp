@@ -5,22 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <tuple>
 #include <utility>
 
 namespace cutwater {
 
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+/// Cubes of a cell along each axis.
+constexpr int kPerSide = 2;
 
-TilePlace finer(TilePlace place, int factor) {
-  for (auto& n : place) n *= factor;
-  return place;
-}
-
-TilePlace stepped(TilePlace node, int axis) {
-  ++node[asIndex(axis)];
+TilePlace stepped(TilePlace node, int axis, int step) {
+  node[asIndex(axis)] += step;
   return node;
 }
 
@@ -44,27 +40,61 @@ EdgeLoops::Loop withoutNodesOfEdges(const EdgeLoops::Loop& loop, const Box<doubl
 
 }  // namespace
 
-WallLattice::WallLattice(const FluidField& field, const GridPlanes& planes)
-    : field_(field), planes_(planes) {
-  auto nodes = finer(planes.sizes(), kPerSide);
-  for (auto& n : nodes) ++n;
-  nodes_ = TileSizes(nodes);
-  values_.assign(nodes_.count(), kUnknown);
+std::size_t WallLattice::Hash::operator()(const TilePlace& node) const {
+  constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;  // Knuth: 2^64 by the golden ratio
+  std::uint64_t sum = 0;
+  for (const auto n : node) sum = (sum ^ static_cast<std::uint32_t>(n)) * kOdd;
+  return sum ^ sum >> 32U;
+}
+
+std::size_t WallLattice::Hash::operator()(const Edge& edge) const {
+  return 31 * (*this)(edge[0]) + (*this)(edge[1]);
+}
+
+WallLattice::WallLattice(const FluidField& field, const GridPlanes& planes,
+                         const LeavesAround* leaves)
+    : field_(field),
+      planes_(planes),
+      leaves_(leaves),
+      width_(leaves != nullptr ? 1 << leaves->levels : 1) {
+  if (leaves == nullptr) return;
+  auto sizes = planes.sizes();
+  for (auto& n : sizes) n += 2;
+  around_ = TileSizes(sizes);
+  forTilePlaces(sizes, [&](TilePlace cell) {
+    for (auto& n : cell) --n;
+    dividedCells_.push_back(leaves->isDivided(cell, 0) ? 1 : 0);
+  });
+}
+
+bool WallLattice::isDividedCell(const TilePlace& cell, int below) const {
+  if (below > 0) return leaves_->isDivided(cell, below);
+  return dividedCells_[around_.number({cell[0] + 1, cell[1] + 1, cell[2] + 1})] != 0;
+}
+
+TilePlace WallLattice::firstNodeOf(TilePlace cell) const {
+  for (auto& n : cell) n *= kPerSide * width_;
+  return cell;
+}
+
+/// Nodes lie in these, and halfway between them.
+double WallLattice::planeAt(int axis, int plane) const {
+  return leaves_ != nullptr ? leaves_->plane(axis, plane) : planes_.at(axis, plane);
 }
 
 Vec3<double> WallLattice::pointOf(const TilePlace& node) const {
   Vec3<double> point;
   for (int axis = 0; axis < 3; ++axis) {
-    const int plane = node[asIndex(axis)] / kPerSide;
-    const double share = static_cast<double>(node[asIndex(axis)] % kPerSide) / kPerSide;
-    point[axis] = planes_.at(axis, plane);
-    if (share > 0) point[axis] += share * (planes_.at(axis, plane + 1) - point[axis]);
+    const int plane = node[asIndex(axis)] / 2;
+    point[axis] = planeAt(axis, plane);
+    if (node[asIndex(axis)] % 2 != 0) point[axis] += 0.5 * (planeAt(axis, plane + 1) - point[axis]);
   }
   return point;
 }
 
 Vec3<double> WallLattice::shiftOf(const TilePlace& node) const {
   Vec3<double> shift;
+  if (leaves_ != nullptr) return shift;  // which have no period
   for (int axis = 0; axis < 3; ++axis) {
     const int n = node[asIndex(axis)];
     if (n % kPerSide == 0) shift[axis] = planes_.shiftAt(axis, n / kPerSide);
@@ -73,9 +103,9 @@ Vec3<double> WallLattice::shiftOf(const TilePlace& node) const {
 }
 
 double WallLattice::valueAt(const TilePlace& node) {
-  auto& value = values_[nodes_.number(node)];
-  if (std::isnan(value)) value = field_.value(pointOf(node) - shiftOf(node));
-  return value;
+  const auto [known, isNew] = values_.try_emplace(node);
+  if (isNew) known->second = field_.value(pointOf(node) - shiftOf(node));
+  return known->second;
 }
 
 /// Where the wall passes through an edge, by some steps of the Illinois method (Dowell and Jarratt
@@ -83,9 +113,11 @@ double WallLattice::valueAt(const TilePlace& node) {
 const Vec3<double>& WallLattice::crossing(TilePlace from, TilePlace to) {
   constexpr int kSteps = 12;
   constexpr double kNear = 1e-8;  // of the edge
-  if (nodes_.number(from) > nodes_.number(to)) std::swap(from, to);
-  const auto key = std::uint64_t{nodes_.number(from)} << 32U | nodes_.number(to);
-  const auto [known, isNew] = crossings_.try_emplace(key);
+  const auto isAfter = [](const TilePlace& a, const TilePlace& b) {
+    return std::tie(a[2], a[1], a[0]) > std::tie(b[2], b[1], b[0]);
+  };
+  if (isAfter(from, to)) std::swap(from, to);
+  const auto [known, isNew] = crossings_.try_emplace({from, to});
   if (!isNew) return known->second;
   const auto shift = min(shiftOf(from), shiftOf(to));  // along axes on which both are beyond it
   const auto start = pointOf(from) - shift;
@@ -114,6 +146,76 @@ const Vec3<double>& WallLattice::crossing(TilePlace from, TilePlace to) {
   return known->second;
 }
 
+bool WallLattice::isDivided(const TilePlace& first, const TilePlace& lengths) const {
+  const int width = *std::ranges::max_element(lengths);
+  if (leaves_ == nullptr || width == 1) return false;
+  // A leaf is as wide as two of its cubes, and its edges and faces have their nodes: so they are
+  // divided if cells around them are that are twice as wide as they.
+  int below = 0;
+  for (int wide = width_; wide > width; wide /= 2) ++below;
+  if (below >= leaves_->levels) return false;
+  for (unsigned side = 0; side < 8; ++side) {
+    auto cell = first;
+    bool isBeside = true;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const bool isLower = (side >> a & 1U) != 0;
+      if (isLower) cell[a] -= width;
+      isBeside = isBeside && !(isLower && lengths[a] > 0);
+      cell[a] = cell[a] < 0 ? -1 : cell[a] / (2 * width);
+    }
+    if (isBeside && isDividedCell(cell, below)) return true;
+  }
+  return false;
+}
+
+void WallLattice::addEdge(const TilePlace& first, int axis, int width,
+                          std::vector<TilePlace>& to) const {
+  if (!isDivided(first, stepped({}, axis, width))) {
+    to.push_back(first);
+    return;
+  }
+  addEdge(first, axis, width / 2, to);
+  addEdge(stepped(first, axis, width / 2), axis, width / 2, to);
+}
+
+template <typename Visit>
+void WallLattice::forTriangles(int axis, const TilePlace& first, int width,
+                               const Visit& visit) const {
+  const FaceAxes axes(axis);
+  if (isDivided(first, stepped(stepped({}, axes.first, width), axes.second, width))) {
+    const int half = width / 2;
+    for (const int across : {0, half}) {
+      for (const int along : {0, half}) {
+        const auto corner = stepped(stepped(first, axes.first, along), axes.second, across);
+        forTriangles(axis, corner, half, visit);
+      }
+    }
+    return;
+  }
+  const auto beside = stepped(first, axes.first, width);
+  const auto above = stepped(first, axes.second, width);
+  const auto opposite = stepped(beside, axes.second, width);
+  std::vector<TilePlace> rim;
+  if (leaves_ != nullptr) {
+    std::vector<TilePlace> back;
+    addEdge(first, axes.first, width, rim);
+    addEdge(beside, axes.second, width, rim);
+    addEdge(first, axes.second, width, back);
+    addEdge(above, axes.first, width, back);
+    back.push_back(opposite);
+    rim.insert(rim.end(), back.rbegin(), back.rend() - 1);
+  }
+  if (rim.size() <= 4) {
+    visit(std::array{first, beside, opposite});
+    visit(std::array{first, opposite, above});
+    return;
+  }
+  const auto middle = stepped(stepped(first, axes.first, width / 2), axes.second, width / 2);
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    visit(std::array{middle, rim[i], rim[(i + 1) % rim.size()]});
+  }
+}
+
 void WallLattice::addOutlines(int axis, const TilePlace& cell, const CurvedFace& face,
                               CutCells::Polygons& to) {
   const FaceAxes axes(axis);
@@ -133,18 +235,11 @@ void WallLattice::addOutlines(int axis, const TilePlace& cell, const CurvedFace&
     if (inFluid == nullptr) return;
     ofParts[face.partAt(pointOf(*inFluid))].add(polygon);
   };
-  const auto first = finer(cell, kPerSide);
-  for (int j = 0; j < kPerSide; ++j) {
-    for (int i = 0; i < kPerSide; ++i) {
-      auto node = first;
-      node[asIndex(axes.first)] += i;
-      node[asIndex(axes.second)] += j;
-      const auto beside = stepped(node, axes.first);
-      const auto above = stepped(node, axes.second);
-      const auto opposite = stepped(beside, axes.second);
-      add({node, beside, opposite});
-      add({node, opposite, above});
-    }
+  for (int n = 0; n < kPerSide * kPerSide; ++n) {
+    auto first = firstNodeOf(cell);
+    first[asIndex(axes.first)] += n % kPerSide * width_;
+    first[asIndex(axes.second)] += n / kPerSide * width_;
+    forTriangles(axis, first, width_, add);
   }
   Box<double> box;
   for (int a = 0; a < 3; ++a) {
@@ -188,26 +283,55 @@ void WallLattice::addWalls(const TilePlace& cell,
 }
 
 std::vector<WallLattice::Triangle> WallLattice::wallIn(const TilePlace& cell) {
-  constexpr std::array<std::array<int, 3>, 6> kWays{
-      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
   std::vector<Triangle> triangles;
   forTilePlaces({kPerSide, kPerSide, kPerSide}, [&](const TilePlace& within) {
-    auto first = finer(cell, kPerSide);
-    for (std::size_t a = 0; a < 3; ++a) first[a] += within[a];
-    for (const auto& way : kWays) {
-      std::array<TilePlace, 4> nodes{first};
-      for (std::size_t i = 0; i < 3; ++i) nodes[i + 1] = stepped(nodes[i], way[i]);
-      addTetrahedron(nodes, triangles);
-    }
+    auto first = firstNodeOf(cell);
+    for (std::size_t a = 0; a < 3; ++a) first[a] += within[a] * width_;
+    addCube(first, triangles);
   });
   return triangles;
 }
 
+void WallLattice::addCube(const TilePlace& first, std::vector<Triangle>& to) {
+  constexpr std::array<std::array<int, 3>, 6> kWays{
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  constexpr std::size_t kOfWholeCube = 12;
+  std::vector<std::array<TilePlace, 3>> surface;
+  if (leaves_ != nullptr) {
+    surface.reserve(2 * kOfWholeCube);
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int side : {0, width_}) {
+        forTriangles(axis, stepped(first, axis, side), width_,
+                     [&](const std::array<TilePlace, 3>& nodes) { surface.push_back(nodes); });
+      }
+    }
+  }
+  if (surface.size() > kOfWholeCube) {
+    auto middle = first;
+    for (auto& n : middle) n += width_ / 2;
+    for (const auto& [a, b, c] : surface) addTetrahedron({middle, a, b, c}, to);
+    return;
+  }
+  int fluid = 0;
+  forTilePlaces({2, 2, 2}, [&](TilePlace corner) {
+    for (std::size_t a = 0; a < 3; ++a) corner[a] = first[a] + corner[a] * width_;
+    fluid += isFluid(corner) ? 1 : 0;
+  });
+  if (fluid == 0 || fluid == 8) return;
+  for (const auto& way : kWays) {
+    std::array<TilePlace, 4> nodes{first};
+    for (std::size_t i = 0; i < 3; ++i) nodes[i + 1] = stepped(nodes[i], way[i], width_);
+    addTetrahedron(nodes, to);
+  }
+}
+
 void WallLattice::addTetrahedron(const std::array<TilePlace, 4>& nodes, std::vector<Triangle>& to) {
+  const auto isHere = [&](const TilePlace& node) { return isFluid(node); };
+  const auto count = std::ranges::count_if(nodes, isHere);
+  if (count == 0 || count == 4) return;
   std::vector<TilePlace> fluid;
   std::vector<TilePlace> body;
   for (const auto& node : nodes) (isFluid(node) ? fluid : body).push_back(node);
-  if (fluid.empty() || body.empty()) return;
   // Around the wall, in an order along which one end of the edge changes at a time.
   std::vector<Vec3<double>> rim;
   if (fluid.size() == 2) {
