@@ -3,6 +3,7 @@
 #include <Cutwater/CutCells/Detail/Curved/CurvedPieces.hpp>
 #include <Cutwater/CutCells/Detail/Curved/CurvedTile.hpp>
 #include <Cutwater/CutCells/Detail/Curved/GridSamples.hpp>
+#include <Cutwater/CutCells/Detail/Curved/WallLattice.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -288,17 +289,18 @@ class CurvedTile {
   }
 
   void addPolygons() {
-    WallLattice lattice(field_, planes_, leaves_ != nullptr ? &leaves_->around : nullptr);
+    const CellLattice lattice(planes_, leaves_ != nullptr ? &leaves_->around : nullptr);
+    WallLattice wall(field_, planes_, lattice);
     std::uint32_t face = kNone;
     for (const auto& arc : out_.content.arcs) {
       if (arc.face == face) continue;
       face = arc.face;
-      lattice.addOutlines(out_.numbers.axisOfFace(face), out_.numbers.placeOfFace(face),
-                          faces_[face], out_.polygons.arcs);
+      wall.addOutlines(out_.numbers.axisOfFace(face), out_.numbers.placeOfFace(face), faces_[face],
+                       out_.polygons.arcs);
     }
     for (const auto& cell : cells_) {
       const auto pieceAt = [&](const Vec3<double>& point) { return cell.pieceAt(point); };
-      lattice.addWalls(out_.numbers.placeOfCell(cell.cell), pieceAt, out_.content, out_.polygons);
+      wall.addWalls(out_.numbers.placeOfCell(cell.cell), pieceAt, out_.content, out_.polygons);
     }
   }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Cutwater/Core/FunctionRef.hpp>
+#include <Cutwater/CutCells/Detail/Curved/CellLattice.hpp>
 #include <Cutwater/CutCells/Detail/Curved/NearFields.hpp>
-#include <Cutwater/CutCells/Detail/Curved/WallLattice.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/TileCut.hpp>
 
 #include <vector>
