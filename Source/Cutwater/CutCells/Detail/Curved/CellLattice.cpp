@@ -17,18 +17,6 @@ TilePlace stepped(TilePlace node, int axis, int step) {
 
 }  // namespace
 
-CellLattice::CellLattice(const GridPlanes& planes, const LeavesAround* leaves)
-    : planes_(planes), leaves_(leaves), width_(leaves != nullptr ? 1 << leaves->levels : 1) {
-  if (leaves == nullptr) return;
-  auto sizes = planes.sizes();
-  for (auto& n : sizes) n += 2;
-  around_ = TileSizes(sizes);
-  forTilePlaces(sizes, [&](TilePlace cell) {
-    for (auto& n : cell) --n;
-    dividedCells_.push_back(leaves->isDivided(cell, 0) ? 1 : 0);
-  });
-}
-
 void CellLattice::forTriangles(int axis, const TilePlace& cell,
                                FunctionRef<void(const Triangle&)> visit) const {
   const FaceAxes axes(axis);
@@ -96,14 +84,9 @@ bool CellLattice::isDivided(const TilePlace& first, const TilePlace& lengths) co
       isBeside = isBeside && !(isLower && lengths[a] > 0);
       cell[a] = cell[a] < 0 ? -1 : cell[a] / (2 * width);
     }
-    if (isBeside && isDividedCell(cell, below)) return true;
+    if (isBeside && leaves_->isDivided(cell, below)) return true;
   }
   return false;
-}
-
-bool CellLattice::isDividedCell(const TilePlace& cell, int below) const {
-  if (below > 0) return leaves_->isDivided(cell, below);
-  return dividedCells_[around_.number({cell[0] + 1, cell[1] + 1, cell[2] + 1})] != 0;
 }
 
 void CellLattice::addEdge(const TilePlace& first, int axis, int width,

@@ -31,7 +31,8 @@ class CellLattice {
   using Tetrahedron = std::array<TilePlace, 4>;
 
   /// Views its arguments. `leaves`: if the cells are some of these; may be null.
-  CellLattice(const GridPlanes& planes, const LeavesAround* leaves);
+  CellLattice(const GridPlanes& planes, const LeavesAround* leaves)
+      : planes_(planes), leaves_(leaves), width_(leaves != nullptr ? 1 << leaves->levels : 1) {}
 
   /// Calls visit() for the triangles of the face below a cell, around the axis.
   void forTriangles(int axis, const TilePlace& cell,
@@ -47,7 +48,6 @@ class CellLattice {
   [[nodiscard]] double planeAt(int axis, int plane) const;
   /// Whether nodes of finer leaves are within an edge or a square, which has these lengths.
   [[nodiscard]] bool isDivided(const TilePlace& first, const TilePlace& lengths) const;
-  [[nodiscard]] bool isDividedCell(const TilePlace& cell, int below) const;
   /// Appends the nodes of an edge, without its end.
   void addEdge(const TilePlace& first, int axis, int width, std::vector<TilePlace>& to) const;
   [[nodiscard]] std::vector<TilePlace> rimOf(int axis, const TilePlace& first, int width) const;
@@ -59,9 +59,7 @@ class CellLattice {
 
   const GridPlanes& planes_;
   const LeavesAround* leaves_;
-  int width_;                       // of a cube, in nodes
-  TileSizes around_;                // the cells of the tile and those around it
-  std::vector<char> dividedCells_;  // of these
+  int width_;  // of a cube, in nodes
 };
 
 }  // namespace cutwater

@@ -55,19 +55,14 @@ std::optional<LeafTile> cutBlock(const FluidField& field, const LeafGrid& grid,
     return faces;
   };
   std::vector<BehindFiner> behind;
-  const auto inGrid = [&](const TilePlace& place, int levels) {
-    Index3 cell;
-    for (int axis = 0; axis < 3; ++axis) {
-      along(cell, axis) = (along(at.first, axis) << levels) + place[asIndex(axis)];
-    }
-    return cell;
-  };
   const int levels = grid.deepest() - at.level;
   const auto plane = [&](int axis, std::int32_t number) {
     return grid.planeInFrame(grid.deepest(), axis, (along(at.first, axis) << levels) + number);
   };
   const auto isDivided = [&](const TilePlace& place, int below) {
-    const auto leaf = grid.at(inGrid(place, below), at.level + below);
+    const Index3 cell{(at.first.i << below) + place[0], (at.first.j << below) + place[1],
+                      (at.first.k << below) + place[2]};
+    const auto leaf = grid.at(cell, at.level + below);
     return leaf != LeafGrid::kNoLeaf && grid.leaves()[leaf].level > at.level + below;
   };
   const LeavesAround around{levels, plane, isDivided};
