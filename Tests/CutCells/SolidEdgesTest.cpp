@@ -11,6 +11,7 @@
 #include <Cutwater/Shapes/Revolution.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -141,6 +142,25 @@ TEST(SolidEdgesTest, BedsAreUnionsOfTheirBalls) {
   const auto report = check(ofBed);
   EXPECT_LT(report.worstClosure, 1e-14);
   EXPECT_EQ(report.lostPieces, 0U);
+}
+
+/// Boxes turned about one of their edges, which lies in edges of cells and ends within them: no
+/// cell states an error, though faces are touched along a part of a side.
+TEST(SolidEdgesTest, EdgesInEdgesOfCellsStateNoErrors) {
+  for (const double length : {0.4, 0.5}) {
+    for (const double angle : {20.0, 45.0, 135.0, -60.0}) {
+      for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+        SCOPED_TRACE(angle);
+        Cuboid<double> box({0.5 - 0.5 * length, 0, 0}, {0.5 + 0.5 * length, 0.2, 0.2});
+        box.rotate(angle, 0);
+        box.translate({0, 0.5, 0.5});
+        const auto cells = SolidCutter(Solid<double>(box), side).cut(unitGrid(8));
+        EXPECT_NEAR(check(cells).bodyVolume,
+                    side == FluidSide::Outside ? 0.04 * length : 1 - 0.04 * length, 1e-14);
+        EXPECT_LT(std::ranges::max(cells.cells.error), 1e-13);
+      }
+    }
+  }
 }
 
 /// A difference within a union: whether its planes are near must not depend on the tile.

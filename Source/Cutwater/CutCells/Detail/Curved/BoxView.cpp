@@ -176,19 +176,18 @@ std::vector<double> BoxView::crossingsAlong(int axis) const {
 }
 
 /// Whether a wall touches a rectangle in a point of an edge, across an axis of which it is: then
-/// the point is no body.
+/// the point is no body. One that ends there, as at the edge of a cuboid, does not.
 bool BoxView::isTouched(const Vec3<double>& point, int across) const {
   constexpr double kInside = 1e-3;  // of the rectangle
-  constexpr double kTouching = 1e-6;
+  constexpr double kTouching = 0.1;
   if (field_.value(point) != 0) return false;
-  const auto slope = field_.gradient(point);
+  auto beside = point;
+  beside[across] += kInside * (box_.center()[across] - point[across]);
+  if (!(field_.value(beside) > 0)) return false;
+  const auto slope = field_.gradient(beside);
   auto along = slope;
   along[flatAxis_] = 0;
-  if (length(along) > kTouching * length(slope)) return false;
-  const auto inside = box_.center()[across] - point[across];
-  auto beside = point;
-  beside[across] += kInside * inside;
-  return field_.value(beside) > 0;
+  return length(along) <= kTouching * length(slope);
 }
 
 double BoxView::fluidLength(int axis, int side) const {

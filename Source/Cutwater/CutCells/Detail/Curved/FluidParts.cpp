@@ -193,9 +193,12 @@ bool FluidParts::areConnected(const Block& one, const Block& other) const {
   return isAnyClear(from, nearestPoint(b, from));
 }
 
-std::uint32_t FluidParts::of(std::uint32_t block, const Vec3<double>& point) const {
+std::uint32_t FluidParts::of(std::uint32_t block, const Vec3<double>& point) {
   if (count_ <= 1) return 0;
-  return block != kNone && partOfBlock_[block] != kNone ? partOfBlock_[block] : at(point);
+  if (block == kNone) return at(point);
+  auto& part = partOfBlock_[block];
+  if (part == kNone) part = at(point);
+  return part;
 }
 
 void FluidParts::moveTo(int axis, double plane, const FluidField& field) {
@@ -208,13 +211,17 @@ void FluidParts::moveTo(int axis, double plane, const FluidField& field) {
 std::uint32_t FluidParts::at(const Vec3<double>& point) const {
   if (count_ <= 1) return 0;
   constexpr std::size_t kMostTries = 12;
-  const auto distance = [&](const FluidSpan& span) { return squaredDistance(span, point); };
-  std::vector<FluidSpan> nearest(std::min(kMostTries, spans_.size()));
-  std::ranges::partial_sort_copy(spans_, nearest, {}, distance, distance);
-  for (const auto& span : nearest) {
-    if (isAnyClear(point, nearestPoint(span, point))) return partOfBlock_[span.block];
+  std::vector<std::pair<double, std::size_t>> byDistance;
+  byDistance.reserve(spans_.size());
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    byDistance.emplace_back(squaredDistance(spans_[i], point), i);
   }
-  return partOfBlock_[nearest.front().block];
+  std::vector<std::pair<double, std::size_t>> nearest(std::min(kMostTries, spans_.size()));
+  std::ranges::partial_sort_copy(byDistance, nearest);
+  for (const auto& [distance, i] : nearest) {
+    if (isAnyClear(point, nearestPoint(spans_[i], point))) return partOfBlock_[spans_[i].block];
+  }
+  return partOfBlock_[spans_[nearest.front().second].block];
 }
 
 }  // namespace cutwater

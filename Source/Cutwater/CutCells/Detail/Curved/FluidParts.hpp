@@ -18,8 +18,8 @@ class FluidParts {
   FluidParts(const FluidField& field, const Box<double>& box, const RulePoints& points);
 
   [[nodiscard]] std::size_t count() const { return count_; }
-  /// That of a block; that of a point, if the block has no spans.
-  [[nodiscard]] std::uint32_t of(std::uint32_t block, const Vec3<double>& point) const;
+  /// That of a block, which a point belongs to; that of the point alone, if it belongs to none.
+  [[nodiscard]] std::uint32_t of(std::uint32_t block, const Vec3<double>& point);
   /// The part to which a point in the fluid belongs: that of a near span to which such a path
   /// leads.
   [[nodiscard]] std::uint32_t at(const Vec3<double>& point) const;
@@ -59,7 +59,7 @@ class FluidParts {
   std::vector<const FluidField*> surfaces_;  // that may meet it, if they are known
   std::size_t count_ = 1;
   std::vector<FluidSpan> spans_;            // if there are several parts
-  std::vector<std::uint32_t> partOfBlock_;  // kNone: it has no spans
+  std::vector<std::uint32_t> partOfBlock_;  // kNone: it has no spans, and was not asked for
 };
 
 }  // namespace cutwater

@@ -1,3 +1,4 @@
+#include <Cutwater/CutCells/Detail/Curved/ExposedSurfaces.hpp>
 #include <Cutwater/CutCells/Detail/Curved/FluidRule.hpp>
 #include <Cutwater/CutCells/Detail/Curved/KinkSweep.hpp>
 #include <Cutwater/CutCells/Detail/Curved/SurfaceSweep.hpp>
@@ -165,16 +166,17 @@ void FluidRule::addBetweenSurfaces(const Box<double>& box,
                                    int halvings) {
   const int dimension = flatAxis_ < 0 ? 3 : 2;
   ++parts_;
+  const auto exposed = exposedIn(field_, box, surfaces);
   const auto divide = [&](int axis, double at) {
     for (const auto& half : halvesOf(box, axis, at)) {
       std::vector<const FluidField*> near;
-      std::ranges::copy_if(surfaces, std::back_inserter(near),
+      std::ranges::copy_if(exposed, std::back_inserter(near),
                            [&](const FluidField* surface) { return surface->mayReach(half); });
       addBetweenSurfaces(half, near, depth + 1, halvings);
     }
   };
   const bool mayHalve = depth < kMostHalvings * dimension && parts_ < kMostParts;
-  const SurfaceSweep sweep(field_, gauss_, box, surfaces);
+  const SurfaceSweep sweep(field_, gauss_, box, exposed);
   if (sweep.isUncrossed()) {
     if (field_.value(box.center()) > 0) addWhole(box, flatAxis_);
   } else if (sweep.hasKink()) {

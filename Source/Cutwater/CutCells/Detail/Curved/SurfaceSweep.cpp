@@ -29,7 +29,7 @@ SurfaceSweep::SurfaceSweep(const FluidField& field, std::span<const GaussPoint> 
 }
 
 /// Samples a surface near the corners and the middle of the box. One that the corners show to be
-/// elsewhere is left out.
+/// elsewhere is left out, as is a plane that a rectangle lies in.
 void SurfaceSweep::see(const FluidField& surface) {
   Seen seen{.field = &surface};
   std::array<double, kSamples> values{};
@@ -60,7 +60,8 @@ void SurfaceSweep::see(const FluidField& surface) {
   const auto isBelow = [](double value) { return value < 0; };
   const bool isElsewhere =
       std::ranges::all_of(values, isAbove) || std::ranges::all_of(values, isBelow);
-  if (!(isSteady && isElsewhere)) seen_.push_back(seen);
+  const bool isParallel = surface.facts().isFlat && seen.normals[0] == Vec3<double>{};
+  if (!(isSteady && (isElsewhere || isParallel))) seen_.push_back(seen);
 }
 
 /// Moves a point with a value to the surface, within the box: by steps of Newton's method along the

@@ -1,0 +1,102 @@
+#include <Cutwater/CutCells/Detail/Curved/ExposedSurfaces.hpp>
+#include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Shapes/Sphere.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "Support/Scale.hpp"
+
+namespace cutwater::test {
+namespace {
+
+struct Ball {
+  Vec3<double> center;
+  double radius = 0;
+
+  [[nodiscard]] std::shared_ptr<const FluidField> field() const {
+    return fluidBeside<double>(Sphere<double>(center, radius), FluidSide::Outside);
+  }
+};
+
+std::shared_ptr<const FluidField> fieldOf(std::span<const Ball> balls) {
+  std::vector<Solid<double>> solids;
+  for (const auto& [center, radius] : balls) solids.push_back(Sphere<double>(center, radius));
+  return fluidBeside<double>(unionOf(solids), FluidSide::Outside);
+}
+
+TEST(ExposedSurfacesTest, OneWithinAnotherIsLeftOut) {
+  const std::vector<Ball> balls{{{0, 0, 0}, 1}, {{0.3, 0, 0}, 0.2}};
+  const auto all = fieldOf(balls);
+  const auto outer = balls[0].field();
+  const auto inner = balls[1].field();
+  const std::vector<const FluidField*> both{outer.get(), inner.get()};
+  const Box<double> around{{0, -0.5, -0.5}, {1.2, 0.5, 0.5}};
+  EXPECT_EQ(exposedIn(*all, around, both), std::vector<const FluidField*>{outer.get()});
+  const Box<double> within{{0.05, -0.25, -0.25}, {0.55, 0.25, 0.25}};
+  EXPECT_TRUE(exposedIn(*all, within, both).empty());
+  const Box<double> section{{0, -0.5, 0}, {1.2, 0.5, 0}};
+  EXPECT_EQ(exposedIn(*all, section, both), std::vector<const FluidField*>{outer.get()});
+}
+
+/// Boxes and rectangles across an axis, anywhere in unions of balls: of a surface that is left out,
+/// no point there is wall.
+TEST(ExposedSurfacesTest, WhatIsLeftOutIsNoWall) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> at(-1, 1);
+  std::normal_distribution<double> normal;
+  std::size_t leftOut = 0;
+  std::size_t points = 0;
+  for (int round = 0; round < scaled(400); ++round) {
+    SCOPED_TRACE(round);
+    std::vector<Ball> balls;
+    std::vector<std::shared_ptr<const FluidField>> fields;
+    std::vector<const FluidField*> surfaces;
+    for (int i = 0; i < 5; ++i) {
+      balls.push_back({{at(random), at(random), at(random)}, 0.55 + 0.45 * at(random)});
+      fields.push_back(balls.back().field());
+      surfaces.push_back(fields.back().get());
+    }
+    const auto all = fieldOf(balls);
+    const Vec3<double> middle{at(random), at(random), at(random)};
+    const double half = 0.35 + 0.25 * at(random);
+    Box<double> box{middle - Vec3<double>{half, half, half},
+                    middle + Vec3<double>{half, half, half}};
+    const int flatAxis = round % 4 - 1;
+    if (flatAxis >= 0) box.lower[flatAxis] = box.upper[flatAxis] = middle[flatAxis];
+    const auto exposed = exposedIn(*all, box, surfaces);
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      if (std::ranges::find(exposed, surfaces[i]) != exposed.end()) continue;
+      ++leftOut;
+      const auto& [center, radius] = balls[i];
+      for (int n = 0; n < 500; ++n) {
+        Vec3<double> offset{normal(random), normal(random), normal(random)};
+        if (flatAxis >= 0) {
+          // On the circle in which the ball meets the plane.
+          const double height = middle[flatAxis] - center[flatAxis];
+          if (std::abs(height) >= radius) break;
+          offset[flatAxis] = 0;
+          offset *= std::sqrt(radius * radius - height * height) / length(offset);
+          offset[flatAxis] = height;
+        } else {
+          offset *= radius / length(offset);
+        }
+        auto point = center + offset;
+        if (flatAxis >= 0) point[flatAxis] = middle[flatAxis];
+        if (!box.contains(point)) continue;
+        ++points;
+        EXPECT_LT(all->value(point), 0);
+      }
+    }
+  }
+  EXPECT_GT(leftOut, static_cast<std::size_t>(scaled(400)));
+  EXPECT_GT(points, static_cast<std::size_t>(scaled(2000)));
+}
+
+}  // namespace
+}  // namespace cutwater::test
