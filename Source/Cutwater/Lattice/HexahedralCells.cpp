@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/MixedBits.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Lattice/HexahedralCells.hpp>
 
@@ -7,22 +8,18 @@ namespace cutwater {
 
 namespace {
 
-/// A number in [0, 2^64), all bits of which depend on all bits of x (Steele, Lea and Flood 2014,
-/// "Fast splittable pseudorandom number generators": the finaliser of SplitMix64).
-std::uint64_t mixed(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15U;
-  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
-  return x ^ (x >> 31U);
+/// The number after x of SplitMix64.
+std::uint64_t after(std::uint64_t x) {
+  return detail::mixed(x + detail::kGoldenIncrement);
 }
 
 /// A point of the unit ball, uniformly distributed: the first that lies in it of a sequence of
 /// points of the cube around it.
 Vec3<double> inUnitBall(const std::array<std::int64_t, 3>& corner, std::uint64_t seed) {
-  std::uint64_t state = mixed(seed);
-  for (const auto index : corner) state = mixed(state ^ static_cast<std::uint64_t>(index));
+  std::uint64_t state = after(seed);
+  for (const auto index : corner) state = after(state ^ static_cast<std::uint64_t>(index));
   const auto next = [&] {
-    state = mixed(state);
+    state = after(state);
     return 0x1p-52 * static_cast<double>(state >> 11U) - 1;  // in [-1, 1)
   };
   for (;;) {

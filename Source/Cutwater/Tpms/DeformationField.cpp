@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/MixedBits.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Tpms/TpmsMap.hpp>
 
@@ -7,20 +8,13 @@ namespace cutwater {
 
 namespace {
 
-/// The finaliser of Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators".
-std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
-  return x ^ (x >> 31U);
-}
-
 using Node = std::array<std::int64_t, 3>;
 
 /// Components in [-1, 1), from 21 bits each.
 template <std::floating_point T>
 Vec3<T> randomAt(const Node& node, std::uint64_t seed) {
-  std::uint64_t hash = mixed(seed + 0x9e3779b97f4a7c15U);
-  for (const auto index : node) hash = mixed(hash ^ static_cast<std::uint64_t>(index));
+  std::uint64_t hash = detail::mixed(seed + detail::kGoldenIncrement);
+  for (const auto index : node) hash = detail::mixed(hash ^ static_cast<std::uint64_t>(index));
   Vec3<T> result;
   for (int axis = 0; axis < 3; ++axis) {
     const auto bits =

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Cutwater/Core/Detail/MixedBits.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -27,11 +29,8 @@ class CanonicalCycle {
   }
   [[nodiscard]] std::uint64_t hash() const {
     std::uint64_t h = size();
-    for (std::size_t i = 0; i < size(); ++i) {  // the mixer of SplitMix64, Steele et al. 2014
-      h += 0x9e3779b97f4a7c15U + static_cast<std::uint32_t>((*this)[i]);
-      h = (h ^ (h >> 30U)) * 0xbf58476d1ce4e5b9U;
-      h = (h ^ (h >> 27U)) * 0x94d049bb133111ebU;
-      h ^= h >> 31U;
+    for (std::size_t i = 0; i < size(); ++i) {
+      h = mixed(h + kGoldenIncrement + static_cast<std::uint32_t>((*this)[i]));
     }
     return h;
   }

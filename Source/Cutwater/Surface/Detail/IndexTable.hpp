@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/Detail/MixedBits.hpp>
 #include <Cutwater/Core/Vec3.hpp>
 
 #include <bit>
@@ -55,20 +56,12 @@ class IndexTable {
   std::size_t size_ = 0;
 };
 
-/// Mixes 64 bits so that every bit of the result depends on each of them (the finaliser of
-/// MurmurHash3, Appleby 2011).
-constexpr std::uint64_t mixed(std::uint64_t bits) {
-  bits = (bits ^ (bits >> 33U)) * 0xff51afd7ed558ccdULL;
-  bits = (bits ^ (bits >> 33U)) * 0xc4ceb9fe1a85ec53ULL;
-  return bits ^ (bits >> 33U);
-}
-
 /// The same for equal points; -0 equals 0.
 inline std::uint64_t hashOf(const Vec3<double>& p) {
   std::uint64_t hash = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double positiveZero = p[axis] + 0.0;
-    hash = mixed(hash * 0x9e3779b97f4a7c15ULL + std::bit_cast<std::uint64_t>(positiveZero));
+    hash = mixed(hash * kGoldenIncrement + std::bit_cast<std::uint64_t>(positiveZero));
   }
   return hash;
 }

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/MixedBits.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Surface/Formats/SoupBuilder.hpp>
 

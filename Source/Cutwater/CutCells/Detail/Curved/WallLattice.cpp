@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/MixedBits.hpp>
 #include <Cutwater/CutCells/Detail/Curved/WallLattice.hpp>
 #include <Cutwater/CutCells/Detail/Faces/EdgeLoops.hpp>
 #include <Cutwater/CutCells/Detail/Faces/JoinedLoops.hpp>
@@ -33,10 +34,9 @@ EdgeLoops::Loop withoutNodesOfEdges(const EdgeLoops::Loop& loop, const Box<doubl
 }  // namespace
 
 std::size_t WallLattice::Hash::operator()(const TilePlace& node) const {
-  constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;  // Knuth: 2^64 by the golden ratio
-  std::uint64_t sum = 0;
-  for (const auto n : node) sum = (sum ^ static_cast<std::uint32_t>(n)) * kOdd;
-  return sum ^ sum >> 32U;
+  std::uint64_t hash = 0;
+  for (const auto n : node) hash = detail::mixed(hash ^ static_cast<std::uint32_t>(n));
+  return hash;
 }
 
 std::size_t WallLattice::Hash::operator()(const Edge& edge) const {

@@ -36,7 +36,8 @@ DoubleDouble columnEntry(const MovedVertex& v, int axis, Column column, double o
 }
 
 /// The sign of (p - origin) x (q - origin) along the axis that completes a < c.
-int turnSign(const MovedVertex& p, const MovedVertex& q, const AxisPlane& a, const AxisPlane& c) {
+int turnSign(const MovedVertex& p, const MovedVertex& q, const PlaneAcross& a,
+             const PlaneAcross& c) {
   for (const auto& [first, second] : kInPlane) {
     const int sign = determinantSign(
         columnEntry(p, a.axis, first, a.position), columnEntry(q, a.axis, first, a.position),
@@ -48,8 +49,8 @@ int turnSign(const MovedVertex& p, const MovedVertex& q, const AxisPlane& a, con
 
 }  // namespace
 
-bool isCrossingAbove(const MovedVertex& p, const MovedVertex& q, const AxisPlane& crossed,
-                     const AxisPlane& plane) {
+bool isCrossingAbove(const MovedVertex& p, const MovedVertex& q, const PlaneAcross& crossed,
+                     const PlaneAcross& plane) {
   // Seen along the third axis, the edge goes up the crossed axis, and the grid line is to its right
   // if the crossing is above it.
   const bool goesUp = isAbove(q, crossed.axis, crossed.position);
@@ -75,8 +76,8 @@ int sideOfNode(const std::array<MovedVertex, 3>& triangle, const Vec3<double>& n
 int riseBelowNode(const std::array<MovedVertex, 3>& triangle, const Vec3<double>& node, int axis) {
   const auto& [a, b, c] = triangle;
   const int low = axis == 0 ? 1 : 0;
-  const AxisPlane first{low, node[low]};
-  const AxisPlane second{3 - axis - low, node[3 - axis - low]};
+  const PlaneAcross first{low, node[low]};
+  const PlaneAcross second{3 - axis - low, node[3 - axis - low]};
   const int turn = turnSign(a, b, first, second);
   if (turn == 0 || turnSign(b, c, first, second) != turn || turnSign(c, a, first, second) != turn) {
     return 0;

@@ -38,7 +38,7 @@ struct MovedVertex {
 }
 
 /// A plane across an axis.
-struct AxisPlane {
+struct PlaneAcross {
   int axis = 0;
   double position = 0;
 };
@@ -46,7 +46,7 @@ struct AxisPlane {
 /// Whether the point in which an edge crosses the first plane lies above the second, which is
 /// across another axis. The ends must lie on different sides of the first plane.
 [[nodiscard]] bool isCrossingAbove(const MovedVertex& p, const MovedVertex& q,
-                                   const AxisPlane& crossed, const AxisPlane& plane);
+                                   const PlaneAcross& crossed, const PlaneAcross& plane);
 
 /// The side of the triangle's plane on which a node lies: 1 where the normal (b - a) x (c - a)
 /// points, else -1; 0 only for triangles that are seen edge-on along every axis, however moved.

@@ -112,7 +112,7 @@ void TriangleSplitter::cut(const Part& whole, int axis, int plane, Part& below, 
 Vec3<double> TriangleSplitter::onEdge(int edge, const FragmentEdge& plane, PointCells& rows) const {
   const auto& p = triangle_[asIndex(edge)];
   const auto& q = triangle_[asIndex((edge + 1) % 3)];
-  const AxisPlane crossed{plane.axis, planes_.at(plane.axis, plane.number)};
+  const PlaneAcross crossed{plane.axis, planes_.at(plane.axis, plane.number)};
   const auto point = crossing(edge, crossed);
   for (int axis = plane.axis + 1; axis < 3; ++axis) {
     // Three roundings for the share of the edge, two for the product, one for the sum: 6.
@@ -171,7 +171,7 @@ int TriangleSplitter::rowOnLine(const Vec3<double>& point, int axis, double slop
 /// The points in which two edges cross a plane; all of it is moved down by a shift.
 std::pair<Vec3<double>, Vec3<double>> TriangleSplitter::trace(int axis, int number,
                                                               const Vec3<double>& shift) const {
-  const AxisPlane plane{axis, planes_.at(axis, number) - shift[axis]};
+  const PlaneAcross plane{axis, planes_.at(axis, number) - shift[axis]};
   std::array<Vec3<double>, 2> ends;
   std::size_t count = 0;
   for (int edge = 0; edge < 3 && count < 2; ++edge) {
@@ -182,7 +182,7 @@ std::pair<Vec3<double>, Vec3<double>> TriangleSplitter::trace(int axis, int numb
   return {ends[0], ends[1]};
 }
 /// From the end with the lower number, so that both triangles at the edge compute the same.
-Vec3<double> TriangleSplitter::crossing(int edge, const AxisPlane& plane,
+Vec3<double> TriangleSplitter::crossing(int edge, const PlaneAcross& plane,
                                         const Vec3<double>& shift) const {
   int from = edge;
   int to = (edge + 1) % 3;

@@ -81,7 +81,7 @@ class TriangleSplitter {
                               bool facesUp) const;
   [[nodiscard]] std::pair<Vec3<double>, Vec3<double>> trace(int axis, int number,
                                                             const Vec3<double>& shift) const;
-  [[nodiscard]] Vec3<double> crossing(int edge, const AxisPlane& plane,
+  [[nodiscard]] Vec3<double> crossing(int edge, const PlaneAcross& plane,
                                       const Vec3<double>& shift = {}) const;
   [[nodiscard]] Vec3<double> withinCell(Vec3<double> point, const PointCells& rows, int axis,
                                         int second) const;
