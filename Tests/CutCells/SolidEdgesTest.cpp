@@ -4,6 +4,7 @@
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/Lattice/PackedBed.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
+#include <Cutwater/Shapes/BoxFrame.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>
@@ -160,6 +161,58 @@ TEST(SolidEdgesTest, EdgesInEdgesOfCellsStateNoErrors) {
         EXPECT_LT(std::ranges::max(cells.cells.error), 1e-13);
       }
     }
+  }
+}
+
+void expectSameVolumes(const Solid<double>& one, const Solid<double>& other) {
+  for (const auto side : {FluidSide::Outside, FluidSide::Inside}) {
+    const auto cells = SolidCutter(one, side).cut(unitGrid(12));
+    const auto others = fluidByCell(SolidCutter(other, side).cut(unitGrid(12)));
+    EXPECT_LT(std::ranges::max(cells.cells.error), 1e-12);
+    const auto fluid = fluidByCell(cells);
+    ASSERT_EQ(fluid.size(), others.size());
+    for (const auto& [cell, volume] : fluid) EXPECT_NEAR(volume, others.at(cell), 1e-15);
+  }
+}
+
+TEST(SolidEdgesTest, AFrameIsTheUnionOfItsBars) {
+  const Box<double> box{{0.2, 0.25, 0.3}, {0.8, 0.75, 0.7}};
+  constexpr double kThickness = 0.12;
+  std::vector<Solid<double>> bars;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const int end : {0, 1, 2, 3}) {
+      auto bar = box;
+      const int one = (axis + 1) % 3;
+      const int other = (axis + 2) % 3;
+      ((end & 1) == 0 ? bar.upper : bar.lower)[one] =
+          (end & 1) == 0 ? box.lower[one] + kThickness : box.upper[one] - kThickness;
+      ((end & 2) == 0 ? bar.upper : bar.lower)[other] =
+          (end & 2) == 0 ? box.lower[other] + kThickness : box.upper[other] - kThickness;
+      bars.push_back(Cuboid<double>(bar.lower, bar.upper));
+    }
+  }
+  Solid<double> frame = BoxFrame<double>(box, kThickness);
+  auto all = unionOf(bars);
+  for (auto* solid : {&frame, &all}) solid->rotate(27, kAxis, kMiddle);
+  expectSameVolumes(frame, all);
+}
+
+/// Copies that overlap, and copies that do not.
+TEST(SolidEdgesTest, CopiesAreTheUnionOfEach) {
+  for (const double period : {0.11, 0.27}) {
+    SCOPED_TRACE(period);
+    Cuboid<double> turned({0, 0, 0}, {0.15, 0.1, 0.2});
+    turned.rotate(31, kAxis);
+    turned.translate({0.2, 0.25, 0.3});
+    std::vector<Solid<double>> copies;
+    for (const int i : {0, 1, 2}) {
+      for (const int j : {0, 1}) {
+        copies.push_back(turned);
+        copies.back().translate({i * period, 0, j * period});
+      }
+    }
+    const Repeats<double> repeats{.period = {period, 0, period}, .count = {3, 1, 2}};
+    expectSameVolumes(repeated(turned, repeats), unionOf(copies));
   }
 }
 

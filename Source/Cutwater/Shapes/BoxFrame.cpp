@@ -2,6 +2,7 @@
 #include <Cutwater/Sdf/Detail/Defaults.hpp>
 #include <Cutwater/Shapes/BoxFrame.hpp>
 #include <Cutwater/Shapes/Detail/Arguments.hpp>
+#include <Cutwater/Shapes/Detail/ShapeSurfaces.hpp>
 
 #include <algorithm>
 
@@ -111,6 +112,19 @@ SurfacePoint<T> BoxFrame<T>::localClosestPoint(const Vec3<T>& p) const {
   result.distance = isInside ? -distance : distance;
   detail::setTolerance(result, p, localSignedDistance(result.point), localGuarantee());
   return result;
+}
+
+template <std::floating_point T>
+bool BoxFrame<T>::localSurfacesIn(const OrientedBox<T>&, SurfaceVisitor<T> visit) const {
+  for (const auto& half : {half_, hollow_}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3<T> normal;
+      normal[axis] = 1;
+      detail::visitPlane(box_.center() - half, -normal, visit);
+      detail::visitPlane(box_.center() + half, normal, visit);
+    }
+  }
+  return true;
 }
 
 template <std::floating_point T>

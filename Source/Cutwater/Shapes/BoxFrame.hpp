@@ -24,6 +24,7 @@ class BoxFrame final : public SignedDistanceFunction<T> {
   T localSignedDistance(const Vec3<T>& p) const override;
   Vec3<T> localGradient(const Vec3<T>& p) const override;
   SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Guarantee<T> localGuarantee() const override;
   Box<T> localBoundingBox() const override;
 

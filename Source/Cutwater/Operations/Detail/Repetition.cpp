@@ -191,6 +191,25 @@ SurfaceOwner Repetition<T>::localOwner(const Vec3<T>& p) const {
   return this->operand().owner(copies_.seenFrom(decide(p).copy, p));
 }
 
+/// Those of the copies near the box, if these are not very many.
+template <std::floating_point T>
+bool Repetition<T>::localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const {
+  constexpr double kMostCopies = 4000;
+  const auto around = guarantee_.grown(box.bounds());
+  const auto middle = around.center();
+  const T radius = T(0.5) * around.diagonal();
+  if (copies_.box().empty() || !(copies_.mostWithin(radius) <= kMostCopies)) return false;
+  const auto isNear = [&](T gapSquared) { return gapSquared <= radius * radius; };
+  const auto visitCopy = [&](const Vec3<T>& copy) {
+    auto moved = this->operand();
+    moved.translate(copies_.placeOf(copy));
+    this->surfacesOf(moved, box, visit);
+  };
+  copies_.outwards(middle, copies_.central(middle), copies_.ofBoxesWithin(radius), isNear,
+                   visitCopy);
+  return true;
+}
+
 template <std::floating_point T>
 Box<T> Repetition<T>::localBoundingBox() const {
   return guarantee_.grown(copies_.boxOfAll());

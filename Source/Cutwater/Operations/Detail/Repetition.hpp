@@ -47,6 +47,7 @@ class Repetition final : public UnaryOperation<T> {
   Vec3<T> localGradient(const Vec3<T>& p) const override;
   SurfacePoint<T> localClosestPoint(const Vec3<T>& p) const override;
   SurfaceOwner localOwner(const Vec3<T>& p) const override;
+  bool localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const override;
   Guarantee<T> localGuarantee() const override { return guarantee_; }
   Box<T> localBoundingBox() const override;
   Box<T> localClearanceBox() const override;
