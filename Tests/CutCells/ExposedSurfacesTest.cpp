@@ -44,12 +44,28 @@ TEST(ExposedSurfacesTest, OneWithinAnotherIsLeftOut) {
   EXPECT_EQ(exposedIn(*all, section, both), std::vector<const FluidField*>{outer.get()});
 }
 
+/// A point of a ball's surface; on the circle in which it meets the plane of a rectangle. Not a
+/// number, if it does not.
+Vec3<double> anywhereOn(const Ball& ball, const Box<double>& box, int flatAxis,
+                        std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  Vec3<double> offset{normal(random), normal(random), normal(random)};
+  double height = 0;
+  if (flatAxis >= 0) {
+    height = box.lower[flatAxis] - ball.center[flatAxis];
+    offset[flatAxis] = 0;
+  }
+  offset *= std::sqrt(ball.radius * ball.radius - height * height) / length(offset);
+  auto point = ball.center + offset;
+  if (flatAxis >= 0) point[flatAxis] = box.lower[flatAxis];
+  return point;
+}
+
 /// Boxes and rectangles across an axis, anywhere in unions of balls: of a surface that is left out,
 /// no point there is wall.
 TEST(ExposedSurfacesTest, WhatIsLeftOutIsNoWall) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> at(-1, 1);
-  std::normal_distribution<double> normal;
   std::size_t leftOut = 0;
   std::size_t points = 0;
   for (int round = 0; round < scaled(400); ++round) {
@@ -73,21 +89,8 @@ TEST(ExposedSurfacesTest, WhatIsLeftOutIsNoWall) {
     for (std::size_t i = 0; i < balls.size(); ++i) {
       if (std::ranges::find(exposed, surfaces[i]) != exposed.end()) continue;
       ++leftOut;
-      const auto& [center, radius] = balls[i];
       for (int n = 0; n < 500; ++n) {
-        Vec3<double> offset{normal(random), normal(random), normal(random)};
-        if (flatAxis >= 0) {
-          // On the circle in which the ball meets the plane.
-          const double height = middle[flatAxis] - center[flatAxis];
-          if (std::abs(height) >= radius) break;
-          offset[flatAxis] = 0;
-          offset *= std::sqrt(radius * radius - height * height) / length(offset);
-          offset[flatAxis] = height;
-        } else {
-          offset *= radius / length(offset);
-        }
-        auto point = center + offset;
-        if (flatAxis >= 0) point[flatAxis] = middle[flatAxis];
+        const auto point = anywhereOn(balls[i], box, flatAxis, random);
         if (!box.contains(point)) continue;
         ++points;
         EXPECT_LT(all->value(point), 0);
