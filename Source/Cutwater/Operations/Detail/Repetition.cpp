@@ -194,7 +194,7 @@ SurfaceOwner Repetition<T>::localOwner(const Vec3<T>& p) const {
 /// Those of the copies near the box, if these are not very many.
 template <std::floating_point T>
 bool Repetition<T>::localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const {
-  constexpr double kMostCopies = 4000;
+  constexpr double kMostCopies = 50;  // copies may be of copies
   const auto around = guarantee_.grown(box.bounds());
   const auto middle = around.center();
   const T radius = T(0.5) * around.diagonal();
