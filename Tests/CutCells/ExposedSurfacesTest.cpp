@@ -1,4 +1,5 @@
 #include <Cutwater/CutCells/Detail/Curved/ExposedSurfaces.hpp>
+#include <Cutwater/Lattice/PackedBed.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
@@ -15,26 +16,21 @@
 namespace cutwater::test {
 namespace {
 
-struct Ball {
-  Vec3<double> center;
-  double radius = 0;
+std::shared_ptr<const FluidField> fieldOf(const Ball<double>& ball) {
+  return fluidBeside<double>(Sphere<double>(ball.center, ball.radius), FluidSide::Outside);
+}
 
-  [[nodiscard]] std::shared_ptr<const FluidField> field() const {
-    return fluidBeside<double>(Sphere<double>(center, radius), FluidSide::Outside);
-  }
-};
-
-std::shared_ptr<const FluidField> fieldOf(std::span<const Ball> balls) {
+std::shared_ptr<const FluidField> fieldOf(std::span<const Ball<double>> balls) {
   std::vector<Solid<double>> solids;
   for (const auto& [center, radius] : balls) solids.push_back(Sphere<double>(center, radius));
   return fluidBeside<double>(unionOf(solids), FluidSide::Outside);
 }
 
 TEST(ExposedSurfacesTest, OneWithinAnotherIsLeftOut) {
-  const std::vector<Ball> balls{{{0, 0, 0}, 1}, {{0.3, 0, 0}, 0.2}};
+  const std::vector<Ball<double>> balls{{{0, 0, 0}, 1}, {{0.3, 0, 0}, 0.2}};
   const auto all = fieldOf(balls);
-  const auto outer = balls[0].field();
-  const auto inner = balls[1].field();
+  const auto outer = fieldOf(balls[0]);
+  const auto inner = fieldOf(balls[1]);
   const std::vector<const FluidField*> both{outer.get(), inner.get()};
   const Box<double> around{{0, -0.5, -0.5}, {1.2, 0.5, 0.5}};
   EXPECT_EQ(exposedIn(*all, around, both), std::vector<const FluidField*>{outer.get()});
@@ -46,7 +42,7 @@ TEST(ExposedSurfacesTest, OneWithinAnotherIsLeftOut) {
 
 /// A point of a ball's surface; on the circle in which it meets the plane of a rectangle. Not a
 /// number, if it does not.
-Vec3<double> anywhereOn(const Ball& ball, const Box<double>& box, int flatAxis,
+Vec3<double> anywhereOn(const Ball<double>& ball, const Box<double>& box, int flatAxis,
                         std::mt19937& random) {
   std::normal_distribution<double> normal;
   Vec3<double> offset{normal(random), normal(random), normal(random)};
@@ -70,12 +66,12 @@ TEST(ExposedSurfacesTest, WhatIsLeftOutIsNoWall) {
   std::size_t points = 0;
   for (int round = 0; round < scaled(400); ++round) {
     SCOPED_TRACE(round);
-    std::vector<Ball> balls;
+    std::vector<Ball<double>> balls;
     std::vector<std::shared_ptr<const FluidField>> fields;
     std::vector<const FluidField*> surfaces;
     for (int i = 0; i < 5; ++i) {
       balls.push_back({{at(random), at(random), at(random)}, 0.55 + 0.45 * at(random)});
-      fields.push_back(balls.back().field());
+      fields.push_back(fieldOf(balls.back()));
       surfaces.push_back(fields.back().get());
     }
     const auto all = fieldOf(balls);

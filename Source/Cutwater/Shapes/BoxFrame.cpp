@@ -117,12 +117,7 @@ SurfacePoint<T> BoxFrame<T>::localClosestPoint(const Vec3<T>& p) const {
 template <std::floating_point T>
 bool BoxFrame<T>::localSurfacesIn(const OrientedBox<T>&, SurfaceVisitor<T> visit) const {
   for (const auto& half : {half_, hollow_}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      Vec3<T> normal;
-      normal[axis] = 1;
-      detail::visitPlane(box_.center() - half, -normal, visit);
-      detail::visitPlane(box_.center() + half, normal, visit);
-    }
+    detail::visitSides<T>({box_.center() - half, box_.center() + half}, visit);
   }
   return true;
 }

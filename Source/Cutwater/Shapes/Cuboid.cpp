@@ -46,12 +46,7 @@ BoxClass Cuboid<T>::localClassify(const OrientedBox<T>& box, BoxHint* hint) cons
 
 template <std::floating_point T>
 bool Cuboid<T>::localSurfacesIn(const OrientedBox<T>&, SurfaceVisitor<T> visit) const {
-  for (int axis = 0; axis < 3; ++axis) {
-    Vec3<T> normal;
-    normal[axis] = 1;
-    detail::visitPlane(box_.lower, -normal, visit);
-    detail::visitPlane(box_.upper, normal, visit);
-  }
+  detail::visitSides(box_, visit);
   return true;
 }
 

@@ -18,6 +18,17 @@ void visitPlane(const Vec3<T>& point, const Vec3<T>& normal, SurfaceVisitor<T> v
   visit(Plane<T>(point, normal), nullptr);
 }
 
+/// Visits the planes of all sides of a box.
+template <std::floating_point T>
+void visitSides(const Box<T>& box, SurfaceVisitor<T> visit) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3<T> normal;
+    normal[axis] = 1;
+    visitPlane(box.lower, -normal, visit);
+    visitPlane(box.upper, normal, visit);
+  }
+}
+
 /// Visits the surface that an edge of a profile is part of when it is revolved: a plane, a cylinder
 /// or a cone. Nothing, for an edge on the axis.
 template <std::floating_point T>

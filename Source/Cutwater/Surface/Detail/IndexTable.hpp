@@ -56,7 +56,7 @@ class IndexTable {
   std::size_t size_ = 0;
 };
 
-/// The same for equal points; -0 equals 0.
+/// A hash of a point, the same for equal ones; -0 equals 0.
 inline std::uint64_t hashOf(const Vec3<double>& p) {
   std::uint64_t hash = 0;
   for (int axis = 0; axis < 3; ++axis) {

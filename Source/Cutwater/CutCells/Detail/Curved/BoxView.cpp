@@ -178,8 +178,8 @@ std::vector<double> BoxView::crossingsAlong(int axis) const {
 /// Whether a wall touches a rectangle in a point of an edge, across an axis of which it is: then
 /// the point is no body. One that ends there, as at the edge of a cuboid, does not.
 bool BoxView::isTouched(const Vec3<double>& point, int across) const {
-  constexpr double kInside = 1e-3;  // of the rectangle
-  constexpr double kTouching = 0.1;
+  constexpr double kInside = 1e-3;   // of the rectangle
+  constexpr double kTouching = 0.1;  // the sine of the angle between wall and rectangle
   if (field_.value(point) != 0) return false;
   auto beside = point;
   beside[across] += kInside * (box_.center()[across] - point[across]);
