@@ -304,6 +304,25 @@ TYPED_TEST(RepetitionTest, BatchesFarAwayAreAsOneByOne) {
   }
 }
 
+/// Those of the copies near a box; of very many copies, also of copies, that of all as one.
+TYPED_TEST(RepetitionTest, TellsTheSurfacesOfAFewCopies) {
+  using T = TypeParam;
+  const auto countIn = [](const Solid<T>& solid, const Box<T>& box) {
+    int count = 0;
+    solid.surfacesIn(box, [&](const Solid<T>&, const Solid<T>*) { ++count; });
+    return count;
+  };
+  const auto few =
+      repeated(Sphere<T>({0, 0, 0}, T(0.25)), {.period = {1, 2, 0}, .count = {3, 2, 1}});
+  EXPECT_EQ(countIn(few, {{-1, -1, -1}, {3, 3, 1}}), 6);
+  EXPECT_EQ(countIn(few, {{T(0.9), T(0.1), 0}, {T(1.1), T(0.3), T(0.2)}}), 1);
+  const auto many = repeated(Sphere<T>({0, 0, 0}, T(0.01)),
+                             {.period = {T(0.05), T(0.05), T(0.05)}, .count = {10, 10, 10}});
+  const auto ofMany = repeated(many, {.period = {1, 1, 1}, .count = {3, 3, 3}});
+  EXPECT_EQ(countIn(many, {{0, 0, 0}, {1, 1, 1}}), 1);
+  EXPECT_LE(countIn(ofMany, {{0, 0, 0}, {3, 3, 3}}), 27);
+}
+
 TYPED_TEST(RepetitionTest, RefusesImpossiblePeriods) {
   using T = TypeParam;
   const auto refuses = [](const Solid<T>& a, const Repeats<T>& repeats) {
