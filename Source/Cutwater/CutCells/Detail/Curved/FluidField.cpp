@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -79,10 +80,10 @@ class SolidField final : public FluidField {
     });
     return sign_ > 0 ? found.porosity() : found.solidFraction();
   }
-  Surfaces surfacesIn(const Box<double>& box) const override {
+  Surfaces surfacesIn(const Box<double>& box, std::size_t most) const override {
     Surfaces found;
     solid_.surfacesIn(ofSolid(box), [&](const Solid<T>& surface, const Solid<T>* operand) {
-      if (&surface == &solid_) return;
+      if (&surface == &solid_ || found.size() > most) return;
       found.push_back({fluidBeside(surface, FluidSide::Outside), nullptr});
       if (operand != &surface) found.back().operand = fluidBeside(*operand, FluidSide::Outside);
     });
@@ -136,8 +137,8 @@ class PlaneSection final : public FluidField {
   Interval<double> shareOf(const Box<double>& box, double width, std::size_t boxes) const override {
     return field_.shareOf(inPlane(box), width, boxes);
   }
-  Surfaces surfacesIn(const Box<double>& box) const override {
-    auto found = field_.surfacesIn(inPlane(box));
+  Surfaces surfacesIn(const Box<double>& box, std::size_t most) const override {
+    auto found = field_.surfacesIn(inPlane(box), most);
     const auto section = [&](std::shared_ptr<const FluidField>& field) {
       if (field) field = std::make_shared<const PlaneSection>(std::move(field), z_);
     };
@@ -186,7 +187,9 @@ class FieldOfSurfaces final : public FluidField {
   Interval<double> shareOf(const Box<double>& box, double width, std::size_t boxes) const override {
     return field_.shareOf(box, width, boxes);
   }
-  Surfaces surfacesIn(const Box<double>& box) const override { return field_.surfacesIn(box); }
+  Surfaces surfacesIn(const Box<double>& box, std::size_t most) const override {
+    return field_.surfacesIn(box, most);
+  }
   bool knowsSurfaces() const override { return true; }
   std::vector<const FluidField*> surfacesNear(const Box<double>& box) const override {
     std::vector<const FluidField*> near;
@@ -224,7 +227,7 @@ class FieldOfSurfaces final : public FluidField {
 
   /// In an order of their own.
   [[nodiscard]] Surfaces sortedIn(const Box<double>& box) const {
-    auto surfaces = field_.surfacesIn(box);
+    auto surfaces = field_.surfacesIn(box, std::numeric_limits<std::size_t>::max() - 1);
     const auto key = [](const FluidField::Surface& surface) {
       return std::pair(surface.field->value({}), surface.field->value({1, 2, -3}));
     };
@@ -240,7 +243,7 @@ class FieldOfSurfaces final : public FluidField {
 
 std::unique_ptr<const FluidField> fieldIn(const FluidField& field, const Box<double>& box) {
   constexpr std::size_t kMost = 4000;
-  const auto surfaces = field.surfacesIn(box);
+  const auto surfaces = field.surfacesIn(box, kMost);
   if (surfaces.empty() || surfaces.size() > kMost) return nullptr;
   return std::make_unique<const FieldOfSurfaces>(field);
 }

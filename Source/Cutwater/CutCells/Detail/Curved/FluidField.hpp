@@ -80,8 +80,8 @@ class FluidField {
   };
   using Surfaces = std::vector<Surface>;
   /// Those that walls in a box lie in, and perhaps others; none, if the only one is that of this
-  /// field itself.
-  [[nodiscard]] virtual Surfaces surfacesIn(const Box<double>& box) const = 0;
+  /// field itself. If there are more than `most`, one more than these.
+  [[nodiscard]] virtual Surfaces surfacesIn(const Box<double>& box, std::size_t most) const = 0;
   /// Whether the field knows them, of all of itself: see fieldIn().
   [[nodiscard]] virtual bool knowsSurfaces() const { return false; }
   /// Those that may meet a box, then. They follow from the box alone.
