@@ -216,6 +216,19 @@ TEST(SolidEdgesTest, CopiesAreTheUnionOfEach) {
   }
 }
 
+/// Few enough in the box that is cut, but not in all that surfaces are looked for in around a cell.
+TEST(SolidEdgesTest, CellsAmongEndlessCopiesAreCut) {
+  constexpr double kRadius = 0.4;
+  const auto balls = repeated(Sphere<double>({0, 0, 0}, kRadius), {.period = {1, 1, 1}});
+  const GridPatch<double> grid{Level<double>({0, 0, 0}, {1, 1, 1}), IndexBox::ofSize(2, 2, 2)};
+  const auto cells = SolidCutter(balls).cut(grid);
+  ASSERT_EQ(cells.cellCount, 8U);
+  const double fluid = 1 - 4 * std::numbers::pi / 3 * std::pow(kRadius, 3);
+  for (std::uint32_t row = 0; row < 8; ++row) {
+    EXPECT_NEAR(cells.volumeFraction(cells.cells.firstPiece[row]), fluid, 1e-3);
+  }
+}
+
 /// A difference within a union: whether its planes are near must not depend on the tile.
 TEST(SolidEdgesTest, FacesBetweenTilesAreTheSameOnBothSides) {
   const Polygon<double> outline({{1.02, -0.1}, {1.12, -0.1}, {1.12, 2.1}, {1.02, 2.1}});

@@ -316,11 +316,18 @@ TYPED_TEST(RepetitionTest, TellsTheSurfacesOfAFewCopies) {
       repeated(Sphere<T>({0, 0, 0}, T(0.25)), {.period = {1, 2, 0}, .count = {3, 2, 1}});
   EXPECT_EQ(countIn(few, {{-1, -1, -1}, {3, 3, 1}}), 6);
   EXPECT_EQ(countIn(few, {{T(0.9), T(0.1), 0}, {T(1.1), T(0.3), T(0.2)}}), 1);
-  const auto many = repeated(Sphere<T>({0, 0, 0}, T(0.01)),
-                             {.period = {T(0.05), T(0.05), T(0.05)}, .count = {10, 10, 10}});
-  const auto ofMany = repeated(many, {.period = {1, 1, 1}, .count = {3, 3, 3}});
-  EXPECT_EQ(countIn(many, {{0, 0, 0}, {1, 1, 1}}), 1);
-  EXPECT_LE(countIn(ofMany, {{0, 0, 0}, {3, 3, 3}}), 27);
+  const Vec3<T> period{T(0.05), T(0.05), T(0.05)};
+  const Sphere<T> small({0, 0, 0}, T(0.01));
+  const Box<T> box{{0, 0, 0}, {3, 3, 3}};
+  const auto ofCopies = [&](const Solid<T>& solid) {
+    return repeated(solid, {.period = {1, 1, 1}, .count = {3, 3, 3}});
+  };
+  const auto twelve = repeated(small, {.period = period, .count = {2, 2, 3}});
+  const auto thousand = repeated(small, {.period = period, .count = {10, 10, 10}});
+  EXPECT_EQ(countIn(ofCopies(twelve), box), 27 * 12);
+  EXPECT_EQ(countIn(thousand, box), 1000);
+  EXPECT_EQ(countIn(ofCopies(thousand), box), 1);
+  EXPECT_EQ(countIn(repeated(small, {.period = period}), box), 1);
 }
 
 TYPED_TEST(RepetitionTest, RefusesImpossiblePeriods) {

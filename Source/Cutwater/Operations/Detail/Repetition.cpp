@@ -191,22 +191,27 @@ SurfaceOwner Repetition<T>::localOwner(const Vec3<T>& p) const {
   return this->operand().owner(copies_.seenFrom(decide(p).copy, p));
 }
 
-/// Those of the copies near the box, if these are not very many.
+/// Those of the copies near the box, if these are not very many: as many copies as fit in, with as
+/// many surfaces as the one in the middle has, which may be of copies, too.
 template <std::floating_point T>
 bool Repetition<T>::localSurfacesIn(const OrientedBox<T>& box, SurfaceVisitor<T> visit) const {
-  constexpr double kMostCopies = 50;  // copies may be of copies
+  constexpr double kMost = 4000;
   const auto around = guarantee_.grown(box.bounds());
   const auto middle = around.center();
   const T radius = T(0.5) * around.diagonal();
-  if (copies_.box().empty() || !(copies_.mostWithin(radius) <= kMostCopies)) return false;
-  const auto isNear = [&](T gapSquared) { return gapSquared <= radius * radius; };
-  const auto visitCopy = [&](const Vec3<T>& copy) {
+  if (copies_.box().empty()) return false;
+  const auto central = copies_.central(middle);
+  const auto surfacesOfCopy = [&](const Vec3<T>& copy, SurfaceVisitor<T> visitOfCopy) {
     auto moved = this->operand();
     moved.translate(copies_.placeOf(copy));
-    this->surfacesOf(moved, box, visit);
+    this->surfacesOf(moved, box, visitOfCopy);
   };
-  copies_.outwards(middle, copies_.central(middle), copies_.ofBoxesWithin(radius), isNear,
-                   visitCopy);
+  double ofCopy = 0;
+  surfacesOfCopy(central, [&](const Solid<T>&, const Solid<T>*) { ++ofCopy; });
+  if (!(std::max(1.0, ofCopy) * copies_.mostWithin(radius) <= kMost)) return false;
+  const auto isNear = [&](T gapSquared) { return gapSquared <= radius * radius; };
+  copies_.outwards(middle, central, copies_.ofBoxesWithin(radius), isNear,
+                   [&](const Vec3<T>& copy) { surfacesOfCopy(copy, visit); });
   return true;
 }
 

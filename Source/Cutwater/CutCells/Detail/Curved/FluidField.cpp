@@ -168,6 +168,9 @@ class PlaneSection final : public FluidField {
   double z_;
 };
 
+constexpr std::size_t kMostInTile = 4000;
+constexpr std::size_t kMostInBlock = 8 * kMostInTile;
+
 /// The surfaces near a box are those in a block around it, which follows from the box alone: so
 /// what is found of a face is the same in all tiles.
 class FieldOfSurfaces final : public FluidField {
@@ -225,9 +228,14 @@ class FieldOfSurfaces final : public FluidField {
     return known->second;
   }
 
-  /// In an order of their own.
+  /// In an order of their own. The field itself is the only one where it tells none, or too many:
+  /// a block is larger than the box for which fieldIn() was asked.
   [[nodiscard]] Surfaces sortedIn(const Box<double>& box) const {
-    auto surfaces = field_.surfacesIn(box, std::numeric_limits<std::size_t>::max() - 1);
+    auto surfaces = field_.surfacesIn(box, kMostInBlock);
+    if (surfaces.empty() || surfaces.size() > kMostInBlock) {
+      return {{std::shared_ptr<const FluidField>(std::shared_ptr<const FluidField>(), &field_),
+               nullptr}};
+    }
     const auto key = [](const FluidField::Surface& surface) {
       return std::pair(surface.field->value({}), surface.field->value({1, 2, -3}));
     };
@@ -242,9 +250,8 @@ class FieldOfSurfaces final : public FluidField {
 }  // namespace
 
 std::unique_ptr<const FluidField> fieldIn(const FluidField& field, const Box<double>& box) {
-  constexpr std::size_t kMost = 4000;
-  const auto surfaces = field.surfacesIn(box, kMost);
-  if (surfaces.empty() || surfaces.size() > kMost) return nullptr;
+  const auto surfaces = field.surfacesIn(box, kMostInTile);
+  if (surfaces.empty() || surfaces.size() > kMostInTile) return nullptr;
   return std::make_unique<const FieldOfSurfaces>(field);
 }
 
