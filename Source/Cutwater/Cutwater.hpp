@@ -43,6 +43,7 @@
 #include <Cutwater/Grid/Tag.hpp>
 #include <Cutwater/Grid/UnresolvedFeatures.hpp>
 #include <Cutwater/Io/PointData.hpp>
+#include <Cutwater/Io/PolyMesh.hpp>
 #include <Cutwater/Io/Tables.hpp>
 #include <Cutwater/Io/VtkFiles.hpp>
 #include <Cutwater/Io/VtpSurface.hpp>
@@ -67,6 +68,7 @@
 #include <Cutwater/Operations/GradedValue.hpp>
 #include <Cutwater/Operations/Smoothing.hpp>
 #include <Cutwater/Operations/UnaryOperation.hpp>
+#include <Cutwater/Polyhedra/FluidMesh.hpp>
 #include <Cutwater/Sdf/BoxQuery.hpp>
 #include <Cutwater/Sdf/FluidSide.hpp>
 #include <Cutwater/Sdf/FunctionSDF.hpp>

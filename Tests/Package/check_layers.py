@@ -26,7 +26,8 @@ MAY_INCLUDE = {
     "Tpms": "Core Simd Sdf Shapes Operations",
     "Grid": "Core Sdf Surface",
     "CutCells": "Core Text Bvh Sdf Shapes Operations Triangles Surface Mesh Grid",
-    "Io": "Core Text Surface Lattice Grid CutCells",
+    "Polyhedra": "Core Triangles Surface Grid CutCells",
+    "Io": "Core Text Surface Lattice Grid CutCells Polyhedra",
     "Adapters": "Core Sdf Grid",
     "Render": "Core Bvh Sdf Operations Grid CutCells",
     "Scene": "Core Text Sdf Shapes Operations Surface Mesh Lattice Tpms Io",
@@ -39,7 +40,7 @@ GPL = {"Repair", "P4est"}
 # an installed one includes it.
 INTERNAL_LAYERS = {"Text", "Simd", "Triangles"}
 INTERNAL_FOLDERS = {"Detail", "Formats"}
-MOST_INSTALLED = 149
+MOST_INSTALLED = 151
 
 # GPL code is for those; streams depend on the locale.
 FORBIDDEN = re.compile(r"CGAL/|p4est|p8est|gmp|mpfr|iostream|sstream")

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Cutwater/Core/FunctionRef.hpp>
+#include <Cutwater/Polyhedra/Detail/SimpleLoops.hpp>
+
+#include <vector>
+
+namespace cutwater {
+
+/// Joins polygons that share edges to faces as large as can be whose rims are one loop without a
+/// corner twice: one, if the polygons together have such a rim. Each of them must have no corner
+/// twice. `mayJoin(polygon, other)`: whether two that share an edge may be in one face.
+/// @returns the rims.
+[[nodiscard]] std::vector<CornerLoop> joinedPolygons(
+    const std::vector<CornerLoop>& polygons,
+    FunctionRef<bool(std::size_t polygon, std::size_t other)> mayJoin);
+
+}  // namespace cutwater

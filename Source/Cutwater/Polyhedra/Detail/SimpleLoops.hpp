@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Cutwater/Core/Vec3.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cutwater {
+
+/// Corners of a face in order, by their numbers.
+using CornerLoop = std::vector<std::uint32_t>;
+
+/// Leaves out corners that follow themselves, and edges there and back with nothing between. Fewer
+/// than three corners are none.
+void clean(CornerLoop& loop);
+
+/// Divides an outline in a plane across an axis, counterclockwise as seen against it, into loops
+/// that have no corner twice. Outlines have where parts of one touch each other in a point, and
+/// where a hole in them was cut open by an edge there and back: then another cut to the hole makes
+/// two loops of it. Appends to `loops`.
+void divideIntoLoops(CornerLoop outline, std::span<const Vec3<double>> points, int axis,
+                     std::vector<CornerLoop>& loops);
+
+}  // namespace cutwater

@@ -1,0 +1,256 @@
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/CutCells/CutRegions.hpp>
+#include <Cutwater/CutCells/Detail/Leaves/LeafGrid.hpp>
+#include <Cutwater/Grid/OctreeNodes.hpp>
+#include <Cutwater/Polyhedra/Detail/DividedCells.hpp>
+#include <Cutwater/Polyhedra/Detail/EdgeMeetings.hpp>
+#include <Cutwater/Polyhedra/Detail/FaceQuality.hpp>
+#include <Cutwater/Polyhedra/Detail/FaceRows.hpp>
+#include <Cutwater/Polyhedra/Detail/FluidCells.hpp>
+#include <Cutwater/Polyhedra/Detail/JoinedPolygons.hpp>
+#include <Cutwater/Polyhedra/Detail/KeptRegions.hpp>
+#include <Cutwater/Polyhedra/Detail/PointNumbers.hpp>
+#include <Cutwater/Polyhedra/Detail/SimpleLoops.hpp>
+#include <Cutwater/Polyhedra/FluidMesh.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace cutwater {
+
+namespace {
+
+constexpr auto kNone = FluidCells::kNone;
+constexpr std::array<const char*, 6> kSides{"xMin", "xMax", "yMin", "yMax", "zMin", "zMax"};
+
+/// OpenFOAM, and most others, count by 31 bits.
+void requireLabel(std::size_t count, const char* what) {
+  if (count <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) return;
+  throw Error(ErrorKind::Limit, std::string("fluidMesh: too many ") + what);
+}
+
+/// Builds a FluidMesh.
+template <std::floating_point T>
+class MeshOfFluid {
+ public:
+  MeshOfFluid(const CutLeaves& leaves, const OctreeCells<T>& mesh, const FluidMeshOptions& options)
+      : leaves_(leaves),
+        grid_(mesh, CutFrame{}),
+        nodes_(mesh, {.threads = options.threads}),
+        options_(options),
+        regions_(leaves, mesh, grid_, options),
+        cells_(leaves, grid_, regions_, options.smallest),
+        numberOfNode_(nodes_.count(), kNone) {}
+
+  FluidMesh made() {
+    addArcs();
+    addWalls();
+    addWholeFaces();
+    FluidMesh result;
+    result.cells = cells_.rows();
+    result.joinedPieces = cells_.joinedPieces();
+    result.regions = regions_.volumes();
+    result.lostRegions = regions_.lostCount();
+    result.lostVolume = regions_.lostVolume();
+    result.patches = patches();
+    result.faces = faces_.inOrder(result.cells.leaf.size(), points_.points(), result.patches);
+    std::erase_if(result.patches, [](const auto& patch) { return patch.faceCount == 0; });
+    result.points = std::move(points_).take();
+    meetEdgeByEdge(result);
+    result = withDividedCells(std::move(result));
+    dropUnused(result);
+    requireLabel(result.faces.count(), "faces");
+    requireLabel(result.points.size(), "points");
+    return result;
+  }
+
+ private:
+  [[nodiscard]] std::vector<FluidMesh::Patch> patches() const {
+    std::vector<FluidMesh::Patch> result;
+    for (const auto& name : leaves_.patchNames) result.push_back({.name = name});
+    for (const auto patch : leaves_.openArcs.patch) {
+      result[patch].kind = FluidMesh::PatchKind::Open;
+    }
+    for (const auto* side : kSides) {
+      result.push_back({.name = side, .kind = FluidMesh::PatchKind::Side});
+    }
+    return result;
+  }
+  [[nodiscard]] std::uint32_t patchOfSide(int axis, bool isHigh) const {
+    return static_cast<std::uint32_t>(leaves_.patchNames.size() + asIndex(2 * axis) +
+                                      (isHigh ? 1U : 0U));
+  }
+
+  CornerLoop numbered(std::span<const Vec3<double>> polygon) {
+    CornerLoop loop;
+    for (const auto& point : polygon) loop.push_back(points_.of(point));
+    return loop;
+  }
+
+  void addArcs() {
+    const auto& arcs = leaves_.arcs;
+    std::vector<CornerLoop> loops;
+    std::size_t open = 0;
+    for (std::uint32_t arc = 0; arc < arcs.area.size(); ++arc) {
+      const auto below = cells_.beside(arcs.below[arc], arcs.leafBelow[arc]);
+      const auto above = cells_.beside(arcs.above[arc], arcs.leafAbove[arc]);
+      const bool isOpen = open < leaves_.openArcs.arc.size() && leaves_.openArcs.arc[open] == arc;
+      const int axis = arcs.axis[arc];
+      const auto patch = isOpen ? leaves_.openArcs.patch[open] : patchOfSide(axis, above == kNone);
+      open += isOpen ? 1 : 0;
+      if (below == above) continue;  // joined, or left out
+      if (!isOpen && below == kNone) requireSide(arcs.leafAbove[arc], axis, false);
+      if (!isOpen && above == kNone) requireSide(arcs.leafBelow[arc], axis, true);
+      loops.clear();
+      divideIntoLoops(numbered(leaves_.arcPolygons.of(arc)), points_.points(), axis, loops);
+      for (auto& loop : loops) {
+        if (below == kNone) std::ranges::reverse(loop);
+        faces_.add(loop, below == kNone ? above : below, below == kNone ? kNone : above, patch);
+      }
+    }
+  }
+
+  /// What a patch has of the wall of a cell, of all pieces that were joined in it.
+  void addWalls() {
+    const auto& parts = leaves_.wallParts;
+    const auto keyOf = [&](std::uint32_t part) {
+      return std::pair(cells_.ofPiece(parts.piece[part]), parts.patch[part]);
+    };
+    std::vector<std::uint32_t> order(parts.piece.size());
+    std::iota(order.begin(), order.end(), std::uint32_t{0});
+    std::ranges::stable_sort(order, {}, keyOf);
+    std::vector<CornerLoop> polygons;
+    for (std::size_t n = 0; n < order.size(); ++n) {
+      const auto key = keyOf(order[n]);
+      if (key.first == kNone) break;
+      addPolygons(order[n], polygons);
+      if (n + 1 < order.size() && keyOf(order[n + 1]) == key) continue;
+      for (const auto& loop : wallFaces(polygons)) faces_.add(loop, key.first, kNone, key.second);
+      polygons.clear();
+    }
+  }
+  void addPolygons(std::uint32_t part, std::vector<CornerLoop>& polygons) {
+    for (auto n = leaves_.firstWallPolygon[part]; n < leaves_.firstWallPolygon[part + 1]; ++n) {
+      auto loop = numbered(leaves_.wallPolygons.of(n));
+      std::ranges::reverse(loop);  // out of the fluid
+      clean(loop);
+      if (!loop.empty()) polygons.push_back(std::move(loop));
+    }
+  }
+  [[nodiscard]] std::vector<CornerLoop> wallFaces(const std::vector<CornerLoop>& polygons) const {
+    const auto mayJoin = [&](std::size_t, std::size_t other) {
+      return !options_.wallPolygons || isWithoutArea(polygons[other]);
+    };
+    return joinedPolygons(polygons, mayJoin);
+  }
+  [[nodiscard]] bool isWithoutArea(const CornerLoop& polygon) const {
+    constexpr double kNothing = 1e-14;  // of the square of its extent
+    const auto& points = points_.points();
+    const auto at = [&](std::uint32_t n) { return points[n]; };
+    double extent = 0;
+    for (const auto corner : polygon) {
+      extent = std::max(extent, lengthSquared(at(corner) - at(polygon.front())));
+    }
+    return length(faceMoments(polygon, at).area) <= kNothing * extent;
+  }
+
+  /// Those between leaves that are all fluid, from the finer one, and in the sides of the domain.
+  void addWholeFaces() {
+    std::array<typename OctreeNodes<T>::Corners, 64> corners;
+    for (std::uint32_t leaf = 0; leaf < leaves_.classes.size(); ++leaf) {
+      const auto inBatch = leaf % corners.size();
+      if (inBatch == 0) {
+        const auto count = std::min(corners.size(), leaves_.classes.size() - leaf);
+        nodes_.corners(leaf, std::span(corners).first(count));
+      }
+      const auto cell = cells_.ofLeaf(leaf);
+      if (cell == kNone) continue;
+      for (int face = 0; face < 6; ++face) addWholeFace(leaf, face, corners[inBatch], cell);
+    }
+  }
+  void addWholeFace(std::uint32_t leaf, int face, const typename OctreeNodes<T>::Corners& corners,
+                    std::uint32_t cell) {
+    const int axis = face / 2;
+    const bool isHigh = face % 2 == 1;
+    const auto [what, other] = grid_.across(leaf, axis, isHigh);
+    if (what == LeafGrid::Across::Finer) return;
+    if (what == LeafGrid::Across::Same && isHigh) return;  // that leaf's low face
+    std::uint32_t cellThere = kNone;
+    if (what == LeafGrid::Across::Nothing) {
+      requireSide(leaf, axis, isHigh);
+    } else {
+      cellThere = cells_.ofLeaf(other);
+      if (cellThere == kNone || cellThere == cell) return;  // an arc, or joined
+    }
+    const auto first = std::size_t{1} << asIndex((axis + 1) % 3);
+    const auto second = std::size_t{1} << asIndex((axis + 2) % 3);
+    const auto low = isHigh ? std::size_t{1} << asIndex(axis) : 0;
+    std::array<std::uint32_t, 4> loop{};  // counterclockwise as seen against the axis
+    std::ranges::transform(std::array{low, low + first, low + first + second, low + second},
+                           loop.begin(), [&](auto corner) { return ofNode(corners[corner]); });
+    if (!isHigh) std::ranges::reverse(loop);
+    faces_.add(loop, cell, cellThere, patchOfSide(axis, isHigh));
+  }
+  void requireSide(std::uint32_t leaf, int axis, bool isHigh) const {
+    const auto& [index, level, kind] = grid_.leaves()[leaf];
+    require(along(index, axis) == (isHigh ? grid_.cells(level, axis) - 1 : 0),
+            "fluidMesh: need an octree that fills its domain", Named{"leaf", leaf});
+  }
+  std::uint32_t ofNode(std::uint64_t node) {
+    auto& number = numberOfNode_[node];
+    if (number != kNone) return number;
+    const auto index = nodes_.index(node);
+    Vec3<double> point;
+    for (int axis = 0; axis < 3; ++axis) {
+      point[axis] = grid_.plane(grid_.deepest(), axis, along(index, axis));
+    }
+    number = points_.of(point);
+    return number;
+  }
+
+  /// Numbers points in the order of faces; those that no face has are left out.
+  static void dropUnused(FluidMesh& mesh) {
+    std::vector<std::uint32_t> number(mesh.points.size(), kNone);
+    std::vector<Vec3<double>> kept;
+    kept.reserve(mesh.points.size());
+    for (auto& corner : mesh.faces.corners) {
+      if (number[corner] == kNone) {
+        number[corner] = static_cast<std::uint32_t>(kept.size());
+        kept.push_back(mesh.points[corner]);
+      }
+      corner = number[corner];
+    }
+    mesh.points = std::move(kept);
+  }
+
+  const CutLeaves& leaves_;
+  LeafGrid grid_;
+  OctreeNodes<T> nodes_;
+  const FluidMeshOptions& options_;
+  KeptRegions regions_;
+  FluidCells cells_;
+  std::vector<std::uint32_t> numberOfNode_;
+  PointNumbers points_;
+  FaceRows faces_;
+};
+
+}  // namespace
+
+template <std::floating_point T>
+FluidMesh fluidMesh(const CutLeaves& leaves, const OctreeCells<T>& mesh,
+                    const FluidMeshOptions& options) {
+  require(leaves.classes.size() == mesh.cells().size(), "fluidMesh: need the mesh of these leaves",
+          Named{"leaves", leaves.classes.size()}, Named{"cells", mesh.cells().size()});
+  require(options.smallest >= 0 && options.smallest <= 1,
+          "fluidMesh: need a smallest share from 0 to 1", Named{"smallest", options.smallest});
+  require(leaves.pieces.volume.empty() || !leaves.firstWallPolygon.empty(),
+          "fluidMesh: need leaves that were cut with their polygons");
+  return MeshOfFluid(leaves, mesh, options).made();
+}
+
+template FluidMesh fluidMesh(const CutLeaves&, const OctreeCells<float>&, const FluidMeshOptions&);
+template FluidMesh fluidMesh(const CutLeaves&, const OctreeCells<double>&, const FluidMeshOptions&);
+
+}  // namespace cutwater

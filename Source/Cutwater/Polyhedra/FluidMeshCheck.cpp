@@ -1,0 +1,102 @@
+#include <Cutwater/Polyhedra/Detail/CellFaces.hpp>
+#include <Cutwater/Polyhedra/Detail/FaceQuality.hpp>
+#include <Cutwater/Polyhedra/FluidMesh.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+// check() of FluidMesh.
+
+namespace cutwater {
+
+namespace {
+
+bool hasRepeatedCorner(std::span<const std::uint32_t> face) {
+  std::vector<std::uint32_t> sorted(face.begin(), face.end());
+  std::ranges::sort(sorted);
+  return sorted.size() < 3 || std::ranges::adjacent_find(sorted) != sorted.end();
+}
+
+void checkOrder(const FluidMesh::Faces& faces, FluidMeshReport& report) {
+  for (std::size_t n = 0; n < faces.neighbour.size(); ++n) {
+    const bool isInPlace = faces.owner[n] < faces.neighbour[n] &&
+                           (n == 0 || std::tie(faces.owner[n - 1], faces.neighbour[n - 1]) <=
+                                          std::tie(faces.owner[n], faces.neighbour[n]));
+    if (!isInPlace) ++report.disordered;
+  }
+}
+
+double inDegrees(double cosine) {
+  return std::acos(cosine) * 180 / std::numbers::pi;
+}
+
+void checkFaces(const FluidMesh& mesh, const FaceQuality& quality, FluidMeshReport& report) {
+  constexpr double kMostSkew = 4;
+  constexpr double kMostDegrees = 70;
+  const auto& faces = mesh.faces;
+  double cosines = 0;
+  for (std::size_t face = 0; face < faces.count(); ++face) {
+    if (hasRepeatedCorner(faces.of(face))) ++report.repeatedCorners;
+    const double skewness = quality.skewness(face);
+    report.worstSkewness = std::max(report.worstSkewness, skewness);
+    if (skewness > kMostSkew) ++report.skewFaces;
+    if (!(quality.pyramid(face, faces.owner[face]) > 0)) ++report.invertedFaces;
+    if (face >= faces.neighbour.size()) continue;
+    if (!(quality.pyramid(face, faces.neighbour[face]) > 0)) ++report.invertedFaces;
+    const double cosine = std::clamp(quality.orthogonality(face), -1.0, 1.0);
+    const double angle = inDegrees(cosine);
+    cosines += cosine;
+    report.worstNonOrthogonality = std::max(report.worstNonOrthogonality, angle);
+    if (angle > kMostDegrees) ++report.nonOrthogonalFaces;
+  }
+  if (!faces.neighbour.empty()) {
+    report.meanNonOrthogonality = inDegrees(cosines / static_cast<double>(faces.neighbour.size()));
+  }
+}
+
+/// The larger of two: the extents of a cell as seen along the axes, and its surface beside that of
+/// a cube of its volume.
+double aspectRatio(const Vec3<double>& seen, double volume) {
+  const double least = std::min({seen.x, seen.y, seen.z});
+  const double most = std::max({seen.x, seen.y, seen.z});
+  const double surface = (seen.x + seen.y + seen.z) / 6 / std::pow(volume, 2.0 / 3);
+  return std::max(most / least, surface);
+}
+
+void checkCells(const FluidMesh& mesh, const FaceQuality& quality, FluidMeshReport& report) {
+  const CellFaces cells(mesh);
+  CellEdges edges;
+  for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
+    report.fluidVolume += mesh.cells.volume[cell];
+    report.meshVolume += quality.volume(cell);
+    if (!(quality.volume(cell) > 0)) ++report.invertedCells;
+    if (!edges.openOf(cells, cell).empty()) ++report.openCells;
+    Vec3<double> sum;
+    Vec3<double> seen;
+    double surface = 0;
+    for (const auto face : cells.of(cell)) {
+      const auto& area = quality.area(face);
+      sum += mesh.faces.owner[face] == cell ? area : -area;
+      seen += abs(area);
+      surface += length(area);
+    }
+    report.worstClosure = std::max(report.worstClosure, length(sum) / surface);
+    report.worstAspectRatio =
+        std::max(report.worstAspectRatio, aspectRatio(seen, quality.volume(cell)));
+  }
+}
+
+}  // namespace
+
+FluidMeshReport check(const FluidMesh& mesh) {
+  FluidMeshReport report;
+  const FaceQuality quality(mesh);
+  checkOrder(mesh.faces, report);
+  checkFaces(mesh, quality, report);
+  checkCells(mesh, quality, report);
+  return report;
+}
+
+}  // namespace cutwater
