@@ -3,8 +3,6 @@
 #include <Cutwater/Io/PolyMesh.hpp>
 #include <Cutwater/Text/Output.hpp>
 
-#include <algorithm>
-#include <array>
 #include <set>
 #include <string_view>
 #include <system_error>

@@ -35,7 +35,6 @@ class EditedMesh {
 
   [[nodiscard]] const FluidMesh& mesh() const { return mesh_; }
   [[nodiscard]] const std::vector<Vec3<double>>& points() const { return mesh_.points; }
-  [[nodiscard]] bool isChanged() const { return !faces_.empty(); }
 
   /// The faces of a cell, by their numbers, and one of them.
   [[nodiscard]] const std::vector<std::uint32_t>& facesOf(std::uint32_t cell);

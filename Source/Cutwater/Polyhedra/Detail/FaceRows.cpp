@@ -37,15 +37,6 @@ void FaceRows::add(std::span<const std::uint32_t> corners, std::uint32_t cell, s
   isInner_.push_back(isInner ? 1 : 0);
 }
 
-void FaceRows::append(const FaceRows& rows) {
-  const auto offset = corners_.size();
-  corners_.insert(corners_.end(), rows.corners_.begin(), rows.corners_.end());
-  for (std::size_t n = 1; n < rows.first_.size(); ++n) first_.push_back(offset + rows.first_[n]);
-  owner_.insert(owner_.end(), rows.owner_.begin(), rows.owner_.end());
-  other_.insert(other_.end(), rows.other_.begin(), rows.other_.end());
-  isInner_.insert(isInner_.end(), rows.isInner_.begin(), rows.isInner_.end());
-}
-
 FluidMesh::Faces FaceRows::inOrder(std::size_t cells, std::span<const Vec3<double>> points,
                                    std::vector<FluidMesh::Patch>& patches) const {
   std::vector<std::uint32_t> inner;

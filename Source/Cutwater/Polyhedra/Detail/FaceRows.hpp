@@ -18,8 +18,6 @@ class FaceRows {
   /// there; kNone: it is in a patch.
   void add(std::span<const std::uint32_t> corners, std::uint32_t cell, std::uint32_t other,
            std::uint32_t patch);
-  /// Appends all of another list.
-  void append(const FaceRows& rows);
 
   /// The faces in order. Those between the same two cells that lie in one plane across an axis, as
   /// where a piece was joined to another one, are one face if they have one rim.
