@@ -10,6 +10,7 @@
 #include <Cutwater/Shapes/InfiniteCylinder.hpp>
 #include <Cutwater/Shapes/Polygon.hpp>
 #include <Cutwater/Shapes/Revolution.hpp>
+#include <Cutwater/Shapes/RoundedBox.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
 #include <algorithm>
@@ -227,6 +228,19 @@ TEST(SolidEdgesTest, CellsAmongEndlessCopiesAreCut) {
   for (std::uint32_t row = 0; row < 8; ++row) {
     EXPECT_NEAR(cells.volumeFraction(cells.cells.firstPiece[row]), fluid, 1e-3);
   }
+}
+
+/// An elongated block, whose gradient along an axis is zero in the gap, reaches into a cell from one
+/// side. Beside another body its surface is one of several.
+TEST(SolidEdgesTest, ASurfaceThatNoCornerSuspectsIsCut) {
+  const auto block = elongated(RoundedBox<double>({0.25, 0.12, 0.35}, {1.2, 0.5, 1.45}, 0.05),
+                               Vec3<double>{0.46, 0.01, 0.4});
+  const GridPatch<double> cell{Level<double>({0, 0, 0}, {1.2, 1.2, 1.2}), IndexBox::ofSize(1, 1, 1)};
+  const auto alone = SolidCutter(block).cut(cell);
+  const auto beside = SolidCutter(block | Sphere<double>({30, 0, 0}, 1)).cut(cell);
+  ASSERT_EQ(alone.cellCount, 1U);
+  ASSERT_EQ(beside.cellCount, 1U);
+  EXPECT_NEAR(beside.volumeFraction(0), alone.volumeFraction(0), 1e-5);
 }
 
 /// A difference within a union: whether its planes are near must not depend on the tile.

@@ -28,15 +28,16 @@ SurfaceSweep::SurfaceSweep(const FluidField& field, std::span<const GaussPoint> 
   chooseAxes();
 }
 
-/// Samples a surface near the corners and the middle of the box. One that the corners show to be
-/// elsewhere is left out, as is a plane that a rectangle lies in.
+/// Samples a surface near the corners and the middle of the box. One that none of these meets on the
+/// way to it, and that has the corners on one side, is left out, as is a plane that a rectangle lies
+/// in.
 void SurfaceSweep::see(const FluidField& surface) {
   Seen seen{.field = &surface};
   std::array<double, kSamples> values{};
   for (int i = 0; i < 8; ++i) seen.points[static_cast<std::size_t>(i)] = box_.corner(i);
   seen.points.back() = box_.center();
   surface.values(seen.points, values);
-  sample(values, seen);
+  const bool isMet = sample(values, seen);
   bool isSteady = true;
   double best = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -59,7 +60,7 @@ void SurfaceSweep::see(const FluidField& surface) {
   const auto isAbove = [](double value) { return value > 0; };
   const auto isBelow = [](double value) { return value < 0; };
   const bool isElsewhere =
-      std::ranges::all_of(values, isAbove) || std::ranges::all_of(values, isBelow);
+      !isMet && (std::ranges::all_of(values, isAbove) || std::ranges::all_of(values, isBelow));
   const bool isParallel = surface.facts().isFlat && seen.normals[0] == Vec3<double>{};
   if (!(isSteady && (isElsewhere || isParallel))) seen_.push_back(seen);
 }
@@ -91,10 +92,12 @@ Vec3<double> SurfaceSweep::slopeOf(const FluidField& surface, const Vec3<double>
   return slope;
 }
 
-void SurfaceSweep::sample(std::span<const double> values, Seen& seen) const {
+/// Returns whether a way from a sample to a curved surface ends on it, within the box.
+bool SurfaceSweep::sample(std::span<const double> values, Seen& seen) const {
   if (seen.field->facts().isFlat) {
     seen.normals.fill(normalized(slopeOf(*seen.field, seen.points[0])));
-    return seen.isOnIt.fill(true);
+    seen.isOnIt.fill(true);
+    return false;
   }
   for (std::size_t i = 0; i < kSamples; ++i) {
     auto& point = seen.points[i];
@@ -103,7 +106,9 @@ void SurfaceSweep::sample(std::span<const double> values, Seen& seen) const {
     seen.normals[i] = normalized(slopeOf(*seen.field, point));
     seen.isOnIt[i] = std::abs(value) <= kOnIt * box_.diagonal();
   }
-  if (std::ranges::count(seen.isOnIt, true) < kFew) seen.isOnIt.fill(true);
+  const auto count = std::ranges::count(seen.isOnIt, true);
+  if (count < kFew) seen.isOnIt.fill(true);
+  return count > 0;
 }
 
 /// Whether two surfaces may begin or end to meet at a slice: their tangents in it are parallel

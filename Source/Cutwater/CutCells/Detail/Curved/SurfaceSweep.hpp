@@ -63,7 +63,7 @@ class SurfaceSweep {
   };
 
   void see(const FluidField& surface);
-  void sample(std::span<const double> values, Seen& seen) const;
+  bool sample(std::span<const double> values, Seen& seen) const;
   void draw(Vec3<double>& point, double& value, const FluidField& surface) const;
   [[nodiscard]] Vec3<double> slopeOf(const FluidField& surface, const Vec3<double>& point) const;
   void chooseAxes();
