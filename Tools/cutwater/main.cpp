@@ -20,6 +20,7 @@ int run(int argc, const char* const* argv) {
       "  cutwater query hull.stl points.csv -o distances.csv\n"
       "  cutwater amr hull.stl --level 6 -o hull.vtu\n"
       "  cutwater cells hull.stl --cells 128 -o cells.vtu\n"
+      "  cutwater mesh case/ hull.stl --level 5\n"
       "  cutwater slice hull.stl --axis y -o hull.png\n"
       "  cutwater render hull.stl --view iso -o hull.png\n"
       "  cutwater render exchanger.toml -o exchanger.png\n"
@@ -33,6 +34,7 @@ int run(int argc, const char* const* argv) {
   addQuery(program);
   addAmr(program);
   addCells(program);
+  addMesh(program);
   addSlice(program);
   addRender(program);
   addIsosurface(program);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "Commands/Commands.hpp"
+#include "Options/CutOctree.hpp"
 #include "Options/Cutter.hpp"
 #include "Options/CuttingCost.hpp"
 #include "Options/CuttingOptions.hpp"
@@ -41,11 +42,8 @@ struct CellsSettings {
   [[nodiscard]] bool hasPolygons() const { return !output.empty(); }
 };
 
-/// Memory in bytes, as measured, beside what bytesToCut() says.
-struct CellBytes {
-  static constexpr double kWhole = 250;
-  static constexpr double kLeaf = OctreeEstimate::kBytesPerCell + 30;
-};
+/// Memory of a whole cell that is written, in bytes, as measured.
+constexpr double kBytesOfWhole = 250;
 
 /// Cuts, and takes the time.
 template <typename Mesh>
@@ -77,7 +75,7 @@ void requireRoom(const CellsSettings& options, const Cutter& cutter, const Place
   const double whole = options.wholeCells ? static_cast<double>(grid.indices.count()) : 0;
   Expected expected{.what = "cells", .items = expectedCut + whole};
   expected.bytes =
-      bytesToCut(expectedCut, placed.triangles, options.hasPolygons()) + CellBytes::kWhole * whole;
+      bytesToCut(expectedCut, placed.triangles, options.hasPolygons()) + kBytesOfWhole * whole;
   expected.seconds = secondsToCut(expectedCut, [&](int halvings) {
     CutCount count;
     const auto larger = ofLargerCells(grid, halvings);
@@ -91,49 +89,6 @@ void requireRoom(const CellsSettings& options, const Cutter& cutter, const Place
     return options.cutting.hasPeriod() ? numberThatFits(grid, 1.02 * factor)
                                        : sizeThatFits(grid, factor);
   });
-}
-
-/// The leaves of an octree that the surface cuts.
-double expectedLeaves(int level, const PlacedSurface& placed, const OctreeDomain<double>& domain,
-                      const OctreeEstimate& mesh) {
-  const auto sizeOf = [&](int l) {
-    return std::ldexp(domain.spacing(), -l) * Vec3<double>{1, 1, 1};
-  };
-  // A leaf that is divided further makes four of it, along a sheet.
-  double cut = placed.expectedCells(sizeOf(level));
-  for (int finer = level; finer < mesh.deepest(); ++finer) cut += 3 * mesh.divided(finer);
-  return std::min({cut, placed.expectedCells(sizeOf(mesh.deepest())), mesh.cells()});
-}
-
-/// The octree that the options describe.
-/// @throws Error(Limit) if there is no room for it, or for its leaves once they are cut.
-Octree<double> octreeAround(const CellsSettings& options, const Solid<double>& solid,
-                            const Cutter& cutter, const PlacedSurface& placed) {
-  auto wanted = options.octree;
-  wanted.roots.box = options.grid.box;
-  wanted.roots.margin = options.grid.margin;
-  wanted.limits = options.limits;
-  const auto domain = domainAround(boxAround(solid), wanted);
-  const auto rules = rulesFor(wanted.refinement, solid.patchNames());
-  OctreeOptions mesh{.balance = wanted.balance, .threads = options.surface.threads};
-  const auto estimated = estimate(solid, domain, rules, mesh);
-  const double leaves = expectedLeaves(rules.cut, placed, domain, estimated);
-  const double bytes =
-      CellBytes::kLeaf + (options.wholeCells ? CellBytes::kWhole : 0) +
-      bytesToCut(leaves, placed.triangles, options.hasPolygons()) / estimated.cells();
-  const double seconds = secondsToCut(leaves, [&](int halvings) {
-    CutCount count;
-    const Octree<double> coarser(solid, domain, {.cut = std::max(0, rules.cut - halvings)}, mesh);
-    const auto found = cut(options, cutter, coarser, false, count.seconds);
-    count.cells = static_cast<double>(found.cut.leaf.size());
-    return count;
-  });
-  requireRoom(wanted, estimated, bytes, std::max(0.0, seconds) / estimated.cells(),
-              !options.surface.quiet);
-  mesh.maxCells = static_cast<std::size_t>(mostCells(wanted, bytes));
-  ProgressBar bar("meshing", !options.surface.quiet);
-  mesh.progress = bar.callback();
-  return Octree<double>(solid, domain, rules, mesh);
 }
 
 void writeJson(const std::string& path, const std::string& text) {
@@ -206,17 +161,6 @@ void cutOctree(const CellsSettings& options, const Octree<double>& mesh, const C
              extent(mesh.domain().level(mesh.deepest()).spacing()));
 }
 
-/// For coarser cells, by which time is estimated: these have not all planes of open patches, and do
-/// not fit a period.
-Cutter trialCutter(const CuttingOptions& options, const Cutter& cutter,
-                   const Solid<double>& solid) {
-  if (options.cutter.openPatches.empty() && !options.hasPeriod()) return cutter;
-  auto simple = options;
-  simple.cutter.openPatches.clear();
-  simple.cutter.period = {};
-  return {solid, simple};
-}
-
 void run(const CellsSettings& options, bool onOctree) {
   if (options.wholeCells && options.output.empty()) {
     throw Error(ErrorKind::Argument, "--whole-cells is for the file of -o");
@@ -224,12 +168,21 @@ void run(const CellsSettings& options, bool onOctree) {
   if (onOctree) refuseOnOctrees(options.cutting);
   const auto solid = loadSolid(options.surface);
   const Cutter cutter(solid, options.cutting);
-  const auto trial = trialCutter(options.cutting, cutter, solid);
+  const auto trial = cutter.trial(solid, options.cutting);
   if (onOctree) {
     const auto within = options.grid.box.value_or(boxAround(solid));
     const PlacedSurface placed(solid, within, options.cutting.cutter);
+    auto mesh = options.octree;
+    mesh.roots.box = options.grid.box;
+    mesh.roots.margin = options.grid.margin;
+    mesh.limits = options.limits;
+    const CutOctree wanted{.mesh = mesh,
+                           .polygons = options.hasPolygons(),
+                           .bytesPerLeaf = options.wholeCells ? kBytesOfWhole : 0,
+                           .threads = options.surface.threads,
+                           .quiet = options.surface.quiet};
     namingMemory("out of memory; use a lower --level", [&] {
-      cutOctree(options, octreeAround(options, solid, trial, placed), cutter, placed);
+      cutOctree(options, octreeToCut(wanted, solid, trial, placed), cutter, placed);
     });
     return;
   }

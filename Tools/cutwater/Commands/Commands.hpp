@@ -11,6 +11,7 @@ void addSample(Program& program);
 void addQuery(Program& program);
 void addAmr(Program& program);
 void addCells(Program& program);
+void addMesh(Program& program);
 void addSlice(Program& program);
 void addRender(Program& program);
 void addIsosurface(Program& program);

@@ -35,4 +35,12 @@ std::variant<CellCutter, SolidCutter> cutterOf(const Solid<double>& solid,
 Cutter::Cutter(const Solid<double>& solid, const CuttingOptions& options)
     : cutter_(cutterOf(solid, options)) {}
 
+Cutter Cutter::trial(const Solid<double>& solid, const CuttingOptions& options) const {
+  if (options.cutter.openPatches.empty() && !options.hasPeriod()) return *this;
+  auto simple = options;
+  simple.cutter.openPatches.clear();
+  simple.cutter.period = {};
+  return {solid, simple};
+}
+
 }  // namespace cutwater::tool

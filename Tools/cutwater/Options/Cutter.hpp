@@ -23,6 +23,10 @@ class Cutter {
     return std::visit([&](const auto& cutter) { return cutter.cut(mesh, options); }, cutter_);
   }
 
+  /// One for coarser cells, by which time is estimated: these have not all planes of open patches,
+  /// and do not fit a period.
+  [[nodiscard]] Cutter trial(const Solid<double>& solid, const CuttingOptions& options) const;
+
  private:
   std::variant<CellCutter, SolidCutter> cutter_;
 };
