@@ -230,12 +230,13 @@ TEST(SolidEdgesTest, CellsAmongEndlessCopiesAreCut) {
   }
 }
 
-/// An elongated block, whose gradient along an axis is zero in the gap, reaches into a cell from one
-/// side. Beside another body its surface is one of several.
+/// An elongated block, whose gradient along an axis is zero in the gap, reaches into a cell from
+/// one side. Beside another body its surface is one of several.
 TEST(SolidEdgesTest, ASurfaceThatNoCornerSuspectsIsCut) {
   const auto block = elongated(RoundedBox<double>({0.25, 0.12, 0.35}, {1.2, 0.5, 1.45}, 0.05),
                                Vec3<double>{0.46, 0.01, 0.4});
-  const GridPatch<double> cell{Level<double>({0, 0, 0}, {1.2, 1.2, 1.2}), IndexBox::ofSize(1, 1, 1)};
+  const GridPatch<double> cell{Level<double>({0, 0, 0}, {1.2, 1.2, 1.2}),
+                               IndexBox::ofSize(1, 1, 1)};
   const auto alone = SolidCutter(block).cut(cell);
   const auto beside = SolidCutter(block | Sphere<double>({30, 0, 0}, 1)).cut(cell);
   ASSERT_EQ(alone.cellCount, 1U);

@@ -46,8 +46,8 @@ class MeshOfFluid {
 
   FluidMesh made() {
     addArcs();
-    addWalls();
     addWholeFaces();
+    addWalls();
     FluidMesh result;
     result.cells = cells_.rows();
     result.joinedPieces = cells_.joinedPieces();
@@ -127,7 +127,9 @@ class MeshOfFluid {
       if (key.first == kNone) break;
       addPolygons(order[n], polygons);
       if (n + 1 < order.size() && keyOf(order[n + 1]) == key) continue;
-      for (const auto& loop : wallFaces(polygons)) faces_.add(loop, key.first, kNone, key.second);
+      for (const auto& loop : wallFaces(polygons, faces_.countOf(key.first))) {
+        faces_.add(loop, key.first, kNone, key.second);
+      }
       polygons.clear();
     }
   }
@@ -139,11 +141,30 @@ class MeshOfFluid {
       if (!loop.empty()) polygons.push_back(std::move(loop));
     }
   }
-  [[nodiscard]] std::vector<CornerLoop> wallFaces(const std::vector<CornerLoop>& polygons) const {
-    const auto mayJoin = [&](std::size_t, std::size_t other) {
-      return !options_.wallPolygons || isWithoutArea(polygons[other]);
+  /// Of a cell that has so many other faces: no cell has fewer than four, if its wall can have
+  /// more.
+  [[nodiscard]] std::vector<CornerLoop> wallFaces(const std::vector<CornerLoop>& polygons,
+                                                  std::size_t others) const {
+    constexpr std::size_t kFewest = 4;
+    const auto joined = [&](bool all) {
+      auto loops = joinedPolygons(polygons, [&](std::size_t, std::size_t other) {
+        return all || isWithoutArea(polygons[other]);
+      });
+      std::erase_if(loops, [&](const CornerLoop& loop) { return isOnAxis(loop); });
+      return loops;
     };
-    return joinedPolygons(polygons, mayJoin);
+    if (options_.wallPolygons) return joined(false);
+    auto loops = joined(true);
+    return loops.size() + others < kFewest ? joined(false) : loops;
+  }
+  /// Whether a loop lies on a line along an axis, as where a wall touches an edge of a leaf:
+  /// without it, other faces meet along that line, see meetEdgeByEdge().
+  [[nodiscard]] bool isOnAxis(const CornerLoop& loop) const {
+    const auto& points = points_.points();
+    Box<double> bounds;
+    for (const auto corner : loop) bounds.extend(points[corner]);
+    const auto size = bounds.size();
+    return std::min({size.x + size.y, size.y + size.z, size.z + size.x}) == 0;
   }
   [[nodiscard]] bool isWithoutArea(const CornerLoop& polygon) const {
     constexpr double kNothing = 1e-14;  // of the square of its extent

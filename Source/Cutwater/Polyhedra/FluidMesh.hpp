@@ -121,6 +121,8 @@ struct FluidMeshReport {
   std::size_t openCells = 0;        ///< that have an edge along which faces do not meet
   std::size_t repeatedCorners = 0;  ///< faces that have a corner twice, or fewer than three
   std::size_t disordered = 0;       ///< faces not in the order that FluidMesh describes
+  std::size_t flatFaces = 0;        ///< of no area at all
+  std::size_t fewFaces = 0;         ///< cells that have fewer than four
   std::size_t invertedCells = 0;    ///< of no volume, or less
   std::size_t invertedFaces = 0;    ///< pyramids of no volume, or less, over the faces of cells
   std::size_t skewFaces = 0;        ///< of a skewness above 4

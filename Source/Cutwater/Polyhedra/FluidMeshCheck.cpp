@@ -39,6 +39,7 @@ void checkFaces(const FluidMesh& mesh, const FaceQuality& quality, FluidMeshRepo
   double cosines = 0;
   for (std::size_t face = 0; face < faces.count(); ++face) {
     if (hasRepeatedCorner(faces.of(face))) ++report.repeatedCorners;
+    if (quality.area(face) == Vec3<double>{}) ++report.flatFaces;
     const double skewness = quality.skewness(face);
     report.worstSkewness = std::max(report.worstSkewness, skewness);
     if (skewness > kMostSkew) ++report.skewFaces;
@@ -66,6 +67,7 @@ double aspectRatio(const Vec3<double>& seen, double volume) {
 }
 
 void checkCells(const FluidMesh& mesh, const FaceQuality& quality, FluidMeshReport& report) {
+  constexpr std::size_t kFewestFaces = 4;
   const CellFaces cells(mesh);
   CellEdges edges;
   for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {
@@ -73,6 +75,7 @@ void checkCells(const FluidMesh& mesh, const FaceQuality& quality, FluidMeshRepo
     report.meshVolume += quality.volume(cell);
     if (!(quality.volume(cell) > 0)) ++report.invertedCells;
     if (!edges.openOf(cells, cell).empty()) ++report.openCells;
+    if (cells.of(cell).size() < kFewestFaces) ++report.fewFaces;
     Vec3<double> sum;
     Vec3<double> seen;
     double surface = 0;

@@ -32,6 +32,8 @@ std::vector<std::string> complaints(const FluidMeshReport& found) {
   add(found.openCells, "cell", "open along an edge");
   add(found.repeatedCorners, "face", "with a repeated corner");
   add(found.disordered, "face", "out of order");
+  add(found.flatFaces, "face", "of no area");
+  add(found.fewFaces, "cell", "of fewer than four faces");
   add(found.invertedCells, "cell", "of no volume");
   add(found.invertedFaces, "face", "seen from behind");
   add(found.skewFaces, "face", "of skewness above 4");
@@ -61,6 +63,8 @@ std::string FluidMeshTotals::json(const std::string& input, double seconds) cons
               {"openCells", found.openCells},
               {"repeatedCorners", found.repeatedCorners},
               {"disorderedFaces", found.disordered},
+              {"flatFaces", found.flatFaces},
+              {"fewFaces", found.fewFaces},
               {"invertedCells", found.invertedCells},
               {"invertedFaces", found.invertedFaces},
               {"skewFaces", found.skewFaces},

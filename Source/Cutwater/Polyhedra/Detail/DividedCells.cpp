@@ -118,8 +118,10 @@ class CellDivision {
   }
 
   /// Finds the parts that a face's plane makes of the cell. The number of faces seen from behind in
-  /// them; none, if it does not make two that are closed.
+  /// them; none, if it does not make two that are closed. Area vectors of three faces lie in one
+  /// plane, from which no gradient can be made.
   std::optional<std::size_t> invertedIfDividedBy(std::size_t face) {
+    constexpr std::size_t kFewestFaces = 4;
     constexpr double kLeast = 1e-4;  // of the cell's volume
     extra_.clear();
     onEdges_.clear();
@@ -129,6 +131,7 @@ class CellDivision {
     if (!cap) return std::nullopt;
     front_.loops.push_back(*cap);
     behind_.loops.emplace_back(cap->rbegin(), cap->rend());
+    if (std::min(front_.loops.size(), behind_.loops.size()) < kFewestFaces) return std::nullopt;
     if (!openEdges(front_.loops).empty() || !openEdges(behind_.loops).empty()) return std::nullopt;
     const auto front = cellMoments(front_.loops, pointAt());
     const auto behind = cellMoments(behind_.loops, pointAt());

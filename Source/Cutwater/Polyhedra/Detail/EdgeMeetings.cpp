@@ -1,6 +1,7 @@
 #include <Cutwater/CutCells/Detail/Tiles/GridPlanes.hpp>
 #include <Cutwater/Polyhedra/Detail/CellFaces.hpp>
 #include <Cutwater/Polyhedra/Detail/EdgeMeetings.hpp>
+#include <Cutwater/Polyhedra/Detail/SimpleLoops.hpp>
 
 #include <algorithm>
 #include <array>
@@ -60,6 +61,24 @@ class PointsOnAxes {
   std::array<std::vector<std::uint32_t>, 3> lines_;
 };
 
+/// Appends the loops that a closed path consists of, in which no corner comes twice.
+void addSimpleLoops(const CornerLoop& path, std::vector<CornerLoop>& loops) {
+  const auto add = [&](CornerLoop loop) {
+    clean(loop);
+    if (!loop.empty()) loops.push_back(std::move(loop));
+  };
+  CornerLoop open;
+  for (const auto corner : path) {
+    const auto before = std::ranges::find(open, corner);
+    if (before != open.end()) {
+      add({before, open.end()});
+      open.erase(before, open.end());
+    }
+    open.push_back(corner);
+  }
+  add(std::move(open));
+}
+
 }  // namespace
 
 void meetEdgeByEdge(FluidMesh& mesh) {
@@ -78,21 +97,43 @@ void meetEdgeByEdge(FluidMesh& mesh) {
   }
   if (ends.empty()) return;
   const PointsOnAxes points(mesh.points, ends);
-  auto& faces = mesh.faces;
-  std::vector<std::uint64_t> first{0};
-  std::vector<std::uint32_t> corners;
-  corners.reserve(faces.corners.size() + ends.size());
-  for (std::size_t face = 0; face < faces.count(); ++face) {
-    const auto loop = faces.of(face);
+  FluidMesh::Faces faces;
+  faces.corners.reserve(mesh.faces.corners.size() + ends.size());
+  std::vector<std::uint32_t> firstOf;  // the faces that each one became
+  std::vector<CornerLoop> parts;
+  CornerLoop through;
+  for (std::size_t face = 0; face < mesh.faces.count(); ++face) {
+    firstOf.push_back(static_cast<std::uint32_t>(faces.count()));
+    const auto loop = mesh.faces.of(face);
+    through.clear();
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const auto next = loop[(k + 1) % loop.size()];
-      corners.push_back(loop[k]);
-      if (isEnd[loop[k]] != 0 && isEnd[next] != 0) points.addBetween(loop[k], next, corners);
+      through.push_back(loop[k]);
+      if (isEnd[loop[k]] != 0 && isEnd[next] != 0) points.addBetween(loop[k], next, through);
     }
-    first.push_back(corners.size());
+    parts.clear();
+    if (through.size() == loop.size()) {
+      parts.push_back(through);
+    } else {
+      addSimpleLoops(through, parts);
+    }
+    for (const auto& part : parts) {
+      faces.corners.insert(faces.corners.end(), part.begin(), part.end());
+      faces.first.push_back(faces.corners.size());
+      faces.owner.push_back(mesh.faces.owner[face]);
+      if (face < mesh.faces.neighbour.size()) {
+        faces.neighbour.push_back(mesh.faces.neighbour[face]);
+      }
+    }
   }
-  faces.first = std::move(first);
-  faces.corners = std::move(corners);
+  firstOf.push_back(static_cast<std::uint32_t>(faces.count()));
+  for (auto& patch : mesh.patches) {
+    const auto end = firstOf[patch.firstFace + patch.faceCount];
+    patch.firstFace = firstOf[patch.firstFace];
+    patch.faceCount = end - patch.firstFace;
+  }
+  std::erase_if(mesh.patches, [](const auto& patch) { return patch.faceCount == 0; });
+  mesh.faces = std::move(faces);
 }
 
 }  // namespace cutwater

@@ -31,6 +31,11 @@ void FaceRows::add(std::span<const std::uint32_t> corners, std::uint32_t cell, s
     std::swap(cell, other);
     std::reverse(corners_.begin() + static_cast<std::ptrdiff_t>(first_.back()), corners_.end());
   }
+  for (const auto of : {cell, other}) {
+    if (of == kNone) continue;
+    if (of >= counts_.size()) counts_.resize(of + std::size_t{1}, 0);
+    ++counts_[of];
+  }
   first_.push_back(corners_.size());
   owner_.push_back(cell);
   other_.push_back(isInner ? other : patch);

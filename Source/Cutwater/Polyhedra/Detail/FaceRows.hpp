@@ -19,6 +19,11 @@ class FaceRows {
   void add(std::span<const std::uint32_t> corners, std::uint32_t cell, std::uint32_t other,
            std::uint32_t patch);
 
+  /// The number of faces that a cell has so far.
+  [[nodiscard]] std::size_t countOf(std::uint32_t cell) const {
+    return cell < counts_.size() ? counts_[cell] : 0;
+  }
+
   /// The faces in order. Those between the same two cells that lie in one plane across an axis, as
   /// where a piece was joined to another one, are one face if they have one rim.
   [[nodiscard]] FluidMesh::Faces inOrder(std::size_t cells, std::span<const Vec3<double>> points,
@@ -36,6 +41,7 @@ class FaceRows {
   std::vector<std::uint32_t> owner_;
   std::vector<std::uint32_t> other_;  // cell, or patch
   std::vector<char> isInner_;
+  std::vector<std::uint32_t> counts_;  // of cells, up to the last one that has any
 };
 
 }  // namespace cutwater

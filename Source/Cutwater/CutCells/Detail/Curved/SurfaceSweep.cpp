@@ -28,9 +28,9 @@ SurfaceSweep::SurfaceSweep(const FluidField& field, std::span<const GaussPoint> 
   chooseAxes();
 }
 
-/// Samples a surface near the corners and the middle of the box. One that none of these meets on the
-/// way to it, and that has the corners on one side, is left out, as is a plane that a rectangle lies
-/// in.
+/// Samples a surface near the corners and the middle of the box. One that none of these meets on
+/// the way to it, and that has the corners on one side, is left out, as is a plane that a rectangle
+/// lies in.
 void SurfaceSweep::see(const FluidField& surface) {
   Seen seen{.field = &surface};
   std::array<double, kSamples> values{};
