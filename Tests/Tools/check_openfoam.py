@@ -82,7 +82,9 @@ class OpenFoam(CommandTest):
     def test_cells_around_a_hull(self):
         hull = os.environ["CUTWATER_HULL"]
         self.assertTrue(self.check(self.made(hull, "--roots", "64", "--level", "0", "--margin", "3")))
-        self.check(self.made(hull, "--roots", "16", "--level", "5", "--margin", "3", "--binary"))
+        around = (hull, "--roots", "16", "--level", "5", "--margin", "3")
+        self.assertTrue(self.check(self.made(*around, "--band", "0.03:5")))
+        self.check(self.made(*around, "--binary"))
         self.flow()
 
     def test_zones_and_triangles(self):

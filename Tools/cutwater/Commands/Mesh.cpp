@@ -124,10 +124,11 @@ void addMesh(Program& program) {
                   options->file.binary);
   command.setFooter(
       "Walls are patches of type wall with the names of the surface's, sides of the domain are "
-      "xMin, xMax, ...\n"
+      "xMin, xMax, ... With a --band of the finest level around the surface, cells have better "
+      "shapes.\n"
       "\n"
       "Examples:\n"
-      "  cutwater mesh case/ hull.stl --roots 16 --level 4 --margin 0.5\n"
+      "  cutwater mesh case/ hull.stl --level 5 --band 0.03:5 --margin 3\n"
       "  cutwater mesh case/ flange.stl --inside --level 3 --edges 30:4 --binary\n"
       "  cutwater mesh case/ pipe.obj --inside --open inlet --open outlet --box 0,0,0,2,1,1 "
       "--level 3");
