@@ -2,6 +2,7 @@
 #include <Cutwater/CutCells/CutRegions.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafGrid.hpp>
 #include <Cutwater/Grid/OctreeNodes.hpp>
+#include <Cutwater/Polyhedra/Detail/CellFaces.hpp>
 #include <Cutwater/Polyhedra/Detail/DividedCells.hpp>
 #include <Cutwater/Polyhedra/Detail/EdgeMeetings.hpp>
 #include <Cutwater/Polyhedra/Detail/FaceQuality.hpp>
@@ -145,7 +146,6 @@ class MeshOfFluid {
   /// more.
   [[nodiscard]] std::vector<CornerLoop> wallFaces(const std::vector<CornerLoop>& polygons,
                                                   std::size_t others) const {
-    constexpr std::size_t kFewest = 4;
     const auto joined = [&](bool all) {
       auto loops = joinedPolygons(polygons, [&](std::size_t, std::size_t other) {
         return all || isWithoutArea(polygons[other]);
@@ -155,7 +155,7 @@ class MeshOfFluid {
     };
     if (options_.wallPolygons) return joined(false);
     auto loops = joined(true);
-    return loops.size() + others < kFewest ? joined(false) : loops;
+    return loops.size() + others < kFewestFaces ? joined(false) : loops;
   }
   /// Whether a loop lies on a line along an axis, as where a wall touches an edge of a leaf:
   /// without it, other faces meet along that line, see meetEdgeByEdge().

@@ -1,5 +1,6 @@
 #include <Cutwater/Polyhedra/Detail/CellFaces.hpp>
 #include <Cutwater/Polyhedra/Detail/FaceQuality.hpp>
+#include <Cutwater/Polyhedra/Detail/SimpleLoops.hpp>
 #include <Cutwater/Polyhedra/FluidMesh.hpp>
 
 #include <algorithm>
@@ -12,12 +13,6 @@
 namespace cutwater {
 
 namespace {
-
-bool hasRepeatedCorner(std::span<const std::uint32_t> face) {
-  std::vector<std::uint32_t> sorted(face.begin(), face.end());
-  std::ranges::sort(sorted);
-  return sorted.size() < 3 || std::ranges::adjacent_find(sorted) != sorted.end();
-}
 
 void checkOrder(const FluidMesh::Faces& faces, FluidMeshReport& report) {
   for (std::size_t n = 0; n < faces.neighbour.size(); ++n) {
@@ -38,7 +33,8 @@ void checkFaces(const FluidMesh& mesh, const FaceQuality& quality, FluidMeshRepo
   const auto& faces = mesh.faces;
   double cosines = 0;
   for (std::size_t face = 0; face < faces.count(); ++face) {
-    if (hasRepeatedCorner(faces.of(face))) ++report.repeatedCorners;
+    const auto loop = faces.of(face);
+    if (loop.size() < 3 || hasRepeatedCorner(loop)) ++report.repeatedCorners;
     if (quality.area(face) == Vec3<double>{}) ++report.flatFaces;
     const double skewness = quality.skewness(face);
     report.worstSkewness = std::max(report.worstSkewness, skewness);
@@ -67,7 +63,6 @@ double aspectRatio(const Vec3<double>& seen, double volume) {
 }
 
 void checkCells(const FluidMesh& mesh, const FaceQuality& quality, FluidMeshReport& report) {
-  constexpr std::size_t kFewestFaces = 4;
   const CellFaces cells(mesh);
   CellEdges edges;
   for (std::uint32_t cell = 0; cell < cells.count(); ++cell) {

@@ -1,4 +1,3 @@
-#include <Cutwater/Core/Detail/OutputFile.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Io/PointData.hpp>
 
@@ -91,15 +90,9 @@ void requireRoom(const CellsSettings& options, const Cutter& cutter, const Place
   });
 }
 
-void writeJson(const std::string& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 /// `cells`: as in "5 of 2 x 2 x 2 = 8 cells of 1 x 1 x 1".
 void report(const CellsSettings& options, const CellTotals& totals, const std::string& cells) {
-  if (!options.json.empty()) writeJson(options.json, totals.json(options.surface.file));
+  if (!options.json.empty()) writeText(options.json, totals.json(options.surface.file));
   if (options.surface.quiet) return;
   std::cout << "cut " << cells << " in " << duration(totals.seconds) << '\n' << totals.text();
   if (!options.output.empty()) std::cout << "wrote " << onOneLine(options.output) << '\n';

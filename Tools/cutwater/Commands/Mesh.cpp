@@ -1,4 +1,3 @@
-#include <Cutwater/Core/Detail/OutputFile.hpp>
 #include <Cutwater/Io/PolyMesh.hpp>
 #include <Cutwater/Polyhedra/FluidMesh.hpp>
 
@@ -63,9 +62,7 @@ void makeMesh(const MeshSettings& options, const Solid<double>& solid) {
   if (options.json.empty() && options.surface.quiet) return;
   const FluidMeshTotals totals(mesh);
   if (!options.json.empty()) {
-    OutputFile file(options.json);
-    file.write(totals.json(options.surface.file, seconds));
-    file.commit();
+    writeText(options.json, totals.json(options.surface.file, seconds));
   }
   if (options.surface.quiet) return;
   std::cout << "made " << grouped(mesh.cells.leaf.size(), "cell") << " with "

@@ -1,5 +1,6 @@
 #include "Options/OutputFile.hpp"
 
+#include <Cutwater/Core/Detail/OutputFile.hpp>
 #include <Cutwater/Core/Detail/PartFile.hpp>
 #include <Cutwater/Core/Error.hpp>
 
@@ -50,6 +51,12 @@ void requireFolder(const std::string& path) {
 void prepareOutput(const std::string& path) {
   requireFolder(path);
   removeStaleParts(path);
+}
+
+void writeText(const std::string& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
 }
 
 void removeOutputsOnSignals() {

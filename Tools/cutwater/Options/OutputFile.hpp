@@ -21,6 +21,9 @@ void requireFolder(const std::string& path);
 /// @throws Error as requireFolder().
 void prepareOutput(const std::string& path);
 
+/// Writes a file, which appears once it is complete.
+void writeText(const std::string& path, const std::string& text);
+
 /// Lets signals that end the program (Ctrl-C, SIGTERM, and others that can be caught) remove the
 /// unfinished files first, and lets writing fail, with a message, at a limit on the size of files.
 /// For main(). Signals that the caller ignores or handles stay as they are.

@@ -9,6 +9,9 @@
 
 namespace cutwater {
 
+/// Area vectors of three faces that close lie in one plane, from which no gradient can be made.
+constexpr std::size_t kFewestFaces = 4;
+
 /// The faces of each cell of a mesh.
 class CellFaces {
  public:

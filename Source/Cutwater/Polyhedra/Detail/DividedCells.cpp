@@ -56,9 +56,7 @@ std::optional<CornerLoop> closingLoop(const std::vector<CornerLoop>& loops) {
   }
   if (loop.back() != loop.front()) return std::nullopt;
   loop.pop_back();
-  auto sorted = loop;
-  std::ranges::sort(sorted);
-  if (std::ranges::adjacent_find(sorted) != sorted.end()) return std::nullopt;
+  if (hasRepeatedCorner(loop)) return std::nullopt;
   return loop;
 }
 
@@ -118,10 +116,8 @@ class CellDivision {
   }
 
   /// Finds the parts that a face's plane makes of the cell. The number of faces seen from behind in
-  /// them; none, if it does not make two that are closed. Area vectors of three faces lie in one
-  /// plane, from which no gradient can be made.
+  /// them; none, if it does not make two that are closed and have enough faces.
   std::optional<std::size_t> invertedIfDividedBy(std::size_t face) {
-    constexpr std::size_t kFewestFaces = 4;
     constexpr double kLeast = 1e-4;  // of the cell's volume
     extra_.clear();
     onEdges_.clear();

@@ -130,6 +130,12 @@ std::optional<std::pair<CornerLoop, CornerLoop>> halves(const PlaneLoop& loop) {
 
 }  // namespace
 
+bool hasRepeatedCorner(std::span<const std::uint32_t> loop) {
+  CornerLoop sorted(loop.begin(), loop.end());
+  std::ranges::sort(sorted);
+  return std::ranges::adjacent_find(sorted) != sorted.end();
+}
+
 void clean(CornerLoop& loop) {
   CornerLoop kept;
   const auto isBack = [&](std::uint32_t corner) {

@@ -15,6 +15,9 @@ using CornerLoop = std::vector<std::uint32_t>;
 /// than three corners are none.
 void clean(CornerLoop& loop);
 
+/// Whether a corner comes twice.
+[[nodiscard]] bool hasRepeatedCorner(std::span<const std::uint32_t> loop);
+
 /// Divides an outline in a plane across an axis, counterclockwise as seen against it, into loops
 /// that have no corner twice. Outlines have where parts of one touch each other in a point, and
 /// where a hole in them was cut open by an edge there and back: then another cut to the hole makes
