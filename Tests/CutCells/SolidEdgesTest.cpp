@@ -219,15 +219,28 @@ TEST(SolidEdgesTest, CopiesAreTheUnionOfEach) {
 
 /// Few enough in the box that is cut, but not in all that surfaces are looked for in around a cell.
 TEST(SolidEdgesTest, CellsAmongEndlessCopiesAreCut) {
-  constexpr double kRadius = 0.4;
-  const auto balls = repeated(Sphere<double>({0, 0, 0}, kRadius), {.period = {1, 1, 1}});
+  constexpr double kHalf = 0.3;
+  Cuboid<double> turned({-kHalf, -kHalf, -kHalf}, {kHalf, kHalf, kHalf});
+  turned.rotate(27, kAxis);
+  const auto cubes = repeated(turned, {.period = {1, 1, 1}});
   const GridPatch<double> grid{Level<double>({0, 0, 0}, {1, 1, 1}), IndexBox::ofSize(2, 2, 2)};
-  const auto cells = SolidCutter(balls).cut(grid);
+  const auto cells = SolidCutter(cubes).cut(grid);
   ASSERT_EQ(cells.cellCount, 8U);
-  const double fluid = 1 - 4 * std::numbers::pi / 3 * std::pow(kRadius, 3);
+  const double fluid = 1 - std::pow(2 * kHalf, 3);
   for (std::uint32_t row = 0; row < 8; ++row) {
-    EXPECT_NEAR(cells.volumeFraction(cells.cells.firstPiece[row]), fluid, 1e-3);
+    EXPECT_NEAR(cells.volumeFraction(cells.cells.firstPiece[row]), fluid, 1e-4);
   }
+}
+
+/// More balls in a cell than it can be divided for: each part of it is divided as far as others.
+TEST(SolidEdgesTest, ManyBodiesInACellAreFound) {
+  constexpr double kRadius = 0.4;
+  const auto balls = repeated(Sphere<double>({0.1, 0.2, 0.3}, kRadius), {.period = {1, 1, 1}});
+  const GridPatch<double> cell{Level<double>({0, 0, 0}, {2, 2, 2}), IndexBox::ofSize(1, 1, 1)};
+  const auto cells = SolidCutter(balls).cut(cell);
+  ASSERT_EQ(cells.pieceCount, 1U);
+  const double fluid = 1 - 4 * std::numbers::pi / 3 * std::pow(kRadius, 3);
+  EXPECT_NEAR(cells.volumeFraction(0), fluid, 2e-3);
 }
 
 /// An elongated block, whose gradient along an axis is zero in the gap, reaches into a cell from

@@ -169,9 +169,9 @@ class PlaneSection final : public FluidField {
 };
 
 constexpr std::size_t kMostInTile = 4000;
-constexpr std::size_t kMostInBlock = 8 * kMostInTile;
+constexpr std::size_t kMostInRegion = 8 * kMostInTile;
 
-/// The surfaces near a box are those in a block around it, which follows from the box alone: so
+/// The surfaces near a box are those in a region around it, which follows from the box alone: so
 /// what is found of a face is the same in all tiles.
 class FieldOfSurfaces final : public FluidField {
  public:
@@ -195,47 +195,49 @@ class FieldOfSurfaces final : public FluidField {
   }
   bool knowsSurfaces() const override { return true; }
   std::vector<const FluidField*> surfacesNear(const Box<double>& box) const override {
-    std::vector<const FluidField*> near;
-    for (const auto& surface : inBlockOf(box)) {
-      if (surface.mayMeet(box)) near.push_back(surface.field.get());
+    for (const auto& region : {blockAround(box, 2), blockAround(box, 0), box}) {
+      const auto& surfaces = inRegion(region);
+      if (surfaces.empty()) continue;
+      std::vector<const FluidField*> near;
+      for (const auto& surface : surfaces) {
+        if (surface.mayMeet(box)) near.push_back(surface.field.get());
+      }
+      return near;
     }
-    return near;
+    return {&field_};
   }
 
  private:
-  /// A cube whose width is a power of two, by which it is counted from the origin.
-  using BlockNumber = std::array<std::int64_t, 4>;
+  using Region = std::array<double, 6>;  // lower and upper bounds
 
-  /// The block that holds the middle of a box, 4 to 8 times as wide as the box's diagonal.
-  [[nodiscard]] const Surfaces& inBlockOf(const Box<double>& box) const {
-    constexpr int kWider = 2;
+  /// A cube that holds the middle of a box, and what is around it. It is 2^wider to 2^(wider + 1)
+  /// times as wide as the box's diagonal; so many boxes share it.
+  [[nodiscard]] static Box<double> blockAround(const Box<double>& box, int wider) {
     constexpr double kLeast = 1e-12;  // of coordinates, so that blocks can be counted
     constexpr double kSmallest = 1e-100;
     const auto middle = box.center();
     const double least = std::max(kLeast * maxComponent(abs(middle)), kSmallest);
-    const int exponent = std::ilogb(std::max(box.diagonal(), least)) + 1 + kWider;
-    const double width = std::ldexp(1.0, exponent);
-    BlockNumber number{exponent, 0, 0, 0};
+    const int exponent = std::ilogb(std::max(box.diagonal(), least)) + 1;
+    const double width = std::ldexp(1.0, exponent + wider);
     Box<double> block;
     for (int axis = 0; axis < 3; ++axis) {
       const double n = std::floor(middle[axis] / width);
-      number[static_cast<std::size_t>(axis) + 1] = static_cast<std::int64_t>(n);
       block.lower[axis] = n * width;
       block.upper[axis] = (n + 1) * width;
     }
-    const auto [known, isNew] = blocks_.try_emplace(number);
-    if (isNew) known->second = sortedIn(block.grown(std::ldexp(width, -kWider)));
-    return known->second;
+    return block.grown(std::ldexp(1.0, wider > 0 ? exponent : exponent - 1));
   }
 
-  /// In an order of their own. The field itself is the only one where it tells none, or too many:
-  /// a block is larger than the box for which fieldIn() was asked.
-  [[nodiscard]] Surfaces sortedIn(const Box<double>& box) const {
-    auto surfaces = field_.surfacesIn(box, kMostInBlock);
-    if (surfaces.empty() || surfaces.size() > kMostInBlock) {
-      return {{std::shared_ptr<const FluidField>(std::shared_ptr<const FluidField>(), &field_),
-               nullptr}};
-    }
+  /// In an order of their own. None if the field tells none, or too many: a block is larger than
+  /// the box for which fieldIn() was asked.
+  [[nodiscard]] const Surfaces& inRegion(const Box<double>& box) const {
+    const auto& [lower, upper] = box;
+    const auto [known, isNew] =
+        regions_.try_emplace({lower.x, lower.y, lower.z, upper.x, upper.y, upper.z});
+    auto& surfaces = known->second;
+    if (!isNew) return surfaces;
+    surfaces = field_.surfacesIn(box, kMostInRegion);
+    if (surfaces.size() > kMostInRegion) surfaces.clear();
     const auto key = [](const FluidField::Surface& surface) {
       return std::pair(surface.field->value({}), surface.field->value({1, 2, -3}));
     };
@@ -244,7 +246,7 @@ class FieldOfSurfaces final : public FluidField {
   }
 
   const FluidField& field_;
-  mutable std::map<BlockNumber, Surfaces> blocks_;  // those that were asked for
+  mutable std::map<Region, Surfaces> regions_;  // those that were asked for
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
-#include <Cutwater/Core/Detail/DisjointSets.hpp>
 #include <Cutwater/CutCells/Detail/Curved/FluidParts.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <unordered_map>
 
 namespace cutwater {
 
@@ -20,6 +20,15 @@ Vec3<double> nearestPoint(const FluidSpan& span, const Vec3<double>& to) {
 
 double squaredDistance(const FluidSpan& span, const Vec3<double>& to) {
   return lengthSquared(nearestPoint(span, to) - to);
+}
+
+/// Between the nearest points of two boxes.
+double squaredDistance(const Box<double>& a, const Box<double>& b) {
+  Vec3<double> apart;
+  for (int axis = 0; axis < 3; ++axis) {
+    apart[axis] = std::max({0.0, a.lower[axis] - b.upper[axis], b.lower[axis] - a.upper[axis]});
+  }
+  return lengthSquared(apart);
 }
 
 /// Whether two places are next to each other in a sweep.
@@ -59,7 +68,9 @@ std::vector<FluidParts::Block> FluidParts::blocksIn(const RulePoints& points) co
   for (const auto& span : spans_) {
     auto& block = blocks[span.block];
     const auto step = (block.count + kMost - 1) / kMost;
-    if (seen[span.block]++ % step == 0) block.samples.push_back(span);
+    if (seen[span.block]++ % step != 0) continue;
+    block.samples.push_back(span);
+    block.bounds.extend(span.line.start).extend(span.line.at(span.line.end));
   }
   std::erase_if(blocks, [](const Block& block) { return block.count == 0; });
   for (auto& block : blocks) {
@@ -74,48 +85,9 @@ std::vector<FluidParts::Block> FluidParts::blocksIn(const RulePoints& points) co
 /// First blocks on the same side of all surfaces, which mostly are connected; then those of what
 /// are different parts by then, neighbours in a sweep first.
 void FluidParts::connect(std::span<const Block> blocks) {
-  constexpr std::size_t kMostBeside = 2;
-  constexpr std::size_t kMostBetween = 12;  // parts
   detail::DisjointSets sets(partOfBlock_.size());
-  std::vector<Pair> pairs;
-  const auto isSeparate = [&](const Block& a, const Block& b) {
-    return sets.find(a.number) != sets.find(b.number);
-  };
-  const auto tryFirst = [&](std::size_t most) {
-    const auto count = std::min(most, pairs.size());
-    std::ranges::partial_sort(pairs, pairs.begin() + static_cast<std::ptrdiff_t>(count), {},
-                              &Pair::order);
-    for (const auto& pair : std::span(pairs).first(count)) {
-      if (isSeparate(*pair.a, *pair.b) && areConnected(*pair.a, *pair.b)) {
-        sets.unite(pair.a->number, pair.b->number);
-      }
-    }
-    pairs.clear();
-  };
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (blocks[i].sides != blocks[j].sides) continue;
-      const auto apart = blocks[i].longest.middle() - blocks[j].longest.middle();
-      pairs.push_back({&blocks[j], &blocks[i], {false, lengthSquared(apart)}});
-    }
-    tryFirst(kMostBeside);
-  }
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Pair>> between;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto& a = blocks[j];
-      const auto& b = blocks[i];
-      if (!isSeparate(a, b)) continue;
-      const auto one = sets.find(a.number);
-      const auto other = sets.find(b.number);
-      between[{std::min(one, other), std::max(one, other)}].push_back(
-          {&a, &b, {!areNeighbours(a.place, b.place), nearestSpans(a, b).distance}});
-    }
-  }
-  for (auto& [parts, some] : between) {
-    pairs = std::move(some);
-    tryFirst(kMostBetween);
-  }
+  connectAlike(blocks, sets);
+  connectParts(blocks, sets);
   std::vector<std::uint32_t> partOfRoot(partOfBlock_.size(), kNone);
   count_ = 0;
   for (const auto& block : blocks) {
@@ -123,6 +95,54 @@ void FluidParts::connect(std::span<const Block> blocks) {
     if (part == kNone) part = static_cast<std::uint32_t>(count_++);
     partOfBlock_[block.number] = part;
   }
+}
+
+/// Each block with the nearest of those before it that are on the same sides.
+void FluidParts::connectAlike(std::span<const Block> blocks, detail::DisjointSets& sets) const {
+  constexpr std::size_t kMost = 2;
+  std::unordered_map<std::uint64_t, std::vector<const Block*>> before;
+  NearestPairs pairs(kMost);
+  for (const auto& block : blocks) {
+    auto& alike = before[block.sides];
+    for (const auto* other : alike) {
+      const auto apart = block.longest.middle() - other->longest.middle();
+      pairs.add({false, lengthSquared(apart)}, {other, &block});
+    }
+    tryAll(pairs, sets);
+    alike.push_back(&block);
+  }
+}
+
+/// Each two parts between the blocks that are nearest to each other.
+void FluidParts::connectParts(std::span<const Block> blocks, detail::DisjointSets& sets) const {
+  constexpr std::size_t kMost = 12;
+  std::map<std::uint32_t, std::vector<const Block*>> parts;
+  for (const auto& block : blocks) parts[sets.find(block.number)].push_back(&block);
+  NearestPairs pairs(kMost);
+  for (auto one = parts.begin(); one != parts.end(); ++one) {
+    for (auto other = std::next(one); other != parts.end(); ++other) {
+      if (sets.find(one->first) == sets.find(other->first)) continue;
+      for (const auto* a : one->second) {
+        for (const auto* b : other->second) {
+          const bool isFar = !areNeighbours(a->place, b->place);
+          if (!pairs.mayTake({isFar, squaredDistance(a->bounds, b->bounds)})) continue;
+          pairs.add({isFar, nearestSpans(*a, *b).distance}, {a, b});
+        }
+      }
+      tryAll(pairs, sets);
+    }
+  }
+}
+
+/// The nearest first, until they are one part.
+void FluidParts::tryAll(NearestPairs& pairs, detail::DisjointSets& sets) const {
+  for (const auto& [order, pair] : pairs.sorted()) {
+    const auto [a, b] = pair;
+    if (sets.find(a->number) != sets.find(b->number) && areConnected(*a, *b)) {
+      sets.unite(a->number, b->number);
+    }
+  }
+  pairs.clear();
 }
 
 /// The spans of two blocks that are nearest to each other, of the samples.
@@ -211,17 +231,12 @@ void FluidParts::moveTo(int axis, double plane, const FluidField& field) {
 std::uint32_t FluidParts::at(const Vec3<double>& point) const {
   if (count_ <= 1) return 0;
   constexpr std::size_t kMostTries = 12;
-  std::vector<std::pair<double, std::size_t>> byDistance;
-  byDistance.reserve(spans_.size());
-  for (std::size_t i = 0; i < spans_.size(); ++i) {
-    byDistance.emplace_back(squaredDistance(spans_[i], point), i);
-  }
-  std::vector<std::pair<double, std::size_t>> nearest(std::min(kMostTries, spans_.size()));
-  std::ranges::partial_sort_copy(byDistance, nearest);
-  for (const auto& [distance, i] : nearest) {
-    if (isAnyClear(point, nearestPoint(spans_[i], point))) return partOfBlock_[spans_[i].block];
-  }
-  return partOfBlock_[spans_[nearest.front().second].block];
+  NearestFew<double, const FluidSpan*> nearest(kMostTries);
+  for (const auto& span : spans_) nearest.add(squaredDistance(span, point), &span);
+  const auto found = nearest.sorted();
+  const auto reached = std::ranges::find_if(
+      found, [&](const auto& near) { return isAnyClear(point, nearestPoint(*near.item, point)); });
+  return partOfBlock_[(reached == found.end() ? found.front() : *reached).item->block];
 }
 
 }  // namespace cutwater

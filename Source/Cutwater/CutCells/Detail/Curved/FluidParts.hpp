@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Cutwater/Core/Detail/DisjointSets.hpp>
+#include <Cutwater/CutCells/Detail/Curved/NearestFew.hpp>
 #include <Cutwater/CutCells/Detail/Curved/RulePoints.hpp>
 
 #include <array>
@@ -33,14 +35,15 @@ class FluidParts {
     std::size_t count = 0;  // of spans
     FluidSpan longest;
     std::vector<FluidSpan> samples;  // some spans
+    Box<double> bounds;              // of these
     std::uint64_t sides = 0;         // of surfaces, by a bit for each
   };
-  /// Two blocks, and by what pairs are ordered: whether they are no neighbours, and a distance.
   struct Pair {
     const Block* a = nullptr;
     const Block* b = nullptr;
-    std::pair<bool, double> order;
   };
+  /// Those that are neighbours first, then by distance.
+  using NearestPairs = NearestFew<std::pair<bool, double>, Pair>;
   struct NearestSpans {
     double distance = std::numeric_limits<double>::infinity();  // squared
     const FluidSpan* a = nullptr;
@@ -49,6 +52,9 @@ class FluidParts {
   [[nodiscard]] static NearestSpans nearestSpans(const Block& one, const Block& other);
   [[nodiscard]] std::vector<Block> blocksIn(const RulePoints& points) const;
   void connect(std::span<const Block> blocks);
+  void connectAlike(std::span<const Block> blocks, detail::DisjointSets& sets) const;
+  void connectParts(std::span<const Block> blocks, detail::DisjointSets& sets) const;
+  void tryAll(NearestPairs& pairs, detail::DisjointSets& sets) const;
   [[nodiscard]] bool isClear(const Vec3<double>& from, const Vec3<double>& to,
                              std::span<const int> order, LineCrossings& crossings) const;
   [[nodiscard]] bool isAnyClear(const Vec3<double>& from, const Vec3<double>& to) const;

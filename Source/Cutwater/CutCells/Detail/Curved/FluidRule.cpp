@@ -81,12 +81,16 @@ void FluidRule::findIn(const BoxView& view, const OpenSides& sides, double toler
   flatAxis_ = view.flatAxis();
   parts_ = 0;
   linesLeft_ = kMostLines;
+  int partsOfLast = 0;
   const bool isFoundInFaces =
       !field_.knowsSurfaces() && isPierced(view, sides) && !view.hiddenPoint();
   const auto pierced = isFoundInFaces ? view.hiddenPointInFaces() : std::nullopt;
   bool isFirst = true;
   for (const auto& [points, halvings] : attempts) {
     if (!isFirst && points == fewest_ && halvings == 0) continue;
+    if (!isFirst && parts_ + partsOfLast > kMostParts) return;  // it could not be as thorough
+    const int partsBefore = parts_;
+    mostParts_ = kMostParts;
     gauss_ = gaussPoints(points);
     std::swap(points_, best_);
     points_.clear();
@@ -105,6 +109,7 @@ void FluidRule::findIn(const BoxView& view, const OpenSides& sides, double toler
       std::swap(points_, best_);
     }
     isFirst = false;
+    partsOfLast = parts_ - partsBefore;
     if (gap_ <= tolerance) return;
   }
 }
@@ -142,7 +147,7 @@ void FluidRule::addPart(const BoxView& view, int depth, int halvings) {
   const auto& box = view.box();
   const int dimension = view.flatAxis() < 0 ? 3 : 2;
   ++parts_;
-  const bool mayHalve = depth < kMostHalvings * dimension && parts_ < kMostParts;
+  const bool mayHalve = depth < kMostHalvings * dimension && parts_ < mostParts_;
   if (mayHalve && splitAtTurn(view, depth, halvings)) return;
   if (!view.isCrossed()) return addUncrossed(view, depth, halvings, mayHalve);
   bool isGood = false;
@@ -160,6 +165,18 @@ void FluidRule::addPart(const BoxView& view, int depth, int halvings) {
   sweep(view, axes);
 }
 
+/// Each may be divided into as many parts as the others, and into what those before it left.
+void FluidRule::forEachPart(std::span<const Box<double>> parts,
+                            FunctionRef<void(const Box<double>&)> add) {
+  const int most = mostParts_;
+  auto left = static_cast<int>(parts.size());
+  for (const auto& part : parts) {
+    mostParts_ = parts_ + (most - parts_) / left--;
+    add(part);
+  }
+  mostParts_ = most;
+}
+
 /// Where the surfaces that the wall lies in are known.
 void FluidRule::addBetweenSurfaces(const Box<double>& box,
                                    std::span<const FluidField* const> surfaces, int depth,
@@ -168,14 +185,14 @@ void FluidRule::addBetweenSurfaces(const Box<double>& box,
   ++parts_;
   const auto exposed = exposedIn(field_, box, surfaces);
   const auto divide = [&](int axis, double at) {
-    for (const auto& half : halvesOf(box, axis, at)) {
+    forEachPart(halvesOf(box, axis, at), [&](const Box<double>& half) {
       std::vector<const FluidField*> near;
       std::ranges::copy_if(exposed, std::back_inserter(near),
                            [&](const FluidField* surface) { return surface->mayReach(half); });
       addBetweenSurfaces(half, near, depth + 1, halvings);
-    }
+    });
   };
-  const bool mayHalve = depth < kMostHalvings * dimension && parts_ < kMostParts;
+  const bool mayHalve = depth < kMostHalvings * dimension && parts_ < mostParts_;
   const SurfaceSweep sweep(field_, gauss_, box, exposed);
   if (sweep.isUncrossed()) {
     if (field_.value(box.center()) > 0) addWhole(box, flatAxis_);
@@ -215,9 +232,9 @@ void FluidRule::addUncrossed(const BoxView& view, int depth, int halvings, bool 
 }
 
 void FluidRule::split(const Box<double>& box, int axis, double at, int depth, int halvings) {
-  for (const auto& half : halvesOf(box, axis, at)) {
+  forEachPart(halvesOf(box, axis, at), [&](const Box<double>& half) {
     addPart(BoxView(field_, half), depth + 1, halvings);
-  }
+  });
 }
 
 /// The middle of what is on a point's side of the surface along each axis, in turns.
@@ -244,12 +261,12 @@ void FluidRule::splitAt(const Box<double>& box, const Vec3<double>& found, int d
                         int halvings) {
   const auto parts = partsAround(box, centered(box, found), flatAxis_);
   const int halved = flatAxis_ < 0 ? 3 : 2;
-  for (std::size_t i = 0; i < parts.count; ++i) {
-    auto size = parts.boxes[i].size();
+  forEachPart(std::span(parts.boxes).first(parts.count), [&](const Box<double>& part) {
+    auto size = part.size();
     if (flatAxis_ >= 0) size[flatAxis_] = 1;
     const bool isEmpty = std::min({size.x, size.y, size.z}) <= 0;
-    if (!isEmpty) addPart(BoxView(field_, parts.boxes[i]), depth + halved, halvings);
-  }
+    if (!isEmpty) addPart(BoxView(field_, part), depth + halved, halvings);
+  });
 }
 
 void FluidRule::addWhole(const Box<double>& box, int flatAxis) {

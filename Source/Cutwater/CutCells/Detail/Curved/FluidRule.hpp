@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Cutwater/Core/FunctionRef.hpp>
 #include <Cutwater/CutCells/Detail/Curved/BoxView.hpp>
 #include <Cutwater/CutCells/Detail/Curved/RulePoints.hpp>
 #include <Cutwater/CutCells/Detail/Quadrature/GaussPoints.hpp>
@@ -52,6 +53,7 @@ class FluidRule {
   [[nodiscard]] bool splitAtTurn(const BoxView& view, int depth, int halvings);
   void split(const Box<double>& box, int axis, double at, int depth, int halvings);
   [[nodiscard]] Vec3<double> centered(const Box<double>& box, Vec3<double> point);
+  void forEachPart(std::span<const Box<double>> parts, FunctionRef<void(const Box<double>&)> add);
   void splitAt(const Box<double>& box, const Vec3<double>& found, int depth, int halvings);
   void addWhole(const Box<double>& box, int flatAxis);
   void sweep(const BoxView& view, const SweepAxes& axes);
@@ -65,7 +67,8 @@ class FluidRule {
   int flatAxis_ = -1;
   RulePoints points_;
   RulePoints best_;
-  int parts_ = 0;      // of a box, however often it was halved
+  int parts_ = 0;      // of a box, however often it was halved, in all attempts
+  int mostParts_ = 0;  // up to which the part at hand may be halved
   int linesLeft_ = 0;  // see KinkSweep
   double missed_ = 0;  // of the box: parts that hide a wall and could not be halved
   double gap_ = 0;

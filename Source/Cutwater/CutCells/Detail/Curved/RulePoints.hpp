@@ -50,13 +50,14 @@ struct RulePoints {
   std::vector<WallPoint> walls;
   std::uint32_t sweeps = 0;
 
-  /// The block of the spans of this number on lines with so many spans at a place.
+  /// The block of the spans of this number on lines with so many spans at a place. Slices of a
+  /// sweep are added one after the other.
   [[nodiscard]] std::uint32_t blockAt(const LinePlace& place, std::uint32_t count,
                                       std::uint32_t number) {
     const Block block{place, count, number};
-    const auto known =
-        std::find(blocks_.rbegin(), blocks_.rend(), block);  // mostly one of the last
-    if (known != blocks_.rend()) return static_cast<std::uint32_t>(blocks_.rend() - known - 1);
+    for (auto i = blocks_.size(); i-- > 0 && isInSlice(blocks_[i].place, place);) {
+      if (blocks_[i] == block) return static_cast<std::uint32_t>(i);
+    }
     blocks_.push_back(block);
     return static_cast<std::uint32_t>(blocks_.size() - 1);
   }
@@ -78,6 +79,10 @@ struct RulePoints {
 
     bool operator==(const Block&) const = default;
   };
+  static bool isInSlice(const LinePlace& a, const LinePlace& b) {
+    return a.sweep == b.sweep && a.sliceStretch == b.sliceStretch;
+  }
+
   std::vector<Block> blocks_;
 };
 
