@@ -3,6 +3,7 @@
 /// Everything that is public, for those who do not choose header by header. Not here: the headers
 /// that need those of Eigen or of a host code (Core/Eigen.hpp, and in Adapters one per host).
 
+#include <Cutwater/Adapters/BoxGrids.hpp>
 #include <Cutwater/Adapters/FluidDomain.hpp>
 #include <Cutwater/Adapters/NodeLevelSet.hpp>
 #include <Cutwater/Bvh/LinearBVH.hpp>

@@ -1,14 +1,20 @@
 // With deal.II itself: what its own classifier and quadratures make of our functions.
 #include <Cutwater/Adapters/DealII.hpp>
+#include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/hp/q_collection.h>
+#include <deal.II/non_matching/fe_immersed_values.h>
 #include <deal.II/non_matching/quadrature_generator.h>
 #include <gtest/gtest.h>
 
@@ -96,6 +102,110 @@ TEST(DealIIRealTest, QuadraturesOfCutCellsMeasureASphere) {
   const auto [volume, area] = measures(mesh, within(Sphere<double>(center, 0.3), center));
   EXPECT_NEAR(volume, 4 * std::numbers::pi / 3 * 0.027, 1e-6);
   EXPECT_NEAR(area, 4 * std::numbers::pi * 0.09, 1e-5);
+}
+
+const Vec3<double> kCenter{0.5012, 0.4987, 0.5531};
+constexpr double kRadius = 0.3;
+
+/// Boxes of three widths, of three levels around a sphere.
+void refineAroundSphere(Mesh& mesh) {
+  dealii::GridGenerator::subdivided_hyper_rectangle(mesh, {5, 4, 6}, {0, 0, 0}, {1.1, 0.9, 1.2});
+  const Sphere<double> sphere(kCenter, kRadius);
+  DealIIClassifier<3> classifier({sphere, FluidSide::Outside, {0.01, 0.01, 0.01}});
+  for (int times = 0; times < 2; ++times) {
+    classifier.reclassify(mesh);
+    for (const auto& cell : mesh.active_cell_iterators()) {
+      const bool isCut = classifier.location(cell) == LocationToLevelSet::intersected;
+      if (isCut && cell->center()[0] < 0.6) cell->set_refine_flag();
+    }
+    mesh.execute_coarsening_and_refinement();
+  }
+}
+
+/// (x^2, y z, x z^2), and its divergence.
+dealii::Tensor<1, 3> flowAt(const dealii::Point<3>& p) {
+  return dealii::Point<3>(p[0] * p[0], p[1] * p[2], p[0] * p[2] * p[2]);
+}
+double divergenceAt(const dealii::Point<3>& p) {
+  return 2 * p[0] + p[2] + 2 * p[0] * p[2];
+}
+
+/// By FEValues, FEImmersedSurfaceValues and FEFaceValues with a piece's quadratures.
+class PieceIntegrals {
+ public:
+  template <typename Cell>
+  void add(const Cell& cell, const DealIIPiece& piece) {
+    double inside = 0;
+    dealii::FEValues<3> values(element_, piece.inside, flags_);
+    values.reinit(cell);
+    for (const auto q : values.quadrature_point_indices()) {
+      volume += values.JxW(q);
+      inside += values.JxW(q) * divergenceAt(values.quadrature_point(q));
+    }
+    double outwards = 0;
+    if (piece.surface.size() > 0) {
+      dealii::NonMatching::FEImmersedSurfaceValues<3> wall(mapping_, element_, piece.surface,
+                                                           flags_ | dealii::update_normal_vectors);
+      wall.reinit(cell);
+      for (const auto q : wall.quadrature_point_indices()) {
+        area += wall.JxW(q);
+        outwards += wall.JxW(q) * (flowAt(wall.quadrature_point(q)) * wall.normal_vector(q));
+        const auto out =
+            wall.quadrature_point(q) - dealii::Point<3>(kCenter.x, kCenter.y, kCenter.z);
+        worstNormal = std::max(worstNormal, (wall.normal_vector(q) + out / out.norm()).norm());
+      }
+    }
+    for (const unsigned face : cell->face_indices()) {
+      if (piece.faces[face].size() == 0) continue;
+      dealii::FEFaceValues<3> open(element_, piece.faces[face],
+                                   flags_ | dealii::update_normal_vectors);
+      open.reinit(cell, face);
+      for (const auto q : open.quadrature_point_indices()) {
+        const auto p = open.quadrature_point(q);
+        outwards += open.JxW(q) * (flowAt(p) * open.normal_vector(q));
+        const Vec3<double> from = Vec3<double>{p[0], p[1], p[2]} - kCenter;
+        if (length(from) < kRadius) ++pointsInBody;
+      }
+    }
+    worstFlow = std::max(worstFlow, std::abs(inside - outwards) / cell->measure());
+  }
+
+  double volume = 0;
+  double area = 0;
+  double worstNormal = 0;
+  double worstFlow = 0;  // through a piece's boundary, less its sources, over the cell's volume
+  int pointsInBody = 0;
+
+ private:
+  const dealii::UpdateFlags flags_ = dealii::update_JxW_values | dealii::update_quadrature_points;
+  const dealii::FE_Q<3> element_{1};
+  const dealii::MappingQ1<3> mapping_;
+};
+
+TEST(DealIIRealTest, PiecesAreIntegratedByItsValues) {
+  Mesh mesh;
+  refineAroundSphere(mesh);
+  const SolidCutter cutter(Solid<double>(Sphere<double>(kCenter, kRadius)), FluidSide::Outside,
+                           {.points = 5});
+  const DealIICutCells cut(cutter, mesh);
+  PieceIntegrals sum;
+  for (const auto& cell : mesh.active_cell_iterators()) {
+    if (cut.location(cell) == LocationToLevelSet::inside) sum.volume += cell->measure();
+    for (std::size_t n = 0; n < cut.pieceCount(cell); ++n) sum.add(cell, cut.piece(cell, n));
+  }
+  const double ball = 4 * std::numbers::pi / 3 * std::pow(kRadius, 3);
+  EXPECT_NEAR(sum.volume, 1.1 * 0.9 * 1.2 - ball, 1e-8);
+  EXPECT_NEAR(sum.area, 3 * ball / kRadius, 1e-6);
+  EXPECT_LT(sum.worstNormal, 1e-12);
+  EXPECT_LT(sum.worstFlow, 1e-4);
+  EXPECT_EQ(sum.pointsInBody, 0);
+}
+
+TEST(DealIIRealTest, CellsThatAreNoBoxesAreRefused) {
+  Mesh mesh;
+  dealii::GridGenerator::hyper_ball(mesh);
+  const SolidCutter cutter(Solid<double>(Sphere<double>(kCenter, kRadius)));
+  EXPECT_THROW(DealIICutCells(cutter, mesh), Error);
 }
 
 }  // namespace

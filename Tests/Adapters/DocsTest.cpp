@@ -8,6 +8,7 @@
 #include <Cutwater/Shapes/Sphere.hpp>
 
 #include <memory>
+#include <numbers>
 
 #include <deal.II/grid/grid_generator.h>
 #include <gtest/gtest.h>
@@ -98,6 +99,28 @@ TEST(DocsTest, LevelSetAndClassifierOfDealII) {
   // DOCS]
   EXPECT_GT(intersected, 50U);
   EXPECT_EQ(levelSet.value({0.5, 0.5, 0.5}), 0.3);
+}
+
+TEST(DocsTest, QuadraturesForDealII) {
+  const auto& body = kBody;
+  dealii::Triangulation<3> mesh;
+  dealii::GridGenerator::hyper_cube(mesh);
+  mesh.refine_global(3);
+  double fluid = 0;
+  // [DOCS
+  const SolidCutter cutter(body, FluidSide::Outside, {.points = 3});
+  const DealIICutCells cut(cutter, mesh);
+  for (const auto& cell : mesh.active_cell_iterators()) {
+    for (std::size_t n = 0; n < cut.pieceCount(cell); ++n) {
+      const DealIIPiece piece = cut.piece(cell, n);
+      for (const double weight : piece.inside.get_weights()) fluid += weight;  // of the unit cell
+    }
+  }
+  // DOCS]
+  for (const auto& cell : mesh.active_cell_iterators()) {
+    fluid += cut.location(cell) == dealii::NonMatching::LocationToLevelSet::inside ? 1 : 0;
+  }
+  EXPECT_NEAR(fluid / 512, 1 - 4 * std::numbers::pi / 3 * 0.027, 1e-6);
 }
 
 }  // namespace

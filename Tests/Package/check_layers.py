@@ -28,7 +28,7 @@ MAY_INCLUDE = {
     "CutCells": "Core Text Bvh Sdf Shapes Operations Triangles Surface Mesh Grid",
     "Polyhedra": "Core Triangles Surface Grid CutCells",
     "Io": "Core Text Surface Lattice Grid CutCells Polyhedra",
-    "Adapters": "Core Sdf Grid",
+    "Adapters": "Core Sdf Grid CutCells",
     "Render": "Core Bvh Sdf Operations Grid CutCells",
     "Scene": "Core Text Sdf Shapes Operations Surface Mesh Lattice Tpms Io",
     "Repair": "Core Text Bvh Surface Mesh",
@@ -40,7 +40,7 @@ GPL = {"Repair", "P4est"}
 # an installed one includes it.
 INTERNAL_LAYERS = {"Text", "Simd", "Triangles"}
 INTERNAL_FOLDERS = {"Detail", "Formats"}
-MOST_INSTALLED = 151
+MOST_INSTALLED = 152
 
 # GPL code is for those; streams depend on the locale.
 FORBIDDEN = re.compile(r"CGAL/|p4est|p8est|gmp|mpfr|iostream|sstream")

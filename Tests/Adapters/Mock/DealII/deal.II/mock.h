@@ -92,13 +92,16 @@ class BoundingBox {
 template <int dim>
 class MockCell {
  public:
-  MockCell(const BoundingBox<dim>& box, unsigned int index) : box_(box), index_(index) {}
+  MockCell(const BoundingBox<dim>& box, unsigned int index, int level)
+      : box_(box), index_(index), level_(level) {}
   BoundingBox<dim> bounding_box() const { return box_; }
+  int level() const { return level_; }
   unsigned int active_cell_index() const { return index_; }
 
  private:
   BoundingBox<dim> box_;
   unsigned int index_;
+  int level_;
 };
 
 template <int dim>
@@ -106,7 +109,10 @@ class Triangulation {
  public:
   using active_cell_iterator = std::shared_ptr<const MockCell<dim>>;
 
-  void refine_global(unsigned int times) { divide(cells_ << times); }
+  void refine_global(unsigned int times) {
+    level_ += static_cast<int>(times);
+    divide(cells_ << times);
+  }
   unsigned int n_active_cells() const { return static_cast<unsigned int>(active_.size()); }
   const std::vector<active_cell_iterator>& active_cell_iterators() const { return active_; }
 
@@ -127,7 +133,7 @@ class Triangulation {
         corners.first[dir] = side(rest % cells);
         corners.second[dir] = side(rest % cells + 1);
       }
-      active_.push_back(std::make_shared<MockCell<dim>>(BoundingBox<dim>(corners), index));
+      active_.push_back(std::make_shared<MockCell<dim>>(BoundingBox<dim>(corners), index, level_));
     }
   }
   double side(unsigned int i) const { return lower_ + (upper_ - lower_) / cells_ * i; }
@@ -135,6 +141,7 @@ class Triangulation {
   double lower_ = 0;
   double upper_ = 1;
   unsigned int cells_ = 1;
+  int level_ = 0;
   std::vector<active_cell_iterator> active_;
 };
 
@@ -145,7 +152,37 @@ void hyper_cube(Triangulation<dim>& triangulation, double lower = 0, double uppe
 }
 }  // namespace GridGenerator
 
+template <int dim>
+class Quadrature {
+ public:
+  Quadrature() = default;
+  Quadrature(std::vector<Point<dim>> points, std::vector<double> weights)
+      : points_(std::move(points)), weights_(std::move(weights)) {
+    if (points_.size() != weights_.size()) throw std::logic_error("ExcDimensionMismatch");
+  }
+  const std::vector<Point<dim>>& get_points() const { return points_; }
+  const std::vector<double>& get_weights() const { return weights_; }
+  unsigned int size() const { return static_cast<unsigned int>(weights_.size()); }
+
+ private:
+  std::vector<Point<dim>> points_;
+  std::vector<double> weights_;
+};
+
 namespace NonMatching {
+template <int dim>
+class ImmersedSurfaceQuadrature : public Quadrature<dim> {
+ public:
+  ImmersedSurfaceQuadrature() = default;
+  ImmersedSurfaceQuadrature(std::vector<Point<dim>> points, std::vector<double> weights,
+                            std::vector<Tensor<1, dim>> normals)
+      : Quadrature<dim>(std::move(points), std::move(weights)), normals_(std::move(normals)) {}
+  const std::vector<Tensor<1, dim>>& get_normal_vectors() const { return normals_; }
+
+ private:
+  std::vector<Tensor<1, dim>> normals_;
+};
+
 enum class LocationToLevelSet { inside, outside, intersected, unassigned };
 }  // namespace NonMatching
 

@@ -1,0 +1,1 @@
+#include <deal.II/mock.h>
