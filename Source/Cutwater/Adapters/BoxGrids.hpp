@@ -26,6 +26,7 @@ struct BoxGrids {
 /// SolidCutter: of up to 8 cells along each axis, so that few cells are cut in vain where a level
 /// has but some of those between its planes.
 ///
+/// @param boxes  in any order.
 /// @param levels  of each box. Boxes of one level must be those between planes that all of them
 /// share; where they are rounded differently, by less than 1e-9 of their width, the lowest count.
 /// @throws Error(Argument) for other boxes, and unless there are as many levels.
