@@ -18,11 +18,13 @@ struct Planes {
   std::vector<std::int32_t> grid;  // of the cells above each: a few side by side without gaps
 };
 
-Planes planesAcross(int axis, std::span<const Box<double>> boxes) {
+/// Those of the boxes of these numbers.
+Planes planesAcross(int axis, std::span<const Box<double>> boxes,
+                    std::span<const std::size_t> numbers) {
   constexpr std::int32_t kMostInGrid = 8;
   std::vector<std::array<double, 2>> stretches;
-  stretches.reserve(boxes.size());
-  for (const auto& box : boxes) stretches.push_back({box.lower[axis], box.upper[axis]});
+  stretches.reserve(numbers.size());
+  for (const auto n : numbers) stretches.push_back({boxes[n].lower[axis], boxes[n].upper[axis]});
   std::ranges::sort(stretches);
   Planes planes{{stretches.front()[0]}, {}};
   std::int32_t grid = 0;
@@ -68,17 +70,18 @@ Index3 asIndex3(const std::array<std::size_t, 3>& at) {
   return {number(0), number(1), number(2)};
 }
 
-/// Appends the grids of boxes of one level; `numbers` are theirs among all.
+/// Appends the grids of the boxes of these numbers, which are of one level.
 void addGrids(std::span<const Box<double>> boxes, std::span<const std::size_t> numbers,
               BoxGrids& to) {
-  const std::array planes{planesAcross(0, boxes), planesAcross(1, boxes), planesAcross(2, boxes)};
+  const std::array planes{planesAcross(0, boxes, numbers), planesAcross(1, boxes, numbers),
+                          planesAcross(2, boxes, numbers)};
   std::map<std::array<std::int32_t, 3>, std::size_t> known;
-  for (std::size_t n = 0; n < boxes.size(); ++n) {
+  for (const auto n : numbers) {
     const auto cell = cellOf(boxes[n], planes);
     std::array<std::int32_t, 3> grid{};
     for (std::size_t a = 0; a < 3; ++a) grid[a] = planes[a].grid[cell[a]];
     const auto [place, isNew] = known.try_emplace(grid, to.grids.size());
-    to.places[numbers[n]] = {place->second, asIndex3(cell)};
+    to.places[n] = {place->second, asIndex3(cell)};
     if (!isNew) continue;
     std::array<std::vector<double>, 3> between;
     std::array<std::size_t, 3> first{};
@@ -98,19 +101,14 @@ void addGrids(std::span<const Box<double>> boxes, std::span<const std::size_t> n
 BoxGrids gridsOf(std::span<const Box<double>> boxes, std::span<const int> levels) {
   require(boxes.size() == levels.size(), "gridsOf: need a level for each box",
           Named{"boxes", boxes.size()}, Named{"levels", levels.size()});
-  struct OfLevel {
-    std::vector<Box<double>> boxes;
-    std::vector<std::size_t> numbers;
-  };
-  std::map<int, OfLevel> byLevel;
+  std::map<int, std::vector<std::size_t>> byLevel;
   for (std::size_t n = 0; n < boxes.size(); ++n) {
     require(!boxes[n].empty(), "gridsOf: a box is empty", Named{"box", n});
-    byLevel[levels[n]].boxes.push_back(boxes[n]);
-    byLevel[levels[n]].numbers.push_back(n);
+    byLevel[levels[n]].push_back(n);
   }
   BoxGrids result;
   result.places.resize(boxes.size());
-  for (const auto& [level, of] : byLevel) addGrids(of.boxes, of.numbers, result);
+  for (const auto& [level, numbers] : byLevel) addGrids(boxes, numbers, result);
   return result;
 }
 

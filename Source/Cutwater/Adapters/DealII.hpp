@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -38,6 +37,16 @@ template <int dim>
 Box<double> dealiiBox(const dealii::BoundingBox<dim>& box, double z) {
   const auto& [lower, upper] = box.get_boundary_points();
   return {dealiiPoint(lower, z), dealiiPoint(upper, z)};
+}
+
+/// Of the active cells, by their indices.
+template <int dim>
+std::vector<Box<double>> dealiiBoxes(const dealii::Triangulation<dim>& mesh, double z) {
+  std::vector<Box<double>> boxes(mesh.n_active_cells());
+  for (const auto& cell : mesh.active_cell_iterators()) {
+    boxes[cell->active_cell_index()] = dealiiBox(cell->bounding_box(), z);
+  }
+  return boxes;
 }
 
 /// Fluid is inside deal.II's domain.
@@ -150,10 +159,7 @@ class DealIIClassifier {
 
   /// Classifies all active cells, in parallel. Call it again whenever the mesh has changed.
   void reclassify(const dealii::Triangulation<dim>& triangulation) {
-    std::vector<Box<double>> boxes(triangulation.n_active_cells());
-    for (const auto& cell : triangulation.active_cell_iterators()) {
-      boxes[cell->active_cell_index()] = detail::dealiiBox(cell->bounding_box(), options_.z);
-    }
+    const auto boxes = detail::dealiiBoxes(triangulation, options_.z);
     classes_.assign(boxes.size(), FluidClass::Unknown);
     domain_.classify(boxes, classes_);
   }
@@ -209,13 +215,11 @@ class DealIICutCells {
   DealIICutCells(const Cutter& cutter, const dealii::Triangulation<3>& mesh,
                  CutOptions options = {}) {
     options.quadrature = true;
-    std::vector<Box<double>> boxes(mesh.n_active_cells());
-    std::vector<int> levels(boxes.size());
+    std::vector<int> levels(mesh.n_active_cells());
     for (const auto& cell : mesh.active_cell_iterators()) {
-      boxes[cell->active_cell_index()] = detail::dealiiBox(cell->bounding_box(), 0);
       levels[cell->active_cell_index()] = cell->level();
     }
-    const auto cells = gridsOf(boxes, levels);
+    const auto cells = gridsOf(detail::dealiiBoxes(mesh, 0), levels);
     places_ = cells.places;
     blocks_.resize(cells.grids.size());
     const ParallelOptions parallel{.threads = options.threads, .progress = options.progress};
@@ -236,20 +240,18 @@ class DealIICutCells {
   /// The number of connected parts of the fluid in a cell that is intersected; 0 for others.
   template <typename Cell>
   [[nodiscard]] std::size_t pieceCount(const Cell& cell) const {
-    const auto& [block, index] = placeOf(cell);
-    const auto& cut = blocks_[block];
-    const auto row = cut.rowOf(index);
-    if (row == CutCells::kNoRow) return 0;
-    return cut.cells.firstPiece[row + 1] - cut.cells.firstPiece[row];
+    const auto [first, last] = piecesOf(cell);
+    return last - first;
   }
   /// One of these. It takes memory of its own.
   template <typename Cell>
   [[nodiscard]] DealIIPiece piece(const Cell& cell, std::size_t number = 0) const {
-    require(number < pieceCount(cell), "DealIICutCells: there is no such piece",
+    const auto [first, last] = piecesOf(cell);
+    require(number < last - first, "DealIICutCells: there is no such piece",
             Named{"piece", number});
     const auto& [block, index] = placeOf(cell);
     const auto& cut = blocks_[block];
-    const auto piece = static_cast<std::uint32_t>(cut.cells.firstPiece[cut.rowOf(index)] + number);
+    const auto piece = static_cast<std::uint32_t>(first + number);
     const auto box = cut.boxOf(index);
     DealIIPiece result;
     result.inside = insideOf(cut, piece, box);
@@ -269,6 +271,15 @@ class DealIICutCells {
     require(number < places_.size(), "DealIICutCells: the cell was not in the mesh that was cut",
             Named{"cell", number});
     return places_[number];
+  }
+  /// The first piece of a cell in its block, and the one after its last.
+  template <typename Cell>
+  [[nodiscard]] std::array<std::size_t, 2> piecesOf(const Cell& cell) const {
+    const auto& [block, index] = placeOf(cell);
+    const auto& cut = blocks_[block];
+    const auto row = cut.rowOf(index);
+    if (row == CutCells::kNoRow) return {};
+    return {cut.cells.firstPiece[row], cut.cells.firstPiece[row + 1]};
   }
 
   [[nodiscard]] static dealii::Point<3> unitPoint(const Vec3<double>& p, const Box<double>& box) {
