@@ -6,6 +6,7 @@
 #include <Cutwater/Adapters/BoxGrids.hpp>
 #include <Cutwater/Adapters/FluidDomain.hpp>
 #include <Cutwater/Adapters/NodeLevelSet.hpp>
+#include <Cutwater/Adapters/SingleValuedCells.hpp>
 #include <Cutwater/Bvh/LinearBVH.hpp>
 #include <Cutwater/Bvh/PointCloud.hpp>
 #include <Cutwater/Core/AffineMap.hpp>
