@@ -1,11 +1,14 @@
-// The code of Docs/adapters.md.
+// The code of Docs/adapters.md and Docs/amrex.md.
 #include <Cutwater/Adapters/Amrex.hpp>
+#include <Cutwater/Adapters/AmrexEB.hpp>
 #include <Cutwater/Adapters/Chombo.hpp>
 #include <Cutwater/Adapters/DealII.hpp>
+#include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Shapes/Cylinder.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
+#include <Cutwater/Surface/Tessellation.hpp>
 
 #include <memory>
 #include <numbers>
@@ -35,6 +38,20 @@ TEST(DocsTest, FluidAroundABodyAndInAPipe) {
   EXPECT_LT(around.levelSet({0, 0, 0}), 0);
   EXPECT_LT(within.levelSet({0.2, 0.5, 0.5}), 0);
   EXPECT_GT(within.levelSet({0.2, 0.8, 0.5}), 0);
+}
+
+TEST(DocsTest, CutCellsOfAmrex) {
+  const Solid<double> hull = MeshSDF<double>(tessellation::icosphere(0.6, 2));
+  const auto geometry = geometryOf(16);
+  double lost = 0;
+  // [DOCS
+  const CellCutter cutter(hull);  // a SolidCutter for other solids than meshes
+  const AmrexIndexSpace& space = buildEB(cutter, geometry);
+  for (const auto& [cell, volume] : space.cells(geometry).lost()) lost += volume;
+  // DOCS]
+  EXPECT_GT(space.cells(geometry).cells().cellCount, 100U);
+  EXPECT_LT(lost, 1e-3);
+  amrex::EB2::IndexSpace::clear();
 }
 
 TEST(DocsTest, GeometryShopOfAmrex) {

@@ -360,6 +360,7 @@ CutCells amrexCells(const Cutter& cutter, const amrex::Geometry& geometry,
 /// @param cutter  with the domain's period along axes in which the geometry is periodic, and none
 /// along others.
 /// @param geometry  of the finest level.
+/// @param options  see there.
 /// @throws Error(Argument) for another period, for any in 2D, as cutting does, and unless options
 /// are in their ranges.
 template <typename Cutter>

@@ -186,10 +186,9 @@ class Filling {
     // Of the open parts as they are rounded, so that they close.
     Vec3<double> vector;
     for (int axis = 0; axis < parts_.dimensions(); ++axis) {
-      auto above = cell;
-      ++along(above, axis);
-      vector[axis] = static_cast<double>(static_cast<T>(parts_.partOfFace(cell, axis).share)) -
-                     static_cast<double>(static_cast<T>(parts_.partOfFace(above, axis).share));
+      const auto& [low, high] = wall.open[asIndex(axis)];
+      vector[axis] =
+          static_cast<double>(static_cast<T>(low)) - static_cast<double>(static_cast<T>(high));
     }
     if (vector == Vec3<double>{}) vector = wall.vector;
     const auto face = faceAreas();

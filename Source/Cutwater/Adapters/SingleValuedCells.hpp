@@ -61,6 +61,7 @@ class SingleValuedCells {
   /// The finest level.
   /// @param cells  those of a box, or of all cells of a period along axes that have one; with
   /// polygons, for the open parts of edges, unless they lie in a plane.
+  /// @param options  see there.
   /// @throws Error(Argument) for cells without polygons, for a period that the box does not span,
   /// and unless options are within their ranges.
   explicit SingleValuedCells(const CutCells& cells, const SingleValuedOptions& options = {});

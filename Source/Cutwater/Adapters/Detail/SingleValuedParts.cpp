@@ -235,6 +235,7 @@ SingleValuedParts::Wall SingleValuedParts::wallOf(const Index3& cell) const {
     auto& [low, high] = faces[asIndex(axis)];
     low = partOfFace(cell, axis);
     high = partOfFace(above, axis);
+    wall.open[asIndex(axis)] = {low.share, high.share};
     wall.vector[axis] = low.share - high.share;
   }
   const auto place = inBox({cell, kCell});

@@ -28,7 +28,9 @@ class SingleValuedParts {
     Vec3<double> centroid = {};  ///< from the middle, in widths of cells
   };
   struct Wall {
-    Vec3<double> vector;    ///< the sum of the open parts, in shares of faces: out of the fluid
+    /// The open shares of the faces across each axis, the low one first.
+    std::array<std::array<double, 2>, 3> open{};
+    Vec3<double> vector;    ///< what closes them, in shares of faces: out of the fluid
     Vec3<double> centroid;  ///< from the middle of the cell, in its widths
   };
 
