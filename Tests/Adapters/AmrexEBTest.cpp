@@ -108,7 +108,7 @@ TEST_F(AmrexEBTest, EveryLevelKeepsTheRules) {
 
 TEST_F(AmrexEBTest, AMillionCellsKeepTheRules) {
   const Solid<double> torus = MeshSDF<double>(tessellation::torus(0.3, 0.11, 60, 30));
-  const auto geometry = cubeOf(128, {-0.5, -0.51, -0.52}, {0.5, 0.49, 0.48});
+  const auto geometry = cubeOf(128, {-0.5, -0.515625, -0.53125}, {0.5, 0.484375, 0.46875});
   const auto& space = buildEB(CellCutter(torus), geometry, {.coarseLevels = 0, .boxes = 32});
   const EBRules rules(space.getLevel(geometry));
   EXPECT_GT(rules.cells(), 1'000'000U);

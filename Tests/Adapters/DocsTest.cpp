@@ -1,4 +1,4 @@
-// The code of Docs/adapters.md and Docs/amrex.md.
+// The code of Docs/adapters.md, amrex.md, chombo.md and dealii.md.
 #include <Cutwater/Adapters/Amrex.hpp>
 #include <Cutwater/Adapters/AmrexEB.hpp>
 #include <Cutwater/Adapters/Chombo.hpp>
@@ -87,6 +87,19 @@ TEST(DocsTest, TagsOfAmrex) {
   solver.ErrorEst(1, tags, 0, 0);
   EXPECT_EQ(tags.fabs()[0].array()(3, 8, 8), amrex::TagBox::SET);
   EXPECT_EQ(tags.fabs()[0].array()(0, 0, 0), amrex::TagBox::CLEAR);
+}
+
+TEST(DocsTest, CutCellsOfChombo) {
+  const Solid<double> hull = MeshSDF<double>(tessellation::icosphere(0.6, 2));
+  const ProblemDomain domain(::Box(IntVect(0), IntVect(15)));
+  const RealVect origin;
+  const double dx = 1.0 / 16;
+  // [DOCS
+  const ChomboCutCells cut(CellCutter(hull), domain, origin, dx);
+  const GeometryService& service = cut;  // for EBIndexSpace::define(domain, origin, dx, service)
+  // DOCS]
+  EXPECT_EQ(service.InsideOutside(domain.domainBox(), domain, origin, dx),
+            GeometryService::Irregular);
 }
 
 TEST(DocsTest, ImplicitFunctionOfChombo) {

@@ -3,9 +3,19 @@
 // For code that includes Chombo 3.2, in 3D or 2D and either precision.
 
 #include <Cutwater/Adapters/FluidDomain.hpp>
+#include <Cutwater/Adapters/SingleValuedCells.hpp>
+#include <Cutwater/Core/Error.hpp>
+#include <Cutwater/CutCells/CellCutter.hpp>
 
 #include <BaseIF.H>
+#include <GeometryService.H>
+#include <IrregNode.H>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace cutwater {
 
@@ -77,6 +87,206 @@ class ChomboIF final : public BaseIF {
 
   FluidDomain<Real> domain_;
   Real z_;  // of the plane, in 2D
+};
+
+/// Options of ChomboCutCells.
+struct ChomboOptions {
+  double z = 0;  ///< in 2D: of the plane that is cut
+  /// See ParallelOptions.
+  int threads = 0;
+};
+
+/// The cells of a CellCutter or a SolidCutter as Chombo's geometry service, for
+/// EBIndexSpace::define(): each connected piece of fluid in a cell is a volume of fluid of its own,
+/// with the faces that lead from it.
+///
+///     const ChomboCutCells cut(CellCutter(hull), domain, origin, dx);
+///     Chombo_EBIS::instance()->define(domain, origin, dx, cut);
+///
+/// It has volume and area fractions and centroids; of higher moments it has none, so
+/// generatesHigherOrderMoments() is false. All of the domain is cut when it is made. Its functions
+/// may be called from within a parallel region.
+class ChomboCutCells final : public GeometryService {
+ public:
+  /// @param cutter  with the domain's period along axes in which it is periodic, and none along
+  /// others.
+  /// @param domain  of the finest level.
+  /// @param origin  the lower corner of cell 0.
+  /// @param dx  the width of cells.
+  /// @param options  see there.
+  /// @throws Error(Argument) for another period, for any in 2D, and as cutting does.
+  template <typename Cutter>
+  ChomboCutCells(const Cutter& cutter, const ProblemDomain& domain, const RealVect& origin, Real dx,
+                 const ChomboOptions& options = {})
+      : domain_(domain), dx_(dx), cells_(cut(cutter, domain, origin, dx, options)) {
+    arcs_.resize(cells_.pieces.cell.size());
+    for (std::uint32_t arc = 0; arc < cells_.arcs.area.size(); ++arc) {
+      for (const auto piece : {cells_.arcs.below[arc], cells_.arcs.above[arc]}) {
+        if (piece < cells_.pieceCount) arcs_[piece].push_back(arc);
+      }
+    }
+  }
+
+  bool isRegular(const ::Box& region, const ProblemDomain& domain, const RealVect& origin,
+                 const Real& dx) const override {
+    return InsideOutside(region, domain, origin, dx) == Regular;
+  }
+  bool isCovered(const ::Box& region, const ProblemDomain& domain, const RealVect& origin,
+                 const Real& dx) const override {
+    return InsideOutside(region, domain, origin, dx) == Covered;
+  }
+  using GeometryService::InsideOutside;
+  /// Irregular unless all cells are fluid, or all are body.
+  /// @throws Error(Argument) for another domain or width than those that were cut.
+  InOut InsideOutside(const ::Box& region, const ProblemDomain& domain, const RealVect& /*origin*/,
+                      const Real& dx) const override {
+    requireOwn(domain, dx);
+    const auto box = indicesOf(region);
+    if (cells_.grid.indices().contains(box.lo) && cells_.grid.indices().contains(box.hi)) {
+      return inOut(classOf(cells_, box));
+    }
+    const auto first = cells_.classOf(inDomain(box.lo));
+    bool isAlike = true;
+    forCells(box, [&](const Index3& cell) {
+      isAlike = isAlike && cells_.classOf(inDomain(cell)) == first;
+    });
+    return isAlike ? inOut(first) : Irregular;
+  }
+  bool canGenerateMultiCells() const override { return true; }
+  bool generatesHigherOrderMoments() const override { return false; }
+
+  /// @throws Error(Argument) as InsideOutside().
+  void fillGraph(BaseFab<int>& kinds, Vector<IrregNode>& nodes, const ::Box& valid,
+                 const ::Box& ghost, const ProblemDomain& domain, const RealVect& /*origin*/,
+                 const Real& dx, const DataIndex& /*index*/) const override {
+    requireOwn(domain, dx);
+    forCells(indicesOf(ghost), [&](const Index3& cell) {
+      const auto kind = inOut(cells_.classOf(inDomain(cell)));
+      kinds(vectOf(cell), 0) = kind == Regular ? 1 : kind == Covered ? -1 : 0;
+    });
+    forCells(indicesOf(valid), [&](const Index3& cell) {
+      const auto row = cells_.rowOf(inDomain(cell));
+      if (row == CutCells::kNoRow) return;
+      for (auto piece = cells_.cells.firstPiece[row]; piece < cells_.cells.firstPiece[row + 1];
+           ++piece) {
+        nodes.push_back(nodeOf(cell, row, piece));
+      }
+    });
+  }
+
+ private:
+  static IntVect vectOf(const Index3& index) {
+    IntVect result;
+    const std::array<int, 3> at{index.i, index.j, index.k};
+    for (int axis = 0; axis < CH_SPACEDIM; ++axis)
+      result[axis] = at[static_cast<std::size_t>(axis)];
+    return result;
+  }
+  static IndexBox indicesOf(const ::Box& box) {
+    const auto& lo = box.smallEnd();
+    const auto& hi = box.bigEnd();
+    if constexpr (CH_SPACEDIM == 3) return {{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}};
+    return {{lo[0], lo[1], 0}, {hi[0], hi[1], 0}};
+  }
+  template <typename Visit>
+  static void forCells(const IndexBox& box, const Visit& visit) {
+    for (int k = box.lo.k; k <= box.hi.k; ++k) {
+      for (int j = box.lo.j; j <= box.hi.j; ++j) {
+        for (int i = box.lo.i; i <= box.hi.i; ++i) visit(Index3{i, j, k});
+      }
+    }
+  }
+  static InOut inOut(FluidClass kind) {
+    return kind == FluidClass::Fluid ? Regular : kind == FluidClass::Body ? Covered : Irregular;
+  }
+
+  template <typename Cutter>
+  static CutCells cut(const Cutter& cutter, const ProblemDomain& domain, const RealVect& origin,
+                      Real dx, const ChomboOptions& options) {
+    const auto box = indicesOf(domain.domainBox());
+    std::array<std::vector<double>, 3> planes{{{}, {}, {0, 1}}};
+    for (int axis = 0; axis < CH_SPACEDIM; ++axis) {
+      require(domain.isPeriodic(axis) == (cutter.period()[axis] > 0),
+              "ChomboCutCells: need a cutter with a period where the domain has one",
+              Named{"axis", axis});
+      auto& across = planes[static_cast<std::size_t>(axis)];
+      across.clear();
+      const auto& ends = domain.domainBox();
+      for (int n = ends.smallEnd()[axis]; n <= ends.bigEnd()[axis] + 1; ++n) {
+        across.push_back(static_cast<double>(origin[axis]) + n * static_cast<double>(dx));
+      }
+    }
+    if constexpr (CH_SPACEDIM == 3) {
+      return cutter.cut(cutter.cellsOfPeriod(planes, box.lo, box), {.threads = options.threads});
+    }
+    return cutter.cutInPlane(cellsBetween(planes, box.lo), options.z, {.threads = options.threads});
+  }
+
+  void requireOwn(const ProblemDomain& domain, Real dx) const {
+    require(domain == domain_ && dx == dx_, "ChomboCutCells: need the domain that was cut",
+            Named{"dx", dx});
+  }
+  /// The cell of the domain for one that is whole periods away.
+  [[nodiscard]] Index3 inDomain(Index3 cell) const {
+    const auto box = cells_.grid.indices();
+    const auto wrap = [&](std::int32_t& at, std::int32_t lowest, std::int32_t highest, int axis) {
+      if (axis >= CH_SPACEDIM || !domain_.isPeriodic(axis)) return;
+      const auto count = highest - lowest + 1;
+      at = lowest + ((at - lowest) % count + count) % count;
+    };
+    wrap(cell.i, box.lo.i, box.hi.i, 0);
+    wrap(cell.j, box.lo.j, box.hi.j, 1);
+    wrap(cell.k, box.lo.k, box.hi.k, 2);
+    return cell;
+  }
+  /// The offset from the middle of a cell or a face, in widths.
+  [[nodiscard]] RealVect offset(const Vec3<double>& from, const Vec3<double>& to) const {
+    RealVect result;
+    for (int axis = 0; axis < CH_SPACEDIM; ++axis) {
+      const double share = (to[axis] - from[axis]) / static_cast<double>(dx_);
+      result[axis] = static_cast<Real>(std::clamp(share, -0.5, 0.5));
+    }
+    return result;
+  }
+
+  [[nodiscard]] IrregNode nodeOf(const Index3& cell, std::uint32_t row, std::uint32_t piece) const {
+    const auto box = cells_.boxOf(cells_.cells.index[row]);
+    IrregNode node;
+    node.m_cell = vectOf(cell);
+    node.m_cellIndex = static_cast<int>(piece - cells_.cells.firstPiece[row]);
+    node.m_volFrac = static_cast<Real>(cells_.volumeFraction(piece));
+    node.m_volCentroid = offset(box.center(), cells_.pieces.centroid[piece]);
+    const bool hasWall = cells_.pieces.wallArea[piece] > 0;
+    node.m_bndryCentroid =
+        offset(box.center(), hasWall ? cells_.pieces.wallCentroid[piece] : box.center());
+    for (const auto arc : arcs_[piece]) addArc(box, piece, arc, node);
+    return node;
+  }
+  void addArc(const Box<double>& box, std::uint32_t piece, std::uint32_t arc,
+              IrregNode& node) const {
+    const int axis = cells_.arcs.axis[arc];
+    if (axis >= CH_SPACEDIM) return;
+    const bool isHigh = cells_.arcs.below[arc] == piece;
+    const auto side = IrregNode::index(axis, isHigh ? Side::Hi : Side::Lo);
+    auto middle = box.center();
+    middle[axis] = cells_.arcs.centroid[arc][axis];
+    node.m_arc[side].push_back(targetOf(arc, isHigh));
+    node.m_areaFrac[side].push_back(static_cast<Real>(cells_.aperture(arc)));
+    node.m_faceCentroid[side].push_back(offset(middle, cells_.arcs.centroid[arc]));
+  }
+  /// The piece's number in the cell across, -2 for a cell that is all fluid, -1 beyond the domain.
+  [[nodiscard]] int targetOf(std::uint32_t arc, bool isHigh) const {
+    const auto other = isHigh ? cells_.arcs.above[arc] : cells_.arcs.below[arc];
+    const auto cell = isHigh ? cells_.arcs.cell[arc] : cells_.arcs.cellBelow(arc);
+    if (!cells_.grid.indices().contains(inDomain(cell)) || other == CutCells::kBeyond) return -1;
+    if (other == CutCells::kWholeCell) return -2;
+    return static_cast<int>(other - cells_.cells.firstPiece[cells_.pieces.cell[other]]);
+  }
+
+  ProblemDomain domain_;
+  Real dx_;
+  CutCells cells_;
+  std::vector<std::vector<std::uint32_t>> arcs_;  // of each piece
 };
 
 }  // namespace cutwater

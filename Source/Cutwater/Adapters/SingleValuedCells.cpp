@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <tuple>
 #include <utility>
 
 namespace cutwater {
@@ -255,6 +257,22 @@ std::shared_ptr<const Parts> finest(const CutCells& cells, const SingleValuedOpt
 
 }  // namespace
 
+// Cells that are all fluid and all body are never side by side, so those of a line are alike if
+// none is cut.
+FluidClass classOf(const CutCells& cells, const IndexBox& box) {
+  const auto key = [](const Index3& cell) { return std::tuple(cell.k, cell.j, cell.i); };
+  const auto own = std::span(cells.cells.index).first(cells.cellCount);
+  const auto first = cells.classOf(box.lo);
+  for (auto k = box.lo.k; k <= box.hi.k; ++k) {
+    for (auto j = box.lo.j; j <= box.hi.j; ++j) {
+      const auto row = std::ranges::lower_bound(own, key({box.lo.i, j, k}), {}, key);
+      const bool isAnyCut = row != own.end() && key(*row) <= key({box.hi.i, j, k});
+      if (isAnyCut || cells.classOf({box.lo.i, j, k}) != first) return FluidClass::Cut;
+    }
+  }
+  return first;
+}
+
 SingleValuedCells::SingleValuedCells(const CutCells& cells, const SingleValuedOptions& options)
     : parts_(finest(cells, options)) {}
 
@@ -282,18 +300,6 @@ const CutCells& SingleValuedCells::cells() const {
 
 const std::vector<LostPiece>& SingleValuedCells::lost() const {
   return parts_->merged().lost;
-}
-
-FluidClass SingleValuedCells::classify(const IndexBox& box) const {
-  std::array<bool, 4> isAny{};
-  forClasses(cells(), box, [&](const Index3& /*cell*/, FluidClass kind) {
-    isAny[static_cast<std::size_t>(kind)] = true;
-  });
-  const auto has = [&](FluidClass kind) { return isAny[static_cast<std::size_t>(kind)]; };
-  if (has(FluidClass::Cut) || (has(FluidClass::Fluid) && has(FluidClass::Body))) {
-    return FluidClass::Cut;
-  }
-  return has(FluidClass::Body) ? FluidClass::Body : FluidClass::Fluid;
 }
 
 template <std::floating_point T>

@@ -12,6 +12,10 @@ namespace cutwater {
 
 class SingleValuedParts;
 
+/// Whether all of a box within cut cells is fluid or body; Cut for all others, though no cell may
+/// be.
+[[nodiscard]] FluidClass classOf(const CutCells& cells, const IndexBox& box);
+
 /// Where the fields of a box of cells are written: of its cells, and of the faces, edges and nodes
 /// between them and around the box. Each view begins at the box's lowest index.
 ///
@@ -77,8 +81,8 @@ class SingleValuedCells {
   /// What was covered on this level, sorted as rows are.
   [[nodiscard]] const std::vector<LostPiece>& lost() const;
 
-  /// Cut, unless all cells of a box within this one are fluid, or all are body.
-  [[nodiscard]] FluidClass classify(const IndexBox& box) const;
+  /// Of a box within this one: classOf().
+  [[nodiscard]] FluidClass classify(const IndexBox& box) const { return classOf(cells(), box); }
 
   /// Sets all fields of a box, which may reach beyond the cells. Values of one index are the same
   /// bits whatever the box.

@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <tuple>
 
 namespace cutwater {
@@ -113,9 +112,13 @@ SingleValuedParts::Part SingleValuedParts::ofFace(const Place& face) const {
     return std::tuple(cell.k, cell.j, cell.i, across);
   };
   const auto key = order(face.at, axis);
-  const auto numbers = std::views::iota(std::size_t{0}, arcs.area.size());
-  auto arc = *std::ranges::lower_bound(
-      numbers, key, {}, [&](std::size_t n) { return order(arcs.cell[n], arcs.axis[n]); });
+  std::size_t arc = 0;
+  for (std::size_t count = arcs.area.size(); count > 0;) {
+    const auto half = arc + count / 2;
+    const bool isBefore = order(arcs.cell[half], arcs.axis[half]) < key;
+    count = isBefore ? arc + count - half - 1 : count / 2;
+    if (isBefore) arc = half + 1;
+  }
   Part part;
   const auto box = cells.boxOf(face.at);
   const auto size = box.size();
