@@ -157,15 +157,24 @@ TEST(ChomboCutCellsTest, APlateHasTwoSides) {
       ASSERT_TRUE(below != nullptr && above != nullptr);
       EXPECT_NEAR(below->m_volFrac, 0.3, 1e-6);
       EXPECT_NEAR(above->m_volFrac, 0.4, 1e-6);
-      EXPECT_EQ(below->m_arc[0], (std::vector<int>{-2}));
+      EXPECT_EQ(below->m_arc[0], (std::vector<int>{0}));
       EXPECT_TRUE(below->m_arc[kDim].empty());
       EXPECT_TRUE(above->m_arc[0].empty());
-      EXPECT_EQ(above->m_arc[kDim], (std::vector<int>{-2}));
+      EXPECT_EQ(above->m_arc[kDim], (std::vector<int>{0}));
       EXPECT_EQ(below->m_arc[1], (std::vector<int>{0}));
       EXPECT_EQ(above->m_arc[1], (std::vector<int>{1}));
       EXPECT_NEAR(below->m_bndryCentroid[0], -0.2, 1e-6);
       EXPECT_NEAR(above->m_bndryCentroid[0], 0.1, 1e-6);
       EXPECT_NEAR(below->m_volCentroid[0], -0.35, 1e-6);
+      // The cell across is all fluid, and irregular, as Chombo wants it there.
+      at[0] = 5;
+      const auto* whole = graph.find(at, 0);
+      ASSERT_NE(whole, nullptr);
+      EXPECT_EQ(graph.kind(at), 0);
+      EXPECT_EQ(whole->m_volFrac, 1);
+      EXPECT_EQ(whole->m_arc[kDim], (std::vector<int>{0}));
+      EXPECT_EQ(whole->m_areaFrac[kDim][0], 1);
+      EXPECT_EQ(whole->m_arc[0], (std::vector<int>{-2}));
       ++pairs;
     }
   }

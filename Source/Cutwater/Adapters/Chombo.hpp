@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -125,6 +126,9 @@ class ChomboCutCells final : public GeometryService {
         if (piece < cells_.pieceCount) arcs_[piece].push_back(arc);
       }
     }
+    for (const bool isMarked : {false, true}) {
+      for (std::uint32_t arc = 0; arc < cells_.arcs.area.size(); ++arc) noteWhole(arc, isMarked);
+    }
   }
 
   bool isRegular(const ::Box& region, const ProblemDomain& domain, const RealVect& origin,
@@ -156,16 +160,21 @@ class ChomboCutCells final : public GeometryService {
   bool generatesHigherOrderMoments() const override { return false; }
 
   /// @throws Error(Argument) as InsideOutside().
+  // NOLINTNEXTLINE(readability-function-size): its parameters are Chombo's
   void fillGraph(BaseFab<int>& kinds, Vector<IrregNode>& nodes, const ::Box& valid,
                  const ::Box& ghost, const ProblemDomain& domain, const RealVect& /*origin*/,
                  const Real& dx, const DataIndex& /*index*/) const override {
     requireOwn(domain, dx);
     forCells(indicesOf(ghost), [&](const Index3& cell) {
-      const auto kind = inOut(cells_.classOf(inDomain(cell)));
+      const auto own = inDomain(cell);
+      const auto kind = whole_.contains(keyOf(own)) ? Irregular : inOut(cells_.classOf(own));
       kinds(vectOf(cell), 0) = kind == Regular ? 1 : kind == Covered ? -1 : 0;
     });
     forCells(indicesOf(valid), [&](const Index3& cell) {
-      const auto row = cells_.rowOf(inDomain(cell));
+      const auto own = inDomain(cell);
+      const auto found = whole_.find(keyOf(own));
+      if (found != whole_.end()) nodes.push_back(wholeNodeOf(cell, own, found->second));
+      const auto row = cells_.rowOf(own);
       if (row == CutCells::kNoRow) return;
       for (auto piece = cells_.cells.firstPiece[row]; piece < cells_.cells.firstPiece[row + 1];
            ++piece) {
@@ -249,6 +258,59 @@ class ChomboCutCells final : public GeometryService {
     return result;
   }
 
+  using Key = std::array<int, 3>;
+
+  static Key keyOf(const Index3& cell) { return {cell.i, cell.j, cell.k}; }
+  /// Chombo wants cells that are all fluid to be irregular beside one of several pieces. It would
+  /// make them so itself, but its faces between them are closed then (FaceData::setToRegular()).
+  /// @param isMarked  whether these are known; then their arcs are noted.
+  void noteWhole(std::uint32_t arc, bool isMarked) {
+    for (const bool isHigh : {false, true}) {
+      const auto side = isHigh ? cells_.arcs.above[arc] : cells_.arcs.below[arc];
+      const auto other = isHigh ? cells_.arcs.below[arc] : cells_.arcs.above[arc];
+      const auto cell = inDomain(isHigh ? cells_.arcs.cell[arc] : cells_.arcs.cellBelow(arc));
+      if (side != CutCells::kWholeCell || cells_.arcs.axis[arc] >= CH_SPACEDIM) continue;
+      if (!cells_.grid.indices().contains(cell)) continue;
+      if (isMarked) {
+        const auto found = whole_.find(keyOf(cell));
+        if (found != whole_.end()) found->second.push_back({arc, isHigh});
+      } else if (other < cells_.pieces.cell.size()) {
+        const auto row = cells_.pieces.cell[other];
+        if (cells_.cells.firstPiece[row + 1] > cells_.cells.firstPiece[row] + 1) {
+          whole_[keyOf(cell)];
+        }
+      }
+    }
+  }
+  /// An arc of a cell that is all fluid.
+  struct WholeArc {
+    std::uint32_t arc = 0;
+    bool isAbove = false;  ///< whether the cell is above it
+  };
+  [[nodiscard]] IrregNode wholeNodeOf(const Index3& cell, const Index3& own,
+                                      const std::vector<WholeArc>& arcs) const {
+    const auto box = cells_.boxOf(own);
+    IrregNode node;
+    node.m_cell = vectOf(cell);
+    node.m_cellIndex = 0;
+    node.m_volFrac = 1;
+    node.m_volCentroid = RealVect();
+    node.m_bndryCentroid = RealVect();
+    for (const auto& [arc, isAbove] : arcs) addArc(box, arc, !isAbove, node);
+    for (int axis = 0; axis < CH_SPACEDIM; ++axis) {
+      for (const bool isHigh : {false, true}) {
+        const auto side = IrregNode::index(axis, isHigh ? Side::Hi : Side::Lo);
+        if (node.m_arc[side].size() > 0) continue;
+        auto across = own;
+        const int step = isHigh ? 1 : -1;
+        (axis == 0 ? across.i : axis == 1 ? across.j : across.k) += step;
+        node.m_arc[side].push_back(targetOf(CutCells::kWholeCell, across));
+        node.m_areaFrac[side].push_back(1);
+        node.m_faceCentroid[side].push_back(RealVect());
+      }
+    }
+    return node;
+  }
   [[nodiscard]] IrregNode nodeOf(const Index3& cell, std::uint32_t row, std::uint32_t piece) const {
     const auto box = cells_.boxOf(cells_.cells.index[row]);
     IrregNode node;
@@ -259,34 +321,35 @@ class ChomboCutCells final : public GeometryService {
     const bool hasWall = cells_.pieces.wallArea[piece] > 0;
     node.m_bndryCentroid =
         offset(box.center(), hasWall ? cells_.pieces.wallCentroid[piece] : box.center());
-    for (const auto arc : arcs_[piece]) addArc(box, piece, arc, node);
+    for (const auto arc : arcs_[piece]) addArc(box, arc, cells_.arcs.below[arc] == piece, node);
     return node;
   }
-  void addArc(const Box<double>& box, std::uint32_t piece, std::uint32_t arc,
-              IrregNode& node) const {
+  void addArc(const Box<double>& box, std::uint32_t arc, bool isHigh, IrregNode& node) const {
     const int axis = cells_.arcs.axis[arc];
     if (axis >= CH_SPACEDIM) return;
-    const bool isHigh = cells_.arcs.below[arc] == piece;
     const auto side = IrregNode::index(axis, isHigh ? Side::Hi : Side::Lo);
     auto middle = box.center();
     middle[axis] = cells_.arcs.centroid[arc][axis];
-    node.m_arc[side].push_back(targetOf(arc, isHigh));
+    node.m_arc[side].push_back(isHigh
+                                   ? targetOf(cells_.arcs.above[arc], cells_.arcs.cell[arc])
+                                   : targetOf(cells_.arcs.below[arc], cells_.arcs.cellBelow(arc)));
     node.m_areaFrac[side].push_back(static_cast<Real>(cells_.aperture(arc)));
     node.m_faceCentroid[side].push_back(offset(middle, cells_.arcs.centroid[arc]));
   }
-  /// The piece's number in the cell across, -2 for a cell that is all fluid, -1 beyond the domain.
-  [[nodiscard]] int targetOf(std::uint32_t arc, bool isHigh) const {
-    const auto other = isHigh ? cells_.arcs.above[arc] : cells_.arcs.below[arc];
-    const auto cell = isHigh ? cells_.arcs.cell[arc] : cells_.arcs.cellBelow(arc);
-    if (!cells_.grid.indices().contains(inDomain(cell)) || other == CutCells::kBeyond) return -1;
-    if (other == CutCells::kWholeCell) return -2;
-    return static_cast<int>(other - cells_.cells.firstPiece[cells_.pieces.cell[other]]);
+  /// The number of a piece in its cell, which is across a face: -2 for a cell that is all fluid and
+  /// regular, -1 beyond the domain.
+  [[nodiscard]] int targetOf(std::uint32_t piece, const Index3& across) const {
+    const auto cell = inDomain(across);
+    if (!cells_.grid.indices().contains(cell) || piece == CutCells::kBeyond) return -1;
+    if (piece == CutCells::kWholeCell) return whole_.contains(keyOf(cell)) ? 0 : -2;
+    return static_cast<int>(piece - cells_.cells.firstPiece[cells_.pieces.cell[piece]]);
   }
 
   ProblemDomain domain_;
   Real dx_;
   CutCells cells_;
   std::vector<std::vector<std::uint32_t>> arcs_;  // of each piece
+  std::map<Key, std::vector<WholeArc>> whole_;    // cells that are all fluid, but irregular
 };
 
 }  // namespace cutwater
