@@ -122,8 +122,9 @@ class AmrexLevel final : public amrex::EB2::Level {
   }
   static std::array<GridView<amrex::Real>, 3> viewsOf(amrex::MultiFab& field, int grid) {
     std::array<GridView<amrex::Real>, 3> views;
-    for (int n = 0; n < field.nComp(); ++n)
+    for (int n = 0; n < field.nComp(); ++n) {
       views[static_cast<std::size_t>(n)] = viewOf(field, grid, n);
+    }
     return views;
   }
 
@@ -273,13 +274,16 @@ class AmrexIndexSpace final : public amrex::EB2::IndexSpace {
     SingleValuedCells cells(cut_(finest), {.smallest = options_.smallest,
                                            .isPlane = AMREX_SPACEDIM == 2,
                                            .threads = options_.threads});
+    const auto isBody = [&] {
+      return cells.classify(detail::amrexIndices(geometry.Domain())) == FluidClass::Body;
+    };
+    require(!isBody(), "buildEB: all of the domain is body: is the fluid on the other side?");
     for (;;) {
       levels.push_back(std::make_unique<AmrexLevel>(this, geometry, cells, options_));
       if (static_cast<int>(levels.size()) > coarse || !cells.canCoarsen()) return levels;
       cells = cells.coarser();
       geometry = amrex::coarsen(geometry, 2);
-      if (cells.classify(detail::amrexIndices(geometry.Domain())) == FluidClass::Body)
-        return levels;
+      if (isBody()) return levels;
     }
   }
   /// The level of a domain; null if there is none.
@@ -361,8 +365,8 @@ CutCells amrexCells(const Cutter& cutter, const amrex::Geometry& geometry,
 /// along others.
 /// @param geometry  of the finest level.
 /// @param options  see there.
-/// @throws Error(Argument) for another period, for any in 2D, as cutting does, and unless options
-/// are in their ranges.
+/// @throws Error(Argument) for another period, for any in 2D, where no fluid is in the domain, as
+/// cutting does, and unless options are in their ranges.
 template <typename Cutter>
 const AmrexIndexSpace& buildEB(const Cutter& cutter, const amrex::Geometry& geometry,
                                const AmrexOptions& options = {}) {
