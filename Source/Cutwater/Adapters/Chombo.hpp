@@ -263,7 +263,7 @@ class ChomboCutCells final : public GeometryService {
   static Key keyOf(const Index3& cell) { return {cell.i, cell.j, cell.k}; }
   /// Chombo wants cells that are all fluid to be irregular beside one of several pieces. It would
   /// make them so itself, but its faces between them are closed then (FaceData::setToRegular()).
-  /// @param isMarked  whether these are known; then their arcs are noted.
+  /// Notes those of an arc, and once all are known, the arc.
   void noteWhole(std::uint32_t arc, bool isMarked) {
     for (const bool isHigh : {false, true}) {
       const auto side = isHigh ? cells_.arcs.above[arc] : cells_.arcs.below[arc];
