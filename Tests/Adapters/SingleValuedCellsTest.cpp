@@ -3,12 +3,13 @@
 #include <Cutwater/CutCells/CellCutter.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
-#include <Cutwater/Shapes/Capsule.hpp>
 #include <Cutwater/Shapes/ConvexPolyhedron.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -60,6 +61,7 @@ class Fields {
   [[nodiscard]] T aperture(const Index3& cell, std::size_t axis) const {
     return at(views_.aperture[axis], cell);
   }
+  [[nodiscard]] T levelSet(const Index3& node) const { return at(views_.levelSet, node); }
   [[nodiscard]] T volumeFraction(const Index3& cell) const {
     return at(views_.volumeFraction, cell);
   }
@@ -212,6 +214,33 @@ TEST(SingleValuedCellsTest, BodiesGoOnBeyondEdgesOfTheBox) {
   }
 }
 
+// A ball through the high face along each axis: what lies behind is its section there.
+TEST(SingleValuedCellsTest, SectionsAreThoseOfTheNearestFace) {
+  const int n = 10;
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3<double> center{0.46, 0.53, 0.49};
+    center[axis] = 0.95;
+    const SolidCutter cutter(Solid<double>(Sphere<double>(center, 0.28)));
+    const SingleValuedCells cells(cutter.cut(cube(n), {.polygons = true}));
+    const Fields<double> fields(cells, {{0, 0, 0}, {n + 2, n + 2, n + 2}});
+    int cut = 0;
+    forEach(IndexBox::ofSize(n, n, n), [&](const Index3& cell) {
+      const auto moved = [&](int to) {
+        std::array<int, 3> at{cell.i, cell.j, cell.k};
+        at[static_cast<std::size_t>(axis)] = to;
+        return Index3{at[0], at[1], at[2]};
+      };
+      const auto a = static_cast<std::size_t>(axis);
+      const double open = fields.aperture(moved(n), a);
+      EXPECT_EQ(fields.volumeFraction(moved(n)), open);
+      EXPECT_EQ(fields.volumeFraction(moved(n + 2)), open);
+      EXPECT_EQ(fields.aperture(moved(n + 2), a), open);
+      cut += open > 0 && open < 1 && open != fields.aperture(moved(n - 1), a) ? 1 : 0;
+    });
+    EXPECT_GT(cut, 50);
+  }
+}
+
 TEST(SingleValuedCellsTest, ValuesDoNotDependOnTheBox) {
   const CellCutter cutter(bodyOf(tessellation::icosphere(0.6, 3)));
   const SingleValuedCells cells(cutter.cut(cube(10), {.polygons = true}));
@@ -270,6 +299,7 @@ TEST(SingleValuedCellsTest, EdgesOfClosedFacesAreClosed) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (fields.aperture(cell, axis) != 0) continue;
       EXPECT_EQ(fields.edge(cell, (axis + 1) % 3), -1);
+      EXPECT_GE(fields.levelSet(cell), 0);
       ++closed;
     }
     const auto [i, j, k] = cell;
