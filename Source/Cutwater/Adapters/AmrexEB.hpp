@@ -3,10 +3,11 @@
 // For code that includes AMReX: EB2 as of October 2024, in 3D or 2D and either precision.
 
 #include <Cutwater/Adapters/Amrex.hpp>
+#include <Cutwater/Adapters/BoxGrids.hpp>
 #include <Cutwater/Adapters/SingleValuedCells.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Core/Parallel.hpp>
-#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/CutCells.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -326,33 +327,19 @@ class AmrexIndexSpace final : public amrex::EB2::IndexSpace {
 
 namespace detail {
 
-/// The planes between the cells of a geometry's domain; in 2D, of one layer of them.
-inline std::array<std::vector<double>, 3> amrexPlanes(const amrex::Geometry& geometry) {
-  std::array<std::vector<double>, 3> planes{{{}, {}, {0, 1}}};
+/// A geometry's domain; in 2D in the plane at z.
+inline HostDomain amrexDomain(const amrex::Geometry& geometry, double z) {
+  HostDomain domain{.cells = amrexIndices(geometry.Domain()),
+                    .origin = {},
+                    .width = {},
+                    .isPlane = AMREX_SPACEDIM == 2,
+                    .z = z};
   for (int axis = 0; axis < AMREX_SPACEDIM; ++axis) {
-    auto& across = planes[static_cast<std::size_t>(axis)];
-    across.clear();
-    const auto& domain = geometry.Domain();
-    for (int n = domain.smallEnd(axis); n <= domain.bigEnd(axis) + 1; ++n) {
-      across.push_back(static_cast<double>(geometry.ProbLo(axis)) +
-                       n * static_cast<double>(geometry.CellSize(axis)));
-    }
+    domain.origin[axis] = static_cast<double>(geometry.ProbLo(axis));
+    domain.width[axis] = static_cast<double>(geometry.CellSize(axis));
+    domain.isPeriodic[static_cast<std::size_t>(axis)] = geometry.isPeriodic(axis);
   }
-  return planes;
-}
-
-/// The cells of a geometry's domain, with what SingleValuedCells needs.
-template <typename Cutter>
-CutCells amrexCells(const Cutter& cutter, const amrex::Geometry& geometry,
-                    const AmrexOptions& options) {
-  const auto planes = amrexPlanes(geometry);
-  const auto box = amrexIndices(geometry.Domain());
-#if AMREX_SPACEDIM == 3
-  return cutter.cut(cutter.cellsOfPeriod(planes, box.lo, box),
-                    {.polygons = true, .threads = options.threads});
-#else
-  return cutter.cutInPlane(cellsBetween(planes, box.lo), options.z, {.threads = options.threads});
-#endif
+  return domain;
 }
 
 }  // namespace detail
@@ -372,12 +359,9 @@ const AmrexIndexSpace& buildEB(const Cutter& cutter, const amrex::Geometry& geom
                                const AmrexOptions& options = {}) {
   require(options.coarseLevels >= 0 && options.beyond >= 0 && options.boxes >= 1,
           "buildEB: need no negative numbers, and boxes of a cell at least");
-  for (int axis = 0; axis < AMREX_SPACEDIM; ++axis) {
-    require(geometry.isPeriodic(axis) == (cutter.period()[axis] > 0),
-            "buildEB: need a cutter with a period where the geometry has one", Named{"axis", axis});
-  }
   const auto cut = [cutter, options](const amrex::Geometry& domain) {
-    return detail::amrexCells(cutter, domain, options);
+    return cellsOf(cutter, detail::amrexDomain(domain, options.z),
+                   {.polygons = AMREX_SPACEDIM == 3, .threads = options.threads});
   };
   auto space = std::make_unique<AmrexIndexSpace>(cut, geometry, options);
   const auto& result = *space;

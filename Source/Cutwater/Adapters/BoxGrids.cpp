@@ -1,5 +1,6 @@
 #include <Cutwater/Adapters/BoxGrids.hpp>
 #include <Cutwater/Core/Error.hpp>
+#include <Cutwater/CutCells/Detail/Tiles/GridPlanes.hpp>
 
 #include <algorithm>
 #include <array>
@@ -110,6 +111,17 @@ BoxGrids gridsOf(std::span<const Box<double>> boxes, std::span<const int> levels
   result.places.resize(boxes.size());
   for (const auto& [level, numbers] : byLevel) addGrids(boxes, numbers, result);
   return result;
+}
+
+std::array<std::vector<double>, 3> planesOf(const HostDomain& domain) {
+  std::array<std::vector<double>, 3> planes;
+  for (int axis = 0; axis < domain.dimensions(); ++axis) {
+    for (auto n = along(domain.cells.lo, axis); n <= along(domain.cells.hi, axis) + 1; ++n) {
+      planes[asIndex(axis)].push_back(domain.origin[axis] + n * domain.width[axis]);
+    }
+  }
+  if (domain.isPlane) planes[2] = {0, 1};
+  return planes;
 }
 
 }  // namespace cutwater

@@ -2,10 +2,11 @@
 
 // For code that includes Chombo 3.2, in 3D or 2D and either precision.
 
+#include <Cutwater/Adapters/BoxGrids.hpp>
 #include <Cutwater/Adapters/FluidDomain.hpp>
 #include <Cutwater/Adapters/SingleValuedCells.hpp>
 #include <Cutwater/Core/Error.hpp>
-#include <Cutwater/CutCells/CellCutter.hpp>
+#include <Cutwater/CutCells/CutCells.hpp>
 
 #include <BaseIF.H>
 #include <GeometryService.H>
@@ -119,8 +120,11 @@ class ChomboCutCells final : public GeometryService {
   template <typename Cutter>
   ChomboCutCells(const Cutter& cutter, const ProblemDomain& domain, const RealVect& origin, Real dx,
                  const ChomboOptions& options = {})
-      : domain_(domain), dx_(dx), cells_(cut(cutter, domain, origin, dx, options)) {
-    arcs_.resize(cells_.pieces.cell.size());
+      : domain_(domain),
+        dx_(dx),
+        cells_(cellsOf(cutter, hostDomain(domain, origin, dx, options.z),
+                       {.threads = options.threads})),
+        arcs_(cells_.pieceCount) {
     for (std::uint32_t arc = 0; arc < cells_.arcs.area.size(); ++arc) {
       for (const auto piece : {cells_.arcs.below[arc], cells_.arcs.above[arc]}) {
         if (piece < cells_.pieceCount) arcs_[piece].push_back(arc);
@@ -187,8 +191,9 @@ class ChomboCutCells final : public GeometryService {
   static IntVect vectOf(const Index3& index) {
     IntVect result;
     const std::array<int, 3> at{index.i, index.j, index.k};
-    for (int axis = 0; axis < CH_SPACEDIM; ++axis)
+    for (int axis = 0; axis < CH_SPACEDIM; ++axis) {
       result[axis] = at[static_cast<std::size_t>(axis)];
+    }
     return result;
   }
   static IndexBox indicesOf(const ::Box& box) {
@@ -209,26 +214,19 @@ class ChomboCutCells final : public GeometryService {
     return kind == FluidClass::Fluid ? Regular : kind == FluidClass::Body ? Covered : Irregular;
   }
 
-  template <typename Cutter>
-  static CutCells cut(const Cutter& cutter, const ProblemDomain& domain, const RealVect& origin,
-                      Real dx, const ChomboOptions& options) {
-    const auto box = indicesOf(domain.domainBox());
-    std::array<std::vector<double>, 3> planes{{{}, {}, {0, 1}}};
+  static HostDomain hostDomain(const ProblemDomain& domain, const RealVect& origin, Real dx,
+                               double z) {
+    const auto width = static_cast<double>(dx);
+    HostDomain result{.cells = indicesOf(domain.domainBox()),
+                      .origin = {},
+                      .width = {width, width, width},
+                      .isPlane = CH_SPACEDIM == 2,
+                      .z = z};
     for (int axis = 0; axis < CH_SPACEDIM; ++axis) {
-      require(domain.isPeriodic(axis) == (cutter.period()[axis] > 0),
-              "ChomboCutCells: need a cutter with a period where the domain has one",
-              Named{"axis", axis});
-      auto& across = planes[static_cast<std::size_t>(axis)];
-      across.clear();
-      const auto& ends = domain.domainBox();
-      for (int n = ends.smallEnd()[axis]; n <= ends.bigEnd()[axis] + 1; ++n) {
-        across.push_back(static_cast<double>(origin[axis]) + n * static_cast<double>(dx));
-      }
+      result.origin[axis] = static_cast<double>(origin[axis]);
+      result.isPeriodic[static_cast<std::size_t>(axis)] = domain.isPeriodic(axis);
     }
-    if constexpr (CH_SPACEDIM == 3) {
-      return cutter.cut(cutter.cellsOfPeriod(planes, box.lo, box), {.threads = options.threads});
-    }
-    return cutter.cutInPlane(cellsBetween(planes, box.lo), options.z, {.threads = options.threads});
+    return result;
   }
 
   void requireOwn(const ProblemDomain& domain, Real dx) const {

@@ -252,7 +252,8 @@ std::shared_ptr<const Parts> finest(const CutCells& cells, const SingleValuedOpt
             "SingleValuedCells: need all cells of a period", Named{"axis", axis});
   }
   return std::make_shared<const Parts>(merged(cells, {.smallest = options.smallest}),
-                                       options.isPlane ? OpenEdges() : OpenEdges(cells), options);
+                                       options.isPlane ? EdgeOpenings() : EdgeOpenings(cells),
+                                       options);
 }
 
 }  // namespace

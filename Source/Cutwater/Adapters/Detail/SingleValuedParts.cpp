@@ -21,14 +21,14 @@ bool extends(unsigned extent, int axis) {
 
 }  // namespace
 
-SingleValuedParts::SingleValuedParts(MergedCells merged, const OpenEdges& raw,
+SingleValuedParts::SingleValuedParts(MergedCells merged, const EdgeOpenings& raw,
                                      const SingleValuedOptions& options)
     : merged_(std::move(merged)), options_(options), box_(merged_.cells.grid.indices()) {
   for (int axis = 0; axis < 3; ++axis) {
     isPeriodic_[asIndex(axis)] = merged_.cells.grid.period[asIndex(axis)] != 0;
   }
   if (options.isPlane) return;
-  auto edges = edgesOf(merged_.cells);
+  auto edges = edgesOfCells(merged_.cells);
   parallelFor(edges.size(), {.threads = options.threads, .grain = 1024},
               [&](std::size_t begin, std::size_t end) {
                 for (auto n = begin; n < end; ++n) {
@@ -36,7 +36,7 @@ SingleValuedParts::SingleValuedParts(MergedCells merged, const OpenEdges& raw,
                   edges[n] = finalEdge(inBox({edges[n].cell, 1U << axis}), raw);
                 }
               });
-  edges_ = OpenEdges(std::move(edges));
+  edges_ = EdgeOpenings(std::move(edges));
 }
 
 SingleValuedParts::Place SingleValuedParts::inBox(Place place) const {
@@ -200,9 +200,9 @@ bool SingleValuedParts::touchesClosedFace(const Place& place) const {
 
 /// Closed beside faces that are closed, and as it was otherwise: all open if no cell around it was
 /// cut, or if one still is all fluid.
-OpenEdge SingleValuedParts::finalEdge(const Place& edge, const OpenEdges& raw) const {
+EdgeOpening SingleValuedParts::finalEdge(const Place& edge, const EdgeOpenings& raw) const {
   const int axis = std::countr_zero(edge.extent);
-  OpenEdge result{.cell = edge.at, .axis = axis};
+  EdgeOpening result{.cell = edge.at, .axis = axis};
   if (touchesClosedFace(edge)) return result;
   const auto found = raw.at(edge.at, axis);
   bool isWhole = !found || found->share > kAllOpen;
@@ -269,9 +269,9 @@ SingleValuedParts::Wall SingleValuedParts::wallOf(const Index3& cell) const {
   return wall;
 }
 
-OpenEdges SingleValuedParts::coarseEdges(const CutCells& coarse) const {
+EdgeOpenings SingleValuedParts::coarseEdges(const CutCells& coarse) const {
   if (options_.isPlane) return {};
-  auto edges = edgesOf(coarse);
+  auto edges = edgesOfCells(coarse);
   for (auto& edge : edges) {
     double moment = 0;
     for (int half = 0; half < 2; ++half) {
@@ -283,7 +283,7 @@ OpenEdges SingleValuedParts::coarseEdges(const CutCells& coarse) const {
     }
     if (edge.share > 0) edge.centroid = moment / edge.share;
   }
-  return OpenEdges(std::move(edges));
+  return EdgeOpenings(std::move(edges));
 }
 
 }  // namespace cutwater

@@ -1,7 +1,7 @@
 // Private: what is fluid of cells, faces, edges and nodes, within and beyond a box of cut cells.
 #pragma once
 
-#include <Cutwater/Adapters/Detail/OpenEdges.hpp>
+#include <Cutwater/Adapters/Detail/EdgeOpenings.hpp>
 #include <Cutwater/Adapters/SingleValuedCells.hpp>
 #include <Cutwater/CutCells/CutCells.hpp>
 
@@ -35,7 +35,8 @@ class SingleValuedParts {
   };
 
   /// @param raw  what is open of the edges of these cells before any face was closed.
-  SingleValuedParts(MergedCells merged, const OpenEdges& raw, const SingleValuedOptions& options);
+  SingleValuedParts(MergedCells merged, const EdgeOpenings& raw,
+                    const SingleValuedOptions& options);
 
   [[nodiscard]] const MergedCells& merged() const { return merged_; }
   [[nodiscard]] const IndexBox& box() const { return box_; }
@@ -62,7 +63,7 @@ class SingleValuedParts {
   [[nodiscard]] double levelSetAt(const Index3& node) const;
 
   /// What is open of the edges of cells that each join two along each axis.
-  [[nodiscard]] OpenEdges coarseEdges(const CutCells& coarse) const;
+  [[nodiscard]] EdgeOpenings coarseEdges(const CutCells& coarse) const;
 
  private:
   struct Place {
@@ -76,7 +77,7 @@ class SingleValuedParts {
   [[nodiscard]] Part ofEdge(const Place& edge) const;
   [[nodiscard]] double levelSetIn(const Place& node) const;
   [[nodiscard]] bool touchesClosedFace(const Place& place) const;
-  [[nodiscard]] OpenEdge finalEdge(const Place& edge, const OpenEdges& raw) const;
+  [[nodiscard]] EdgeOpening finalEdge(const Place& edge, const EdgeOpenings& raw) const;
   template <typename Visit>
   void forCellsAround(const Place& place, const Visit& visit) const;
 
@@ -84,7 +85,7 @@ class SingleValuedParts {
   SingleValuedOptions options_;
   IndexBox box_;
   std::array<bool, 3> isPeriodic_{};
-  OpenEdges edges_;
+  EdgeOpenings edges_;
 };
 
 }  // namespace cutwater

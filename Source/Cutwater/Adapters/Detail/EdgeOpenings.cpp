@@ -1,4 +1,4 @@
-#include <Cutwater/Adapters/Detail/OpenEdges.hpp>
+#include <Cutwater/Adapters/Detail/EdgeOpenings.hpp>
 #include <Cutwater/CutCells/Detail/Tiles/GridPlanes.hpp>
 
 #include <algorithm>
@@ -51,22 +51,24 @@ void addStretches(const CutCells& cells, std::size_t arc, std::vector<Stretch>& 
   }
 }
 
-void sortOnce(std::vector<OpenEdge>& edges) {
-  const auto order = [](const OpenEdge& edge) { return placeOf(edge.cell, edge.axis); };
+void sortOnce(std::vector<EdgeOpening>& edges) {
+  const auto order = [](const EdgeOpening& edge) { return placeOf(edge.cell, edge.axis); };
   std::ranges::sort(edges, {}, order);
-  const auto same = [&](const OpenEdge& a, const OpenEdge& b) { return order(a) == order(b); };
+  const auto same = [&](const EdgeOpening& a, const EdgeOpening& b) {
+    return order(a) == order(b);
+  };
   edges.erase(std::unique(edges.begin(), edges.end(), same), edges.end());
 }
 
 }  // namespace
 
-std::vector<OpenEdge> edgesOf(const CutCells& cells) {
-  std::vector<OpenEdge> edges;
+std::vector<EdgeOpening> edgesOfCells(const CutCells& cells) {
+  std::vector<EdgeOpening> edges;
   edges.reserve(12 * cells.cellCount);
   for (std::size_t row = 0; row < cells.cellCount; ++row) {
     for (int axis = 0; axis < 3; ++axis) {
       for (int corner = 0; corner < 4; ++corner) {
-        auto& edge = edges.emplace_back(OpenEdge{.cell = cells.cells.index[row], .axis = axis});
+        auto& edge = edges.emplace_back(EdgeOpening{.cell = cells.cells.index[row], .axis = axis});
         along(edge.cell, (axis + 1) % 3) += corner & 1;
         along(edge.cell, (axis + 2) % 3) += corner >> 1;
       }
@@ -76,9 +78,9 @@ std::vector<OpenEdge> edgesOf(const CutCells& cells) {
   return edges;
 }
 
-OpenEdges::OpenEdges(const CutCells& cells) {
+EdgeOpenings::EdgeOpenings(const CutCells& cells) {
   std::vector<Stretch> stretches;
-  for (const auto& edge : edgesOf(cells)) {
+  for (const auto& edge : edgesOfCells(cells)) {
     stretches.push_back({.cell = edge.cell, .axis = edge.axis});
   }
   for (std::size_t arc = 0; arc < cells.arcs.area.size(); ++arc) {
@@ -86,7 +88,7 @@ OpenEdges::OpenEdges(const CutCells& cells) {
   }
   std::ranges::sort(stretches, {}, &Stretch::order);
   for (auto next = stretches.begin(); next != stretches.end();) {
-    OpenEdge edge{.cell = next->cell, .axis = next->axis};
+    EdgeOpening edge{.cell = next->cell, .axis = next->axis};
     double reached = 0;
     double moment = 0;
     for (; next != stretches.end() && next->cell == edge.cell && next->axis == edge.axis; ++next) {
@@ -101,14 +103,14 @@ OpenEdges::OpenEdges(const CutCells& cells) {
   }
 }
 
-OpenEdges::OpenEdges(std::vector<OpenEdge> edges) : edges_(std::move(edges)) {
+EdgeOpenings::EdgeOpenings(std::vector<EdgeOpening> edges) : edges_(std::move(edges)) {
   sortOnce(edges_);
 }
 
-std::optional<OpenEdge> OpenEdges::at(const Index3& cell, int axis) const {
-  const auto found =
-      std::ranges::lower_bound(edges_, placeOf(cell, axis), {},
-                               [](const OpenEdge& edge) { return placeOf(edge.cell, edge.axis); });
+std::optional<EdgeOpening> EdgeOpenings::at(const Index3& cell, int axis) const {
+  const auto found = std::ranges::lower_bound(
+      edges_, placeOf(cell, axis), {},
+      [](const EdgeOpening& edge) { return placeOf(edge.cell, edge.axis); });
   if (found == edges_.end() || found->cell != cell || found->axis != axis) return std::nullopt;
   return *found;
 }

@@ -9,7 +9,7 @@
 namespace cutwater {
 
 /// What is fluid of an edge of the grid.
-struct OpenEdge {
+struct EdgeOpening {
   Index3 cell;  ///< whose lowest corner is the edge's lower end
   int axis = 0;
   double share = 0;     ///< of its length, from 0 to 1
@@ -17,22 +17,22 @@ struct OpenEdge {
 };
 
 /// The twelve edges of each cell that is cut, sorted as below, each once, closed.
-[[nodiscard]] std::vector<OpenEdge> edgesOf(const CutCells& cells);
+[[nodiscard]] std::vector<EdgeOpening> edgesOfCells(const CutCells& cells);
 
 /// Open parts of edges, by cell as rows are, and by axis.
-class OpenEdges {
+class EdgeOpenings {
  public:
-  OpenEdges() = default;
+  EdgeOpenings() = default;
   /// Those of cells that were cut with polygons: the sides of outlines of arcs in the borders of
   /// their faces. An edge that is not among them is none of a cell that is cut.
-  explicit OpenEdges(const CutCells& cells);
+  explicit EdgeOpenings(const CutCells& cells);
   /// These edges, in any order; those that are there twice are the same.
-  explicit OpenEdges(std::vector<OpenEdge> edges);
+  explicit EdgeOpenings(std::vector<EdgeOpening> edges);
 
-  [[nodiscard]] std::optional<OpenEdge> at(const Index3& cell, int axis) const;
+  [[nodiscard]] std::optional<EdgeOpening> at(const Index3& cell, int axis) const;
 
  private:
-  std::vector<OpenEdge> edges_;
+  std::vector<EdgeOpening> edges_;
 };
 
 }  // namespace cutwater
