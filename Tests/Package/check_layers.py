@@ -112,6 +112,23 @@ def declared(text):
     return {*types, *functions}
 
 
+def complaints_about_types():
+    """Two types of one name in one namespace: the linker takes what templates make of them for the same."""
+    places = {}
+    for name, file in headers().items():
+        namespaces = []
+        for line in file.read_text().splitlines():
+            if opened := re.match(r"namespace ([\w:]+) \{", line):
+                namespaces.append(opened[1])
+            elif line.startswith("}  // namespace") and namespaces:
+                namespaces.pop()
+            elif defined := re.match(r"(?:struct|class|enum class) (\w+)(?: final)?(?: :[^;]*)? ?\{", line):
+                places.setdefault("::".join([*namespaces, defined[1]]), set()).add(name)
+    for name, files in places.items():
+        if len(files) > 1:
+            yield f"{name} is in {' and in '.join(sorted(files))}"
+
+
 def complaints_about_installed():
     every, ours = headers(), {path.removeprefix("Cutwater/") for path in installed(ROOT)}
     included = {path.removeprefix("Cutwater/") for name in ours for _, path in includes(every[name])}
@@ -136,6 +153,6 @@ def complaints_about_installed():
             yield f"{umbrella.name}: {'do not ' if name in has else ''}include <Cutwater/{name}>"
 
 
-found = [*complaints_about_includes(), *complaints_about_installed()]
+found = [*complaints_about_includes(), *complaints_about_types(), *complaints_about_installed()]
 print("\n".join(found) or f"layers ok; {len(installed(ROOT))} headers installed")
 sys.exit(bool(found))

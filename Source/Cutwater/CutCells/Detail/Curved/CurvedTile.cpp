@@ -27,7 +27,7 @@ struct CurvedCell {
 
 /// What is open of the sides of a cell.
 struct CellSides {
-  OpenSides areas;
+  OpenShares areas;
   bool isCut = false;
   bool isOpen = false;
   double gap = 0;

@@ -31,8 +31,8 @@ double measureOf(const BoxView& view) {
 }
 
 /// What edges of a rectangle have of fluid.
-OpenSides openEdges(const BoxView& view) {
-  OpenSides edges;
+OpenShares openEdges(const BoxView& view) {
+  OpenShares edges;
   for (int axis = 0; axis < 3; ++axis) {
     if (!view.isFree(axis)) continue;
     const int across = 3 - axis - view.flatAxis();
@@ -51,7 +51,7 @@ std::array<Box<double>, 2> halvesOf(const Box<double>& box, int axis, double at)
 
 /// Whether faces of a box that no wall crosses in edges are not all fluid or all body, as its
 /// corners are.
-bool isPierced(const BoxView& view, const OpenSides& sides) {
+bool isPierced(const BoxView& view, const OpenShares& sides) {
   constexpr double kRounding = 1e-14;
   if (view.flatAxis() >= 0 || view.isCrossed()) return false;
   const auto size = view.box().size();
@@ -70,7 +70,7 @@ void FluidRule::findIn(const BoxView& rectangle, double tolerance) {
   findIn(rectangle, openEdges(rectangle), tolerance);
 }
 
-void FluidRule::findIn(const BoxView& view, const OpenSides& sides, double tolerance) {
+void FluidRule::findIn(const BoxView& view, const OpenShares& sides, double tolerance) {
   constexpr int kMostLines = 6000;
   struct Attempt {
     int points = 0;    // of each Gauss rule
@@ -121,7 +121,7 @@ void FluidRule::takeAll(const Box<double>& box) {
   addWhole(box, flatAxisOf(box));
 }
 
-double FluidRule::gapIn(const BoxView& view, const OpenSides& sides) const {
+double FluidRule::gapIn(const BoxView& view, const OpenShares& sides) const {
   const auto middle = view.box().center();
   auto open = sides.difference;
   Vec3<double> moments;

@@ -8,7 +8,7 @@
 namespace cutwater {
 
 /// The areas of what is open of the sides of a box across each axis; the lengths, of a rectangle.
-struct OpenSides {
+struct OpenShares {
   Vec3<double> difference;  ///< of the upper less the lower side: a vector out of the box
   Vec3<double> sum;         ///< of both
 
@@ -32,7 +32,7 @@ class FluidRule {
   /// The fluid in a box with these open sides, and its wall. If gap() is larger than `tolerance`,
   /// with the most points that rules have, then also in halves of the box; what has the least gap
   /// counts.
-  void findIn(const BoxView& box, const OpenSides& sides, double tolerance);
+  void findIn(const BoxView& box, const OpenShares& sides, double tolerance);
   /// That in a rectangle, likewise; its edges tell what is open.
   void findIn(const BoxView& rectangle, double tolerance);
   /// All of a box or a rectangle.
@@ -45,7 +45,7 @@ class FluidRule {
   [[nodiscard]] double gap() const { return gap_; }
 
  private:
-  [[nodiscard]] double gapIn(const BoxView& view, const OpenSides& sides) const;
+  [[nodiscard]] double gapIn(const BoxView& view, const OpenShares& sides) const;
   void addPart(const BoxView& view, int depth, int halvings);
   void addBetweenSurfaces(const Box<double>& box, std::span<const FluidField* const> surfaces,
                           int depth, int halvings);

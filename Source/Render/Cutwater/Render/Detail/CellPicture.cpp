@@ -165,8 +165,8 @@ double CellPicture::dotRadius() const {
   return kDot * style_.scale();
 }
 
-CellCounts CellPicture::counts() const {
-  CellCounts counts{.cut = layer_.cells().size()};
+CellTally CellPicture::counts() const {
+  CellTally counts{.cut = layer_.cells().size()};
   for (const auto& cell : layer_.cells()) {
     counts.multiPiece += pieces(cell.row) > 1 ? 1 : 0;
     counts.thin += layer_.rows().isThin(cell.row) ? 1 : 0;

@@ -43,7 +43,7 @@ inline constexpr Rgb kFluidColor{250, 251, 252};
 [[nodiscard]] Rgb bodyColor(int x, int y, double scale);
 
 /// How many cells of a layer are cut, have several pieces, are thin.
-struct CellCounts {
+struct CellTally {
   std::size_t cut = 0;
   std::size_t multiPiece = 0;
   std::size_t thin = 0;
@@ -67,7 +67,7 @@ class CellPicture {
   void drawDots(Image& image, std::span<const PlanePoint> places, double radius) const;
   [[nodiscard]] double dotRadius() const;
 
-  [[nodiscard]] CellCounts counts() const;
+  [[nodiscard]] CellTally counts() const;
 
  private:
   [[nodiscard]] std::uint32_t pieces(std::uint32_t row) const;
