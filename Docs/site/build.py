@@ -40,9 +40,13 @@ def check_comments(root, folder):
 
 
 def run_sphinx(python, root, folder):
-    return subprocess.run([python, "-m", "sphinx", "-b", "html", "-q", "-W", "--keep-going", "-j", "2",
+    """Returns whether Sphinx warned. What it read then is forgotten: it warns only of pages that it reads."""
+    status = subprocess.run([python, "-m", "sphinx", "-b", "html", "-q", "-W", "--keep-going", "-j", "2",
                            "-c", root / "Docs/site", "-D", f"breathe_projects.cutwater={folder}/doxygen/xml",
                            "-d", folder / "doctrees", folder / "source", folder / "html"]).returncode
+    if status:
+        shutil.rmtree(folder / "doctrees", ignore_errors=True)
+    return bool(status)
 
 
 def main():
@@ -56,7 +60,7 @@ def main():
     headers, failed = check_comments(root, folder)
     if whole:
         write_pages(root, folder / "source", folder / "doxygen/xml", headers)
-        failed |= bool(run_sphinx(python, root, folder))
+        failed |= run_sphinx(python, root, folder)
         take_along(folder / "html")
         outside = reaches_outside(folder / "html")
         print(*outside, sep="\n", end="\n" if outside else "")
