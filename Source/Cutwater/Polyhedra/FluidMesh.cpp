@@ -3,13 +3,13 @@
 #include <Cutwater/CutCells/Detail/Leaves/LeafGrid.hpp>
 #include <Cutwater/Grid/OctreeNodes.hpp>
 #include <Cutwater/Polyhedra/Detail/CellFaces.hpp>
-#include <Cutwater/Polyhedra/Detail/DividedCells.hpp>
 #include <Cutwater/Polyhedra/Detail/EdgeMeetings.hpp>
 #include <Cutwater/Polyhedra/Detail/FaceQuality.hpp>
 #include <Cutwater/Polyhedra/Detail/FaceRows.hpp>
 #include <Cutwater/Polyhedra/Detail/FluidCells.hpp>
 #include <Cutwater/Polyhedra/Detail/JoinedPolygons.hpp>
 #include <Cutwater/Polyhedra/Detail/KeptRegions.hpp>
+#include <Cutwater/Polyhedra/Detail/MendedCells.hpp>
 #include <Cutwater/Polyhedra/Detail/PointNumbers.hpp>
 #include <Cutwater/Polyhedra/Detail/SimpleLoops.hpp>
 #include <Cutwater/Polyhedra/FluidMesh.hpp>
@@ -60,7 +60,9 @@ class MeshOfFluid {
     std::erase_if(result.patches, [](const auto& patch) { return patch.faceCount == 0; });
     result.points = std::move(points_).take();
     meetEdgeByEdge(result);
-    result = withDividedCells(std::move(result));
+    const bool isExact = leaves_.cut.error.empty();
+    result = withMendedCells(std::move(result), {.joins = !options_.wallPolygons,
+                                                 .joinsSides = !options_.wallPolygons && !isExact});
     dropUnused(result);
     requireLabel(result.faces.count(), "faces");
     requireLabel(result.points.size(), "points");

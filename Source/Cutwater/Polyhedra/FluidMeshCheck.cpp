@@ -36,13 +36,14 @@ void checkFaces(const FluidMesh& mesh, const FaceQuality& quality, FluidMeshRepo
     const auto loop = faces.of(face);
     if (loop.size() < 3 || hasRepeatedCorner(loop)) ++report.repeatedCorners;
     if (quality.area(face) == Vec3<double>{}) ++report.flatFaces;
-    const double skewness = quality.skewness(face);
+    const auto between = quality.between(face);
+    const double skewness = between.skewness(loop, [&](std::uint32_t n) { return mesh.points[n]; });
     report.worstSkewness = std::max(report.worstSkewness, skewness);
     if (skewness > kMostSkew) ++report.skewFaces;
-    if (!(quality.pyramid(face, faces.owner[face]) > 0)) ++report.invertedFaces;
+    if (!(between.pyramid() > 0)) ++report.invertedFaces;
     if (face >= faces.neighbour.size()) continue;
-    if (!(quality.pyramid(face, faces.neighbour[face]) > 0)) ++report.invertedFaces;
-    const double cosine = std::clamp(quality.orthogonality(face), -1.0, 1.0);
+    if (!(between.pyramidBeyond() > 0)) ++report.invertedFaces;
+    const double cosine = std::clamp(between.orthogonality(), -1.0, 1.0);
     const double angle = inDegrees(cosine);
     cosines += cosine;
     report.worstNonOrthogonality = std::max(report.worstNonOrthogonality, angle);
@@ -51,15 +52,6 @@ void checkFaces(const FluidMesh& mesh, const FaceQuality& quality, FluidMeshRepo
   if (!faces.neighbour.empty()) {
     report.meanNonOrthogonality = inDegrees(cosines / static_cast<double>(faces.neighbour.size()));
   }
-}
-
-/// The larger of two: the extents of a cell as seen along the axes, and its surface beside that of
-/// a cube of its volume.
-double aspectRatio(const Vec3<double>& seen, double volume) {
-  const double least = std::min({seen.x, seen.y, seen.z});
-  const double most = std::max({seen.x, seen.y, seen.z});
-  const double surface = (seen.x + seen.y + seen.z) / 6 / std::pow(volume, 2.0 / 3);
-  return std::max(most / least, surface);
 }
 
 void checkCells(const FluidMesh& mesh, const FaceQuality& quality, FluidMeshReport& report) {
@@ -72,17 +64,14 @@ void checkCells(const FluidMesh& mesh, const FaceQuality& quality, FluidMeshRepo
     if (!edges.openOf(cells, cell).empty()) ++report.openCells;
     if (cells.of(cell).size() < kFewestFaces) ++report.fewFaces;
     Vec3<double> sum;
-    Vec3<double> seen;
     double surface = 0;
     for (const auto face : cells.of(cell)) {
       const auto& area = quality.area(face);
       sum += mesh.faces.owner[face] == cell ? area : -area;
-      seen += abs(area);
       surface += length(area);
     }
     report.worstClosure = std::max(report.worstClosure, length(sum) / surface);
-    report.worstAspectRatio =
-        std::max(report.worstAspectRatio, aspectRatio(seen, quality.volume(cell)));
+    report.worstAspectRatio = std::max(report.worstAspectRatio, quality.aspectRatio(cell));
   }
 }
 

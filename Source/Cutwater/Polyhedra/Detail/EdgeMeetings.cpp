@@ -61,24 +61,6 @@ class PointsOnAxes {
   std::array<std::vector<std::uint32_t>, 3> lines_;
 };
 
-/// Appends the loops that a closed path consists of, in which no corner comes twice.
-void addSimpleLoops(const CornerLoop& path, std::vector<CornerLoop>& loops) {
-  const auto add = [&](CornerLoop loop) {
-    clean(loop);
-    if (!loop.empty()) loops.push_back(std::move(loop));
-  };
-  CornerLoop open;
-  for (const auto corner : path) {
-    const auto before = std::ranges::find(open, corner);
-    if (before != open.end()) {
-      add({before, open.end()});
-      open.erase(before, open.end());
-    }
-    open.push_back(corner);
-  }
-  add(std::move(open));
-}
-
 }  // namespace
 
 void meetEdgeByEdge(FluidMesh& mesh) {

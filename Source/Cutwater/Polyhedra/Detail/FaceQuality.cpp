@@ -1,15 +1,29 @@
 #include <Cutwater/Polyhedra/Detail/FaceQuality.hpp>
 
-#include <algorithm>
-#include <cmath>
-
 namespace cutwater {
 
-namespace {
+double aspectRatio(const Vec3<double>& seen, double volume) {
+  const double least = std::min({seen.x, seen.y, seen.z});
+  const double most = std::max({seen.x, seen.y, seen.z});
+  const double surface = (seen.x + seen.y + seen.z) / 6 / std::pow(volume, 2.0 / 3);
+  return std::max(most / least, surface);
+}
 
-constexpr double kTiny = 1e-150;  // OpenFOAM's ROOTVSMALL
+double FaceBetween::orthogonality() const {
+  const auto passing = line();
+  return dot(passing, face.area) / (length(passing) * length(face.area) + kTiny);
+}
 
-}  // namespace
+Vec3<double> FaceBetween::line() const {
+  if (other) return *other - center;
+  const auto normal = face.area / (length(face.area) + kTiny);
+  return dot(normal, face.center - center) * normal;
+}
+
+Vec3<double> FaceBetween::asideOf(const Vec3<double>& passing) const {
+  const auto toFace = face.center - center;
+  return toFace - dot(face.area, toFace) / (dot(face.area, passing) + kTiny) * passing;
+}
 
 CellMoments cellMoments(std::span<const FaceMoments> faces) {
   Vec3<double> mean;
@@ -27,7 +41,10 @@ CellMoments cellMoments(std::span<const FaceMoments> faces) {
 }
 
 FaceQuality::FaceQuality(const FluidMesh& mesh)
-    : mesh_(mesh), volumes_(mesh.cells.leaf.size(), 0), cellCenters_(mesh.cells.leaf.size()) {
+    : mesh_(mesh),
+      volumes_(mesh.cells.leaf.size(), 0),
+      cellCenters_(mesh.cells.leaf.size()),
+      seen_(mesh.cells.leaf.size()) {
   areas_.reserve(mesh.faces.count());
   centers_.reserve(mesh.faces.count());
   for (std::size_t face = 0; face < mesh.faces.count(); ++face) {
@@ -51,6 +68,7 @@ void FaceQuality::addPyramids() {
   std::vector<double> count(volumes_.size(), 0);
   forSides([&](std::size_t face, std::uint32_t cell, double) {
     means[cell] += centers_[face];
+    seen_[cell] += abs(areas_[face]);
     count[cell] += 1;
   });
   for (std::size_t cell = 0; cell < means.size(); ++cell) means[cell] *= 1 / count[cell];
@@ -66,35 +84,10 @@ void FaceQuality::addPyramids() {
   }
 }
 
-double FaceQuality::skewness(std::size_t face) const {
-  const auto toFace = centers_[face] - cellCenters_[mesh_.faces.owner[face]];
-  const auto& area = areas_[face];
-  const bool isInner = face < mesh_.faces.neighbour.size();
-  Vec3<double> line;
-  if (isInner) {
-    line = cellCenters_[mesh_.faces.neighbour[face]] - cellCenters_[mesh_.faces.owner[face]];
-  } else {
-    const auto normal = area / (length(area) + kTiny);
-    line = dot(normal, toFace) * normal;
-  }
-  const auto aside = toFace - dot(area, toFace) / (dot(area, line) + kTiny) * line;
-  const auto direction = aside / (length(aside) + kTiny);
-  double extent = (isInner ? 0.2 : 0.4) * length(line) + kTiny;
-  for (const auto corner : mesh_.faces.of(face)) {
-    extent = std::max(extent, std::abs(dot(direction, mesh_.points[corner] - centers_[face])));
-  }
-  return length(aside) / extent;
-}
-
-double FaceQuality::orthogonality(std::size_t face) const {
-  const auto line =
-      cellCenters_[mesh_.faces.neighbour[face]] - cellCenters_[mesh_.faces.owner[face]];
-  return dot(line, areas_[face]) / (length(line) * length(areas_[face]) + kTiny);
-}
-
-double FaceQuality::pyramid(std::size_t face, std::uint32_t cell) const {
-  const double volume = dot(areas_[face], centers_[face] - cellCenters_[cell]) / 3;
-  return mesh_.faces.owner[face] == cell ? volume : -volume;
+FaceBetween FaceQuality::between(std::size_t face) const {
+  FaceBetween result{{areas_[face], centers_[face]}, cellCenters_[mesh_.faces.owner[face]], {}};
+  if (face < mesh_.faces.neighbour.size()) result.other = cellCenters_[mesh_.faces.neighbour[face]];
+  return result;
 }
 
 }  // namespace cutwater

@@ -2,7 +2,10 @@
 
 #include <Cutwater/Polyhedra/FluidMesh.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -53,8 +56,46 @@ template <typename At>
   return cellMoments(faces);
 }
 
-/// The centres, areas and volumes of a mesh, and the measures of its faces, as OpenFOAM computes
-/// them (primitiveMeshTools, version 1912).
+/// The larger of two: the extents of a cell as seen along the axes, each the sum of its faces'
+/// areas that way, and its surface beside that of a cube of its volume.
+[[nodiscard]] double aspectRatio(const Vec3<double>& seen, double volume);
+
+/// A face and the centres of its cells, the first one behind it: what OpenFOAM measures of it
+/// (primitiveMeshTools, version 1912).
+struct FaceBetween {
+  FaceMoments face;
+  Vec3<double> center;
+  std::optional<Vec3<double>> other;  ///< none in a patch
+
+  /// The volumes of the pyramids over it with their tops in the centres: positive, if it looks out
+  /// of its cell, and into the other one.
+  [[nodiscard]] double pyramid() const { return dot(face.area, face.center - center) / 3; }
+  [[nodiscard]] double pyramidBeyond() const { return dot(face.area, *other - face.center) / 3; }
+  /// The cosine of the angle between an inner face's normal and the line between its cells.
+  [[nodiscard]] double orthogonality() const;
+  /// How far the line between the centres passes by the face's own, over the extent of the face
+  /// that way; of faces in patches, the line along their normal.
+  template <typename At>
+  [[nodiscard]] double skewness(std::span<const std::uint32_t> corners, const At& at) const {
+    const auto passing = line();
+    const auto aside = asideOf(passing);
+    const double distance = length(aside);
+    double extent = (other ? 0.2 : 0.4) * length(passing) + kTiny;
+    for (const auto corner : corners) {
+      const double reach = dot(aside, at(corner) - face.center) / (distance + kTiny);
+      extent = std::max(extent, std::abs(reach));
+    }
+    return distance / extent;
+  }
+
+ private:
+  static constexpr double kTiny = 1e-150;  // OpenFOAM's ROOTVSMALL
+
+  [[nodiscard]] Vec3<double> line() const;
+  [[nodiscard]] Vec3<double> asideOf(const Vec3<double>& passing) const;
+};
+
+/// The centres, areas and volumes of a mesh, and its faces between them.
 class FaceQuality {
  public:
   /// Views the mesh.
@@ -67,14 +108,11 @@ class FaceQuality {
     return cellCenters_[cell];
   }
 
-  /// How far the line between the centres of its cells passes by a face's center, over the extent
-  /// of the face that way; of faces in patches, the line along their normal.
-  [[nodiscard]] double skewness(std::size_t face) const;
-  /// The cosine of the angle between an inner face's normal and the line between its cells.
-  [[nodiscard]] double orthogonality(std::size_t face) const;
-  /// The volume of the pyramid over a face with its top in the centre of a cell; positive, if the
-  /// face looks out of it.
-  [[nodiscard]] double pyramid(std::size_t face, std::uint32_t cell) const;
+  /// Of a cell, see cutwater::aspectRatio().
+  [[nodiscard]] double aspectRatio(std::size_t cell) const {
+    return cutwater::aspectRatio(seen_[cell], volumes_[cell]);
+  }
+  [[nodiscard]] FaceBetween between(std::size_t face) const;
 
  private:
   void addPyramids();
@@ -84,6 +122,7 @@ class FaceQuality {
   std::vector<Vec3<double>> centers_;
   std::vector<double> volumes_;
   std::vector<Vec3<double>> cellCenters_;
+  std::vector<Vec3<double>> seen_;  // cells along the axes
 };
 
 }  // namespace cutwater

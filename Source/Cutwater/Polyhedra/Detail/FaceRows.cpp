@@ -95,17 +95,9 @@ std::vector<CornerLoop> FaceRows::joined(std::span<const std::uint32_t> faces,
     const auto corners = cornersOf(face);
     loops.emplace_back(corners.begin(), corners.end());
   }
-  const auto isInOnePlane = [&](std::size_t a, std::size_t b) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const double plane = points[loops[a].front()][axis];
-      const auto isThere = [&](std::uint32_t corner) { return points[corner][axis] == plane; };
-      if (std::ranges::all_of(loops[a], isThere) && std::ranges::all_of(loops[b], isThere)) {
-        return true;
-      }
-    }
-    return false;
-  };
-  return joinedPolygons(loops, isInOnePlane);
+  return joinedPolygons(loops, [&](std::size_t a, std::size_t b) {
+    return areInOnePlane(loops[a], loops[b], points);
+  });
 }
 
 }  // namespace cutwater

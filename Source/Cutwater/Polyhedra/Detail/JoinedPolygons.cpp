@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace cutwater {
 
@@ -43,9 +44,8 @@ class Neighbours {
   std::vector<SharedEdge> edges_;
 };
 
-/// The rim of a face and a polygon beside it; none, if it were not one loop without a corner twice:
-/// they must share one chain of edges, and no corner beside it.
-std::optional<CornerLoop> rimOfBoth(const CornerLoop& rim, const CornerLoop& polygon) {
+/// The path around a face and a polygon beside it; none, unless they share one chain of edges.
+std::optional<CornerLoop> pathAround(const CornerLoop& rim, const CornerLoop& polygon) {
   const auto n = polygon.size();
   std::vector<std::size_t> place;  // of each corner in the rim
   for (const auto corner : polygon) {
@@ -65,9 +65,6 @@ std::optional<CornerLoop> rimOfBoth(const CornerLoop& rim, const CornerLoop& pol
   if (!start) return std::nullopt;
   std::size_t shared = 1;
   while (isShared(*start + shared)) ++shared;
-  for (auto k = *start + shared + 1; k < *start + n; ++k) {
-    if (place[k % n] < rim.size()) return std::nullopt;
-  }
   // The rim goes through the chain the other way round: from the end of the chain in the polygon
   // to its start. In its place it takes the rest of the polygon.
   CornerLoop result;
@@ -78,7 +75,19 @@ std::optional<CornerLoop> rimOfBoth(const CornerLoop& rim, const CornerLoop& pol
   return result;
 }
 
+/// The rim of both; none, if it were not one loop without a corner twice.
+std::optional<CornerLoop> rimOfBoth(const CornerLoop& rim, const CornerLoop& polygon) {
+  auto path = pathAround(rim, polygon);
+  return path && !hasRepeatedCorner(*path) ? std::move(path) : std::nullopt;
+}
+
 }  // namespace
+
+std::vector<CornerLoop> joinedPair(const CornerLoop& polygon, const CornerLoop& other) {
+  std::vector<CornerLoop> rims;
+  if (const auto path = pathAround(polygon, other)) addSimpleLoops(*path, rims);
+  return rims;
+}
 
 std::vector<CornerLoop> joinedPolygons(
     const std::vector<CornerLoop>& polygons,

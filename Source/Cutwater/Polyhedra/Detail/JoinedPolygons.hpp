@@ -15,4 +15,10 @@ namespace cutwater {
     const std::vector<CornerLoop>& polygons,
     FunctionRef<bool(std::size_t polygon, std::size_t other)> mayJoin);
 
+/// The rims of two polygons that share one chain of edges, each without a corner twice: several, if
+/// they share other corners as well.
+/// @returns none, unless they share such a chain.
+[[nodiscard]] std::vector<CornerLoop> joinedPair(const CornerLoop& polygon,
+                                                 const CornerLoop& other);
+
 }  // namespace cutwater

@@ -168,6 +168,32 @@ void clean(CornerLoop& loop) {
   loop.assign(kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end());
 }
 
+bool areInOnePlane(const CornerLoop& a, const CornerLoop& b, std::span<const Vec3<double>> points) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double plane = points[a.front()][axis];
+    const auto isThere = [&](std::uint32_t corner) { return points[corner][axis] == plane; };
+    if (std::ranges::all_of(a, isThere) && std::ranges::all_of(b, isThere)) return true;
+  }
+  return false;
+}
+
+void addSimpleLoops(const CornerLoop& path, std::vector<CornerLoop>& loops) {
+  const auto add = [&](CornerLoop loop) {
+    clean(loop);
+    if (!loop.empty()) loops.push_back(std::move(loop));
+  };
+  CornerLoop open;
+  for (const auto corner : path) {
+    const auto before = std::ranges::find(open, corner);
+    if (before != open.end()) {
+      add({before, open.end()});
+      open.erase(before, open.end());
+    }
+    open.push_back(corner);
+  }
+  add(std::move(open));
+}
+
 void divideIntoLoops(CornerLoop outline, std::span<const Vec3<double>> points, int axis,
                      std::vector<CornerLoop>& loops) {
   std::vector<CornerLoop> pending;

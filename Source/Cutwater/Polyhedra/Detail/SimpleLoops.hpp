@@ -18,6 +18,13 @@ void clean(CornerLoop& loop);
 /// Whether a corner comes twice.
 [[nodiscard]] bool hasRepeatedCorner(std::span<const std::uint32_t> loop);
 
+/// Whether two loops lie in one plane across an axis.
+[[nodiscard]] bool areInOnePlane(const CornerLoop& a, const CornerLoop& b,
+                                 std::span<const Vec3<double>> points);
+
+/// Appends the loops that a closed path consists of, in which no corner comes twice.
+void addSimpleLoops(const CornerLoop& path, std::vector<CornerLoop>& loops);
+
 /// Divides an outline in a plane across an axis, counterclockwise as seen against it, into loops
 /// that have no corner twice. Outlines have where parts of one touch each other in a point, and
 /// where a hole in them was cut open by an edge there and back: then another cut to the hole makes

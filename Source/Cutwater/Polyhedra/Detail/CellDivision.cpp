@@ -1,4 +1,4 @@
-#include <Cutwater/Polyhedra/Detail/DividedCells.hpp>
+#include <Cutwater/Polyhedra/Detail/CellDivision.hpp>
 #include <Cutwater/Polyhedra/Detail/EditedMesh.hpp>
 #include <Cutwater/Polyhedra/Detail/FaceQuality.hpp>
 
@@ -72,25 +72,12 @@ class CellDivision {
       whole_.faces.push_back(number);
     }
     points_ = &mesh.points();
-    moments_ = cellMoments(whole_.loops, pointAt());
+    volume_ = cellMoments(whole_.loops, pointAt()).volume;
   }
 
-  /// Divides it by the plane of a wall, or of a face seen from behind: that which leaves the fewest
-  /// of these in both parts, if they are fewer than now. Returns the part behind the plane.
-  std::optional<std::uint32_t> divide() {
-    const auto inverted = invertedOf(whole_, moments_);
-    auto fewest = inverted.size();
-    std::optional<std::size_t> best;
-    for (std::size_t face = 0; face < whole_.faces.size() && fewest > 0; ++face) {
-      const bool isInner = mesh_.face(whole_.faces[face]).other != EditedMesh::kNone;
-      if (isInner && std::ranges::count(inverted, face) == 0) continue;
-      const auto left = invertedIfDividedBy(face);
-      if (!left || *left >= fewest) continue;
-      fewest = *left;
-      best = face;
-    }
-    if (!best) return std::nullopt;
-    static_cast<void>(invertedIfDividedBy(*best));
+  /// See divideCell().
+  std::optional<std::uint32_t> divideBy(const DividingPlane& plane) {
+    if (!findDivision(plane)) return std::nullopt;
     return commit();
   }
 
@@ -104,54 +91,47 @@ class CellDivision {
     }
   };
   [[nodiscard]] PointAt pointAt() const { return {*this}; }
-  /// Faces that the center sees from behind.
-  [[nodiscard]] std::vector<std::size_t> invertedOf(const Part& part,
-                                                    const CellMoments& moments) const {
-    std::vector<std::size_t> found;
-    for (std::size_t n = 0; n < part.loops.size(); ++n) {
-      const auto face = faceMoments(part.loops[n], pointAt());
-      if (!(dot(face.area, face.center - moments.center) > 0)) found.push_back(n);
-    }
-    return found;
-  }
 
-  /// Finds the parts that a face's plane makes of the cell. The number of faces seen from behind in
-  /// them; none, if it does not make two that are closed and have enough faces.
-  std::optional<std::size_t> invertedIfDividedBy(std::size_t face) {
+  bool findDivision(const DividingPlane& plane) {
     constexpr double kLeast = 1e-4;  // of the cell's volume
-    extra_.clear();
-    onEdges_.clear();
-    findSides(face);
-    if (!findParts(face)) return std::nullopt;
+    normal_ = plane.normal / length(plane.normal);
+    findSides(plane);
+    if (!findParts()) return false;
     const auto cap = closingLoop(front_.loops);
-    if (!cap) return std::nullopt;
+    if (!cap) return false;
     front_.loops.push_back(*cap);
     behind_.loops.emplace_back(cap->rbegin(), cap->rend());
-    if (std::min(front_.loops.size(), behind_.loops.size()) < kFewestFaces) return std::nullopt;
-    if (!openEdges(front_.loops).empty() || !openEdges(behind_.loops).empty()) return std::nullopt;
-    const auto front = cellMoments(front_.loops, pointAt());
-    const auto behind = cellMoments(behind_.loops, pointAt());
-    if (!(std::min(front.volume, behind.volume) > kLeast * moments_.volume)) return std::nullopt;
-    shareInFront_ = front.volume / (front.volume + behind.volume);
-    return invertedOf(front_, front).size() + invertedOf(behind_, behind).size();
+    if (std::min(front_.loops.size(), behind_.loops.size()) < kFewestFaces) return false;
+    if (!openEdges(front_.loops).empty() || !openEdges(behind_.loops).empty()) return false;
+    const double front = cellMoments(front_.loops, pointAt()).volume;
+    const double behind = cellMoments(behind_.loops, pointAt()).volume;
+    shareInFront_ = front / (front + behind);
+    return std::min(front, behind) > kLeast * volume_;
   }
 
-  /// On which side of a face's plane the corners lie: 1 in front of it, where its cell is, -1
-  /// behind it, 0 near it. Its own are on it.
-  void findSides(std::size_t face) {
-    constexpr double kNear = 1e-3;  // of the cell's width
+  void findSides(const DividingPlane& plane) {
     const auto at = pointAt();
-    const auto plane = faceMoments(whole_.loops[face], at);
-    const auto normal = plane.area / length(plane.area);
-    const double near = kNear * std::cbrt(moments_.volume);
-    height_.clear();
-    for (const auto& loop : whole_.loops) {
-      for (const auto corner : loop) {
-        const double height = -dot(normal, at(corner) - plane.center);
-        height_[corner] = std::abs(height) < near ? 0 : height;
-      }
+    const double near = plane.near * std::cbrt(volume_);
+    corners_.clear();
+    for (const auto& loop : whole_.loops) corners_.insert(corners_.end(), loop.begin(), loop.end());
+    std::ranges::sort(corners_);
+    corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+    heights_.clear();
+    for (const auto corner : corners_) {
+      const double height = -dot(normal_, at(corner) - plane.point);
+      heights_.push_back(std::abs(height) < near ? 0 : height);
     }
-    for (const auto corner : whole_.loops[face]) height_[corner] = 0;
+    for (const auto corner : plane.corners) {
+      const auto place = placeOf(corner);
+      if (place < corners_.size() && corners_[place] == corner) heights_[place] = 0;
+    }
+  }
+  [[nodiscard]] std::size_t placeOf(std::uint32_t corner) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(corners_, corner) - corners_.begin());
+  }
+  /// How far a corner lies before the plane; 0, if near it, as new ones do.
+  [[nodiscard]] double heightOf(std::uint32_t corner) const {
+    return corner < points_->size() ? heights_[placeOf(corner)] : 0;
   }
 
   /// A loop with the points in which edges cross the plane.
@@ -161,43 +141,42 @@ class CellDivision {
       const auto a = loop[k];
       const auto b = loop[(k + 1) % loop.size()];
       result.push_back(a);
-      if (!(height_[a] * height_[b] < 0)) continue;
+      if (!(heightOf(a) * heightOf(b) < 0)) continue;
       const Edge edge{std::min(a, b), std::max(a, b)};
       const auto [known, isNew] = onEdges_.try_emplace(edge);
       if (isNew) {
         const auto at = pointAt();
-        const double from = height_[edge[0]];
-        const double share = from / (from - height_[edge[1]]);
+        const double from = heightOf(edge[0]);
+        const double share = from / (from - heightOf(edge[1]));
         known->second = static_cast<std::uint32_t>(points_->size() + extra_.size());
         const auto point = at(edge[0]) + share * (at(edge[1]) - at(edge[0]));
         extra_.push_back(point);
-        height_[known->second] = 0;
       }
       result.push_back(known->second);
     }
     return result;
   }
 
-  bool findParts(std::size_t plane) {
-    front_ = behind_ = {};
+  bool findParts() {
     const auto add = [](Part& part, CornerLoop loop, std::uint32_t face) {
       part.loops.push_back(std::move(loop));
       part.faces.push_back(face);
     };
-    const auto at = pointAt();
-    const auto normal = faceMoments(whole_.loops[plane], at).area;
     for (std::size_t n = 0; n < whole_.loops.size(); ++n) {
       const auto loop = crossed(whole_.loops[n]);
       const auto number = whole_.faces[n];
       const auto has = [&](int sign) {
-        return std::ranges::any_of(loop, [&](auto corner) { return height_[corner] * sign > 0; });
+        return std::ranges::any_of(loop, [&](auto corner) { return heightOf(corner) * sign > 0; });
       };
       if (has(1) && has(-1)) {
         auto two = halvesOf(loop);
         if (!two) return false;
         add(front_, std::move(two->first), number);
         add(behind_, std::move(two->second), number);
-      } else if (has(1) || (!has(-1) && dot(faceMoments(loop, at).area, normal) > 0)) {
+      } else if (auto two = has(1) || has(-1) ? partInPlane(loop, has(1)) : std::nullopt) {
+        add(has(1) ? behind_ : front_, std::move(two->first), number);
+        add(has(1) ? front_ : behind_, std::move(two->second), number);
+      } else if (has(1) || (!has(-1) && looksAlong(loop))) {
         add(front_, loop, number);
       } else {
         add(behind_, loop, number);
@@ -205,12 +184,40 @@ class CellDivision {
     }
     return true;
   }
+  [[nodiscard]] bool looksAlong(const CornerLoop& loop) const {
+    return dot(faceMoments(loop, pointAt()).area, normal_) > 0;
+  }
+
+  /// What a loop on one side of the plane has in it, if that bounds the other side, and the rest.
+  [[nodiscard]] std::optional<std::pair<CornerLoop, CornerLoop>> partInPlane(const CornerLoop& loop,
+                                                                             bool isFront) {
+    constexpr double kLeast = 1e-3;  // of the square of the cell's width
+    const auto n = loop.size();
+    const auto isInPlane = [&](std::size_t k) { return heightOf(loop[k % n]) == 0; };
+    std::optional<std::size_t> start;
+    for (std::size_t k = 0; k < n; ++k) {
+      if (!isInPlane(k) || isInPlane(k + n - 1)) continue;
+      if (start) return std::nullopt;
+      start = k;
+    }
+    if (!start) return std::nullopt;
+    auto last = *start;
+    while (isInPlane(last + 1)) ++last;
+    std::pair<CornerLoop, CornerLoop> parts;
+    for (auto k = *start; k <= last; ++k) parts.first.push_back(loop[k % n]);
+    for (auto k = last; k <= *start + n; ++k) parts.second.push_back(loop[k % n]);
+    if (parts.first.size() < 3 || parts.second.size() < 3) return std::nullopt;
+    const double area = dot(faceMoments(parts.first, pointAt()).area, normal_);
+    const double width = std::cbrt(volume_);
+    if (!((isFront ? -area : area) > kLeast * width * width)) return std::nullopt;
+    return parts;
+  }
 
   /// What of a loop is in front of the plane, and behind it, if that is one stretch each. Edges in
   /// the plane go with the front, as those of the face that gave it.
   [[nodiscard]] std::optional<std::pair<CornerLoop, CornerLoop>> halvesOf(const CornerLoop& loop) {
     const auto n = loop.size();
-    const auto isBehind = [&](std::size_t k) { return height_[loop[k % n]] < 0; };
+    const auto isBehind = [&](std::size_t k) { return heightOf(loop[k % n]) < 0; };
     std::optional<std::size_t> start;  // of those behind
     for (std::size_t k = 0; k < n; ++k) {
       if (!isBehind(k) || isBehind(k + n - 1)) continue;
@@ -261,46 +268,21 @@ class CellDivision {
   const std::vector<Vec3<double>>* points_;
   std::vector<Vec3<double>> extra_;  // numbered after the mesh's points
   std::map<Edge, std::uint32_t> onEdges_;
-  std::map<std::uint32_t, double> height_;  // of corners, before the plane
+  std::vector<std::uint32_t> corners_;  // of the cell, ascending
+  std::vector<double> heights_;         // of each, see heightOf()
+  Vec3<double> normal_;
   Part whole_;
   Part front_;
   Part behind_;
-  CellMoments moments_;
+  double volume_ = 0;        // of the polyhedron
   double shareInFront_ = 0;  // of the volume
 };
 
-/// Divides a cell, and its parts, as long as that helps.
-void divide(EditedMesh& mesh, std::uint32_t cell) {
-  std::vector<std::uint32_t> pending{cell};
-  while (!pending.empty()) {
-    const auto next = pending.back();
-    pending.pop_back();
-    if (const auto behind = CellDivision(mesh, next).divide()) {
-      pending.insert(pending.end(), {next, *behind});
-    }
-  }
-}
-
 }  // namespace
 
-FluidMesh withDividedCells(FluidMesh mesh) {
-  std::vector<std::uint32_t> inverted;
-  {
-    const FaceQuality quality(mesh);
-    for (std::size_t face = 0; face < mesh.faces.count(); ++face) {
-      const auto owner = mesh.faces.owner[face];
-      if (!(quality.pyramid(face, owner) > 0)) inverted.push_back(owner);
-      if (face >= mesh.faces.neighbour.size()) continue;
-      const auto neighbour = mesh.faces.neighbour[face];
-      if (!(quality.pyramid(face, neighbour) > 0)) inverted.push_back(neighbour);
-    }
-  }
-  if (inverted.empty()) return mesh;
-  std::ranges::sort(inverted);
-  inverted.erase(std::unique(inverted.begin(), inverted.end()), inverted.end());
-  EditedMesh edited(std::move(mesh));
-  for (const auto cell : inverted) divide(edited, cell);
-  return std::move(edited).take();
+std::optional<std::uint32_t> divideCell(EditedMesh& mesh, std::uint32_t cell,
+                                        const DividingPlane& plane) {
+  return CellDivision(mesh, cell).divideBy(plane);
 }
 
 }  // namespace cutwater
