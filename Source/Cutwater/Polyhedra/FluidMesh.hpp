@@ -63,7 +63,7 @@ struct FluidMesh {
 
   double lostVolume = 0;         ///< of the regions that were left out
   std::size_t lostRegions = 0;   ///< their number
-  std::size_t joinedPieces = 0;  ///< pieces that are parts of others' cells
+  std::size_t joinedPieces = 0;  ///< pieces and cells that are parts of others' cells
 };
 
 /// Which regions of fluid are kept.
@@ -92,9 +92,10 @@ struct FluidMeshOptions {
 /// The fluid in the leaves of an octree as a mesh of polyhedra: leaves that are all fluid, and the
 /// pieces of those that are cut.
 ///
-/// A cell of which a face is seen from behind from its center, as where an edge of the body pokes
-/// far into a leaf, is divided by the plane of a wall, if that mends it; its volume is then shared
-/// out as those of the two polyhedra.
+/// Cells beside faces that check() would count as inverted, skew or non-orthogonal are joined,
+/// divided by planes, or joined and divided otherwise, and their walls of one patch become one
+/// face, if that leaves fewer of them; with wallPolygons they are divided only. Where a cell is
+/// divided, its volume is shared out as those of the two polyhedra.
 ///
 /// @param leaves  what CellCutter::cut() or SolidCutter::cut() gave for it with polygons.
 /// @param mesh  the octree, all of it.
