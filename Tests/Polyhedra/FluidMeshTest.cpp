@@ -82,6 +82,26 @@ TEST(FluidMeshTest, MeshesOfManyLevelsClose) {
   }
 }
 
+TEST(FluidMeshTest, DoesNotDependOnThreads) {
+  const Solid<double> torus(Torus<double>(0.6, 0.23));
+  const auto mesh = meshAround(torus, 4, Balance::Face);
+  const auto leaves = SolidCutter(torus).cut(mesh, {.polygons = true});
+  const auto one = fluidMesh(leaves, mesh, {.threads = 1});
+  const auto report = check(one, 1);
+  ASSERT_GT(one.cells.leaf.size(), 10'000U);  // more than what a thread takes at a time
+  const auto several = fluidMesh(leaves, mesh, {.threads = 3});
+  EXPECT_EQ(several.points, one.points);
+  EXPECT_EQ(several.faces.corners, one.faces.corners);
+  EXPECT_EQ(several.faces.first, one.faces.first);
+  EXPECT_EQ(several.faces.owner, one.faces.owner);
+  EXPECT_EQ(several.faces.neighbour, one.faces.neighbour);
+  const auto same = check(one, 3);
+  EXPECT_EQ(same.meshVolume, report.meshVolume);
+  EXPECT_EQ(same.meanNonOrthogonality, report.meanNonOrthogonality);
+  EXPECT_EQ(same.worstSkewness, report.worstSkewness);
+  EXPECT_EQ(same.worstAspectRatio, report.worstAspectRatio);
+}
+
 /// Polygons of a mesh are plane: they enclose the fluid.
 TEST(FluidMeshTest, PolygonsOfWallsEncloseTheFluid) {
   auto solid = Solid<double>(MeshSDF<double>(bipyramid(9)));

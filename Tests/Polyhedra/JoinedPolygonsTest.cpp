@@ -1,5 +1,8 @@
 #include <Cutwater/Polyhedra/Detail/JoinedPolygons.hpp>
 
+#include <algorithm>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace cutwater::test {
@@ -38,6 +41,19 @@ TEST(JoinedPolygonsTest, WhatMeetsInACornerStaysApart) {
   auto two = squares(2, 2);
   two = {two[0], two[3]};
   EXPECT_EQ(joinedPolygons(two, always), two);
+}
+
+TEST(JoinedPolygonsTest, OneThatHasACornerTwiceStaysAlone) {
+  const CornerLoop twice{1, 6, 7, 1, 8, 2};  // shares the edge from 1 to 2 with the square
+  const CornerLoop square{0, 1, 2, 3};
+  const auto rims = joinedPolygons({square, twice}, always);
+  EXPECT_EQ(rims.size(), 2U);
+  EXPECT_EQ(std::ranges::count(rims, twice), 1);
+}
+
+TEST(JoinedPolygonsTest, AClosedSurfaceKeepsItsLastPolygon) {
+  const std::vector<CornerLoop> tetrahedron{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  EXPECT_EQ(joinedPolygons(tetrahedron, always).size(), 2U);
 }
 
 TEST(JoinedPolygonsTest, OnlyThoseThatMayJoin) {

@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Detail/ParallelBatches.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/CutCells/CutRegions.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafGrid.hpp>
@@ -59,10 +60,11 @@ class MeshOfFluid {
     result.faces = faces_.inOrder(result.cells.leaf.size(), points_.points(), result.patches);
     std::erase_if(result.patches, [](const auto& patch) { return patch.faceCount == 0; });
     result.points = std::move(points_).take();
-    meetEdgeByEdge(result);
+    meetEdgeByEdge(result, options_.threads);
     const bool isExact = leaves_.cut.error.empty();
     result = withMendedCells(std::move(result), {.joins = !options_.wallPolygons,
-                                                 .joinsSides = !options_.wallPolygons && !isExact});
+                                                 .joinsSides = !options_.wallPolygons && !isExact,
+                                                 .threads = options_.threads});
     dropUnused(result);
     requireLabel(result.faces.count(), "faces");
     requireLabel(result.points.size(), "points");
@@ -115,25 +117,60 @@ class MeshOfFluid {
     }
   }
 
-  /// What a patch has of the wall of a cell, of all pieces that were joined in it.
-  void addWalls() {
-    const auto& parts = leaves_.wallParts;
-    const auto keyOf = [&](std::uint32_t part) {
-      return std::pair(cells_.ofPiece(parts.piece[part]), parts.patch[part]);
+  /// What patches have of a cell's wall, of all pieces that were joined in it.
+  struct CellWall {
+    struct OfPatch {
+      std::uint32_t patch;
+      std::vector<CornerLoop> loops;  // the polygons, and then the faces
     };
-    std::vector<std::uint32_t> order(parts.piece.size());
+    std::uint32_t cell;
+    std::vector<OfPatch> parts;
+  };
+
+  /// Points are numbered and faces added in order, by one thread; polygons are joined by all.
+  void addWalls() {
+    constexpr std::size_t kRound = 4096;
+    constexpr std::size_t kBatch = 16;
+    const auto& pieces = leaves_.wallParts.piece;
+    std::vector<std::uint32_t> order(pieces.size());
     std::iota(order.begin(), order.end(), std::uint32_t{0});
-    std::ranges::stable_sort(order, {}, keyOf);
-    std::vector<CornerLoop> polygons;
-    for (std::size_t n = 0; n < order.size(); ++n) {
-      const auto key = keyOf(order[n]);
-      if (key.first == kNone) break;
-      addPolygons(order[n], polygons);
-      if (n + 1 < order.size() && keyOf(order[n + 1]) == key) continue;
-      for (const auto& loop : wallFaces(polygons, faces_.countOf(key.first))) {
-        faces_.add(loop, key.first, kNone, key.second);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t part) {
+      return std::pair(cells_.ofPiece(pieces[part]), leaves_.wallParts.patch[part]);
+    });
+    std::vector<CellWall> walls;
+    const auto addRound = [&] {
+      detail::parallelBatches(walls.size(), kBatch, {.threads = options_.threads},
+                              [&](std::size_t first, std::size_t count) {
+                                for (auto& wall : std::span(walls).subspan(first, count)) {
+                                  joinPolygons(wall);
+                                }
+                              });
+      for (const auto& wall : walls) {
+        for (const auto& [patch, loops] : wall.parts) {
+          for (const auto& loop : loops) faces_.add(loop, wall.cell, kNone, patch);
+        }
       }
-      polygons.clear();
+      walls.clear();
+    };
+    for (const auto part : order) {
+      const auto cell = cells_.ofPiece(pieces[part]);
+      if (cell == kNone) break;
+      if (walls.empty() || walls.back().cell != cell) {
+        if (walls.size() == kRound) addRound();
+        walls.push_back({.cell = cell, .parts = {}});
+      }
+      auto& parts = walls.back().parts;
+      const auto patch = leaves_.wallParts.patch[part];
+      if (parts.empty() || parts.back().patch != patch) parts.push_back({patch, {}});
+      addPolygons(part, parts.back().loops);
+    }
+    addRound();
+  }
+  void joinPolygons(CellWall& wall) const {
+    auto others = faces_.countOf(wall.cell);
+    for (auto& [patch, loops] : wall.parts) {
+      loops = wallFaces(loops, others);
+      others += loops.size();
     }
   }
   void addPolygons(std::uint32_t part, std::vector<CornerLoop>& polygons) {
@@ -179,42 +216,69 @@ class MeshOfFluid {
     return length(faceMoments(polygon, at).area) <= kNothing * extent;
   }
 
-  /// Those between leaves that are all fluid, from the finer one, and in the sides of the domain.
+  /// One of a leaf that is all fluid, whose cell has it; across is another such leaf's, or nothing.
+  struct WholeFace {
+    std::uint32_t leaf;
+    int axis;
+    bool isHigh;
+    std::uint32_t across;
+    std::array<std::uint64_t, 4> nodes;  // counterclockwise as seen from outside
+  };
+
+  /// Those between leaves that are all fluid, from the finer one, and in the sides of the domain:
+  /// found by all threads, and added in order.
   void addWholeFaces() {
-    std::array<typename OctreeNodes<T>::Corners, 64> corners;
-    for (std::uint32_t leaf = 0; leaf < leaves_.classes.size(); ++leaf) {
-      const auto inBatch = leaf % corners.size();
-      if (inBatch == 0) {
-        const auto count = std::min(corners.size(), leaves_.classes.size() - leaf);
-        nodes_.corners(leaf, std::span(corners).first(count));
+    constexpr std::size_t kRound = 65536;
+    constexpr std::size_t kBatch = 64;
+    std::vector<std::vector<WholeFace>> found(kRound / kBatch);
+    const auto leaves = leaves_.classes.size();
+    for (std::size_t first = 0; first < leaves; first += kRound) {
+      detail::parallelBatches(std::min(kRound, leaves - first), kBatch,
+                              {.threads = options_.threads},
+                              [&](std::size_t batch, std::size_t count) {
+                                findWholeFaces(first + batch, count, found[batch / kBatch]);
+                              });
+      for (auto& faces : found) {
+        for (const auto& face : faces) addWholeFace(face);
+        faces.clear();
       }
-      const auto cell = cells_.ofLeaf(leaf);
-      if (cell == kNone) continue;
-      for (int face = 0; face < 6; ++face) addWholeFace(leaf, face, corners[inBatch], cell);
     }
   }
-  void addWholeFace(std::uint32_t leaf, int face, const typename OctreeNodes<T>::Corners& corners,
-                    std::uint32_t cell) {
-    const int axis = face / 2;
-    const bool isHigh = face % 2 == 1;
-    const auto [what, other] = grid_.across(leaf, axis, isHigh);
-    if (what == LeafGrid::Across::Finer) return;
-    if (what == LeafGrid::Across::Same && isHigh) return;  // that leaf's low face
-    std::uint32_t cellThere = kNone;
-    if (what == LeafGrid::Across::Nothing) {
-      requireSide(leaf, axis, isHigh);
-    } else {
-      cellThere = cells_.ofLeaf(other);
-      if (cellThere == kNone || cellThere == cell) return;  // an arc, or joined
+  void findWholeFaces(std::size_t first, std::size_t count, std::vector<WholeFace>& found) const {
+    std::vector<typename OctreeNodes<T>::Corners> corners(count);
+    nodes_.corners(first, corners);
+    for (std::size_t n = 0; n < count; ++n) {
+      const auto leaf = static_cast<std::uint32_t>(first + n);
+      const auto cell = cells_.ofLeaf(leaf);
+      if (cell == kNone) continue;
+      for (int axis = 0; axis < 3; ++axis) {
+        for (const bool isHigh : {false, true}) {
+          const auto [what, other] = grid_.across(leaf, axis, isHigh);
+          if (what == LeafGrid::Across::Finer) continue;
+          if (what == LeafGrid::Across::Same && isHigh) continue;  // that leaf's low face
+          const bool isSide = what == LeafGrid::Across::Nothing;
+          const auto across = isSide ? kNone : cells_.ofLeaf(other);
+          if (!isSide && (across == kNone || across == cell)) continue;  // an arc, or joined
+          found.push_back({leaf, axis, isHigh, across, around(corners[n], axis, isHigh)});
+        }
+      }
     }
+  }
+  static std::array<std::uint64_t, 4> around(const typename OctreeNodes<T>::Corners& corners,
+                                             int axis, bool isHigh) {
     const auto first = std::size_t{1} << asIndex((axis + 1) % 3);
     const auto second = std::size_t{1} << asIndex((axis + 2) % 3);
     const auto low = isHigh ? std::size_t{1} << asIndex(axis) : 0;
-    std::array<std::uint32_t, 4> loop{};  // counterclockwise as seen against the axis
-    std::ranges::transform(std::array{low, low + first, low + first + second, low + second},
-                           loop.begin(), [&](auto corner) { return ofNode(corners[corner]); });
-    if (!isHigh) std::ranges::reverse(loop);
-    faces_.add(loop, cell, cellThere, patchOfSide(axis, isHigh));
+    std::array nodes{corners[low], corners[low + first], corners[low + first + second],
+                     corners[low + second]};
+    if (!isHigh) std::ranges::reverse(nodes);
+    return nodes;
+  }
+  void addWholeFace(const WholeFace& face) {
+    if (face.across == kNone) requireSide(face.leaf, face.axis, face.isHigh);
+    std::array<std::uint32_t, 4> loop{};
+    std::ranges::transform(face.nodes, loop.begin(), [&](auto node) { return ofNode(node); });
+    faces_.add(loop, cells_.ofLeaf(face.leaf), face.across, patchOfSide(face.axis, face.isHigh));
   }
   void requireSide(std::uint32_t leaf, int axis, bool isHigh) const {
     const auto& [index, level, kind] = grid_.leaves()[leaf];

@@ -135,6 +135,8 @@ struct FluidMeshReport {
 };
 
 /// Checks what finite-volume codes ask of a mesh.
-[[nodiscard]] FluidMeshReport check(const FluidMesh& mesh);
+/// @param mesh  all of it.
+/// @param threads  see ParallelOptions; what is found does not depend on it.
+[[nodiscard]] FluidMeshReport check(const FluidMesh& mesh, int threads = 0);
 
 }  // namespace cutwater

@@ -60,7 +60,7 @@ void makeMesh(const MeshSettings& options, const Solid<double>& solid) {
   writePolyMesh(options.caseFolder, mesh, options.file);
   const double seconds = watch.lap();
   if (options.json.empty() && options.surface.quiet) return;
-  const FluidMeshTotals totals(mesh);
+  const FluidMeshTotals totals(mesh, options.surface.threads);
   if (!options.json.empty()) {
     writeText(options.json, totals.json(options.surface.file, seconds));
   }

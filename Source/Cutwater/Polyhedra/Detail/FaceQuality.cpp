@@ -1,3 +1,4 @@
+#include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Polyhedra/Detail/FaceQuality.hpp>
 
 namespace cutwater {
@@ -40,48 +41,41 @@ CellMoments cellMoments(std::span<const FaceMoments> faces) {
   return {volume / 3, mean};
 }
 
-FaceQuality::FaceQuality(const FluidMesh& mesh)
-    : mesh_(mesh),
-      volumes_(mesh.cells.leaf.size(), 0),
-      cellCenters_(mesh.cells.leaf.size()),
-      seen_(mesh.cells.leaf.size()) {
-  areas_.reserve(mesh.faces.count());
-  centers_.reserve(mesh.faces.count());
-  for (std::size_t face = 0; face < mesh.faces.count(); ++face) {
-    const auto moments =
-        faceMoments(mesh.faces.of(face), [&](std::uint32_t n) { return mesh.points[n]; });
-    areas_.push_back(moments.area);
-    centers_.push_back(moments.center);
-  }
-  addPyramids();
+FaceQuality::FaceQuality(const CellFaces& cells, int threads)
+    : mesh_(cells.mesh()),
+      areas_(mesh_.faces.count()),
+      centers_(mesh_.faces.count()),
+      volumes_(cells.count()),
+      cellCenters_(cells.count()),
+      seen_(cells.count()) {
+  const ParallelOptions how{.threads = threads, .grain = 1024};
+  parallelFor(areas_.size(), how, [&](std::size_t begin, std::size_t end) {
+    for (auto face = begin; face < end; ++face) {
+      const auto moments =
+          faceMoments(mesh_.faces.of(face), [&](std::uint32_t n) { return mesh_.points[n]; });
+      areas_[face] = moments.area;
+      centers_[face] = moments.center;
+    }
+  });
+  parallelFor(volumes_.size(), how, [&](std::size_t begin, std::size_t end) {
+    std::vector<FaceMoments> faces;
+    for (auto cell = static_cast<std::uint32_t>(begin); cell < end; ++cell) {
+      addPyramids(cells, cell, faces);
+    }
+  });
 }
 
-void FaceQuality::addPyramids() {
-  const auto& faces = mesh_.faces;
-  const auto forSides = [&](const auto& visit) {
-    for (std::size_t face = 0; face < faces.count(); ++face) {
-      visit(face, faces.owner[face], 1.0);
-      if (face < faces.neighbour.size()) visit(face, faces.neighbour[face], -1.0);
-    }
-  };
-  std::vector<Vec3<double>> means(volumes_.size());
-  std::vector<double> count(volumes_.size(), 0);
-  forSides([&](std::size_t face, std::uint32_t cell, double) {
-    means[cell] += centers_[face];
+void FaceQuality::addPyramids(const CellFaces& cells, std::uint32_t cell,
+                              std::vector<FaceMoments>& faces) {
+  faces.clear();
+  for (const auto face : cells.of(cell)) {
+    const double sign = mesh_.faces.owner[face] == cell ? 1 : -1;
+    faces.push_back({sign * areas_[face], centers_[face]});
     seen_[cell] += abs(areas_[face]);
-    count[cell] += 1;
-  });
-  for (std::size_t cell = 0; cell < means.size(); ++cell) means[cell] *= 1 / count[cell];
-  forSides([&](std::size_t face, std::uint32_t cell, double sign) {
-    const double triple = sign * dot(areas_[face], centers_[face] - means[cell]);
-    volumes_[cell] += triple;
-    cellCenters_[cell] += triple * (0.75 * (centers_[face] - means[cell]));
-  });
-  for (std::size_t cell = 0; cell < means.size(); ++cell) {
-    if (volumes_[cell] != 0) means[cell] += cellCenters_[cell] / volumes_[cell];
-    cellCenters_[cell] = means[cell];
-    volumes_[cell] /= 3;
   }
+  const auto moments = cellMoments(faces);
+  volumes_[cell] = moments.volume;
+  cellCenters_[cell] = moments.center;
 }
 
 FaceBetween FaceQuality::between(std::size_t face) const {

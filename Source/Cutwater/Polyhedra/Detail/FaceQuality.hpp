@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Cutwater/Polyhedra/FluidMesh.hpp>
+#include <Cutwater/Polyhedra/Detail/CellFaces.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,12 @@
 #include <vector>
 
 namespace cutwater {
+
+/// What OpenFOAM's checkMesh takes as a limit: of skewness, of the cosine of non-orthogonality, 70
+/// degrees, and of the aspect ratio.
+constexpr double kMostSkewness = 4;
+constexpr double kLeastOrthogonality = 0.3420201433256687;
+constexpr double kMostAspectRatio = 1000;
 
 struct FaceMoments {
   Vec3<double> area;  ///< its vector
@@ -98,8 +104,8 @@ struct FaceBetween {
 /// The centres, areas and volumes of a mesh, and its faces between them.
 class FaceQuality {
  public:
-  /// Views the mesh.
-  explicit FaceQuality(const FluidMesh& mesh);
+  /// Views the mesh of these.
+  explicit FaceQuality(const CellFaces& cells, int threads = 0);
 
   [[nodiscard]] const Vec3<double>& area(std::size_t face) const { return areas_[face]; }
   [[nodiscard]] const Vec3<double>& center(std::size_t face) const { return centers_[face]; }
@@ -115,7 +121,7 @@ class FaceQuality {
   [[nodiscard]] FaceBetween between(std::size_t face) const;
 
  private:
-  void addPyramids();
+  void addPyramids(const CellFaces& cells, std::uint32_t cell, std::vector<FaceMoments>& faces);
 
   const FluidMesh& mesh_;
   std::vector<Vec3<double>> areas_;

@@ -8,8 +8,8 @@
 namespace cutwater {
 
 /// Joins polygons that share edges to faces as large as can be whose rims are one loop without a
-/// corner twice: one, if the polygons together have such a rim. Each of them must have no corner
-/// twice. `mayJoin(polygon, other)`: whether two that share an edge may be in one face.
+/// corner twice: one, if the polygons together have such a rim. One that has a corner twice itself
+/// is joined to none. `mayJoin(polygon, other)`: whether two that share an edge may be in one face.
 /// @returns the rims.
 [[nodiscard]] std::vector<CornerLoop> joinedPolygons(
     const std::vector<CornerLoop>& polygons,

@@ -1,5 +1,5 @@
+#include <Cutwater/Core/Parallel.hpp>
 #include <Cutwater/Polyhedra/Detail/CellChange.hpp>
-#include <Cutwater/Polyhedra/Detail/CellDivision.hpp>
 #include <Cutwater/Polyhedra/Detail/EditedMesh.hpp>
 #include <Cutwater/Polyhedra/Detail/FaceQuality.hpp>
 #include <Cutwater/Polyhedra/Detail/MendedCells.hpp>
@@ -21,24 +21,21 @@ namespace {
 template <typename At>
 double flawOf(const FaceBetween& between, std::span<const std::uint32_t> corners, const At& at,
               const MendingRules& rules) {
-  constexpr double kMostSkew = 4;
-  constexpr double kLeastCosine = 0.3420201433256687;  // of 70 degrees
   double flaw = 0;
   if (!(between.pyramid() > 0)) flaw += 3;
   if (between.other && !(between.pyramidBeyond() > 0)) flaw += 3;
   if (!rules.joins) return flaw;
-  const double skew = between.skewness(corners, at) / kMostSkew;
+  const double skew = between.skewness(corners, at) / kMostSkewness;
   if (skew > 1) flaw += 1 + 0.1 * std::min(skew - 1, 1.0);
   if (!between.other) return flaw;
   const double cosine = between.orthogonality();
-  if (cosine < kLeastCosine) flaw += 0.5 + 0.1 * (kLeastCosine - cosine);
+  if (cosine < kLeastOrthogonality) flaw += 0.5 + 0.1 * (kLeastOrthogonality - cosine);
   return flaw;
 }
 
 /// How much is wrong with a cell beside its faces: what is flat has no gradient along an axis.
 double flawOfShape(double aspectRatio) {
-  constexpr double kMost = 1000;  // checkMesh's limit
-  return aspectRatio < kMost ? 0 : 2;
+  return aspectRatio < kMostAspectRatio ? 0 : 2;
 }
 
 class CellMending {
@@ -296,23 +293,33 @@ class CellMending {
   std::array<Cells, 2> besideParts_;            // of the last division
 };
 
+/// The faces with which something is wrong, or with whose cells, ascending.
+std::vector<std::uint32_t> badFaces(const FluidMesh& mesh, const MendingRules& rules) {
+  constexpr std::size_t kGrain = 1024;
+  const CellFaces cells(mesh);
+  const FaceQuality quality(cells, rules.threads);
+  std::vector<char> isBad(mesh.faces.count());
+  parallelFor(isBad.size(), {.threads = rules.threads, .grain = kGrain},
+              [&](std::size_t begin, std::size_t end) {
+                for (auto face = begin; face < end; ++face) {
+                  const double flaw = flawOfShape(quality.aspectRatio(mesh.faces.owner[face])) +
+                                      flawOf(
+                                          quality.between(face), mesh.faces.of(face),
+                                          [&](std::uint32_t n) { return mesh.points[n]; }, rules);
+                  isBad[face] = flaw > 0 ? 1 : 0;
+                }
+              });
+  std::vector<std::uint32_t> bad;
+  for (std::uint32_t face = 0; face < isBad.size(); ++face) {
+    if (isBad[face] != 0) bad.push_back(face);
+  }
+  return bad;
+}
+
 }  // namespace
 
 FluidMesh withMendedCells(FluidMesh mesh, const MendingRules& rules) {
-  std::vector<std::uint32_t> bad;
-  {
-    const FaceQuality quality(mesh);
-    const auto at = [&](std::uint32_t n) { return mesh.points[n]; };
-    std::vector<char> isBad(mesh.cells.leaf.size());
-    for (std::uint32_t cell = 0; cell < isBad.size(); ++cell) {
-      isBad[cell] = flawOfShape(quality.aspectRatio(cell)) > 0 ? 1 : 0;
-    }
-    for (std::uint32_t face = 0; face < mesh.faces.count(); ++face) {
-      const bool isBadFace = isBad[mesh.faces.owner[face]] != 0 ||
-                             flawOf(quality.between(face), mesh.faces.of(face), at, rules) > 0;
-      if (isBadFace) bad.push_back(face);
-    }
-  }
+  auto bad = badFaces(mesh, rules);
   if (bad.empty()) return mesh;
   std::ranges::reverse(bad);
   CellMending mending(std::move(mesh), rules);

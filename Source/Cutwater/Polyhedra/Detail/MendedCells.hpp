@@ -12,6 +12,7 @@ struct MendingRules {
   /// Whether, where nothing else helps, what two walls of a cell have of a sheet in common is left
   /// out: of walls that are only near to the solid's, see CutOptions::polygons.
   bool joinsSides = false;
+  int threads = 0;  ///< that look for faces to mend
 };
 
 /// Joins and divides cells beside faces that OpenFOAM's checkMesh objects to: seen from behind from

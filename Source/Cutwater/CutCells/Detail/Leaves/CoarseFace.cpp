@@ -142,8 +142,9 @@ void CoarseFace::joinThroughEdge(std::uint32_t finer, int side) {
   const int run = side < 2 ? axes.first : axes.second;
   auto next = index;
   along(next, side < 2 ? axes.second : axes.first) += side % 2 == 0 ? -1 : 1;
-  const auto other = std::ranges::lower_bound(finer_, grid_.at(next, level));
-  const bool isThere = other != finer_.end() && *other == grid_.at(next, level);
+  const auto there = grid_.at(next, level, finer_[finer]);
+  const auto other = std::ranges::lower_bound(finer_, there);
+  const bool isThere = other != finer_.end() && *other == there;
   if (!isThere || grid_.leaves()[*other].level > level) return;
   const double middle = grid_.boxInFrame(finer_[finer]).center()[run];
   const auto part = partAt(finer, side, middle, true);

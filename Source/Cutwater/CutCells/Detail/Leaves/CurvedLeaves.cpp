@@ -62,7 +62,7 @@ std::optional<LeafTile> cutBlock(const FluidField& field, const LeafGrid& grid,
   const auto isDivided = [&](const TilePlace& place, int below) {
     const Index3 cell{(at.first.i << below) + place[0], (at.first.j << below) + place[1],
                       (at.first.k << below) + place[2]};
-    const auto leaf = grid.at(cell, at.level + below);
+    const auto leaf = grid.at(cell, at.level + below, block.firstLeaf);
     return leaf != LeafGrid::kNoLeaf && grid.leaves()[leaf].level > at.level + below;
   };
   const LeavesAround around{levels, plane, isDivided};

@@ -16,7 +16,7 @@ bool isBesideOtherLevel(const LeafGrid& grid, const CutLeaves& leaves, std::uint
     if (step[0] != 0 && step[1] != 0 && step[2] != 0) continue;
     auto cell = index;
     for (int axis = 0; axis < 3; ++axis) along(cell, axis) += step[asIndex(axis)];
-    const auto other = grid.at(cell, level);
+    const auto other = grid.at(cell, level, leaf);
     if (other == LeafGrid::kNoLeaf || grid.leaves()[other].level == level) continue;
     if (grid.leaves()[other].level > level) return true;
     if (leaves.classes[other] == FluidClass::Cut) return true;

@@ -82,13 +82,36 @@ std::pair<std::uint32_t, std::uint32_t> LeafGrid::within(const Index3& first, in
   return {numberFrom(place), numberFrom(place + cellsWithin(deepest_ - level + bits))};
 }
 
-std::uint32_t LeafGrid::at(const Index3& cell, int level) const {
+/// The first leaf behind a place, sought in steps from `near` that double (Bentley and Yao 1976):
+/// of the leaves beside one, most are near it in the order of places.
+std::size_t LeafGrid::firstAfter(std::uint64_t place, std::size_t near) const {
+  const auto count = places_.size();
+  std::size_t first = near;  // all before it are not behind the place
+  std::size_t last = near;   // from it on all are
+  if (places_[near] <= place) {
+    for (std::size_t step = 1; last < count && places_[last] <= place; step *= 2) {
+      first = last + 1;
+      last = std::min(count, last + step);
+    }
+  } else {
+    for (std::size_t step = 1; first > 0 && places_[first - 1] > place; step *= 2) {
+      last = first - 1;
+      first = last > step ? last - step : 0;
+    }
+  }
+  const auto begin = places_.begin();
+  return static_cast<std::size_t>(std::upper_bound(begin + static_cast<std::ptrdiff_t>(first),
+                                                   begin + static_cast<std::ptrdiff_t>(last),
+                                                   place) -
+                                  begin);
+}
+
+std::uint32_t LeafGrid::at(const Index3& cell, int level, std::uint32_t near) const {
   for (int axis = 0; axis < 3; ++axis) {
     if (along(cell, axis) < 0 || along(cell, axis) >= cells(level, axis)) return kNoLeaf;
   }
   const auto place = mortonCode(cell) << 3 * (deepest_ - level);
-  const auto next =
-      static_cast<std::size_t>(std::ranges::upper_bound(places_, place) - places_.begin());
+  const auto next = firstAfter(place, near);
   if (next > 0 && place - places_[next - 1] < cellsWithin(deepest_ - leaves_[next - 1].level)) {
     return static_cast<std::uint32_t>(next - 1);
   }
@@ -102,7 +125,7 @@ std::pair<LeafGrid::Across, std::uint32_t> LeafGrid::across(std::uint32_t leaf, 
   const int level = leaves_[leaf].level;
   auto cell = leaves_[leaf].index;
   along(cell, axis) += isHigh ? 1 : -1;
-  const auto other = at(cell, level);
+  const auto other = at(cell, level, leaf);
   if (other == kNoLeaf) return {Across::Nothing, other};
   const int there = leaves_[other].level;
   return {there == level ? Across::Same : there < level ? Across::Coarser : Across::Finer, other};
@@ -112,22 +135,22 @@ std::vector<std::uint32_t> LeafGrid::finerAcross(std::uint32_t leaf, int axis, b
   auto cell = leaves_[leaf].index;
   along(cell, axis) += isHigh ? 1 : -1;
   std::vector<std::uint32_t> found;
-  addTouching(cell, leaves_[leaf].level, axis, !isHigh, found);
+  addTouching(cell, leaves_[leaf].level, axis, !isHigh, found, leaf);
   return found;
 }
 
 /// The leaves in a cell that is divided and touch one of its faces.
 void LeafGrid::addTouching(const Index3& cell, int level, int axis, bool isHigh,
-                           std::vector<std::uint32_t>& found) const {
+                           std::vector<std::uint32_t>& found, std::uint32_t near) const {
   if (level >= deepest_) return;
   for (int child = 0; child < 8; ++child) {
     if ((child >> axis & 1) != (isHigh ? 1 : 0)) continue;
     const Index3 index{2 * cell.i + (child & 1), 2 * cell.j + (child >> 1 & 1),
                        2 * cell.k + (child >> 2)};
-    const auto other = at(index, level + 1);
+    const auto other = at(index, level + 1, near);
     if (other == kNoLeaf) continue;
     if (leaves_[other].level > level + 1) {
-      addTouching(index, level + 1, axis, isHigh, found);
+      addTouching(index, level + 1, axis, isHigh, found, other);
     } else {
       found.push_back(other);
     }

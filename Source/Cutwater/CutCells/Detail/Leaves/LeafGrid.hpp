@@ -44,8 +44,9 @@ class LeafGrid {
   [[nodiscard]] double faceArea(std::uint32_t leaf, int axis) const;
   [[nodiscard]] double volume(std::uint32_t leaf) const;
 
-  /// The leaf that a cell is in, or the first of those in it; kNoLeaf if there is none.
-  [[nodiscard]] std::uint32_t at(const Index3& cell, int level) const;
+  /// The leaf that a cell is in, or the first of those in it; kNoLeaf if there is none. It is soon
+  /// found if it is not far from `near`, a leaf.
+  [[nodiscard]] std::uint32_t at(const Index3& cell, int level, std::uint32_t near = 0) const;
   /// The leaves [first, last) that begin in a cube of 2^bits cells along each axis, whose indices
   /// are multiples of that.
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> within(const Index3& first, int level,
@@ -66,8 +67,9 @@ class LeafGrid {
   }
   [[nodiscard]] Box<double> boxBetween(const std::array<std::vector<double>, 3>& planes,
                                        std::uint32_t leaf) const;
+  [[nodiscard]] std::size_t firstAfter(std::uint64_t place, std::size_t near) const;
   void addTouching(const Index3& cell, int level, int axis, bool isHigh,
-                   std::vector<std::uint32_t>& found) const;
+                   std::vector<std::uint32_t>& found, std::uint32_t near) const;
 
   int deepest_;
   std::array<std::int32_t, 3> roots_;
