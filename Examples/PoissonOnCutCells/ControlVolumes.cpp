@@ -25,15 +25,6 @@ std::size_t numberOf(const cutwater::IndexBox& box, const Index3& cell) {
          from(cell.i, box.lo.i);
 }
 
-template <typename Visit>
-void forCells(const cutwater::IndexBox& box, const Visit& visit) {
-  for (int k = box.lo.k; k <= box.hi.k; ++k) {
-    for (int j = box.lo.j; j <= box.hi.j; ++j) {
-      for (int i = box.lo.i; i <= box.hi.i; ++i) visit(Index3{i, j, k});
-    }
-  }
-}
-
 }  // namespace
 
 ControlVolumes::ControlVolumes(const CutCells& cells)
@@ -53,7 +44,7 @@ void ControlVolumes::addCells(const CutCells& cells) {
     volumes_.push_back(cells.pieces.volume[piece]);
     isCell_.push_back(false);
   }
-  forCells(box_, [&](const Index3& cell) {
+  forEachIndex(box_, [&](const Index3& cell) {
     if (cells.classOf(cell) != FluidClass::Fluid) return;
     ofCell_[numberOf(box_, cell)].push_back(count());
     centroids_.push_back(cells.boxOf(cell).center());
@@ -86,7 +77,7 @@ void ControlVolumes::addOpenParts(const CutCells& cells) {
                         .axis = cells.arcs.axis[arc]};
     if (part.area > 0 && (part.below != kNone || part.above != kNone)) openParts_.push_back(part);
   }
-  forCells(box_, [&](const Index3& cell) {
+  forEachIndex(box_, [&](const Index3& cell) {
     if (cells.classOf(cell) == FluidClass::Fluid) addWholeFaces(cells, cell);
   });
 }

@@ -40,7 +40,7 @@ TEST(Amrex2DTest, CutCellsFollowTheDisc) {
     const auto at = shop();
     const CutCells result(at, geometry, 16);
     std::size_t cut = 0;
-    forEach(IndexBox::ofSize(n, n, 1), [&](const Index3& cell) {
+    forEachIndex(IndexBox::ofSize(n, n, 1), [&](const Index3& cell) {
       int inDisc = 0;
       for (int corner = 0; corner < 4; ++corner) {
         const double x = (cell.i + (corner & 1)) / double(n) - 0.5012;
@@ -73,7 +73,7 @@ TEST(Amrex2DTest, TagsCellsThatTheDiscsEdgeMeets) {
     amrex::TagBoxArray tags({Box(IntVect(0), IntVect(kCells - 1))}, 0);
     tagCells(Refinement<double>{.cut = 1}, ball, tags, unitSquare(kCells), 0, z);
     std::size_t set = 0;
-    forEach(IndexBox::ofSize(kCells, kCells, 1), [&](const Index3& cell) {
+    forEachIndex(IndexBox::ofSize(kCells, kCells, 1), [&](const Index3& cell) {
       const auto range = [](int i, double center) {
         const double a = i / double(kCells) - center;
         const double b = (i + 1) / double(kCells) - center;

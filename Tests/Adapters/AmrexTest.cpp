@@ -75,15 +75,15 @@ class SamplingShop : public AmrexShop {
   int getBoxType(const Box& nodes, const amrex::Geometry& geometry, amrex::RunOn /*runOn*/) const {
     bool anyFluid = false;
     bool anyBody = false;
-    forEach({{nodes.smallEnd()[0], nodes.smallEnd()[1], nodes.smallEnd()[2]},
-             {nodes.bigEnd()[0], nodes.bigEnd()[1], nodes.bigEnd()[2]}},
-            [&](const Index3& node) {
-              const auto at = [&](int dir, int i) {
-                return geometry.ProbLo(dir) + static_cast<Real>(i) * geometry.CellSize(dir);
-              };
-              const Real value = function_({at(0, node.i), at(1, node.j), at(2, node.k)});
-              (value < 0 ? anyFluid : anyBody) = true;
-            });
+    forEachIndex({{nodes.smallEnd()[0], nodes.smallEnd()[1], nodes.smallEnd()[2]},
+                  {nodes.bigEnd()[0], nodes.bigEnd()[1], nodes.bigEnd()[2]}},
+                 [&](const Index3& node) {
+                   const auto at = [&](int dir, int i) {
+                     return geometry.ProbLo(dir) + static_cast<Real>(i) * geometry.CellSize(dir);
+                   };
+                   const Real value = function_({at(0, node.i), at(1, node.j), at(2, node.k)});
+                   (value < 0 ? anyFluid : anyBody) = true;
+                 });
     return !anyBody ? allregular : !anyFluid ? allcovered : mixedcells;
   }
 
@@ -160,7 +160,7 @@ TEST(AmrexTest, FunctionAndFabAgreeToTheBitNearTheSurface) {
   AmrexShop(domain).fillFab(fab, geometry, kCpu, Box({-8, -8, -8}, {24, 24, 24}));
   const auto values = fab.array();
   int near = 0;
-  forEach({{-3, -2, 1}, {19, 17, 12}}, [&](const Index3& node) {
+  forEachIndex({{-3, -2, 1}, {19, 17, 12}}, [&](const Index3& node) {
     const amrex::RealArray p{static_cast<Real>(node.i) / 16, static_cast<Real>(node.j) / 16,
                              static_cast<Real>(node.k) / 16};
     const Real value = values(node.i, node.j, node.k);
@@ -185,7 +185,7 @@ TEST(AmrexTest, FabsGoOnUnchangedBehindTheBoundingBox) {
   amrex::BaseFab<Real> fab(nodes);
   shop.fillFab(fab, geometry, kCpu, within);
   const auto values = fab.array();
-  forEach({{16, 0, 0}, {20, 16, 16}}, [&](const Index3& node) {
+  forEachIndex({{16, 0, 0}, {20, 16, 16}}, [&](const Index3& node) {
     EXPECT_EQ(values(node.i, node.j, node.k), values(16, node.j, node.k));
   });
   EXPECT_GT(values(20, 8, 8), 0);
@@ -223,7 +223,7 @@ TEST(AmrexTest, InterceptsAreKnownOnIrregularEdgesOnlyAndMoveWithTheLevelSet) {
   const AmrexShop::TypeArrays typeArrays{types.const_array(), noTypes.const_array(),
                                          noTypes.const_array()};
   shop.getIntercept(intercepts, typeArrays, fab.const_array(), geometry, kCpu, nodes);
-  forEach({{2, 8, 8}, {4, 9, 9}}, [&](const Index3& edge) {
+  forEachIndex({{2, 8, 8}, {4, 9, 9}}, [&](const Index3& edge) {
     const bool isCut = edge == Index3{3, 8, 8};
     EXPECT_EQ(std::isnan(x.array()(edge.i, edge.j, edge.k)), !isCut);
   });
@@ -274,7 +274,7 @@ TEST(AmrexTest, TagsAreThoseOfTag) {
     tags.fabs()[0].array()(0, 31, 31) = amrex::TagBox::BUF;  // of somebody else's
     tagCells(rules, solid, tags, geometry, level);
     std::size_t set = 0;
-    forEach(whole, [&](const Index3& cell) {
+    forEachIndex(whole, [&](const Index3& cell) {
       const auto mark = GridView<std::uint8_t>::contiguous(marks.data(), whole)
                             .at(offset(cell.i), offset(cell.j), offset(cell.k));
       const auto found = tags.fabs()[cell.i < 16 ? 0 : 1].array()(cell.i, cell.j, cell.k);

@@ -1,4 +1,5 @@
 #include <Cutwater/Adapters/Chombo.hpp>
+#include <Cutwater/Adapters/ChomboCutCells.hpp>
 #include <Cutwater/Shapes/Sphere.hpp>
 
 #include <numbers>

@@ -1,4 +1,4 @@
-#include <Cutwater/Adapters/Chombo.hpp>
+#include <Cutwater/Adapters/ChomboCutCells.hpp>
 #include <Cutwater/Core/Error.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>
@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numbers>
+#include <type_traits>
 
 #include <gtest/gtest.h>
 
@@ -29,9 +31,10 @@ class Graph {
  public:
   using Key = std::array<int, 4>;  ///< a cell, and the number of the piece in it
 
-  Graph(const ChomboCutCells& cells, const ProblemDomain& domain, int lo, int hi)
+  Graph(const ChomboCutCells& cells, const ProblemDomain& domain, int lo, int hi,
+        const RealVect& origin = RealVect(), Real dx = kDx)
       : region_(IntVect(lo), IntVect(hi)), kinds_(region_, 1) {
-    cells.fillGraph(kinds_, nodes_, region_, region_, domain, RealVect(), kDx, DataIndex());
+    cells.fillGraph(kinds_, nodes_, region_, region_, domain, origin, dx, DataIndex());
     for (const auto& node : nodes_) {
       byKey_[{node.m_cell[0], node.m_cell[1], kDim == 3 ? node.m_cell[kDim - 1] : 0,
               node.m_cellIndex}] = &node;
@@ -102,12 +105,18 @@ int expectTwoSides(Graph& graph) {
     EXPECT_EQ(graph.kind(node.m_cell), 0);
     EXPECT_GT(node.m_volFrac, 0);
     EXPECT_LE(node.m_volFrac, 1);
+    for (int d = 0; d < kDim; ++d) {
+      EXPECT_LE(std::abs(node.m_volCentroid[d]), 0.5);
+      EXPECT_LE(std::abs(node.m_bndryCentroid[d]), 0.5);
+    }
     for (int dir = 0; dir < kDim; ++dir) {
       for (const auto side : {Side::Lo, Side::Hi}) {
         const auto own = static_cast<std::size_t>(IrregNode::index(dir, side));
         EXPECT_EQ(node.m_areaFrac[own].size(), node.m_arc[own].size());
         EXPECT_EQ(node.m_faceCentroid[own].size(), node.m_arc[own].size());
         for (std::size_t n = 0; n < node.m_arc[own].size(); ++n) {
+          EXPECT_GT(node.m_areaFrac[own][n], 0);
+          EXPECT_LE(node.m_areaFrac[own][n], 1);
           between += expectTheSameAcross(graph, node, dir, side, n) ? 1 : 0;
         }
       }
@@ -197,6 +206,101 @@ TEST(ChomboCutCellsTest, RegionsAreClassified) {
   EXPECT_TRUE(service.isCovered(::Box(IntVect(7), IntVect(8)), domain, RealVect(), kDx));
   EXPECT_TRUE(service.canGenerateMultiCells());
   EXPECT_FALSE(service.generatesHigherOrderMoments());
+}
+
+IndexTM<int, kDim> powersOf(int x, int y, int z) {
+  IndexTM<int, kDim> power;
+  power[0] = x;
+  power[1] = y;
+  power[2] = z;
+  return power;
+}
+IndexTM<int, kDim - 1> powersOf(int first, int second) {
+  IndexTM<int, kDim - 1> power;
+  power[0] = first;
+  power[1] = second;
+  return power;
+}
+
+/// Integrals over a cell below z = h, from its middle, of x^p y^q z^r.
+double belowPlane(int p, int q, int r, double dx, double h) {
+  const auto along = [](int power, double from, double to) {
+    return (std::pow(to, power + 1) - std::pow(from, power + 1)) / (power + 1);
+  };
+  return along(p, -dx / 2, dx / 2) * along(q, -dx / 2, dx / 2) * along(r, -dx / 2, h);
+}
+
+constexpr double kRounding = std::is_same_v<Real, float> ? 1e-6 : 1e-14;
+
+// Below a plate, in cells that are cut at 0.3 of their height.
+TEST(ChomboCutCellsTest, MomentsAreFromTheMiddle) {
+  const auto domain = cubeOf(16);
+  const double dx = 1.0 / 16;
+  const Solid<double> plate = MeshSDF<double>(
+      tessellation::box({2.5 * dx, 2.5 * dx, 6.3 * dx}, {14.5 * dx, 14.5 * dx, 9.2 * dx}));
+  const ChomboCutCells cells(CellCutter(plate), domain, RealVect(), kDx, {.moments = true});
+  EXPECT_TRUE(static_cast<const GeometryService&>(cells).generatesHigherOrderMoments());
+  Graph graph(cells, domain, 0, 15);
+  IntVect at(8);
+  at[2] = 6;
+  const auto* node = graph.find(at, 0);
+  ASSERT_NE(node, nullptr);
+  const double h = -0.2 * dx;
+  for (const auto& power : IndMomSpaceDim::getMonomialPowers()) {
+    const double volume = belowPlane(power[0], power[1], power[2], dx, h);
+    EXPECT_NEAR(node->m_volumeMoments[power], volume, kRounding * dx * dx * dx);
+    const double wall = belowPlane(power[0], power[1], 0, dx, dx / 2) / dx * std::pow(h, power[2]);
+    EXPECT_NEAR(node->m_EBMoments[power], wall, kRounding * dx * dx);
+  }
+  EXPECT_NEAR(node->m_normalPartialDeriv[2][0], -1, kRounding);  // into the fluid
+  EXPECT_NEAR(node->m_normalPartialDeriv[0][0], 0, kRounding);
+  const auto high = static_cast<std::size_t>(IrregNode::index(1, Side::Hi));
+  EXPECT_NEAR(node->m_faceMoments[high][powersOf(0, 0)], 0.3 * dx * dx, kRounding * dx * dx);
+  EXPECT_NEAR(node->m_faceMoments[high][powersOf(0, 1)], -0.35 * 0.3 * dx * dx * dx,
+              kRounding * dx * dx * dx);  // along z
+  EXPECT_EQ(node->m_faceMoments[static_cast<std::size_t>(IrregNode::index(2, Side::Hi))][0], 0);
+}
+
+// Chombo adds moments of cells up: those of all must be those of the domain.
+TEST(ChomboCutCellsTest, MomentsAddUp) {
+  const auto domain = cubeOf(16);
+  const double dx = 1.0 / 16;
+  const Vec3<double> center{0.5012, 0.4987, 0.5031};
+  const Solid<double> ball = Sphere<double>(center, 0.3);
+  const ChomboCutCells cells(SolidCutter(ball), domain, RealVect(), kDx, {.moments = true});
+  Graph graph(cells, domain, 0, 15);
+  double area = 0;
+  double second = 0;  // of z, about 0
+  Vec3<double> vectors;
+  for (const auto& node : graph.nodes()) {
+    area += node.m_EBMoments[0];
+    const double z = (node.m_cell[2] + 0.5) * dx;
+    const auto& m = node.m_EBMoments;
+    second += m[powersOf(0, 0, 2)] + 2 * z * m[powersOf(0, 0, 1)] + z * z * m[0];
+    double open = 0;
+    for (int dir = 0; dir < kDim; ++dir) {
+      vectors[dir] += node.m_normalPartialDeriv[dir][0] * m[0];
+      open += node.m_faceMoments[static_cast<std::size_t>(IrregNode::index(dir, Side::Hi))][0] -
+              node.m_faceMoments[static_cast<std::size_t>(IrregNode::index(dir, Side::Lo))][0] -
+              node.m_normalPartialDeriv[dir][0] * m[0];
+    }
+    EXPECT_NEAR(open, 0, 10 * kRounding);
+  }
+  const double whole = 4 * std::numbers::pi * 0.09;
+  EXPECT_NEAR(area, whole, 1e-5);
+  EXPECT_NEAR(second, whole * (center.z * center.z + 0.03), 1e-5);
+  EXPECT_NEAR(length(vectors), 0, 100 * kRounding);
+}
+
+// As many cells as hosts have.
+TEST(ChomboCutCellsTest, AMillionCellsAgree) {
+  const auto domain = cubeOf(104);
+  const Solid<double> torus = MeshSDF<double>(tessellation::torus(0.3, 0.11, 60, 30));
+  const RealVect origin(Real(-0.5), Real(-0.515625), Real(-0.53125));
+  const Real dx = Real(1.0 / 104);
+  const ChomboCutCells cells(CellCutter(torus), domain, origin, dx);
+  Graph graph(cells, domain, 0, 103, origin, dx);
+  EXPECT_GT(expectTwoSides(graph), 30'000);
 }
 
 TEST(ChomboCutCellsTest, PeriodsGoOn) {

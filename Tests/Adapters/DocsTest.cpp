@@ -2,6 +2,7 @@
 #include <Cutwater/Adapters/Amrex.hpp>
 #include <Cutwater/Adapters/AmrexEB.hpp>
 #include <Cutwater/Adapters/Chombo.hpp>
+#include <Cutwater/Adapters/ChomboCutCells.hpp>
 #include <Cutwater/Adapters/DealII.hpp>
 #include <Cutwater/Mesh/MeshSDF.hpp>
 #include <Cutwater/Operations/Algebra.hpp>

@@ -56,7 +56,7 @@ class NodeLevelSetTest : public ::testing::Test {
     const auto domain = around(ball());
     const NodeLevelSet<T> levelSet(domain, level(), within);
     const Filled filled(levelSet, nodes);
-    forEach(nodes, [&](const Index3& node) {
+    forEachIndex(nodes, [&](const Index3& node) {
       const Index3 nearest{std::clamp(node.i, within.lo.i, within.hi.i),
                            std::clamp(node.j, within.lo.j, within.hi.j),
                            std::clamp(node.k, within.lo.k, within.hi.k)};
@@ -126,7 +126,7 @@ TYPED_TEST(NodeLevelSetTest, InterceptsOfASphereAreWhereItsSurfaceIs) {
                                 side == FluidSide::Inside ? Vec3<T>{} : Vec3<T>{2, 2, 2});
     const NodeLevelSet<T> levelSet(domain, this->level());
     int cut = 0;
-    forEach({{0, 0, 0}, {30, 30, 30}}, [&](const Index3& node) {
+    forEachIndex({{0, 0, 0}, {30, 30, 30}}, [&](const Index3& node) {
       for (int axis = 0; axis < 3; ++axis) {
         const auto edge = this->edgeAt(domain, node, axis);
         const T found = levelSet.intercept(edge);
@@ -170,7 +170,7 @@ TYPED_TEST(NodeLevelSetTest, InterceptsOfAMeshAreItsCrossings) {
         .last = GridView<T>::contiguous(last.data(), nodes)};
     edgeCrossings(torus, {this->level(), nodes}, targets);
     int odd = 0;
-    forEach({{0, 0, 0}, {30, 30, 30}}, [&](const Index3& node) {
+    forEachIndex({{0, 0, 0}, {30, 30, 30}}, [&](const Index3& node) {
       const auto at = static_cast<std::size_t>(std::int64_t{node.i} + 32 * (node.j + 32 * node.k));
       const auto edge = this->edgeAt(domain, node, axis);
       EXPECT_EQ(edge.isCut(), count[at] % 2 == 1);

@@ -131,7 +131,7 @@ TEST(SingleValuedCellsTest, EdgesAreOpenWhereTheBodyIsNot) {
   for (int width = 1; width <= 4; width *= 2) {
     const Fields<double> fields(cells, cells.cells().grid.indices());
     int cut = 0;
-    forEach(cells.cells().grid.indices(), [&](const Index3& cell) {
+    forEachIndex(cells.cells().grid.indices(), [&](const Index3& cell) {
       for (int axis = 0; axis < 3; ++axis) {
         const auto from = cells.cells().boxOf(cell).lower - center;
         const double rest = 0.09 - (dot(from, from) - from[axis] * from[axis]);
@@ -171,7 +171,7 @@ TEST(SingleValuedCellsTest, BodiesGoOnBeyondTheBox) {
     const Fields<double> cut(all, box);
     int beyond = 0;
     int bent = 0;
-    forEach(box, [&](const Index3& cell) {
+    forEachIndex(box, [&](const Index3& cell) {
       EXPECT_EQ(extended.kind(cell), cut.kind(cell));
       if (cut.kind(cell) == FluidClass::Cut && !own.cells().grid.indices().contains(cell)) ++beyond;
       const auto a = extended.valuesAt(cell);
@@ -224,7 +224,7 @@ TEST(SingleValuedCellsTest, SectionsAreThoseOfTheNearestFace) {
     const SingleValuedCells cells(cutter.cut(cube(n), {.polygons = true}));
     const Fields<double> fields(cells, {{0, 0, 0}, {n + 2, n + 2, n + 2}});
     int cut = 0;
-    forEach(IndexBox::ofSize(n, n, n), [&](const Index3& cell) {
+    forEachIndex(IndexBox::ofSize(n, n, n), [&](const Index3& cell) {
       const auto moved = [&](int to) {
         std::array<int, 3> at{cell.i, cell.j, cell.k};
         at[static_cast<std::size_t>(axis)] = to;
@@ -253,7 +253,7 @@ TEST(SingleValuedCellsTest, ValuesDoNotDependOnTheBox) {
       *index = {index->i - 3, index->j - 3, index->k - 3};
     }
     const Fields<double> part(cells, box);
-    forEach(box, [&](const Index3& cell) {
+    forEachIndex(box, [&](const Index3& cell) {
       EXPECT_EQ(part.kind(cell), whole.kind(cell));
       EXPECT_EQ(part.valuesAt(cell), whole.valuesAt(cell));
     });
@@ -275,7 +275,7 @@ TEST(SingleValuedCellsTest, EndsOfAPeriodAreOne) {
   for (int width = n; width >= 3; width /= 2) {
     const Fields<double> fields(cells, {{-2, 0, -2}, {2 * width, width - 1, 2 * width}});
     int cut = 0;
-    forEach({{-2, 0, -2}, {width - 1, width - 1, width - 1}}, [&](const Index3& cell) {
+    forEachIndex({{-2, 0, -2}, {width - 1, width - 1, width - 1}}, [&](const Index3& cell) {
       const auto values = fields.valuesAt(cell);
       EXPECT_EQ(values, fields.valuesAt({cell.i + width, cell.j, cell.k}));
       EXPECT_EQ(values, fields.valuesAt({cell.i, cell.j, cell.k + width}));
@@ -295,7 +295,7 @@ TEST(SingleValuedCellsTest, EdgesOfClosedFacesAreClosed) {
   const Fields<double> fields(cells, box);
   int closed = 0;
   int open = 0;
-  forEach({{1, 1, 0}, {6, 6, 6}}, [&](const Index3& cell) {
+  forEachIndex({{1, 1, 0}, {6, 6, 6}}, [&](const Index3& cell) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (fields.aperture(cell, axis) != 0) continue;
       EXPECT_EQ(fields.edge(cell, (axis + 1) % 3), -1);

@@ -67,7 +67,7 @@ void expectArcsWithin(const CutCells& cells, const CutRegions& regions) {
     if (!box.contains(cell) || !box.contains(under)) continue;
     ASSERT_EQ(regionOf(cells.arcs.below[a], under), regionOf(cells.arcs.above[a], cell));
   }
-  forEach(box, [&](const Index3& cell) {
+  forEachIndex(box, [&](const Index3& cell) {
     EXPECT_EQ(regions.ofCell(cell) != CutRegions::kNone, cells.classOf(cell) == FluidClass::Fluid);
   });
 }
@@ -119,7 +119,7 @@ TEST(CutRegionsTest, CountWhatTheyHave) {
   EXPECT_EQ(regions.ofCell({0, 0, 0}), 0U);
   EXPECT_EQ(regions.ofCell({12, 12, 12}), 1U);
   std::array<std::size_t, 2> whole{};
-  forEach(cells.grid.indices(), [&](const Index3& cell) {
+  forEachIndex(cells.grid.indices(), [&](const Index3& cell) {
     if (cells.classOf(cell) == FluidClass::Fluid) ++whole[regions.ofCell(cell)];
   });
   EXPECT_EQ(whole[0], around.wholeCells);

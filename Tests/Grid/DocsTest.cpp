@@ -41,7 +41,7 @@ TEST(DocsTest, DistancesOnAGridPatchWithGhostCells) {
   std::vector<double> distances(gridPatch.indices.count());
   fill(solid, gridPatch, GridView<double>::contiguous(distances.data(), gridPatch.indices));
   // DOCS]
-  forEach(gridPatch.indices, [&](const Index3& index) {
+  forEachIndex(gridPatch.indices, [&](const Index3& index) {
     ASSERT_EQ(distances[placeOf(index, gridPatch.indices)],
               kSolid.signedDistance(level.position(index)));
   });
@@ -67,7 +67,7 @@ TEST(DocsTest, OneComponentOfAnInterleavedArray) {
   const GridView<double> view{unknowns.data() + 4, {5, 5 * nx, 5 * nx * ny}};
   fill(solid, gridPatch, view);
   // DOCS]
-  forEach(kOwned, [&](const Index3& index) {
+  forEachIndex(kOwned, [&](const Index3& index) {
     const auto place = 5 * placeOf(index, kOwned);
     ASSERT_EQ(unknowns[place + 4], kSolid.signedDistance(kLevel.position(index)));
     ASSERT_EQ(unknowns[place + 3], 0);
@@ -88,7 +88,7 @@ TEST(DocsTest, DistancesAndPatchesOfABand) {
   // DOCS]
   ASSERT_EQ(names, (std::vector<std::string>{"ball", "rod"}));
   std::array<int, 2> found{};
-  forEach(kOwned, [&](const Index3& index) {
+  forEachIndex(kOwned, [&](const Index3& index) {
     const auto place = placeOf(index, kOwned);
     const double value = kSolid.signedDistance(kLevel.position(index));
     const double end = 3.0 / 16;
@@ -122,7 +122,7 @@ TEST(DocsTest, ClosestPointsAndClassesOfCells) {
   // DOCS]
   int cut = 0;
   int near = 0;
-  forEach(kOwned, [&](const Index3& index) {
+  forEachIndex(kOwned, [&](const Index3& index) {
     const auto place = placeOf(index, kOwned);
     ASSERT_EQ(classes[place], kSolid.classify(kLevel.cell(index)));
     const auto hit = kSolid.closestPoint(kLevel.position(index));
@@ -155,7 +155,7 @@ TEST(DocsTest, LevelsOfAHierarchy) {
   const IndexBox coarse = IndexBox::ofSize(17, 17, 17);
   const IndexBox fine = IndexBox::ofSize(65, 65, 65);
   int inBand = 0;
-  forEach(coarse, [&](const Index3& i) {
+  forEachIndex(coarse, [&](const Index3& i) {
     const double here = levels[0][placeOf(i, coarse)];
     ASSERT_EQ(here, levels[2][placeOf({4 * i.i, 4 * i.j, 4 * i.k}, fine)]);
     inBand += std::abs(here) < 0.5 ? 1 : 0;

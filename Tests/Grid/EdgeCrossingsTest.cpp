@@ -69,7 +69,7 @@ class EdgeCrossingsTest : public ::testing::Test {
     std::size_t often = 0;
     for (int axis = 0; axis < 3; ++axis) {
       std::size_t n = 0;
-      forEach(edges.boxes[static_cast<std::size_t>(axis)], [&](const Index3& node) {
+      forEachIndex(edges.boxes[static_cast<std::size_t>(axis)], [&](const Index3& node) {
         const auto& a = edges.arrays[static_cast<std::size_t>(axis)];
         expectEdge(
             solid, {gridPatch.level.position(node), gridPatch.level.position(next(node, axis))},
@@ -152,7 +152,7 @@ TYPED_TEST(EdgeCrossingsTest, OfAPlateBetweenTheNodes) {
   EXPECT_EQ(edges.report.crossed, 49U);
   const auto& z = edges.arrays[2];
   std::size_t n = 0;
-  forEach(edges.boxes[2], [&](const Index3& node) {
+  forEachIndex(edges.boxes[2], [&](const Index3& node) {
     const bool isCrossed = node.k == 1 && std::abs(node.i) < 4 && std::abs(node.j) < 4;
     EXPECT_EQ(z.count[n], isCrossed ? 2U : 0U);
     if (isCrossed) {
@@ -174,7 +174,7 @@ TYPED_TEST(EdgeCrossingsTest, DoNotDependOnThePatchOrTheThreads) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto& box = all.boxes[axis];
       std::size_t n = 0;
-      forEach(some.boxes[axis], [&](const Index3& node) {
+      forEachIndex(some.boxes[axis], [&](const Index3& node) {
         const auto m =
             static_cast<std::size_t>(node.i - box.lo.i) +
             box.length(0) * (static_cast<std::size_t>(node.j - box.lo.j) +

@@ -46,7 +46,7 @@ TYPED_TEST(FillTest, GivesThePointwiseBitsForAnyNumberOfThreads) {
       fill(this->solid, GridPatch<T>{centred, this->box},
            GridView<T>::contiguous(values.data(), this->box), {.threads = threads});
       std::size_t n = 0;
-      forEach(this->box, [&](const Index3& index) {
+      forEachIndex(this->box, [&](const Index3& index) {
         const T expected = this->solid.signedDistance(centred.position(index));
         ASSERT_TRUE(sameBits(values[n++], expected)) << index.i << ' ' << index.j << ' ' << index.k;
       });
@@ -65,7 +65,7 @@ TYPED_TEST(FillTest, ManyPatchesGiveTheBitsOfOne) {
     const auto all = GridView<T>::contiguous(parts.data(), this->box);
     const Index3 lo = this->box.lo;
     const Index3 hi = this->box.hi;
-    forEach(IndexBox{{0, 0, 0}, {26 / size, 21 / size, 19 / size}}, [&](const Index3& tile) {
+    forEachIndex(IndexBox{{0, 0, 0}, {26 / size, 21 / size, 19 / size}}, [&](const Index3& tile) {
       const Index3 from{lo.i + tile.i * size, lo.j + tile.j * size, lo.k + tile.k * size};
       const Index3 to{std::min(from.i + size - 1, hi.i), std::min(from.j + size - 1, hi.j),
                       std::min(from.k + size - 1, hi.k)};
@@ -90,7 +90,7 @@ TYPED_TEST(FillTest, WritesOneComponentOfAnyLayoutAndNothingElse) {
   const GridView<T> view{values.data() + (ny - 1) * nz * kComponents + 1,
                          {nz * ny * kComponents, -nz * kComponents, kComponents}};
   fill(this->solid, GridPatch<T>{this->level, this->box}, view);
-  forEach(this->box, [&](const Index3& index) {
+  forEachIndex(this->box, [&](const Index3& index) {
     const auto& lo = this->box.lo;
     const T* value =
         &view.at(static_cast<std::size_t>(index.i - lo.i), static_cast<std::size_t>(index.j - lo.j),
@@ -109,7 +109,7 @@ TYPED_TEST(FillTest, BeyondTheBandIsExactlyItsWidth) {
        GridView<T>::contiguous(values.data(), this->box), {.band = 1.5});
   std::size_t n = 0;
   std::size_t within = 0, inside = 0, outside = 0;
-  forEach(this->box, [&](const Index3& index) {
+  forEachIndex(this->box, [&](const Index3& index) {
     const T exact = this->pointwise(index);
     const T value = values[n++];
     if (std::abs(exact) <= limit) {
@@ -137,7 +137,7 @@ TYPED_TEST(FillTest, TellsTheClosestPatchInTheSamePass) {
     fill(ball, gridPatch, targets, {.band = band});
     std::size_t n = 0;
     std::size_t beyond = 0;
-    forEach(this->box, [&](const Index3& index) {
+    forEachIndex(this->box, [&](const Index3& index) {
       const auto p = this->level.position(index);
       const bool told = band == 0 || std::abs(length(p) - 1) <= T(2) * T(0.11);
       beyond += told ? 0 : 1;
@@ -164,7 +164,7 @@ TYPED_TEST(FillTest, AMeshHasTheSameBitsWithItsPatchesAsWithout) {
           .patch = GridView<std::uint32_t>::contiguous(ids.data(), this->box)},
          {.band = band});
     std::size_t n = 0;
-    forEach(this->box, [&](const Index3& index) {
+    forEachIndex(this->box, [&](const Index3& index) {
       ASSERT_TRUE(sameBits(distances[n], mesh.signedDistance(this->level.position(index))));
       ASSERT_EQ(ids[n++], 0U);
     });

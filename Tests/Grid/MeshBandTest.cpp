@@ -24,7 +24,7 @@ class MeshBandTest : public ::testing::Test {
     const auto& level = gridPatch.level;
     const auto& indices = gridPatch.indices;
     std::vector<T> expected;
-    forEach(indices, [&](const Index3& index) {
+    forEachIndex(indices, [&](const Index3& index) {
       expected.push_back(solid.signedDistance(level.position(index)));
     });
     for (const double band : {0.01, 0.8, 1.0, 2.5, 3.0, 8.0, 100.0}) {

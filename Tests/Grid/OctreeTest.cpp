@@ -50,11 +50,12 @@ class OctreeTest : public ::testing::Test {
     const int shift = mesh.deepest() - cell.level;
     const std::int32_t width = 1 << shift;
     const Index3 lo{cell.index.i << shift, cell.index.j << shift, cell.index.k << shift};
-    forEach({lo, {lo.i + width - 1, lo.j + width - 1, lo.k + width - 1}}, [&](const Index3& i) {
-      visit(static_cast<std::size_t>(i.i) +
-            all.length(0) *
-                (static_cast<std::size_t>(i.j) + all.length(1) * static_cast<std::size_t>(i.k)));
-    });
+    forEachIndex({lo, {lo.i + width - 1, lo.j + width - 1, lo.k + width - 1}},
+                 [&](const Index3& i) {
+                   visit(static_cast<std::size_t>(i.i) +
+                         all.length(0) * (static_cast<std::size_t>(i.j) +
+                                          all.length(1) * static_cast<std::size_t>(i.k)));
+                 });
   }
 
   const OctreeDomain<T> domain{{T(-1.3), T(-1.2), T(-1.25)}, T(0.6), {4, 4, 5}};

@@ -42,7 +42,7 @@ TYPED_TEST(TagTest, MarksWhatTheOctreeDivides) {
     const auto marks = this->tags(level, box);
     std::size_t n = 0;
     std::size_t divided = 0;
-    forEach(box, [&](const Index3& index) {
+    forEachIndex(box, [&](const Index3& index) {
       const auto mark = marks[n++];
       // Of cells that exist: the mesh's there is finer exactly if it was divided.
       const auto& found = mesh.cells()[*mesh.find(index, level)];
@@ -68,7 +68,7 @@ TYPED_TEST(TagTest, MarksACellTheSameInAnyPatch) {
           {whole.hi.i - 2, std::min(j + 6, whole.hi.j), std::min(k + 8, whole.hi.k)}};
       const auto marks = this->tags(level, box);
       std::size_t n = 0;
-      forEach(box, [&](const Index3& i) {
+      forEachIndex(box, [&](const Index3& i) {
         const auto at =
             static_cast<std::size_t>(i.i - whole.lo.i) +
             whole.length(0) * (static_cast<std::size_t>(i.j - whole.lo.j) +

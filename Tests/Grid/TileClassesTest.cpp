@@ -62,7 +62,7 @@ class TileClassesTest : public ::testing::Test {
         const auto one = filled(solid, {level, box});
         EXPECT_EQ(one, filled(solid, {level, box}, 3));
         std::size_t n = 0;
-        forEach(box, [&](const Index3& index) {
+        forEachIndex(box, [&](const Index3& index) {
           ASSERT_EQ(one[n], solid.classify(level.cell(index)))
               << index.i << ' ' << index.j << ' ' << index.k;
           ++count[static_cast<std::size_t>(one[n++])];
@@ -109,7 +109,7 @@ TYPED_TEST(TileClassesTest, AreThoseOfFunctionsThatPromiseLittle) {
   const IndexBox box{{-16, -16, -16}, {15, 15, 15}};
   const auto classes = this->filled(within, {level, box});
   std::size_t n = 0;
-  forEach(box, [&](const Index3& index) {
+  forEachIndex(box, [&](const Index3& index) {
     ASSERT_EQ(classes[n++], within.classify(level.cell(index)));
   });
   const AskedBall<T> nothing(Guarantee<T>{});
@@ -154,7 +154,7 @@ TYPED_TEST(TileClassesTest, ComeWithEverythingElseInOnePass) {
     const T limit = band > 0 ? static_cast<T>(band) * level.smallestSpacing() : Box<T>::kInf;
     std::size_t n = 0;
     int near = 0;
-    forEach(gridPatch.indices, [&](const Index3& index) {
+    forEachIndex(gridPatch.indices, [&](const Index3& index) {
       const auto hit = mesh.closestPoint(level.position(index));
       if (std::abs(hit.distance) <= limit) {
         ++near;

@@ -67,7 +67,7 @@ std::size_t expectPointwise(const SignedDistanceFunction<T>& solid, const GridPa
   std::size_t n = 0;
   std::size_t wrong = 0;
   std::size_t within = 0;
-  forEach(gridPatch.indices, [&](const Index3& index) {
+  forEachIndex(gridPatch.indices, [&](const Index3& index) {
     const auto p = gridPatch.level.position(index);
     const T exact = solid.signedDistance(p);
     const bool isBeyond = limit > 0 && std::abs(exact) > limit;
@@ -240,7 +240,7 @@ TYPED_TEST(TileFillTest, LeavesOutNoValueThatIsNotANumber) {
   fill(solid, this->large, GridView<T>::contiguous(values.data(), this->large.indices),
        {.band = 3});
   std::size_t n = 0;
-  forEach(this->large.indices, [&](const Index3& index) {
+  forEachIndex(this->large.indices, [&](const Index3& index) {
     ASSERT_EQ(std::isnan(values[n++]), this->large.level.position(index).x > 1);
   });
 }

@@ -15,16 +15,6 @@ bool sameBits(T a, T b) {
   return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
-/// Visits the box's indices, x fastest.
-template <typename Visit>
-void forEach(const IndexBox& box, Visit visit) {
-  for (int k = box.lo.k; k <= box.hi.k; ++k) {
-    for (int j = box.lo.j; j <= box.hi.j; ++j) {
-      for (int i = box.lo.i; i <= box.hi.i; ++i) visit(Index3{i, j, k});
-    }
-  }
-}
-
 /// A box of indices within [0, count)^3.
 inline IndexBox randomBox(int count, std::mt19937& random) {
   const auto upTo = [&](int end) {

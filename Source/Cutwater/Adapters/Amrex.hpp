@@ -65,13 +65,9 @@ GridView<Value> amrexView(const amrex::Array4<Value>& array) {
 inline void setTags(const amrex::Array4<amrex::TagBox::TagType>& tags, const IndexBox& box,
                     const std::vector<std::uint8_t>& marks) {
   auto mark = marks.begin();
-  for (int k = box.lo.k; k <= box.hi.k; ++k) {
-    for (int j = box.lo.j; j <= box.hi.j; ++j) {
-      for (int i = box.lo.i; i <= box.hi.i; ++i) {
-        if (*mark++ != 0) tags(i, j, k) = amrex::TagBox::SET;
-      }
-    }
-  }
+  forEachIndex(box, [&](const Index3& at) {
+    if (*mark++ != 0) tags(at.i, at.j, at.k) = amrex::TagBox::SET;
+  });
 }
 
 }  // namespace detail

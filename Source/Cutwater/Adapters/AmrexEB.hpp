@@ -153,11 +153,7 @@ class AmrexLevel final : public amrex::EB2::Level {
     }
     cells_.fill(box, fields);
     auto kind = kinds.begin();
-    for (int k = box.lo.k; k <= box.hi.k; ++k) {
-      for (int j = box.lo.j; j <= box.hi.j; ++j) {
-        for (int i = box.lo.i; i <= box.hi.i; ++i) setFlag(flags(i, j, k), *kind++);
-      }
-    }
+    forEachIndex(box, [&](const Index3& at) { setFlag(flags(at.i, at.j, at.k), *kind++); });
   }
   /// buildCellFlag() then finds what is connected.
   static void setFlag(amrex::EBCellFlag& flag, FluidClass kind) {

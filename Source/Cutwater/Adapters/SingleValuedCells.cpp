@@ -46,16 +46,6 @@ void forClasses(const CutCells& cells, const IndexBox& box, const Visit& visit) 
   }
 }
 
-/// Calls visit(index) for all indices of a box.
-template <typename Visit>
-void forIndices(const IndexBox& box, const Visit& visit) {
-  for (auto k = box.lo.k; k <= box.hi.k; ++k) {
-    for (auto j = box.lo.j; j <= box.hi.j; ++j) {
-      for (auto i = box.lo.i; i <= box.hi.i; ++i) visit(Index3{i, j, k});
-    }
-  }
-}
-
 IndexBox grown(IndexBox box, int axis, std::int32_t below, std::int32_t above) {
   along(box.lo, axis) -= below;
   along(box.hi, axis) += above;
@@ -101,10 +91,10 @@ class Filling {
     auto layer = parts.box();
     for (int axis = 0; axis < parts_.dimensions(); ++axis) layer = grown(layer, axis, 1, 1);
     const auto known = common(around_, layer);
-    forIndices(known, [&](const Index3& cell) {
+    forEachIndex(known, [&](const Index3& cell) {
       if (!parts.box().contains(cell)) kindAt(cell) = parts.kindOf(cell);
     });
-    forIndices(around_, [&](const Index3& cell) {
+    forEachIndex(around_, [&](const Index3& cell) {
       if (layer.contains(cell)) return;
       const auto nearest = nearestIn(layer, cell);
       kindAt(cell) =
@@ -113,18 +103,18 @@ class Filling {
   }
 
   void run() {
-    forIndices(box_, [&](const Index3& cell) { fillCell(cell); });
+    forEachIndex(box_, [&](const Index3& cell) { fillCell(cell); });
     auto nodes = box_;
     for (int axis = 0; axis < parts_.dimensions(); ++axis) {
       nodes = grown(nodes, axis, 0, 1);
       const auto faces = grown(box_, axis, 0, 1);
-      forIndices(faces, [&](const Index3& cell) { fillFace(faces, cell, axis); });
+      forEachIndex(faces, [&](const Index3& cell) { fillFace(faces, cell, axis); });
     }
     for (int axis = 0; axis < parts_.dimensions(); ++axis) {
       const auto edges = grown(nodes, axis, 0, -1);
-      forIndices(edges, [&](const Index3& cell) { fillEdge(edges, cell, axis); });
+      forEachIndex(edges, [&](const Index3& cell) { fillEdge(edges, cell, axis); });
     }
-    forIndices(nodes, [&](const Index3& node) {
+    forEachIndex(nodes, [&](const Index3& node) {
       const auto all = kindAround(node, extentOf(0));
       valueAt(out_.levelSet, nodes, node) =
           static_cast<T>(all == FluidClass::Fluid  ? -1

@@ -50,4 +50,17 @@ struct IndexBox {
   bool operator==(const IndexBox&) const = default;
 };
 
+/// Calls visit(index) for all indices of a box, i fastest and k slowest.
+template <typename Visit>
+constexpr void forEachIndex(const IndexBox& box, const Visit& visit) {
+  for (std::int64_t k = box.lo.k; k <= box.hi.k; ++k) {
+    for (std::int64_t j = box.lo.j; j <= box.hi.j; ++j) {
+      for (std::int64_t i = box.lo.i; i <= box.hi.i; ++i) {
+        visit(Index3{static_cast<std::int32_t>(i), static_cast<std::int32_t>(j),
+                     static_cast<std::int32_t>(k)});
+      }
+    }
+  }
+}
+
 }  // namespace cutwater

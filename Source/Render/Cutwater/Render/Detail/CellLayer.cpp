@@ -164,21 +164,14 @@ template CellLayer::CellLayer(const CutLeaves&, const OctreeCells<double>&, int,
 void CellLayer::eachCell(FunctionRef<void(const ShownCell&)> use) const {
   for (const auto& leaf : leaves_) use(leaf);
   if (grid_ == nullptr) return;
-  const auto box = grid_->grid.indices();
-  auto lo = box.lo;
-  auto hi = box.hi;
-  along(lo, axis_) = along(hi, axis_) = index_;
-  for (auto k = lo.k; k <= hi.k; ++k) {
-    for (auto j = lo.j; j <= hi.j; ++j) {
-      for (auto i = lo.i; i <= hi.i; ++i) {
-        const Index3 cell{i, j, k};
-        const auto bounds = grid_->boxOf(cell);
-        use({{inPlane(bounds.lower), inPlane(bounds.upper)},
-             grid_->rowOf(cell),
-             grid_->classOf(cell) == FluidClass::Fluid});
-      }
-    }
-  }
+  auto box = grid_->grid.indices();
+  along(box.lo, axis_) = along(box.hi, axis_) = index_;
+  forEachIndex(box, [&](const Index3& cell) {
+    const auto bounds = grid_->boxOf(cell);
+    use({{inPlane(bounds.lower), inPlane(bounds.upper)},
+         grid_->rowOf(cell),
+         grid_->classOf(cell) == FluidClass::Fluid});
+  });
 }
 
 SliceWindow<double> CellLayer::rectangle(std::uint32_t row) const {
