@@ -48,11 +48,11 @@ TEST(Chombo2DTest, PiecesOfThePlane) {
       fluid += kinds(at, 0) == 1 ? 1 : 0;
     }
   }
-  for (const auto& node : nodes) {
+  for (const auto& node : nodes.constStdVector()) {
     fluid += node.m_volFrac;
     double open = 0;
     for (const auto& faces : node.m_areaFrac) {
-      for (const double share : faces) open += share;
+      for (const double share : faces.constStdVector()) open += share;
     }
     EXPECT_GT(open, 0);
   }

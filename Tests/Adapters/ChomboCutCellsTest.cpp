@@ -35,13 +35,13 @@ class Graph {
         const RealVect& origin = RealVect(), Real dx = kDx)
       : region_(IntVect(lo), IntVect(hi)), kinds_(region_, 1) {
     cells.fillGraph(kinds_, nodes_, region_, region_, domain, origin, dx, DataIndex());
-    for (const auto& node : nodes_) {
+    for (const auto& node : nodes()) {
       byKey_[{node.m_cell[0], node.m_cell[1], kDim == 3 ? node.m_cell[kDim - 1] : 0,
               node.m_cellIndex}] = &node;
     }
   }
 
-  [[nodiscard]] const Vector<IrregNode>& nodes() const { return nodes_; }
+  [[nodiscard]] const std::vector<IrregNode>& nodes() const { return nodes_.constStdVector(); }
   /// 1: regular, 0: irregular, -1: covered.
   int kind(const IntVect& cell) { return kinds_(cell, 0); }
   [[nodiscard]] const IrregNode* find(const IntVect& cell, int piece) const {
@@ -84,7 +84,7 @@ bool expectTheSameAcross(Graph& graph, const IrregNode& node, int dir, Side::LoH
     ADD_FAILURE() << "no node there";
     return false;
   }
-  const auto& arcs = other->m_arc[back];
+  const auto& arcs = other->m_arc[back].constStdVector();
   const auto found = std::find(arcs.begin(), arcs.end(), node.m_cellIndex);
   if (found == arcs.end()) {
     ADD_FAILURE() << "no way back";
@@ -166,12 +166,12 @@ TEST(ChomboCutCellsTest, APlateHasTwoSides) {
       ASSERT_TRUE(below != nullptr && above != nullptr);
       EXPECT_NEAR(below->m_volFrac, 0.3, 1e-6);
       EXPECT_NEAR(above->m_volFrac, 0.4, 1e-6);
-      EXPECT_EQ(below->m_arc[0], (std::vector<int>{0}));
-      EXPECT_TRUE(below->m_arc[kDim].empty());
-      EXPECT_TRUE(above->m_arc[0].empty());
-      EXPECT_EQ(above->m_arc[kDim], (std::vector<int>{0}));
-      EXPECT_EQ(below->m_arc[1], (std::vector<int>{0}));
-      EXPECT_EQ(above->m_arc[1], (std::vector<int>{1}));
+      EXPECT_EQ(below->m_arc[0].constStdVector(), (std::vector<int>{0}));
+      EXPECT_EQ(below->m_arc[kDim].size(), 0U);
+      EXPECT_EQ(above->m_arc[0].size(), 0U);
+      EXPECT_EQ(above->m_arc[kDim].constStdVector(), (std::vector<int>{0}));
+      EXPECT_EQ(below->m_arc[1].constStdVector(), (std::vector<int>{0}));
+      EXPECT_EQ(above->m_arc[1].constStdVector(), (std::vector<int>{1}));
       EXPECT_NEAR(below->m_bndryCentroid[0], -0.2, 1e-6);
       EXPECT_NEAR(above->m_bndryCentroid[0], 0.1, 1e-6);
       EXPECT_NEAR(below->m_volCentroid[0], -0.35, 1e-6);
@@ -181,9 +181,9 @@ TEST(ChomboCutCellsTest, APlateHasTwoSides) {
       ASSERT_NE(whole, nullptr);
       EXPECT_EQ(graph.kind(at), 0);
       EXPECT_EQ(whole->m_volFrac, 1);
-      EXPECT_EQ(whole->m_arc[kDim], (std::vector<int>{0}));
+      EXPECT_EQ(whole->m_arc[kDim].constStdVector(), (std::vector<int>{0}));
       EXPECT_EQ(whole->m_areaFrac[kDim][0], 1);
-      EXPECT_EQ(whole->m_arc[0], (std::vector<int>{-2}));
+      EXPECT_EQ(whole->m_arc[0].constStdVector(), (std::vector<int>{-2}));
       ++pairs;
     }
   }
@@ -246,7 +246,7 @@ TEST(ChomboCutCellsTest, MomentsAreFromTheMiddle) {
   const auto* node = graph.find(at, 0);
   ASSERT_NE(node, nullptr);
   const double h = -0.2 * dx;
-  for (const auto& power : IndMomSpaceDim::getMonomialPowers()) {
+  for (const auto& power : IndMomSpaceDim::getMonomialPowers().constStdVector()) {
     const double volume = belowPlane(power[0], power[1], power[2], dx, h);
     EXPECT_NEAR(node->m_volumeMoments[power], volume, kRounding * dx * dx * dx);
     const double wall = belowPlane(power[0], power[1], 0, dx, dx / 2) / dx * std::pow(h, power[2]);
@@ -316,12 +316,12 @@ TEST(ChomboCutCellsTest, PeriodsGoOn) {
   for (const auto& node : graph.nodes()) {
     for (const int face : {0, kDim}) {
       if (node.m_cell[0] != (face == 0 ? 0 : 15)) continue;
-      for (const int to : node.m_arc[face]) {
+      for (const int to : node.m_arc[face].constStdVector()) {
         EXPECT_NE(to, -1);
         across += to >= 0 ? 1 : 0;
       }
     }
-    for (const int to : node.m_arc[1]) {
+    for (const int to : node.m_arc[1].constStdVector()) {
       if (node.m_cell[1] != 0) continue;
       EXPECT_EQ(to, -1);
     }
@@ -346,8 +346,8 @@ TEST(ChomboCutCellsTest, WallsInPlanesOfTheGridCloseFaces) {
   const auto* node = graph.find(at, 0);
   ASSERT_NE(node, nullptr);
   EXPECT_EQ(node->m_volFrac, 1);
-  EXPECT_TRUE(node->m_arc[kDim].empty());
-  EXPECT_EQ(node->m_arc[0], (std::vector<int>{-2}));
+  EXPECT_EQ(node->m_arc[kDim].size(), 0U);
+  EXPECT_EQ(node->m_arc[0].constStdVector(), (std::vector<int>{-2}));
   EXPECT_EQ(node->m_bndryCentroid[0], Real(0.5));
   at[0] = 4;
   EXPECT_EQ(graph.kind(at), -1);

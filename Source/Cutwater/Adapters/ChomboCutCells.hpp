@@ -274,7 +274,9 @@ class ChomboCutCells final : public GeometryService {
   /// Adds a row of CutCells::Moments to those of a volume or a wall, or of a face.
   template <typename Moments>
   static void addMoments(const std::vector<double>& row, Moments& out) {
-    for (const auto& power : Moments::getMonomialPowers()) {
+    const auto& powers = Moments::getMonomialPowers();  // a Vector of Chombo's, without begin()
+    for (std::size_t n = 0; n < powers.size(); ++n) {
+      const auto& power = powers[n];
       std::size_t place = 0;
       const auto of = [&](int axis) { return static_cast<std::size_t>(power[axis]); };
       if constexpr (std::is_same_v<Moments, decltype(IrregNode::m_volumeMoments)>) {
