@@ -129,6 +129,25 @@ TEST_F(AmrexEBTest, PlatesThinnerThanACellAreThere) {
   EXPECT_GT(rules.cut(), 300U);
 }
 
+// On the level with cells twice as large, fluid on one side of the plate is covered, and the cells
+// beside it get a wall that no finer cell has.
+TEST_F(AmrexEBTest, MultigridEndsWhereOnlyCoveringMakesWalls) {
+  const double h = 1.0 / 32;
+  const auto geometry = cubeOf(32);
+  const auto plateFrom = [&](double x) {
+    return SolidCutter(
+        Solid<double>(Cuboid<double>({x * h, 0.21, 0.23}, {(x + 0.9) * h, 0.77, 0.79})));
+  };
+  const auto& thin = buildEB(plateFrom(16.07), geometry);
+  EXPECT_GT(thin.cells(amrex::coarsen(geometry, 2)).newWallShare(), 0.3);
+  EXPECT_EQ(thin.multigridLevels(geometry), 0);
+  EXPECT_GT(thin.multigridLevels(amrex::coarsen(geometry, 2)), 1);
+  const auto& ball =
+      buildEB(SolidCutter(Solid<double>(Sphere<double>({0.5, 0.5, 0.5}, 0.3))), geometry);
+  EXPECT_EQ(ball.multigridLevels(geometry), 4);
+  EXPECT_THROW(static_cast<void>(ball.multigridLevels(amrex::refine(geometry, 2))), Error);
+}
+
 TEST_F(AmrexEBTest, WallsOfFewCellsAPeriodKeepTheRules) {
   const TpmsField<double> gyroid(TpmsPattern::gyroid(), 0.25);
   const Solid<double> wall = Cuboid<double>({0.2, 0.2, 0.2}, {0.8, 0.8, 0.8}) &

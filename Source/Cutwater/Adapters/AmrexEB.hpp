@@ -225,6 +225,23 @@ class AmrexIndexSpace final : public amrex::EB2::IndexSpace {
     require(level != nullptr, "AmrexIndexSpace: no level has this domain");
     return level->cells();
   }
+  /// How many levels coarser than this one AMReX's multigrid may use, for
+  /// LPInfo::setMaxCoarseningLevel(). Where covering closes faces on a coarse level alone, as
+  /// beside plates thinner than its cells, AMReX has no Dirichlet condition for them, and its
+  /// cycles may grow: the last of these levels is before the first on which those are more than a
+  /// tenth of the cells with a wall. @throws Error(Argument) as cells().
+  [[nodiscard]] int multigridLevels(const amrex::Geometry& geometry) const {
+    constexpr double kMost = 0.1;
+    static_cast<void>(cells(geometry));  // for its errors
+    int count = 0;
+    bool isCoarser = false;
+    for (const auto& level : levels_) {
+      if (isCoarser && level->cells().newWallShare() > kMost) break;
+      count += isCoarser ? 1 : 0;
+      isCoarser = isCoarser || level->Geom().Domain() == geometry.Domain();
+    }
+    return count;
+  }
   /// The patches of walls on this level. The last one is what was covered.
   [[nodiscard]] const std::vector<std::string>& patchNames(const amrex::Geometry& geometry) const {
     return cells(geometry).cells().patchNames;

@@ -293,6 +293,22 @@ const std::vector<LostPiece>& SingleValuedCells::lost() const {
   return parts_->merged().lost;
 }
 
+double SingleValuedCells::newWallShare() const {
+  const auto& parts = cells().wallParts;
+  const auto covered = cells().patchNames.size() - 1;
+  std::size_t walls = 0;
+  std::size_t isNew = 0;
+  for (std::size_t first = 0, last = 0; first < parts.piece.size(); first = last) {
+    bool isAllNew = true;
+    for (; last < parts.piece.size() && parts.piece[last] == parts.piece[first]; ++last) {
+      isAllNew = isAllNew && parts.patch[last] == covered;
+    }
+    ++walls;
+    isNew += isAllNew ? 1 : 0;
+  }
+  return walls > 0 ? static_cast<double>(isNew) / static_cast<double>(walls) : 0;
+}
+
 template <std::floating_point T>
 void SingleValuedCells::fill(const IndexBox& box, const SingleValuedFields<T>& fields) const {
   Filling<T>(*parts_, box, fields).run();

@@ -80,6 +80,9 @@ class SingleValuedCells {
   [[nodiscard]] const CutCells& cells() const;
   /// What was covered on this level, sorted as rows are.
   [[nodiscard]] const std::vector<LostPiece>& lost() const;
+  /// Of the cells that have a wall, the share of those whose wall is nothing but faces to what was
+  /// covered on this level: where they lie, finer levels have none.
+  [[nodiscard]] double newWallShare() const;
 
   /// Of a box within this one: classOf().
   [[nodiscard]] FluidClass classify(const IndexBox& box) const { return classOf(cells(), box); }
