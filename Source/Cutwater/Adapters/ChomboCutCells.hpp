@@ -165,8 +165,8 @@ class ChomboCutCells final : public GeometryService {
     const auto box = cells_.grid.indices();
     const std::array at{&cell.i, &cell.j, &cell.k};
     for (int axis = 0; axis < CH_SPACEDIM; ++axis) {
-      if (!domain_.isPeriodic(axis)) continue;
       const auto count = static_cast<int>(box.length(axis));
+      if (!domain_.isPeriodic(axis) || count == 0) continue;
       auto& own = *at[static_cast<std::size_t>(axis)];
       const auto lowest = keyOf(box.lo)[static_cast<std::size_t>(axis)];
       own = lowest + ((own - lowest) % count + count) % count;
