@@ -1,3 +1,4 @@
+#include <Cutwater/Polyhedra/Detail/CellChange.hpp>
 #include <Cutwater/Polyhedra/Detail/CellDivision.hpp>
 #include <Cutwater/Polyhedra/Detail/EditedMesh.hpp>
 
@@ -59,6 +60,24 @@ TEST(EditedMeshTest, FacesOfOneCellBecomeOne) {
   const auto joined = std::move(mesh).take();
   expectClosed(joined);
   EXPECT_EQ(joined.faces.neighbour.size(), 1U);
+}
+
+/// A line between two corners makes two of a wall, but not where an edge is.
+TEST(EditedMeshTest, AWallBecomesTwo) {
+  EditedMesh mesh(brick({1, 1, 1}));
+  const auto wall = mesh.facesOf(0).front();
+  const auto loop = mesh.face(wall).loop;
+  CellChange change{.kind = CellChange::Kind::DivideWall,
+                    .cell = 0,
+                    .other = wall,
+                    .corners = {loop[0], loop[2]}};
+  EXPECT_EQ(apply(change, mesh), std::vector<std::uint32_t>{0});
+  EXPECT_EQ(mesh.facesOf(0).size(), 7U);
+  change.other = mesh.facesOf(0)[1];
+  EXPECT_TRUE(apply(change, mesh).empty());
+  const auto divided = std::move(mesh).take();
+  expectClosed(divided);
+  EXPECT_EQ(check(divided).meshVolume, 1);
 }
 
 /// A fin without volume: a cell has a face to another one, and a wall that is the same face seen

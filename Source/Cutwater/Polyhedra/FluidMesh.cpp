@@ -3,12 +3,10 @@
 #include <Cutwater/CutCells/CutRegions.hpp>
 #include <Cutwater/CutCells/Detail/Leaves/LeafGrid.hpp>
 #include <Cutwater/Grid/OctreeNodes.hpp>
-#include <Cutwater/Polyhedra/Detail/CellFaces.hpp>
 #include <Cutwater/Polyhedra/Detail/EdgeMeetings.hpp>
-#include <Cutwater/Polyhedra/Detail/FaceQuality.hpp>
 #include <Cutwater/Polyhedra/Detail/FaceRows.hpp>
 #include <Cutwater/Polyhedra/Detail/FluidCells.hpp>
-#include <Cutwater/Polyhedra/Detail/JoinedPolygons.hpp>
+#include <Cutwater/Polyhedra/Detail/JoinedWalls.hpp>
 #include <Cutwater/Polyhedra/Detail/KeptRegions.hpp>
 #include <Cutwater/Polyhedra/Detail/MendedCells.hpp>
 #include <Cutwater/Polyhedra/Detail/PointNumbers.hpp>
@@ -44,6 +42,7 @@ class MeshOfFluid {
         options_(options),
         regions_(leaves, mesh, grid_, options),
         cells_(leaves, grid_, regions_, options.smallest),
+        axes_(cells_.rows().leaf.size(), 0),
         numberOfNode_(nodes_.count(), kNone) {}
 
   FluidMesh made() {
@@ -112,21 +111,22 @@ class MeshOfFluid {
       divideIntoLoops(numbered(leaves_.arcPolygons.of(arc)), points_.points(), axis, loops);
       for (auto& loop : loops) {
         if (below == kNone) std::ranges::reverse(loop);
-        faces_.add(loop, below == kNone ? above : below, below == kNone ? kNone : above, patch);
+        addFace(loop, below == kNone ? above : below, below == kNone ? kNone : above, patch, axis);
       }
     }
   }
 
-  /// What patches have of a cell's wall, of all pieces that were joined in it.
-  struct CellWall {
-    struct OfPatch {
-      std::uint32_t patch;
-      std::vector<CornerLoop> loops;  // the polygons, and then the faces
-    };
-    std::uint32_t cell;
-    std::vector<OfPatch> parts;
-  };
+  /// Adds one across an axis, see FaceRows.
+  void addFace(std::span<const std::uint32_t> loop, std::uint32_t cell, std::uint32_t other,
+               std::uint32_t patch, int axis) {
+    faces_.add(loop, cell, other, patch);
+    for (const auto side : {cell, other}) {
+      if (side != kNone)
+        axes_[side] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+    }
+  }
 
+  /// What patches have of walls, of all pieces that were joined in a cell.
   /// Points are numbered and faces added in order, by one thread; polygons are joined by all.
   void addWalls() {
     constexpr std::size_t kRound = 4096;
@@ -142,7 +142,8 @@ class MeshOfFluid {
       detail::parallelBatches(walls.size(), kBatch, {.threads = options_.threads},
                               [&](std::size_t first, std::size_t count) {
                                 for (auto& wall : std::span(walls).subspan(first, count)) {
-                                  joinPolygons(wall);
+                                  joinWall(wall, faces_.countOf(wall.cell), axes_[wall.cell],
+                                           points_.points(), options_.wallPolygons);
                                 }
                               });
       for (const auto& wall : walls) {
@@ -166,56 +167,13 @@ class MeshOfFluid {
     }
     addRound();
   }
-  void joinPolygons(CellWall& wall) const {
-    auto others = faces_.countOf(wall.cell);
-    for (auto& [patch, loops] : wall.parts) {
-      loops = wallFaces(loops, others);
-      others += loops.size();
-    }
-  }
   void addPolygons(std::uint32_t part, std::vector<CornerLoop>& polygons) {
     for (auto n = leaves_.firstWallPolygon[part]; n < leaves_.firstWallPolygon[part + 1]; ++n) {
       auto loop = numbered(leaves_.wallPolygons.of(n));
       std::ranges::reverse(loop);  // out of the fluid
-      clean(loop);
-      if (!loop.empty()) polygons.push_back(std::move(loop));
+      addSimpleLoops(loop, polygons);
     }
   }
-  /// Of a cell that has so many other faces: no cell has fewer than four, if its wall can have
-  /// more.
-  [[nodiscard]] std::vector<CornerLoop> wallFaces(const std::vector<CornerLoop>& polygons,
-                                                  std::size_t others) const {
-    const auto joined = [&](bool all) {
-      auto loops = joinedPolygons(polygons, [&](std::size_t, std::size_t other) {
-        return all || isWithoutArea(polygons[other]);
-      });
-      std::erase_if(loops, [&](const CornerLoop& loop) { return isOnAxis(loop); });
-      return loops;
-    };
-    if (options_.wallPolygons) return joined(false);
-    auto loops = joined(true);
-    return loops.size() + others < kFewestFaces ? joined(false) : loops;
-  }
-  /// Whether a loop lies on a line along an axis, as where a wall touches an edge of a leaf:
-  /// without it, other faces meet along that line, see meetEdgeByEdge().
-  [[nodiscard]] bool isOnAxis(const CornerLoop& loop) const {
-    const auto& points = points_.points();
-    Box<double> bounds;
-    for (const auto corner : loop) bounds.extend(points[corner]);
-    const auto size = bounds.size();
-    return std::min({size.x + size.y, size.y + size.z, size.z + size.x}) == 0;
-  }
-  [[nodiscard]] bool isWithoutArea(const CornerLoop& polygon) const {
-    constexpr double kNothing = 1e-14;  // of the square of its extent
-    const auto& points = points_.points();
-    const auto at = [&](std::uint32_t n) { return points[n]; };
-    double extent = 0;
-    for (const auto corner : polygon) {
-      extent = std::max(extent, lengthSquared(at(corner) - at(polygon.front())));
-    }
-    return length(faceMoments(polygon, at).area) <= kNothing * extent;
-  }
-
   /// One of a leaf that is all fluid, whose cell has it; across is another such leaf's, or nothing.
   struct WholeFace {
     std::uint32_t leaf;
@@ -278,7 +236,8 @@ class MeshOfFluid {
     if (face.across == kNone) requireSide(face.leaf, face.axis, face.isHigh);
     std::array<std::uint32_t, 4> loop{};
     std::ranges::transform(face.nodes, loop.begin(), [&](auto node) { return ofNode(node); });
-    faces_.add(loop, cells_.ofLeaf(face.leaf), face.across, patchOfSide(face.axis, face.isHigh));
+    addFace(loop, cells_.ofLeaf(face.leaf), face.across, patchOfSide(face.axis, face.isHigh),
+            face.axis);
   }
   void requireSide(std::uint32_t leaf, int axis, bool isHigh) const {
     const auto& [index, level, kind] = grid_.leaves()[leaf];
@@ -318,6 +277,7 @@ class MeshOfFluid {
   const FluidMeshOptions& options_;
   KeptRegions regions_;
   FluidCells cells_;
+  std::vector<std::uint8_t> axes_;  // of each cell, a mask of those along which it leads on
   std::vector<std::uint32_t> numberOfNode_;
   PointNumbers points_;
   FaceRows faces_;

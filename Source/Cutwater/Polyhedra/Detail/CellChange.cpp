@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace cutwater {
 
@@ -76,6 +77,34 @@ Cells withoutFolds(EditedMesh& mesh, std::uint32_t cell, bool alsoOfWalls) {
   return cells;
 }
 
+/// Whether an edge of a cell is between two corners.
+bool hasEdge(EditedMesh& mesh, std::uint32_t cell, std::uint32_t a, std::uint32_t b) {
+  for (const auto number : mesh.facesOf(cell)) {
+    const auto& loop = mesh.face(number).loop;
+    const auto found = std::ranges::find(loop, a);
+    if (found == loop.end()) continue;
+    const auto next = found + 1 == loop.end() ? loop.front() : *(found + 1);
+    const auto last = found == loop.begin() ? loop.back() : *(found - 1);
+    if (next == b || last == b) return true;
+  }
+  return false;
+}
+
+Cells withDividedWall(EditedMesh& mesh, const CellChange& change) {
+  auto wall = mesh.face(change.other);
+  const auto [a, b] = change.corners;
+  if (hasEdge(mesh, change.cell, a, b)) return {};
+  std::rotate(wall.loop.begin(), std::ranges::find(wall.loop, a), wall.loop.end());
+  const auto end = std::ranges::find(wall.loop, b);
+  CornerLoop rest(end, wall.loop.end());
+  rest.push_back(a);
+  wall.loop.erase(end + 1, wall.loop.end());
+  mesh.setLoop(change.other, wall.loop);
+  wall.loop = std::move(rest);
+  mesh.addFace(std::move(wall));
+  return {change.cell};
+}
+
 Cells divided(const CellChange& change, EditedMesh& mesh) {
   using Kind = CellChange::Kind;
   const auto cell = change.cell;
@@ -101,6 +130,8 @@ std::vector<std::uint32_t> apply(const CellChange& change, EditedMesh& mesh) {
     case Kind::JoinWalls:
       if (!joinWalls(mesh, change.cell, joinsSides, change.other)) return {};
       return withoutFolds(mesh, change.cell, joinsSides);
+    case Kind::DivideWall:
+      return withDividedWall(mesh, change);
     case Kind::Join:
       return withoutFolds(mesh, joined(mesh, change.cell, change.other), joinsSides);
     case Kind::JoinWithWalls: {

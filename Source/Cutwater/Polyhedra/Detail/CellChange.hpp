@@ -3,6 +3,7 @@
 #include <Cutwater/Polyhedra/Detail/CellDivision.hpp>
 #include <Cutwater/Polyhedra/Detail/EditedMesh.hpp>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct CellChange {
   enum class Kind : std::uint8_t {
     CloseFolds,     ///< pairs of its faces that are one, seen from both sides
     JoinWalls,      ///< a wall with others of its patch
+    DivideWall,     ///< by a line between two of its corners
     Divide,         ///< by a plane
     DivideFront,    ///< then the part in front of the plane by a second one
     DivideBehind,   ///< or the other part
@@ -27,6 +29,7 @@ struct CellChange {
   std::uint32_t other = EditedMesh::kNone;  ///< the neighbour, or the wall
   DividingPlane plane = {};
   DividingPlane second = {};
+  std::array<std::uint32_t, 2> corners = {};  ///< that the line is between
   /// Whether walls that are two sides of a sheet are joined as well: what of it both have is gone.
   bool joinsSides = false;
 

@@ -153,6 +153,9 @@ class CellMending {
       for (const auto cell : cells) {
         if (!best_) considerDividingTwice(cell);
       }
+      for (const auto cell : cells) {
+        if (!best_) considerDividingWalls(cell);
+      }
     }
     for (const auto cell : cells) {
       if (!best_ && rules_.joinsSides) considerWalls(cell, true);
@@ -249,6 +252,24 @@ class CellMending {
       for (const auto& second : planes) {
         for (const auto kind : {Kind::DivideFront, Kind::DivideBehind}) {
           consider({.kind = kind, .cell = cell, .plane = plane, .second = second});
+        }
+      }
+    }
+  }
+  /// Divides one by a line between two of its corners, as where it is folded.
+  void considerDividingWalls(std::uint32_t cell) {
+    constexpr std::size_t kMostCorners = 50;
+    for (const auto number : std::vector(mesh_.facesOf(cell))) {
+      const auto wall = mesh_.face(number);
+      const auto& loop = wall.loop;
+      if (wall.other != kNone || loop.size() > kMostCorners) continue;
+      for (std::size_t a = 0; a + 2 < loop.size(); ++a) {
+        for (std::size_t b = a + 2; b < loop.size(); ++b) {
+          if (a == 0 && b + 1 == loop.size()) continue;  // side by side
+          consider({.kind = Kind::DivideWall,
+                    .cell = cell,
+                    .other = number,
+                    .corners = {loop[a], loop[b]}});
         }
       }
     }
