@@ -6,6 +6,8 @@
 #include <Cutwater/Shapes/Cuboid.hpp>
 #include <Cutwater/Surface/Tessellation.hpp>
 
+#include <algorithm>
+
 #include "Support/Grid.hpp"
 #include "Support/Precisions.hpp"
 

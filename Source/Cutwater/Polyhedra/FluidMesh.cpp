@@ -121,13 +121,13 @@ class MeshOfFluid {
                std::uint32_t patch, int axis) {
     faces_.add(loop, cell, other, patch);
     for (const auto side : {cell, other}) {
-      if (side != kNone)
-        axes_[side] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+      if (side == kNone) continue;
+      axes_[side] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
     }
   }
 
-  /// What patches have of walls, of all pieces that were joined in a cell.
-  /// Points are numbered and faces added in order, by one thread; polygons are joined by all.
+  /// What patches have of the walls of all pieces that were joined in a cell. Points are numbered
+  /// and faces added in order, by one thread; polygons are joined by all.
   void addWalls() {
     constexpr std::size_t kRound = 4096;
     constexpr std::size_t kBatch = 16;
@@ -174,6 +174,7 @@ class MeshOfFluid {
       addSimpleLoops(loop, polygons);
     }
   }
+
   /// One of a leaf that is all fluid, whose cell has it; across is another such leaf's, or nothing.
   struct WholeFace {
     std::uint32_t leaf;
