@@ -112,11 +112,9 @@ class CellDivision {
   void findSides(const DividingPlane& plane) {
     const auto at = pointAt();
     const double near = plane.near * std::cbrt(volume_);
-    corners_.clear();
     for (const auto& loop : whole_.loops) corners_.insert(corners_.end(), loop.begin(), loop.end());
     std::ranges::sort(corners_);
     corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
-    heights_.clear();
     for (const auto corner : corners_) {
       const double height = -dot(normal_, at(corner) - plane.point);
       heights_.push_back(std::abs(height) < near ? 0 : height);
@@ -194,18 +192,12 @@ class CellDivision {
     constexpr double kLeast = 1e-3;  // of the square of the cell's width
     const auto n = loop.size();
     const auto isInPlane = [&](std::size_t k) { return heightOf(loop[k % n]) == 0; };
-    std::optional<std::size_t> start;
-    for (std::size_t k = 0; k < n; ++k) {
-      if (!isInPlane(k) || isInPlane(k + n - 1)) continue;
-      if (start) return std::nullopt;
-      start = k;
-    }
-    if (!start) return std::nullopt;
-    auto last = *start;
-    while (isInPlane(last + 1)) ++last;
+    const auto stretch = onlyStretch(n, isInPlane);
+    if (!stretch) return std::nullopt;
+    const auto [start, end] = *stretch;
     std::pair<CornerLoop, CornerLoop> parts;
-    for (auto k = *start; k <= last; ++k) parts.first.push_back(loop[k % n]);
-    for (auto k = last; k <= *start + n; ++k) parts.second.push_back(loop[k % n]);
+    for (auto k = start; k < end; ++k) parts.first.push_back(loop[k % n]);
+    for (auto k = end - 1; k <= start + n; ++k) parts.second.push_back(loop[k % n]);
     if (parts.first.size() < 3 || parts.second.size() < 3) return std::nullopt;
     const double area = dot(faceMoments(parts.first, pointAt()).area, normal_);
     const double width = std::cbrt(volume_);
@@ -218,18 +210,12 @@ class CellDivision {
   [[nodiscard]] std::optional<std::pair<CornerLoop, CornerLoop>> halvesOf(const CornerLoop& loop) {
     const auto n = loop.size();
     const auto isBehind = [&](std::size_t k) { return heightOf(loop[k % n]) < 0; };
-    std::optional<std::size_t> start;  // of those behind
-    for (std::size_t k = 0; k < n; ++k) {
-      if (!isBehind(k) || isBehind(k + n - 1)) continue;
-      if (start) return std::nullopt;
-      start = k;
-    }
-    if (!start) return std::nullopt;
-    std::size_t end = *start;
-    while (isBehind(end)) ++end;
+    const auto stretch = onlyStretch(n, isBehind);
+    if (!stretch) return std::nullopt;
+    const auto [start, end] = *stretch;
     std::pair<CornerLoop, CornerLoop> halves;
-    for (auto k = *start + n - 1; k <= end + n; ++k) halves.second.push_back(loop[k % n]);
-    for (auto k = end; k < *start + n; ++k) halves.first.push_back(loop[k % n]);
+    for (auto k = start + n - 1; k <= end + n; ++k) halves.second.push_back(loop[k % n]);
+    for (auto k = end; k < start + n; ++k) halves.first.push_back(loop[k % n]);
     if (halves.first.size() < 3 || halves.second.size() < 3) return std::nullopt;
     if (halves.second.front() == halves.second.back()) return std::nullopt;
     return halves;

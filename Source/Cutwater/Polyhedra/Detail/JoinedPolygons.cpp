@@ -11,23 +11,6 @@ namespace cutwater {
 
 namespace {
 
-/// The only chain of a polygon's n edges that are shared: from a corner to another one, which is
-/// beyond n if the chain goes on across the polygon's end. None, if there are several, or all are.
-template <typename IsShared>
-std::optional<std::pair<std::size_t, std::size_t>> onlyChain(std::size_t n,
-                                                             const IsShared& isShared) {
-  std::optional<std::size_t> start;
-  for (std::size_t k = 0; k < n; ++k) {
-    if (!isShared(k) || isShared(k + n - 1)) continue;
-    if (start) return std::nullopt;
-    start = k;
-  }
-  if (!start) return std::nullopt;
-  auto end = *start + 1;
-  while (isShared(end)) ++end;
-  return std::pair(*start, end);
-}
-
 /// The path around a face and a polygon beside it; none, unless they share one chain of edges.
 std::optional<CornerLoop> pathAround(const CornerLoop& rim, const CornerLoop& polygon) {
   const auto n = polygon.size();
@@ -35,7 +18,7 @@ std::optional<CornerLoop> pathAround(const CornerLoop& rim, const CornerLoop& po
   for (const auto corner : polygon) {
     place.push_back(static_cast<std::size_t>(std::ranges::find(rim, corner) - rim.begin()));
   }
-  const auto chain = onlyChain(n, [&](std::size_t k) {
+  const auto chain = onlyStretch(n, [&](std::size_t k) {
     const auto from = place[k % n];
     const auto to = place[(k + 1) % n];
     return from < rim.size() && to < rim.size() && (to + 1) % rim.size() == from;
@@ -131,7 +114,7 @@ class GrowingRim {
     const auto isShared = [&](std::size_t k) {
       return next_[polygon[(k + 1) % n]] == polygon[k % n];
     };
-    const auto chain = onlyChain(n, isShared);
+    const auto chain = onlyStretch(n, isShared);
     if (!chain) return false;
     const auto [start, end] = *chain;
     for (auto k = end + 1; k < start + n; ++k) {
