@@ -48,7 +48,7 @@ FORBIDDEN = re.compile(r"CGAL/|p4est|p8est|gmp|mpfr|iostream|sstream")
 PRIVATE = re.compile(r"Eigen/|omp\.h|zlib\.h|expat\.h|png\.h|xxhash\.h|experimental/|immintrin\.h|toml\+\+/|CLI/|p8est|CGAL/")
 OPTIONAL_HEADERS = {"Core/Eigen.hpp"}  # for users of that library only
 # Host codes are known to one header each, which nothing else of ours includes.
-HOST = re.compile(r"AMReX|BaseIF|deal\.II/|Cutwater/Adapters/(Amrex|AmrexEB|Chombo|DealII)\.hpp")
+HOST = re.compile(r"AMReX|BaseIF|IrregNode|deal\.II/|Cutwater/Adapters/(Amrex|AmrexEB|Chombo|ChomboCutCells|DealII)\.hpp")
 HOST_HEADERS = {"Adapters/Amrex.hpp", "Adapters/AmrexEB.hpp", "Adapters/Chombo.hpp", "Adapters/ChomboCutCells.hpp",
                 "Adapters/DealII.hpp"}
 # What users read and run.
