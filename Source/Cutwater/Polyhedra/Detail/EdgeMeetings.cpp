@@ -68,8 +68,8 @@ class PointsOnAxes {
   std::array<std::vector<std::uint32_t>, 3> lines_;
 };
 
-/// The ends of edges along which the faces of a cell do not meet others.
-std::vector<std::uint32_t> endsOfOpenEdges(const FluidMesh& mesh, int threads) {
+/// Of each point, whether an edge ends in it along which the faces of a cell do not meet others.
+std::vector<char> endsOfOpenEdges(const FluidMesh& mesh, int threads) {
   const CellFaces cells(mesh);
   std::vector<std::vector<std::uint32_t>> found(cells.count() / kBatch + 1);
   detail::parallelBatches(
@@ -83,14 +83,10 @@ std::vector<std::uint32_t> endsOfOpenEdges(const FluidMesh& mesh, int threads) {
         }
       });
   std::vector<char> isEnd(mesh.points.size(), 0);
-  std::vector<std::uint32_t> ends;
   for (const auto& of : found) {
-    for (const auto end : of) {
-      if (isEnd[end] == 0) ends.push_back(end);
-      isEnd[end] = 1;
-    }
+    for (const auto end : of) isEnd[end] = 1;
   }
-  return ends;
+  return isEnd;
 }
 
 /// A face that goes through points in which others end.
@@ -99,12 +95,15 @@ struct LongerFace {
   CornerLoop loop;
 };
 
-/// The faces whose edges go through some points, ascending.
-std::vector<LongerFace> facesThrough(const FluidMesh& mesh, const std::vector<std::uint32_t>& ends,
+/// The faces whose edges go through such points, ascending.
+std::vector<LongerFace> facesThrough(const FluidMesh& mesh, const std::vector<char>& isEnd,
                                      int threads) {
+  std::vector<std::uint32_t> ends;
+  for (std::uint32_t point = 0; point < isEnd.size(); ++point) {
+    if (isEnd[point] != 0) ends.push_back(point);
+  }
+  if (ends.empty()) return {};
   const PointsOnAxes points(mesh.points, ends, threads);
-  std::vector<char> isEnd(mesh.points.size(), 0);
-  for (const auto end : ends) isEnd[end] = 1;
   std::vector<std::vector<LongerFace>> found(mesh.faces.count() / kBatch + 1);
   detail::parallelBatches(
       mesh.faces.count(), kBatch, {.threads = threads}, [&](std::size_t first, std::size_t count) {
@@ -153,12 +152,11 @@ void addFaces(const FluidMesh::Faces& from, std::size_t begin, std::size_t end,
 }  // namespace
 
 void meetEdgeByEdge(FluidMesh& mesh, int threads) {
-  const auto ends = endsOfOpenEdges(mesh, threads);
-  if (ends.empty()) return;
-  const auto longer = facesThrough(mesh, ends, threads);
+  const auto longer = facesThrough(mesh, endsOfOpenEdges(mesh, threads), threads);
+  if (longer.empty()) return;
   FluidMesh::Faces faces;
   faces.first.reserve(mesh.faces.first.size());
-  faces.corners.reserve(mesh.faces.corners.size() + ends.size());
+  faces.corners.reserve(mesh.faces.corners.size() + 4 * longer.size());
   faces.owner.reserve(mesh.faces.owner.size());
   faces.neighbour.reserve(mesh.faces.neighbour.size());
   std::vector<std::size_t> firstOf;  // of the faces that each longer one became

@@ -94,7 +94,8 @@ void joinWall(CellWall& wall, std::size_t others, unsigned axes,
   std::vector<Loops> faces;
   for (const auto& [patch, polygons] : wall.parts) {
     faces.push_back(keepsPolygons ? joining.kept(polygons) : joining.allJoined(polygons));
-    if (faces.back().size() + others < kFewestFaces) faces.back() = joining.kept(polygons);
+    const bool isFew = faces.back().size() + others < kFewestFaces;
+    if (isFew && !keepsPolygons) faces.back() = joining.kept(polygons);
     others += faces.back().size();
   }
   const auto flat = keepsPolygons ? 0 : joining.flatAxes(faces, axes);
